@@ -1,0 +1,29 @@
+# What every target is compiled with: the language, the warnings, the sanitizers and the compiler cache.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+        CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1
+        CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE})
+endif()
+
+add_library(rotorscope_options INTERFACE)
+if(MSVC)
+    target_compile_options(rotorscope_options INTERFACE /W4 /utf-8 /permissive- $<$<BOOL:${ROTORSCOPE_WERROR}>:/WX>)
+    target_compile_definitions(rotorscope_options INTERFACE NOMINMAX)
+else()
+    target_compile_options(rotorscope_options INTERFACE
+        -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wformat=2
+        $<$<BOOL:${ROTORSCOPE_WERROR}>:-Werror>)
+endif()
+
+if(ROTORSCOPE_SANITIZE)
+    # Global, so that the static libraries, the tests and the programs agree.
+    add_compile_options(-fsanitize=${ROTORSCOPE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+    add_link_options(-fsanitize=${ROTORSCOPE_SANITIZE})
+endif()

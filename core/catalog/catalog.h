@@ -1,0 +1,77 @@
+// Which registers a board has, found by id or by name. Immutable once made; shared between threads as
+// shared_ptr<const Catalog>.
+#pragma once
+
+#include "base/result.h"
+#include "catalog/register_info.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace catalog {
+
+/// Factors of one motor's digits, as the board reports them. Zero: not known, raw digits are shown.
+struct Scales {
+    double ampsPerDigit = 0.0;
+    double voltsPerDigit = 0.0;
+    double rpmPerSpeedDigit = 6.0; ///< of SpeedTenthHz in the datalog: 0.1 Hz = 6 rpm
+    double rpmPerReadDigit = 6.0; ///< of the same registers when read one by one (differs up to firmware 6.3)
+    bool operator==(const Scales &) const = default;
+};
+
+/// A register of a motor, named for people: NAME or NAME@MOTOR.
+struct RegisterName {
+    std::string name;
+    int motor = 0; ///< 0: not said
+};
+
+class Catalog {
+public:
+    Catalog() = default;
+    Catalog(std::vector<RegisterInfo> registers, int motors, std::vector<Scales> scales);
+
+    const std::vector<RegisterInfo> &registers() const { return m_registers; }
+    int motors() const { return m_motors; }
+
+    /// The register an id (with motor) belongs to; nullptr if the table does not have it.
+    const RegisterInfo *find(RegisterId id) const;
+    /// By name or alias, not case-sensitive; nullptr if there is none.
+    const RegisterInfo *find(std::string_view name) const;
+    /// NAME or NAME@MOTOR to the id for the wire. Motor defaults to 1 for registers of a motor.
+    /// Empty if the name or the motor does not exist.
+    std::optional<RegisterId> resolve(std::string_view nameAtMotor) const;
+
+    RegisterId withMotor(const RegisterInfo &info, int motor) const;
+    int motorOf(RegisterId id) const; ///< 0 for registers of the board
+
+    /// Name for people: the register's, "@2" behind it where a board has several motors, the id in hex if unknown.
+    std::string nameOf(RegisterId id) const;
+
+    /// What a value read one by one means, and what a streamed sample means.
+    Scale readScale(RegisterId id) const;
+    Scale streamScale(RegisterId id) const;
+
+private:
+    std::vector<RegisterInfo> m_registers;
+    int m_motors = 1;
+    std::vector<Scales> m_scales; ///< one a motor
+    std::unordered_map<RegisterId, std::size_t> m_byId;
+    std::unordered_map<std::string, std::size_t> m_byName; ///< upper case, aliases included
+};
+
+struct TableError {
+    std::size_t line = 0; ///< 1-based
+    std::string what; ///< one sentence, in English, for logs and tests
+};
+
+/// Reads a register table (resources/registers/README.md has the columns).
+/// @param family   rows of this family only
+/// @param version  firmware as 0xMMmmpp; rows that came later or went earlier are left out
+Result<std::vector<RegisterInfo>, TableError> readTable(std::string_view csv, std::string_view family,
+    std::uint32_t version);
+
+} // namespace catalog

@@ -1,0 +1,69 @@
+// What one register is: its name, how its value is stored, what the number means. Neutral: the same for every
+// protocol. Which registers exist on a board is the Catalog's business.
+#pragma once
+
+#include "base/bytes.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace catalog {
+
+/// A register as the wire numbers it, motor included where the protocol puts it there.
+using RegisterId = std::uint32_t;
+
+enum class ValueType : std::uint8_t { U8, S8, U16, S16, U32, S32, F32, Text, Raw };
+
+/// What people do with the number: a measure, a choice of names, a set of named bits.
+enum class Meaning : std::uint8_t { Number, Enumeration, Flags, Boolean };
+
+/// What a number measures; with the board's scales this gives the factor to SI or to the field's usual unit.
+enum class Quantity : std::uint8_t {
+    Plain, ///< the unit of the table holds as it is
+    Current, ///< digits of the current scale -> A
+    Voltage, ///< digits of the voltage scale -> V
+    Angle, ///< 65536 digits a turn -> degrees (electrical)
+    SpeedTenthHz, ///< 0.1 Hz mechanical -> rpm, as the datalog carries it
+};
+
+enum class Access : std::uint8_t { None, Read, Write, ReadWrite };
+
+/// How a register can reach the scope.
+enum class Streaming : std::uint8_t { Polled, Fast, StreamOnly /* Fast, but never readable */ };
+
+using Value = std::variant<std::int64_t, double, std::string, Bytes>;
+
+struct RegisterInfo {
+    RegisterId id = 0; ///< without motor
+    std::string name; ///< the field's standard name, e.g. I_Q_MEAS
+    std::vector<std::string> aliases; ///< other names in use, e.g. I_Q of the printed documents
+    std::string group; ///< where a tree shows it, e.g. "Current loop"
+    std::string help;
+    std::string unit; ///< of the raw number, as the table says
+    ValueType type = ValueType::U16;
+    Meaning meaning = Meaning::Number;
+    Quantity quantity = Quantity::Plain;
+    Access access = Access::Read;
+    Streaming streaming = Streaming::Polled;
+    bool perMotor = true; ///< false: one for the whole board, addressed without a motor
+    bool stub = false; ///< answers without effect or with left-overs: never polled
+    bool dangerous = false; ///< a write can move or harm something at once
+
+    bool readable() const { return access == Access::Read || access == Access::ReadWrite; }
+    bool writable() const { return access == Access::Write || access == Access::ReadWrite; }
+};
+
+/// Factor and unit that turn the raw number into what people read: shown = raw * factor [unit].
+struct Scale {
+    double factor = 1.0;
+    std::string unit;
+    bool operator==(const Scale &) const = default;
+};
+
+bool isInteger(ValueType type);
+std::size_t widthOf(ValueType type); ///< bytes of a scalar; 0 for Text and Raw
+
+} // namespace catalog

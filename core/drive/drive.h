@@ -1,0 +1,48 @@
+// Drive: one face for every protocol. A sans-IO machine: bytes and `now` in, bytes and events out.
+//
+// Call order: connect(), then receive()/handleTimeout()/submit() in any order. After any call: send takeOutput()
+// (respecting gapBefore), call handleSent() once it has left, act on takeEvents(), arm one timer at nextTimeout().
+// A drive is made read-only. Until arm() it has no way to write: wishes that write or move end NotSent.
+#pragma once
+
+#include "base/output.h"
+#include "drive/event.h"
+#include "drive/wish.h"
+
+#include <optional>
+#include <vector>
+
+namespace drive {
+
+class Drive {
+public:
+    Drive() = default;
+    Drive(const Drive &) = delete;
+    Drive &operator=(const Drive &) = delete;
+    virtual ~Drive() = default;
+
+    virtual void connect(TimePoint now) = 0;
+    /// Ends streaming where the link still allows it, cancels open wishes, then LinkChanged{Closed}.
+    /// Never stops a motor: that is a decision of whoever disconnects.
+    virtual void disconnect(TimePoint now) = 0;
+
+    virtual void receive(ByteView bytes, TimePoint now) = 0;
+    virtual void handleTimeout(TimePoint now) = 0; ///< early or repeated calls do nothing
+    virtual void handleSent(TimePoint now) = 0; ///< all output taken so far has left
+    [[nodiscard]] virtual std::vector<Output> takeOutput() = 0;
+    [[nodiscard]] virtual std::vector<Event> takeEvents() = 0;
+    [[nodiscard]] virtual std::optional<TimePoint> nextTimeout() const = 0;
+
+    /// Exactly one Ended event with the wish's id follows, now or later.
+    virtual void submit(Wish wish, TimePoint now) = 0;
+
+    /// Stops every motor, ahead of everything else, and keeps at it until the drive is seen idle and the motor at
+    /// rest or the alarm is raised (StopProgress). Cancels queued wishes as NotSent and disarms.
+    virtual void stop(TimePoint now) = 0;
+    /// Lets writes and motion pass until stop(), a lost link or disarm(). The user's own act.
+    virtual void arm() = 0;
+    virtual void disarm() = 0;
+    virtual bool armed() const = 0;
+};
+
+} // namespace drive

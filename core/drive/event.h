@@ -1,0 +1,160 @@
+// What a drive tells: plain values that cross from the worker thread to the window. Neutral.
+#pragma once
+
+#include "base/time.h"
+#include "capture/sample_block.h"
+#include "catalog/catalog.h"
+#include "drive/wish.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace drive {
+
+enum class LinkState : std::uint8_t {
+    Closed, ///< nobody is asked
+    Connecting,
+    Connected,
+    Suspect, ///< connected, but nothing valid was heard for a while
+    Recovering, ///< out of step; a dialogue is under way
+    Lost, ///< given up; the reason says why
+};
+
+enum class LinkReason : std::uint8_t {
+    None,
+    NoAnswer,
+    OnlyGarbage,
+    NoAgreement,
+    Silence,
+    RecoveryFailed,
+    BoardReset, ///< connected again, but the board had been reset
+    OldProtocol, ///< the board speaks an older protocol
+};
+
+struct LinkChanged {
+    LinkState state = LinkState::Closed;
+    LinkReason reason = LinkReason::None;
+};
+
+/// What the board said of itself. Text is the device's: never format or rich text.
+struct Identity {
+    std::string protocol; ///< for people, e.g. "MCP over ASPEP 6.4.0": comes from core, shown as it is
+    std::string firmware; ///< name
+    std::string version; ///< e.g. "6.4.0"
+    std::string controlBoard;
+    std::vector<std::string> powerBoards; ///< one a motor
+    std::vector<std::string> motorNames; ///< one a motor
+    int motors = 1;
+    bool knownFirmware = true; ///< false: registers are shown raw and nothing is written
+};
+
+/// What bounds a set-point of one motor. Zero: the board did not say.
+struct MotorLimits {
+    double maxSpeedRpm = 0.0;
+    double maxCurrentAmps = 0.0;
+    double nominalCurrentAmps = 0.0;
+    double polePairs = 0.0;
+};
+
+/// What can be streamed, and what the link can carry.
+struct StreamLimits {
+    double tickHz = 0.0; ///< control periods a second; 0: no streaming
+    unsigned maxSignals = 0;
+    std::size_t maxPacket = 0; ///< bytes
+    double linkBytesPerSecond = 0.0;
+};
+
+enum class Feature : std::uint8_t { Start, Stop, AcknowledgeFaults, SpeedRamp, TorqueRamp, CurrentReference, Stream, WriteRegisters };
+struct Capability {
+    Feature feature;
+    bool available = true;
+    std::string reason; ///< why not; from core, for a tool tip
+};
+
+struct Identified {
+    Identity identity;
+    std::shared_ptr<const catalog::Catalog> catalog;
+    std::vector<MotorLimits> limits; ///< one a motor
+    StreamLimits streaming;
+    std::vector<Capability> capabilities;
+    std::size_t requestBytes = 0, responseBytes = 0, streamBytes = 0; ///< negotiated sizes
+};
+
+enum class ReadStatus : std::uint8_t { Ok, NotSupported, Refused };
+struct Reading {
+    RegisterId id = 0;
+    ReadStatus status = ReadStatus::Ok;
+    Value value;
+    TimePoint at; ///< when the answer came
+};
+struct RegistersRead {
+    std::vector<Reading> readings;
+};
+
+/// How a wish ended; exactly one for each.
+enum class Outcome : std::uint8_t {
+    Ok,
+    Refused, ///< the board said no; nothing or only a part happened (see writes)
+    NotSent, ///< certainly not carried out
+    Unknown, ///< sent, the answer was lost; whether it happened must be read back
+};
+struct WriteResult {
+    RegisterId id = 0;
+    Outcome outcome = Outcome::Ok;
+    std::string reason; ///< the board's word for its refusal, e.g. "RO_REG"
+    std::optional<Value> before; ///< value known before the write
+    std::optional<Value> readBack; ///< value after it
+};
+struct Ended {
+    WishId id = 0;
+    Outcome outcome = Outcome::Ok;
+    std::string reason; ///< the board's or the drive's word, from core
+    std::vector<WriteResult> writes;
+};
+
+enum class MotorState : std::uint8_t { Unknown, Idle, Starting, Running, Stopping, FaultNow, FaultOver };
+struct MotorStatus {
+    int motor = 1;
+    MotorState state = MotorState::Unknown;
+    std::int64_t rawState = 0;
+    std::string stateName; ///< the firmware's name, e.g. "CHARGE_BOOT_CAP"
+    std::vector<std::string> faultsNow; ///< by name, present
+    std::vector<std::string> faultsPast; ///< occurred and not acknowledged
+    std::optional<double> speedRpm;
+    TimePoint at;
+};
+
+/// A stream takes effect; every block that follows belongs to it until the next one. An empty layout: stopped.
+struct StreamStarted {
+    capture::StreamLayout layout;
+};
+
+/// The four words of a stop, each with its own evidence, and the alarm when there is none.
+enum class StopWord : std::uint8_t { Requested, Accepted, DriveIdle, Standstill, NotConfirmed };
+struct StopProgress {
+    int motor = 1;
+    StopWord word = StopWord::Requested;
+    TimePoint at;
+};
+
+/// Counters since the port was opened; they only grow.
+struct LinkCounters {
+    std::uint64_t bytesIn = 0, bytesOut = 0;
+    std::uint64_t packetsIn = 0, packetsOut = 0;
+    std::uint64_t badPackets = 0; ///< all the ways a packet can be bad, added up
+    std::uint64_t nacks = 0;
+    std::uint64_t timeouts = 0;
+    std::uint64_t recoveries = 0;
+    std::uint64_t streamPackets = 0;
+    std::uint64_t streamLostTicks = 0; ///< control periods that no packet holds
+    std::uint64_t streamSkipped = 0; ///< packets of unknown kind, mark or length
+};
+
+using Event = std::variant<LinkChanged, Identified, RegistersRead, Ended, MotorStatus, StreamStarted,
+    capture::SampleBlock, StopProgress, LinkCounters>;
+
+} // namespace drive

@@ -1,0 +1,73 @@
+// What can be asked of a drive: plain values that cross from the window to the worker thread. Neutral: no
+// protocol's name or number is in here.
+#pragma once
+
+#include "base/time.h"
+#include "catalog/register_info.h"
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+namespace drive {
+
+using catalog::RegisterId;
+using catalog::Value;
+
+/// Chosen by whoever asks; the matching Ended event carries it back. 0: nobody waits for the end.
+using WishId = std::uint64_t;
+
+struct Read {
+    std::vector<RegisterId> registers;
+};
+struct RegisterWrite {
+    RegisterId id = 0;
+    Value value;
+    bool operator==(const RegisterWrite &) const = default;
+};
+/// Written as few at a time as the link's rules ask for, then read back.
+struct Write {
+    std::vector<RegisterWrite> writes;
+};
+
+enum class MotorAction : std::uint8_t { Start, StopRamp, AcknowledgeFaults };
+struct Command {
+    MotorAction action = MotorAction::Start;
+    int motor = 1;
+};
+struct SpeedRamp {
+    int motor = 1;
+    std::int32_t rpm = 0; ///< mechanical, signed
+    std::chrono::milliseconds duration{};
+};
+struct TorqueRamp {
+    int motor = 1;
+    double amps = 0.0; ///< peak value of Iq
+    std::chrono::milliseconds duration{};
+};
+struct CurrentReference {
+    int motor = 1;
+    double iqAmps = 0.0;
+    double idAmps = 0.0;
+};
+
+/// Signals that the board records by itself at its control rate. Replaces what was streamed before; empty stops.
+struct Stream {
+    std::vector<RegisterId> fast; ///< in the order wanted
+    unsigned fastEvery = 1; ///< one sample every so many control periods, 1..256
+    std::vector<RegisterId> slow;
+    unsigned slowEvery = 1; ///< one slow group every so many fast samples, 1..254
+};
+
+/// Registers to be read over and over; replaces the list before. The drive spreads them over the spare link time.
+struct Watch {
+    std::vector<RegisterId> registers;
+    Duration period = std::chrono::milliseconds(100); ///< wished for; the rate reached is what the link can spare
+};
+
+struct Wish {
+    WishId id = 0;
+    std::variant<Read, Write, Command, SpeedRamp, TorqueRamp, CurrentReference, Stream, Watch> what;
+};
+
+} // namespace drive

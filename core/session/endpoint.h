@@ -1,0 +1,39 @@
+// Where a session connects to: a value that the connect bar and the command line make.
+#pragma once
+
+#include "simulation/simulated_board.h"
+
+#include <QMetaType>
+#include <QString>
+
+namespace session {
+
+struct Endpoint {
+    enum class Kind : std::uint8_t { Simulator, Serial, Trace };
+    Kind kind = Kind::Simulator;
+    QString path; ///< device path, or the recorded trace's file
+    std::uint32_t baud = 1843200;
+    simulation::BoardOptions board; ///< for Kind::Simulator
+};
+
+/// What can end a port, apart from the user. Neutral; the window and the command line turn it into a sentence.
+enum class PortProblem : std::uint8_t {
+    None,
+    NotFound,
+    NoPermission, ///< not in the group that may use serial ports
+    Busy, ///< another program, or this one, has it open
+    BadSpeed, ///< the driver refuses the baud rate
+    Unplugged, ///< it was open and is gone
+    BadFile, ///< a trace that cannot be read
+    Other,
+};
+
+struct PortError {
+    PortProblem problem = PortProblem::None;
+    QString detail; ///< the system's own words, or who holds the port; plain text
+};
+
+} // namespace session
+
+Q_DECLARE_METATYPE(session::Endpoint)
+Q_DECLARE_METATYPE(session::PortError)

@@ -1,0 +1,63 @@
+// A simulated board as its line sees it: bytes in, bytes out, at the pace of the baud rate, on virtual time.
+// The same object serves unit tests (time moves where they move it), the "Simulated board" entry of the connect bar
+// and rotorscope-sim.
+//
+// receive() says when the bytes arrived at the board's pin at the earliest; the board spaces them at the baud rate.
+// advance(now) lets the world go on until `now`. takeOutput() gives the bytes whose last bit has left by then.
+#pragma once
+
+#include "base/bytes.h"
+#include "base/time.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace simulation {
+
+struct BoardOptions {
+    std::string profile = "mcsdk-6.4"; ///< mcsdk-6.4, mcsdk-6.2, spec
+    std::size_t rxMax = 256, txSyncMax = 256, txAsyncMax = 2048; ///< bytes
+    bool dataCrc = false; ///< forced builds only: payloads end in CA FE
+    int version = 0; ///< ASPEP version answered
+    int linkId = 0; ///< 0 UART A, 1 UART B
+    int streams = 10; ///< datalog signals
+    std::uint32_t baud = 1843200;
+    double hfHz = 16000.0; ///< control rate; FOCFW_CONFIG agrees with it
+    std::uint32_t firstTimestamp = 0; ///< HF counter at power-on
+    bool nullCheck = false; ///< a build that repeats the last response on an empty request
+    bool wide = false; ///< an application with datalog sources for STATUS, SPEED_MEAS, SPEED_REF, FAULTS_FLAGS
+    int userCallbacks = 0; ///< 0..2: the first echoes its payload reversed, the second answers status 0x42
+    std::uint64_t seed = 1;
+};
+
+class SimulatedBoard {
+public:
+    virtual ~SimulatedBoard() = default;
+
+    virtual void receive(ByteView bytes, TimePoint now) = 0;
+    virtual void advance(TimePoint now) = 0;
+    [[nodiscard]] virtual Bytes takeOutput() = 0;
+    /// When advance() will next have something to do that can be seen from outside; tens of microseconds to 1 ms.
+    [[nodiscard]] virtual TimePoint nextWake() const = 0;
+
+    // Control words; each as a person at the board would do it.
+    virtual void reset() = 0; ///< power cycle
+    virtual void setFaults(std::uint16_t present) = 0; ///< fault bits that are present from now on; 0: none
+    virtual void mute(Duration time) = 0; ///< what it sends meanwhile is lost on the line
+    virtual void corruptAfter(std::uint64_t bytes) = 0; ///< bit 0 of the byte after so many more sent bytes
+    virtual void inject(ByteView bytes) = 0; ///< these bytes appear in its output at once
+
+    /// What it is, for people and the port list.
+    virtual std::string describe() const = 0;
+};
+
+/// A board of the named profile; nullptr if there is no such profile.
+std::unique_ptr<SimulatedBoard> makeBoard(const BoardOptions &options);
+
+std::vector<std::string> profileNames();
+
+} // namespace simulation

@@ -1,0 +1,56 @@
+// The scope: stacked plots with one time axis, several value axes each, drawn from a Capture. It shows and navigates;
+// what is recorded is decided elsewhere, through its signals. It holds no samples of its own.
+#pragma once
+
+#include "capture/capture.h"
+
+#include <QWidget>
+
+namespace widgets {
+
+class ScopeView : public QWidget {
+    Q_OBJECT
+public:
+    /// @param capture  outlives the view; only touched in the GUI thread
+    explicit ScopeView(capture::Capture &capture, QWidget *parent = nullptr);
+    ~ScopeView() override;
+
+    /// Shows a channel of the capture; `plot` is clipped to [0, plotCount()], plotCount() makes a new one.
+    /// A channel whose unit an axis of the plot already has shares that axis.
+    void addChannel(capture::ChannelId channel, int plot = 0);
+    void removeChannel(capture::ChannelId channel);
+    QList<capture::ChannelId> channels() const;
+    int plotCount() const;
+    int plotOf(capture::ChannelId channel) const; ///< -1 if it is not shown
+    QColor colorOf(capture::ChannelId channel) const;
+
+    struct TimeRange {
+        double from = 0.0, to = 1.0; ///< seconds on the session's axis
+    };
+    TimeRange visibleRange() const;
+    bool running() const; ///< false: the picture stands still, recording goes on
+    bool following() const; ///< the right edge stays at the newest sample
+
+public Q_SLOTS:
+    void captureChanged(); ///< new samples: redraws at the next frame (at most 60 Hz)
+    void setRunning(bool running);
+    void setFollowing(bool following);
+    void fitAll(); ///< F
+    void fitValues(); ///< Shift+F
+    void zoom(double factor); ///< > 1 shows less time; around the centre, or the right edge while following
+    void pan(double fraction); ///< of the visible span, positive to later
+    void setVisibleRange(double from, double to);
+
+Q_SIGNALS:
+    /// A register was dropped from the tree: onto a plot (-1: beside all of them).
+    void registerDropped(quint32 id, int plot);
+    void runningChanged(bool running);
+    void followingChanged(bool following);
+    void visibleRangeChanged(double from, double to);
+    void removeRequested(quint32 channel); ///< the person took a signal off the scope
+};
+
+/// Mime type of registers dragged from the tree: a list of ids as JSON numbers.
+inline constexpr char kRegisterMimeType[] = "application/x-rotorscope-registers";
+
+} // namespace widgets
