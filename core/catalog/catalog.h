@@ -1,8 +1,9 @@
-// Which registers a board has, found by id or by name. Immutable once made; shared between threads as
-// shared_ptr<const Catalog>.
+// Which registers a board has, found by id or by name. Immutable once made; shared between threads
+// as shared_ptr<const Catalog>.
 #pragma once
 
 #include "base/result.h"
+#include "catalog/csv.h"
 #include "catalog/register_info.h"
 
 #include <memory>
@@ -18,8 +19,10 @@ namespace catalog {
 struct Scales {
     double ampsPerDigit = 0.0;
     double voltsPerDigit = 0.0;
+    double hertzPerDigit = 0.0; ///< of Frequency: only where values are per unit
     double rpmPerSpeedDigit = 6.0; ///< of SpeedTenthHz in the datalog: 0.1 Hz = 6 rpm
-    double rpmPerReadDigit = 6.0; ///< of the same registers when read one by one (differs up to firmware 6.3)
+    double rpmPerReadDigit =
+        6.0; ///< of the same registers when read one by one (differs up to firmware 6.3)
     bool operator==(const Scales &) const = default;
 };
 
@@ -48,7 +51,8 @@ public:
     RegisterId withMotor(const RegisterInfo &info, int motor) const;
     int motorOf(RegisterId id) const; ///< 0 for registers of the board
 
-    /// Name for people: the register's, "@2" behind it where a board has several motors, the id in hex if unknown.
+    /// Name for people: the register's, "@2" behind it where a board has several motors, the id in
+    /// hex if unknown.
     std::string nameOf(RegisterId id) const;
 
     /// What a value read one by one means, and what a streamed sample means.
@@ -56,6 +60,8 @@ public:
     Scale streamScale(RegisterId id) const;
 
 private:
+    Scale scaleOf(RegisterId id, double rpmPerDigit) const;
+
     std::vector<RegisterInfo> m_registers;
     int m_motors = 1;
     std::vector<Scales> m_scales; ///< one a motor
@@ -63,15 +69,10 @@ private:
     std::unordered_map<std::string, std::size_t> m_byName; ///< upper case, aliases included
 };
 
-struct TableError {
-    std::size_t line = 0; ///< 1-based
-    std::string what; ///< one sentence, in English, for logs and tests
-};
-
 /// Reads a register table (resources/registers/README.md has the columns).
 /// @param family   rows of this family only
 /// @param version  firmware as 0xMMmmpp; rows that came later or went earlier are left out
-Result<std::vector<RegisterInfo>, TableError> readTable(std::string_view csv, std::string_view family,
-    std::uint32_t version);
+Result<std::vector<RegisterInfo>, TableError> readTable(
+    std::string_view csv, std::string_view family, std::uint32_t version);
 
 } // namespace catalog

@@ -2,10 +2,7 @@
 
 namespace catalog {
 
-bool isInteger(ValueType type)
-{
-    return type <= ValueType::S32;
-}
+bool isInteger(ValueType type) { return type <= ValueType::S32; }
 
 std::size_t widthOf(ValueType type)
 {

@@ -1,5 +1,5 @@
-// What one register is: its name, how its value is stored, what the number means. Neutral: the same for every
-// protocol. Which registers exist on a board is the Catalog's business.
+// What one register is: its name, how its value is stored, what the number means. Neutral: the same
+// for every protocol. Which registers exist on a board is the Catalog's business.
 #pragma once
 
 #include "base/bytes.h"
@@ -20,13 +20,15 @@ enum class ValueType : std::uint8_t { U8, S8, U16, S16, U32, S32, F32, Text, Raw
 /// What people do with the number: a measure, a choice of names, a set of named bits.
 enum class Meaning : std::uint8_t { Number, Enumeration, Flags, Boolean };
 
-/// What a number measures; with the board's scales this gives the factor to SI or to the field's usual unit.
+/// What a number measures; with the board's scales this gives the factor to SI or to the field's
+/// usual unit.
 enum class Quantity : std::uint8_t {
     Plain, ///< the unit of the table holds as it is
     Current, ///< digits of the current scale -> A
     Voltage, ///< digits of the voltage scale -> V
     Angle, ///< 65536 digits a turn -> degrees (electrical)
     SpeedTenthHz, ///< 0.1 Hz mechanical -> rpm, as the datalog carries it
+    Frequency, ///< digits of the frequency scale -> Hz (electrical)
 };
 
 enum class Access : std::uint8_t { None, Read, Write, ReadWrite };
@@ -48,6 +50,9 @@ struct RegisterInfo {
     Quantity quantity = Quantity::Plain;
     Access access = Access::Read;
     Streaming streaming = Streaming::Polled;
+    int fractionBits = 0; ///< fixed point: the number is raw / 2^fractionBits; 0 for whole digits
+    bool streamsUpperHalf =
+        false; ///< a 32-bit register of which the stream carries the upper 16 bits
     bool perMotor = true; ///< false: one for the whole board, addressed without a motor
     bool stub = false; ///< answers without effect or with left-overs: never polled
     bool dangerous = false; ///< a write can move or harm something at once

@@ -1,4 +1,5 @@
-// The register tables of resources/registers, built into the library so that core needs no file access.
+// The register tables of resources/registers, built into the library so that core needs no file
+// access.
 #pragma once
 
 #include <string_view>

@@ -1,0 +1,38 @@
+// Names of numbers: states, modes, faults and configuration flags, as the firmware calls them. Not
+// translated: they are the field's own words. Facts: firmware 6.0 to 6.4.2.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace catalog {
+
+struct NamedValue {
+    std::int64_t value = 0;
+    std::string_view name;
+};
+
+/// Named values of an enumeration register (STATUS, CONTROL_MODE, ...) by its standard name; empty
+/// if it has none.
+std::span<const NamedValue> namedValues(std::string_view registerName);
+/// The name of one value; the number itself where it has none.
+std::string valueName(std::string_view registerName, std::int64_t value);
+
+/// Names of the bits that are set in a flags register (FAULTS_FLAGS: one half, 16 bits;
+/// START_CONFIGURATION, ...); a bit without a name is shown as "bit 11".
+std::vector<std::string> faultNames(std::uint16_t bits);
+std::vector<std::string> flagNames(std::string_view registerName, std::uint32_t bits);
+/// Every bit of a flags register that has a name; `value` is the mask.
+std::span<const NamedValue> namedFlags(std::string_view registerName);
+
+// Fields of the configuration structures.
+std::string driveTypeName(std::uint8_t driveType);
+std::string speedSensorName(std::uint8_t sensor);
+std::string currentSensingName(std::uint8_t topology);
+std::vector<std::string> configurationFlag1Names(std::uint16_t flags);
+std::vector<std::string> configurationFlag2Names(std::uint16_t flags);
+
+} // namespace catalog
