@@ -22,6 +22,13 @@ else()
         $<$<BOOL:${ROTORSCOPE_WERROR}>:-Werror>)
 endif()
 
+if(NOT MSVC) # what Debian's own packages are hardened with
+    add_compile_options($<$<CONFIG:Release>:-fstack-protector-strong> $<$<CONFIG:Release>:-D_FORTIFY_SOURCE=2>)
+    if(UNIX AND NOT APPLE)
+        add_link_options($<$<CONFIG:Release>:-Wl,-z,relro,-z,now>)
+    endif()
+endif()
+
 if(ROTORSCOPE_SANITIZE)
     # Global, so that the static libraries, the tests and the programs agree.
     add_compile_options(-fsanitize=${ROTORSCOPE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
