@@ -1,37 +1,126 @@
-// Capture: everything recorded, as columns. Append-only, in one thread (the GUI's or the command line's).
-// Interface agreed between the drive, the scope and the exporters.
+// Capture: everything recorded, as columns. Append-only, in one thread (the GUI's or the command
+// line's); other threads read snapshots. It draws, scales and writes nothing.
+//
+// Call order: begin(layout) whenever a stream takes effect, append(block) for its blocks;
+// appendPolled() at any time.
 #pragma once
 
-#include "base/time.h"
-#include "capture/sample_block.h"
+#include "capture/channel.h"
 
-#include <cstdint>
-#include <limits>
-#include <optional>
+#include <memory>
 #include <span>
-#include <string>
-#include <vector>
+#include <string_view>
 
 namespace capture {
 
-/// Names a channel for as long as the capture lives.
-using ChannelId = std::uint32_t;
+/// Some channels as they were at one moment; immutable, may be read in any thread. Costs a pointer
+/// a chunk.
+using Snapshot = std::shared_ptr<const std::vector<Channel>>;
 
-struct ChannelInfo {
-    ChannelId id = 0;
-    catalog::RegisterId registerId = 0;
-    std::string name;
-    std::string unit;
-    double factor = 1.0;
-    double offset = 0.0;
-    enum class Kind : std::uint8_t { Fast, Slow, Polled } kind = Kind::Fast;
-};
+class Capture {
+public:
+    struct Config {
+        std::size_t maxBytes =
+            1'500'000'000; ///< beyond it the oldest samples are released, a chunk at a time
+        double polledHold =
+            2.0; ///< seconds that a polled value counts as true if no newer one comes
+    };
+    /// Blocks and values that were not taken, by reason; all stay 0 with a drive that keeps its
+    /// word.
+    struct Refused {
+        std::uint64_t otherStream = 0; ///< block of a stream that is not the one in effect
+        std::uint64_t malformed = 0; ///< sizes that do not fit the layout
+        std::uint64_t backwards = 0; ///< not later than what is there
+        std::uint64_t notFinite = 0; ///< polled value that is no number
+    };
 
-/// Extremes of one drawing column, in the channel's unit; empty() where there is no sample.
-struct MinMax {
-    float min = std::numeric_limits<float>::infinity();
-    float max = -std::numeric_limits<float>::infinity();
-    bool empty() const { return min > max; }
+    Capture();
+    explicit Capture(Config config);
+
+    /// A stream takes effect; an empty layout ends the one before. A register that was streamed
+    /// before with the same kind, unit and scale continues its channel behind a gap. If the new
+    /// time axis would run backwards (a board's clock restarted) it is moved to follow the old one.
+    void begin(const StreamLayout &layout);
+
+    /// Appends one packet's samples to the channels of begin(). A loss before the block becomes a
+    /// gap.
+    void append(const SampleBlock &block);
+
+    /// Appends a value that was asked for at `seconds` on the session's axis; makes its channel if
+    /// needed.
+    void appendPolled(catalog::RegisterId id, std::string_view name, std::string_view unit,
+        double seconds, double value);
+
+    /// Nobody asks for this register any more: its last value is not held any longer.
+    void endPolled(catalog::RegisterId id);
+
+    /// Forgets all samples and channels; ids are not used again. A stream in effect goes on with
+    /// new channels.
+    void clear();
+
+    std::vector<ChannelInfo> channels() const; ///< oldest first
+    const Channel *channel(
+        ChannelId id) const; ///< nullptr if there is none; valid until the next change
+    std::optional<ChannelInfo> info(ChannelId id) const;
+    /// The channel of a register that got a sample last (or was made last).
+    std::optional<ChannelId> find(catalog::RegisterId id) const;
+    std::optional<ChannelId> find(catalog::RegisterId id, ChannelInfo::Kind kind) const;
+    std::vector<ChannelId>
+    streaming() const; ///< channels of the stream in effect: fast, then slow, in layout order
+
+    std::uint64_t size(ChannelId id) const; ///< samples kept
+    std::optional<TimeSpan> timeSpan() const; ///< of all channels; nullopt if nothing is recorded
+    std::optional<TimeSpan> timeSpan(ChannelId id) const;
+
+    // The questions of Channel, for an id; an unknown id is an empty channel.
+    std::vector<MinMax> columns(ChannelId id, double from, double to, std::size_t count) const;
+    MinMax extremes(ChannelId id, double from, double to) const;
+    std::optional<double> valueAt(ChannelId id, double time) const;
+    std::optional<double> lastValue(ChannelId id) const;
+    std::vector<Sample> samples(ChannelId id, double from, double to, std::size_t limit) const;
+
+    /// For readers that take their time, such as an export; unknown ids are left out.
+    Snapshot snapshot(std::span<const ChannelId> ids) const;
+
+    std::uint64_t revision() const { return m_revision; } ///< grows with every change
+    std::uint64_t channelRevision() const
+    {
+        return m_channelRevision;
+    } ///< grows when channels() changes
+    std::size_t bytes() const; ///< of the columns
+    const Refused &refused() const { return m_refused; }
+
+private:
+    struct Entry {
+        std::unique_ptr<Channel> channel; ///< pointers stay valid while others are added
+        std::uint64_t touched = 0;
+    };
+
+    ChannelId channelFor(
+        const StreamSignal &signal, ChannelInfo::Kind kind, std::span<const ChannelId> taken);
+    ChannelId add(ChannelInfo info);
+    void makeStreamChannels();
+    Channel *mutableChannel(ChannelId id);
+    void appendFast(const SampleBlock &block);
+    void appendSlow(const SampleBlock &block);
+    bool follows(const SampleBlock &block);
+    void breakStream();
+    void keepWithinLimit();
+
+    Config m_config;
+    std::vector<Entry> m_entries;
+    ChannelId m_nextId = 1;
+    StreamLayout m_layout;
+    TickBase m_base;
+    Nanos m_shift = 0; ///< added to every origin, so that time never runs backwards
+    bool m_fresh = false; ///< no block since begin()
+    std::vector<ChannelId> m_fast;
+    std::vector<ChannelId> m_slow;
+    Nanos m_streamEnd = std::numeric_limits<Nanos>::min(); ///< where the streamed samples end
+    std::uint64_t m_revision = 0;
+    std::uint64_t m_channelRevision = 0;
+    std::uint64_t m_sinceCheck = 0;
+    Refused m_refused;
 };
 
 } // namespace capture

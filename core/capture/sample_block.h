@@ -1,6 +1,7 @@
 // Samples on their way from a drive to the store: what is streamed, and the values of one packet.
 //
-// Time is a tick: the board's count of control periods, unwrapped to 64 bits, exact. Seconds follow from the layout:
+// Time is a tick: the board's count of control periods, unwrapped to 64 bits, exact. Seconds follow
+// from the layout:
 //   t = originSeconds + tick / tickHz
 #pragma once
 
@@ -26,7 +27,8 @@ struct StreamSignal {
 struct StreamLayout {
     StreamId id = 0; ///< a new one for each configuration that took effect
     double tickHz = 0.0;
-    double originSeconds = 0.0; ///< time of tick 0 on the session's axis; the same as long as the board is not reset
+    double originSeconds =
+        0.0; ///< time of tick 0 on the session's axis; the same as long as the board is not reset
     std::uint32_t fastStep = 1; ///< ticks between two fast samples
     std::vector<StreamSignal> fast;
     std::vector<StreamSignal> slow;
@@ -39,13 +41,14 @@ struct SlowGroup {
     std::vector<std::int32_t> values; ///< one a slow signal
 };
 
-/// One packet's worth. Fast samples are at firstTick + i * fastStep; nothing is between this block and the one
-/// before it if lostTicks is not 0.
+/// One packet's worth. Fast samples are at firstTick + i * fastStep; nothing is between this block
+/// and the one before it if lostTicks is not 0.
 struct SampleBlock {
     StreamId stream = 0;
     Tick firstTick = 0;
     std::uint32_t count = 0; ///< samples a fast signal
-    std::vector<std::int16_t> fast; ///< signal after signal: sample i of signal s is fast[s * count + i]
+    std::vector<std::int16_t>
+        fast; ///< signal after signal: sample i of signal s is fast[s * count + i]
     std::vector<SlowGroup> slow;
     Tick lostTicks = 0; ///< ticks missing before firstTick since the block before it of this stream
 };

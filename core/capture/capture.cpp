@@ -1,0 +1,346 @@
+#include "capture/capture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace capture {
+
+namespace {
+using Kind = ChannelInfo::Kind;
+
+/// How many samples may come between two looks at the memory used: a look costs a walk over the
+/// channels.
+constexpr std::uint64_t kSamplesBetweenChecks = 65536;
+
+bool fits(const SampleBlock &block, const StreamLayout &layout)
+{
+    if (block.fast.size() != std::size_t(block.count) * layout.fast.size())
+        return false;
+    return std::all_of(block.slow.begin(), block.slow.end(),
+        [&](const SlowGroup &group) { return group.values.size() == layout.slow.size(); });
+}
+} // namespace
+
+Capture::Capture()
+    : Capture(Config{})
+{
+}
+
+Capture::Capture(Config config)
+    : m_config(config)
+{
+}
+
+void Capture::begin(const StreamLayout &layout)
+{
+    breakStream();
+    m_layout = layout;
+    m_fresh = true;
+    makeStreamChannels();
+    ++m_revision;
+}
+
+void Capture::makeStreamChannels()
+{
+    m_fast.clear();
+    m_slow.clear();
+    for (const StreamSignal &signal : m_layout.fast)
+        m_fast.push_back(channelFor(signal, Kind::Fast, m_fast));
+    for (const StreamSignal &signal : m_layout.slow)
+        m_slow.push_back(channelFor(signal, Kind::Slow, m_slow));
+}
+
+ChannelId Capture::channelFor(
+    const StreamSignal &signal, Kind kind, std::span<const ChannelId> taken)
+{
+    for (auto entry = m_entries.rbegin(); entry != m_entries.rend(); ++entry) {
+        const ChannelInfo &info = entry->channel->info();
+        if (info.registerId == signal.id && info.kind == kind && info.unit == signal.unit
+            && info.factor == signal.factor && info.offset == signal.offset
+            && std::find(taken.begin(), taken.end(), info.id) == taken.end()) {
+            entry->touched = ++m_revision;
+            return info.id;
+        }
+    }
+    return add({ 0, signal.id, signal.name, signal.unit, signal.factor, signal.offset, kind });
+}
+
+ChannelId Capture::add(ChannelInfo info)
+{
+    info.id = m_nextId++;
+    m_entries.push_back({ std::make_unique<Channel>(std::move(info)), ++m_revision });
+    ++m_channelRevision;
+    return m_entries.back().channel->info().id;
+}
+
+/// True if the block's ticks continue where the last block of the stream ended; sets the time base
+/// on the first one.
+bool Capture::follows(const SampleBlock &block)
+{
+    TickBase base = TickBase::of(m_layout.tickHz, m_layout.originSeconds);
+    base.origin += m_shift;
+    const Nanos start = base.timeOf(block.firstTick);
+    if (start < m_streamEnd) {
+        if (!m_fresh)
+            return false;
+        // A new stream that would overlap what is recorded: its clock restarted, its origin is only
+        // known roughly.
+        const Nanos behind = m_streamEnd - start;
+        m_shift += behind;
+        base.origin += behind;
+    }
+    m_base = base;
+    m_fresh = false;
+    return true;
+}
+
+void Capture::append(const SampleBlock &block)
+{
+    if (block.stream != m_layout.id || m_layout.empty()) {
+        ++m_refused.otherStream;
+        return;
+    }
+    if (!fits(block, m_layout)) {
+        ++m_refused.malformed;
+        return;
+    }
+    if (!follows(block)) {
+        ++m_refused.backwards;
+        return;
+    }
+    if (block.lostTicks != 0)
+        breakStream();
+    appendFast(block);
+    appendSlow(block);
+    ++m_revision;
+    m_sinceCheck += block.fast.size() + block.slow.size() * m_slow.size();
+    if (m_sinceCheck >= kSamplesBetweenChecks)
+        keepWithinLimit();
+}
+
+void Capture::appendFast(const SampleBlock &block)
+{
+    const std::span<const std::int16_t> all(block.fast);
+    for (std::size_t i = 0; i < m_fast.size(); ++i) {
+        FastColumn *column = mutableChannel(m_fast[i])->fast();
+        column->append(
+            m_base, block.firstTick, m_layout.fastStep, all.subspan(i * block.count, block.count));
+    }
+    const Tick end =
+        block.firstTick + static_cast<Tick>(block.count) * static_cast<Tick>(m_layout.fastStep);
+    m_streamEnd = std::max(m_streamEnd, m_base.timeOf(end));
+}
+
+void Capture::appendSlow(const SampleBlock &block)
+{
+    for (std::size_t i = 0; i < m_slow.size(); ++i) {
+        ValueColumn *column = mutableChannel(m_slow[i])->values();
+        for (const SlowGroup &group : block.slow) {
+            const Nanos time = m_base.timeOf(group.tick);
+            if (column->empty() || time > column->timeOf(column->end() - 1))
+                column->append(time, group.values[i], std::max(time + 1, m_streamEnd));
+            else
+                ++m_refused.backwards;
+        }
+        column->extendHold(m_streamEnd);
+    }
+}
+
+void Capture::breakStream()
+{
+    for (const ChannelId id : m_fast)
+        mutableChannel(id)->fast()->breakHere();
+    for (const ChannelId id : m_slow)
+        mutableChannel(id)->values()->breakHere();
+}
+
+void Capture::appendPolled(catalog::RegisterId id, std::string_view name, std::string_view unit,
+    double seconds, double value)
+{
+    if (!std::isfinite(value) || !std::isfinite(seconds)) {
+        ++m_refused.notFinite;
+        return;
+    }
+    std::optional<ChannelId> found = find(id, Kind::Polled);
+    if (found && info(*found)->unit != unit)
+        found.reset();
+    if (!found)
+        found = add({ 0, id, std::string(name), std::string(unit), 1.0, 0.0, Kind::Polled });
+    ValueColumn &column = *mutableChannel(*found)->values();
+    const Nanos time = toNanos(seconds);
+    if (!column.empty()) {
+        if (time <= column.timeOf(column.end() - 1)) {
+            ++m_refused.backwards;
+            return;
+        }
+        if (time > column.runs().back().holdUntil)
+            column.breakHere();
+    }
+    column.append(time, value, time + toNanos(m_config.polledHold));
+    for (Entry &entry : m_entries) {
+        if (entry.channel->info().id == *found)
+            entry.touched = ++m_revision;
+    }
+    ++m_sinceCheck;
+}
+
+void Capture::endPolled(catalog::RegisterId id)
+{
+    if (const auto found = find(id, Kind::Polled))
+        mutableChannel(*found)->values()->breakHere();
+}
+
+void Capture::clear()
+{
+    m_entries.clear();
+    m_streamEnd = std::numeric_limits<Nanos>::min();
+    makeStreamChannels();
+    m_sinceCheck = 0;
+    ++m_revision;
+    ++m_channelRevision;
+}
+
+std::vector<ChannelInfo> Capture::channels() const
+{
+    std::vector<ChannelInfo> result;
+    result.reserve(m_entries.size());
+    for (const Entry &entry : m_entries)
+        result.push_back(entry.channel->info());
+    return result;
+}
+
+const Channel *Capture::channel(ChannelId id) const
+{
+    // Ids rise with the position.
+    const auto entry = std::lower_bound(m_entries.begin(), m_entries.end(), id,
+        [](const Entry &e, ChannelId wanted) { return e.channel->info().id < wanted; });
+    const bool there = entry != m_entries.end() && entry->channel->info().id == id;
+    return there ? entry->channel.get() : nullptr;
+}
+
+Channel *Capture::mutableChannel(ChannelId id) { return const_cast<Channel *>(channel(id)); }
+
+std::optional<ChannelInfo> Capture::info(ChannelId id) const
+{
+    const Channel *found = channel(id);
+    return found ? std::optional(found->info()) : std::nullopt;
+}
+
+std::optional<ChannelId> Capture::find(catalog::RegisterId id) const
+{
+    const Entry *newest = nullptr;
+    for (const Entry &entry : m_entries) {
+        if (entry.channel->info().registerId == id && (!newest || entry.touched > newest->touched))
+            newest = &entry;
+    }
+    return newest ? std::optional(newest->channel->info().id) : std::nullopt;
+}
+
+std::optional<ChannelId> Capture::find(catalog::RegisterId id, Kind kind) const
+{
+    for (auto entry = m_entries.rbegin(); entry != m_entries.rend(); ++entry) {
+        const ChannelInfo &info = entry->channel->info();
+        if (info.registerId == id && info.kind == kind)
+            return info.id;
+    }
+    return std::nullopt;
+}
+
+std::vector<ChannelId> Capture::streaming() const
+{
+    std::vector<ChannelId> result = m_fast;
+    result.insert(result.end(), m_slow.begin(), m_slow.end());
+    return result;
+}
+
+std::uint64_t Capture::size(ChannelId id) const
+{
+    const Channel *found = channel(id);
+    return found ? found->size() : 0;
+}
+
+std::optional<TimeSpan> Capture::timeSpan() const
+{
+    std::optional<TimeSpan> all;
+    for (const Entry &entry : m_entries) {
+        const auto one = entry.channel->timeSpan();
+        if (one && all)
+            all = TimeSpan{ std::min(all->from, one->from), std::max(all->to, one->to) };
+        else if (one)
+            all = one;
+    }
+    return all;
+}
+
+std::optional<TimeSpan> Capture::timeSpan(ChannelId id) const
+{
+    const Channel *found = channel(id);
+    return found ? found->timeSpan() : std::nullopt;
+}
+
+std::vector<MinMax> Capture::columns(ChannelId id, double from, double to, std::size_t count) const
+{
+    const Channel *found = channel(id);
+    return found ? found->columns(from, to, count) : std::vector<MinMax>(count);
+}
+
+MinMax Capture::extremes(ChannelId id, double from, double to) const
+{
+    const Channel *found = channel(id);
+    return found ? found->extremes(from, to) : MinMax{};
+}
+
+std::optional<double> Capture::valueAt(ChannelId id, double time) const
+{
+    const Channel *found = channel(id);
+    return found ? found->valueAt(time) : std::nullopt;
+}
+
+std::optional<double> Capture::lastValue(ChannelId id) const
+{
+    const Channel *found = channel(id);
+    return found && !found->empty() ? std::optional(found->at(found->end() - 1)) : std::nullopt;
+}
+
+std::vector<Sample> Capture::samples(ChannelId id, double from, double to, std::size_t limit) const
+{
+    const Channel *found = channel(id);
+    return found ? found->samples(from, to, limit) : std::vector<Sample>();
+}
+
+Snapshot Capture::snapshot(std::span<const ChannelId> ids) const
+{
+    auto copy = std::make_shared<std::vector<Channel>>();
+    for (const ChannelId id : ids) {
+        if (const Channel *found = channel(id))
+            copy->push_back(*found);
+    }
+    return copy;
+}
+
+std::size_t Capture::bytes() const
+{
+    std::size_t sum = 0;
+    for (const Entry &entry : m_entries)
+        sum += entry.channel->bytes();
+    return sum;
+}
+
+/// Releases the oldest chunk of the channel that reaches back furthest, until the limit holds.
+void Capture::keepWithinLimit()
+{
+    m_sinceCheck = 0;
+    while (bytes() > m_config.maxBytes) {
+        Channel *oldest = nullptr;
+        for (Entry &entry : m_entries) {
+            Channel &channel = *entry.channel;
+            if (channel.canRelease() && (!oldest || channel.oldest() < oldest->oldest()))
+                oldest = &channel;
+        }
+        if (!oldest)
+            return;
+        oldest->releaseOldest();
+    }
+}
+
+} // namespace capture

@@ -1,0 +1,194 @@
+#include "capture/channel.h"
+
+namespace capture {
+
+namespace {
+Channel::Column columnFor(ChannelInfo::Kind kind)
+{
+    if (kind == ChannelInfo::Kind::Fast)
+        return FastColumn();
+    return ValueColumn();
+}
+/// Slices are half-open: a sample belongs to [from, to) if ceil(from) <= its nanosecond < ceil(to).
+Nanos edgeOf(double seconds) { return static_cast<Nanos>(std::ceil(seconds * kNanosPerSecond)); }
+} // namespace
+
+Channel::Channel(ChannelInfo info)
+    : m_info(std::move(info))
+    , m_column(columnFor(m_info.kind))
+{
+}
+
+Index Channel::begin() const
+{
+    return std::visit([](const auto &column) { return column.begin(); }, m_column);
+}
+
+Index Channel::end() const
+{
+    return std::visit([](const auto &column) { return column.end(); }, m_column);
+}
+
+Nanos Channel::timeOf(Index index) const
+{
+    return std::visit([index](const auto &column) { return column.timeOf(index); }, m_column);
+}
+
+double Channel::at(Index index) const
+{
+    return toShown(
+        std::visit([index](const auto &column) { return double(column.at(index)); }, m_column));
+}
+
+Index Channel::atOrAfter(Nanos time) const
+{
+    return std::visit([time](const auto &column) { return column.atOrAfter(time); }, m_column);
+}
+
+/// Until when the value of `index` is known: the next sample, or the end of its run.
+Nanos Channel::holdUntil(Index index) const
+{
+    if (const FastColumn *column = fast())
+        return column->segments()[column->segmentOf(index)].timeOf(index + 1);
+    const ValueColumn *column = values();
+    const Run &run = column->runs()[column->runOf(index)];
+    return index + 1 < run.end() ? column->timeOf(index + 1) : run.holdUntil;
+}
+
+std::optional<TimeSpan> Channel::timeSpan() const
+{
+    if (empty())
+        return std::nullopt;
+    return TimeSpan{ toSeconds(timeOf(begin())), toSeconds(holdUntil(end() - 1)) };
+}
+
+MinMax Channel::shown(CodeRange range) const
+{
+    if (range.empty())
+        return {};
+    const auto a = static_cast<float>(toShown(range.min));
+    const auto b = static_cast<float>(toShown(range.max));
+    return { std::min(a, b), std::max(a, b) };
+}
+
+MinMax Channel::extremes(double from, double to) const
+{
+    const Index low = atOrAfter(edgeOf(from));
+    const Index high = atOrAfter(edgeOf(to));
+    if (const FastColumn *column = fast())
+        return shown(column->extremes(low, high));
+    MinMax range = values()->extremes(low, high);
+    if (!range.empty() && (m_info.factor != 1.0 || m_info.offset != 0.0)) {
+        const auto a = static_cast<float>(toShown(range.min));
+        const auto b = static_cast<float>(toShown(range.max));
+        range = { std::min(a, b), std::max(a, b) };
+    }
+    return range;
+}
+
+std::vector<MinMax> Channel::columns(double from, double to, std::size_t count) const
+{
+    std::vector<MinMax> result(count);
+    if (const FastColumn *column = fast()) {
+        column->slices(from * kNanosPerSecond, to * kNanosPerSecond, count,
+            [&](std::size_t i, CodeRange range) { result[i] = shown(range); });
+        return result;
+    }
+    const double width = (to - from) / static_cast<double>(count);
+    const ValueColumn *column = values();
+    Index low = column->atOrAfter(edgeOf(from));
+    for (std::size_t i = 0; i < count && low < column->end(); ++i) {
+        const double next = i + 1 == count ? to : from + width * static_cast<double>(i + 1);
+        const Index high = column->atOrAfter(edgeOf(next));
+        if (high > low)
+            result[i] = extremes(from + width * static_cast<double>(i), next);
+        low = high;
+    }
+    return result;
+}
+
+std::optional<double> Channel::valueAt(double time) const
+{
+    return valueAt(static_cast<Nanos>(std::floor(time * kNanosPerSecond)));
+}
+
+std::optional<double> Channel::valueAt(Nanos time) const
+{
+    const Index after = atOrAfter(time + 1);
+    if (after == begin() || time >= holdUntil(after - 1))
+        return std::nullopt;
+    return at(after - 1);
+}
+
+std::uint64_t Channel::countIn(double from, double to) const
+{
+    const Index low = atOrAfter(edgeOf(from));
+    const Index high = atOrAfter(edgeOf(to));
+    return high > low ? high - low : 0;
+}
+
+std::vector<Sample> Channel::samples(double from, double to, std::size_t limit) const
+{
+    std::vector<Sample> result;
+    Index index = atOrAfter(edgeOf(from));
+    const Index stop = atOrAfter(edgeOf(to));
+    if (index > begin() && holdUntil(index - 1) > edgeOf(from))
+        --index;
+    Nanos known = index > begin() ? holdUntil(index - 1) : 0;
+    for (; index < stop && result.size() < limit; ++index) {
+        const Nanos time = timeOf(index);
+        const bool first = index == begin() || known < time;
+        known = holdUntil(index);
+        result.push_back({ toSeconds(time), at(index), toSeconds(known), first });
+    }
+    return result;
+}
+
+std::vector<TimeSpan> Channel::gaps(double from, double to, double least) const
+{
+    std::vector<TimeSpan> result;
+    const auto add = [&](Nanos start, Nanos stop) {
+        const TimeSpan gap{ toSeconds(start), toSeconds(stop) };
+        if (gap.to > from && gap.from < to && gap.to - gap.from > least)
+            result.push_back(gap);
+    };
+    const Nanos stop = edgeOf(to);
+    const Index near = atOrAfter(edgeOf(from));
+    if (empty())
+        return result;
+    const Index start = near > begin() ? near - 1 : near;
+    if (const FastColumn *column = fast()) {
+        const std::vector<Segment> &segments = column->segments();
+        for (std::size_t i = column->segmentOf(start); i + 1 < segments.size(); ++i) {
+            if (segments[i].start() >= stop)
+                break;
+            add(segments[i].stop(), segments[i + 1].start());
+        }
+        return result;
+    }
+    const ValueColumn *column = values();
+    const std::vector<Run> &runs = column->runs();
+    for (std::size_t i = column->runOf(start); i + 1 < runs.size(); ++i) {
+        if (column->timeOf(runs[i].first) >= stop)
+            break;
+        add(runs[i].holdUntil, column->timeOf(runs[i + 1].first));
+    }
+    return result;
+}
+
+std::size_t Channel::bytes() const
+{
+    return std::visit([](const auto &column) { return column.bytes(); }, m_column);
+}
+
+bool Channel::canRelease() const
+{
+    return std::visit([](const auto &column) { return column.canRelease(); }, m_column);
+}
+
+void Channel::releaseOldest()
+{
+    std::visit([](auto &column) { column.releaseOldest(); }, m_column);
+}
+
+} // namespace capture

@@ -1,0 +1,102 @@
+// One channel of a capture: what it is and its column, with the questions that do not depend on how
+// it is stored. Copying makes a snapshot (see FastColumn).
+#pragma once
+
+#include "capture/value_column.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace capture {
+
+/// Names a channel for as long as the capture lives.
+using ChannelId = std::uint32_t;
+
+struct ChannelInfo {
+    ChannelId id = 0;
+    catalog::RegisterId registerId = 0;
+    std::string name;
+    std::string unit;
+    double factor = 1.0; ///< shown = (stored + offset) * factor
+    double offset = 0.0;
+    enum class Kind : std::uint8_t {
+        Fast, ///< recorded by the board at its control rate
+        Slow, ///< recorded by the board, less often
+        Polled, ///< asked for by us, whenever the link had time
+    } kind = Kind::Fast;
+};
+
+/// Seconds on the session's axis, half-open.
+struct TimeSpan {
+    double from = 0.0;
+    double to = 0.0;
+};
+
+/// A sample for drawing: in seconds and in the channel's unit.
+struct Sample {
+    double time = 0.0;
+    double value = 0.0;
+    double holdUntil = 0.0; ///< the value is not known to be true after this: the next sample, or
+                            ///< where the gap starts
+    bool first = false; ///< nothing is known right before it
+};
+
+class Channel {
+public:
+    using Column = std::variant<FastColumn, ValueColumn>;
+
+    explicit Channel(ChannelInfo info);
+
+    const ChannelInfo &info() const { return m_info; }
+    const FastColumn *fast() const { return std::get_if<FastColumn>(&m_column); }
+    FastColumn *fast() { return std::get_if<FastColumn>(&m_column); }
+    const ValueColumn *values() const { return std::get_if<ValueColumn>(&m_column); }
+    ValueColumn *values() { return std::get_if<ValueColumn>(&m_column); }
+
+    Index begin() const;
+    Index end() const;
+    std::uint64_t size() const { return end() - begin(); }
+    bool empty() const { return begin() == end(); }
+    Nanos timeOf(Index index) const;
+    double at(Index index) const; ///< in the channel's unit
+    Index atOrAfter(Nanos time) const;
+
+    /// [first sample, end of the last one's hold); nullopt if there is no sample.
+    std::optional<TimeSpan> timeSpan() const;
+
+    /// Extremes of the samples in [from, to); exact. empty() if there are none.
+    MinMax extremes(double from, double to) const;
+
+    /// Extremes of `count` equal slices of [from, to), one a pixel column; see FastColumn::slices.
+    std::vector<MinMax> columns(double from, double to, std::size_t count) const;
+
+    /// The newest sample at or before `time`, while it holds; nullopt in gaps.
+    std::optional<double> valueAt(double time) const;
+    std::optional<double> valueAt(Nanos time) const;
+
+    /// The samples in [from, to), and the one before it if it still holds at `from`; the oldest
+    /// `limit` of them.
+    std::vector<Sample> samples(double from, double to, std::size_t limit) const;
+    std::uint64_t countIn(double from, double to) const;
+
+    /// Where nothing is known between two samples that touch [from, to), if wider than `least`
+    /// seconds.
+    std::vector<TimeSpan> gaps(double from, double to, double least) const;
+
+    double toShown(double stored) const { return (stored + m_info.offset) * m_info.factor; }
+    std::size_t bytes() const;
+    bool canRelease() const;
+    void releaseOldest();
+    Nanos oldest() const { return timeOf(begin()); } ///< not on an empty channel
+
+private:
+    MinMax shown(CodeRange range) const;
+    Nanos holdUntil(Index index) const;
+
+    ChannelInfo m_info;
+    Column m_column;
+};
+
+} // namespace capture

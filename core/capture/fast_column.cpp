@@ -1,0 +1,196 @@
+#include "capture/fast_column.h"
+
+#include <cassert>
+#include <cstring>
+
+namespace capture {
+
+Index Segment::atOrAfter(Nanos time) const
+{
+    if (count == 0 || time <= start())
+        return first;
+    const double guess = static_cast<double>(time - start()) / stepNanos();
+    if (guess >= static_cast<double>(count) + 1.0)
+        return end();
+    // The estimate can be one off by rounding: the integer times decide.
+    Index index = std::min(end(), first + static_cast<Index>(guess));
+    while (index > first && timeOf(index - 1) >= time)
+        --index;
+    while (index < end() && timeOf(index) < time)
+        ++index;
+    return index;
+}
+
+void FastColumn::Chunk::close(std::size_t from, std::size_t to)
+{
+    std::size_t low = from / kFanOut;
+    std::size_t high = to / kFanOut;
+    for (std::size_t i = low; i < high; ++i)
+        ranges[i] = extremesOf16(&samples[i * kFanOut]);
+    for (std::size_t level = 1; level < kLevels && high > low; ++level) {
+        low /= kFanOut;
+        high /= kFanOut;
+        for (std::size_t i = low; i < high; ++i) {
+            const CodeRange *finer = &ranges[kLevelStart[level - 1] + i * kFanOut];
+            CodeRange range = finer[0];
+            for (std::size_t k = 1; k < kFanOut; ++k)
+                range.include(finer[k]);
+            ranges[kLevelStart[level] + i] = range;
+        }
+    }
+}
+
+CodeRange FastColumn::Chunk::extremes(std::size_t from, std::size_t to) const
+{
+    // Climb: at each level only the ragged ends are read, the aligned middle is left to the next
+    // level.
+    std::size_t low = (from + kFanOut - 1) / kFanOut;
+    std::size_t high = to / kFanOut;
+    if (low >= high)
+        return extremesOf(&samples[from], to - from);
+    CodeRange range = extremesOf(&samples[from], low * kFanOut - from);
+    range.include(extremesOf(&samples[high * kFanOut], to - high * kFanOut));
+    for (std::size_t level = 0;; ++level) {
+        const CodeRange *entries = &ranges[kLevelStart[level]];
+        const std::size_t lowUp = (low + kFanOut - 1) / kFanOut;
+        const std::size_t highUp = high / kFanOut;
+        const bool last = level + 1 == kLevels || lowUp >= highUp;
+        for (std::size_t i = low, stop = last ? high : lowUp * kFanOut; i < stop; ++i)
+            range.include(entries[i]);
+        if (last)
+            return range;
+        for (std::size_t i = highUp * kFanOut; i < high; ++i)
+            range.include(entries[i]);
+        low = lowUp;
+        high = highUp;
+    }
+}
+
+void FastColumn::append(
+    const TickBase &base, Tick tick, std::uint32_t step, std::span<const std::int16_t> codes)
+{
+    if (codes.empty())
+        return;
+    const bool follows = !m_broken && !m_segments.empty() && m_segments.back().base == base
+        && m_segments.back().step == step && m_segments.back().tickOf(m_end) == tick;
+    if (!follows)
+        m_segments.push_back({ m_end, 0, tick, step, base });
+    m_broken = false;
+    appendCodes(codes);
+    m_segments.back().count += codes.size();
+}
+
+void FastColumn::appendCodes(std::span<const std::int16_t> codes)
+{
+    while (!codes.empty()) {
+        const std::size_t used = static_cast<std::size_t>(m_end - m_chunkBase) % kChunkSamples;
+        if (used == 0)
+            m_chunks.push_back(std::make_shared_for_overwrite<Chunk>());
+        Chunk &chunk = *m_chunks.back();
+        const std::size_t count = std::min(codes.size(), kChunkSamples - used);
+        std::memcpy(&chunk.samples[used], codes.data(), count * sizeof(std::int16_t));
+        chunk.close(used, used + count);
+        m_end += count;
+        codes = codes.subspan(count);
+    }
+}
+
+std::int16_t FastColumn::at(Index index) const
+{
+    assert(index >= m_begin && index < m_end);
+    const auto offset = static_cast<std::size_t>(index - m_chunkBase);
+    return m_chunks[offset / kChunkSamples]->samples[offset % kChunkSamples];
+}
+
+std::span<const std::int16_t> FastColumn::codes(Index index, std::size_t limit) const
+{
+    if (index < m_begin || index >= m_end)
+        return {};
+    const auto offset = static_cast<std::size_t>(index - m_chunkBase);
+    const std::size_t inChunk = offset % kChunkSamples;
+    const auto left = static_cast<std::size_t>(m_end - index);
+    const std::size_t count = std::min({ limit, kChunkSamples - inChunk, left });
+    return { &m_chunks[offset / kChunkSamples]->samples[inChunk], count };
+}
+
+CodeRange FastColumn::extremes(Index from, Index to) const
+{
+    from = std::max(from, m_begin);
+    to = std::min(to, m_end);
+    CodeRange range = CodeRange::nothing();
+    while (from < to) {
+        const auto offset = static_cast<std::size_t>(from - m_chunkBase);
+        const std::size_t inChunk = offset % kChunkSamples;
+        const auto left = static_cast<std::size_t>(to - from);
+        const std::size_t count = std::min(left, kChunkSamples - inChunk);
+        range.include(m_chunks[offset / kChunkSamples]->extremes(inChunk, inChunk + count));
+        from += count;
+    }
+    return range;
+}
+
+std::size_t FastColumn::segmentOf(Index index) const
+{
+    if (index < m_begin || index >= m_end)
+        return m_segments.size();
+    const auto after = std::upper_bound(m_segments.begin(), m_segments.end(), index,
+        [](Index wanted, const Segment &segment) { return wanted < segment.first; });
+    return static_cast<std::size_t>(after - m_segments.begin()) - 1;
+}
+
+Index FastColumn::atOrAfter(Nanos time) const
+{
+    const auto after = std::upper_bound(m_segments.begin(), m_segments.end(), time,
+        [](Nanos wanted, const Segment &segment) { return wanted < segment.start(); });
+    if (after == m_segments.begin())
+        return m_begin;
+    return std::max(m_begin, std::prev(after)->atOrAfter(time));
+}
+
+/// Index of the first sample at or after `time`, rounded to a multiple of `block` inside its
+/// segment. `segment` is where the search starts and ends: edges are asked for in rising order.
+Index FastColumn::edge(double time, std::uint64_t block, std::size_t &segment) const
+{
+    const auto wanted = static_cast<Nanos>(std::ceil(time));
+    // Gallop, then halve: cheap for the neighbour, logarithmic for a long way.
+    std::size_t low = segment;
+    std::size_t reach = 1;
+    while (low + reach < m_segments.size() && m_segments[low + reach].start() <= wanted) {
+        low += reach;
+        reach *= 2;
+    }
+    std::size_t high = std::min(low + reach, m_segments.size());
+    while (high - low > 1) {
+        const std::size_t middle = low + (high - low) / 2;
+        (m_segments[middle].start() <= wanted ? low : high) = middle;
+    }
+    segment = low;
+    const Segment &here = m_segments[segment];
+    const Index index = here.atOrAfter(wanted);
+    if (index == here.first || index == here.end() || block == 1)
+        return std::max(index, m_begin);
+    const Index rounded = (index + block / 2) / block * block;
+    return std::clamp(rounded, std::max(here.first, m_begin), here.end());
+}
+
+void FastColumn::releaseOldest()
+{
+    if (!canRelease())
+        return;
+    m_chunks.pop_front();
+    m_chunkBase += kChunkSamples;
+    m_begin = m_chunkBase;
+    const std::size_t keep = segmentOf(m_begin);
+    m_segments.erase(m_segments.begin(), m_segments.begin() + static_cast<std::ptrdiff_t>(keep));
+    Segment &front = m_segments.front();
+    front.firstTick = front.tickOf(m_begin);
+    front.count -= m_begin - front.first;
+    front.first = m_begin;
+}
+
+std::size_t FastColumn::bytes() const
+{
+    return m_chunks.size() * sizeof(Chunk) + m_segments.capacity() * sizeof(Segment);
+}
+
+} // namespace capture

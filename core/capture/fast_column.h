@@ -1,0 +1,135 @@
+// The samples of one fast signal: 16-bit codes in fixed chunks, each with its own pyramid of
+// extremes (a level for every factor of 16), and the runs of ticks they belong to. 2.27 bytes a
+// sample; growth never copies.
+//
+// A copy shares the chunks and is a snapshot: it reads only samples that were there when it was
+// made, while the original goes on appending behind them, so a snapshot may be read in another
+// thread. Only one may append. Technique: min/max mipmap as in sigrok PulseView,
+// pv/data/analogsegment.cpp.
+#pragma once
+
+#include "capture/min_max_kernel.h"
+#include "capture/tick_time.h"
+
+#include <array>
+#include <deque>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace capture {
+
+/// Number of a sample in its column; keeps its meaning when old samples are released.
+using Index = std::uint64_t;
+
+/// Samples without a gap between them.
+struct Segment {
+    Index first = 0;
+    Index count = 0;
+    Tick firstTick = 0;
+    std::uint32_t step = 1; ///< ticks between two samples
+    TickBase base;
+
+    Index end() const { return first + count; }
+    Tick tickOf(Index index) const
+    {
+        return firstTick + static_cast<Tick>(index - first) * static_cast<Tick>(step);
+    }
+    Nanos timeOf(Index index) const { return base.timeOf(tickOf(index)); }
+    Nanos start() const { return base.timeOf(firstTick); }
+    Nanos stop() const { return timeOf(end()); } ///< one step after the last sample
+    double stepNanos() const { return base.tickNanos() * step; }
+
+    /// First sample at or after `time`, in [first, end()].
+    Index atOrAfter(Nanos time) const;
+};
+
+class FastColumn {
+public:
+    static constexpr std::size_t kChunkSamples = 65536;
+
+    bool empty() const { return m_begin == m_end; }
+    Index begin() const { return m_begin; } ///< the oldest sample still kept
+    Index end() const { return m_end; }
+    const std::vector<Segment> &segments() const { return m_segments; }
+
+    /// Appends behind the last sample if `tick` follows it without a gap, else starts a new
+    /// segment.
+    /// @param tick  of codes[0]; later than every sample before it
+    void append(
+        const TickBase &base, Tick tick, std::uint32_t step, std::span<const std::int16_t> codes);
+
+    /// The next sample starts a new segment even if its tick follows the last one.
+    void breakHere() { m_broken = true; }
+
+    std::int16_t at(Index index) const;
+
+    /// Extremes of [from, to), clipped to what is kept; exact. Cost: O(log) reads a chunk touched.
+    CodeRange extremes(Index from, Index to) const;
+
+    /// As many consecutive codes from `index` as lie in one chunk, at most `limit`; for fast
+    /// sequential reading.
+    std::span<const std::int16_t> codes(Index index, std::size_t limit) const;
+
+    std::size_t segmentOf(
+        Index index) const; ///< the segment that holds it; segments().size() if none
+    /// First sample at or after `time`; end() if there is none.
+    Index atOrAfter(Nanos time) const;
+    Nanos timeOf(Index index) const { return m_segments[segmentOf(index)].timeOf(index); }
+
+    /// Extremes of `count` equal slices of [from, to). Slice edges are rounded to blocks of the
+    /// pyramid, by less than a sixteenth of a slice and never across a gap: every sample is in
+    /// exactly one slice.
+    /// @param visit  called with (slice, CodeRange) for the slices that hold samples, in order
+    template <class Visit>
+    void slices(double from, double to, std::size_t count, Visit visit) const;
+
+    void releaseOldest(); ///< drops the oldest chunk; nothing if it is the one being filled
+    bool canRelease() const { return m_chunks.size() > 1; }
+    std::size_t bytes() const;
+
+private:
+    static constexpr std::size_t kFanOut = 16;
+    static constexpr std::size_t kLevels = 4;
+    static constexpr std::array<std::size_t, kLevels> kLevelStart{ 0, 4096, 4352, 4368 };
+
+    struct Chunk {
+        std::array<std::int16_t, kChunkSamples> samples;
+        std::array<CodeRange, 4369> ranges; ///< all levels, finest first
+        void close(std::size_t from, std::size_t to); ///< builds what [from, to) completes
+        CodeRange extremes(std::size_t from, std::size_t to) const;
+    };
+
+    void appendCodes(std::span<const std::int16_t> codes);
+    Index edge(double time, std::uint64_t block, std::size_t &segment) const;
+
+    std::deque<std::shared_ptr<Chunk>> m_chunks;
+    Index m_chunkBase = 0; ///< index of the first sample of the first chunk
+    Index m_begin = 0;
+    Index m_end = 0;
+    bool m_broken = false;
+    std::vector<Segment> m_segments;
+};
+
+template <class Visit>
+void FastColumn::slices(double from, double to, std::size_t count, Visit visit) const
+{
+    if (m_segments.empty() || count == 0 || !(to > from))
+        return;
+    const double width = (to - from) / static_cast<double>(count);
+    const double density = width / m_segments.back().stepNanos();
+    std::uint64_t block = 1;
+    while (block < kChunkSamples && static_cast<double>(block) * 8 * kFanOut <= density)
+        block *= kFanOut;
+    std::size_t segment = 0;
+    Index low = edge(from, block, segment);
+    for (std::size_t i = 0; i < count && low < m_end; ++i) {
+        const double next = i + 1 == count ? to : from + width * static_cast<double>(i + 1);
+        const Index high = edge(next, block, segment);
+        if (high > low)
+            visit(i, extremes(low, high));
+        low = high;
+    }
+}
+
+} // namespace capture

@@ -1,0 +1,87 @@
+// The samples of one slow or polled signal: an instant and a value each, in chunks with the
+// extremes of every 64. Values hold until the next one, at most to the end of their run.
+//
+// A copy shares the chunks and is a snapshot, as with FastColumn: only one may append.
+#pragma once
+
+#include "capture/fast_column.h"
+
+#include <limits>
+
+namespace capture {
+
+/// Extremes of one drawing column, in the channel's unit; empty() where there is no sample.
+struct MinMax {
+    float min = std::numeric_limits<float>::infinity();
+    float max = -std::numeric_limits<float>::infinity();
+    bool empty() const { return min > max; }
+    void include(MinMax other)
+    {
+        min = std::min(min, other.min);
+        max = std::max(max, other.max);
+    }
+};
+
+/// Values without a gap between them.
+struct Run {
+    Index first = 0;
+    Index count = 0;
+    Nanos holdUntil = 0; ///< how long the last value is known to hold
+    Index end() const { return first + count; }
+};
+
+class ValueColumn {
+public:
+    static constexpr std::size_t kChunkSamples = 4096;
+
+    bool empty() const { return m_begin == m_end; }
+    Index begin() const { return m_begin; }
+    Index end() const { return m_end; }
+    const std::vector<Run> &runs() const { return m_runs; }
+
+    /// @param time       later than every instant before it
+    /// @param holdUntil  how long the value certainly holds if nothing follows
+    void append(Nanos time, double value, Nanos holdUntil);
+
+    /// The last value is still true at `time`; nothing if the run is broken.
+    void extendHold(Nanos time);
+
+    /// The next value starts a new run.
+    void breakHere() { m_broken = true; }
+
+    Nanos timeOf(Index index) const { return chunkOf(index).times[inChunk(index)]; }
+    double at(Index index) const { return chunkOf(index).values[inChunk(index)]; }
+    std::size_t runOf(Index index) const; ///< the run that holds it; runs().size() if none
+
+    Index atOrAfter(Nanos time) const; ///< first value at or after `time`; end() if there is none
+    MinMax extremes(Index from, Index to) const; ///< of [from, to), clipped to what is kept; exact
+
+    void releaseOldest();
+    bool canRelease() const { return m_chunks.size() > 1; }
+    std::size_t bytes() const;
+
+private:
+    static constexpr std::size_t kBlock = 64;
+    struct Chunk {
+        std::array<Nanos, kChunkSamples> times;
+        std::array<double, kChunkSamples> values;
+        std::array<MinMax, kChunkSamples / kBlock> ranges;
+    };
+    static std::size_t inChunk(Index index)
+    {
+        return static_cast<std::size_t>(index % kChunkSamples);
+    }
+    const Chunk &chunkOf(Index index) const
+    {
+        return *m_chunks[static_cast<std::size_t>(index / kChunkSamples - m_released)];
+    }
+
+    std::deque<std::shared_ptr<Chunk>> m_chunks;
+    Index m_released = 0; ///< chunks let go
+    Index m_begin = 0;
+    Index m_end = 0;
+    bool m_broken = true;
+    std::vector<Run> m_runs;
+};
+
+} // namespace capture

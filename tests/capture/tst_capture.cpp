@@ -1,0 +1,418 @@
+// The store against a plain list of samples: whatever it answers must equal what brute force
+// answers.
+#include "capture/capture.h"
+
+#include <QtTest>
+
+#include <random>
+
+using namespace capture;
+using Kind = ChannelInfo::Kind;
+
+class TestCapture : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void everyExtremeEqualsAScanOfTheSamples();
+    void everySampleIsInExactlyOneColumn();
+    void columnsShowNothingInAGap();
+    void aLossBecomesAGapAndNeverAZero();
+    void aStopEndsTheHold();
+    void aSignalThatIsStreamedAgainContinuesItsChannel();
+    void anotherScaleMakesAnotherChannel();
+    void timeNeverRunsBackwards();
+    void blocksThatDoNotFitAreCountedAndLeftOut();
+    void slowValuesHoldUntilTheNextOne();
+    void polledValuesAreTheirOwnChannel();
+    void aFastSampleCostsLessThanTwoPointThreeBytes();
+    void theOldestSamplesAreReleasedFirst();
+    void aSnapshotStaysAsItWas();
+    void clearingForgetsEverythingAndTheStreamGoesOn();
+    void timesAreExactToTheNanosecond();
+};
+
+namespace {
+
+StreamLayout layout(
+    StreamId id, std::vector<catalog::RegisterId> fast, std::vector<catalog::RegisterId> slow = {})
+{
+    StreamLayout result;
+    result.id = id;
+    result.tickHz = 16000;
+    for (const auto reg : fast)
+        result.fast.push_back({ reg, "F" + std::to_string(reg), "A", 0.5, 0.0 });
+    for (const auto reg : slow)
+        result.slow.push_back({ reg, "S" + std::to_string(reg), "V", 0.1, 0.0 });
+    return result;
+}
+
+SampleBlock block(
+    StreamId stream, Tick tick, std::vector<std::int16_t> codes, std::size_t signalCount = 1)
+{
+    SampleBlock result;
+    result.stream = stream;
+    result.firstTick = tick;
+    result.count = static_cast<std::uint32_t>(codes.size() / signalCount);
+    result.fast = std::move(codes);
+    return result;
+}
+
+/// A capture of one channel with gaps of random length, and the same samples as a plain list.
+struct Recorded {
+    Capture capture;
+    ChannelId id = 0;
+    std::vector<double> times;
+    std::vector<float> values;
+    std::vector<std::size_t> starts; ///< of the runs
+
+    explicit Recorded(std::uint32_t seed, std::size_t blocks = 600)
+    {
+        std::mt19937 random(seed);
+        capture.begin(layout(1, { 7 }));
+        id = *capture.find(7);
+        Tick tick = 5;
+        for (std::size_t i = 0; i < blocks; ++i) {
+            const Tick lost = random() % 20 == 0 ? 1 + static_cast<Tick>(random() % 60000) : 0;
+            std::vector<std::int16_t> codes(1 + random() % 1000);
+            if (lost != 0 || i == 0)
+                starts.push_back(times.size());
+            tick += lost;
+            for (std::size_t k = 0; k < codes.size(); ++k) {
+                codes[k] = static_cast<std::int16_t>(random());
+                times.push_back(static_cast<double>(tick + static_cast<Tick>(k)) / 16000.0);
+                values.push_back(static_cast<float>(codes[k] * 0.5));
+            }
+            SampleBlock next = block(1, tick, codes);
+            next.lostTicks = lost;
+            capture.append(next);
+            tick += static_cast<Tick>(codes.size());
+        }
+    }
+
+    /// In whole nanoseconds, as the store's contract says.
+    std::pair<std::size_t, std::size_t> indexes(double from, double to) const
+    {
+        const auto at = [this](double t) {
+            const double edge = std::ceil(t * 1e9);
+            return static_cast<std::size_t>(
+                std::lower_bound(times.begin(), times.end(), edge,
+                    [](double time, double wanted) { return std::round(time * 1e9) < wanted; })
+                - times.begin());
+        };
+        return { at(from), at(to) };
+    }
+    MinMax scan(double from, double to) const
+    {
+        MinMax range;
+        const auto [low, high] = indexes(from, to);
+        for (std::size_t i = low; i < high; ++i)
+            range.include({ values[i], values[i] });
+        return range;
+    }
+};
+
+} // namespace
+
+void TestCapture::everyExtremeEqualsAScanOfTheSamples()
+{
+    const Recorded recorded(1);
+    QVERIFY(recorded.capture.size(recorded.id) == recorded.times.size());
+    QVERIFY(recorded.starts.size() > 10);
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> anywhere(-1.0, recorded.times.back() + 1.0);
+    for (int i = 0; i < 25000; ++i) {
+        const double from = anywhere(random);
+        // All lengths, from less than a sample to everything.
+        const double to =
+            from + std::pow(10.0, -5.0 + static_cast<double>(random() % 7000) / 1000.0);
+        const MinMax expected = recorded.scan(from, to);
+        const MinMax found = recorded.capture.extremes(recorded.id, from, to);
+        QCOMPARE(found.empty(), expected.empty());
+        if (!expected.empty()) {
+            QCOMPARE(found.min, expected.min);
+            QCOMPARE(found.max, expected.max);
+        }
+    }
+}
+
+void TestCapture::everySampleIsInExactlyOneColumn()
+{
+    const Recorded recorded(3);
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> anywhere(0.0, recorded.times.back());
+    for (int i = 0; i < 500; ++i) {
+        double from = anywhere(random);
+        double to = anywhere(random);
+        if (from > to)
+            std::swap(from, to);
+        const std::size_t count = 1 + random() % 400;
+        const auto columns = recorded.capture.columns(recorded.id, from, to, count);
+        QCOMPARE(columns.size(), count);
+        MinMax all;
+        for (const MinMax &column : columns)
+            all.include(column);
+        // The outermost edges are rounded too, by less than a sixteenth of a column.
+        const double blur = (to - from) / static_cast<double>(count) / 8.0 + 1e-4;
+        const MinMax inner = recorded.scan(from + blur, to - blur);
+        const MinMax outer = recorded.scan(from - blur, to + blur);
+        if (!inner.empty())
+            QVERIFY(all.min <= inner.min && all.max >= inner.max);
+        if (!all.empty())
+            QVERIFY(outer.min <= all.min && outer.max >= all.max);
+    }
+}
+
+void TestCapture::columnsShowNothingInAGap()
+{
+    Capture capture;
+    capture.begin(layout(1, { 7 }));
+    const ChannelId id = *capture.find(7);
+    std::vector<std::int16_t> codes(70001, 100);
+    capture.append(block(1, 0, codes));
+    SampleBlock later = block(1, 1'070'001, codes);
+    later.lostTicks = 1'000'000;
+    capture.append(later);
+    const double end = 1'140'002 / 16000.0;
+    const auto columns = capture.columns(id, 0.0, end, 1000);
+    const double width = end / 1000;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const double from = static_cast<double>(i) * width;
+        const bool inGap = from > 70001 / 16000.0 && from + width < 1'070'001 / 16000.0;
+        const bool inData = from + width < 70000 / 16000.0 || from > 1'070'001 / 16000.0;
+        if (inGap)
+            QVERIFY2(columns[i].empty(), qPrintable(QString::number(i)));
+        if (inData)
+            QVERIFY2(!columns[i].empty(), qPrintable(QString::number(i)));
+    }
+}
+
+void TestCapture::aLossBecomesAGapAndNeverAZero()
+{
+    Capture capture;
+    capture.begin(layout(1, { 7 }));
+    const ChannelId id = *capture.find(7);
+    capture.append(block(1, 0, { 10, 20, 30, 40 }));
+    SampleBlock later = block(1, 8, { 50, 60 });
+    later.lostTicks = 4;
+    capture.append(later);
+    const double tick = 1.0 / 16000.0;
+    QCOMPARE(capture.valueAt(id, 3.5 * tick), std::optional(20.0));
+    QVERIFY(!capture.valueAt(id, 4.5 * tick));
+    QVERIFY(!capture.valueAt(id, 7.5 * tick));
+    QCOMPARE(capture.valueAt(id, 8.5 * tick), std::optional(25.0));
+    QVERIFY(capture.extremes(id, 4 * tick, 8 * tick).empty());
+    const auto gaps = capture.channel(id)->gaps(0, 1, 0);
+    QCOMPARE(gaps.size(), std::size_t(1));
+    QCOMPARE(gaps[0].from, 4 * tick);
+    QCOMPARE(gaps[0].to, 8 * tick);
+    const auto samples = capture.samples(id, 0, 1, 100);
+    QCOMPARE(samples.size(), std::size_t(6));
+    QVERIFY(samples[0].first && !samples[3].first && samples[4].first);
+    QCOMPARE(samples[3].holdUntil, 4 * tick);
+}
+
+void TestCapture::aStopEndsTheHold()
+{
+    Capture capture;
+    capture.begin(layout(1, { 7 }));
+    capture.append(block(1, 0, { 10, 20 }));
+    capture.begin({});
+    capture.begin(layout(2, { 7 }));
+    capture.append(block(2, 100, { 30 }));
+    const ChannelId id = *capture.find(7);
+    QVERIFY(capture.valueAt(id, 1.5 / 16000));
+    QVERIFY(!capture.valueAt(id, 2.5 / 16000));
+    QCOMPARE(capture.channel(id)->gaps(0, 1, 0).size(), std::size_t(1));
+}
+
+void TestCapture::aSignalThatIsStreamedAgainContinuesItsChannel()
+{
+    Capture capture;
+    capture.begin(layout(1, { 7, 8 }));
+    capture.append(block(1, 0, { 1, 2, 11, 12 }));
+    const auto before = capture.channels();
+    capture.begin(layout(2, { 9, 7 })); // another order, another neighbour
+    capture.append(block(2, 10, { 21, 22, 3, 4 }));
+    QCOMPARE(capture.channels().size(), std::size_t(3));
+    QCOMPARE(*capture.find(7), before[0].id);
+    QCOMPARE(capture.size(before[0].id), std::uint64_t(4));
+    QCOMPARE(capture.size(before[1].id), std::uint64_t(2));
+    QCOMPARE(capture.valueAt(before[0].id, 11.5 / 16000), std::optional(2.0));
+    QVERIFY(!capture.valueAt(before[0].id, 5.5 / 16000));
+    QCOMPARE(capture.streaming(), (std::vector<ChannelId>{ *capture.find(9), before[0].id }));
+}
+
+void TestCapture::anotherScaleMakesAnotherChannel()
+{
+    Capture capture;
+    capture.begin(layout(1, { 7 }));
+    capture.append(block(1, 0, { 100 }));
+    StreamLayout other = layout(2, { 7 });
+    other.fast[0].factor = 0.25;
+    capture.begin(other);
+    capture.append(block(2, 10, { 100 }));
+    QCOMPARE(capture.channels().size(), std::size_t(2));
+    QCOMPARE(capture.valueAt(capture.channels()[0].id, 0.0), std::optional(50.0));
+    QCOMPARE(capture.lastValue(*capture.find(7)), std::optional(25.0));
+}
+
+void TestCapture::timeNeverRunsBackwards()
+{
+    Capture capture;
+    capture.begin(layout(1, { 7 }));
+    capture.append(block(1, 16000, { 1, 2, 3, 4 }));
+    StreamLayout reset = layout(2, { 7 }); // the board was reset, its origin is a little too early
+    reset.originSeconds = 0.9;
+    capture.begin(reset);
+    capture.append(block(2, 1600, { 5, 6 }));
+    const ChannelId id = *capture.find(7);
+    QCOMPARE(capture.size(id), std::uint64_t(6));
+    const auto samples = capture.samples(id, 0, 10, 100);
+    for (std::size_t i = 1; i < samples.size(); ++i)
+        QVERIFY(samples[i].time > samples[i - 1].time);
+    capture.append(block(2, 1500, { 7 }));
+    QCOMPARE(capture.size(id), std::uint64_t(6));
+    QCOMPARE(capture.refused().backwards, std::uint64_t(1));
+}
+
+void TestCapture::blocksThatDoNotFitAreCountedAndLeftOut()
+{
+    Capture capture;
+    capture.append(block(0, 0, { 1 }));
+    capture.begin(layout(1, { 7, 8 }, { 9 }));
+    capture.append(block(2, 0, { 1, 2 }));
+    SampleBlock odd = block(1, 0, { 1, 2, 3 });
+    capture.append(odd); // says 3 samples of each of 2 signals
+    odd = block(1, 0, { 1, 2 });
+    odd.count = 1;
+    odd.slow.push_back({ 0, { 1, 2 } });
+    capture.append(odd);
+    QCOMPARE(capture.refused().otherStream, std::uint64_t(2));
+    QCOMPARE(capture.refused().malformed, std::uint64_t(2));
+    QVERIFY(!capture.timeSpan());
+}
+
+void TestCapture::slowValuesHoldUntilTheNextOne()
+{
+    Capture capture;
+    capture.begin(layout(1, { 7 }, { 9 }));
+    const ChannelId slow = *capture.find(9);
+    SampleBlock first = block(1, 0, { 1, 2, 3, 4 });
+    first.slow.push_back({ 2, { 1000 } });
+    capture.append(first);
+    capture.append(block(1, 4, { 5, 6 }));
+    SampleBlock lost = block(1, 100, { 7, 8 });
+    lost.lostTicks = 94;
+    capture.append(lost);
+    const double tick = 1.0 / 16000.0;
+    QVERIFY(!capture.valueAt(slow, 1.5 * tick));
+    QCOMPARE(capture.valueAt(slow, 2.5 * tick), std::optional(100.0));
+    QCOMPARE(capture.valueAt(slow, 5.5 * tick), std::optional(100.0)); // held by the next packet
+    QVERIFY(!capture.valueAt(slow, 7.5 * tick)); // nothing is known here
+    QVERIFY(!capture.valueAt(slow, 100.5 * tick)); // nor yet here
+    SampleBlock later = block(1, 102, { 9 });
+    later.slow.push_back({ 102, { -2000 } });
+    capture.append(later);
+    QCOMPARE(capture.valueAt(slow, 102.5 * tick), std::optional(-200.0));
+    QCOMPARE(capture.extremes(slow, 0, 1).min, -200.0F);
+    QCOMPARE(capture.extremes(slow, 0, 1).max, 100.0F);
+}
+
+void TestCapture::polledValuesAreTheirOwnChannel()
+{
+    Capture capture;
+    capture.begin(layout(1, { 7 }));
+    capture.appendPolled(7, "F7", "rpm", 1.0, 1500.25);
+    capture.appendPolled(7, "F7", "rpm", 1.5, 1600.5);
+    capture.appendPolled(7, "F7", "rpm", 1.5, 1.0); // not later
+    capture.appendPolled(7, "F7", "rpm", 1.6, std::nan(""));
+    capture.appendPolled(7, "F7", "rpm", 10.0, 1700.0);
+    const ChannelId id = *capture.find(7, Kind::Polled);
+    QVERIFY(id != *capture.find(7, Kind::Fast));
+    QCOMPARE(capture.size(id), std::uint64_t(3));
+    QCOMPARE(capture.valueAt(id, 1.25), std::optional(1500.25));
+    QCOMPARE(capture.valueAt(id, 3.0), std::optional(1600.5));
+    QVERIFY(!capture.valueAt(id, 4.0)); // nobody has asked for too long
+    QCOMPARE(capture.channel(id)->gaps(0, 20, 0).size(), std::size_t(1));
+    QCOMPARE(capture.refused().backwards + capture.refused().notFinite, std::uint64_t(2));
+}
+
+void TestCapture::aFastSampleCostsLessThanTwoPointThreeBytes()
+{
+    Capture capture;
+    capture.begin(layout(1, { 7, 8 }));
+    for (Tick tick = 0; tick < 3'000'000; tick += 500)
+        capture.append({ 1, tick, 500, std::vector<std::int16_t>(1000, 5), {}, 0 });
+    QCOMPARE(capture.size(*capture.find(7)), std::uint64_t(3'000'000));
+    QVERIFY(static_cast<double>(capture.bytes()) / 6e6 <= 2.3);
+}
+
+void TestCapture::theOldestSamplesAreReleasedFirst()
+{
+    Capture capture({ .maxBytes = 1'000'000 });
+    capture.begin(layout(1, { 7 }));
+    const ChannelId id = *capture.find(7);
+    for (Tick tick = 0; tick < 2'000'000; tick += 1000) {
+        std::vector<std::int16_t> codes(1000, static_cast<std::int16_t>(tick / 1000));
+        capture.append(block(1, tick, codes));
+    }
+    QVERIFY(capture.bytes() <= 1'000'000 + 200'000);
+    const auto span = capture.timeSpan(id);
+    QVERIFY(span && span->from > 90.0);
+    QCOMPARE(span->to, 125.0);
+    QVERIFY(!capture.valueAt(id, 1.0));
+    QCOMPARE(capture.valueAt(id, 124.99), std::optional(1999 * 0.5));
+    const double firstValue = *capture.valueAt(id, span->from);
+    QCOMPARE(firstValue, std::floor(span->from * 16) * 0.5);
+    QCOMPARE(capture.columns(id, 0.0, 125.0, 100).front().empty(), true);
+}
+
+void TestCapture::aSnapshotStaysAsItWas()
+{
+    Capture capture;
+    capture.begin(layout(1, { 7 }, { 9 }));
+    SampleBlock first = block(1, 0, { 1, 2, 3 });
+    first.slow.push_back({ 0, { 4 } });
+    capture.append(first);
+    const std::vector<ChannelId> ids{ *capture.find(9), *capture.find(7), 999 };
+    const Snapshot snapshot = capture.snapshot(ids);
+    for (Tick tick = 3; tick < 200'000; tick += 1000)
+        capture.append(block(1, tick, std::vector<std::int16_t>(1000, 9)));
+    capture.clear();
+    QCOMPARE(snapshot->size(), std::size_t(2));
+    QCOMPARE(snapshot->at(1).size(), std::uint64_t(3));
+    QCOMPARE(snapshot->at(1).at(2), 1.5);
+    QCOMPARE(snapshot->at(0).info().registerId, 9U);
+}
+
+void TestCapture::clearingForgetsEverythingAndTheStreamGoesOn()
+{
+    Capture capture;
+    capture.begin(layout(1, { 7 }));
+    capture.append(block(1, 0, { 1, 2, 3 }));
+    const ChannelId before = *capture.find(7);
+    const auto revision = capture.revision();
+    capture.clear();
+    QVERIFY(capture.revision() > revision);
+    QVERIFY(!capture.channel(before));
+    QVERIFY(!capture.timeSpan());
+    capture.append(block(1, 3, { 4 }));
+    QCOMPARE(capture.size(*capture.find(7)), std::uint64_t(1));
+    QVERIFY(*capture.find(7) != before);
+}
+
+void TestCapture::timesAreExactToTheNanosecond()
+{
+    const TickBase base = TickBase::of(16000, 2.5);
+    QCOMPARE(base.timeOf(0), Nanos(2'500'000'000));
+    QCOMPARE(base.timeOf(1), Nanos(2'500'062'500));
+    QCOMPARE(base.timeOf(-1), Nanos(2'499'937'500));
+    QCOMPARE(base.timeOf(16000LL * 86400 * 365), Nanos(2'500'000'000) + 31'536'000'000'000'000);
+    const TickBase third = TickBase::of(30000, 0.0);
+    QCOMPARE(third.timeOf(1), Nanos(33'333));
+    QCOMPARE(third.timeOf(2), Nanos(66'667));
+    QCOMPARE(third.timeOf(30000LL * 1000 + 3), Nanos(1'000'000'100'000));
+    QCOMPARE(TickBase::of(0.0, 0.0).milliHz, 1000); // nonsense from a board never divides by zero
+}
+
+QTEST_APPLESS_MAIN(TestCapture)
+#include "tst_capture.moc"
