@@ -3,17 +3,19 @@
 //   port bytes  --receive(bytes, now)-->  Controller  --takeOutput()--> bytes for the port
 //   one timer   --handleTimeout(now)-->               --takeEvents()--> events for the owner
 //
-// After any call: send takeOutput() (respecting gapBefore), call handleSent() once it has left, act on
-// takeEvents(), and arm one timer at nextTimeout().
+// After any call: send takeOutput() (respecting gapBefore), call handleSent() once it has left, act
+// on takeEvents(), and arm one timer at nextTimeout().
 //
 // States:  Idle -connect-> Negotiating -own Beacon echoed-> Pinging -Ping, configured-> Connected
-//          Connected -nack, time-out, bad header-> Recovering (drain, agreed Beacon until echoed, Ping) -> Connected
-//          Connected -Ping reply says not configured-> the board was reset: Negotiating from the maxima again
-//          any -attempts spent or no valid packet for `lostAfter`-> Idle, event Lost
+//          Connected -nack, time-out, bad header-> Recovering (drain, agreed Beacon until echoed,
+//          Ping) -> Connected Connected -Ping reply says not configured-> the board was reset:
+//          Negotiating from the maxima again any -attempts spent or no valid packet for
+//          `lostAfter`-> Idle, event Lost
 //
-// Rules of the wire that live here (firmware 6.0 to 6.4.2): never a second packet before the reply to the first;
-// a pause between the header and the payload of a request; the maxima are offered first because boards only ever
-// shrink; connected only after a Ping; resynchronisation by dialogue (exact Beacon echo), never by scanning.
+// Rules of the wire that live here (firmware 6.0 to 6.4.2): never a second packet before the reply
+// to the first; a pause between the header and the payload of a request; the maxima are offered
+// first because boards only ever shrink; connected only after a Ping; resynchronisation by dialogue
+// (exact Beacon echo), never by scanning.
 #pragma once
 
 #include "aspep/framer.h"
@@ -31,12 +33,16 @@ namespace aspep {
 class Controller {
 public:
     struct Config {
-        Beacon offer; ///< all fields maximal; payload CRC not asked for (no firmware has one)
+        Beacon offer{}; ///< all fields maximal; payload CRC not asked for (no firmware has one)
         std::uint32_t baud = 1843200; ///< time-outs are computed from it
-        Duration payloadPause = std::chrono::microseconds(1500); ///< header to payload, > 0.5 ms is required
-        Duration hostLatency = std::chrono::milliseconds(20); ///< what a USB adapter and the scheduler may add
-        int attempts = 5; ///< how often one step of a dialogue is sent before the link counts as lost
-        Duration keepAliveAfter = std::chrono::milliseconds(250); ///< silence after which a Ping is sent
+        Duration payloadPause =
+            std::chrono::microseconds(1500); ///< header to payload, > 0.5 ms is required
+        Duration hostLatency =
+            std::chrono::milliseconds(20); ///< what a USB adapter and the scheduler may add
+        int attempts =
+            5; ///< how often one step of a dialogue is sent before the link counts as lost
+        Duration keepAliveAfter =
+            std::chrono::milliseconds(250); ///< silence after which a Ping is sent
         Duration suspectAfter = std::chrono::milliseconds(500); ///< no valid packet: event Suspect
         Duration lostAfter = std::chrono::milliseconds(1000); ///< no valid packet: event Lost
     };
@@ -52,7 +58,8 @@ public:
     // Events, in the order in which they happened.
     struct Connected {
         Beacon agreed;
-        bool afterReset = false; ///< the board was reset meanwhile: nothing it held can be relied on
+        bool afterReset =
+            false; ///< the board was reset meanwhile: nothing it held can be relied on
     };
     struct Suspect { };
     struct Recovered { }; ///< connected again after Recovering; what it held still holds
@@ -62,8 +69,8 @@ public:
     struct Response {
         Bytes payload;
     };
-    /// The open request has no response. `executed`: the parity of a later Ping says that it was or was not
-    /// carried out; empty if that cannot be known (reset, link lost).
+    /// The open request has no response. `executed`: the parity of a later Ping says that it was or
+    /// was not carried out; empty if that cannot be known (reset, link lost).
     struct NoResponse {
         std::optional<bool> executed;
     };
@@ -92,21 +99,24 @@ public:
 
     void connect(TimePoint now);
     /// Forgets the link at once, without a word on the wire (the protocol has no disconnect).
+    /// An open request ends with NoResponse.
     void reset();
 
     /// Queues one request. Only while canSend(); payload of 2 to agreed().rxMax() bytes.
     void sendRequest(ByteView payload, TimePoint now);
     bool canSend() const; ///< Connected, and no packet of ours waits for its reply
 
-    /// The hurried way for Stop, allowed to break the one-packet rule. Connected and idle: sends the payload at
-    /// once. A request open: waits min(its time-out, 50 ms), then tries BEACON, PING, payload by dialogue and after
-    /// 20 ms without waiting for the echoes, at least 2 ms apart. Not connected: the same at once.
-    /// An open request ends with NoResponse first. The reply, if any, is an ordinary Response or NoResponse.
+    /// The hurried way for Stop, allowed to break the one-packet rule. Connected and idle: sends
+    /// the payload at once. A request open: waits min(its time-out, 50 ms), then tries BEACON,
+    /// PING, payload by dialogue and after 20 ms without waiting for the echoes, at least 2 ms
+    /// apart. Not connected: the same at once. An open request ends with NoResponse first. The
+    /// reply, if any, is an ordinary Response or NoResponse.
     void sendUrgent(ByteView payload, TimePoint now);
 
     void receive(ByteView bytes, TimePoint now);
     void handleTimeout(TimePoint now); ///< early or repeated calls do nothing
-    void handleSent(TimePoint now); ///< all output taken so far has left: reply time-outs count from here
+    void handleSent(
+        TimePoint now); ///< all output taken so far has left: reply time-outs count from here
 
     [[nodiscard]] std::vector<Output> takeOutput();
     [[nodiscard]] std::vector<Event> takeEvents();
@@ -117,7 +127,111 @@ public:
     const Stats &stats() const;
     std::uint8_t linkId() const; ///< LIID of the last Ping reply
     Duration responseTimeout() const; ///< from baud rate and negotiated sizes
-    // private members follow in the implementation
+
+private:
+    /// What the machine is doing within its State.
+    enum class Step : std::uint8_t {
+        None, ///< Idle, or Connected with nothing open
+        Waiting, ///< a request's response is due
+        KeepingAlive, ///< a Ping's reply is due, while Connected
+        Draining, ///< out of step: waits for silence
+        Resting, ///< in step: waits a moment before the dialogue goes on
+        Probing, ///< first word of a recovery: a Ping that shows whether the board was reset
+        Offering, ///< a Beacon's echo is due
+        Settling, ///< echoed, but late echoes of earlier Beacons may still come
+        Pinging, ///< the reply of the Ping that connects is due
+    };
+    struct Urgent {
+        enum class Stage : std::uint8_t { Patience, Dialogue, Sent };
+        Bytes payload;
+        Stage stage = Stage::Patience;
+        State before = State::Idle; ///< where to go on if the dialogue leads nowhere
+        TimePoint until; ///< when the stage ends by itself
+    };
+
+    // controller.cpp: what goes out, what comes in, what time brings
+    void sendPacket(const Header &header, Duration gap, TimePoint now);
+    void sendData(ByteView payload, Duration gap, TimePoint now);
+    void awaitReply(TimePoint from);
+    void onPacket(Packet &packet, TimePoint now);
+    void onData(const Data &data, Bytes &payload, TimePoint now);
+    void onNack(TimePoint now);
+    void onFault(Framer::Step what, TimePoint now);
+    void onTorn(TimePoint now);
+    void onStepOver(TimePoint now);
+    void countFault(Framer::Step what);
+    void endRequest(std::optional<bool> executed);
+    std::optional<TimePoint> stepEnd() const;
+    std::optional<TimePoint> tornAt() const;
+    std::optional<TimePoint> healthDue() const;
+    void checkHealth(TimePoint now);
+
+    // controller_dialogue.cpp: how a link comes about and is mended
+    void negotiate(TimePoint now);
+    void offer(TimePoint now);
+    void probe(TimePoint now);
+    void ping(TimePoint now);
+    void onBeacon(const Beacon &answer, TimePoint now);
+    void onPing(const Ping &reply, TimePoint now);
+    void acceptAnswer(TimePoint now);
+    void afterEcho(TimePoint now);
+    void enterConnected(const Ping &reply, TimePoint now);
+    void onNotConfigured(TimePoint now);
+    void recover(TimePoint now);
+    void drain(TimePoint now, Duration quiet);
+    void onDrainOver(TimePoint now);
+    void rest(TimePoint now, Duration pause);
+    void goOn(TimePoint now);
+    void retry(TimePoint now);
+    bool spent(TimePoint now) const;
+    Duration dialogueLimit() const;
+    void lose(LostReason reason);
+    LostReason connectFailure() const;
+
+    // controller_urgent.cpp
+    void startUrgentDialogue(TimePoint now);
+    void sendBlind(TimePoint now);
+    void onUrgentDue(TimePoint now);
+    void endBlind(TimePoint now);
+    bool blind() const;
+    bool hurried() const;
+
+    Config m_config;
+    Framer m_framer;
+    State m_state = State::Idle;
+    Step m_step = Step::None;
+    Beacon m_offer;
+    Beacon m_agreed;
+    bool m_everAgreed = false;
+    bool m_afterReset = false;
+    bool m_parity = false; ///< what the next Ping should say if no request is lost
+    std::uint8_t m_linkId = 0;
+    std::uint16_t m_number = 0; ///< of the last Ping
+
+    std::optional<TimePoint> m_replyDue; ///< until then nothing else may be sent
+    bool m_sentPending = false; ///< m_replyDue is an estimate until handleSent()
+    bool m_requestOpen = false; ///< its end has not been told yet
+    std::optional<Urgent> m_urgent;
+
+    TimePoint m_lastByte;
+    TimePoint m_lastValid;
+    bool m_suspect = false;
+    bool m_heardBytes = false; ///< since connect()
+    bool m_heardAnswer = false; ///< a Beacon or Ping that can be an answer, since connect()
+
+    TimePoint m_dialogueStart;
+    TimePoint m_outageStart; ///< last valid packet before the recovery
+    TimePoint m_restUntil;
+    TimePoint m_drainStart;
+    Duration m_quiet{}; ///< silence that ends the drain
+    int m_attempts = 0; ///< packets of the dialogue since it last moved on
+    int m_rounds = 0; ///< how often the dialogue had to go back
+    int m_echoesLeft = 1; ///< exact echoes still wanted before the Ping
+    bool m_probed = false;
+
+    std::vector<Output> m_output;
+    std::vector<Event> m_events;
+    Stats m_stats;
 };
 
 } // namespace aspep

@@ -1,0 +1,414 @@
+#include "aspep/controller.h"
+
+#include "base/crc.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace aspep {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr Duration kTornGrace = 30ms; ///< beyond the wire time of what is missing
+constexpr Duration kRestAfterNack =
+    10ms; ///< the Performer listens again after the next idle line only
+constexpr Duration kRestAfterTorn = 2ms;
+/// A packet with more than this missing may, for anybody who parses the line by lengths, still
+/// swallow a whole dialogue: only silence ends it. Less than this is filled up by repeated echoes.
+constexpr std::size_t kLongTail = 32;
+constexpr Duration kLongSilence = 550ms;
+
+void earliest(std::optional<TimePoint> &due, std::optional<TimePoint> other)
+{
+    if (other && (!due || *other < *due))
+        due = other;
+}
+
+} // namespace
+
+Controller::Controller(Config config)
+    : m_config(config)
+{
+}
+
+Controller::State Controller::state() const { return m_state; }
+
+const Beacon &Controller::agreed() const { return m_agreed; }
+
+const Controller::Stats &Controller::stats() const { return m_stats; }
+
+std::uint8_t Controller::linkId() const { return m_linkId; }
+
+Duration Controller::responseTimeout() const
+{
+    constexpr std::size_t kUsualAsync = 2048;
+    constexpr std::size_t kUsualResponse = 256;
+    const std::size_t bytes =
+        m_everAgreed ? m_agreed.txAsyncMax() + m_agreed.txSyncMax() : kUsualAsync + kUsualResponse;
+    const Duration wire = wireTime(bytes + 2 * kHeaderSize, m_config.baud);
+    return wire + wire / 2 + 2ms + m_config.hostLatency;
+}
+
+void Controller::connect(TimePoint now)
+{
+    reset();
+    m_heardBytes = m_heardAnswer = m_afterReset = false;
+    m_dialogueStart = m_lastByte = m_lastValid = now;
+    m_rounds = 0;
+    m_echoesLeft = 1;
+    m_attempts = 0;
+    negotiate(now);
+}
+
+void Controller::reset()
+{
+    if (m_urgent && !blind())
+        m_requestOpen = true; // promised an end, though it was never sent
+    endRequest(std::nullopt);
+    m_urgent.reset();
+    m_state = State::Idle;
+    m_step = Step::None;
+    m_replyDue.reset();
+    m_suspect = false;
+    m_output.clear();
+    m_framer.resynchronise();
+}
+
+bool Controller::canSend() const
+{
+    return m_state == State::Connected && m_step == Step::None && !m_urgent;
+}
+
+void Controller::sendRequest(ByteView payload, TimePoint now)
+{
+    assert(canSend());
+    assert(payload.size() >= 2 && payload.size() <= m_agreed.rxMax());
+    m_step = Step::Waiting;
+    m_requestOpen = true;
+    sendData(payload, {}, now);
+}
+
+void Controller::receive(ByteView bytes, TimePoint now)
+{
+    m_stats.bytesIn += bytes.size();
+    if (m_state == State::Idle && !m_urgent)
+        return;
+    if (bytes.empty())
+        return;
+    m_lastByte = now;
+    m_heardBytes = true;
+    Packet packet;
+    for (;;) {
+        const Framer::Step step = m_framer.next(bytes, packet);
+        if (step == Framer::Step::NeedBytes)
+            break;
+        if (step == Framer::Step::Packet)
+            onPacket(packet, now);
+        else
+            onFault(step, now);
+        if (m_state == State::Idle && !m_urgent)
+            break;
+        if (hurried() && !m_framer.inStep()) {
+            m_framer.resynchronise(); // a stop does not wait for silence; only an exact echo counts
+                                      // anyway
+            break;
+        }
+    }
+    if (m_step == Step::Draining && m_framer.inStep() && !m_framer.midPacket())
+        rest(now, {}); // the packet that seemed torn is whole
+    m_stats.discardedBytes = m_framer.discardedBytes();
+}
+
+void Controller::onPacket(Packet &packet, TimePoint now)
+{
+    ++m_stats.packetsIn;
+    m_lastValid = now;
+    if (std::exchange(m_suspect, false) && m_state == State::Connected)
+        m_events.push_back(Recovered{});
+    if (const auto *data = std::get_if<Data>(&packet.header))
+        onData(*data, packet.payload, now);
+    else if (const auto *beacon = std::get_if<Beacon>(&packet.header))
+        onBeacon(*beacon, now);
+    else if (const auto *reply = std::get_if<Ping>(&packet.header))
+        onPing(*reply, now);
+    else
+        onNack(now);
+}
+
+void Controller::onData(const Data &data, Bytes &payload, TimePoint now)
+{
+    if (!data.response) {
+        if (m_state == State::Connected || m_state == State::Recovering)
+            m_events.push_back(Async{ std::move(payload) });
+        return;
+    }
+    if (m_step != Step::Waiting) {
+        ++m_stats.unexpected;
+        return;
+    }
+    m_replyDue.reset();
+    m_step = Step::None;
+    m_requestOpen = false;
+    m_parity = !m_parity;
+    m_events.push_back(Response{ std::move(payload) });
+    if (blind())
+        endBlind(now);
+    else if (m_urgent)
+        onUrgentDue(now);
+}
+
+void Controller::onNack(TimePoint now)
+{
+    ++m_stats.nacks;
+    if (blind())
+        return;
+    m_replyDue.reset(); // an answer of a kind: the Performer is done with what was sent
+    m_echoesLeft = std::max(m_echoesLeft, 2);
+    if (m_state == State::Connected)
+        recover(now);
+    if (m_step != Step::Draining)
+        rest(now, kRestAfterNack);
+}
+
+void Controller::countFault(Framer::Step what)
+{
+    switch (what) {
+    case Framer::Step::BadHeaderCrc:
+        ++m_stats.badHeaderCrc;
+        break;
+    case Framer::Step::UnknownType:
+        ++m_stats.unknownType;
+        break;
+    case Framer::Step::Inconsistent:
+        ++m_stats.inconsistent;
+        break;
+    case Framer::Step::TooLong:
+        ++m_stats.tooLong;
+        break;
+    case Framer::Step::BadPayloadCrc:
+        ++m_stats.badPayloadCrc;
+        break;
+    case Framer::Step::NeedBytes:
+    case Framer::Step::Packet:
+        break;
+    }
+}
+
+void Controller::onFault(Framer::Step what, TimePoint now)
+{
+    countFault(what);
+    m_echoesLeft = std::max(m_echoesLeft, 2);
+    if (hurried())
+        return;
+    if (m_state == State::Connected)
+        recover(now);
+    drain(now, m_config.hostLatency + wireTime(2 * kHeaderSize, m_config.baud));
+}
+
+void Controller::onTorn(TimePoint now)
+{
+    ++m_stats.torn;
+    const std::size_t missing = m_framer.missing();
+    const bool longTail = missing > kLongTail;
+    const std::size_t filling = longTail ? 0 : (missing + kHeaderSize - 1) / kHeaderSize;
+    m_echoesLeft = std::max(m_echoesLeft, 2 + static_cast<int>(filling));
+    if (hurried()) {
+        m_framer.resynchronise();
+        return;
+    }
+    if (m_state == State::Connected)
+        recover(now);
+    if (longTail) {
+        drain(now, kLongSilence);
+    } else {
+        m_framer.resynchronise();
+        rest(now, kRestAfterTorn);
+    }
+}
+
+void Controller::handleTimeout(TimePoint now)
+{
+    if (m_urgent && now >= m_urgent->until)
+        onUrgentDue(now);
+    if (const auto torn = tornAt(); torn && now >= *torn)
+        onTorn(now);
+    if (const auto end = stepEnd(); end && now >= *end)
+        onStepOver(now);
+    checkHealth(now);
+    m_stats.discardedBytes = m_framer.discardedBytes();
+}
+
+void Controller::onStepOver(TimePoint now)
+{
+    switch (m_step) {
+    case Step::None:
+        break;
+    case Step::Waiting:
+        ++m_stats.timeouts;
+        m_replyDue.reset();
+        if (blind()) {
+            endRequest(std::nullopt);
+            endBlind(now);
+        } else {
+            recover(now);
+        }
+        break;
+    case Step::KeepingAlive:
+        ++m_stats.timeouts;
+        m_replyDue.reset();
+        recover(now);
+        break;
+    case Step::Probing:
+    case Step::Offering:
+    case Step::Pinging:
+        ++m_stats.timeouts;
+        m_replyDue.reset();
+        retry(now);
+        break;
+    case Step::Draining:
+        onDrainOver(now);
+        break;
+    case Step::Resting:
+        goOn(now);
+        break;
+    case Step::Settling:
+        afterEcho(now);
+        break;
+    }
+}
+
+void Controller::checkHealth(TimePoint now)
+{
+    if (m_state == State::Idle || m_urgent)
+        return;
+    const bool linked = m_state == State::Connected || m_state == State::Recovering;
+    if (linked && !m_suspect && now - m_lastValid >= m_config.suspectAfter) {
+        m_suspect = true;
+        m_events.push_back(Suspect{});
+    }
+    if (canSend() && now - m_lastValid >= m_config.keepAliveAfter) {
+        m_step = Step::KeepingAlive;
+        sendPacket(Ping{ false, false, 0, ++m_number }, {}, now);
+    }
+    if (m_state == State::Connected)
+        return;
+    const bool recovering = m_state == State::Recovering;
+    if (now - m_dialogueStart >= dialogueLimit() || (recovering && spent(now)))
+        lose(recovering
+                ? (m_lastValid > m_outageStart ? LostReason::RecoveryFailed : LostReason::Silence)
+                : connectFailure());
+}
+
+std::optional<TimePoint> Controller::healthDue() const
+{
+    if (m_state == State::Idle || m_urgent)
+        return std::nullopt;
+    std::optional<TimePoint> due;
+    const bool linked = m_state == State::Connected || m_state == State::Recovering;
+    if (linked && !m_suspect)
+        due = m_lastValid + m_config.suspectAfter;
+    if (canSend())
+        earliest(due, m_lastValid + m_config.keepAliveAfter);
+    if (m_state != State::Connected)
+        earliest(due, m_dialogueStart + dialogueLimit());
+    if (m_state == State::Recovering && m_attempts >= m_config.attempts)
+        earliest(due, m_outageStart + m_config.lostAfter);
+    return due;
+}
+
+std::optional<TimePoint> Controller::tornAt() const
+{
+    if (!m_framer.midPacket() || m_step == Step::Draining || (m_state == State::Idle && !m_urgent))
+        return std::nullopt;
+    return m_lastByte + wireTime(m_framer.missing(), m_config.baud) + m_config.hostLatency
+        + kTornGrace;
+}
+
+std::optional<TimePoint> Controller::stepEnd() const
+{
+    switch (m_step) {
+    case Step::None:
+        break;
+    case Step::Waiting:
+    case Step::KeepingAlive:
+    case Step::Probing:
+    case Step::Offering:
+    case Step::Pinging:
+        return m_replyDue;
+    case Step::Resting:
+    case Step::Settling:
+        return m_restUntil;
+    case Step::Draining: {
+        const TimePoint silent = std::max(m_lastByte, m_drainStart) + m_quiet;
+        const std::size_t longest = m_everAgreed ? m_agreed.txAsyncMax() : kMaxPayload;
+        const TimePoint enough = m_drainStart + m_quiet + wireTime(longest, m_config.baud) + 50ms;
+        const TimePoint end = std::min(silent, enough);
+        return m_replyDue ? std::max(end, *m_replyDue) : end;
+    }
+    }
+    return std::nullopt;
+}
+
+std::optional<TimePoint> Controller::nextTimeout() const
+{
+    std::optional<TimePoint> due = stepEnd();
+    earliest(due, tornAt());
+    earliest(due, healthDue());
+    if (m_urgent && m_urgent->stage != Urgent::Stage::Sent)
+        earliest(due, m_urgent->until);
+    return due;
+}
+
+void Controller::sendPacket(const Header &header, Duration gap, TimePoint now)
+{
+    const HeaderBytes bytes = encodeHeader(header);
+    m_output.push_back({ Bytes(bytes.begin(), bytes.end()), gap });
+    m_stats.bytesOut += bytes.size();
+    ++m_stats.packetsOut;
+    awaitReply(now + gap + wireTime(bytes.size(), m_config.baud));
+}
+
+void Controller::sendData(ByteView payload, Duration gap, TimePoint now)
+{
+    sendPacket(Data{ false, static_cast<std::uint16_t>(payload.size()) }, gap, now);
+    Bytes body(payload.begin(), payload.end());
+    if (m_agreed.dataCrc) {
+        const std::uint16_t crc = crc16Xmodem(payload);
+        body.push_back(static_cast<std::uint8_t>(crc));
+        body.push_back(static_cast<std::uint8_t>(crc >> 8));
+    }
+    m_stats.bytesOut += body.size();
+    awaitReply(
+        now + gap + m_config.payloadPause + wireTime(kHeaderSize + body.size(), m_config.baud));
+    m_output.push_back({ std::move(body), m_config.payloadPause });
+}
+
+void Controller::awaitReply(TimePoint from)
+{
+    m_replyDue = from + responseTimeout();
+    m_sentPending = true;
+}
+
+void Controller::handleSent(TimePoint now)
+{
+    if (!m_sentPending || !m_output.empty())
+        return;
+    m_sentPending = false;
+    if (m_replyDue)
+        m_replyDue = now + responseTimeout();
+}
+
+void Controller::endRequest(std::optional<bool> executed)
+{
+    if (std::exchange(m_requestOpen, false))
+        m_events.push_back(NoResponse{ executed });
+}
+
+std::vector<Output> Controller::takeOutput() { return std::exchange(m_output, {}); }
+
+std::vector<Controller::Event> Controller::takeEvents() { return std::exchange(m_events, {}); }
+
+} // namespace aspep

@@ -1,0 +1,278 @@
+// How the Controller's link comes about, and how it is mended: Beacons until the own one is echoed,
+// then a Ping.
+//
+// A recovery begins with a Ping: a board that was reset says so only before it has heard a matching
+// Beacon. Then the agreed Beacon must come back exactly, twice: the first echo shows that the line
+// is in step, the second that the first was no late answer and that nothing which came before is
+// still under way.
+#include "aspep/controller.h"
+
+#include <algorithm>
+
+namespace aspep {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr int kMaxRounds =
+    10; ///< counter-proposals and returns to the start before there is no agreement
+constexpr Duration kDialogueLimit = 4s; ///< whatever happens, a dialogue has ended after this
+
+/// An answer never has more than was offered: the Performer takes the minimum of both sides.
+bool canAnswer(const Beacon &answer, const Beacon &offer)
+{
+    return answer.dataCrc <= offer.dataCrc && answer.rxUnits <= offer.rxUnits
+        && answer.txSyncUnits <= offer.txSyncUnits && answer.txAsyncUnits <= offer.txAsyncUnits;
+}
+
+} // namespace
+
+void Controller::negotiate(TimePoint now)
+{
+    m_state = State::Negotiating;
+    m_framer.setLimits({});
+    m_offer = m_config.offer;
+    m_attempts = 0;
+    offer(now);
+}
+
+void Controller::offer(TimePoint now)
+{
+    const bool recovering = m_state == State::Recovering;
+    if (!recovering && m_attempts >= m_config.attempts)
+        return lose(connectFailure());
+    if (!recovering)
+        m_state = State::Negotiating;
+    m_step = Step::Offering;
+    ++m_attempts;
+    sendPacket(recovering ? m_agreed : m_offer, {}, now);
+}
+
+void Controller::probe(TimePoint now)
+{
+    m_probed = true;
+    m_step = Step::Probing;
+    sendPacket(Ping{ false, false, 0, ++m_number }, {}, now);
+}
+
+void Controller::ping(TimePoint now)
+{
+    if (m_state != State::Recovering)
+        m_state = State::Pinging;
+    m_step = Step::Pinging;
+    ++m_attempts;
+    sendPacket(Ping{ false, false, 0, ++m_number }, {}, now);
+}
+
+void Controller::onBeacon(const Beacon &answer, TimePoint now)
+{
+    if (m_step == Step::Offering) {
+        const Beacon &mine = m_state == State::Recovering ? m_agreed : m_offer;
+        if (answer == mine && (m_state == State::Recovering || answer.version == 0))
+            return acceptAnswer(now);
+        const bool plausible = m_state == State::Negotiating && canAnswer(answer, m_offer);
+        m_heardAnswer = m_heardAnswer || plausible;
+        if (plausible && answer.version == 0) {
+            if (++m_rounds > kMaxRounds)
+                return lose(LostReason::NoAgreement);
+            m_offer = answer;
+            ++m_echoesLeft; // this one is no echo
+            return acceptAnswer(now);
+        }
+    }
+    // It answers nothing that was asked: noise, or a late echo behind which the Performer has left
+    // the connection.
+    ++m_stats.unexpected;
+    if (blind())
+        return;
+    m_echoesLeft = std::max(m_echoesLeft, 2);
+    if (m_step == Step::Settling) {
+        m_restUntil = now + m_config.hostLatency;
+    } else if (m_state == State::Connected) {
+        recover(now);
+    } else if (m_step == Step::Pinging) {
+        ++m_rounds;
+        rest(now, m_config.hostLatency);
+    }
+}
+
+void Controller::acceptAnswer(TimePoint now)
+{
+    m_replyDue.reset();
+    const bool repeated = m_attempts > 1; // then echoes of the earlier ones may be on their way
+    if (repeated)
+        m_echoesLeft = std::max(m_echoesLeft, 2);
+    --m_echoesLeft;
+    m_attempts = 0;
+    if (!repeated)
+        return afterEcho(now);
+    m_step = Step::Settling;
+    m_restUntil = now + m_config.hostLatency;
+}
+
+void Controller::afterEcho(TimePoint now)
+{
+    if (m_echoesLeft > 0)
+        return offer(now);
+    if (m_state != State::Recovering) {
+        m_agreed = m_offer;
+        m_everAgreed = true;
+        m_framer.setLimits({ m_agreed.txSyncMax(), m_agreed.txAsyncMax(), m_agreed.dataCrc });
+    }
+    ping(now);
+}
+
+void Controller::onPing(const Ping &reply, TimePoint now)
+{
+    const bool due =
+        m_step == Step::Probing || m_step == Step::Pinging || m_step == Step::KeepingAlive;
+    // Firmware up to 6.2.1 truncates the number once it is connected; unconfigured it never does.
+    if (!due || (!reply.configured && reply.number != m_number)) {
+        ++m_stats.unexpected;
+        return;
+    }
+    m_replyDue.reset();
+    m_heardAnswer = true;
+    if (!reply.configured)
+        return onNotConfigured(now);
+    m_linkId = reply.linkId;
+    if (m_step == Step::Probing)
+        return offer(now);
+    if (m_step == Step::Pinging)
+        return enterConnected(reply, now);
+    m_step = Step::None;
+    m_parity = reply.parity;
+    if (m_urgent)
+        onUrgentDue(now);
+}
+
+void Controller::enterConnected(const Ping &reply, TimePoint now)
+{
+    endRequest(reply.parity != m_parity);
+    m_parity = reply.parity;
+    const State before =
+        m_urgent ? m_urgent->before : m_state; // a stop may talk where there was no link
+    const bool recovered = before == State::Connected || before == State::Recovering;
+    m_state = State::Connected;
+    m_step = Step::None;
+    m_attempts = m_rounds = 0;
+    m_echoesLeft = 1;
+    m_suspect = false;
+    if (recovered)
+        m_events.push_back(Recovered{});
+    else
+        m_events.push_back(Connected{ m_agreed, m_afterReset });
+    m_afterReset = false;
+    if (m_urgent)
+        onUrgentDue(now);
+}
+
+void Controller::onNotConfigured(TimePoint now)
+{
+    if (m_state == State::Connected || m_state == State::Recovering) {
+        endRequest(std::nullopt);
+        m_afterReset = true;
+        m_dialogueStart = now;
+        m_rounds = 0;
+    } else if (++m_rounds > kMaxRounds) {
+        return lose(LostReason::NoAgreement);
+    }
+    negotiate(now);
+}
+
+void Controller::recover(TimePoint now)
+{
+    ++m_stats.recoveries;
+    m_state = State::Recovering;
+    m_outageStart = m_lastValid;
+    m_dialogueStart = now;
+    m_attempts = m_rounds = 0;
+    m_echoesLeft = std::max(m_echoesLeft, 2);
+    m_probed = false;
+    rest(now, {});
+}
+
+void Controller::drain(TimePoint now, Duration quiet)
+{
+    if (m_step != Step::Draining)
+        m_drainStart = now;
+    m_quiet = quiet;
+    m_step = Step::Draining;
+}
+
+void Controller::onDrainOver(TimePoint now)
+{
+    m_replyDue.reset();
+    if (now - std::max(m_lastByte, m_drainStart) >= m_quiet) {
+        m_framer.resynchronise();
+        return goOn(now);
+    }
+    // A stream that never pauses. A Beacon makes the Performer leave the connection, and so the
+    // stream end.
+    if (m_state != State::Recovering && m_attempts >= m_config.attempts)
+        return lose(connectFailure());
+    ++m_attempts;
+    m_drainStart = now;
+    sendPacket(m_state == State::Recovering ? m_agreed : m_config.offer, {}, now);
+}
+
+void Controller::rest(TimePoint now, Duration pause)
+{
+    m_step = Step::Resting;
+    m_restUntil = now + pause;
+    if (m_replyDue)
+        m_restUntil = std::max(m_restUntil, *m_replyDue);
+}
+
+void Controller::goOn(TimePoint now)
+{
+    m_replyDue.reset();
+    if (m_state == State::Recovering && !m_probed && !hurried())
+        return probe(now);
+    if (m_state != State::Recovering)
+        m_offer = m_config.offer; // a misheard answer must not shrink what is offered
+    offer(now);
+}
+
+void Controller::retry(TimePoint now)
+{
+    const bool recovering = m_state == State::Recovering;
+    if (recovering && spent(now))
+        return lose(m_lastValid > m_outageStart ? LostReason::RecoveryFailed : LostReason::Silence);
+    if (m_step != Step::Pinging)
+        return offer(now);
+    if (m_attempts < m_config.attempts)
+        return ping(now);
+    if (!recovering)
+        return lose(connectFailure());
+    m_echoesLeft = 2;
+    offer(now);
+}
+
+bool Controller::spent(TimePoint now) const
+{
+    return m_attempts >= m_config.attempts && now - m_outageStart >= m_config.lostAfter;
+}
+
+Duration Controller::dialogueLimit() const
+{
+    return std::max(kDialogueLimit, (m_config.attempts + 1) * responseTimeout());
+}
+
+void Controller::lose(LostReason reason)
+{
+    reset();
+    m_events.push_back(Lost{ reason });
+}
+
+Controller::LostReason Controller::connectFailure() const
+{
+    if (m_afterReset)
+        return LostReason::RecoveryFailed;
+    if (m_heardAnswer)
+        return LostReason::NoAgreement;
+    return m_heardBytes ? LostReason::OnlyGarbage : LostReason::NoAnswer;
+}
+
+} // namespace aspep

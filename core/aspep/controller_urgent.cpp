@@ -1,0 +1,105 @@
+// The hurried way for Stop. First by dialogue, because a Performer that is not connected swallows
+// requests; then without waiting, because a stop that may be lost is better than one that is not
+// sent.
+#include "aspep/controller.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace aspep {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr Duration kPatience = 50ms; ///< for the reply that is due when the stop comes
+constexpr Duration kDialogue = 20ms; ///< for the echoes; then without them
+constexpr Duration kBlindGap = 2ms; ///< the Performer listens again only after its next 1 ms task
+
+} // namespace
+
+void Controller::sendUrgent(ByteView payload, TimePoint now)
+{
+    assert(payload.size() >= 2);
+    if (blind())
+        endRequest(std::nullopt);
+    else if (m_urgent)
+        m_events.push_back(NoResponse{});
+    const bool again = m_urgent.has_value();
+    const State before = again ? m_urgent->before : m_state;
+    m_urgent.reset();
+    if (canSend())
+        return sendRequest(payload, now);
+    m_urgent = Urgent{ Bytes(payload.begin(), payload.end()), Urgent::Stage::Patience, before,
+        now + kPatience };
+    if (m_state == State::Connected && m_replyDue)
+        m_urgent->until = std::min(m_urgent->until, *m_replyDue);
+    else
+        startUrgentDialogue(now);
+}
+
+void Controller::onUrgentDue(TimePoint now)
+{
+    if (m_state == State::Connected && m_step == Step::None) {
+        const Bytes payload = std::move(m_urgent->payload);
+        m_urgent.reset();
+        sendRequest(payload, now);
+    } else if (m_urgent->stage == Urgent::Stage::Patience) {
+        startUrgentDialogue(now);
+    } else if (m_urgent->stage == Urgent::Stage::Dialogue) {
+        sendBlind(now);
+    }
+}
+
+void Controller::startUrgentDialogue(TimePoint now)
+{
+    endRequest(std::nullopt);
+    m_urgent->stage = Urgent::Stage::Dialogue;
+    m_urgent->until = now + kDialogue;
+    if (!m_framer.inStep() || m_state == State::Idle)
+        m_framer.resynchronise();
+    m_dialogueStart = m_lastValid = m_outageStart = now;
+    m_attempts = m_rounds = 0;
+    m_echoesLeft = 1;
+    if (m_everAgreed)
+        m_state = State::Recovering;
+    else if (m_state == State::Idle)
+        m_offer = m_config.offer;
+    m_step = Step::Offering;
+    offer(now);
+    m_output.back().gapBefore = kBlindGap;
+}
+
+void Controller::sendBlind(TimePoint now)
+{
+    const bool echoed = m_step == Step::Pinging;
+    m_urgent->stage = Urgent::Stage::Sent;
+    if (!echoed)
+        sendPacket(m_state == State::Recovering ? m_agreed : m_offer, kBlindGap, now);
+    sendPacket(Ping{ false, false, 0, ++m_number }, kBlindGap, now);
+    m_step = Step::Waiting;
+    m_requestOpen = true;
+    sendData(m_urgent->payload, kBlindGap, now);
+    *m_replyDue += 2 * kBlindGap;
+}
+
+void Controller::endBlind(TimePoint now)
+{
+    const State before = m_urgent->before;
+    m_urgent.reset();
+    if (before == State::Idle) {
+        reset();
+    } else if (before == State::Connected || before == State::Recovering) {
+        recover(now);
+    } else {
+        m_echoesLeft = std::max(m_echoesLeft, 2);
+        negotiate(now);
+    }
+}
+
+bool Controller::blind() const { return m_urgent && m_urgent->stage == Urgent::Stage::Sent; }
+
+bool Controller::hurried() const { return m_urgent && m_urgent->stage != Urgent::Stage::Patience; }
+
+} // namespace aspep

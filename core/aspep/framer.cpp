@@ -1,0 +1,129 @@
+#include "aspep/framer.h"
+
+#include "base/crc.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace aspep {
+namespace {
+
+constexpr std::size_t kCrcSize = 2;
+
+Framer::Step stepOf(PacketError error)
+{
+    switch (error) {
+    case PacketError::BadHeaderCrc:
+        return Framer::Step::BadHeaderCrc;
+    case PacketError::UnknownType:
+        return Framer::Step::UnknownType;
+    case PacketError::Inconsistent:
+        break;
+    }
+    return Framer::Step::Inconsistent;
+}
+
+/// Firmware that was forced to promise a payload CRC sends the constant CA FE in its place.
+bool crcFits(ByteView payload, std::uint8_t low, std::uint8_t high)
+{
+    const unsigned sent = low | unsigned{ high } << 8;
+    return sent == 0xFECA || sent == crc16Xmodem(payload);
+}
+
+} // namespace
+
+Framer::Step Framer::next(ByteView &bytes, Packet &packet)
+{
+    if (!m_inStep) {
+        m_discarded += bytes.size();
+        bytes = {};
+        return Step::NeedBytes;
+    }
+    if (!m_inPayload) {
+        const std::size_t part = std::min(kHeaderSize - m_headerSize, bytes.size());
+        std::copy_n(
+            bytes.begin(), part, m_headerBytes.begin() + static_cast<std::ptrdiff_t>(m_headerSize));
+        m_headerSize += part;
+        bytes = bytes.subspan(part);
+        if (m_headerSize < kHeaderSize)
+            return Step::NeedBytes;
+        if (const Step step = startPacket(); step != Step::Packet)
+            return step;
+        if (!m_inPayload) {
+            packet.header = m_header;
+            packet.payload.clear();
+            return Step::Packet;
+        }
+    }
+    return takePayload(bytes) ? finishPayload(packet) : Step::NeedBytes;
+}
+
+Framer::Step Framer::startPacket()
+{
+    const auto header = decodeHeader(m_headerBytes);
+    if (!header)
+        return bad(stepOf(header.error()));
+    m_header = *header;
+    if (const auto *data = std::get_if<Data>(&m_header)) {
+        if (data->length > (data->response ? m_limits.response : m_limits.async))
+            return bad(Step::TooLong);
+        m_crcFollows = m_limits.dataCrc && data->length > 0;
+        m_payloadSize = data->length + (m_crcFollows ? kCrcSize : 0);
+        m_inPayload = m_payloadSize > 0;
+        m_payload.reserve(m_payloadSize);
+    }
+    m_headerSize = 0;
+    return Step::Packet;
+}
+
+bool Framer::takePayload(ByteView &bytes)
+{
+    const std::size_t part = std::min(m_payloadSize - m_payload.size(), bytes.size());
+    m_payload.insert(
+        m_payload.end(), bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(part));
+    bytes = bytes.subspan(part);
+    return m_payload.size() == m_payloadSize;
+}
+
+Framer::Step Framer::finishPayload(Packet &packet)
+{
+    m_inPayload = false;
+    if (m_crcFollows) {
+        const std::size_t length = m_payloadSize - kCrcSize;
+        if (!crcFits(ByteView(m_payload).first(length), m_payload[length], m_payload[length + 1])) {
+            m_payload.clear();
+            return bad(Step::BadPayloadCrc);
+        }
+        m_payload.resize(length);
+    }
+    packet.header = m_header;
+    packet.payload = std::exchange(m_payload, {});
+    return Step::Packet;
+}
+
+Framer::Step Framer::bad(Step what)
+{
+    m_inStep = false;
+    m_headerSize = 0;
+    m_discarded += kHeaderSize;
+    return what;
+}
+
+void Framer::resynchronise()
+{
+    if (midPacket())
+        m_discarded += m_inPayload ? m_payload.size() + kHeaderSize : m_headerSize;
+    m_inStep = true;
+    m_inPayload = false;
+    m_headerSize = 0;
+    m_payload.clear();
+}
+
+std::size_t Framer::missing() const
+{
+    if (!midPacket())
+        return 0;
+    return m_inPayload ? m_payloadSize - m_payload.size() : kHeaderSize - m_headerSize;
+}
+
+} // namespace aspep

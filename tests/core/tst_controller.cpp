@@ -1,0 +1,243 @@
+// The Controller's dialogue on virtual time: how it connects, asks and is answered.
+#include "support/virtual_link.h"
+
+using namespace support;
+using aspep::Beacon;
+using aspep::Ping;
+
+class TestController : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void connectsAsACapturedBoardDid();
+    void aRequestIsAHeaderAPauseAndAPayload();
+    void aResponseAnswersTheOpenRequestOnly();
+    void asyncPacketsAreHandedOnOnceConnected();
+    void completeAsyncPacketsBeforeTheAnswerAreSkipped();
+    void anAnswerLargerThanTheOfferIsNone();
+    void silenceEndsTheAttemptsWithNoAnswer();
+    void garbageEndsTheAttemptsWithOnlyGarbage();
+    void anotherVersionEndsWithoutAgreement();
+    void counterProposalsEndAfterTenRounds();
+    void aBoardThatStaysUnconfiguredEndsWithoutAgreement();
+    void aQuietLinkIsKeptAlive();
+    void theTimeOutFollowsBaudRateAndSizes();
+    void timeOutsCountFromTheTimeThePacketHasLeft();
+    void anySplitOfTheStreamConnects();
+};
+
+namespace {
+
+bool isLost(const VirtualLink &link, Controller::LostReason reason)
+{
+    const auto *lost = link.last<Controller::Lost>();
+    return lost && lost->reason == reason && link.controller.state() == Controller::State::Idle;
+}
+
+} // namespace
+
+void TestController::connectsAsACapturedBoardDid()
+{
+    VirtualLink link;
+    link.controller.connect(link.now);
+    QCOMPARE(link.sent(), kWidest);
+    link.hear(kBoard);
+    QCOMPARE(link.sent(), kBoard); // its limits, taken over
+    link.hear(kBoard);
+    QCOMPARE(link.controller.state(), Controller::State::Pinging);
+    QCOMPARE(link.sent(), hex("06 10 00 20"));
+    link.hear(hex("36 10 00 D0"));
+    QCOMPARE(link.controller.state(), Controller::State::Connected);
+    QCOMPARE(link.events.size(), std::size_t{ 1 });
+    const auto *connected = link.last<Controller::Connected>();
+    QVERIFY(connected && !connected->afterReset);
+    QVERIFY((connected->agreed == Beacon{ 0, false, 7, 7, 32 }));
+}
+
+void TestController::aRequestIsAHeaderAPauseAndAPayload()
+{
+    VirtualLink link;
+    link.connect();
+    link.controller.sendRequest(hex("10 00 49 00"), link.now);
+    QVERIFY(!link.controller.canSend());
+    const auto output = link.controller.takeOutput();
+    QCOMPARE(output.size(), std::size_t{ 2 });
+    QCOMPARE(output[0].bytes, hex("49 00 00 70"));
+    QCOMPARE(output[1].bytes, hex("10 00 49 00"));
+    QVERIFY(output[1].gapBefore >= 1ms);
+}
+
+void TestController::aResponseAnswersTheOpenRequestOnly()
+{
+    VirtualLink link;
+    link.connect();
+    link.controller.sendRequest(hex("10 00 49 00"), link.now);
+    link.hear(packet(true, hex("06 00")));
+    QCOMPARE(link.count<Controller::Response>(), 1);
+    QCOMPARE(link.last<Controller::Response>()->payload, hex("06 00"));
+    QVERIFY(link.controller.canSend());
+    link.hear(packet(true, hex("06 00")));
+    QCOMPARE(link.count<Controller::Response>(), 1);
+    QCOMPARE(link.controller.stats().unexpected, std::uint64_t{ 1 });
+}
+
+void TestController::asyncPacketsAreHandedOnOnceConnected()
+{
+    VirtualLink link;
+    link.connect();
+    link.controller.sendRequest(hex("10 00 49 00"), link.now);
+    link.hear(
+        packet(false, Bytes(2046, 7)) + packet(true, hex("06 00")) + packet(false, hex("01 02")));
+    QCOMPARE(link.count<Controller::Async>(), 2);
+    QCOMPARE(link.count<Controller::Response>(), 1);
+}
+
+void TestController::completeAsyncPacketsBeforeTheAnswerAreSkipped()
+{
+    VirtualLink link;
+    link.controller.connect(link.now);
+    QCOMPARE(link.sent(), kWidest);
+    // What is inside looks like a Beacon of nothing at all.
+    link.hear(packet(false, hex("05 00 00 50 05 00 00 50")) + kBoard);
+    QCOMPARE(link.sent(), kBoard);
+    QVERIFY(link.events.empty());
+}
+
+void TestController::anAnswerLargerThanTheOfferIsNone()
+{
+    VirtualLink link({ .offer = { 0, false, 7, 7, 32 } });
+    link.controller.connect(link.now);
+    QCOMPARE(link.sent(), kBoard);
+    link.hear(kWidest);
+    QVERIFY(link.sent().empty());
+    QCOMPARE(link.controller.stats().unexpected, std::uint64_t{ 1 });
+}
+
+void TestController::silenceEndsTheAttemptsWithNoAnswer()
+{
+    VirtualLink link;
+    link.controller.connect(link.now);
+    int offers = 0;
+    for (; link.controller.state() != Controller::State::Idle; ++offers) {
+        QCOMPARE(link.sent(), kWidest);
+        link.sleepUntilTimeout();
+    }
+    QCOMPARE(offers, 5);
+    QVERIFY(isLost(link, Controller::LostReason::NoAnswer));
+    QVERIFY(link.now - TimePoint{} < 1s);
+    QVERIFY(!link.controller.nextTimeout());
+}
+
+void TestController::garbageEndsTheAttemptsWithOnlyGarbage()
+{
+    VirtualLink link;
+    link.controller.connect(link.now);
+    for (int i = 0; i < 5000 && link.controller.state() != Controller::State::Idle; ++i) {
+        link.hear(Bytes(100, 0xFE));
+        (void)link.sent();
+        link.wait(1ms);
+    }
+    QVERIFY(isLost(link, Controller::LostReason::OnlyGarbage));
+    QVERIFY(link.controller.stats().discardedBytes > 1000);
+}
+
+void TestController::anotherVersionEndsWithoutAgreement()
+{
+    VirtualLink link;
+    link.controller.connect(link.now);
+    while (link.controller.state() != Controller::State::Idle) {
+        QCOMPARE(link.sent(), kWidest);
+        link.hear(header(Beacon{ 2, false, 7, 7, 32 }));
+        link.sleepUntilTimeout();
+    }
+    QVERIFY(isLost(link, Controller::LostReason::NoAgreement));
+}
+
+void TestController::counterProposalsEndAfterTenRounds()
+{
+    VirtualLink link;
+    link.controller.connect(link.now);
+    int rounds = 0;
+    for (std::uint8_t units = 60; link.controller.state() != Controller::State::Idle;
+         --units, ++rounds) {
+        (void)link.sent();
+        link.hear(header(Beacon{ 0, false, units, 7, 32 }));
+    }
+    QCOMPARE(rounds, 11);
+    QVERIFY(isLost(link, Controller::LostReason::NoAgreement));
+}
+
+void TestController::aBoardThatStaysUnconfiguredEndsWithoutAgreement()
+{
+    VirtualLink link;
+    link.controller.connect(link.now);
+    int packets = 0;
+    for (; packets < 100 && link.controller.state() != Controller::State::Idle; ++packets) {
+        const Bytes bytes = link.sent();
+        if ((bytes.at(0) & 0xF) == 5)
+            link.hear(kBoard);
+        else
+            link.hear(bytes); // a Ping reply that says "not configured" is the Ping itself
+    }
+    QVERIFY(packets < 100);
+    QVERIFY(isLost(link, Controller::LostReason::NoAgreement));
+}
+
+void TestController::aQuietLinkIsKeptAlive()
+{
+    VirtualLink link;
+    link.connect();
+    for (std::uint16_t number = 2; number < 20; ++number) {
+        const TimePoint before = link.now;
+        QCOMPARE(link.nextSent(), header(Ping{ false, false, 0, number }));
+        QCOMPARE(link.now - before, Duration(250ms));
+        QVERIFY(!link.controller.canSend());
+        link.hear(header(Ping{ true, false, 0, 15 })); // the number as 6.2 cuts it
+        QVERIFY(link.controller.canSend());
+    }
+    QVERIFY(link.events.empty());
+}
+
+void TestController::theTimeOutFollowsBaudRateAndSizes()
+{
+    VirtualLink fast;
+    fast.connect();
+    VirtualLink slow({ .baud = 115200 });
+    slow.connect();
+    const auto milliseconds = [](Duration d) {
+        return std::chrono::duration_cast<std::chrono::milliseconds>(d).count();
+    };
+    QCOMPARE(milliseconds(fast.controller.responseTimeout()), 40);
+    QCOMPARE(milliseconds(slow.controller.responseTimeout()), 323);
+}
+
+void TestController::timeOutsCountFromTheTimeThePacketHasLeft()
+{
+    VirtualLink link;
+    link.connect();
+    link.controller.sendRequest(hex("10 00 49 00"), link.now);
+    (void)link.controller.takeOutput();
+    link.now += 30ms; // a busy host
+    link.controller.handleSent(link.now);
+    QCOMPARE(*link.controller.nextTimeout(), link.now + link.controller.responseTimeout());
+}
+
+void TestController::anySplitOfTheStreamConnects()
+{
+    const Bytes async = packet(false, hex("05 00 00 50 01 02"));
+    for (std::size_t cut = 1; cut < async.size() + kBoard.size(); ++cut) {
+        VirtualLink link;
+        link.controller.connect(link.now);
+        (void)link.sent();
+        for (const Bytes &answer : { async + kBoard, async + kBoard, async + kConfigured }) {
+            const auto middle = answer.begin() + static_cast<std::ptrdiff_t>(cut);
+            link.hear({ answer.begin(), middle });
+            QVERIFY(link.sent().empty());
+            link.hear({ middle, answer.end() });
+            (void)link.sent();
+        }
+        QCOMPARE(link.controller.state(), Controller::State::Connected);
+    }
+}
+
+QTEST_APPLESS_MAIN(TestController)
+#include "tst_controller.moc"
