@@ -13,10 +13,12 @@ struct Endpoint {
     Kind kind = Kind::Simulator;
     QString path; ///< device path, or the recorded trace's file
     std::uint32_t baud = 1843200;
-    simulation::BoardOptions board; ///< for Kind::Simulator
+    simulation::BoardOptions board; ///< for Kind::Simulator; its baud rate is the one above
+    bool reopen = true; ///< after an unplugged cable, until the port is closed by hand
 };
 
-/// What can end a port, apart from the user. Neutral; the window and the command line turn it into a sentence.
+/// What can end a port, apart from the user. Neutral; the window and the command line turn it into
+/// a sentence.
 enum class PortProblem : std::uint8_t {
     None,
     NotFound,

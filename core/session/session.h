@@ -1,43 +1,70 @@
-// Session: owns a transport and a drive, and is the only place that reads the clock and has a timer. It can live in a
-// worker thread (the window) or in the main thread (the command line): every slot may be called queued.
+// Session: owns a transport and a drive, and is the only place that reads the clock and has a
+// timer. It can live in a worker thread (the window) or in the main thread (the command line):
+// every slot may be called queued.
 //
-// What the drive tells is handed on in batches: at most one every 16 ms, and never more than two that the receiver has
-// not acknowledged, so a flooded link never floods an event loop. While it waits, registers are coalesced (the newest
-// value of each wins) and samples beyond the bound are dropped for display only, counted, and shown as gaps.
+// What the drive tells is handed on in batches: at most one every 16 ms, and never more than two
+// that the receiver has not acknowledged, so a flooded link never floods an event loop. While it
+// waits, registers are coalesced (the newest value of each wins) and samples beyond the bound are
+// dropped for display only, counted, and shown as gaps.
+//
+// A port that is unplugged is told once, with portChanged(Closed, why), and all wishes end. Then
+// the session tries to open it again every 500 ms until it succeeds or close() is called
+// (Endpoint::reopen). The board is met read-only again; only streaming and watching are taken up by
+// themselves, never a set-point, a start or an acknowledgement.
 #pragma once
 
 #include "drive/drive.h"
+#include "session/batcher.h"
 #include "session/endpoint.h"
+#include "session/outbox.h"
+#include "session/transport.h"
 
 #include <QObject>
+#include <QTimer>
 
 #include <atomic>
+#include <functional>
 #include <memory>
-#include <vector>
+#include <optional>
 
 namespace session {
 
-/// What happened, in order. Complete values: may cross threads.
-struct Batch {
-    std::vector<drive::Event> events;
-    std::uint64_t droppedForDisplay = 0; ///< samples since the session began that only the display did not get
-};
-using BatchPtr = std::shared_ptr<const Batch>;
-
 enum class PortState : std::uint8_t { Closed, Open };
+
+/// What a session is made of. The tests bring a clock of their own, and transports and drives that
+/// they can see into.
+struct Parts {
+    Clock clock; ///< monotonic
+    std::function<std::unique_ptr<Transport>(const Endpoint &)> transport;
+    std::function<std::unique_ptr<drive::Drive>(const Endpoint &)> drive;
+};
+
+/// The real ones: the monotonic clock, makeTransport(), drive::makeDrive().
+Parts realParts();
 
 class Session : public QObject {
     Q_OBJECT
 public:
     explicit Session(QObject *parent = nullptr);
+    explicit Session(Parts parts, QObject *parent = nullptr);
     ~Session() override;
 
     /// From any thread: a stop that does not queue behind other calls. Same as the slot stop().
     void stopFromAnyThread();
 
+    /// One turn of the pump: what the timer does. Early or repeated calls do nothing.
+    void step(TimePoint now);
+    /// When step() has something to do; empty: only the port or a call can change anything.
+    std::optional<TimePoint> nextStep() const;
+    /// No port, and no attempts to open one again.
+    bool closed() const { return m_phase == Phase::Closed; }
+
 public Q_SLOTS:
-    void open(const session::Endpoint &endpoint); ///< opens the port and connects; an open one is closed first
-    void close(); ///< ends streaming, closes the port, ends with portChanged(Closed)
+    void open(const session::Endpoint
+            &endpoint); ///< opens the port and connects; an open one is closed first
+    /// Ends streaming, closes the port, ends with portChanged(Closed), within 300 ms. Nothing if
+    /// closed() already.
+    void close();
     void submit(const drive::Wish &wish);
     void stop(); ///< every motor, ahead of everything
     void setArmed(bool armed);
@@ -47,6 +74,56 @@ Q_SIGNALS:
     void batch(const session::BatchPtr &batch);
     void portChanged(session::PortState state, const session::PortError &why);
     void armedChanged(bool armed);
+
+protected:
+    bool event(QEvent *event) override;
+
+private:
+    enum class Phase : std::uint8_t {
+        Closed,
+        Open,
+        Closing, ///< the drive says its last words, until m_deadline at the latest
+        Reopening, ///< unplugged; the next attempt is at m_deadline
+    };
+
+    void openNow(const Endpoint &endpoint, TimePoint now);
+    PortError tryOpen(TimePoint now);
+    void onReceived(const QByteArray &bytes);
+    void onFailed(const PortError &error);
+    void reopen(TimePoint now);
+    void runLink(TimePoint now);
+    void exchange(TimePoint now);
+    void collectEvents(TimePoint now);
+    void takeUpAgain(TimePoint now);
+    void afterFailure(TimePoint now);
+    void startClosing();
+    void finishClosing();
+    void dropLink();
+    void stopNow(TimePoint now);
+    void tell(TimePoint now);
+    void tellRest();
+    void tellArmed();
+    void armTimer(TimePoint now);
+    bool linked() const { return m_phase == Phase::Open || m_phase == Phase::Closing; }
+
+    Parts m_parts;
+    QTimer m_timer;
+    Phase m_phase = Phase::Closed;
+    TimePoint m_deadline{};
+    Endpoint m_endpoint;
+    std::optional<Endpoint> m_next; ///< to be opened when the one before is closed
+    std::unique_ptr<Transport> m_transport;
+    std::unique_ptr<drive::Drive> m_drive;
+    Outbox m_outbox{ 1 };
+    Batcher m_batcher;
+    std::optional<PortError> m_failure; ///< reported by the transport, not yet acted upon
+    std::optional<drive::Stream> m_stream; ///< last asked for; taken up again after a reopening
+    std::optional<drive::Watch> m_watch;
+    std::atomic<bool> m_stopRequested = false;
+    bool m_stepping = false;
+    bool m_saidFarewell = false; ///< Closing: the drive has told that its link is closed
+    bool m_takeUpAgain = false; ///< reopened: streaming goes on once the board is identified
+    bool m_armed = false; ///< as last told
 };
 
 } // namespace session

@@ -1,5 +1,5 @@
-// A line to a board: bytes out, bytes in, and one error that ends it. Lives in the session's thread and has no timer
-// and no clock of its own: the session calls advance() at nextWake().
+// A line to a board: bytes out, bytes in, and one error that ends it. Lives in the session's thread
+// and has no timer and no clock of its own: the session calls advance() at nextWake().
 #pragma once
 
 #include "base/bytes.h"

@@ -1,0 +1,387 @@
+#include "session/session.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QLoggingCategory>
+
+#include <algorithm>
+
+Q_LOGGING_CATEGORY(lcLink, "link", QtWarningMsg)
+Q_LOGGING_CATEGORY(lcLinkBytes, "link.bytes", QtWarningMsg)
+
+namespace session {
+
+namespace {
+
+constexpr Duration kReopenEvery = std::chrono::milliseconds(500);
+/// How long a drive may take to end its streaming before the port is closed under it.
+constexpr Duration kFarewell = std::chrono::milliseconds(300);
+constexpr int kMostRounds = 16; ///< of output and its consequences in one turn
+
+const auto kStopEvent = static_cast<QEvent::Type>(QEvent::registerEventType());
+
+ByteView viewOf(const QByteArray &bytes)
+{
+    return { reinterpret_cast<const std::uint8_t *>(bytes.constData()),
+        static_cast<std::size_t>(bytes.size()) };
+}
+
+} // namespace
+
+Session::Session(Parts parts, QObject *parent)
+    : QObject(parent)
+    , m_parts(std::move(parts))
+    , m_timer(this)
+{
+    qRegisterMetaType<BatchPtr>("session::BatchPtr");
+    qRegisterMetaType<PortState>("session::PortState");
+    qRegisterMetaType<PortError>("session::PortError");
+    qRegisterMetaType<Endpoint>("session::Endpoint");
+    qRegisterMetaType<drive::Wish>("drive::Wish");
+    m_timer.setSingleShot(true);
+    m_timer.setTimerType(Qt::PreciseTimer);
+    connect(&m_timer, &QTimer::timeout, this, [this] { step(m_parts.clock()); });
+}
+
+Session::~Session()
+{
+    if (m_transport)
+        m_transport->disconnect(this);
+}
+
+void Session::stopFromAnyThread()
+{
+    m_stopRequested.store(true);
+    QCoreApplication::postEvent(this, new QEvent(kStopEvent), Qt::HighEventPriority);
+}
+
+bool Session::event(QEvent *event)
+{
+    if (event->type() != kStopEvent)
+        return QObject::event(event);
+    step(m_parts.clock());
+    return true;
+}
+
+void Session::open(const Endpoint &endpoint)
+{
+    if (linked()) {
+        m_next = endpoint;
+        if (m_phase == Phase::Open)
+            startClosing();
+        return;
+    }
+    const TimePoint now = m_parts.clock();
+    openNow(endpoint, now);
+    step(now);
+}
+
+void Session::openNow(const Endpoint &endpoint, TimePoint now)
+{
+    m_endpoint = endpoint;
+    m_stream.reset();
+    m_watch.reset();
+    m_takeUpAgain = false;
+    const PortError error = tryOpen(now);
+    if (error.problem == PortProblem::None) {
+        Q_EMIT portChanged(PortState::Open, {});
+        return;
+    }
+    m_phase = Phase::Closed;
+    Q_EMIT portChanged(PortState::Closed, error);
+}
+
+/// A fresh transport and a fresh, read-only drive.
+PortError Session::tryOpen(TimePoint now)
+{
+    auto transport = m_parts.transport(m_endpoint);
+    if (!transport)
+        return { PortProblem::Other, {} };
+    if (PortError error = transport->open(now); error.problem != PortProblem::None) {
+        qCInfo(lcLink) << "cannot open" << m_endpoint.path << error.detail;
+        return error;
+    }
+    qCInfo(lcLink) << "opened" << m_endpoint.path << "at" << m_endpoint.baud;
+    connect(transport.get(), &Transport::received, this, &Session::onReceived);
+    connect(transport.get(), &Transport::failed, this, &Session::onFailed);
+    m_transport = std::move(transport);
+    m_drive = m_parts.drive(m_endpoint);
+    m_outbox = Outbox(m_endpoint.baud);
+    m_failure.reset();
+    m_stopRequested = false;
+    m_phase = Phase::Open;
+    m_drive->connect(now);
+    return {};
+}
+
+void Session::close()
+{
+    m_next.reset();
+    if (m_phase == Phase::Closing || m_phase == Phase::Closed)
+        return;
+    if (m_phase == Phase::Reopening) {
+        m_phase = Phase::Closed;
+        Q_EMIT portChanged(PortState::Closed, {});
+        return;
+    }
+    startClosing();
+}
+
+void Session::startClosing()
+{
+    const TimePoint now = m_parts.clock();
+    m_phase = Phase::Closing;
+    m_deadline = now + kFarewell;
+    m_saidFarewell = false;
+    m_drive->disconnect(now);
+    step(now);
+}
+
+void Session::submit(const drive::Wish &wish)
+{
+    if (const auto *stream = std::get_if<drive::Stream>(&wish.what))
+        m_stream = *stream;
+    else if (const auto *watch = std::get_if<drive::Watch>(&wish.what))
+        m_watch = *watch;
+    const TimePoint now = m_parts.clock();
+    if (m_phase == Phase::Open)
+        m_drive->submit(wish, now);
+    else if (wish.id != 0)
+        m_batcher.add(drive::Ended{
+            .id = wish.id, .outcome = drive::Outcome::NotSent, .reason = {}, .writes = {} });
+    step(now);
+}
+
+void Session::stop()
+{
+    m_stopRequested = true;
+    step(m_parts.clock());
+}
+
+void Session::setArmed(bool armed)
+{
+    if (m_phase == Phase::Open)
+        armed ? m_drive->arm() : m_drive->disarm();
+    step(m_parts.clock());
+}
+
+void Session::acknowledge()
+{
+    m_batcher.acknowledge();
+    step(m_parts.clock());
+}
+
+void Session::onReceived(const QByteArray &bytes)
+{
+    if (!m_drive)
+        return;
+    qCDebug(lcLinkBytes).noquote() << "<" << bytes.toHex(' ');
+    const TimePoint now = m_parts.clock();
+    m_drive->receive(viewOf(bytes), now);
+    if (!m_stepping)
+        step(now);
+}
+
+void Session::onFailed(const PortError &error)
+{
+    m_failure = error;
+    if (!m_stepping)
+        step(m_parts.clock());
+}
+
+void Session::step(TimePoint now)
+{
+    if (m_stepping)
+        return; // called back from within: the outer turn goes on
+    m_stepping = true;
+    if (m_phase == Phase::Reopening && now >= m_deadline)
+        reopen(now);
+    if (m_stopRequested.exchange(false))
+        stopNow(now);
+    if (linked())
+        runLink(now);
+    m_stepping = false;
+
+    if (linked() && m_failure)
+        afterFailure(now);
+    else if (m_phase == Phase::Closing
+        && ((m_saidFarewell && m_outbox.idle()) || now >= m_deadline))
+        finishClosing();
+    tellArmed();
+    tell(now);
+    armTimer(m_parts.clock());
+}
+
+void Session::reopen(TimePoint now)
+{
+    m_deadline = now + kReopenEvery;
+    if (tryOpen(now).problem != PortProblem::None)
+        return;
+    m_takeUpAgain = true;
+    Q_EMIT portChanged(PortState::Open, {});
+}
+
+void Session::runLink(TimePoint now)
+{
+    if (!m_failure)
+        m_transport->advance(now);
+    if (m_failure)
+        return;
+    m_drive->handleTimeout(now);
+    exchange(now);
+}
+
+/// Output, what follows from its having left, and so on until nothing more can leave now.
+void Session::exchange(TimePoint now)
+{
+    for (int round = 0; round < kMostRounds && !m_failure; ++round) {
+        std::vector<Output> outputs = m_drive->takeOutput();
+        for (const Output &output : outputs) {
+            qCDebug(lcLinkBytes).noquote()
+                << ">"
+                << QByteArray::fromRawData(reinterpret_cast<const char *>(output.bytes.data()),
+                       static_cast<qsizetype>(output.bytes.size()))
+                       .toHex(' ');
+        }
+        m_outbox.add(std::move(outputs));
+        m_outbox.pump(*m_transport, m_parts.clock);
+        if (!m_outbox.takeAllSent(*m_transport, now))
+            break;
+        m_drive->handleSent(now);
+    }
+    collectEvents(now);
+}
+
+void Session::collectEvents(TimePoint now)
+{
+    bool identified = false;
+    for (drive::Event &event : m_drive->takeEvents()) {
+        if (const auto *link = std::get_if<drive::LinkChanged>(&event)) {
+            qCInfo(lcLink) << "link state" << static_cast<int>(link->state) << "reason"
+                           << static_cast<int>(link->reason);
+            m_saidFarewell = m_saidFarewell || link->state == drive::LinkState::Closed;
+        }
+        identified = identified || std::holds_alternative<drive::Identified>(event);
+        m_batcher.add(std::move(event));
+    }
+    if (identified && m_takeUpAgain)
+        takeUpAgain(now);
+}
+
+/// Streaming and watching go on after a reopening: neither moves a motor.
+void Session::takeUpAgain(TimePoint now)
+{
+    m_takeUpAgain = false;
+    if (m_stream)
+        m_drive->submit({ .id = 0, .what = *m_stream }, now);
+    if (m_watch)
+        m_drive->submit({ .id = 0, .what = *m_watch }, now);
+}
+
+/// The port is gone: the drive ends all its wishes, then the port is told as closed, once.
+void Session::afterFailure(TimePoint now)
+{
+    const PortError why = *m_failure;
+    qCInfo(lcLink) << "port lost" << m_endpoint.path << why.detail;
+    if (m_phase == Phase::Open)
+        m_drive->disconnect(now);
+    (void)m_drive->takeOutput();
+    collectEvents(now);
+    const bool again =
+        m_phase == Phase::Open && m_endpoint.reopen && m_endpoint.kind == Endpoint::Kind::Serial;
+    dropLink();
+    m_phase = again ? Phase::Reopening : Phase::Closed;
+    m_deadline = now + kReopenEvery;
+    tellRest();
+    tellArmed();
+    Q_EMIT portChanged(PortState::Closed, why);
+}
+
+void Session::finishClosing()
+{
+    dropLink();
+    m_phase = Phase::Closed;
+    tellRest();
+    tellArmed();
+    Q_EMIT portChanged(PortState::Closed, {});
+    if (m_next && m_phase == Phase::Closed) {
+        const Endpoint next = *m_next;
+        m_next.reset();
+        openNow(next, m_parts.clock());
+    }
+}
+
+/// The transport may be the sender of the signal that led here: it goes when the event loop is
+/// back.
+void Session::dropLink()
+{
+    m_transport->disconnect(this);
+    m_transport->close();
+    m_transport.release()->deleteLater();
+    m_drive.reset();
+    m_outbox = Outbox(1);
+    m_failure.reset();
+}
+
+void Session::stopNow(TimePoint now)
+{
+    if (m_phase != Phase::Open)
+        return;
+    qCInfo(lcLink) << "stop";
+    m_drive->stop(now);
+}
+
+void Session::tell(TimePoint now)
+{
+    if (const BatchPtr next = m_batcher.take(now))
+        Q_EMIT batch(next);
+}
+
+void Session::tellRest()
+{
+    if (const BatchPtr rest = m_batcher.takeAll())
+        Q_EMIT batch(rest);
+}
+
+void Session::tellArmed()
+{
+    const bool armed = m_drive && m_drive->armed();
+    if (armed == m_armed)
+        return;
+    m_armed = armed;
+    Q_EMIT armedChanged(armed);
+}
+
+std::optional<TimePoint> Session::nextStep() const
+{
+    std::optional<TimePoint> next;
+    const auto sooner = [&next](std::optional<TimePoint> other) {
+        if (other && (!next || *other < *next))
+            next = other;
+    };
+    sooner(m_batcher.due());
+    if (m_phase == Phase::Closing || m_phase == Phase::Reopening)
+        sooner(m_deadline);
+    if (linked()) {
+        sooner(m_drive->nextTimeout());
+        sooner(m_outbox.nextDue());
+        sooner(m_transport->nextWake());
+    }
+    return next;
+}
+
+/// Never 0 ms: whatever was due has just been done, and a drive that is always due must not starve
+/// the port.
+void Session::armTimer(TimePoint now)
+{
+    const std::optional<TimePoint> next = nextStep();
+    if (!next) {
+        m_timer.stop();
+        return;
+    }
+    using std::chrono::milliseconds;
+    const auto wait = std::chrono::ceil<milliseconds>(*next - now);
+    m_timer.start(std::clamp(wait, milliseconds(1), milliseconds(60'000)));
+}
+
+} // namespace session

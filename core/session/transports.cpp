@@ -1,0 +1,25 @@
+// Which transport an endpoint needs.
+#include "session/serial_transport.h"
+#include "session/simulator_transport.h"
+#include "session/trace_transport.h"
+
+namespace session {
+
+std::unique_ptr<Transport> makeTransport(const Endpoint &endpoint)
+{
+    switch (endpoint.kind) {
+    case Endpoint::Kind::Simulator: {
+        simulation::BoardOptions options = endpoint.board;
+        options.baud = endpoint.baud;
+        return std::make_unique<SimulatorTransport>(
+            [options] { return simulation::makeBoard(options); });
+    }
+    case Endpoint::Kind::Serial:
+        return std::make_unique<SerialTransport>(endpoint.path, endpoint.baud);
+    case Endpoint::Kind::Trace:
+        return std::make_unique<TraceTransport>(endpoint.path);
+    }
+    return nullptr;
+}
+
+} // namespace session

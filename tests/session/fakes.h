@@ -1,0 +1,200 @@
+// A transport and a drive that do what a test says and remember what was done to them. Time is a
+// number that the test moves.
+#pragma once
+
+#include "session/session.h"
+
+#include <deque>
+#include <utility>
+#include <vector>
+
+namespace fakes {
+
+using namespace std::chrono_literals;
+
+inline Bytes bytes(std::initializer_list<std::uint8_t> list) { return list; }
+
+class FakeTransport : public session::Transport {
+public:
+    struct Written {
+        TimePoint at;
+        Bytes bytes;
+        bool operator==(const Written &) const = default;
+    };
+    struct Log {
+        std::vector<Written> written;
+        int opened = 0;
+        int closed = 0;
+        FakeTransport *alive = nullptr;
+        session::PortError openResult; ///< what the next open() answers
+        bool sent = true;
+    };
+
+    explicit FakeTransport(Log &log)
+        : m_log(log)
+    {
+        m_log.alive = this;
+    }
+    ~FakeTransport() override
+    {
+        if (m_log.alive == this)
+            m_log.alive = nullptr;
+    }
+
+    session::PortError open(TimePoint) override
+    {
+        if (m_log.openResult.problem == session::PortProblem::None)
+            ++m_log.opened;
+        return m_log.openResult;
+    }
+    void close() override { ++m_log.closed; }
+    void write(ByteView view, TimePoint now) override
+    {
+        m_log.written.push_back({ now, Bytes(view.begin(), view.end()) });
+    }
+    bool sent(TimePoint) const override { return m_log.sent; }
+    void advance(TimePoint) override { }
+    std::optional<TimePoint> nextWake() const override { return {}; }
+    bool real() const override { return false; }
+
+    void hear(const QByteArray &data) { Q_EMIT received(data); }
+    void fail() { Q_EMIT failed({ session::PortProblem::Unplugged, QStringLiteral("gone") }); }
+
+private:
+    Log &m_log;
+};
+
+class FakeDrive : public drive::Drive {
+public:
+    struct Log {
+        Bytes received;
+        std::vector<drive::Wish> wishes;
+        std::vector<TimePoint> sentAt;
+        int connects = 0, disconnects = 0, stops = 0, made = 0;
+        FakeDrive *alive = nullptr;
+    };
+
+    explicit FakeDrive(Log &log)
+        : m_log(log)
+    {
+        ++m_log.made;
+        m_log.alive = this;
+    }
+    ~FakeDrive() override
+    {
+        if (m_log.alive == this)
+            m_log.alive = nullptr;
+    }
+
+    void connect(TimePoint) override { ++m_log.connects; }
+    void disconnect(TimePoint) override
+    {
+        ++m_log.disconnects;
+        if (farewell.empty())
+            events.push_back(
+                drive::LinkChanged{ drive::LinkState::Closed, drive::LinkReason::None });
+        else
+            outputs.push_back({ farewell, {} });
+    }
+    void receive(ByteView view, TimePoint) override
+    {
+        m_log.received.insert(m_log.received.end(), view.begin(), view.end());
+    }
+    void handleTimeout(TimePoint now) override
+    {
+        if (timeout && *timeout <= now)
+            timeout.reset();
+    }
+    void handleSent(TimePoint now) override { m_log.sentAt.push_back(now); }
+    std::vector<Output> takeOutput() override { return std::exchange(outputs, {}); }
+    std::vector<drive::Event> takeEvents() override { return std::exchange(events, {}); }
+    std::optional<TimePoint> nextTimeout() const override { return timeout; }
+    void submit(drive::Wish wish, TimePoint) override { m_log.wishes.push_back(std::move(wish)); }
+    void stop(TimePoint) override
+    {
+        ++m_log.stops;
+        m_armed = false;
+    }
+    void arm() override { m_armed = true; }
+    void disarm() override { m_armed = false; }
+    bool armed() const override { return m_armed; }
+
+    std::vector<Output> outputs;
+    std::vector<drive::Event> events;
+    std::optional<TimePoint> timeout;
+    Bytes farewell; ///< said at disconnect(), which then does not end by itself
+
+private:
+    Log &m_log;
+    bool m_armed = false;
+};
+
+/// A session on virtual time with both fakes behind it.
+struct Bench {
+    TimePoint now{ 100s };
+    FakeTransport::Log port;
+    FakeDrive::Log board;
+    session::Session session;
+    std::vector<session::BatchPtr> batches;
+    std::vector<std::pair<session::PortState, session::PortProblem>> ports;
+    std::vector<bool> armed;
+    bool acknowledging = true;
+
+    Bench()
+        : session({ .clock = [this] { return now; },
+            .transport =
+                [this](const session::Endpoint &) { return std::make_unique<FakeTransport>(port); },
+            .drive =
+                [this](const session::Endpoint &) { return std::make_unique<FakeDrive>(board); } })
+    {
+        using session::Session;
+        QObject::connect(
+            &session, &Session::batch, &session, [this](const session::BatchPtr &batch) {
+                batches.push_back(batch);
+                if (acknowledging)
+                    session.acknowledge();
+            });
+        QObject::connect(&session, &Session::portChanged, &session,
+            [this](session::PortState state, const session::PortError &why) {
+                ports.emplace_back(state, why.problem);
+            });
+        QObject::connect(
+            &session, &Session::armedChanged, &session, [this](bool on) { armed.push_back(on); });
+    }
+
+    static session::Endpoint serial()
+    {
+        return { session::Endpoint::Kind::Serial, QStringLiteral("bench"), 1'000'000, {}, true };
+    }
+    FakeDrive &drive() { return *board.alive; }
+
+    /// Moves to the next instant at which the session has something to do, `limit` at most.
+    void runUntil(TimePoint limit)
+    {
+        while (true) {
+            const auto next = session.nextStep();
+            if (!next || *next > limit)
+                break;
+            now = std::max(now, *next);
+            session.step(now);
+        }
+        now = limit;
+        session.step(now);
+    }
+    void turn() { session.step(now); }
+
+    template <class Event>
+    std::vector<Event> told() const
+    {
+        std::vector<Event> found;
+        for (const session::BatchPtr &batch : batches) {
+            for (const drive::Event &event : batch->events) {
+                if (const auto *match = std::get_if<Event>(&event))
+                    found.push_back(*match);
+            }
+        }
+        return found;
+    }
+};
+
+} // namespace fakes
