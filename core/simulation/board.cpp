@@ -1,0 +1,221 @@
+// A simulated board: the parts and their clock. Events happen in the order of time: bytes, SysTick every 0.5 ms with
+// the 1 kHz task in every second one, HF tasks at the control rate.
+#include "simulation/datalog_recorder.h"
+#include "simulation/firmware.h"
+#include "simulation/performer.h"
+#include "simulation/profile.h"
+#include "simulation/register_file.h"
+#include "simulation/server.h"
+#include "simulation/simulated_board.h"
+#include "simulation/uart.h"
+
+#include <algorithm>
+
+namespace simulation {
+
+namespace {
+
+constexpr Duration kSysTick = std::chrono::microseconds(500);
+
+/// What a restart makes anew: everything but the motor and the line.
+struct Processor final : AsyncLine {
+    Processor(const Traits &traits, const BoardOptions &options, Firmware &firmware,
+        UartReceiver &uartReceiver, Transmitter &uartTransmitter)
+        : receiver(uartReceiver)
+        , transmitter(uartTransmitter)
+        , performer(traits, options, uartReceiver, uartTransmitter)
+        , registers(traits, options, firmware)
+        , datalog(
+              options.streams, [this](mcp::RegisterId id) { return registers.source(id); }, *this)
+        , server(traits, options, firmware, registers, datalog)
+        , timestamp(options.firstTimestamp)
+    {
+    }
+
+    bool acquire() override { return transmitter.acquireAsync(); }
+    void send(ByteView payload) override
+    {
+        if (performer.connected())
+            transmitter.sendAsync(performer.framed(false, payload), now);
+        else
+            transmitter.releaseAsync(); // a finished packet without a connection is thrown away
+    }
+    std::size_t payloadMax() const override { return performer.asyncMax(); }
+
+    UartReceiver &receiver;
+    Transmitter &transmitter;
+    Performer performer;
+    RegisterFile registers;
+    DatalogRecorder datalog;
+    Server server;
+    std::uint32_t timestamp;
+    TimePoint now{};
+};
+
+class Board final : public SimulatedBoard {
+public:
+    Board(const BoardOptions &options, const Traits &traits)
+        : m_options(options)
+        , m_traits(traits)
+        , m_receiver(options.baud)
+        , m_transmitter(options.baud)
+        , m_firmware(options.hfHz, options.seed)
+    {
+        powerUp();
+    }
+
+    void receive(ByteView bytes, TimePoint now) override
+    {
+        advance(now);
+        m_receiver.put(bytes, now);
+    }
+    void advance(TimePoint now) override;
+    Bytes takeOutput() override { return std::exchange(m_output, {}); }
+    TimePoint nextWake() const override { return m_nextSysTick; }
+
+    void reset() override
+    {
+        m_receiver.reset();
+        m_transmitter.reset();
+        m_firmware.restart();
+        powerUp();
+    }
+    void setFaults(std::uint16_t present) override { m_firmware.setPresentFaults(present); }
+    void mute(Duration time) override { m_faults.muteUntil = m_now + time; }
+    void corruptAfter(std::uint64_t bytes) override { m_faults.corruptAfter = bytes; }
+    void inject(ByteView bytes) override
+    {
+        m_output.insert(m_output.end(), bytes.begin(), bytes.end());
+    }
+    std::string describe() const override
+    {
+        return "Simulated board, " + std::string(m_traits.profile)
+            + ", 24 V PMSM with 4 pole pairs";
+    }
+
+private:
+    void powerUp()
+    {
+        m_processor =
+            std::make_unique<Processor>(m_traits, m_options, m_firmware, m_receiver, m_transmitter);
+        m_processor->now = m_now;
+    }
+    TimePoint hfTime() const
+    {
+        return m_start + fromSeconds(static_cast<double>(m_hfTicks) / m_options.hfHz);
+    }
+    void sysTick(TimePoint at);
+    void hfTask(TimePoint at);
+    void receiverEvent();
+
+    BoardOptions m_options;
+    const Traits &m_traits;
+    UartReceiver m_receiver;
+    Transmitter m_transmitter;
+    Firmware m_firmware;
+    std::unique_ptr<Processor> m_processor;
+
+    bool m_started = false; ///< the first instant seen is the instant of power-on
+    TimePoint m_now{}, m_start{}, m_nextSysTick{}, m_nextHf{};
+    std::uint64_t m_hfTicks = 0;
+    bool m_mfTurn = false;
+    LineFaults m_faults;
+    Bytes m_output;
+};
+
+void Board::advance(TimePoint now)
+{
+    if (!m_started) {
+        m_started = true;
+        m_now = m_start = now;
+        m_nextSysTick = now + kSysTick;
+        m_hfTicks = 1;
+        m_nextHf = hfTime();
+    }
+    if (now < m_now)
+        return;
+    constexpr TimePoint kNever = TimePoint::max();
+    while (true) {
+        const TimePoint received = m_receiver.nextEvent().value_or(kNever);
+        const TimePoint sent = m_transmitter.nextEvent().value_or(kNever);
+        const TimePoint next = std::min({received, sent, m_nextSysTick, m_nextHf});
+        if (next > now)
+            break;
+        m_now = m_processor->now = next;
+        if (next == sent)
+            m_transmitter.step();
+        else if (next == received)
+            receiverEvent();
+        else if (next == m_nextHf)
+            hfTask(next);
+        else
+            sysTick(next);
+    }
+    m_now = m_processor->now = now;
+    m_transmitter.collect(now, m_faults, m_output);
+}
+
+void Board::receiverEvent()
+{
+    switch (m_receiver.step()) {
+    case UartReceiver::Happened::TransferComplete:
+        if (m_traits.decodesInInterrupt)
+            m_processor->performer.poll();
+        break;
+    case UartReceiver::Happened::LineIdle:
+        m_processor->performer.handleLineIdle();
+        break;
+    case UartReceiver::Happened::Nothing:
+        break;
+    }
+}
+
+void Board::hfTask(TimePoint)
+{
+    Processor &cpu = *m_processor;
+    ++cpu.timestamp;
+    m_firmware.hfTask();
+    if (cpu.datalog.running()) {
+        cpu.registers.refreshWide();
+        cpu.datalog.tick(cpu.timestamp);
+    }
+    ++m_hfTicks;
+    m_nextHf = hfTime();
+}
+
+void Board::sysTick(TimePoint at)
+{
+    m_nextSysTick = at + kSysTick;
+    m_mfTurn = !m_mfTurn;
+    if (m_mfTurn) {
+        const MotorState before = m_firmware.state();
+        m_processor->performer.task(
+            at, [this](ByteView buffer, std::uint16_t length, std::size_t responseMax) {
+                return m_processor->server.execute(buffer, length, responseMax);
+            });
+        if (m_processor->server.takeResetWanted()) {
+            reset();
+            return;
+        }
+        m_firmware.mfTask();
+        const bool tripped =
+            m_firmware.state() == MotorState::FaultNow && before != MotorState::FaultNow;
+        if (tripped && m_traits.flushesOnFault)
+            m_processor->datalog.flush();
+    }
+    // Looked at behind the task: what is complete now is acted upon in the next one.
+    if (!m_traits.decodesInInterrupt)
+        m_processor->performer.poll();
+}
+
+} // namespace
+
+std::unique_ptr<SimulatedBoard> makeBoard(const BoardOptions &options)
+{
+    const Traits *traits = findTraits(options.profile);
+    if (traits == nullptr)
+        return nullptr;
+    return std::make_unique<Board>(options, *traits);
+}
+
+} // namespace simulation

@@ -1,0 +1,30 @@
+// What the simulated board says it is: names and raw configuration structures. The names say that it is simulated.
+// Source: mcp-aspep facts 8 and 9; sizes as in the recorded sessions.
+#pragma once
+
+#include "base/bytes.h"
+#include "simulation/firmware.h"
+#include "simulation/profile.h"
+
+#include <string_view>
+
+namespace simulation {
+
+struct BoardOptions;
+
+constexpr std::string_view kControlStageName = "Rotorscope simulated";
+constexpr std::string_view kPowerStageName = "Sim 24V stage";
+constexpr std::string_view kMotorName = "Sim PMSM 24V";
+
+// Each without the size that goes in front of it on the wire.
+Bytes globalConfig(const Traits &traits, const BoardOptions &options);
+Bytes motorConfig(const Firmware &firmware);
+Bytes applicationConfig(
+    const Traits &traits, const Firmware &firmware); ///< 16 bytes; 14 as printed
+Bytes focFirmwareConfig(const Traits &traits, const Firmware &firmware);
+Bytes scaleConfig(const Traits &traits, const Firmware &firmware);
+
+/// Rpm of one digit of the speeds that 6.2 gives as fractions of the full scale.
+double fullScaleSpeedDigit_rpm(const Firmware &firmware);
+
+} // namespace simulation

@@ -1,0 +1,70 @@
+// The datalog of the firmware: samples variables every few HF tasks into packets and hands them to the line. It reads
+// its configuration like the firmware does, stale bytes and half-accepted refusals included.
+// Source: mcp-aspep facts 6.1 to 6.3; the recorded datalog sessions.
+#pragma once
+
+#include "mcp/protocol.h"
+#include "simulation/stale_bytes.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+
+namespace simulation {
+
+/// A variable that can be logged. `wide` variables are 32 bits, the others 16.
+struct Source {
+    const void *address = nullptr;
+    std::uint8_t width =
+        2; ///< bytes the variable really has: 1, 2 or 4; 0: there is none, it reads 0
+};
+
+/// The buffers of the line, as the recorder uses them.
+class AsyncLine {
+public:
+    virtual ~AsyncLine() = default;
+    virtual bool acquire() = 0; ///< one of two buffers; false while both wait
+    virtual void send(ByteView payload) = 0; ///< and gives the buffer back when it has left
+    virtual std::size_t payloadMax() const = 0; ///< negotiated; 0: there are no async packets
+};
+
+class DatalogRecorder {
+public:
+    using FindSource = std::function<Source(mcp::RegisterId)>;
+
+    DatalogRecorder(int streams, FindSource find, AsyncLine &line);
+
+    /// A SET of ASYNC_*: `value` starts behind the raw size.
+    mcp::Status configure(const StaleBytes &value);
+    void tick(std::uint32_t timestamp); ///< once an HF task
+    void flush(); ///< sends the unfinished packet, without MF values
+    bool running() const { return m_mark != 0; }
+
+    static constexpr std::size_t kMaxSignals = 64;
+
+private:
+    struct Signal {
+        Source source;
+        std::uint8_t width = 2; ///< bytes in the packet
+    };
+    struct Configuration {
+        std::uint8_t hfRate = 0, hfCount = 0, mfRate = 0, mfCount = 0;
+        std::size_t trigger = 0; ///< the packet is full when its write index is beyond this
+        std::array<Signal, kMaxSignals> signals{};
+    };
+    void stop();
+    void begin(std::uint32_t timestamp);
+    void appendBlock();
+    void appendMf();
+    void append(const Signal &signal);
+
+    std::size_t m_streams;
+    FindSource m_find;
+    AsyncLine &m_line;
+    Configuration m_pending, m_active;
+    std::uint8_t m_mark = 0, m_activeMark = 0;
+    std::uint8_t m_hfIndex = 0, m_mfIndex = 0;
+    Bytes m_packet; ///< empty: no buffer taken
+};
+
+} // namespace simulation

@@ -1,0 +1,202 @@
+// The Performer's receive states and its answers to each kind of packet.
+#include "simulation/performer.h"
+
+#include "base/crc.h"
+#include "simulation/simulated_board.h"
+
+#include <algorithm>
+
+namespace simulation {
+
+namespace {
+
+constexpr std::uint32_t kBeacon = 5, kPing = 6, kData = 9;
+constexpr std::uint8_t kBadType = 1, kBadSize = 2, kBadHeaderCrc = 4;
+constexpr std::size_t kTrailer = 2; ///< where a payload CRC would be
+
+std::uint8_t units(std::size_t bytes, std::size_t unit, std::size_t offset, std::size_t most)
+{
+    const std::size_t count = std::max(bytes / unit, offset) - offset;
+    return static_cast<std::uint8_t>(std::min(count, most));
+}
+
+} // namespace
+
+Performer::Performer(const Traits &traits, const BoardOptions &options, UartReceiver &receiver,
+    Transmitter &transmitter)
+    : m_traits(traits)
+    , m_nullCheck(options.nullCheck || traits.asPrinted)
+    , m_linkId(static_cast<std::uint8_t>(options.linkId))
+    , m_receiver(receiver)
+    , m_transmitter(transmitter)
+    , m_buffer(options.rxMax + kTrailer)
+{
+    m_own.version = static_cast<std::uint8_t>(options.version);
+    m_own.dataCrc = options.dataCrc;
+    m_own.rxUnits = units(options.rxMax, 32, 1, 63);
+    m_own.txSyncUnits = units(options.txSyncMax, 32, 1, 127);
+    m_own.txAsyncUnits = units(options.txAsyncMax, 64, 0, 127);
+    armHeader();
+}
+
+void Performer::armHeader()
+{
+    m_receiving = Receiving::Header;
+    m_receiver.arm(m_header);
+}
+
+void Performer::poll()
+{
+    if (m_receiving == Receiving::Ready || !m_receiver.takeComplete())
+        return;
+    if (m_receiving == Receiving::Header)
+        decode();
+    else
+        ready(0);
+}
+
+void Performer::ready(std::uint8_t nack)
+{
+    m_nack = nack;
+    m_receiving = Receiving::Ready;
+}
+
+void Performer::decode()
+{
+    m_word = ByteReader(m_header).u32();
+    m_length = 0;
+    const std::uint32_t type = m_word & 0xFU;
+    if (crc4(m_word & 0x0FFFFFFFU) != m_word >> 28) {
+        ready(kBadHeaderCrc);
+    } else if (type == kBeacon || type == kPing) {
+        ready(0);
+    } else if (type != kData) {
+        ready(kBadType);
+    } else {
+        m_length = static_cast<std::uint16_t>(
+            (m_word >> 4) & 0xFFFU); // a 16-bit access: bit 16 does not count
+        if (m_length > m_requestMax) {
+            ready(kBadSize);
+        } else if (m_length == 0) {
+            ready(0);
+        } else {
+            m_receiving = Receiving::Payload;
+            m_receiver.arm(std::span(m_buffer).first(m_length + (m_own.dataCrc ? kTrailer : 0U)));
+        }
+    }
+}
+
+void Performer::handleLineIdle()
+{
+    if (m_receiving == Receiving::Ready)
+        m_receiver.arm(m_header); // task() still acts on what is ready and arms once more
+    else
+        armHeader();
+}
+
+void Performer::task(TimePoint now, const Execute &execute)
+{
+    if (m_receiving != Receiving::Ready)
+        return;
+    if (m_nack == 0) {
+        act(now, execute);
+        armHeader();
+        return;
+    }
+    m_transmitter.sendControl(aspep::encodeHeader(aspep::Nack{m_nack}), now);
+    if (m_traits.asPrinted) {
+        armHeader();
+    } else {
+        m_receiving = Receiving::Header;
+        m_receiver.awaitIdle();
+    }
+}
+
+void Performer::act(TimePoint now, const Execute &execute)
+{
+    switch (m_word & 0xFU) {
+    case kBeacon:
+        return beacon(now);
+    case kPing:
+        return ping(now);
+    default:
+        return request(now, execute);
+    }
+}
+
+void Performer::beacon(TimePoint now)
+{
+    const auto field = [this](int shift, std::uint32_t mask) {
+        return static_cast<std::uint8_t>((m_word >> shift) & mask);
+    };
+    const aspep::Beacon theirs{.version = field(4, 7),
+        .dataCrc = field(7, 1) != 0,
+        .rxUnits = field(8, 0x3F),
+        .txSyncUnits = field(14, 0x7F),
+        .txAsyncUnits = field(21, 0x7F)};
+    m_own.dataCrc = m_own.dataCrc && theirs.dataCrc;
+    m_own.rxUnits = std::min(m_own.rxUnits, theirs.rxUnits);
+    m_own.txSyncUnits = std::min(m_own.txSyncUnits, theirs.txSyncUnits);
+    m_own.txAsyncUnits = std::min(m_own.txAsyncUnits, theirs.txAsyncUnits);
+    // The firmware lets their rx be smaller than its own; after the minimum that is equality too.
+    if (theirs != m_own) {
+        m_state = State::Idle;
+    } else {
+        if (m_state == State::Idle || m_traits.asPrinted) {
+            m_requestMax = std::min(m_own.rxMax(), m_buffer.size() - kTrailer);
+            m_responseMax = m_own.txSyncMax();
+            m_asyncMax = m_own.txAsyncMax();
+        }
+        if (m_traits.asPrinted)
+            m_requests = 0;
+        m_state = m_traits.asPrinted ? State::Connected : State::Configured;
+    }
+    m_transmitter.sendControl(aspep::encodeHeader(m_own), now);
+}
+
+void Performer::ping(TimePoint now)
+{
+    aspep::Ping reply;
+    reply.configured = m_state != State::Idle;
+    reply.parity = (m_requests & 1U) != 0;
+    reply.linkId = m_linkId;
+    reply.number = static_cast<std::uint16_t>(m_word >> 12);
+    if (m_traits.truncatesPingNumber && m_state == State::Connected)
+        reply.number = static_cast<std::uint16_t>((m_word >> 8) & 0xFFU);
+    if (m_state == State::Configured)
+        m_state = State::Connected;
+    m_transmitter.sendControl(aspep::encodeHeader(reply), now);
+}
+
+void Performer::request(TimePoint now, const Execute &execute)
+{
+    if (m_state != State::Connected)
+        return;
+    ++m_requests;
+    if (!m_transmitter.responseFree())
+        return; // the one response buffer is still in use: nothing is executed
+    if (m_length > 0 || !m_nullCheck) {
+        const Bytes payload =
+            execute(ByteView(m_buffer).first(m_buffer.size() - kTrailer), m_length, m_responseMax);
+        if (payload.empty())
+            return;
+        m_lastResponse = framed(true, payload);
+    }
+    if (!m_lastResponse.empty())
+        m_transmitter.sendResponse(m_lastResponse, now);
+}
+
+Bytes Performer::framed(bool response, ByteView payload) const
+{
+    const auto header =
+        aspep::encodeHeader(aspep::Data{response, static_cast<std::uint16_t>(payload.size())});
+    Bytes packet(header.begin(), header.end());
+    packet.insert(packet.end(), payload.begin(), payload.end());
+    if (m_own.dataCrc && !payload.empty()) {
+        packet.push_back(0xCA); // what every build sends that was forced to agree to a CRC
+        packet.push_back(0xFE);
+    }
+    return packet;
+}
+
+} // namespace simulation

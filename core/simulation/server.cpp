@@ -1,0 +1,173 @@
+// Dispatch and the two register lists.
+#include "simulation/server.h"
+
+#include "simulation/simulated_board.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace simulation {
+
+namespace {
+
+using mcp::CommandId;
+using mcp::RegisterId;
+using mcp::Status;
+
+constexpr unsigned kMotors = 1;
+constexpr std::size_t kUserAnswerMax = 64;
+
+} // namespace
+
+Server::Server(const Traits &traits, const BoardOptions &options, Firmware &firmware,
+    RegisterFile &registers, DatalogRecorder &datalog)
+    : m_traits(traits)
+    , m_options(options)
+    , m_firmware(firmware)
+    , m_registers(registers)
+    , m_datalog(datalog)
+{
+}
+
+bool Server::takeResetWanted() { return std::exchange(m_resetWanted, false); }
+
+Bytes Server::execute(ByteView buffer, std::uint16_t length, std::size_t responseMax)
+{
+    const StaleBytes stale(buffer);
+    const std::uint16_t word = stale.u16(0);
+    const Request request{static_cast<std::uint16_t>(word >> 3), word & 7U, stale.from(2),
+        static_cast<std::uint16_t>(length - 2), static_cast<int>(responseMax) - 1};
+    m_answer.clear();
+    const Status status = dispatch(request);
+    if (m_resetWanted)
+        return {};
+    m_answer.push_back(static_cast<std::uint8_t>(status));
+    if (m_buffer.size() < m_answer.size())
+        m_buffer.resize(m_answer.size());
+    std::copy(m_answer.begin(), m_answer.end(), m_buffer.begin());
+    return m_answer;
+}
+
+Status Server::dispatch(const Request &request)
+{
+    switch (static_cast<CommandId>(request.command)) {
+    case CommandId::GetMcpVersion:
+        m_buffer.resize(std::max<std::size_t>(m_buffer.size(), 4));
+        m_answer.assign(m_buffer.begin(), m_buffer.begin() + 4); // only the first byte is written
+        if (m_traits.asPrinted)
+            m_answer.assign(4, 0);
+        m_answer[0] = 1;
+        return Status::Ok;
+    case CommandId::SetRegister:
+        return set(request);
+    case CommandId::GetRegister:
+        return get(request);
+    default:
+        break;
+    }
+    if (request.command >= static_cast<std::uint16_t>(CommandId::UserFirst))
+        return userCommand(request);
+    return command(request);
+}
+
+Status Server::get(const Request &request)
+{
+    Status status = Status::Nok;
+    std::size_t at = 0;
+    for (std::uint16_t left = request.length; left > 0;
+         left = static_cast<std::uint16_t>(left - 2), at += 2) {
+        const RegisterId id{request.data.u16(at)};
+        if (id.motor() > kMotors)
+            return Status::Nok;
+        status = m_registers.read(id, request.room - static_cast<int>(m_answer.size()), m_answer);
+        if (status != Status::Ok)
+            break;
+    }
+    return status;
+}
+
+Status Server::set(const Request &request)
+{
+    Status total = Status::Ok;
+    std::size_t at = 0;
+    // The firmware counts in 16 bits with a sign: the length of an empty request is negative and nothing is done.
+    for (int left = static_cast<std::int16_t>(request.length); left > 0;) {
+        const RegisterId id{request.data.u16(at)};
+        at += 2;
+        left -= 2;
+        if (id.motor() > kMotors) {
+            total = Status::Nok;
+            break;
+        }
+        const auto written = m_registers.write(id, request.data.from(at), left, m_datalog);
+        at += static_cast<std::size_t>(written.consumed);
+        left -= written.consumed;
+        if (left == 0 && m_answer.empty())
+            return written.status; // a single one, exactly consumed: its status is the answer
+        m_answer.push_back(static_cast<std::uint8_t>(written.status));
+        if (written.status != Status::Ok)
+            total = Status::Nok;
+        if (written.status == Status::BadDataType || written.status == Status::BadRawFormat)
+            break;
+    }
+    if (total == Status::Ok)
+        m_answer.clear();
+    else if (m_traits.asPrinted)
+        std::replace(m_answer.begin(), m_answer.end(), std::uint8_t{0}, std::uint8_t{1});
+    return total;
+}
+
+Status Server::command(const Request &request)
+{
+    const auto id = static_cast<CommandId>(request.command);
+    const bool ofMotor = id >= CommandId::StartMotor && id <= CommandId::FaultAck;
+    if ((ofMotor || id == CommandId::IqdRefClear)
+        && (request.motor == 0 || request.motor > kMotors))
+        return Status::Nok; // real firmware reads outside its tables here
+    switch (id) {
+    case CommandId::StartMotor:
+        return m_firmware.start() ? Status::Ok : Status::Nok;
+    case CommandId::StopMotor:
+        m_firmware.stop();
+        return Status::Ok;
+    case CommandId::StopRamp:
+        m_firmware.stopRamp();
+        return Status::Ok;
+    case CommandId::StartStop:
+        if (m_firmware.state() != MotorState::Idle) {
+            m_firmware.stop();
+            return Status::Ok;
+        }
+        return m_firmware.start() != m_traits.invertsStartStop ? Status::Ok : Status::Nok;
+    case CommandId::FaultAck:
+        m_firmware.acknowledgeFaults();
+        return Status::Ok;
+    case CommandId::IqdRefClear:
+        m_firmware.clearCurrentReferences();
+        return Status::Ok;
+    case CommandId::SwReset:
+        m_resetWanted = m_traits.hasSoftReset;
+        return Status::CommandUnknown;
+    default:
+        return Status::CommandUnknown;
+    }
+}
+
+Status Server::userCommand(const Request &request)
+{
+    if (request.command > static_cast<std::uint16_t>(CommandId::UserLast))
+        return Status::CommandUnknown;
+    const int index = request.command - static_cast<int>(CommandId::UserFirst);
+    if (index >= m_options.userCallbacks)
+        return Status::CallbackNotRegistered;
+    if (index > 0)
+        return static_cast<Status>(0x42);
+    const std::size_t size =
+        std::min({std::size_t{request.length}, static_cast<std::size_t>(request.room),
+            request.length == 65534 ? kUserAnswerMax : std::size_t{65535}});
+    for (std::size_t i = size; i > 0; --i)
+        m_answer.push_back(request.data.u8(i - 1));
+    return Status::Ok;
+}
+
+} // namespace simulation

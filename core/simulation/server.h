@@ -1,0 +1,51 @@
+// The commands of MCP as ST's firmware executes them: one request in, one response payload out.
+// Source: mcp-aspep facts 4; the recorded sessions.
+#pragma once
+
+#include "mcp/protocol.h"
+#include "simulation/datalog_recorder.h"
+#include "simulation/firmware.h"
+#include "simulation/profile.h"
+#include "simulation/register_file.h"
+
+namespace simulation {
+
+struct BoardOptions;
+
+class Server {
+public:
+    Server(const Traits &traits, const BoardOptions &options, Firmware &firmware,
+        RegisterFile &registers, DatalogRecorder &datalog);
+
+    /// @param buffer       the whole receive buffer, old bytes included
+    /// @param length       of the request; 0 where an empty one is executed all the same
+    /// @param responseMax  negotiated, status byte included
+    /// @return the response's payload; empty if the board restarts instead (resetWanted())
+    Bytes execute(ByteView buffer, std::uint16_t length, std::size_t responseMax);
+    bool takeResetWanted();
+
+private:
+    struct Request {
+        std::uint16_t command;
+        unsigned motor;
+        StaleBytes data;
+        std::uint16_t length; ///< wraps to 65534 for an empty request
+        int room;
+    };
+    mcp::Status dispatch(const Request &request);
+    mcp::Status get(const Request &request);
+    mcp::Status set(const Request &request);
+    mcp::Status command(const Request &request);
+    mcp::Status userCommand(const Request &request);
+
+    const Traits &m_traits;
+    const BoardOptions &m_options;
+    Firmware &m_firmware;
+    RegisterFile &m_registers;
+    DatalogRecorder &m_datalog;
+    Bytes m_answer; ///< of the command in hand, without the status
+    Bytes m_buffer; ///< the response buffer; old bytes stay in it
+    bool m_resetWanted = false;
+};
+
+} // namespace simulation
