@@ -62,13 +62,13 @@ ChannelId Capture::channelFor(
             return info.id;
         }
     }
-    return add({ 0, signal.id, signal.name, signal.unit, signal.factor, signal.offset, kind });
+    return add({0, signal.id, signal.name, signal.unit, signal.factor, signal.offset, kind});
 }
 
 ChannelId Capture::add(ChannelInfo info)
 {
     info.id = m_nextId++;
-    m_entries.push_back({ std::make_unique<Channel>(std::move(info)), ++m_revision });
+    m_entries.push_back({std::make_unique<Channel>(std::move(info)), ++m_revision});
     ++m_channelRevision;
     return m_entries.back().channel->info().id;
 }
@@ -165,7 +165,7 @@ void Capture::appendPolled(catalog::RegisterId id, std::string_view name, std::s
     if (found && info(*found)->unit != unit)
         found.reset();
     if (!found)
-        found = add({ 0, id, std::string(name), std::string(unit), 1.0, 0.0, Kind::Polled });
+        found = add({0, id, std::string(name), std::string(unit), 1.0, 0.0, Kind::Polled});
     ValueColumn &column = *mutableChannel(*found)->values();
     const Nanos time = toNanos(seconds);
     if (!column.empty()) {
@@ -265,7 +265,7 @@ std::optional<TimeSpan> Capture::timeSpan() const
     for (const Entry &entry : m_entries) {
         const auto one = entry.channel->timeSpan();
         if (one && all)
-            all = TimeSpan{ std::min(all->from, one->from), std::max(all->to, one->to) };
+            all = TimeSpan{std::min(all->from, one->from), std::max(all->to, one->to)};
         else if (one)
             all = one;
     }

@@ -59,7 +59,7 @@ std::optional<TimeSpan> Channel::timeSpan() const
 {
     if (empty())
         return std::nullopt;
-    return TimeSpan{ toSeconds(timeOf(begin())), toSeconds(holdUntil(end() - 1)) };
+    return TimeSpan{toSeconds(timeOf(begin())), toSeconds(holdUntil(end() - 1))};
 }
 
 MinMax Channel::shown(CodeRange range) const
@@ -68,7 +68,7 @@ MinMax Channel::shown(CodeRange range) const
         return {};
     const auto a = static_cast<float>(toShown(range.min));
     const auto b = static_cast<float>(toShown(range.max));
-    return { std::min(a, b), std::max(a, b) };
+    return {std::min(a, b), std::max(a, b)};
 }
 
 MinMax Channel::extremes(double from, double to) const
@@ -81,7 +81,7 @@ MinMax Channel::extremes(double from, double to) const
     if (!range.empty() && (m_info.factor != 1.0 || m_info.offset != 0.0)) {
         const auto a = static_cast<float>(toShown(range.min));
         const auto b = static_cast<float>(toShown(range.max));
-        range = { std::min(a, b), std::max(a, b) };
+        range = {std::min(a, b), std::max(a, b)};
     }
     return range;
 }
@@ -139,7 +139,7 @@ std::vector<Sample> Channel::samples(double from, double to, std::size_t limit) 
         const Nanos time = timeOf(index);
         const bool first = index == begin() || known < time;
         known = holdUntil(index);
-        result.push_back({ toSeconds(time), at(index), toSeconds(known), first });
+        result.push_back({toSeconds(time), at(index), toSeconds(known), first});
     }
     return result;
 }
@@ -148,7 +148,7 @@ std::vector<TimeSpan> Channel::gaps(double from, double to, double least) const
 {
     std::vector<TimeSpan> result;
     const auto add = [&](Nanos start, Nanos stop) {
-        const TimeSpan gap{ toSeconds(start), toSeconds(stop) };
+        const TimeSpan gap{toSeconds(start), toSeconds(stop)};
         if (gap.to > from && gap.from < to && gap.to - gap.from > least)
             result.push_back(gap);
     };

@@ -39,7 +39,7 @@ struct Sample {
     double time = 0.0;
     double value = 0.0;
     double holdUntil = 0.0; ///< the value is not known to be true after this: the next sample, or
-                            ///< where the gap starts
+        ///< where the gap starts
     bool first = false; ///< nothing is known right before it
 };
 

@@ -74,7 +74,7 @@ void FastColumn::append(
     const bool follows = !m_broken && !m_segments.empty() && m_segments.back().base == base
         && m_segments.back().step == step && m_segments.back().tickOf(m_end) == tick;
     if (!follows)
-        m_segments.push_back({ m_end, 0, tick, step, base });
+        m_segments.push_back({m_end, 0, tick, step, base});
     m_broken = false;
     appendCodes(codes);
     m_segments.back().count += codes.size();
@@ -109,8 +109,8 @@ std::span<const std::int16_t> FastColumn::codes(Index index, std::size_t limit) 
     const auto offset = static_cast<std::size_t>(index - m_chunkBase);
     const std::size_t inChunk = offset % kChunkSamples;
     const auto left = static_cast<std::size_t>(m_end - index);
-    const std::size_t count = std::min({ limit, kChunkSamples - inChunk, left });
-    return { &m_chunks[offset / kChunkSamples]->samples[inChunk], count };
+    const std::size_t count = std::min({limit, kChunkSamples - inChunk, left});
+    return {&m_chunks[offset / kChunkSamples]->samples[inChunk], count};
 }
 
 CodeRange FastColumn::extremes(Index from, Index to) const

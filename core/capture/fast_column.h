@@ -91,7 +91,7 @@ public:
 private:
     static constexpr std::size_t kFanOut = 16;
     static constexpr std::size_t kLevels = 4;
-    static constexpr std::array<std::size_t, kLevels> kLevelStart{ 0, 4096, 4352, 4368 };
+    static constexpr std::array<std::size_t, kLevels> kLevelStart{0, 4096, 4352, 4368};
 
     struct Chunk {
         std::array<std::int16_t, kChunkSamples> samples;

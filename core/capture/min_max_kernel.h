@@ -21,8 +21,7 @@ struct CodeRange {
 
     static constexpr CodeRange nothing()
     {
-        return { std::numeric_limits<std::int16_t>::max(),
-            std::numeric_limits<std::int16_t>::min() };
+        return {std::numeric_limits<std::int16_t>::max(), std::numeric_limits<std::int16_t>::min()};
     }
     bool empty() const { return min > max; }
     void include(CodeRange other)
@@ -36,7 +35,7 @@ inline CodeRange extremesOfPlain(const std::int16_t *codes, std::size_t count)
 {
     CodeRange range = CodeRange::nothing();
     for (std::size_t i = 0; i < count; ++i)
-        range.include({ codes[i], codes[i] });
+        range.include({codes[i], codes[i]});
     return range;
 }
 
@@ -55,8 +54,8 @@ inline CodeRange reduce(__m128i low, __m128i high)
     high = _mm_max_epi16(high, _mm_shufflelo_epi16(high, _MM_SHUFFLE(1, 0, 3, 2)));
     low = _mm_min_epi16(low, _mm_shufflelo_epi16(low, _MM_SHUFFLE(2, 3, 0, 1)));
     high = _mm_max_epi16(high, _mm_shufflelo_epi16(high, _MM_SHUFFLE(2, 3, 0, 1)));
-    return { static_cast<std::int16_t>(_mm_extract_epi16(low, 0)),
-        static_cast<std::int16_t>(_mm_extract_epi16(high, 0)) };
+    return {static_cast<std::int16_t>(_mm_extract_epi16(low, 0)),
+        static_cast<std::int16_t>(_mm_extract_epi16(high, 0))};
 }
 } // namespace sse
 

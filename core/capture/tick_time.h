@@ -32,7 +32,7 @@ struct TickBase {
         // Bounds keep the product in timeOf() inside 64 bits; a rate beyond them is nobody's
         // control loop.
         const bool sane = milliHz >= 1.0 && milliHz <= 9e9;
-        return { sane ? static_cast<std::int64_t>(milliHz) : 1000, toNanos(originSeconds) };
+        return {sane ? static_cast<std::int64_t>(milliHz) : 1000, toNanos(originSeconds)};
     }
 
     /// Rounded to the nearest nanosecond; ticks below 0 are before the origin.

@@ -10,7 +10,7 @@ namespace {
 MinMax rangeOf(double value)
 {
     const auto rounded = static_cast<float>(value);
-    return { rounded, rounded };
+    return {rounded, rounded};
 }
 } // namespace
 
@@ -23,7 +23,7 @@ void ValueColumn::append(Nanos time, double value, Nanos holdUntil)
     chunk.times[at] = time;
     chunk.values[at] = value;
     if (m_broken || m_runs.empty())
-        m_runs.push_back({ m_end, 0, holdUntil });
+        m_runs.push_back({m_end, 0, holdUntil});
     m_broken = false;
     m_runs.back().count += 1;
     m_runs.back().holdUntil = holdUntil;

@@ -39,9 +39,9 @@ StreamLayout layout(
     result.id = id;
     result.tickHz = 16000;
     for (const auto reg : fast)
-        result.fast.push_back({ reg, "F" + std::to_string(reg), "A", 0.5, 0.0 });
+        result.fast.push_back({reg, "F" + std::to_string(reg), "A", 0.5, 0.0});
     for (const auto reg : slow)
-        result.slow.push_back({ reg, "S" + std::to_string(reg), "V", 0.1, 0.0 });
+        result.slow.push_back({reg, "S" + std::to_string(reg), "V", 0.1, 0.0});
     return result;
 }
 
@@ -67,7 +67,7 @@ struct Recorded {
     explicit Recorded(std::uint32_t seed, std::size_t blocks = 600)
     {
         std::mt19937 random(seed);
-        capture.begin(layout(1, { 7 }));
+        capture.begin(layout(1, {7}));
         id = *capture.find(7);
         Tick tick = 5;
         for (std::size_t i = 0; i < blocks; ++i) {
@@ -98,14 +98,14 @@ struct Recorded {
                     [](double time, double wanted) { return std::round(time * 1e9) < wanted; })
                 - times.begin());
         };
-        return { at(from), at(to) };
+        return {at(from), at(to)};
     }
     MinMax scan(double from, double to) const
     {
         MinMax range;
         const auto [low, high] = indexes(from, to);
         for (std::size_t i = low; i < high; ++i)
-            range.include({ values[i], values[i] });
+            range.include({values[i], values[i]});
         return range;
     }
 };
@@ -164,7 +164,7 @@ void TestCapture::everySampleIsInExactlyOneColumn()
 void TestCapture::columnsShowNothingInAGap()
 {
     Capture capture;
-    capture.begin(layout(1, { 7 }));
+    capture.begin(layout(1, {7}));
     const ChannelId id = *capture.find(7);
     std::vector<std::int16_t> codes(70001, 100);
     capture.append(block(1, 0, codes));
@@ -188,10 +188,10 @@ void TestCapture::columnsShowNothingInAGap()
 void TestCapture::aLossBecomesAGapAndNeverAZero()
 {
     Capture capture;
-    capture.begin(layout(1, { 7 }));
+    capture.begin(layout(1, {7}));
     const ChannelId id = *capture.find(7);
-    capture.append(block(1, 0, { 10, 20, 30, 40 }));
-    SampleBlock later = block(1, 8, { 50, 60 });
+    capture.append(block(1, 0, {10, 20, 30, 40}));
+    SampleBlock later = block(1, 8, {50, 60});
     later.lostTicks = 4;
     capture.append(later);
     const double tick = 1.0 / 16000.0;
@@ -213,11 +213,11 @@ void TestCapture::aLossBecomesAGapAndNeverAZero()
 void TestCapture::aStopEndsTheHold()
 {
     Capture capture;
-    capture.begin(layout(1, { 7 }));
-    capture.append(block(1, 0, { 10, 20 }));
+    capture.begin(layout(1, {7}));
+    capture.append(block(1, 0, {10, 20}));
     capture.begin({});
-    capture.begin(layout(2, { 7 }));
-    capture.append(block(2, 100, { 30 }));
+    capture.begin(layout(2, {7}));
+    capture.append(block(2, 100, {30}));
     const ChannelId id = *capture.find(7);
     QVERIFY(capture.valueAt(id, 1.5 / 16000));
     QVERIFY(!capture.valueAt(id, 2.5 / 16000));
@@ -227,29 +227,29 @@ void TestCapture::aStopEndsTheHold()
 void TestCapture::aSignalThatIsStreamedAgainContinuesItsChannel()
 {
     Capture capture;
-    capture.begin(layout(1, { 7, 8 }));
-    capture.append(block(1, 0, { 1, 2, 11, 12 }));
+    capture.begin(layout(1, {7, 8}));
+    capture.append(block(1, 0, {1, 2, 11, 12}, 2));
     const auto before = capture.channels();
-    capture.begin(layout(2, { 9, 7 })); // another order, another neighbour
-    capture.append(block(2, 10, { 21, 22, 3, 4 }));
+    capture.begin(layout(2, {9, 7})); // another order, another neighbour
+    capture.append(block(2, 10, {21, 22, 3, 4}, 2));
     QCOMPARE(capture.channels().size(), std::size_t(3));
     QCOMPARE(*capture.find(7), before[0].id);
     QCOMPARE(capture.size(before[0].id), std::uint64_t(4));
     QCOMPARE(capture.size(before[1].id), std::uint64_t(2));
     QCOMPARE(capture.valueAt(before[0].id, 11.5 / 16000), std::optional(2.0));
     QVERIFY(!capture.valueAt(before[0].id, 5.5 / 16000));
-    QCOMPARE(capture.streaming(), (std::vector<ChannelId>{ *capture.find(9), before[0].id }));
+    QCOMPARE(capture.streaming(), (std::vector<ChannelId>{*capture.find(9), before[0].id}));
 }
 
 void TestCapture::anotherScaleMakesAnotherChannel()
 {
     Capture capture;
-    capture.begin(layout(1, { 7 }));
-    capture.append(block(1, 0, { 100 }));
-    StreamLayout other = layout(2, { 7 });
+    capture.begin(layout(1, {7}));
+    capture.append(block(1, 0, {100}));
+    StreamLayout other = layout(2, {7});
     other.fast[0].factor = 0.25;
     capture.begin(other);
-    capture.append(block(2, 10, { 100 }));
+    capture.append(block(2, 10, {100}));
     QCOMPARE(capture.channels().size(), std::size_t(2));
     QCOMPARE(capture.valueAt(capture.channels()[0].id, 0.0), std::optional(50.0));
     QCOMPARE(capture.lastValue(*capture.find(7)), std::optional(25.0));
@@ -258,18 +258,18 @@ void TestCapture::anotherScaleMakesAnotherChannel()
 void TestCapture::timeNeverRunsBackwards()
 {
     Capture capture;
-    capture.begin(layout(1, { 7 }));
-    capture.append(block(1, 16000, { 1, 2, 3, 4 }));
-    StreamLayout reset = layout(2, { 7 }); // the board was reset, its origin is a little too early
+    capture.begin(layout(1, {7}));
+    capture.append(block(1, 16000, {1, 2, 3, 4}));
+    StreamLayout reset = layout(2, {7}); // the board was reset, its origin is a little too early
     reset.originSeconds = 0.9;
     capture.begin(reset);
-    capture.append(block(2, 1600, { 5, 6 }));
+    capture.append(block(2, 1600, {5, 6}));
     const ChannelId id = *capture.find(7);
     QCOMPARE(capture.size(id), std::uint64_t(6));
     const auto samples = capture.samples(id, 0, 10, 100);
     for (std::size_t i = 1; i < samples.size(); ++i)
         QVERIFY(samples[i].time > samples[i - 1].time);
-    capture.append(block(2, 1500, { 7 }));
+    capture.append(block(2, 1500, {7}));
     QCOMPARE(capture.size(id), std::uint64_t(6));
     QCOMPARE(capture.refused().backwards, std::uint64_t(1));
 }
@@ -277,14 +277,14 @@ void TestCapture::timeNeverRunsBackwards()
 void TestCapture::blocksThatDoNotFitAreCountedAndLeftOut()
 {
     Capture capture;
-    capture.append(block(0, 0, { 1 }));
-    capture.begin(layout(1, { 7, 8 }, { 9 }));
-    capture.append(block(2, 0, { 1, 2 }));
-    SampleBlock odd = block(1, 0, { 1, 2, 3 });
+    capture.append(block(0, 0, {1}));
+    capture.begin(layout(1, {7, 8}, {9}));
+    capture.append(block(2, 0, {1, 2}));
+    SampleBlock odd = block(1, 0, {1, 2, 3});
     capture.append(odd); // says 3 samples of each of 2 signals
-    odd = block(1, 0, { 1, 2 });
+    odd = block(1, 0, {1, 2});
     odd.count = 1;
-    odd.slow.push_back({ 0, { 1, 2 } });
+    odd.slow.push_back({0, {1, 2}});
     capture.append(odd);
     QCOMPARE(capture.refused().otherStream, std::uint64_t(2));
     QCOMPARE(capture.refused().malformed, std::uint64_t(2));
@@ -294,13 +294,13 @@ void TestCapture::blocksThatDoNotFitAreCountedAndLeftOut()
 void TestCapture::slowValuesHoldUntilTheNextOne()
 {
     Capture capture;
-    capture.begin(layout(1, { 7 }, { 9 }));
+    capture.begin(layout(1, {7}, {9}));
     const ChannelId slow = *capture.find(9);
-    SampleBlock first = block(1, 0, { 1, 2, 3, 4 });
-    first.slow.push_back({ 2, { 1000 } });
+    SampleBlock first = block(1, 0, {1, 2, 3, 4});
+    first.slow.push_back({2, {1000}});
     capture.append(first);
-    capture.append(block(1, 4, { 5, 6 }));
-    SampleBlock lost = block(1, 100, { 7, 8 });
+    capture.append(block(1, 4, {5, 6}));
+    SampleBlock lost = block(1, 100, {7, 8});
     lost.lostTicks = 94;
     capture.append(lost);
     const double tick = 1.0 / 16000.0;
@@ -309,8 +309,8 @@ void TestCapture::slowValuesHoldUntilTheNextOne()
     QCOMPARE(capture.valueAt(slow, 5.5 * tick), std::optional(100.0)); // held by the next packet
     QVERIFY(!capture.valueAt(slow, 7.5 * tick)); // nothing is known here
     QVERIFY(!capture.valueAt(slow, 100.5 * tick)); // nor yet here
-    SampleBlock later = block(1, 102, { 9 });
-    later.slow.push_back({ 102, { -2000 } });
+    SampleBlock later = block(1, 102, {9});
+    later.slow.push_back({102, {-2000}});
     capture.append(later);
     QCOMPARE(capture.valueAt(slow, 102.5 * tick), std::optional(-200.0));
     QCOMPARE(capture.extremes(slow, 0, 1).min, -200.0F);
@@ -320,7 +320,7 @@ void TestCapture::slowValuesHoldUntilTheNextOne()
 void TestCapture::polledValuesAreTheirOwnChannel()
 {
     Capture capture;
-    capture.begin(layout(1, { 7 }));
+    capture.begin(layout(1, {7}));
     capture.appendPolled(7, "F7", "rpm", 1.0, 1500.25);
     capture.appendPolled(7, "F7", "rpm", 1.5, 1600.5);
     capture.appendPolled(7, "F7", "rpm", 1.5, 1.0); // not later
@@ -339,17 +339,17 @@ void TestCapture::polledValuesAreTheirOwnChannel()
 void TestCapture::aFastSampleCostsLessThanTwoPointThreeBytes()
 {
     Capture capture;
-    capture.begin(layout(1, { 7, 8 }));
+    capture.begin(layout(1, {7, 8}));
     for (Tick tick = 0; tick < 3'000'000; tick += 500)
-        capture.append({ 1, tick, 500, std::vector<std::int16_t>(1000, 5), {}, 0 });
+        capture.append({1, tick, 500, std::vector<std::int16_t>(1000, 5), {}, 0});
     QCOMPARE(capture.size(*capture.find(7)), std::uint64_t(3'000'000));
     QVERIFY(static_cast<double>(capture.bytes()) / 6e6 <= 2.3);
 }
 
 void TestCapture::theOldestSamplesAreReleasedFirst()
 {
-    Capture capture({ .maxBytes = 1'000'000 });
-    capture.begin(layout(1, { 7 }));
+    Capture capture({.maxBytes = 1'000'000});
+    capture.begin(layout(1, {7}));
     const ChannelId id = *capture.find(7);
     for (Tick tick = 0; tick < 2'000'000; tick += 1000) {
         std::vector<std::int16_t> codes(1000, static_cast<std::int16_t>(tick / 1000));
@@ -369,11 +369,11 @@ void TestCapture::theOldestSamplesAreReleasedFirst()
 void TestCapture::aSnapshotStaysAsItWas()
 {
     Capture capture;
-    capture.begin(layout(1, { 7 }, { 9 }));
-    SampleBlock first = block(1, 0, { 1, 2, 3 });
-    first.slow.push_back({ 0, { 4 } });
+    capture.begin(layout(1, {7}, {9}));
+    SampleBlock first = block(1, 0, {1, 2, 3});
+    first.slow.push_back({0, {4}});
     capture.append(first);
-    const std::vector<ChannelId> ids{ *capture.find(9), *capture.find(7), 999 };
+    const std::vector<ChannelId> ids{*capture.find(9), *capture.find(7), 999};
     const Snapshot snapshot = capture.snapshot(ids);
     for (Tick tick = 3; tick < 200'000; tick += 1000)
         capture.append(block(1, tick, std::vector<std::int16_t>(1000, 9)));
@@ -387,15 +387,15 @@ void TestCapture::aSnapshotStaysAsItWas()
 void TestCapture::clearingForgetsEverythingAndTheStreamGoesOn()
 {
     Capture capture;
-    capture.begin(layout(1, { 7 }));
-    capture.append(block(1, 0, { 1, 2, 3 }));
+    capture.begin(layout(1, {7}));
+    capture.append(block(1, 0, {1, 2, 3}));
     const ChannelId before = *capture.find(7);
     const auto revision = capture.revision();
     capture.clear();
     QVERIFY(capture.revision() > revision);
     QVERIFY(!capture.channel(before));
     QVERIFY(!capture.timeSpan());
-    capture.append(block(1, 3, { 4 }));
+    capture.append(block(1, 3, {4}));
     QCOMPARE(capture.size(*capture.find(7)), std::uint64_t(1));
     QVERIFY(*capture.find(7) != before);
 }
