@@ -4,9 +4,21 @@
 
 #include "capture/capture.h"
 
+#include <QElapsedTimer>
+#include <QTimer>
 #include <QWidget>
 
+#include <memory>
+
+class QCustomPlot;
+class QLabel;
+class QMenu;
+class QRubberBand;
+
 namespace widgets {
+
+class PlotStack;
+class ScopeMouse;
 
 class ScopeView : public QWidget {
     Q_OBJECT
@@ -30,6 +42,11 @@ public:
     TimeRange visibleRange() const;
     bool running() const; ///< false: the picture stands still, recording goes on
     bool following() const; ///< the right edge stays at the newest sample
+    bool gridVisible() const;
+
+    /// For the status bar and for tests: redraws since the view was made.
+    quint64 redraws() const { return m_redraws; }
+    QCustomPlot &plotWidget() { return *m_plot; } ///< for the scope's own parts
 
 public Q_SLOTS:
     void captureChanged(); ///< new samples: redraws at the next frame (at most 60 Hz)
@@ -37,9 +54,13 @@ public Q_SLOTS:
     void setFollowing(bool following);
     void fitAll(); ///< F
     void fitValues(); ///< Shift+F
-    void zoom(double factor); ///< > 1 shows less time; around the centre, or the right edge while following
+    void zoom(double
+            factor); ///< > 1 shows less time; around the centre, or the right edge while following
     void pan(double fraction); ///< of the visible span, positive to later
-    void setVisibleRange(double from, double to);
+    void setVisibleRange(double from, double to); ///< ends following
+    void setGridVisible(bool visible); ///< G
+    void removeSelected(); ///< Delete: takes the trace that was clicked in the legend off the scope
+    void redraw(); ///< something that is drawn changed: redraws at the next frame
 
 Q_SIGNALS:
     /// A register was dropped from the tree: onto a plot (-1: beside all of them).
@@ -47,7 +68,42 @@ Q_SIGNALS:
     void runningChanged(bool running);
     void followingChanged(bool following);
     void visibleRangeChanged(double from, double to);
-    void removeRequested(quint32 channel); ///< the person took a signal off the scope
+    void removeRequested(
+        quint32 channel); ///< the person took a signal off the scope; it is gone already
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dragMoveEvent(QDragMoveEvent *event) override;
+    void dragLeaveEvent(QDragLeaveEvent *event) override;
+    void dropEvent(QDropEvent *event) override;
+
+private:
+    void drawFrame();
+    void applyRange(TimeRange range);
+    void jumpToNewest();
+    std::optional<capture::TimeSpan> shownSpan() const;
+    void showContextMenu(const QPoint &globalPosition, int plot);
+    void fillContextMenu(QMenu &menu, int plot);
+    void updateDescription();
+    int dropPlotAt(const QPoint &position) const;
+    void highlightDrop(int plot);
+
+    capture::Capture &m_capture;
+    QCustomPlot *m_plot;
+    QLabel *m_hint;
+    QRubberBand *m_dropMark;
+    std::unique_ptr<PlotStack> m_stack;
+    ScopeMouse *m_mouse;
+    QTimer m_frame;
+    QElapsedTimer m_lastFrame;
+    quint64 m_redraws = 0;
+    std::uint64_t m_drawnRevision = 0;
+    TimeRange m_range{0.0, 5.0};
+    bool m_running = true;
+    bool m_following = true;
 };
 
 /// Mime type of registers dragged from the tree: a list of ids as JSON numbers.

@@ -1,0 +1,25 @@
+// Hands the ticks of axis_ticks.h to a QCustomPlot axis. Includes the slow header: only for the scope's own files.
+#pragma once
+
+#include <qcustomplot.h>
+
+namespace widgets {
+
+class AxisTicker : public QCPAxisTicker {
+public:
+    enum class Labels { Values, Times };
+    explicit AxisTicker(Labels labels)
+        : m_labels(labels)
+    {
+    }
+    void setMost(int count) { m_most = count; } ///< ticks, at most
+
+    void generate(const QCPRange &range, const QLocale &locale, QChar format, int precision,
+        QVector<double> &ticks, QVector<double> *subTicks, QVector<QString> *labels) override;
+
+private:
+    Labels m_labels;
+    int m_most = 10;
+};
+
+} // namespace widgets

@@ -1,0 +1,64 @@
+#include "widgets/scope/axis_ticks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace widgets {
+
+namespace {
+constexpr int kMostTicks = 1000;
+
+int decimalsFor(double step)
+{
+    return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
+}
+} // namespace
+
+double tickStep(double span, int most)
+{
+    if (!(span > 0) || !std::isfinite(span))
+        return 1.0;
+    const double least = span / std::max(most, 1);
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (factor * power >= least * (1 - 1e-9))
+            return factor * power;
+    }
+    return 10.0 * power;
+}
+
+QVector<double> ticksIn(double from, double to, double step)
+{
+    QVector<double> ticks;
+    if (!(step > 0) || !(to >= from))
+        return ticks;
+    const double first = std::ceil(from / step - 1e-9);
+    const double last = std::floor(to / step + 1e-9);
+    const int count = static_cast<int>(std::min(last - first + 1, double(kMostTicks)));
+    for (int i = 0; i < count; ++i)
+        ticks.append((first + i) * step + 0.0);
+    return ticks;
+}
+
+QString valueLabel(double value, double step, const QLocale &locale)
+{
+    if (std::abs(value) < step * 1e-6)
+        value = 0.0; // no "-0"
+    if (std::abs(value) >= 1e7 || step < 1e-6)
+        return locale.toString(value, 'g', 6);
+    return locale.toString(value, 'f', decimalsFor(step));
+}
+
+QString timeLabel(double seconds, double step, double largest, const QLocale &locale)
+{
+    struct Prefix {
+        double scale;
+        const char *unit;
+    };
+    static constexpr Prefix kPrefixes[] = {{1.0, "s"}, {1e3, "ms"}, {1e6, "\u00b5s"}};
+    const Prefix &prefix = kPrefixes[largest >= 1.0 ? 0 : largest >= 1e-3 ? 1 : 2];
+    return valueLabel(seconds * prefix.scale, step * prefix.scale, locale) + QChar(0x2009)
+        + QString::fromUtf8(prefix.unit);
+}
+
+} // namespace widgets

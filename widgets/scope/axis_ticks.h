@@ -1,0 +1,23 @@
+// Ticks in steps of 1, 2 and 5, never more than asked for however far somebody zooms, with labels in the person's
+// language. The numbers are here and can be tested alone; axis_ticker.h hands them to the plot.
+#pragma once
+
+#include <QLocale>
+#include <QString>
+#include <QVector>
+
+namespace widgets {
+
+/// The smallest step of the form 1, 2 or 5 times a power of ten that cuts `span` into at most `most` pieces.
+double tickStep(double span, int most);
+
+/// Multiples of `step` in [from, to]; at most 1000, whatever is asked for.
+QVector<double> ticksIn(double from, double to, double step);
+
+/// A value with as many digits as the step shows, e.g. "1.50" for steps of 0.05.
+QString valueLabel(double value, double step, const QLocale &locale);
+
+/// A time with an SI prefix that suits the larger end of the range, e.g. "12.5 ms".
+QString timeLabel(double seconds, double step, double largest, const QLocale &locale);
+
+} // namespace widgets

@@ -1,0 +1,418 @@
+#include "widgets/scope/plot_stack.h"
+
+#include "widgets/scope/axis_ticker.h"
+#include "widgets/scope/trace_colors.h"
+#include "widgets/scope/trace_legend.h"
+#include "widgets/scope/waveform_plottable.h"
+
+#include <algorithm>
+#include <set>
+
+namespace widgets {
+
+namespace {
+constexpr double kMargin = 0.08; ///< of the span, above and below what is shown
+constexpr int kTimeLabelWidth = 90; ///< pixels
+constexpr int kValueLabelHeight = 32;
+
+/// A range that shows [low, high] with some room, also if both are the same.
+QCPRange roomy(double low, double high)
+{
+    double span = high - low;
+    if (!(span > 0))
+        span = std::max(std::abs(high) * 0.2, 1e-3);
+    return {low - span * kMargin, high + span * kMargin};
+}
+} // namespace
+
+PlotStack::PlotStack(QCustomPlot &plot, const capture::Capture &capture)
+    : m_plot(plot)
+    , m_capture(capture)
+    , m_margins(new QCPMarginGroup(&plot))
+    , m_palette(plot.palette())
+{
+    m_plot.plotLayout()->clear(); // the axis rect every QCustomPlot starts with
+    m_plot.plotLayout()->setRowSpacing(0);
+    append();
+}
+
+PlotStack::~PlotStack() = default;
+
+ScopePlot &PlotStack::append()
+{
+    auto plot = std::make_unique<ScopePlot>();
+    plot->rect = new QCPAxisRect(&m_plot, false);
+    plot->rect->setMinimumMargins(QMargins(8, 6, 8, 6));
+    plot->rect->setMarginGroup(QCP::msLeft | QCP::msRight, m_margins);
+    plot->dark = isDark(m_palette);
+    QCPAxis *time = plot->rect->addAxis(QCPAxis::atBottom);
+    time->setTicker(QSharedPointer<AxisTicker>::create(AxisTicker::Labels::Times));
+    styleAxis(*time);
+    m_plot.plotLayout()->addElement(m_plot.plotLayout()->rowCount(), 0, plot->rect);
+    axisFor(*plot, QString());
+    if (!m_plots.empty())
+        time->setRange(m_plots.front()->timeAxis()->range());
+    plot->waveform = new WaveformPlottable(*plot, m_capture);
+    plot->legend = new TraceLegend(*plot, m_capture);
+    m_plots.push_back(std::move(plot));
+    showTimeLabels();
+    return *m_plots.back();
+}
+
+void PlotStack::removePlot(std::size_t index)
+{
+    ScopePlot &plot = *m_plots[index];
+    m_plot.removePlottable(plot.waveform);
+    delete plot.legend;
+    m_plot.plotLayout()->remove(plot.rect);
+    m_plot.plotLayout()->simplify();
+    m_plots.erase(m_plots.begin() + static_cast<std::ptrdiff_t>(index));
+    showTimeLabels();
+}
+
+/// Only the lowest plot needs them: the axis is the same for all.
+void PlotStack::showTimeLabels()
+{
+    for (std::size_t i = 0; i < m_plots.size(); ++i)
+        m_plots[i]->timeAxis()->setTickLabels(i + 1 == m_plots.size());
+}
+
+int PlotStack::plotAt(const QPointF &position) const
+{
+    for (int i = 0; i < count(); ++i) {
+        if (plot(i).rect->outerRect().contains(position.toPoint()))
+            return i;
+    }
+    return -1;
+}
+
+ValueAxis *PlotStack::valueAxisAt(const QPointF &position)
+{
+    for (const auto &plot : m_plots) {
+        for (ValueAxis &axis : plot->axes) {
+            if (axis.axis->visible() && axis.axis->getPartAt(position) != QCPAxis::spNone)
+                return &axis;
+        }
+    }
+    return nullptr;
+}
+
+ValueAxis &PlotStack::axisFor(ScopePlot &plot, const QString &unit)
+{
+    for (ValueAxis &axis : plot.axes) {
+        if (axis.unit == unit)
+            return axis;
+    }
+    if (plot.traces.empty() && !plot.axes.empty()) {
+        plot.axes.front().unit = unit; // the axis of an empty plot takes the first unit that comes
+        plot.axes.front().automatic = true;
+        plot.axes.front().fitted = false;
+        return plot.axes.front();
+    }
+    if (int(plot.axes.size()) >= kMostAxes)
+        return plot.axes.back();
+    const bool left = plot.axes.size() % 2 == 0;
+    QCPAxis *axis = plot.rect->addAxis(left ? QCPAxis::atLeft : QCPAxis::atRight);
+    axis->setTicker(QSharedPointer<AxisTicker>::create(AxisTicker::Labels::Values));
+    axis->setRange(-1, 1);
+    styleAxis(*axis);
+    // One grid a plot: that of its first axis.
+    axis->grid()->setVisible(plot.axes.empty() && m_grid);
+    plot.axes.push_back({axis, unit});
+    return plot.axes.back();
+}
+
+void PlotStack::dropUnusedAxes(ScopePlot &plot)
+{
+    // The first axis stays: the grid and the waveform belong to it.
+    for (std::size_t i = plot.axes.size(); i-- > 1;) {
+        QCPAxis *axis = plot.axes[i].axis;
+        const bool used = std::any_of(plot.traces.begin(), plot.traces.end(),
+            [axis](const Trace &trace) { return trace.valueAxis == axis; });
+        if (!used) {
+            plot.rect->removeAxis(axis);
+            plot.axes.erase(plot.axes.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+    }
+}
+
+void PlotStack::labelAxes(ScopePlot &plot)
+{
+    for (const ValueAxis &axis : plot.axes) {
+        const Trace *only = nullptr;
+        int users = 0;
+        std::set<QString> units;
+        for (const Trace &trace : plot.traces) {
+            if (trace.valueAxis == axis.axis) {
+                only = &trace;
+                ++users;
+                units.insert(QString::fromStdString(trace.info.unit));
+            }
+        }
+        axis.axis->setLabel(QStringList(units.begin(), units.end()).join(QStringLiteral(" / ")));
+        const QColor color =
+            users == 1 ? traceColor(only->colorSlot, plot.dark) : m_palette.color(QPalette::Text);
+        axis.axis->setTickLabelColor(color);
+        axis.axis->setLabelColor(color);
+        axis.axis->setBasePen(QPen(color, 0));
+        axis.axis->setTickPen(QPen(color, 0));
+    }
+}
+
+int PlotStack::slotFor(const capture::ChannelInfo &channel)
+{
+    const auto known = m_slots.find(channel.registerId);
+    if (known != m_slots.end())
+        return known->second;
+    std::set<int> shown;
+    for (const auto &plot : m_plots) {
+        for (const Trace &trace : plot->traces)
+            shown.insert(trace.colorSlot);
+    }
+    int slot = preferredSlot(QString::fromStdString(channel.unit));
+    for (int tried = 0; tried < kTraceColors && shown.count(slot % kTraceColors) != 0; ++tried)
+        ++slot;
+    m_slots[channel.registerId] = slot % kTraceColors;
+    return slot % kTraceColors;
+}
+
+void PlotStack::add(const capture::ChannelInfo &channel, int index)
+{
+    if (plotOf(channel.id) >= 0)
+        return;
+    const bool onlyEmptyOne = count() == 1 && plot(0).traces.empty();
+    index = std::clamp(index, 0, onlyEmptyOne ? 0 : count());
+    ScopePlot &target = index == count() ? append() : plot(index);
+    const int slot = slotFor(channel);
+    QCPAxis *axis = axisFor(target, QString::fromStdString(channel.unit)).axis;
+    target.traces.push_back({channel.id, channel, axis, slot, false});
+    labelAxes(target);
+}
+
+void PlotStack::remove(capture::ChannelId channel)
+{
+    const int index = plotOf(channel);
+    if (index < 0)
+        return;
+    ScopePlot &from = plot(index);
+    std::erase_if(from.traces, [channel](const Trace &trace) { return trace.channel == channel; });
+    if (from.traces.empty() && count() > 1) {
+        removePlot(std::size_t(index));
+        return;
+    }
+    dropUnusedAxes(from);
+    labelAxes(from);
+}
+
+const Trace *PlotStack::trace(capture::ChannelId channel) const
+{
+    for (const auto &plot : m_plots) {
+        for (const Trace &trace : plot->traces) {
+            if (trace.channel == channel)
+                return &trace;
+        }
+    }
+    return nullptr;
+}
+
+std::vector<capture::ChannelId> PlotStack::channels() const
+{
+    std::vector<capture::ChannelId> result;
+    for (const auto &plot : m_plots) {
+        for (const Trace &trace : plot->traces)
+            result.push_back(trace.channel);
+    }
+    return result;
+}
+
+int PlotStack::plotOf(capture::ChannelId channel) const
+{
+    for (int i = 0; i < count(); ++i) {
+        const auto &traces = plot(i).traces;
+        if (std::any_of(traces.begin(), traces.end(),
+                [channel](const Trace &trace) { return trace.channel == channel; }))
+            return i;
+    }
+    return -1;
+}
+
+QColor PlotStack::colorOf(capture::ChannelId channel) const
+{
+    const Trace *shown = trace(channel);
+    return shown ? traceColor(shown->colorSlot, isDark(m_palette)) : QColor();
+}
+
+std::optional<double> PlotStack::newestSample() const
+{
+    std::optional<double> newest;
+    for (const capture::ChannelId id : channels()) {
+        const capture::Channel *channel = m_capture.channel(id);
+        if (!channel || channel->empty())
+            continue;
+        const double last = capture::toSeconds(channel->timeOf(channel->end() - 1));
+        newest = std::max(newest.value_or(last), last);
+    }
+    return newest;
+}
+
+void PlotStack::adoptChannels()
+{
+    std::vector<capture::ChannelId> lost;
+    for (const auto &plot : m_plots) {
+        for (Trace &trace : plot->traces) {
+            if (m_capture.channel(trace.channel))
+                continue;
+            const auto successor = m_capture.find(trace.info.registerId, trace.info.kind);
+            if (successor && plotOf(*successor) < 0) {
+                trace.channel = *successor;
+                trace.info = *m_capture.info(*successor);
+            } else {
+                lost.push_back(trace.channel);
+            }
+        }
+    }
+    for (const capture::ChannelId channel : lost)
+        remove(channel);
+}
+
+void PlotStack::select(std::optional<capture::ChannelId> channel)
+{
+    for (const auto &plot : m_plots) {
+        for (Trace &trace : plot->traces)
+            trace.selected = channel == trace.channel;
+    }
+}
+
+std::optional<capture::ChannelId> PlotStack::selected() const
+{
+    for (const auto &plot : m_plots) {
+        for (const Trace &trace : plot->traces) {
+            if (trace.selected)
+                return trace.channel;
+        }
+    }
+    return std::nullopt;
+}
+
+void PlotStack::setTimeRange(double from, double to)
+{
+    for (const auto &plot : m_plots)
+        plot->timeAxis()->setRange(from, to);
+}
+
+capture::MinMax PlotStack::extremes(const ScopePlot &plot, const QCPAxis *axis) const
+{
+    const QCPRange range = plot.timeAxis()->range();
+    capture::MinMax all;
+    for (const Trace &trace : plot.traces) {
+        if (trace.valueAxis != axis)
+            continue;
+        all.include(m_capture.extremes(trace.channel, range.lower, range.upper));
+        // A value that only holds into the window is visible too.
+        if (const auto held = m_capture.valueAt(trace.channel, range.lower))
+            all.include({static_cast<float>(*held), static_cast<float>(*held)});
+    }
+    return all;
+}
+
+void PlotStack::growAxes()
+{
+    for (const auto &plot : m_plots) {
+        for (ValueAxis &axis : plot->axes) {
+            if (!axis.automatic)
+                continue;
+            const capture::MinMax shown = extremes(*plot, axis.axis);
+            if (shown.empty())
+                continue;
+            const double low = double(shown.min);
+            const double high = double(shown.max);
+            QCPRange range = axis.axis->range();
+            if (!axis.fitted || low < range.lower || high > range.upper) {
+                const QCPRange wanted = roomy(low, high);
+                if (axis.fitted)
+                    range.expand(wanted);
+                else
+                    range = wanted;
+                axis.axis->setRange(range);
+                axis.fitted = true;
+            }
+        }
+    }
+}
+
+void PlotStack::fitAxis(ValueAxis &axis)
+{
+    for (const auto &plot : m_plots) {
+        const capture::MinMax shown = extremes(*plot, axis.axis);
+        if (!shown.empty()) {
+            axis.axis->setRange(roomy(double(shown.min), double(shown.max)));
+            axis.fitted = true;
+        }
+    }
+    axis.automatic = true;
+}
+
+void PlotStack::fitValues()
+{
+    for (const auto &plot : m_plots) {
+        for (ValueAxis &axis : plot->axes)
+            fitAxis(axis);
+    }
+}
+
+void PlotStack::setGrid(bool visible)
+{
+    m_grid = visible;
+    for (const auto &plot : m_plots) {
+        plot->timeAxis()->grid()->setVisible(visible);
+        plot->axes.front().axis->grid()->setVisible(visible);
+    }
+}
+
+void PlotStack::styleAxis(QCPAxis &axis) const
+{
+    const QColor text = m_palette.color(QPalette::Text);
+    QColor faint = text;
+    faint.setAlpha(38);
+    axis.setBasePen(QPen(text, 0));
+    axis.setTickPen(QPen(text, 0));
+    axis.setTickLabelColor(text);
+    axis.setLabelColor(text);
+    axis.setTickLabelFont(m_plot.font());
+    axis.setLabelFont(m_plot.font());
+    axis.setSubTicks(false);
+    axis.setLayer(QStringLiteral("axes"));
+    axis.grid()->setPen(QPen(faint, 0));
+    axis.grid()->setZeroLinePen(Qt::NoPen);
+    axis.grid()->setVisible(m_grid);
+}
+
+void PlotStack::applyPalette(const QPalette &palette)
+{
+    m_palette = palette;
+    m_plot.setBackground(palette.brush(QPalette::Base));
+    for (const auto &plot : m_plots) {
+        plot->dark = isDark(palette);
+        styleAxis(*plot->timeAxis());
+        for (std::size_t i = 0; i < plot->axes.size(); ++i) {
+            styleAxis(*plot->axes[i].axis);
+            plot->axes[i].axis->grid()->setVisible(i == 0 && m_grid);
+        }
+        labelAxes(*plot);
+    }
+}
+
+void PlotStack::boundTicks()
+{
+    for (const auto &plot : m_plots) {
+        const auto bound = [](QCPAxis *axis, int room) {
+            auto ticker = axis->ticker().dynamicCast<AxisTicker>();
+            ticker->setMost(std::clamp(room, 2, 10));
+        };
+        bound(plot->timeAxis(), plot->rect->width() / kTimeLabelWidth);
+        for (const ValueAxis &axis : plot->axes)
+            bound(axis.axis, plot->rect->height() / kValueLabelHeight);
+    }
+}
+
+} // namespace widgets

@@ -1,0 +1,73 @@
+// The plots of the scope, one above the other on one time axis: adds and removes traces, gives each unit its axis
+// and each trace its colour, and sets ranges. Knows no mouse, no keys and no following.
+// Includes the slow header: only for the scope's own files.
+#pragma once
+
+#include "widgets/scope/scope_plot.h"
+
+#include <map>
+#include <memory>
+
+namespace widgets {
+
+class PlotStack {
+public:
+    /// Value axes a plot can have; a further unit shares the last one.
+    static constexpr int kMostAxes = 4;
+
+    PlotStack(QCustomPlot &plot, const capture::Capture &capture);
+    ~PlotStack();
+    PlotStack(const PlotStack &) = delete;
+    PlotStack &operator=(const PlotStack &) = delete;
+
+    int count() const { return static_cast<int>(m_plots.size()); }
+    ScopePlot &plot(int index) { return *m_plots[std::size_t(index)]; }
+    const ScopePlot &plot(int index) const { return *m_plots[std::size_t(index)]; }
+    int plotAt(const QPointF &position) const; ///< axes included; -1 if there is none
+    ValueAxis *valueAxisAt(const QPointF &position); ///< nullptr if it is not over a value axis
+
+    void add(const capture::ChannelInfo &channel, int plot);
+    void remove(capture::ChannelId channel);
+    const Trace *trace(capture::ChannelId channel) const;
+    std::vector<capture::ChannelId> channels() const;
+    int plotOf(capture::ChannelId channel) const;
+    QColor colorOf(capture::ChannelId channel) const;
+    std::optional<double> newestSample() const; ///< seconds; of the traces shown
+    /// Follows registers into their new channels after the capture was cleared; drops those that have none.
+    void adoptChannels();
+    void select(std::optional<capture::ChannelId> channel);
+    std::optional<capture::ChannelId> selected() const;
+
+    void setTimeRange(double from, double to);
+    /// Fits automatic axes to what is visible: they grow, and never shrink by themselves.
+    void growAxes();
+    void fitValues(); ///< all axes, exactly what is visible
+    void fitAxis(ValueAxis &axis);
+
+    void setGrid(bool visible);
+    bool grid() const { return m_grid; }
+    void applyPalette(const QPalette &palette);
+    void boundTicks(); ///< as many as there is room for; before each redraw
+
+private:
+    ScopePlot &append();
+    void removePlot(std::size_t index);
+    void showTimeLabels();
+    ValueAxis &axisFor(ScopePlot &plot, const QString &unit);
+    void dropUnusedAxes(ScopePlot &plot);
+    void styleAxis(QCPAxis &axis) const;
+    void labelAxes(ScopePlot &plot);
+    int slotFor(const capture::ChannelInfo &channel);
+    capture::MinMax extremes(const ScopePlot &plot, const QCPAxis *axis) const;
+
+    QCustomPlot &m_plot;
+    const capture::Capture &m_capture;
+    std::vector<std::unique_ptr<ScopePlot>> m_plots;
+    std::map<catalog::RegisterId, int>
+        m_slots; ///< a register keeps its colour, even while it is not shown
+    QCPMarginGroup *m_margins = nullptr;
+    QPalette m_palette;
+    bool m_grid = true;
+};
+
+} // namespace widgets

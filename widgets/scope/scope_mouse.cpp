@@ -1,0 +1,174 @@
+#include "widgets/scope/scope_mouse.h"
+
+#include "widgets/scope/plot_stack.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/scope/trace_legend.h"
+
+#include <QMouseEvent>
+#include <QRubberBand>
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace widgets {
+
+namespace {
+constexpr int kClick = 5; ///< pixels a hand may shake during a click
+constexpr double kWheelNotch = 120.0;
+constexpr double kZoomPerNotch = 1.25;
+
+double fractionIn(double position, double start, double length)
+{
+    return length > 0 ? (position - start) / length : 0.5;
+}
+} // namespace
+
+ScopeMouse::ScopeMouse(ScopeView &view, QCustomPlot &plot, PlotStack &stack)
+    : QObject(&view)
+    , m_view(view)
+    , m_plot(plot)
+    , m_stack(stack)
+    , m_box(new QRubberBand(QRubberBand::Rectangle, &plot))
+{
+    plot.installEventFilter(this);
+}
+
+bool ScopeMouse::eventFilter(QObject *, QEvent *event)
+{
+    switch (event->type()) {
+    case QEvent::MouseButtonPress:
+        return press(*static_cast<QMouseEvent *>(event));
+    case QEvent::MouseMove:
+        return move(*static_cast<QMouseEvent *>(event));
+    case QEvent::MouseButtonRelease:
+        return release(*static_cast<QMouseEvent *>(event));
+    case QEvent::Wheel:
+        return wheel(*static_cast<QWheelEvent *>(event));
+    default:
+        return false;
+    }
+}
+
+bool ScopeMouse::press(const QMouseEvent &event)
+{
+    m_view.setFocus(Qt::MouseFocusReason);
+    m_start = event.position();
+    m_plotIndex = m_stack.plotAt(m_start);
+    if (m_plotIndex < 0)
+        return true;
+    ValueAxis *axis = m_stack.valueAxisAt(m_start);
+    if (event.button() == Qt::MiddleButton) {
+        if (axis)
+            m_stack.fitAxis(*axis);
+        else
+            m_stack.fitValues();
+        m_view.redraw();
+    } else if (event.button() == Qt::RightButton) {
+        m_gesture = Gesture::Box;
+    } else if (event.button() == Qt::LeftButton && axis) {
+        m_gesture = Gesture::MoveAxis;
+        m_axis = axis->axis;
+        m_from = axis->axis->range().lower;
+        m_to = axis->axis->range().upper;
+        axis->automatic = false;
+    } else if (event.button() == Qt::LeftButton) {
+        const auto channel = m_stack.plot(m_plotIndex).legend->channelAt(m_start);
+        m_stack.select(channel);
+        m_view.redraw();
+        if (!channel) {
+            m_gesture = Gesture::Pan;
+            m_from = m_view.visibleRange().from;
+            m_to = m_view.visibleRange().to;
+        }
+    }
+    return true;
+}
+
+bool ScopeMouse::move(const QMouseEvent &event)
+{
+    const QPointF moved = event.position() - m_start;
+    if (m_gesture == Gesture::Pan && std::abs(moved.x()) >= 1) {
+        const double width = m_stack.plot(0).rect->width();
+        const double shift = moved.x() / std::max(width, 1.0) * (m_to - m_from);
+        m_view.setVisibleRange(m_from - shift, m_to - shift);
+    } else if (m_gesture == Gesture::MoveAxis) {
+        auto *axis = static_cast<QCPAxis *>(m_axis);
+        const double height = axis->axisRect()->height();
+        const double shift = moved.y() / std::max(height, 1.0) * (m_to - m_from);
+        axis->setRange(m_from + shift, m_to + shift);
+        m_view.redraw();
+    } else if (m_gesture == Gesture::Box && moved.manhattanLength() > kClick) {
+        m_box->setGeometry(QRect(m_start.toPoint(), event.position().toPoint()).normalized());
+        m_box->show();
+    }
+    return true;
+}
+
+bool ScopeMouse::release(const QMouseEvent &event)
+{
+    const Gesture gesture = std::exchange(m_gesture, Gesture::None);
+    if (gesture == Gesture::Box) {
+        m_box->hide();
+        const QRect box = QRect(m_start.toPoint(), event.position().toPoint()).normalized();
+        if (box.width() > kClick && box.height() > kClick)
+            zoomIntoBox(box);
+        else
+            Q_EMIT menuRequested(event.globalPosition().toPoint(), m_plotIndex);
+    }
+    return true;
+}
+
+void ScopeMouse::zoomIntoBox(const QRect &box)
+{
+    ScopePlot &plot = m_stack.plot(m_plotIndex);
+    const QRect area = plot.rect->rect();
+    const QRect inside = box.intersected(area);
+    if (inside.isEmpty())
+        return;
+    for (ValueAxis &axis : plot.axes) {
+        const QCPRange range = axis.axis->range();
+        const double top = fractionIn(inside.top(), area.top(), area.height());
+        const double bottom = fractionIn(inside.bottom() + 1, area.top(), area.height());
+        axis.automatic = false;
+        axis.axis->setRange(range.upper - bottom * range.size(), range.upper - top * range.size());
+    }
+    const ScopeView::TimeRange time = m_view.visibleRange();
+    const double span = time.to - time.from;
+    const double left = fractionIn(inside.left(), area.left(), area.width());
+    const double right = fractionIn(inside.right() + 1, area.left(), area.width());
+    m_view.setVisibleRange(time.from + left * span, time.from + right * span);
+}
+
+bool ScopeMouse::wheel(const QWheelEvent &event)
+{
+    const QPoint angle = event.angleDelta();
+    const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / kWheelNotch;
+    const int index = m_stack.plotAt(event.position());
+    if (notches == 0.0 || index < 0)
+        return true;
+    const double factor = std::pow(kZoomPerNotch, notches);
+    if (ValueAxis *axis = m_stack.valueAxisAt(event.position())) {
+        const double at = axis->axis->pixelToCoord(event.position().y());
+        axis->axis->scaleRange(1.0 / factor, at);
+        axis->automatic = false;
+        m_view.redraw();
+        return true;
+    }
+    if (event.modifiers().testFlag(Qt::ShiftModifier) || angle.y() == 0) {
+        m_view.pan(-0.1 * notches);
+        return true;
+    }
+    if (m_view.following()) {
+        m_view.zoom(factor); // the newest sample stays at the right edge
+        return true;
+    }
+    const QRect area = m_stack.plot(index).rect->rect();
+    const ScopeView::TimeRange time = m_view.visibleRange();
+    const double at = fractionIn(event.position().x(), area.left(), area.width());
+    const double center = time.from + at * (time.to - time.from);
+    m_view.setVisibleRange(
+        center - (center - time.from) / factor, center + (time.to - center) / factor);
+    return true;
+}
+
+} // namespace widgets

@@ -1,0 +1,51 @@
+// What the mouse does on the scope: drag pans, the wheel zooms at the mouse, the right button draws a box or opens
+// the menu, and on a value axis the same gestures move, stretch and fit that axis.
+#pragma once
+
+#include <QObject>
+#include <QPoint>
+#include <QPointF>
+#include <QRect>
+
+class QCustomPlot;
+class QMouseEvent;
+class QRubberBand;
+class QWheelEvent;
+
+namespace widgets {
+
+class PlotStack;
+class ScopeView;
+
+class ScopeMouse : public QObject {
+    Q_OBJECT
+public:
+    ScopeMouse(ScopeView &view, QCustomPlot &plot, PlotStack &stack);
+
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+Q_SIGNALS:
+    void menuRequested(const QPoint &globalPosition, int plot);
+
+private:
+    enum class Gesture { None, Pan, MoveAxis, Box };
+
+    bool press(const QMouseEvent &event);
+    bool move(const QMouseEvent &event);
+    bool release(const QMouseEvent &event);
+    bool wheel(const QWheelEvent &event);
+    void zoomIntoBox(const QRect &box);
+
+    ScopeView &m_view;
+    QCustomPlot &m_plot;
+    PlotStack &m_stack;
+    QRubberBand *m_box;
+    Gesture m_gesture = Gesture::None;
+    QPointF m_start;
+    int m_plotIndex = -1;
+    double m_from = 0.0; ///< the range at the start of the gesture
+    double m_to = 1.0;
+    void *m_axis = nullptr; ///< QCPAxis being moved; kept opaque so that this header stays light
+};
+
+} // namespace widgets

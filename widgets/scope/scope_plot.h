@@ -1,0 +1,43 @@
+// One plot of the scope as data: which channels it shows, on which axes, in which colours. The plot stack changes it,
+// the waveform and the legend only read it. Includes the slow header: only for the scope's own files.
+#pragma once
+
+#include "capture/capture.h"
+
+#include <qcustomplot.h>
+
+#include <vector>
+
+namespace widgets {
+
+struct Trace {
+    capture::ChannelId channel = 0;
+    capture::ChannelInfo info;
+    QCPAxis *valueAxis = nullptr;
+    int colorSlot = 0;
+    bool selected = false;
+};
+
+/// A value axis and who decides its range.
+struct ValueAxis {
+    QCPAxis *axis = nullptr;
+    QString unit;
+    bool automatic = true; ///< grows with the data until somebody moves it by hand
+    bool fitted = false; ///< has shown data at least once
+};
+
+class WaveformPlottable;
+class TraceLegend;
+
+struct ScopePlot {
+    QCPAxisRect *rect = nullptr;
+    WaveformPlottable *waveform = nullptr; ///< owned by the QCustomPlot
+    TraceLegend *legend = nullptr; ///< owned by the QCustomPlot
+    std::vector<ValueAxis> axes;
+    std::vector<Trace> traces;
+    bool dark = false; ///< which set of colours
+
+    QCPAxis *timeAxis() const { return rect->axis(QCPAxis::atBottom); }
+};
+
+} // namespace widgets

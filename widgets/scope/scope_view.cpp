@@ -1,0 +1,366 @@
+#include "widgets/scope/scope_view.h"
+
+#include "widgets/scope/plot_stack.h"
+#include "widgets/scope/scope_mouse.h"
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QRubberBand>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace widgets {
+
+namespace {
+constexpr int kFrameMs = 16;
+constexpr double kLeastSpan = 1e-6; ///< seconds
+constexpr double kMostSpan = 1e7;
+constexpr double kFarthest =
+    1e9; ///< from the session's start; the axis loses its resolution beyond
+constexpr double kKeyZoom = 1.5;
+constexpr double kKeyPan = 0.1;
+} // namespace
+
+ScopeView::ScopeView(capture::Capture &capture, QWidget *parent)
+    : QWidget(parent)
+    , m_capture(capture)
+    , m_plot(new QCustomPlot(this))
+    , m_hint(new QLabel(this))
+    , m_dropMark(new QRubberBand(QRubberBand::Rectangle, this))
+    , m_stack(std::make_unique<PlotStack>(*m_plot, capture))
+    , m_mouse(new ScopeMouse(*this, *m_plot, *m_stack))
+{
+    setObjectName(QStringLiteral("scope"));
+    m_plot->setObjectName(QStringLiteral("scopePlot"));
+    m_hint->setObjectName(QStringLiteral("scopeHint"));
+    setAccessibleName(tr("Scope"));
+    setFocusPolicy(Qt::StrongFocus);
+    setAcceptDrops(true);
+    setMinimumSize(200, 120);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_plot);
+    m_plot->setFocusProxy(this);
+    m_hint->setText(tr("Drag a signal here, or select one in the tree and press Enter"));
+    m_hint->setTextFormat(Qt::PlainText);
+    m_hint->setAlignment(Qt::AlignCenter);
+    m_hint->setWordWrap(true);
+    m_hint->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_frame.setSingleShot(true);
+    m_frame.setTimerType(Qt::PreciseTimer);
+    connect(&m_frame, &QTimer::timeout, this, &ScopeView::drawFrame);
+    connect(m_plot, &QCustomPlot::beforeReplot, this, [this] { m_stack->boundTicks(); });
+    connect(m_mouse, &ScopeMouse::menuRequested, this, &ScopeView::showContextMenu);
+    m_stack->applyPalette(palette());
+    applyRange(m_range);
+    updateDescription();
+}
+
+ScopeView::~ScopeView()
+{
+    m_plot->removeEventFilter(m_mouse);
+    delete m_plot; // before the stack whose plots its plottables refer to
+}
+
+void ScopeView::addChannel(capture::ChannelId channel, int plot)
+{
+    const auto info = m_capture.info(channel);
+    if (!info)
+        return;
+    m_stack->add(*info, plot);
+    updateDescription();
+    redraw();
+}
+
+void ScopeView::removeChannel(capture::ChannelId channel)
+{
+    m_stack->remove(channel);
+    updateDescription();
+    redraw();
+}
+
+QList<capture::ChannelId> ScopeView::channels() const
+{
+    const auto ids = m_stack->channels();
+    return {ids.begin(), ids.end()};
+}
+
+int ScopeView::plotCount() const { return m_stack->count(); }
+
+int ScopeView::plotOf(capture::ChannelId channel) const { return m_stack->plotOf(channel); }
+
+QColor ScopeView::colorOf(capture::ChannelId channel) const { return m_stack->colorOf(channel); }
+
+ScopeView::TimeRange ScopeView::visibleRange() const { return m_range; }
+
+bool ScopeView::running() const { return m_running; }
+
+bool ScopeView::following() const { return m_following; }
+
+bool ScopeView::gridVisible() const { return m_stack->grid(); }
+
+void ScopeView::captureChanged()
+{
+    if (m_capture.revision() != m_drawnRevision)
+        m_stack->adoptChannels();
+    if (m_running && m_capture.revision() != m_drawnRevision)
+        redraw();
+}
+
+void ScopeView::redraw()
+{
+    if (m_frame.isActive())
+        return;
+    const qint64 since = m_lastFrame.isValid() ? m_lastFrame.elapsed() : kFrameMs;
+    m_frame.start(static_cast<int>(std::clamp<qint64>(kFrameMs - since, 0, kFrameMs)));
+}
+
+void ScopeView::drawFrame()
+{
+    m_lastFrame.start();
+    m_drawnRevision = m_capture.revision();
+    if (m_running && m_following)
+        jumpToNewest();
+    m_stack->growAxes();
+    ++m_redraws;
+    m_plot->replot(QCustomPlot::rpQueuedRefresh);
+}
+
+void ScopeView::setRunning(bool running)
+{
+    if (m_running == running)
+        return;
+    m_running = running;
+    Q_EMIT runningChanged(running);
+    redraw();
+}
+
+void ScopeView::setFollowing(bool following)
+{
+    if (following)
+        jumpToNewest();
+    if (m_following != following) {
+        m_following = following;
+        Q_EMIT followingChanged(following);
+    }
+    redraw();
+}
+
+/// What the shown channels cover; everything recorded if none is shown.
+std::optional<capture::TimeSpan> ScopeView::shownSpan() const
+{
+    std::optional<capture::TimeSpan> all;
+    for (const capture::ChannelId channel : m_stack->channels()) {
+        if (const auto one = m_capture.timeSpan(channel)) {
+            all = all
+                ? capture::TimeSpan{std::min(all->from, one->from), std::max(all->to, one->to)}
+                : *one;
+        }
+    }
+    return m_stack->channels().empty() ? m_capture.timeSpan() : all;
+}
+
+void ScopeView::jumpToNewest()
+{
+    const auto newest = m_stack->newestSample();
+    if (!newest)
+        return;
+    applyRange({*newest - (m_range.to - m_range.from), *newest});
+}
+
+void ScopeView::applyRange(TimeRange range)
+{
+    if (!std::isfinite(range.from) || !std::isfinite(range.to) || !(range.to > range.from))
+        return;
+    const double span = std::clamp(range.to - range.from, kLeastSpan, kMostSpan);
+    const double center =
+        std::clamp(range.from + (range.to - range.from) / 2, -kFarthest, kFarthest);
+    const bool resized = span != range.to - range.from || std::abs(center) == kFarthest;
+    if (resized)
+        range = {center - span / 2, center + span / 2};
+    const bool changed = range.from != m_range.from || range.to != m_range.to;
+    m_range = range;
+    m_stack->setTimeRange(range.from, range.to);
+    if (changed)
+        Q_EMIT visibleRangeChanged(range.from, range.to);
+}
+
+void ScopeView::setVisibleRange(double from, double to)
+{
+    if (m_following) {
+        m_following = false;
+        Q_EMIT followingChanged(false);
+    }
+    applyRange({from, to});
+    redraw();
+}
+
+void ScopeView::fitAll()
+{
+    if (const auto span = shownSpan())
+        setVisibleRange(span->from, std::max(span->to, span->from + kLeastSpan));
+    fitValues();
+}
+
+void ScopeView::fitValues()
+{
+    m_stack->fitValues();
+    redraw();
+}
+
+void ScopeView::zoom(double factor)
+{
+    if (!(factor > 0) || !std::isfinite(factor))
+        return;
+    const double span = std::max((m_range.to - m_range.from) / factor, kLeastSpan);
+    const double center = m_range.from + (m_range.to - m_range.from) / 2;
+    if (m_following)
+        applyRange({m_range.to - span, m_range.to});
+    else
+        applyRange({center - span / 2, center + span / 2});
+    redraw();
+}
+
+void ScopeView::pan(double fraction)
+{
+    const double shift = fraction * (m_range.to - m_range.from);
+    setVisibleRange(m_range.from + shift, m_range.to + shift);
+}
+
+void ScopeView::setGridVisible(bool visible)
+{
+    m_stack->setGrid(visible);
+    redraw();
+}
+
+void ScopeView::removeSelected()
+{
+    const auto channel = m_stack->selected();
+    if (!channel)
+        return;
+    removeChannel(*channel);
+    Q_EMIT removeRequested(*channel);
+}
+
+void ScopeView::keyPressEvent(QKeyEvent *event)
+{
+    const Qt::KeyboardModifiers held = event->modifiers() & ~Qt::KeypadModifier;
+    const bool shift = held == Qt::ShiftModifier;
+    if (held != Qt::NoModifier && !shift) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    switch (event->key()) {
+    case Qt::Key_Space:
+        setRunning(!m_running);
+        return;
+    case Qt::Key_F:
+        shift ? fitValues() : fitAll();
+        return;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: // the same key without Shift on many keyboards
+    case Qt::Key_Up:
+        zoom(kKeyZoom);
+        return;
+    case Qt::Key_Minus:
+    case Qt::Key_Down:
+        zoom(1.0 / kKeyZoom);
+        return;
+    case Qt::Key_Left:
+        pan(-kKeyPan);
+        return;
+    case Qt::Key_Right:
+        pan(kKeyPan);
+        return;
+    case Qt::Key_End:
+        setFollowing(true);
+        return;
+    case Qt::Key_G:
+        setGridVisible(!gridVisible());
+        return;
+    case Qt::Key_Delete:
+        removeSelected();
+        return;
+    case Qt::Key_Menu:
+        showContextMenu(mapToGlobal(rect().center()), 0);
+        return;
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void ScopeView::showContextMenu(const QPoint &globalPosition, int plot)
+{
+    auto *menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("scopeMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    fillContextMenu(*menu, plot);
+    menu->popup(globalPosition);
+}
+
+void ScopeView::fillContextMenu(QMenu &menu, int plot)
+{
+    const auto toggle = [&menu](const QString &text, bool on, auto &&action) {
+        QAction *entry = menu.addAction(text);
+        entry->setCheckable(true);
+        entry->setChecked(on);
+        connect(entry, &QAction::toggled, std::forward<decltype(action)>(action));
+    };
+    toggle(tr("Run\tSpace"), m_running, [this](bool on) { setRunning(on); });
+    toggle(tr("Follow the newest sample\tEnd"), m_following, [this](bool on) { setFollowing(on); });
+    toggle(tr("Grid\tG"), gridVisible(), [this](bool on) { setGridVisible(on); });
+    menu.addSeparator();
+    menu.addAction(tr("Fit everything\tF"), this, &ScopeView::fitAll);
+    menu.addAction(tr("Fit values\tShift+F"), this, &ScopeView::fitValues);
+    if (plot < 0 || plot >= plotCount() || m_stack->plot(plot).traces.empty())
+        return;
+    menu.addSeparator();
+    for (const Trace &trace : m_stack->plot(plot).traces) {
+        // A device's name is text, not a menu's shortcut mark.
+        QString name = QString::fromStdString(trace.info.name);
+        name.replace(QLatin1Char('&'), QLatin1String("&&"));
+        const capture::ChannelId channel = trace.channel;
+        menu.addAction(tr("Remove %1").arg(name), this, [this, channel] {
+            removeChannel(channel);
+            Q_EMIT removeRequested(channel);
+        });
+    }
+}
+
+void ScopeView::updateDescription()
+{
+    QStringList names;
+    for (const capture::ChannelId channel : m_stack->channels())
+        names.append(QString::fromStdString(m_stack->trace(channel)->info.name));
+    m_hint->setVisible(names.isEmpty());
+    setAccessibleDescription(
+        names.isEmpty() ? m_hint->text() : tr("Shows %1").arg(names.join(QStringLiteral(", "))));
+}
+
+void ScopeView::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    // QCustomPlot keeps the colours and fonts it was made with.
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
+        m_stack->applyPalette(palette());
+        redraw();
+    } else if (event->type() == QEvent::LanguageChange) {
+        m_hint->setText(tr("Drag a signal here, or select one in the tree and press Enter"));
+        setAccessibleName(tr("Scope"));
+        updateDescription();
+    } else if (event->type() == QEvent::LocaleChange) {
+        redraw();
+    }
+}
+
+void ScopeView::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    m_hint->setGeometry(rect().adjusted(40, 40, -40, -40));
+    m_hint->raise();
+}
+
+} // namespace widgets

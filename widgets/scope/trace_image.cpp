@@ -1,0 +1,144 @@
+#include "widgets/scope/trace_image.h"
+
+#include <algorithm>
+#include <limits>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+namespace widgets {
+
+namespace {
+constexpr std::int16_t kNoTop = std::numeric_limits<std::int16_t>::max();
+constexpr std::int16_t kNoBottom = std::numeric_limits<std::int16_t>::min();
+
+std::int16_t bounded(int row) { return static_cast<std::int16_t>(std::clamp(row, -2, 32000)); }
+
+/// Colours the pixels of one row whose column covers it.
+void fillRow(QRgb *row, const PixelColumns &columns, std::int16_t y, std::size_t from,
+    std::size_t to, QRgb color)
+{
+    std::size_t x = from;
+#ifdef __SSE2__
+    const __m128i here = _mm_set1_epi16(y);
+    const __m128i paint = _mm_set1_epi32(static_cast<int>(color));
+    for (; x + 8 <= to; x += 8) {
+        const __m128i top = _mm_loadu_si128(reinterpret_cast<const __m128i *>(&columns.top[x]));
+        const __m128i bottom =
+            _mm_loadu_si128(reinterpret_cast<const __m128i *>(&columns.bottom[x]));
+        const __m128i outside =
+            _mm_or_si128(_mm_cmpgt_epi16(top, here), _mm_cmpgt_epi16(here, bottom));
+        const int mask = _mm_movemask_epi8(outside);
+        if (mask == 0xFFFF)
+            continue;
+        auto *pixels = reinterpret_cast<__m128i *>(row + x);
+        if (mask == 0) {
+            _mm_storeu_si128(pixels, paint);
+            _mm_storeu_si128(pixels + 1, paint);
+            continue;
+        }
+        const __m128i low = _mm_unpacklo_epi16(outside, outside);
+        const __m128i high = _mm_unpackhi_epi16(outside, outside);
+        _mm_storeu_si128(pixels,
+            _mm_or_si128(
+                _mm_and_si128(low, _mm_loadu_si128(pixels)), _mm_andnot_si128(low, paint)));
+        _mm_storeu_si128(pixels + 1,
+            _mm_or_si128(
+                _mm_and_si128(high, _mm_loadu_si128(pixels + 1)), _mm_andnot_si128(high, paint)));
+    }
+#endif
+    for (; x < to; ++x) {
+        if (columns.top[x] <= y && y <= columns.bottom[x])
+            row[x] = color;
+    }
+}
+} // namespace
+
+PixelColumns::PixelColumns(int width)
+    : top(std::size_t(std::max(width, 0)), kNoTop)
+    , bottom(std::size_t(std::max(width, 0)), kNoBottom)
+{
+}
+
+void PixelColumns::set(int x, int from, int to)
+{
+    top[std::size_t(x)] = bounded(from);
+    bottom[std::size_t(x)] = bounded(to);
+}
+
+void PixelColumns::extend(int x, int from, int to)
+{
+    const auto at = std::size_t(x);
+    top[at] = std::min(top[at], bounded(from));
+    bottom[at] = std::max(bottom[at], bounded(to));
+}
+
+void PixelColumns::joinNeighbours()
+{
+    // Against the columns as they were, or one step would smear on to the right.
+    std::int16_t lastTop = kNoTop;
+    std::int16_t lastBottom = kNoBottom;
+    for (std::size_t x = 0; x < top.size(); ++x) {
+        const std::int16_t ownTop = top[x];
+        const std::int16_t ownBottom = bottom[x];
+        if (ownTop <= ownBottom && lastTop <= lastBottom) {
+            if (lastBottom < ownTop)
+                top[x] = static_cast<std::int16_t>(lastBottom + 1);
+            else if (lastTop > ownBottom)
+                bottom[x] = static_cast<std::int16_t>(lastTop - 1);
+        }
+        lastTop = ownTop;
+        lastBottom = ownBottom;
+    }
+}
+
+void PixelColumns::thicken(int rows)
+{
+    for (std::size_t x = 0; x < top.size(); ++x) {
+        const int missing = rows - (bottom[x] - top[x] + 1);
+        if (top[x] <= bottom[x] && missing > 0) {
+            top[x] = bounded(top[x] - missing / 2);
+            bottom[x] = bounded(top[x] + rows - 1);
+        }
+    }
+}
+
+void fillColumns(QImage &image, const PixelColumns &columns, QRgb color)
+{
+    // Tiles keep the columns' rows in the first-level cache and skip the rows a tile does not reach.
+    constexpr std::size_t kTile = 256;
+    const auto width = std::min(std::size_t(columns.width()), std::size_t(image.width()));
+    const auto stride = image.bytesPerLine();
+    uchar *bits = image.bits();
+    for (std::size_t from = 0; from < width; from += kTile) {
+        const std::size_t to = std::min(from + kTile, width);
+        int first = kNoTop;
+        int last = kNoBottom;
+        for (std::size_t x = from; x < to; ++x) {
+            first = std::min<int>(first, columns.top[x]);
+            last = std::max<int>(last, columns.bottom[x]);
+        }
+        first = std::max(first, 0);
+        last = std::min(last, image.height() - 1);
+        for (int y = first; y <= last; ++y) {
+            auto *row = reinterpret_cast<QRgb *>(bits + y * stride);
+            fillRow(row, columns, static_cast<std::int16_t>(y), from, to, color);
+        }
+    }
+}
+
+void fillBox(QImage &image, int left, int top, int width, int height, QRgb color)
+{
+    const int right = std::min(left + width, image.width());
+    const int bottom = std::min(top + height, image.height());
+    left = std::max(left, 0);
+    if (left >= right)
+        return;
+    for (int y = std::max(top, 0); y < bottom; ++y) {
+        auto *row = reinterpret_cast<QRgb *>(image.scanLine(y));
+        std::fill(row + left, row + right, color);
+    }
+}
+
+} // namespace widgets

@@ -1,0 +1,33 @@
+// Traces as pixels: fills whole rows of an image at once instead of drawing thousands of vertical lines, which makes
+// the cost depend on the picture's size and not on how tall each line is. Knows no axes and no samples.
+#pragma once
+
+#include <QImage>
+
+#include <cstdint>
+#include <vector>
+
+namespace widgets {
+
+/// For each pixel column the rows from `top` to `bottom`, both included; nothing where top > bottom.
+struct PixelColumns {
+    std::vector<std::int16_t> top;
+    std::vector<std::int16_t> bottom;
+
+    explicit PixelColumns(int width = 0);
+    int width() const { return static_cast<int>(top.size()); }
+    bool emptyAt(int x) const { return top[std::size_t(x)] > bottom[std::size_t(x)]; }
+    void set(int x, int from, int to); ///< bounded to what an image can have; from <= to
+    void extend(int x, int from, int to); ///< as set(), but keeps what the column already covers
+    void joinNeighbours(); ///< lets each filled column touch the filled one before it
+    void thicken(int rows); ///< at least `rows` high each
+};
+
+/// Fills the columns with `color`; rows outside the image are left out.
+/// @param image  Format_ARGB32_Premultiplied or Format_RGB32, at least columns.width() wide
+void fillColumns(QImage &image, const PixelColumns &columns, QRgb color);
+
+/// Fills a rectangle clipped to the image; for steps and dots.
+void fillBox(QImage &image, int left, int top, int width, int height, QRgb color);
+
+} // namespace widgets

@@ -1,0 +1,71 @@
+#include "widgets/scope/trace_legend.h"
+
+#include "widgets/scope/axis_ticks.h"
+#include "widgets/scope/trace_colors.h"
+
+namespace widgets {
+
+namespace {
+constexpr double kMark = 10.0; ///< side of the coloured mark
+constexpr double kSpace = 6.0;
+} // namespace
+
+TraceLegend::TraceLegend(const ScopePlot &plot, const capture::Capture &capture)
+    : QCPLayerable(plot.rect->parentPlot(), QStringLiteral("legend"))
+    , m_scopePlot(plot)
+    , m_capture(capture)
+{
+}
+
+std::optional<capture::ChannelId> TraceLegend::channelAt(const QPointF &position) const
+{
+    for (const auto &[rect, channel] : m_entries) {
+        if (rect.contains(position))
+            return channel;
+    }
+    return std::nullopt;
+}
+
+void TraceLegend::applyDefaultAntialiasingHint(QCPPainter *painter) const
+{
+    painter->setAntialiasing(false);
+}
+
+void TraceLegend::draw(QCPPainter *painter)
+{
+    m_entries.clear();
+    const QRectF area = m_scopePlot.rect->rect();
+    const QPalette palette = mParentPlot->palette();
+    const double lineHeight = QFontMetricsF(mParentPlot->font()).height();
+    QPointF at = area.topLeft() + QPointF(kSpace, kSpace / 2);
+    for (const Trace &trace : m_scopePlot.traces) {
+        QFont font = mParentPlot->font();
+        font.setBold(trace.selected);
+        QString text = QString::fromStdString(trace.info.name);
+        if (const auto value = m_capture.lastValue(trace.channel)) {
+            const double step = tickStep(trace.valueAxis->range().size(), 200);
+            text += QStringLiteral("  ") + valueLabel(*value, step, mParentPlot->locale());
+        }
+        if (!trace.info.unit.empty())
+            text += QChar(QChar::Nbsp) + QString::fromStdString(trace.info.unit);
+        const double width = QFontMetricsF(font).horizontalAdvance(text) + kMark + 3 * kSpace;
+        if (at.x() > area.left() + kSpace && at.x() + width > area.right())
+            at = {area.left() + kSpace, at.y() + lineHeight};
+        const QRectF box(at, QSizeF(width, lineHeight));
+        QColor ground = palette.color(trace.selected ? QPalette::Highlight : QPalette::Base);
+        ground.setAlpha(trace.selected ? 90 : 190);
+        painter->fillRect(box, ground);
+        painter->fillRect(
+            QRectF(at.x() + kSpace / 2, at.y() + (lineHeight - kMark) / 2, kMark, kMark),
+            traceColor(trace.colorSlot, m_scopePlot.dark));
+        painter->setFont(font);
+        painter->setPen(palette.color(QPalette::Text));
+        // drawText takes the name as it is: a device's text is never rich text here.
+        painter->drawText(box.adjusted(kMark + kSpace + kSpace / 2, 0, 0, 0),
+            Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, text);
+        m_entries.emplace_back(box, trace.channel);
+        at.rx() += width + kSpace;
+    }
+}
+
+} // namespace widgets

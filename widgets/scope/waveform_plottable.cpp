@@ -1,0 +1,235 @@
+#include "widgets/scope/waveform_plottable.h"
+
+#include "widgets/scope/axis_ticks.h"
+#include "widgets/scope/trace_colors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace widgets {
+
+namespace {
+/// Below this many samples a pixel column single samples can be told apart and are drawn as steps.
+constexpr std::uint64_t kSamplesAColumn = 2;
+/// Steps this wide, in pixels, get a dot at the sample.
+constexpr double kDotSpacing = 8.0;
+
+/// Where a value lies, in rows from the top of the picture.
+struct Rows {
+    double top;
+    double perUnit;
+    int of(double value) const
+    {
+        const double row = std::floor((top - value) * perUnit);
+        return static_cast<int>(std::clamp(row, -4.0, 31000.0));
+    }
+};
+} // namespace
+
+struct WaveformPlottable::View {
+    double from;
+    double to;
+    int width; ///< device pixels
+    int height;
+    int thickness; ///< of a line, device pixels
+    double perSecond() const { return width / (to - from); }
+    Rows rows(const QCPAxis &axis) const
+    {
+        const QCPRange range = axis.range();
+        return {range.upper, height / range.size()};
+    }
+};
+
+WaveformPlottable::WaveformPlottable(const ScopePlot &plot, const capture::Capture &capture)
+    : QCPAbstractPlottable(plot.timeAxis(), plot.axes.front().axis)
+    , m_scopePlot(plot)
+    , m_capture(capture)
+{
+}
+
+double WaveformPlottable::selectTest(const QPointF &, bool, QVariant *) const { return -1; }
+
+QCPRange WaveformPlottable::getKeyRange(bool &found, QCP::SignDomain) const
+{
+    QCPRange range;
+    found = false;
+    for (const Trace &trace : m_scopePlot.traces) {
+        if (const auto span = m_capture.timeSpan(trace.channel)) {
+            if (found)
+                range.expand({span->from, span->to});
+            else
+                range = {span->from, span->to};
+            found = true;
+        }
+    }
+    return range;
+}
+
+QCPRange WaveformPlottable::getValueRange(
+    bool &found, QCP::SignDomain, const QCPRange &inKeyRange) const
+{
+    capture::MinMax all;
+    for (const Trace &trace : m_scopePlot.traces)
+        all.include(m_capture.extremes(trace.channel, inKeyRange.lower, inKeyRange.upper));
+    found = !all.empty();
+    return found ? QCPRange(double(all.min), double(all.max)) : QCPRange();
+}
+
+void WaveformPlottable::draw(QCPPainter *painter)
+{
+    const QRect rect = m_scopePlot.rect->rect();
+    if (rect.isEmpty() || m_scopePlot.traces.empty())
+        return;
+    shadeGaps(painter);
+    const double ratio = painter->device()->devicePixelRatioF();
+    const QSize size(qRound(rect.width() * ratio), qRound(rect.height() * ratio));
+    if (m_image.size() != size)
+        m_image = QImage(size, QImage::Format_ARGB32_Premultiplied);
+    m_image.setDevicePixelRatio(ratio);
+    m_image.fill(Qt::transparent);
+    const QCPRange range = keyAxis()->range();
+    const View view{
+        range.lower, range.upper, size.width(), size.height(), std::max(1, qRound(ratio))};
+    for (const Trace &trace : m_scopePlot.traces)
+        drawTrace(view, trace);
+    painter->drawImage(rect.topLeft(), m_image);
+    drawLastValues(painter);
+}
+
+void WaveformPlottable::shadeGaps(QCPPainter *painter) const
+{
+    const QCPRange range = keyAxis()->range();
+    const double pixel = range.size() / std::max(1, m_scopePlot.rect->width());
+    std::vector<capture::TimeSpan> gaps;
+    for (const Trace &trace : m_scopePlot.traces) {
+        const capture::Channel *channel = m_capture.channel(trace.channel);
+        if (!channel || trace.info.kind == capture::ChannelInfo::Kind::Polled)
+            continue;
+        const auto own = channel->gaps(range.lower, range.upper, pixel);
+        gaps.insert(gaps.end(), own.begin(), own.end());
+    }
+    std::sort(
+        gaps.begin(), gaps.end(), [](const auto &a, const auto &b) { return a.from < b.from; });
+    const QColor shade = m_scopePlot.dark ? QColor(255, 255, 255, 22) : QColor(0, 0, 0, 18);
+    const QRectF area = m_scopePlot.rect->rect();
+    double shadedTo = range.lower;
+    for (const capture::TimeSpan &gap : gaps) {
+        // Signals of one stream share their gaps: each place is shaded once.
+        const double from = std::max(gap.from, shadedTo);
+        const double to = std::min(gap.to, range.upper);
+        if (to > from) {
+            const double left = keyAxis()->coordToPixel(from);
+            const double width = std::max(1.0, keyAxis()->coordToPixel(to) - left);
+            painter->fillRect(QRectF(left, area.top(), width, area.height()), shade);
+            shadedTo = to;
+        }
+    }
+}
+
+void WaveformPlottable::drawTrace(const View &view, const Trace &trace)
+{
+    const capture::Channel *channel = m_capture.channel(trace.channel);
+    if (!channel || channel->empty() || !(view.to > view.from))
+        return;
+    const std::uint64_t count = channel->countIn(view.from, view.to);
+    if (count > kSamplesAColumn * std::uint64_t(view.width))
+        drawColumns(view, trace, *channel);
+    else
+        drawSteps(view, trace, *channel);
+}
+
+void WaveformPlottable::drawColumns(
+    const View &view, const Trace &trace, const capture::Channel &channel)
+{
+    const Rows rows = view.rows(*trace.valueAxis);
+    const auto extremes = channel.columns(view.from, view.to, std::size_t(view.width));
+    PixelColumns columns(view.width);
+    const bool held = trace.info.kind != capture::ChannelInfo::Kind::Fast;
+    for (int x = 0; x < view.width; ++x) {
+        const capture::MinMax &column = extremes[std::size_t(x)];
+        if (!column.empty()) {
+            columns.set(x, rows.of(double(column.max)), rows.of(double(column.min)));
+        } else if (held) {
+            // Irregular values: a column between two of them shows the one that still holds.
+            if (const auto value = channel.valueAt(view.from + (x + 0.5) / view.perSecond()))
+                columns.set(x, rows.of(*value), rows.of(*value));
+        }
+    }
+    columns.joinNeighbours();
+    columns.thicken(view.thickness);
+    fillColumns(m_image, columns, traceColor(trace.colorSlot, m_scopePlot.dark).rgba());
+}
+
+void WaveformPlottable::drawSteps(
+    const View &view, const Trace &trace, const capture::Channel &channel)
+{
+    const Rows rows = view.rows(*trace.valueAxis);
+    const QRgb color = traceColor(trace.colorSlot, m_scopePlot.dark).rgba();
+    const int line = view.thickness;
+    const auto samples = channel.samples(
+        view.from, view.to, std::size_t(kSamplesAColumn) * std::size_t(view.width) + 1);
+    const auto xOf = [&](double time) {
+        const double x = (time - view.from) * view.perSecond();
+        return static_cast<int>(std::floor(std::clamp(x, -10.0, view.width + 10.0)));
+    };
+    int lastRow = 0;
+    for (const capture::Sample &sample : samples) {
+        const int left = xOf(sample.time);
+        const int right = xOf(sample.holdUntil);
+        const int row = rows.of(sample.value);
+        fillBox(m_image, left, row - line / 2, std::max(line, right - left), line, color);
+        if (!sample.first)
+            fillBox(m_image, left, std::min(row, lastRow) - line / 2, line,
+                std::abs(row - lastRow) + line, color);
+        lastRow = row;
+        if ((sample.holdUntil - sample.time) * view.perSecond() >= kDotSpacing * line)
+            fillBox(m_image, left - line, row - line - line / 2, 3 * line, 3 * line, color);
+    }
+}
+
+/// The last visible value of each trace at the right edge, in its colour, moved apart where they would overlap.
+void WaveformPlottable::drawLastValues(QCPPainter *painter) const
+{
+    struct Label {
+        double y;
+        QString text;
+        QColor color;
+    };
+    const QCPRange range = keyAxis()->range();
+    const QRectF area = m_scopePlot.rect->rect();
+    const QFontMetricsF metrics(painter->font());
+    std::vector<Label> labels;
+    for (const Trace &trace : m_scopePlot.traces) {
+        const auto value = m_capture.valueAt(trace.channel, range.upper - range.size() * 1e-6);
+        const auto last = m_capture.timeSpan(trace.channel);
+        const bool ended = last && last->to < range.upper && last->to > range.lower;
+        const auto shown = value ? value
+            : ended              ? m_capture.lastValue(trace.channel)
+                                 : std::nullopt;
+        if (!shown)
+            continue;
+        const double step = tickStep(trace.valueAxis->range().size(), 200);
+        const double y = trace.valueAxis->coordToPixel(*shown);
+        labels.push_back({std::clamp(y, area.top() + metrics.height(), area.bottom()),
+            valueLabel(*shown, step, mParentPlot->locale()),
+            traceColor(trace.colorSlot, m_scopePlot.dark)});
+    }
+    std::sort(
+        labels.begin(), labels.end(), [](const Label &a, const Label &b) { return a.y > b.y; });
+    double below = area.bottom() + metrics.height();
+    for (Label &label : labels) {
+        label.y = std::min(label.y, below - metrics.height());
+        below = label.y;
+        const double left = area.right() - metrics.horizontalAdvance(label.text) - 4;
+        const QRectF box(left, label.y - metrics.ascent(), area.right() - left, metrics.height());
+        QColor ground = m_scopePlot.dark ? QColor(Qt::black) : QColor(Qt::white);
+        ground.setAlpha(170);
+        painter->fillRect(box, ground);
+        painter->setPen(label.color);
+        painter->drawText(box, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, label.text);
+    }
+}
+
+void WaveformPlottable::drawLegendIcon(QCPPainter *, const QRectF &) const { }
+
+} // namespace widgets
