@@ -82,8 +82,8 @@ void TestCatalog::version642HasAll323Rows()
 void TestCatalog::namesAreUniqueInEveryVersion()
 {
     for (const std::uint32_t version :
-        { 0x060000U, 0x060100U, 0x060102U, 0x060200U, 0x060302U, 0x060400U, k642 }) {
-        for (const char *family : { "std", "hso" }) {
+        {0x060000U, 0x060100U, 0x060102U, 0x060200U, 0x060302U, 0x060400U, k642}) {
+        for (const char *family : {"std", "hso"}) {
             std::set<std::string> names;
             std::set<RegisterId> ids;
             for (const RegisterInfo &info : table(family, version)) {
@@ -136,7 +136,7 @@ void TestCatalog::namesResolveWithMotorAliasAndAnyCase()
     QCOMPARE(two.resolve("FOC_FIRMWARE_CFG"), std::optional<RegisterId>(0x00E9));
     QCOMPARE(two.resolve("GLOBAL_CONFIG"), std::optional<RegisterId>(0x0028));
     for (const char *bad :
-        { "I_Q@3", "I_Q@0", "I_Q@", "I_Q@1x", "GLOBAL_CONFIG@1", "NO_SUCH", "", "@1" })
+        {"I_Q@3", "I_Q@0", "I_Q@", "I_Q@1x", "GLOBAL_CONFIG@1", "NO_SUCH", "", "@1"})
         QVERIFY2(!two.resolve(bad), bad);
 }
 
@@ -150,34 +150,34 @@ void TestCatalog::namesForPeopleShowTheMotorOnlyWhereThereAreSeveral()
 
 void TestCatalog::scalesTurnDigitsIntoUnits()
 {
-    const Catalog board = catalogOf(k642, 1, Scales{ 0.0018364, 0.0003, 0.0, 6.0, 0.056012 });
-    QCOMPARE(board.readScale(0x08D1), (Scale{ 0.0018364, "A" })); // I_Q_MEAS
-    QCOMPARE(board.readScale(0x09D1), (Scale{ 0.0003, "V" })); // V_Q
-    QCOMPARE(board.readScale(0x0B51), (Scale{ 360.0 / 65536.0, "°" })); // STOPLL_EL_ANGLE
-    QCOMPARE(board.readScale(0x0B91), (Scale{ 0.056012, "rpm" })); // STOPLL_ROT_SPEED
-    QCOMPARE(board.streamScale(0x0B91), (Scale{ 6.0, "rpm" }));
-    QCOMPARE(board.readScale(0x0591), (Scale{ 1.0, "V" })); // BUS_VOLTAGE
-    QCOMPARE(board.readScale(0x05D1), (Scale{ 1.0, "°C" })); // HEATS_TEMP
-    QCOMPARE(board.readScale(0x0059), (Scale{ 1.0, "rpm" })); // SPEED_MEAS
-    QCOMPARE(board.readScale(0x0049), (Scale{ 1.0, "" })); // STATUS
+    const Catalog board = catalogOf(k642, 1, Scales{0.0018364, 0.0003, 0.0, 6.0, 0.056012});
+    QCOMPARE(board.readScale(0x08D1), (Scale{0.0018364, "A"})); // I_Q_MEAS
+    QCOMPARE(board.readScale(0x09D1), (Scale{0.0003, "V"})); // V_Q
+    QCOMPARE(board.readScale(0x0B51), (Scale{360.0 / 65536.0, "°"})); // STOPLL_EL_ANGLE
+    QCOMPARE(board.readScale(0x0B91), (Scale{0.056012, "rpm"})); // STOPLL_ROT_SPEED
+    QCOMPARE(board.streamScale(0x0B91), (Scale{6.0, "rpm"}));
+    QCOMPARE(board.readScale(0x0591), (Scale{1.0, "V"})); // BUS_VOLTAGE
+    QCOMPARE(board.readScale(0x05D1), (Scale{1.0, "°C"})); // HEATS_TEMP
+    QCOMPARE(board.readScale(0x0059), (Scale{1.0, "rpm"})); // SPEED_MEAS
+    QCOMPARE(board.readScale(0x0049), (Scale{1.0, ""})); // STATUS
     QCOMPARE(board.readScale(0xFFF1), Scale{});
 }
 
 void TestCatalog::fixedPointAndUpperHalvesAreScaled()
 {
-    const Catalog board(table("hso", k642), 1, { Scales{ 40.0, 50.0, 1000.0, 6.0, 6.0 } });
+    const Catalog board(table("hso", k642), 1, {Scales{40.0, 50.0, 1000.0, 6.0, 6.0}});
     const RegisterId iq = *board.resolve("I_Q"), angle = *board.resolve("FOC_ANGLE_PU");
-    QCOMPARE(board.readScale(iq), (Scale{ 40.0 / 1073741824.0, "A" }));
-    QCOMPARE(board.streamScale(iq), (Scale{ 40.0 / 16384.0, "A" }));
-    QCOMPARE(board.streamScale(angle), (Scale{ 360.0 / 16384.0, "°" }));
-    QCOMPARE(board.readScale(*board.resolve("FOC_RS_RATED")), (Scale{ 1.0 / 1048576.0, "Ω" }));
-    QCOMPARE(board.streamScale(*board.resolve("FE_HSO")), (Scale{ 1000.0 / 16384.0, "Hz" }));
+    QCOMPARE(board.readScale(iq), (Scale{40.0 / 1073741824.0, "A"}));
+    QCOMPARE(board.streamScale(iq), (Scale{40.0 / 16384.0, "A"}));
+    QCOMPARE(board.streamScale(angle), (Scale{360.0 / 16384.0, "°"}));
+    QCOMPARE(board.readScale(*board.resolve("FOC_RS_RATED")), (Scale{1.0 / 1048576.0, "Ω"}));
+    QCOMPARE(board.streamScale(*board.resolve("FE_HSO")), (Scale{1000.0 / 16384.0, "Hz"}));
 }
 
 void TestCatalog::unknownScalesLeaveDigits()
 {
     const Catalog board = catalogOf(k642);
-    QCOMPARE(board.readScale(0x08D1), (Scale{ 1.0, "s16A" }));
+    QCOMPARE(board.readScale(0x08D1), (Scale{1.0, "s16A"}));
     QCOMPARE(board.readScale(0x0B51).unit, "°");
 }
 
@@ -213,15 +213,15 @@ void TestCatalog::statesFaultsAndFlagsHaveNames()
     QCOMPARE(valueName("STATUS", 16), "CHARGE_BOOT_CAP");
     QCOMPARE(valueName("STATUS", 13), "13");
     QCOMPARE(valueName("CONTROL_MODE", 4), "torque");
-    QCOMPARE(faultNames(0x0006), (std::vector<std::string>{ "OVER_VOLT", "UNDER_VOLT" }));
-    QCOMPARE(faultNames(0x0800), std::vector<std::string>{ "bit 11" });
-    QCOMPARE(flagNames("FAULTS_FLAGS", 0x40), std::vector<std::string>{ "OVER_CURR" });
+    QCOMPARE(faultNames(0x0006), (std::vector<std::string>{"OVER_VOLT", "UNDER_VOLT"}));
+    QCOMPARE(faultNames(0x0800), std::vector<std::string>{"bit 11"});
+    QCOMPARE(flagNames("FAULTS_FLAGS", 0x40), std::vector<std::string>{"OVER_CURR"});
     QCOMPARE(speedSensorName(1), "observer + PLL");
     QCOMPARE(driveTypeName(0), "FOC");
     QCOMPARE(currentSensingName(0), "three shunts");
     QCOMPARE(configurationFlag1Names(0x0201),
-        (std::vector<std::string>{ "flux weakening", "bus voltage sensing" }));
-    QCOMPARE(configurationFlag2Names(0x2000), std::vector<std::string>{ "profiler" });
+        (std::vector<std::string>{"flux weakening", "bus voltage sensing"}));
+    QCOMPARE(configurationFlag2Names(0x2000), std::vector<std::string>{"profiler"});
     for (const RegisterInfo &info : table("std", k642))
         if (info.meaning == Meaning::Enumeration && info.name != "PFC_STATUS"
             && info.name != "HT_STATE")

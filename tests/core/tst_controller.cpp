@@ -47,10 +47,10 @@ void TestController::connectsAsACapturedBoardDid()
     QCOMPARE(link.sent(), hex("06 10 00 20"));
     link.hear(hex("36 10 00 D0"));
     QCOMPARE(link.controller.state(), Controller::State::Connected);
-    QCOMPARE(link.events.size(), std::size_t{ 1 });
+    QCOMPARE(link.events.size(), std::size_t{1});
     const auto *connected = link.last<Controller::Connected>();
     QVERIFY(connected && !connected->afterReset);
-    QVERIFY((connected->agreed == Beacon{ 0, false, 7, 7, 32 }));
+    QVERIFY((connected->agreed == Beacon{0, false, 7, 7, 32}));
 }
 
 void TestController::aRequestIsAHeaderAPauseAndAPayload()
@@ -60,7 +60,7 @@ void TestController::aRequestIsAHeaderAPauseAndAPayload()
     link.controller.sendRequest(hex("10 00 49 00"), link.now);
     QVERIFY(!link.controller.canSend());
     const auto output = link.controller.takeOutput();
-    QCOMPARE(output.size(), std::size_t{ 2 });
+    QCOMPARE(output.size(), std::size_t{2});
     QCOMPARE(output[0].bytes, hex("49 00 00 70"));
     QCOMPARE(output[1].bytes, hex("10 00 49 00"));
     QVERIFY(output[1].gapBefore >= 1ms);
@@ -77,7 +77,7 @@ void TestController::aResponseAnswersTheOpenRequestOnly()
     QVERIFY(link.controller.canSend());
     link.hear(packet(true, hex("06 00")));
     QCOMPARE(link.count<Controller::Response>(), 1);
-    QCOMPARE(link.controller.stats().unexpected, std::uint64_t{ 1 });
+    QCOMPARE(link.controller.stats().unexpected, std::uint64_t{1});
 }
 
 void TestController::asyncPacketsAreHandedOnOnceConnected()
@@ -104,12 +104,12 @@ void TestController::completeAsyncPacketsBeforeTheAnswerAreSkipped()
 
 void TestController::anAnswerLargerThanTheOfferIsNone()
 {
-    VirtualLink link({ .offer = { 0, false, 7, 7, 32 } });
+    VirtualLink link({.offer = {0, false, 7, 7, 32}});
     link.controller.connect(link.now);
     QCOMPARE(link.sent(), kBoard);
     link.hear(kWidest);
     QVERIFY(link.sent().empty());
-    QCOMPARE(link.controller.stats().unexpected, std::uint64_t{ 1 });
+    QCOMPARE(link.controller.stats().unexpected, std::uint64_t{1});
 }
 
 void TestController::silenceEndsTheAttemptsWithNoAnswer()
@@ -146,7 +146,7 @@ void TestController::anotherVersionEndsWithoutAgreement()
     link.controller.connect(link.now);
     while (link.controller.state() != Controller::State::Idle) {
         QCOMPARE(link.sent(), kWidest);
-        link.hear(header(Beacon{ 2, false, 7, 7, 32 }));
+        link.hear(header(Beacon{2, false, 7, 7, 32}));
         link.sleepUntilTimeout();
     }
     QVERIFY(isLost(link, Controller::LostReason::NoAgreement));
@@ -160,7 +160,7 @@ void TestController::counterProposalsEndAfterTenRounds()
     for (std::uint8_t units = 60; link.controller.state() != Controller::State::Idle;
          --units, ++rounds) {
         (void)link.sent();
-        link.hear(header(Beacon{ 0, false, units, 7, 32 }));
+        link.hear(header(Beacon{0, false, units, 7, 32}));
     }
     QCOMPARE(rounds, 11);
     QVERIFY(isLost(link, Controller::LostReason::NoAgreement));
@@ -188,10 +188,10 @@ void TestController::aQuietLinkIsKeptAlive()
     link.connect();
     for (std::uint16_t number = 2; number < 20; ++number) {
         const TimePoint before = link.now;
-        QCOMPARE(link.nextSent(), header(Ping{ false, false, 0, number }));
+        QCOMPARE(link.nextSent(), header(Ping{false, false, 0, number}));
         QCOMPARE(link.now - before, Duration(250ms));
         QVERIFY(!link.controller.canSend());
-        link.hear(header(Ping{ true, false, 0, 15 })); // the number as 6.2 cuts it
+        link.hear(header(Ping{true, false, 0, 15})); // the number as 6.2 cuts it
         QVERIFY(link.controller.canSend());
     }
     QVERIFY(link.events.empty());
@@ -201,7 +201,7 @@ void TestController::theTimeOutFollowsBaudRateAndSizes()
 {
     VirtualLink fast;
     fast.connect();
-    VirtualLink slow({ .baud = 115200 });
+    VirtualLink slow({.baud = 115200});
     slow.connect();
     const auto milliseconds = [](Duration d) {
         return std::chrono::duration_cast<std::chrono::milliseconds>(d).count();
@@ -228,11 +228,11 @@ void TestController::anySplitOfTheStreamConnects()
         VirtualLink link;
         link.controller.connect(link.now);
         (void)link.sent();
-        for (const Bytes &answer : { async + kBoard, async + kBoard, async + kConfigured }) {
+        for (const Bytes &answer : {async + kBoard, async + kBoard, async + kConfigured}) {
             const auto middle = answer.begin() + static_cast<std::ptrdiff_t>(cut);
-            link.hear({ answer.begin(), middle });
+            link.hear({answer.begin(), middle});
             QVERIFY(link.sent().empty());
-            link.hear({ middle, answer.end() });
+            link.hear({middle, answer.end()});
             (void)link.sent();
         }
         QCOMPARE(link.controller.state(), Controller::State::Connected);

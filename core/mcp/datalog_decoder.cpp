@@ -1,0 +1,282 @@
+#include "mcp/datalog_decoder.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace mcp {
+namespace {
+
+constexpr std::size_t kMaxKnown = 8; ///< configurations that can be in flight at once
+constexpr double kBelievedJump = 10.0; ///< seconds
+
+std::int16_t sampleAt(const std::uint8_t *from)
+{
+    return static_cast<std::int16_t>(from[0] | from[1] << 8);
+}
+
+/// Signal after signal from interleaved blocks. The number of signals is a constant in the usual cases, so that the
+/// compiler can use wide loads.
+template <std::size_t Signals>
+void gather(const std::uint8_t *from, std::size_t blocks, std::int16_t *to, std::size_t pitch)
+{
+    for (std::size_t s = 0; s < Signals; ++s) {
+        std::int16_t *out = to + s * pitch;
+        const std::uint8_t *in = from + 2 * s;
+        for (std::size_t i = 0; i < blocks; ++i)
+            out[i] = sampleAt(in + 2 * Signals * i);
+    }
+}
+
+void gatherAny(const std::uint8_t *from, std::size_t signals, std::size_t blocks, std::int16_t *to,
+    std::size_t pitch)
+{
+    for (std::size_t s = 0; s < signals; ++s)
+        for (std::size_t i = 0; i < blocks; ++i)
+            to[s * pitch + i] = sampleAt(from + 2 * (signals * i + s));
+}
+
+void deinterleave(const std::uint8_t *from, std::size_t signals, std::size_t blocks,
+    std::int16_t *to, std::size_t pitch)
+{
+    switch (signals) {
+    case 1:
+        return gather<1>(from, blocks, to, pitch);
+    case 2:
+        return gather<2>(from, blocks, to, pitch);
+    case 3:
+        return gather<3>(from, blocks, to, pitch);
+    case 4:
+        return gather<4>(from, blocks, to, pitch);
+    case 5:
+        return gather<5>(from, blocks, to, pitch);
+    case 6:
+        return gather<6>(from, blocks, to, pitch);
+    case 8:
+        return gather<8>(from, blocks, to, pitch);
+    default:
+        return gatherAny(from, signals, blocks, to, pitch);
+    }
+}
+
+bool isUnsigned(const std::vector<bool> &list, std::size_t index)
+{
+    return index < list.size() && list[index];
+}
+
+std::int32_t slowValue(RegisterId id, bool unsignedValue, ByteReader &reader)
+{
+    switch (scalarWidth(id.type())) {
+    case 1: {
+        const std::uint8_t bits = reader.u8();
+        return unsignedValue ? bits : static_cast<std::int8_t>(bits);
+    }
+    case 2: {
+        const std::uint16_t bits = reader.u16();
+        return unsignedValue ? bits : static_cast<std::int16_t>(bits);
+    }
+    case 4:
+        return reader.s32();
+    default:
+        return 0; // texts and raw values take no room in a packet
+    }
+}
+
+capture::SlowGroup slowGroup(
+    const DatalogConfig &config, const Signedness &signedness, ByteView bytes, capture::Tick tick)
+{
+    capture::SlowGroup group;
+    group.tick = tick;
+    group.values.reserve(config.slow.size());
+    ByteReader reader(bytes);
+    for (std::size_t i = 0; i < config.slow.size(); ++i)
+        group.values.push_back(
+            slowValue(config.slow[i], isUnsigned(signedness.slowUnsigned, i), reader));
+    return group;
+}
+
+std::uint32_t timestampOf(ByteView payload) { return ByteReader(payload).u32(); }
+
+/// Where the blocks of a packet are, between its timestamp and its mark.
+struct Walk {
+    const DatalogConfig &config;
+    const DatalogLayout &layout;
+    const Signedness &signedness;
+    ByteView payload;
+    std::size_t blocks;
+    bool endGroup;
+
+    void into(capture::SampleBlock &block) const
+    {
+        const std::size_t signals = config.fast.size();
+        const std::size_t period = layout.blocksAGroup() > 0 ? layout.blocksAGroup() : blocks;
+        std::size_t at = sizeof(std::uint32_t);
+        for (std::size_t done = 0; done < blocks;) {
+            const std::size_t run = std::min(period, blocks - done);
+            if (signals > 0)
+                deinterleave(payload.data() + at, signals, run, block.fast.data() + done, blocks);
+            at += run * layout.fastBytes();
+            done += run;
+            if (layout.blocksAGroup() > 0 && run == period)
+                at += take(block, at, done);
+        }
+        if (endGroup)
+            take(block, at, blocks);
+    }
+
+    /// The MF group at `at`, which follows block `done` - 1.
+    std::size_t take(capture::SampleBlock &block, std::size_t at, std::size_t done) const
+    {
+        const auto after = static_cast<capture::Tick>(done > 0 ? done - 1 : 0);
+        const capture::Tick tick = block.firstTick + after * layout.step();
+        block.slow.push_back(
+            slowGroup(config, signedness, payload.subspan(at, layout.slowBytes()), tick));
+        return layout.slowBytes();
+    }
+};
+
+} // namespace
+
+std::optional<capture::SampleBlock> decodeBlocks(const DatalogConfig &config,
+    const DatalogLayout &layout, const Signedness &signedness, ByteView payload, bool stopped)
+{
+    // Asked to stop, and shorter than full: then the MF group of rate 254 is the one that is missing, also where both
+    // readings of the length would do.
+    const bool shorter = layout.fullLength() != payload.size();
+    bool cutShort = layout.slowAtEnd() && stopped && shorter;
+    std::optional<std::size_t> blocks = layout.blocksIn(payload.size(), cutShort);
+    if (!blocks && cutShort) {
+        cutShort = false;
+        blocks = layout.blocksIn(payload.size());
+    }
+    if (!blocks)
+        return std::nullopt;
+    capture::SampleBlock block;
+    block.firstTick = timestampOf(payload);
+    block.count = config.fast.empty() ? 0 : static_cast<std::uint32_t>(*blocks);
+    block.fast.resize(config.fast.size() * *blocks);
+    const bool endGroup = layout.slowAtEnd() && !cutShort && layout.slowBytes() > 0;
+    Walk{config, layout, signedness, payload, *blocks, endGroup}.into(block);
+    for (std::size_t s = 0; s < config.fast.size(); ++s) {
+        if (isUnsigned(signedness.fastUnsigned, s))
+            std::for_each_n(block.fast.begin() + static_cast<std::ptrdiff_t>(s * *blocks), *blocks,
+                [](std::int16_t &sample) {
+                    sample = static_cast<std::int16_t>(sample ^ INT16_MIN);
+                });
+    }
+    return block;
+}
+
+DatalogDecoder::DatalogDecoder(double tickHz)
+    : m_tickHz(tickHz)
+{
+}
+
+void DatalogDecoder::expect(
+    capture::StreamId stream, const DatalogConfig &config, Signedness signedness)
+{
+    std::erase_if(
+        m_known, [&config](const Known &known) { return known.config.mark == config.mark; });
+    if (m_known.size() == kMaxKnown)
+        m_known.erase(m_known.begin());
+    m_known.push_back({stream, config, DatalogLayout(config), std::move(signedness)});
+    m_stopping = false;
+}
+
+void DatalogDecoder::restart()
+{
+    m_known.clear();
+    m_lastStream.reset();
+    m_clock.reset();
+    m_doubtful.reset();
+    m_stopping = false;
+    ++m_epoch;
+}
+
+DatalogDecoder::Known *DatalogDecoder::find(std::uint8_t mark)
+{
+    const auto it = std::find_if(m_known.begin(), m_known.end(),
+        [mark](const Known &known) { return known.config.mark == mark; });
+    return it == m_known.end() ? nullptr : &*it;
+}
+
+std::optional<capture::SampleBlock> DatalogDecoder::decode(ByteView payload)
+{
+    if (payload.size() < kDatalogOverhead) {
+        ++m_stats.badLength;
+        return std::nullopt;
+    }
+    if (payload.back() != 0) {
+        ++m_stats.otherId;
+        return std::nullopt;
+    }
+    Known *known = find(payload[payload.size() - 2]);
+    if (!known) {
+        ++m_stats.unknownMark;
+        return std::nullopt;
+    }
+    const auto full = known->layout.fullLength();
+    auto block = full && payload.size() <= *full
+        ? decodeBlocks(known->config, known->layout, known->signedness, payload, m_stopping)
+        : std::nullopt;
+    if (!block) {
+        ++m_stats.badLength;
+        return std::nullopt;
+    }
+    const auto ticks = known->layout.blocksIn(payload.size()).value_or(block->count);
+    if (!place(*block, timestampOf(payload), *known, block->count > 0 ? block->count : ticks)) {
+        ++m_stats.badTime;
+        return std::nullopt;
+    }
+    block->stream = known->stream;
+    m_stats.lostTicks += static_cast<std::uint64_t>(block->lostTicks);
+    ++m_stats.packets;
+    forgetOlderThan(*known);
+    return block;
+}
+
+bool DatalogDecoder::place(
+    capture::SampleBlock &block, std::uint32_t timestamp, const Known &known, std::size_t blocks)
+{
+    const std::uint32_t after =
+        timestamp + static_cast<std::uint32_t>(blocks * known.layout.step());
+    const auto farJump = static_cast<std::int64_t>(kBelievedJump * m_tickHz);
+    const bool sameStream = m_lastStream == known.stream;
+    const bool first = !m_clock.has_value();
+    if (first)
+        m_clock = Clock{timestamp, timestamp};
+    const std::int64_t jump = static_cast<std::int32_t>(timestamp - m_clock->expected);
+    // A new stream may begin any time after the last one; within a stream time goes on, by whole steps.
+    const bool strange =
+        jump < 0 || (sameStream && (jump > farJump || jump % known.layout.step() != 0));
+    if (strange) {
+        const std::int64_t fromDoubt =
+            m_doubtful ? static_cast<std::int32_t>(timestamp - *m_doubtful) : -1;
+        if (fromDoubt < 0 || fromDoubt > farJump) {
+            m_doubtful = after;
+            return false;
+        }
+        if (jump < 0) { // it did begin anew
+            m_clock = Clock{timestamp, timestamp};
+            ++m_stats.timeRestarts;
+            ++m_epoch;
+        }
+    }
+    m_doubtful.reset();
+    const std::int64_t gap = strange && jump < 0 ? 0 : jump;
+    const capture::Tick tick = m_clock->tick + gap;
+    for (capture::SlowGroup &group : block.slow)
+        group.tick += tick - block.firstTick;
+    block.firstTick = tick;
+    block.lostTicks = sameStream && !first ? gap : 0;
+    m_clock = Clock{after, tick + static_cast<std::int64_t>(blocks * known.layout.step())};
+    m_lastStream = known.stream;
+    return true;
+}
+
+void DatalogDecoder::forgetOlderThan(const Known &known)
+{
+    const auto index = &known - m_known.data();
+    m_known.erase(m_known.begin(), m_known.begin() + index);
+}
+
+} // namespace mcp

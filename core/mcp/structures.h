@@ -1,0 +1,141 @@
+// The raw structures of MCP: what stands behind the u16 size of a raw value. Decoded by the size that the board reports,
+// because layouts changed between firmware versions; every other size is an error. All packed, little-endian.
+#pragma once
+
+#include "mcp/value.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace mcp {
+
+struct GlobalConfig { // 10 bytes
+    std::uint32_t version = 0; ///< 0xMMmmpp00
+    std::uint8_t motors = 1;
+    std::uint8_t flags = 0; ///< bit 0 ST-LINK, 1 UART A, 2 UART B
+    std::uint8_t streamsUartA = 0; ///< signals that can be logged at once
+    std::uint8_t streamsUartB = 0;
+    std::uint8_t streamsStLink = 0;
+    bool operator==(const GlobalConfig &) const = default;
+};
+
+struct MotorConfig { // 60 bytes
+    float polePairs = 0, ratedFlux = 0, rs = 0, skinFactor = 0, lq = 0, ld = 0, maxCurrent = 0,
+          copperMass = 0, coolingTau = 0;
+    std::string name; ///< up to 23 bytes; the device's text
+    bool operator==(const MotorConfig &) const = default;
+};
+
+struct ApplicationConfig { // 16 bytes from 6.2, 14 before
+    std::uint32_t maxSpeedRpm = 0;
+    float maxReadableAmps = 0;
+    float nominalAmps = 0; ///< in the short form converted from digits with maxReadableAmps / 32768
+    std::uint16_t nominalVolts = 0;
+    std::uint8_t driveType = 0; ///< 0 FOC, 1 six-step, 2 ACIM
+    std::optional<std::uint16_t> nominalDigits; ///< as the short form has it
+    bool operator==(const ApplicationConfig &) const = default;
+};
+
+struct FirmwareConfig { // FOC and ACIM 14 bytes; six-step 10, 11 (6.3.2) or 13 (6.4.2)
+    bool sixStep = false;
+    std::uint8_t primarySensor = 0;
+    std::uint8_t auxiliarySensor = 0; ///< not in six-step
+    std::uint8_t topology = 0;
+    std::uint8_t focRate = 1; ///< PWM periods a control period; not in six-step
+    std::uint32_t pwmHz = 0;
+    std::uint16_t mediumHz = 0;
+    std::uint16_t flags1 = 0;
+    std::optional<std::uint16_t> flags2;
+    std::optional<std::uint8_t> driveMode; ///< six-step: 0 voltage, 1 current
+    bool operator==(const FirmwareConfig &) const = default;
+};
+
+struct ScaleConfig { // 12 bytes
+    float voltage = 0, current = 0, frequency = 0; ///< what one digit is worth: V, A, rpm
+    bool operator==(const ScaleConfig &) const = default;
+};
+
+struct SpeedRamp { // 6 bytes
+    std::int32_t rpm = 0;
+    std::uint16_t milliseconds = 0;
+    bool operator==(const SpeedRamp &) const = default;
+};
+
+struct TorqueRamp { // written as 6 bytes, read as 4
+    std::int32_t digits = 0; ///< s16A
+    std::uint16_t milliseconds = 0;
+    bool operator==(const TorqueRamp &) const = default;
+};
+
+struct CurrentRef { // 4 bytes, s16A
+    std::int16_t iq = 0, id = 0;
+    bool operator==(const CurrentRef &) const = default;
+};
+
+struct PositionRamp { // 8 bytes; read back swapped by 6.1 and 6.2.1
+    float targetRad = 0, seconds = 0;
+    bool operator==(const PositionRamp &) const = default;
+};
+
+struct RevUpStage {
+    std::int32_t rpm = 0;
+    std::uint16_t digits = 0; ///< torque in s16A; six-step: pulse
+    std::uint16_t milliseconds = 0;
+    bool operator==(const RevUpStage &) const = default;
+};
+constexpr std::size_t kMaxRevUpStages = 5;
+using RevUpData = std::vector<RevUpStage>; // 8 bytes each
+
+struct BemfAdcConf { // 26 bytes; reading and writing it back changes it, see mcp-aspep.md section 8
+    std::array<std::uint16_t, 13> words{};
+    bool operator==(const BemfAdcConf &) const = default;
+};
+
+struct HallPins { // 4 bytes: HT_HEW_PINS, HT_CONNECTED_PINS
+    std::array<std::uint8_t, 3> codes{};
+    bool operator==(const HallPins &) const = default;
+};
+
+struct HallPhaseShift { // 28 bytes
+    std::array<std::int16_t, 14> shifts{};
+    bool operator==(const HallPhaseShift &) const = default;
+};
+
+struct AdcOffset { // 24 bytes, HSO: currents R S T, voltages R S T
+    std::array<std::int32_t, 6> offsets{};
+    bool operator==(const AdcOffset &) const = default;
+};
+
+Result<GlobalConfig, CodecError> decodeGlobalConfig(ByteView raw);
+Result<MotorConfig, CodecError> decodeMotorConfig(ByteView raw);
+Result<ApplicationConfig, CodecError> decodeApplicationConfig(ByteView raw);
+Result<FirmwareConfig, CodecError> decodeFirmwareConfig(ByteView raw);
+Result<ScaleConfig, CodecError> decodeScaleConfig(ByteView raw);
+Result<SpeedRamp, CodecError> decodeSpeedRamp(ByteView raw);
+Result<TorqueRamp, CodecError> decodeTorqueRamp(ByteView raw);
+Result<CurrentRef, CodecError> decodeCurrentRef(ByteView raw);
+Result<PositionRamp, CodecError> decodePositionRamp(ByteView raw);
+Result<RevUpData, CodecError> decodeRevUpData(ByteView raw);
+Result<BemfAdcConf, CodecError> decodeBemfAdcConf(ByteView raw);
+Result<HallPins, CodecError> decodeHallPins(ByteView raw);
+Result<HallPhaseShift, CodecError> decodeHallPhaseShift(ByteView raw);
+Result<AdcOffset, CodecError> decodeAdcOffset(ByteView raw);
+
+Bytes encode(const GlobalConfig &config);
+Bytes encode(const MotorConfig &config); ///< a longer name is cut
+Bytes encode(const ApplicationConfig &config); ///< the short form if nominalDigits is there
+Bytes encode(const FirmwareConfig &config);
+Bytes encode(const ScaleConfig &config);
+Bytes encode(const SpeedRamp &ramp);
+Bytes encode(const TorqueRamp &ramp); ///< 6 bytes, as it is written
+Bytes encodeAsRead(const TorqueRamp &ramp); ///< 4 bytes, as a board answers
+Bytes encode(const CurrentRef &reference);
+Bytes encode(const PositionRamp &ramp);
+Bytes encode(const RevUpData &stages); ///< at most 5 stages, the others are left out
+Bytes encode(const BemfAdcConf &config);
+Bytes encode(const HallPins &pins);
+Bytes encode(const HallPhaseShift &shift);
+Bytes encode(const AdcOffset &offset);
+
+} // namespace mcp
