@@ -190,11 +190,13 @@ Bytes Performer::framed(bool response, ByteView payload) const
 {
     const auto header =
         aspep::encodeHeader(aspep::Data{response, static_cast<std::uint16_t>(payload.size())});
-    Bytes packet(header.begin(), header.end());
-    packet.insert(packet.end(), payload.begin(), payload.end());
-    if (m_own.dataCrc && !payload.empty()) {
-        packet.push_back(0xCA); // what every build sends that was forced to agree to a CRC
-        packet.push_back(0xFE);
+    const bool trailer = m_own.dataCrc && !payload.empty();
+    Bytes packet(header.size() + payload.size() + (trailer ? kTrailer : 0U));
+    const auto behind = std::copy(
+        payload.begin(), payload.end(), std::copy(header.begin(), header.end(), packet.begin()));
+    if (trailer) { // what every build sends that was forced to agree to a CRC
+        behind[0] = 0xCA;
+        behind[1] = 0xFE;
     }
     return packet;
 }

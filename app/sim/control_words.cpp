@@ -1,0 +1,91 @@
+// Parsing a control word and doing it.
+#include "control_words.h"
+
+#include <charconv>
+#include <optional>
+
+namespace sim {
+
+namespace {
+
+std::string_view trimmed(std::string_view text)
+{
+    const auto first = text.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos)
+        return {};
+    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::optional<std::uint64_t> number(std::string_view text, int base)
+{
+    if (base == 16 && (text.starts_with("0x") || text.starts_with("0X")))
+        text.remove_prefix(2);
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+    if (error != std::errc{} || end != text.data() + text.size())
+        return std::nullopt;
+    return value;
+}
+
+std::optional<Bytes> hexBytes(std::string_view text)
+{
+    Bytes bytes;
+    std::string digits;
+    for (const char c : text) {
+        if (c != ' ')
+            digits.push_back(c);
+    }
+    if (digits.empty() || digits.size() % 2 != 0)
+        return std::nullopt;
+    for (std::size_t i = 0; i < digits.size(); i += 2) {
+        std::uint8_t value = 0;
+        const auto [end, error] =
+            std::from_chars(digits.data() + i, digits.data() + i + 2, value, 16);
+        if (error != std::errc{} || end != digits.data() + i + 2)
+            return std::nullopt;
+        bytes.push_back(value);
+    }
+    return bytes;
+}
+
+} // namespace
+
+Result<Obeyed, std::string> obey(std::string_view line, simulation::SimulatedBoard &board)
+{
+    line = trimmed(line);
+    const std::string_view word = line.substr(0, line.find_first_of(" \t"));
+    const std::string_view rest = trimmed(line.substr(word.size()));
+    constexpr std::uint64_t kMuteMost_ms = 3'600'000;
+    if (word == "quit")
+        return Obeyed::Quit;
+    if (word == "reset") {
+        board.reset();
+    } else if (word == "nofault") {
+        board.setFaults(0);
+    } else if (word == "fault") {
+        const auto bits = number(rest, 16);
+        if (!bits || *bits > 0xFFFF)
+            return fail(std::string("fault takes up to four hexadecimal digits"));
+        board.setFaults(static_cast<std::uint16_t>(*bits));
+    } else if (word == "mute") {
+        const auto ms = number(rest, 10);
+        if (!ms || *ms > kMuteMost_ms)
+            return fail(std::string("mute takes a time in milliseconds"));
+        board.mute(std::chrono::milliseconds(*ms));
+    } else if (word == "corrupt") {
+        const auto bytes = number(rest, 10);
+        if (!bytes)
+            return fail(std::string("corrupt takes a number of bytes"));
+        board.corruptAfter(*bytes);
+    } else if (word == "inject") {
+        const auto bytes = hexBytes(rest);
+        if (!bytes)
+            return fail(std::string("inject takes bytes in hexadecimal digits"));
+        board.inject(*bytes);
+    } else if (!word.empty()) {
+        return fail("there is no word \"" + std::string(word) + '"');
+    }
+    return Obeyed::Done;
+}
+
+} // namespace sim

@@ -1,0 +1,200 @@
+// rotorscope-sim: a simulated board behind a pseudo-terminal, in real time. One thread waits for the client, for
+// standard input, for a signal and for the board's next event.
+#include "control_words.h"
+#include "options.h"
+#include "pseudo_terminal.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <fcntl.h>
+#include <poll.h>
+#include <sched.h>
+#include <string>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+namespace {
+
+constexpr int kDone = 0, kUsage = 2, kNoTerminal = 5;
+constexpr Duration kIdleStep = std::chrono::milliseconds(5); ///< how soon a new client is noticed
+
+int g_signalPipe = -1; ///< written by the signal handler
+
+void onSignal(int)
+{
+    const int before = errno;
+    const char byte = 0;
+    [[maybe_unused]] const ssize_t sent = write(g_signalPipe, &byte, 1);
+    errno = before;
+}
+
+TimePoint clockNow()
+{
+    return TimePoint(
+        std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch()));
+}
+
+void say(int descriptor, const std::string &text)
+{
+    [[maybe_unused]] const ssize_t sent = write(descriptor, text.data(), text.size());
+}
+
+/// The read end of a pipe that becomes readable on SIGTERM, SIGINT and SIGHUP; -1 if there is none.
+int catchSignals()
+{
+    std::array<int, 2> ends{};
+    if (pipe(ends.data()) != 0)
+        return -1;
+    for (const int end : ends) {
+        fcntl(end, F_SETFD, FD_CLOEXEC);
+        fcntl(end, F_SETFL, O_NONBLOCK);
+    }
+    g_signalPipe = ends[1];
+    struct sigaction action { };
+    action.sa_handler = onSignal;
+    for (const int number : {SIGTERM, SIGINT, SIGHUP})
+        sigaction(number, &action, nullptr);
+    std::signal(SIGPIPE, SIG_IGN);
+    return ends[0];
+}
+
+/// Bytes keep their time only if this program is woken at once. Where that is not allowed it runs as others do.
+void askForPromptness()
+{
+    sched_param priority{};
+    priority.sched_priority = sched_get_priority_min(SCHED_FIFO) + 1;
+    sched_setscheduler(0, SCHED_FIFO, &priority);
+#ifdef __linux__
+    prctl(PR_SET_TIMERSLACK, 1UL);
+#endif
+}
+
+class Simulator {
+public:
+    Simulator(
+        simulation::SimulatedBoard &board, sim::PseudoTerminal &terminal, bool control, int signals)
+        : m_board(board)
+        , m_terminal(terminal)
+        , m_control(control)
+        , m_signals(signals)
+    {
+    }
+
+    void run()
+    {
+        m_board.advance(clockNow());
+        while (!m_ended)
+            step();
+    }
+
+private:
+    void step();
+    void wait(bool present, std::array<pollfd, 3> &sources);
+    void readWords();
+
+    simulation::SimulatedBoard &m_board;
+    sim::PseudoTerminal &m_terminal;
+    bool m_control;
+    int m_signals;
+    bool m_ended = false;
+    std::string m_line;
+};
+
+void Simulator::wait(bool present, std::array<pollfd, 3> &sources)
+{
+    // poll() passes over negative descriptors.
+    sources[0] = {m_signals, POLLIN, 0};
+    sources[1] = {m_control ? STDIN_FILENO : -1, POLLIN, 0};
+    sources[2] = {present ? m_terminal.descriptor() : -1, POLLIN, 0};
+    const TimePoint now = clockNow();
+    const Duration left =
+        std::clamp(present ? m_board.nextWake() - now : kIdleStep, Duration(0), kIdleStep);
+    const timespec timeout{0, left.count()};
+    ppoll(sources.data(), sources.size(), &timeout, nullptr);
+}
+
+void Simulator::step()
+{
+    const bool present = m_terminal.clientPresent();
+    std::array<pollfd, 3> sources{};
+    wait(present, sources);
+    const TimePoint now = clockNow();
+    if (sources[0].revents != 0)
+        m_ended = true;
+    if (present && (sources[2].revents & POLLIN) != 0)
+        m_board.receive(m_terminal.read(), now);
+    m_board.advance(now);
+    if (sources[1].revents != 0)
+        readWords();
+    const Bytes output = m_board.takeOutput();
+    if (present && !output.empty())
+        m_terminal.write(output);
+}
+
+void Simulator::readWords()
+{
+    std::array<char, 4096> piece{};
+    const ssize_t count = read(STDIN_FILENO, piece.data(), piece.size());
+    if (count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN)) {
+        m_ended = true;
+        return;
+    }
+    for (ssize_t i = 0; i < count && !m_ended; ++i) {
+        if (piece[static_cast<std::size_t>(i)] != '\n') {
+            if (m_line.size() < 65536)
+                m_line.push_back(piece[static_cast<std::size_t>(i)]);
+            continue;
+        }
+        const auto obeyed = sim::obey(m_line, m_board);
+        m_line.clear();
+        if (!obeyed)
+            say(STDERR_FILENO, "rotorscope-sim: " + obeyed.error() + '\n');
+        else if (*obeyed == sim::Obeyed::Quit)
+            m_ended = true;
+    }
+}
+
+int serve(const sim::Options &options)
+{
+    auto terminal = sim::PseudoTerminal::open();
+    if (!terminal) {
+        say(STDERR_FILENO, "rotorscope-sim: " + terminal.error() + '\n');
+        return kNoTerminal;
+    }
+    sim::Link link;
+    if (!options.link.empty()) {
+        auto made = sim::Link::make(options.link, terminal->path());
+        if (!made) {
+            say(STDERR_FILENO, "rotorscope-sim: " + made.error() + '\n');
+            return kNoTerminal;
+        }
+        link = std::move(*made);
+    }
+    const int signals = catchSignals();
+    askForPromptness();
+    const auto board = simulation::makeBoard(options.board);
+    say(STDOUT_FILENO, "ready " + terminal->path() + '\n');
+    Simulator(*board, *terminal, options.control, signals).run();
+    return kDone;
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    const auto options = sim::readOptions({argv + std::min(argc, 1), argv + argc});
+    if (!options) {
+        say(STDERR_FILENO, "rotorscope-sim: " + options.error() + '\n');
+        return kUsage;
+    }
+    if (options->help) {
+        say(STDOUT_FILENO, std::string(sim::helpText()));
+        return kDone;
+    }
+    return serve(*options);
+}

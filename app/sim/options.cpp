@@ -1,0 +1,172 @@
+// Reading the flags: a table from flag to the member it fills and what it may be.
+#include "options.h"
+
+#include <charconv>
+#include <functional>
+#include <optional>
+
+namespace sim {
+
+namespace {
+
+constexpr std::string_view kHelp =
+    R"(Usage: rotorscope-sim mcp [OPTION]...
+
+A simulated motor control board behind a pseudo-terminal. The first line it
+prints is "ready PATH"; open PATH as if it were the serial port of a board.
+It serves one client after the other until SIGTERM.
+
+  --profile P       mcsdk-6.4 (default), mcsdk-6.2, spec
+  --link PATH       also make PATH a symbolic link to the pseudo-terminal
+  --baud N          speed of the line in both directions (1843200)
+  --hf-hz N         rate of the control task, 1000 to 50000 Hz (16000)
+  --rx-max N        largest request, a multiple of 32 up to 2048 bytes (256)
+  --txs-max N       largest response, a multiple of 32 up to 4096 bytes (256)
+  --txa-max N       largest async packet, a multiple of 64 up to 8128 bytes
+                    (2048); 0: no datalog
+  --crc 0|1         payloads end in the two bytes that stand for a CRC (0)
+  --version N       protocol version it answers, 0 to 7 (0)
+  --liid N          link it is on: 0 UART A, 1 UART B (0)
+  --streams N       signals the datalog can hold, 0 to 64 (10)
+  --ts0 N           datalog time at power-on (0)
+  --null-check 0|1  repeat the last response on an empty request (0)
+  --wide 0|1        datalog sources for STATUS, SPEED_MEAS, SPEED_REF and
+                    FAULTS_FLAGS (0)
+  --user-cb N       user commands it knows, 0 to 2 (0)
+  --seed N          of the noise; the same seed gives the same run (1)
+  --control         obey words on standard input, one a line, and end with it:
+                    reset | fault HEX | nofault | mute MS | corrupt N |
+                    inject HEX | quit
+  --help            this text
+)";
+
+struct Flag {
+    std::string_view name;
+    std::uint64_t least, most, step; ///< step: it must be a multiple of
+    std::function<void(Options &, std::uint64_t)> put;
+};
+
+template <class Member>
+auto into(Member simulation::BoardOptions::*member)
+{
+    return [member](Options &options, std::uint64_t value) {
+        options.board.*member = static_cast<Member>(value);
+    };
+}
+
+const std::vector<Flag> &flags()
+{
+    using B = simulation::BoardOptions;
+    static const std::vector<Flag> table{
+        {"--rx-max", 32, 2048, 32, into(&B::rxMax)},
+        {"--txs-max", 32, 4096, 32, into(&B::txSyncMax)},
+        {"--txa-max", 0, 8128, 64, into(&B::txAsyncMax)},
+        {"--crc", 0, 1, 1, into(&B::dataCrc)},
+        {"--version", 0, 7, 1, into(&B::version)},
+        {"--liid", 0, 15, 1, into(&B::linkId)},
+        {"--streams", 0, 64, 1, into(&B::streams)},
+        {"--baud", 1200, 12'000'000, 1, into(&B::baud)},
+        {"--hf-hz", 1000, 50'000, 1, into(&B::hfHz)},
+        {"--ts0", 0, UINT32_MAX, 1, into(&B::firstTimestamp)},
+        {"--null-check", 0, 1, 1, into(&B::nullCheck)},
+        {"--wide", 0, 1, 1, into(&B::wide)},
+        {"--user-cb", 0, 2, 1, into(&B::userCallbacks)},
+        {"--seed", 0, UINT64_MAX, 1, into(&B::seed)},
+    };
+    return table;
+}
+
+std::optional<std::uint64_t> number(std::string_view text)
+{
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size())
+        return std::nullopt;
+    return value;
+}
+
+std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
+
+std::string profileList()
+{
+    std::string list;
+    for (const std::string &name : simulation::profileNames())
+        list += (list.empty() ? "" : ", ") + name;
+    return list;
+}
+
+/// Fills the flag's member; a sentence if the value cannot be had.
+std::optional<std::string> apply(const Flag &flag, std::string_view text, Options &options)
+{
+    const auto value = number(text);
+    if (!value || *value < flag.least || *value > flag.most || *value % flag.step != 0) {
+        std::string range = std::to_string(flag.least) + " to " + std::to_string(flag.most);
+        if (flag.step > 1)
+            range += ", a multiple of " + std::to_string(flag.step);
+        return std::string(flag.name) + " takes a number from " + range + ", not " + quoted(text);
+    }
+    flag.put(options, *value);
+    return std::nullopt;
+}
+
+std::optional<std::string> applyNamed(
+    std::string_view name, std::string_view value, Options &options)
+{
+    if (name == "--profile") {
+        options.board.profile = value;
+        for (const std::string &known : simulation::profileNames()) {
+            if (known == value)
+                return std::nullopt;
+        }
+        return "there is no profile " + quoted(value) + "; there are " + profileList();
+    }
+    if (name == "--link") {
+        options.link = value;
+        return std::nullopt;
+    }
+    for (const Flag &flag : flags()) {
+        if (flag.name == name)
+            return apply(flag, value, options);
+    }
+    return "there is no option " + quoted(name) + "; see --help";
+}
+
+} // namespace
+
+std::string_view helpText() { return kHelp; }
+
+Result<Options, std::string> readOptions(const std::vector<std::string_view> &words)
+{
+    Options options;
+    for (const std::string_view word : words)
+        options.help = options.help || word == "--help" || word == "-h";
+    if (options.help)
+        return options;
+    if (words.empty() || words[0] != "mcp")
+        return fail(
+            std::string("say what to simulate: rotorscope-sim mcp [OPTION]...; see --help"));
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::string_view word = words[i];
+        if (word == "--control") {
+            options.control = true;
+            continue;
+        }
+        const std::size_t equals = word.find('=');
+        const std::string_view name = word.substr(0, equals);
+        std::string_view value;
+        if (equals != std::string_view::npos) {
+            value = word.substr(equals + 1);
+        } else if (!name.starts_with("--")) {
+            return fail("there is no option " + quoted(name) + "; see --help");
+        } else if (++i < words.size()) {
+            value = words[i];
+        } else {
+            return fail(std::string(name) + " needs a value; see --help");
+        }
+        if (const auto problem = applyNamed(name, value, options))
+            return fail(*problem);
+    }
+    return options;
+}
+
+} // namespace sim

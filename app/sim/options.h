@@ -1,0 +1,26 @@
+// The command line of rotorscope-sim as values. It opens nothing.
+#pragma once
+
+#include "base/result.h"
+#include "simulation/simulated_board.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sim {
+
+struct Options {
+    simulation::BoardOptions board;
+    std::string link; ///< path of a symbolic link to the pseudo-terminal; empty: none
+    bool control = false; ///< obey words on standard input
+    bool help = false;
+};
+
+/// @param words  the command line without the program's name
+/// @return the options, or one sentence that says what to do
+Result<Options, std::string> readOptions(const std::vector<std::string_view> &words);
+
+std::string_view helpText();
+
+} // namespace sim

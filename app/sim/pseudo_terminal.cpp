@@ -1,0 +1,145 @@
+// POSIX pseudo-terminals. The far end is closed while no client is there, so that the hang-up tells who is present;
+// its raw mode stays as long as our end is open.
+#include "pseudo_terminal.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <termios.h>
+#include <unistd.h>
+#include <utility>
+
+namespace sim {
+
+namespace {
+
+std::string reason(const std::string &what) { return what + ": " + std::strerror(errno); }
+
+bool makeRaw(const char *path)
+{
+    const int fd = ::open(path, O_RDWR | O_NOCTTY | O_CLOEXEC);
+    if (fd < 0)
+        return false;
+    termios settings{};
+    bool done = tcgetattr(fd, &settings) == 0;
+    if (done) {
+        cfmakeraw(&settings);
+        settings.c_cc[VMIN] = 1;
+        settings.c_cc[VTIME] = 0;
+        done = tcsetattr(fd, TCSANOW, &settings) == 0;
+    }
+    ::close(fd);
+    return done;
+}
+
+} // namespace
+
+PseudoTerminal::PseudoTerminal(int master, std::string path)
+    : m_master(master)
+    , m_path(std::move(path))
+{
+}
+
+PseudoTerminal::PseudoTerminal(PseudoTerminal &&other) noexcept
+    : m_master(std::exchange(other.m_master, -1))
+    , m_path(std::move(other.m_path))
+    , m_present(other.m_present)
+{
+}
+
+PseudoTerminal::~PseudoTerminal()
+{
+    if (m_master >= 0)
+        ::close(m_master);
+}
+
+Result<PseudoTerminal, std::string> PseudoTerminal::open()
+{
+    const int master = posix_openpt(O_RDWR | O_NOCTTY);
+    if (master < 0)
+        return fail(reason("no pseudo-terminal"));
+    PseudoTerminal terminal(master, {});
+    if (grantpt(master) != 0 || unlockpt(master) != 0)
+        return fail(reason("no pseudo-terminal"));
+    const char *path = ptsname(master);
+    if (path == nullptr || !makeRaw(path))
+        return fail(reason("no raw pseudo-terminal"));
+    terminal.m_path = path;
+    fcntl(master, F_SETFD, FD_CLOEXEC);
+    fcntl(master, F_SETFL, O_NONBLOCK);
+    return terminal;
+}
+
+bool PseudoTerminal::clientPresent()
+{
+    pollfd state{m_master, POLLIN, 0};
+    ::poll(&state, 1, 0);
+    const bool hungUp = (state.revents & POLLHUP) != 0 && (state.revents & POLLIN) == 0;
+    if (hungUp && m_present)
+        tcflush(m_master, TCIOFLUSH);
+    m_present = !hungUp;
+    return m_present;
+}
+
+Bytes PseudoTerminal::read()
+{
+    Bytes bytes;
+    std::array<std::uint8_t, 4096> piece{};
+    const ssize_t count = ::read(m_master, piece.data(), piece.size());
+    if (count > 0)
+        bytes.assign(piece.begin(), piece.begin() + count);
+    return bytes;
+}
+
+void PseudoTerminal::write(ByteView bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(m_master, bytes.data(), bytes.size());
+        if (count <= 0)
+            return;
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+}
+
+Result<Link, std::string> Link::make(const std::string &path, const std::string &target)
+{
+    struct stat found { };
+    if (lstat(path.c_str(), &found) == 0 && S_ISLNK(found.st_mode))
+        unlink(path.c_str());
+    if (symlink(target.c_str(), path.c_str()) != 0)
+        return fail(reason("cannot make the link " + path));
+    Link link;
+    link.m_path = path;
+    link.m_target = target;
+    return link;
+}
+
+Link::Link(Link &&other) noexcept
+    : m_path(std::exchange(other.m_path, {}))
+    , m_target(std::move(other.m_target))
+{
+}
+
+Link &Link::operator=(Link &&other) noexcept
+{
+    std::swap(m_path, other.m_path);
+    std::swap(m_target, other.m_target);
+    return *this;
+}
+
+Link::~Link()
+{
+    if (m_path.empty())
+        return;
+    // Only while it is still ours: a later simulator may have taken the name over.
+    std::array<char, 256> now{};
+    const ssize_t size = readlink(m_path.c_str(), now.data(), now.size());
+    if (size > 0 && m_target == std::string_view(now.data(), static_cast<std::size_t>(size)))
+        unlink(m_path.c_str());
+}
+
+} // namespace sim
