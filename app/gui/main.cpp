@@ -1,0 +1,85 @@
+// rotorscope: the window. Wiring only: arguments, language, theme, the workbench and its window.
+#include "arguments.h"
+
+#include "session/port_list.h"
+#include "widgets/connect_bar.h"
+#include "widgets/file_prompt.h"
+#include "widgets/main_window.h"
+#include "widgets/settings.h"
+#include "widgets/theme.h"
+#include "widgets/workbench.h"
+
+#include <QApplication>
+#include <QIcon>
+#include <QLibraryInfo>
+#include <QTimer>
+#include <QTranslator>
+
+#include <iostream>
+
+namespace {
+
+/// Texts of the window and of Qt itself, in the language asked for or the system's.
+void loadLanguage(QApplication &application, const std::string &language)
+{
+    const QLocale locale =
+        language.empty() ? QLocale::system() : QLocale(QString::fromStdString(language));
+    QLocale::setDefault(locale);
+    const std::pair<QString, QString> catalogues[] = {
+        {QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath)},
+        {QStringLiteral("rotorscope"), QStringLiteral(":/i18n")},
+    };
+    for (const auto &[name, folder] : catalogues) {
+        auto *translator = new QTranslator(&application);
+        if (translator->load(locale, name, QStringLiteral("_"), folder))
+            QApplication::installTranslator(translator);
+    }
+}
+
+int run(int argc, char **argv, const gui::Arguments &arguments)
+{
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("rotorscope"));
+    QApplication::setApplicationDisplayName(QStringLiteral("Rotorscope"));
+    QApplication::setApplicationVersion(QStringLiteral(ROTORSCOPE_VERSION));
+    QApplication::setDesktopFileName(QStringLiteral("rotorscope"));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/rotorscope.svg")));
+    loadLanguage(application, arguments.language);
+
+    const QString settingsFile = widgets::settingsPath();
+    widgets::Settings settings = widgets::loadSettings(settingsFile);
+    if (!arguments.port.empty())
+        settings.port = QString::fromStdString(arguments.port);
+    if (arguments.baud != 0)
+        settings.baud = arguments.baud;
+    widgets::applyTheme(settings.theme);
+
+    const session::SystemPortSource ports;
+    widgets::FilePrompt files;
+    widgets::Workbench workbench;
+    widgets::MainWindow window(workbench, ports, files, settings);
+    window.show();
+    if (arguments.connect)
+        QTimer::singleShot(0, window.connectBar(), &widgets::ConnectBar::connectOrDisconnect);
+    const int status = QApplication::exec();
+    widgets::saveSettings(window.settings(), settingsFile);
+    return status;
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    const gui::Arguments arguments =
+        gui::readArguments(std::vector<std::string>(argv + 1, argv + argc));
+    if (!arguments.error.empty()) {
+        std::cerr << "rotorscope: " << arguments.error << '\n';
+        return 2;
+    }
+    if (arguments.help || arguments.version) {
+        std::cout << (arguments.help ? gui::helpText()
+                                     : std::string("rotorscope " ROTORSCOPE_VERSION "\n"));
+        return 0;
+    }
+    return run(argc, argv, arguments);
+}

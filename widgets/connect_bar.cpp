@@ -1,0 +1,277 @@
+#include "widgets/connect_bar.h"
+
+#include "widgets/device_text.h"
+#include "widgets/lamp.h"
+#include "widgets/messages.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace widgets {
+namespace {
+
+constexpr quint32 kBauds[] = {1843200, 921600, 460800, 230400, 115200};
+constexpr quint32 kSlowestBaud = 1200;
+constexpr quint32 kFastestBaud = 12'000'000;
+
+/// A label that never asks for more room than it is given; its whole text is its tool tip.
+class ElidedLabel : public QLabel {
+public:
+    using QLabel::QLabel;
+    QSize minimumSizeHint() const override { return {24, QLabel::minimumSizeHint().height()}; }
+
+protected:
+    void resizeEvent(QResizeEvent *event) override
+    {
+        QLabel::resizeEvent(event);
+        update();
+    }
+    void paintEvent(QPaintEvent *) override
+    {
+        QPainter painter(this);
+        painter.setPen(palette().color(
+            isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::WindowText));
+        painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
+            fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+    }
+};
+
+QString choiceText(const session::PortChoice &choice)
+{
+    if (choice.kind == session::PortChoice::Kind::Simulator)
+        return ConnectBar::tr("Simulated board");
+    const QString title = deviceText(choice.title);
+    const QString mark =
+        choice.kind == session::PortChoice::Kind::StLink ? QStringLiteral("ST-LINK") : title;
+    return mark.isEmpty() ? deviceText(choice.path)
+                          : QStringLiteral("%1 (%2)").arg(deviceText(choice.path), mark);
+}
+
+} // namespace
+
+ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget *parent)
+    : QWidget(parent)
+    , m_device(device)
+    , m_source(ports)
+    , m_port(new QComboBox(this))
+    , m_baud(new QComboBox(this))
+    , m_connect(new QPushButton(this))
+    , m_portLamp(new Lamp(tr("Port"), this))
+    , m_boardLamp(new Lamp(tr("Board"), this))
+    , m_firmware(new ElidedLabel(this))
+    , m_board(new ElidedLabel(this))
+    , m_motor(new QComboBox(this))
+{
+    setObjectName(QStringLiteral("connectBar"));
+    m_port->setObjectName(QStringLiteral("port"));
+    m_port->setAccessibleName(tr("Port"));
+    m_port->setToolTip(tr("A port of the list, or a path that you type"));
+    m_port->setEditable(true);
+    m_port->setInsertPolicy(QComboBox::NoInsert);
+    m_port->setMinimumWidth(190);
+    m_port->installEventFilter(this);
+    m_baud->setObjectName(QStringLiteral("baud"));
+    m_baud->setAccessibleName(tr("Baud rate"));
+    m_baud->setEditable(true);
+    m_baud->setInsertPolicy(QComboBox::NoInsert);
+    for (const quint32 baud : kBauds)
+        m_baud->addItem(QString::number(baud), baud);
+    m_connect->setObjectName(QStringLiteral("connect"));
+    m_connect->setMinimumWidth(110);
+    m_motor->setObjectName(QStringLiteral("motor"));
+    m_motor->setAccessibleName(tr("Motor"));
+    m_motor->hide();
+    m_portLamp->setObjectName(QStringLiteral("portLamp"));
+    m_boardLamp->setObjectName(QStringLiteral("boardLamp"));
+    for (QLabel *label : {m_firmware, m_board}) {
+        label->setTextFormat(Qt::PlainText);
+        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    }
+    m_firmware->setObjectName(QStringLiteral("firmware"));
+    m_board->setObjectName(QStringLiteral("boardName"));
+    m_board->setEnabled(false);
+
+    auto *lamps = new QVBoxLayout;
+    lamps->setSpacing(2);
+    lamps->addWidget(m_portLamp);
+    lamps->addWidget(m_boardLamp);
+    auto *who = new QVBoxLayout;
+    who->setSpacing(2);
+    who->addWidget(m_firmware);
+    who->addWidget(m_board);
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(8);
+    layout->addWidget(m_port);
+    layout->addWidget(m_baud);
+    layout->addWidget(m_connect);
+    layout->addSpacing(4);
+    layout->addLayout(lamps);
+    layout->addSpacing(4);
+    layout->addLayout(who, 1);
+    layout->addWidget(m_motor);
+
+    connect(m_connect, &QPushButton::clicked, this, &ConnectBar::connectOrDisconnect);
+    connect(
+        m_motor, &QComboBox::activated, this, [this](int index) { m_device.setMotor(index + 1); });
+    connect(&device, &Device::linkStateChanged, this, &ConnectBar::updateLink);
+    connect(&device, &Device::portStateChanged, this, &ConnectBar::updateLink);
+    connect(&device, &Device::identityChanged, this, &ConnectBar::updateIdentity);
+    refreshPorts();
+    updateLink();
+    updateIdentity();
+}
+
+void ConnectBar::refreshPorts()
+{
+    const QString before = path();
+    m_port->clear();
+    for (const session::PortChoice &choice : session::portChoices(m_source))
+        m_port->addItem(choiceText(choice), choice.path);
+    if (!before.isEmpty())
+        setEndpoint(before, baud());
+}
+
+void ConnectBar::setEndpoint(const QString &path, quint32 baud)
+{
+    const int found = m_port->findData(path);
+    if (found >= 0)
+        m_port->setCurrentIndex(found);
+    else
+        m_port->setEditText(path);
+    if (baud > 0)
+        m_baud->setEditText(QString::number(baud));
+}
+
+QString ConnectBar::path() const
+{
+    const QString text = m_port->currentText().trimmed();
+    const int index = m_port->findText(text);
+    return index >= 0 ? m_port->itemData(index).toString() : text;
+}
+
+quint32 ConnectBar::baud() const
+{
+    bool ok = false;
+    const quint32 baud = m_baud->currentText().trimmed().toUInt(&ok);
+    return ok && baud >= kSlowestBaud && baud <= kFastestBaud ? baud : 0;
+}
+
+bool ConnectBar::connecting() const { return m_wanted || m_device.portOpen(); }
+
+void ConnectBar::connectOrDisconnect()
+{
+    if (connecting()) {
+        m_wanted = false;
+        m_device.close();
+        updateLink();
+        return;
+    }
+    session::Endpoint endpoint;
+    endpoint.path = path();
+    endpoint.baud = baud();
+    if (endpoint.path.isEmpty()) {
+        Q_EMIT refused(tr("Choose a port, or type its path."));
+        return;
+    }
+    if (endpoint.baud == 0) {
+        Q_EMIT refused(tr("\"%1\" is not a baud rate.").arg(deviceText(m_baud->currentText())));
+        return;
+    }
+    const bool simulator = endpoint.path == QLatin1String(session::kSimulatorPath);
+    endpoint.kind =
+        simulator ? session::Endpoint::Kind::Simulator : session::Endpoint::Kind::Serial;
+    endpoint.board.baud = endpoint.baud;
+    m_wanted = true;
+    m_device.open(endpoint);
+    updateLink();
+}
+
+void ConnectBar::openSimulator()
+{
+    if (connecting())
+        return;
+    setEndpoint(QLatin1String(session::kSimulatorPath), kBauds[0]);
+    connectOrDisconnect();
+}
+
+void ConnectBar::focusPort()
+{
+    m_port->setFocus(Qt::OtherFocusReason);
+    m_port->showPopup();
+}
+
+bool ConnectBar::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_port && event->type() == QEvent::MouseButtonPress && !connecting())
+        refreshPorts(); // what was plugged in meanwhile
+    return QWidget::eventFilter(watched, event);
+}
+
+void ConnectBar::updateLink()
+{
+    const bool open = m_device.portOpen();
+    const bool problem = m_device.portError().problem != session::PortProblem::None;
+    if (!open && problem && !m_device.endpoint().path.isEmpty()
+        && m_device.portError().problem != session::PortProblem::Unplugged)
+        m_wanted = false;
+    m_portLamp->show(open ? Lamp::Light::On
+            : problem     ? Lamp::Light::Bad
+                          : Lamp::Light::Off,
+        open          ? tr("port open")
+            : problem ? tr("port not open")
+                      : tr("port closed"));
+    using drive::LinkState;
+    const LinkState state = m_device.link().state;
+    const auto light = state == LinkState::Connected ? Lamp::Light::On
+        : state == LinkState::Lost                   ? Lamp::Light::Bad
+        : state == LinkState::Closed                 ? Lamp::Light::Off
+                                                     : Lamp::Light::Waiting;
+    m_boardLamp->show(light, state == LinkState::Closed ? tr("no board") : linkStateText(state));
+    m_connect->setText(connecting() ? tr("Disconnect") : tr("Connect"));
+    m_connect->setToolTip(connecting() ? tr("Closes the port (Ctrl+D)")
+                                       : tr("Opens the port and looks for a board (Ctrl+D)"));
+    m_port->setEnabled(!connecting());
+    m_baud->setEnabled(!connecting());
+}
+
+void ConnectBar::updateIdentity()
+{
+    const auto &identified = m_device.identified();
+    if (!identified) {
+        m_firmware->clear();
+        m_board->clear();
+        m_motor->hide();
+        return;
+    }
+    const drive::Identity &identity = identified->identity;
+    m_firmware->setText(
+        QStringLiteral("%1 %2").arg(deviceText(identity.firmware), deviceText(identity.version)));
+    m_firmware->setToolTip(deviceToolTip(identity.firmware) + QStringLiteral("<br>")
+        + deviceToolTip(identity.protocol));
+    QStringList boards{deviceText(identity.controlBoard)};
+    for (const std::string &power : identity.powerBoards)
+        boards.append(deviceText(power));
+    boards.removeAll(QString());
+    boards.removeDuplicates();
+    m_board->setText(boards.join(QStringLiteral(" + ")));
+    m_board->setToolTip(boards.join(QStringLiteral(" + ")).toHtmlEscaped());
+    m_motor->clear();
+    for (int motor = 1; motor <= identity.motors; ++motor) {
+        const auto i = static_cast<std::size_t>(motor - 1);
+        const QString name =
+            i < identity.motorNames.size() ? deviceText(identity.motorNames[i]) : QString();
+        m_motor->addItem(name.isEmpty()
+                ? tr("Motor %1").arg(QString::number(motor))
+                : tr("Motor %1: %2", "number, name").arg(QString::number(motor), name));
+    }
+    m_motor->setVisible(identity.motors > 1);
+}
+
+} // namespace widgets

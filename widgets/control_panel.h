@@ -1,0 +1,98 @@
+// ControlPanel: state, faults and commands of one motor. What can be pressed follows from what the device has said;
+// what cannot says why in its tool tip. Nothing here sends without a person's act.
+#pragma once
+
+#include "widgets/device.h"
+#include "widgets/register_model.h"
+
+#include <QMap>
+#include <QWidget>
+
+class QCheckBox;
+class QLabel;
+class QSpinBox;
+class QFormLayout;
+
+namespace widgets {
+
+class MotorButton;
+class SetpointEdit;
+class StopButton;
+class StopWords;
+
+class ControlPanel : public QWidget {
+    Q_OBJECT
+public:
+    ControlPanel(Device &device, RegisterModel &registers, QWidget *parent = nullptr);
+
+    /// Registers whose values the panel shows: they are to be polled as long as it is there.
+    std::vector<catalog::RegisterId> watchedRegisters() const;
+    void refresh(Milliseconds now); ///< ages
+
+    SetpointEdit *speed() const { return m_speed; }
+    QString startHint() const; ///< what Start does, or why it cannot be pressed
+    QString acknowledgeHint() const;
+
+public Q_SLOTS:
+    void start(); ///< Ctrl+Enter; only if the button could be pressed
+    void acknowledge(); ///< Ctrl+Backspace
+    void go();
+    void stopRamp();
+    void toggleArmed();
+
+Q_SIGNALS:
+    void watchedRegistersChanged();
+    void failed(const QString &sentence); ///< a command that this panel sent did not end well
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    struct Allowed {
+        bool yes = false;
+        QString why; ///< if not
+    };
+    Allowed allowed(drive::Feature feature) const;
+    Allowed startAllowed() const;
+    Allowed acknowledgeAllowed() const;
+
+    QWidget *makeState();
+    QWidget *makeCommands();
+    QWidget *makeSpeed();
+    QWidget *makeReadouts();
+    void updateButtons();
+    void updateState();
+    void updateLimits();
+    void updateReadouts();
+    void resolveReadouts();
+    void stopAdvanced(const drive::StopProgress &progress);
+    void submit(const QString &action, decltype(drive::Wish::what) what);
+
+    Device &m_device;
+    RegisterModel &m_registers;
+
+    QLabel *m_state;
+    QLabel *m_faultsNow;
+    QLabel *m_faultsPast;
+    QCheckBox *m_arm;
+    MotorButton *m_start;
+    StopButton *m_stop;
+    MotorButton *m_acknowledge;
+    SetpointEdit *m_speed;
+    QLabel *m_echo;
+    QSpinBox *m_rampTime;
+    MotorButton *m_go;
+    MotorButton *m_stopRamp;
+    StopWords *m_words = nullptr;
+    struct Readout {
+        const char *name;
+        QLabel *label;
+        QLabel *value;
+        std::optional<catalog::RegisterId> id;
+    };
+    std::vector<Readout> m_readouts;
+    QMap<drive::WishId, QString> m_open; ///< wishes of this panel that have not ended
+    Milliseconds m_now{};
+};
+
+} // namespace widgets

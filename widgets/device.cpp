@@ -1,0 +1,180 @@
+#include "widgets/device.h"
+
+namespace widgets {
+namespace {
+
+template <class... Ts>
+struct Overloaded : Ts... {
+    using Ts::operator()...;
+};
+
+bool atRest(drive::MotorState state)
+{
+    using drive::MotorState;
+    return state == MotorState::Idle || state == MotorState::FaultNow
+        || state == MotorState::FaultOver;
+}
+
+} // namespace
+
+Device::Device(QObject *parent)
+    : QObject(parent)
+{
+}
+
+std::shared_ptr<const catalog::Catalog> Device::catalog() const
+{
+    return m_identified ? m_identified->catalog : nullptr;
+}
+
+drive::StreamLimits Device::streamLimits() const
+{
+    return m_identified ? m_identified->streaming : drive::StreamLimits{};
+}
+
+drive::Capability Device::capability(drive::Feature feature) const
+{
+    if (!m_identified)
+        return {feature, false, {}};
+    for (const drive::Capability &capability : m_identified->capabilities)
+        if (capability.feature == feature)
+            return capability;
+    return {feature, true, {}};
+}
+
+drive::MotorStatus Device::status(int motor) const
+{
+    const auto found = m_status.find(motor);
+    if (found != m_status.end())
+        return found->second;
+    drive::MotorStatus unknown;
+    unknown.motor = motor;
+    return unknown;
+}
+
+bool Device::allIdle() const
+{
+    for (const auto &[motor, status] : m_status)
+        if (!atRest(status.state))
+            return false;
+    return true;
+}
+
+drive::WishId Device::submit(decltype(drive::Wish::what) what)
+{
+    drive::Wish wish;
+    wish.id = ++m_lastWish;
+    wish.what = std::move(what);
+    Q_EMIT wishMade(wish);
+    return m_lastWish;
+}
+
+void Device::open(const session::Endpoint &endpoint)
+{
+    m_endpoint = endpoint;
+    forgetBoard();
+    Q_EMIT openWished(endpoint);
+}
+
+void Device::close() { Q_EMIT closeWished(); }
+
+void Device::stop()
+{
+    if (!portOpen())
+        return;
+    Q_EMIT stopWished();
+    armedChanged(false);
+}
+
+void Device::setArmed(bool armed)
+{
+    if (armed && !answering())
+        return;
+    Q_EMIT armWished(armed);
+}
+
+void Device::setMotor(int motor)
+{
+    if (motor == m_motor || motor < 1)
+        return;
+    m_motor = motor;
+    Q_EMIT motorChanged();
+}
+
+void Device::apply(const session::BatchPtr &batch)
+{
+    if (!batch)
+        return;
+    for (const drive::Event &event : batch->events)
+        take(event);
+    m_dropped = batch->droppedForDisplay;
+    Q_EMIT batchApplied();
+}
+
+void Device::portChanged(session::PortState state, const session::PortError &why)
+{
+    m_port = state;
+    m_portError = why;
+    if (state == session::PortState::Closed) {
+        armedChanged(false);
+        if (m_link.state != drive::LinkState::Lost)
+            m_link = {};
+        Q_EMIT linkStateChanged();
+    } else {
+        m_counters = {};
+    }
+    Q_EMIT portStateChanged();
+}
+
+void Device::armedChanged(bool armed)
+{
+    if (m_armed == armed)
+        return;
+    m_armed = armed;
+    Q_EMIT armedStateChanged(armed);
+}
+
+void Device::take(const drive::Event &event)
+{
+    std::visit(
+        Overloaded{
+            [this](const drive::LinkChanged &link) {
+                m_link = link;
+                if (link.state == drive::LinkState::Lost || link.state == drive::LinkState::Closed
+                    || link.reason == drive::LinkReason::BoardReset)
+                    setArmed(false);
+                Q_EMIT linkStateChanged();
+            },
+            [this](const drive::Identified &identified) {
+                m_identified = identified;
+                m_motor = 1;
+                Q_EMIT identityChanged();
+            },
+            [this](const drive::RegistersRead &read) { Q_EMIT readingsArrived(read.readings); },
+            [this](const drive::Ended &ended) { Q_EMIT wishEnded(ended); },
+            [this](const drive::MotorStatus &status) {
+                m_status[status.motor] = status;
+                Q_EMIT statusChanged(status.motor);
+            },
+            [this](const drive::StreamStarted &started) { Q_EMIT streamStarted(started.layout); },
+            [this](const capture::SampleBlock &block) { Q_EMIT samplesArrived(block); },
+            [this](const drive::StopProgress &progress) { Q_EMIT stopAdvanced(progress); },
+            [this](const drive::LinkCounters &counters) {
+                m_counters = counters;
+                Q_EMIT countersChanged();
+            },
+        },
+        event);
+}
+
+void Device::forgetBoard()
+{
+    m_link = {};
+    m_identified.reset();
+    m_status.clear();
+    m_motor = 1;
+    m_dropped = 0;
+    Q_EMIT identityChanged();
+}
+
+} // namespace widgets

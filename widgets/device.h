@@ -1,0 +1,104 @@
+// Device: what the window knows of the connection, and the only way by which its parts ask for something. It holds
+// the newest of each thing a session tells; it decides nothing about motors and never touches a port.
+//
+// Facts come in through apply() and portChanged(); wishes leave as signals, which the workbench connects to a session
+// (tests connect spies). Lives in the GUI thread.
+#pragma once
+
+#include "drive/event.h"
+#include "drive/wish.h"
+#include "session/session.h"
+
+#include <QObject>
+
+#include <chrono>
+#include <map>
+#include <optional>
+
+namespace widgets {
+
+using Milliseconds = std::chrono::milliseconds;
+
+class Device : public QObject {
+    Q_OBJECT
+public:
+    explicit Device(QObject *parent = nullptr);
+
+    bool portOpen() const { return m_port == session::PortState::Open; }
+    session::PortError portError() const { return m_portError; }
+    drive::LinkChanged link() const { return m_link; }
+    /// Connected in the sense that what is shown can be believed.
+    bool answering() const { return m_link.state == drive::LinkState::Connected; }
+    const session::Endpoint &endpoint() const { return m_endpoint; }
+
+    /// What the board said of itself; empty until it has.
+    const std::optional<drive::Identified> &identified() const { return m_identified; }
+    std::shared_ptr<const catalog::Catalog> catalog() const;
+    drive::StreamLimits streamLimits() const;
+    /// Whether the board has a feature; the reason is for a tool tip and comes from core.
+    drive::Capability capability(drive::Feature feature) const;
+
+    int motor() const { return m_motor; } ///< the one the panels act on, from 1
+    drive::MotorStatus status(int motor) const; ///< Unknown if nothing was heard
+    bool allIdle() const; ///< true if no motor is known to be anywhere but idle or in a fault
+    bool armed() const { return m_armed; }
+    const drive::LinkCounters &counters() const { return m_counters; }
+    /// Samples that only the display did not get, since the port was opened.
+    std::uint64_t droppedForDisplay() const { return m_dropped; }
+
+    /// Sends a wish and returns its id, which the matching `ended` carries.
+    drive::WishId submit(decltype(drive::Wish::what) what);
+
+public Q_SLOTS:
+    void open(const session::Endpoint &endpoint);
+    void close();
+    /// Every motor, ahead of everything; also disarms at once. Harmless without an open port.
+    void stop();
+    void setArmed(bool armed);
+    void setMotor(int motor);
+
+    void apply(const session::BatchPtr &batch);
+    void portChanged(session::PortState state, const session::PortError &why);
+    void armedChanged(bool armed);
+
+Q_SIGNALS:
+    // Toward the session.
+    void openWished(const session::Endpoint &endpoint);
+    void closeWished();
+    void wishMade(const drive::Wish &wish);
+    void stopWished();
+    void armWished(bool armed);
+
+    // Toward the panels.
+    void portStateChanged();
+    void linkStateChanged();
+    void identityChanged();
+    void statusChanged(int motor);
+    void motorChanged();
+    void armedStateChanged(bool armed);
+    void readingsArrived(const std::vector<drive::Reading> &readings);
+    void wishEnded(const drive::Ended &ended);
+    void streamStarted(const capture::StreamLayout &layout);
+    void samplesArrived(const capture::SampleBlock &block);
+    void stopAdvanced(const drive::StopProgress &progress);
+    void countersChanged();
+    void batchApplied();
+
+private:
+    void take(const drive::Event &event);
+    void forgetBoard();
+
+    session::Endpoint m_endpoint;
+    session::PortState m_port = session::PortState::Closed;
+    session::PortError m_portError;
+    drive::LinkChanged m_link;
+    std::optional<drive::Identified> m_identified;
+    std::map<int, drive::MotorStatus> m_status;
+    drive::LinkCounters m_counters;
+    std::uint64_t m_dropped = 0;
+    drive::WishId m_lastWish = 0;
+    int m_motor = 1;
+    bool m_armed = false;
+};
+
+} // namespace widgets

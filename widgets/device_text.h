@@ -1,0 +1,22 @@
+// Text that came from a device or from a file, made fit to be shown: bounded, in one line, without characters that
+// hide or reorder others. It is plain text still: labels that show it are set to Qt::PlainText, tool tips escape it.
+#pragma once
+
+#include <QString>
+
+#include <string_view>
+
+namespace widgets {
+
+/// Shows at most so many characters of a device's text.
+inline constexpr int kDeviceTextLength = 64;
+
+/// `text` as one line: invalid UTF-8 replaced, control and direction-changing characters written as \uXXXX, cut with
+/// an ellipsis after kDeviceTextLength characters.
+QString deviceText(std::string_view text);
+QString deviceText(const QString &text);
+
+/// deviceText() for a place that takes rich text (tool tips guess): escaped.
+QString deviceToolTip(std::string_view text);
+
+} // namespace widgets

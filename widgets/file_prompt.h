@@ -1,0 +1,30 @@
+// Asking for a file name, so that tests can give the answer. While a link is open the dialog is Qt's own: a native one
+// can live in another process and hide the Esc key that stops the motors.
+#pragma once
+
+#include <QString>
+
+#include <functional>
+
+class QWidget;
+
+namespace widgets {
+
+struct SaveQuestion {
+    QString title;
+    QString folder;
+    QString suggestedName;
+    QString filter; ///< e.g. "CSV files (*.csv)"
+    QString suffix; ///< added if the person typed none
+};
+
+/// Calls back with the path chosen; not at all if the person gave up. Existing files are asked about.
+class FilePrompt {
+public:
+    using Answer = std::function<void(const QString &path)>;
+
+    virtual ~FilePrompt() = default;
+    virtual void askSave(QWidget *parent, const SaveQuestion &question, Answer answer);
+};
+
+} // namespace widgets

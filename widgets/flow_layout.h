@@ -1,0 +1,31 @@
+// FlowLayout: places widgets in lines, as words in a text.
+#pragma once
+
+#include <QLayout>
+
+namespace widgets {
+
+class FlowLayout : public QLayout {
+public:
+    explicit FlowLayout(int spacing, QWidget *parent = nullptr);
+    ~FlowLayout() override;
+
+    void addItem(QLayoutItem *item) override;
+    int count() const override { return static_cast<int>(m_items.size()); }
+    QLayoutItem *itemAt(int index) const override { return m_items.value(index); }
+    QLayoutItem *takeAt(int index) override;
+    Qt::Orientations expandingDirections() const override { return {}; }
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override { return arrange(QRect(0, 0, width, 0), false); }
+    QSize sizeHint() const override { return minimumSize(); }
+    QSize minimumSize() const override;
+    void setGeometry(const QRect &rect) override;
+
+private:
+    int arrange(const QRect &rect, bool move) const; ///< the height it takes
+
+    QList<QLayoutItem *> m_items;
+    int m_gap;
+};
+
+} // namespace widgets

@@ -1,0 +1,36 @@
+// Lamp: one state as shape, colour and words, so that no one has to tell colours apart.
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+
+namespace widgets {
+
+class Lamp : public QWidget {
+    Q_OBJECT
+public:
+    enum class Light : std::uint8_t {
+        Off, ///< hollow circle
+        On, ///< filled circle, green
+        Waiting, ///< half circle, amber
+        Bad, ///< cross, red
+    };
+
+    explicit Lamp(const QString &name, QWidget *parent = nullptr);
+
+    void show(Light light, const QString &text);
+    Light light() const { return m_light; }
+    QString text() const;
+
+    static QColor colorOf(Light light, const QPalette &palette);
+
+private:
+    class Dot;
+    Dot *m_dot;
+    QLabel *m_text;
+    QString m_name;
+    Light m_light = Light::Off;
+};
+
+} // namespace widgets

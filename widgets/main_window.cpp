@@ -1,0 +1,488 @@
+#include "widgets/main_window.h"
+
+#include "widgets/about_dialog.h"
+#include "widgets/banner.h"
+#include "widgets/channel_strip.h"
+#include "widgets/connect_bar.h"
+#include "widgets/control_panel.h"
+#include "widgets/device_text.h"
+#include "widgets/file_prompt.h"
+#include "widgets/first_steps.h"
+#include "widgets/messages.h"
+#include "widgets/motor_button.h"
+#include "widgets/register_panel.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/shortcut_guard.h"
+#include "widgets/shutdown.h"
+#include "widgets/status_strip.h"
+#include "widgets/stop_alarm.h"
+#include "widgets/theme.h"
+
+#include <QActionGroup>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace widgets {
+namespace {
+
+constexpr int kRegisterWidth = 290;
+constexpr int kControlWidth = 268;
+constexpr int kLayoutVersion = 1;
+
+} // namespace
+
+MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, FilePrompt &files,
+    const Settings &settings, QWidget *parent)
+    : QMainWindow(parent)
+    , m_workbench(workbench)
+    , m_device(workbench.device())
+    , m_files(files)
+    , m_settings(settings)
+    , m_scope(new ScopeView(workbench.capture(), this))
+    , m_selection(new SignalSelection(m_device, workbench.capture(), *m_scope, this))
+    , m_connectBar(new ConnectBar(m_device, ports, this))
+    , m_alarm(new StopAlarm(this))
+    , m_shutdown(new Shutdown(m_device, this))
+{
+    setObjectName(QStringLiteral("mainWindow"));
+    setWindowTitle(QStringLiteral("Rotorscope"));
+    new ShortcutGuard(this);
+    m_workbench.registers().setPinned(settings.pinned);
+    m_connectBar->setEndpoint(settings.port, settings.baud);
+
+    makeScopeActions();
+    setCentralWidget(makeCentre());
+    makeDocks();
+    setStatusBar(m_status = new StatusStrip(m_device, this));
+    setMenuWidget(makeTop());
+    connectParts();
+
+    resize(1280, 720);
+    if (!settings.geometry.isEmpty())
+        restoreGeometry(settings.geometry);
+    if (!settings.layout.isEmpty())
+        restoreState(settings.layout, kLayoutVersion);
+    if (!settings.firstStepsDone)
+        m_firstSteps->restart();
+}
+
+MainWindow::~MainWindow() = default;
+
+Settings MainWindow::settings() const
+{
+    Settings now = m_settings;
+    now.geometry = saveGeometry();
+    now.layout = saveState(kLayoutVersion);
+    now.port = m_connectBar->path();
+    if (m_connectBar->baud() > 0)
+        now.baud = m_connectBar->baud();
+    now.pinned = m_workbench.registers().pinned();
+    return now;
+}
+
+QWidget *MainWindow::makeTop()
+{
+    auto *top = new QWidget(this);
+    auto *bar = new QMenuBar(top);
+    auto *strip = new QWidget(top);
+    auto *stop = new StopButton(strip);
+    stop->setObjectName(QStringLiteral("stopMotors"));
+    connect(stop, &StopButton::stopPressed, &m_device, &Device::stop);
+
+    auto *stripLayout = new QHBoxLayout(strip);
+    stripLayout->setContentsMargins(8, 5, 8, 5);
+    stripLayout->setSpacing(12);
+    stripLayout->addWidget(m_connectBar, 1);
+    stripLayout->addWidget(stop);
+
+    m_frame = new QWidget(top);
+    m_frame->setFixedHeight(3);
+    m_frame->setAutoFillBackground(true);
+    m_banner = new Banner(top);
+
+    auto *layout = new QVBoxLayout(top);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(bar);
+    layout->addWidget(strip);
+    layout->addWidget(m_frame);
+    layout->addWidget(m_banner);
+    makeMenus(*bar);
+    updateFrame();
+    return top;
+}
+
+void MainWindow::makeScopeActions()
+{
+    const auto make = [this](const QString &text, const QKeySequence &keys, auto slot) {
+        auto *action = new QAction(text, this);
+        action->setShortcut(keys);
+        QMainWindow::addAction(action);
+        connect(action, &QAction::triggered, m_scope, slot);
+        return action;
+    };
+    m_run = make(tr("Run", "the scope's picture moves"), Qt::Key_Space, &ScopeView::setRunning);
+    m_run->setCheckable(true);
+    m_run->setChecked(m_scope->running());
+    m_run->setToolTip(tr("Lets the picture run or holds it; recording goes on (Space)"));
+    m_follow = make(tr("Follow"), Qt::Key_End, &ScopeView::setFollowing);
+    m_follow->setCheckable(true);
+    m_follow->setChecked(m_scope->following());
+    m_follow->setToolTip(tr("Keeps the newest samples in view (End)"));
+    m_fit = make(tr("Fit", "show all samples"), Qt::Key_F, &ScopeView::fitAll);
+    m_fit->setToolTip(tr("Shows everything (F)"));
+    m_fitValues = make(tr("Fit values"), Qt::SHIFT | Qt::Key_F, &ScopeView::fitValues);
+    m_fitValues->setToolTip(tr("Fits the value axes only (Shift+F)"));
+    m_zoomIn = make(tr("Zoom in"), Qt::Key_Plus, [this] { m_scope->zoom(2.0); });
+    m_zoomIn->setToolTip(tr("Shows half the time (+)"));
+    m_zoomOut = make(tr("Zoom out"), Qt::Key_Minus, [this] { m_scope->zoom(0.5); });
+    m_zoomOut->setToolTip(tr("Shows twice the time (\u2212)"));
+    connect(m_scope, &ScopeView::runningChanged, m_run, &QAction::setChecked);
+    connect(m_scope, &ScopeView::followingChanged, m_follow, &QAction::setChecked);
+}
+
+QWidget *MainWindow::makeScopeBar()
+{
+    auto *bar = new QWidget(this);
+    auto *layout = new QHBoxLayout(bar);
+    layout->setContentsMargins(8, 4, 8, 4);
+    layout->setSpacing(4);
+    for (QAction *action : {m_run, m_follow, m_fit, m_fitValues, m_zoomIn, m_zoomOut}) {
+        auto *button = new QToolButton(bar);
+        button->setDefaultAction(action);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setMinimumHeight(26);
+        button->setAccessibleName(action->text());
+        layout->addWidget(button);
+    }
+    layout->addStretch(1);
+    auto *save = new QToolButton(bar);
+    m_export = new QAction(tr("Export CSV\u2026"), this);
+    m_export->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_E);
+    m_export->setToolTip(tr("Writes the visible samples, or all, to a file (Ctrl+Shift+E)"));
+    QMainWindow::addAction(m_export);
+    connect(m_export, &QAction::triggered, this, &MainWindow::exportCsv);
+    save->setDefaultAction(m_export);
+    save->setFocusPolicy(Qt::TabFocus);
+    save->setMinimumHeight(26);
+    save->setAccessibleName(tr("Export CSV"));
+    layout->addWidget(save);
+    return bar;
+}
+
+QWidget *MainWindow::makeCentre()
+{
+    auto *centre = new QWidget(this);
+    m_firstSteps = new FirstSteps(m_device, centre);
+    auto *layout = new QVBoxLayout(centre);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_firstSteps);
+    layout->addWidget(makeScopeBar());
+    layout->addWidget(m_scope, 1);
+    layout->addWidget(new ChannelStrip(*m_selection, m_device, centre));
+    m_scope->setMinimumSize(320, 160);
+    return centre;
+}
+
+void MainWindow::makeDocks()
+{
+    m_registerPanel = new RegisterPanel(m_workbench.registers(), this);
+    m_control = new ControlPanel(m_device, m_workbench.registers(), this);
+    auto *scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(m_control);
+
+    const auto dock = [this](const QString &title, const char *name, QWidget *content,
+                          Qt::DockWidgetArea area) {
+        auto *widget = new QDockWidget(title, this);
+        widget->setObjectName(QLatin1String(name));
+        // Not floating: a window of its own would have to carry a stop button of its own.
+        widget->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+        widget->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
+        widget->setWidget(content);
+        addDockWidget(area, widget);
+        m_dockActions.append(widget->toggleViewAction());
+        return widget;
+    };
+    m_registerDock = dock(tr("Registers"), "registerDock", m_registerPanel, Qt::LeftDockWidgetArea);
+    auto *right = dock(tr("Control"), "controlDock", scroll, Qt::RightDockWidgetArea);
+    scroll->setMinimumWidth(m_control->minimumSizeHint().width());
+    resizeDocks({m_registerDock, right},
+        {kRegisterWidth, std::max(kControlWidth, m_control->minimumSizeHint().width())},
+        Qt::Horizontal);
+}
+
+QAction *MainWindow::addAction(QMenu *menu, const QString &text, const QKeySequence &keys)
+{
+    QAction *action = menu->addAction(text);
+    action->setShortcut(keys);
+    QMainWindow::addAction(action);
+    return action;
+}
+
+void MainWindow::makeMenus(QMenuBar &bar)
+{
+    QMenu *file = bar.addMenu(tr("&File"));
+    file->addAction(m_export);
+    file->addSeparator();
+    connect(addAction(file, tr("&Quit"), Qt::CTRL | Qt::Key_Q), &QAction::triggered, this,
+        &QWidget::close);
+
+    fillViewMenu(bar.addMenu(tr("&View")));
+
+    QMenu *device = bar.addMenu(tr("&Device"));
+    connect(addAction(device, tr("&Connect or disconnect"), Qt::CTRL | Qt::Key_D),
+        &QAction::triggered, m_connectBar, &ConnectBar::connectOrDisconnect);
+    connect(addAction(device, tr("&Refresh the list of ports"), Qt::Key_F5), &QAction::triggered,
+        m_connectBar, &ConnectBar::refreshPorts);
+
+    fillMotorMenu(bar.addMenu(tr("&Motor")));
+
+    QMenu *scope = bar.addMenu(tr("&Scope"));
+    scope->addActions({m_run, m_follow});
+    scope->addSeparator();
+    scope->addActions({m_fit, m_fitValues, m_zoomIn, m_zoomOut});
+    connect(addAction(scope, tr("&Earlier"), Qt::CTRL | Qt::Key_Left), &QAction::triggered, m_scope,
+        [this] { m_scope->pan(-0.25); });
+    connect(addAction(scope, tr("&Later"), Qt::CTRL | Qt::Key_Right), &QAction::triggered, m_scope,
+        [this] { m_scope->pan(0.25); });
+    scope->addSeparator();
+    connect(addAction(scope, tr("&Clear what was recorded")), &QAction::triggered, m_selection,
+        &SignalSelection::clearRecorded);
+
+    QMenu *help = bar.addMenu(tr("&Help"));
+    connect(addAction(help, tr("&First steps")), &QAction::triggered, m_firstSteps,
+        &FirstSteps::restart);
+    connect(addAction(help, tr("&Keys"), Qt::Key_F1), &QAction::triggered, this,
+        [this] { showKeys(this); });
+    connect(addAction(help, tr("&About Rotorscope")), &QAction::triggered, this,
+        [this] { showAbout(this); });
+}
+
+void MainWindow::fillViewMenu(QMenu *menu)
+{
+    menu->addActions(m_dockActions);
+    connect(addAction(menu, tr("&Find a register"), Qt::CTRL | Qt::Key_K), &QAction::triggered,
+        this, [this] {
+            m_registerDock->show();
+            m_registerPanel->focusSearch();
+        });
+    menu->addSeparator();
+    QMenu *themes = menu->addMenu(tr("&Theme"));
+    auto *group = new QActionGroup(this);
+    const std::pair<Theme, QString> choices[] = {{Theme::System, tr("Like the &system")},
+        {Theme::Light, tr("&Light")}, {Theme::Dark, tr("&Dark")}};
+    for (const auto &[theme, text] : choices) {
+        QAction *action = themes->addAction(text);
+        action->setCheckable(true);
+        action->setChecked(theme == m_settings.theme);
+        group->addAction(action);
+        connect(action, &QAction::triggered, this, [this, chosen = theme] {
+            m_settings.theme = chosen;
+            applyTheme(chosen);
+        });
+    }
+    QAction *full = addAction(menu, tr("F&ull screen"), Qt::Key_F11);
+    full->setCheckable(true);
+    connect(
+        full, &QAction::triggered, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
+}
+
+void MainWindow::fillMotorMenu(QMenu *menu)
+{
+    // The tab shows the key without taking it: Esc belongs to the filter that also works under dialogs.
+    connect(menu->addAction(tr("St&op motors") + QStringLiteral("\tEsc")), &QAction::triggered,
+        &m_device, &Device::stop);
+    menu->addSeparator();
+    QAction *arm = menu->addAction(tr("A&rm"));
+    arm->setCheckable(true);
+    connect(arm, &QAction::triggered, m_control, [this, arm] {
+        m_control->toggleArmed();
+        arm->setChecked(m_device.armed());
+    });
+    connect(&m_device, &Device::armedStateChanged, arm, &QAction::setChecked);
+    QAction *start = addAction(menu, tr("&Start"), Qt::CTRL | Qt::Key_Return);
+    start->setShortcuts({Qt::CTRL | Qt::Key_Return, Qt::CTRL | Qt::Key_Enter});
+    start->setAutoRepeat(false);
+    connect(start, &QAction::triggered, m_control, &ControlPanel::start);
+    QAction *acknowledge = addAction(menu, tr("&Acknowledge faults"), Qt::CTRL | Qt::Key_Backspace);
+    acknowledge->setAutoRepeat(false);
+    connect(acknowledge, &QAction::triggered, m_control, &ControlPanel::acknowledge);
+    menu->addSeparator();
+    connect(menu->addAction(tr("&Go to the set-point")), &QAction::triggered, m_control,
+        &ControlPanel::go);
+    connect(menu->addAction(tr("S&top the ramp")), &QAction::triggered, m_control,
+        &ControlPanel::stopRamp);
+    connect(menu, &QMenu::aboutToShow, this, [this, arm, start, acknowledge] {
+        arm->setChecked(m_device.armed());
+        arm->setEnabled(m_device.answering());
+        start->setToolTip(m_control->startHint());
+        acknowledge->setToolTip(m_control->acknowledgeHint());
+    });
+    menu->setToolTipsVisible(true);
+}
+
+void MainWindow::connectParts()
+{
+    const auto note = [this](const QString &sentence) {
+        m_linkBanner = false;
+        m_banner->say(Banner::Kind::Warning, sentence);
+    };
+    connect(m_connectBar, &ConnectBar::refused, this, note);
+    connect(m_control, &ControlPanel::failed, this, note);
+    connect(m_selection, &SignalSelection::failed, this, note);
+    connect(m_registerPanel, &RegisterPanel::registersChosen, m_selection,
+        [this](const QList<quint32> &ids) {
+            for (const quint32 id : ids)
+                m_selection->add(id);
+        });
+    connect(m_firstSteps, &FirstSteps::simulatorWanted, m_connectBar, &ConnectBar::openSimulator);
+    connect(m_firstSteps, &FirstSteps::boardWanted, m_connectBar, &ConnectBar::focusPort);
+    connect(m_firstSteps, &FirstSteps::exportWanted, this, &MainWindow::exportCsv);
+    connect(
+        m_firstSteps, &FirstSteps::finished, this, [this] { m_settings.firstStepsDone = true; });
+
+    WatchList &watch = m_workbench.watchList();
+    watch.addSource([this] { return m_selection->plan().polled; });
+    watch.addSource([this] { return m_control->watchedRegisters(); });
+    watch.addSource([this] { return m_registerPanel->visibleRegisters(); });
+    connect(m_selection, &SignalSelection::changed, &watch, &WatchList::changed);
+    connect(m_control, &ControlPanel::watchedRegistersChanged, &watch, &WatchList::changed);
+    connect(m_registerPanel, &RegisterPanel::visibleRegistersChanged, &watch, &WatchList::changed);
+
+    connect(&m_workbench, &Workbench::heartbeat, m_control, &ControlPanel::refresh);
+    connect(&m_workbench, &Workbench::heartbeat, m_status, &StatusStrip::refresh);
+    connect(&m_device, &Device::batchApplied, m_scope, &ScopeView::captureChanged);
+    connect(&m_device, &Device::linkStateChanged, this, &MainWindow::linkChanged);
+    connect(&m_device, &Device::portStateChanged, this, &MainWindow::linkChanged);
+    connect(&m_device, &Device::armedStateChanged, this, &MainWindow::updateFrame);
+    connect(&m_device, &Device::stopAdvanced, this, &MainWindow::stopAdvanced);
+    connect(m_shutdown, &Shutdown::confirmed, this, &QWidget::close);
+    connect(m_shutdown, &Shutdown::notConfirmed, this, &MainWindow::askToLeave);
+}
+
+void MainWindow::linkChanged()
+{
+    using drive::LinkState;
+    const session::PortError error = m_device.portError();
+    const drive::LinkChanged link = m_device.link();
+    QString sentence;
+    auto kind = Banner::Kind::Bad;
+    if (!m_device.portOpen() && error.problem != session::PortProblem::None)
+        sentence = portProblemText(error, m_device.endpoint().path);
+    else if (link.state == LinkState::Lost && m_device.identified())
+        sentence = linkLostText() + QLatin1Char(' ') + linkReasonText(link.reason);
+    else if (link.state == LinkState::Lost)
+        sentence = linkReasonText(link.reason);
+    else if (link.reason == drive::LinkReason::BoardReset && link.state == LinkState::Connected)
+        sentence = linkReasonText(link.reason), kind = Banner::Kind::Warning;
+    else if (m_device.identified() && m_device.answering()
+        && !m_device.identified()->identity.knownFirmware)
+        sentence =
+            tr("This firmware is not known: registers are shown raw and nothing is written."),
+        kind = Banner::Kind::Note;
+
+    if (!sentence.isEmpty())
+        m_banner->say(kind, sentence);
+    else if (m_linkBanner)
+        m_banner->clear();
+    m_linkBanner = !sentence.isEmpty();
+    updateFrame();
+}
+
+void MainWindow::updateFrame()
+{
+    const bool real =
+        m_device.portOpen() && m_device.endpoint().kind == session::Endpoint::Kind::Serial;
+    QPalette colors = palette();
+    colors.setColor(QPalette::Window,
+        real && m_device.armed() ? QColor(0xc0, 0x1f, 0x1f) : palette().color(QPalette::Mid));
+    m_frame->setPalette(colors);
+    m_frame->setFixedHeight(real && m_device.armed() ? 3 : 1);
+    QString title = QStringLiteral("Rotorscope");
+    if (m_device.portOpen())
+        title = tr("%1 \u2013 Rotorscope", "what is connected")
+                    .arg(real ? deviceText(m_device.endpoint().path) : tr("Simulated board"));
+    setWindowTitle(title);
+}
+
+void MainWindow::stopAdvanced(const drive::StopProgress &progress)
+{
+    if (progress.word == drive::StopWord::NotConfirmed && !m_shutdown->underWay())
+        m_alarm->raiseAlarm(progress.motor);
+    else if (progress.word == drive::StopWord::Standstill)
+        m_alarm->confirmedLate();
+}
+
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    if (!m_shutdown->mayEnd()) {
+        event->ignore();
+        m_banner->say(
+            Banner::Kind::Warning, tr("Stopping the motors before Rotorscope ends\u2026"));
+        m_shutdown->begin();
+        return;
+    }
+    m_device.close();
+    event->accept();
+    Q_EMIT closed();
+}
+
+void MainWindow::askToLeave()
+{
+    auto *box = new QMessageBox(QMessageBox::Warning, tr("Stop motors"), stopNotConfirmedText(),
+        QMessageBox::NoButton, this);
+    box->setObjectName(QStringLiteral("leaveQuestion"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    box->setInformativeText(
+        tr("Rotorscope has told every motor to stop, but there is no evidence that they did."));
+    QPushButton *again = box->addButton(tr("Try again"), QMessageBox::RejectRole);
+    QPushButton *leave =
+        box->addButton(tr("End Rotorscope all the same\u2026"), QMessageBox::DestructiveRole);
+    box->setDefaultButton(again);
+    box->setEscapeButton(again);
+    connect(box, &QMessageBox::buttonClicked, this, [this, leave](QAbstractButton *button) {
+        if (button == leave)
+            confirmLeaving();
+        else
+            m_shutdown->begin();
+    });
+    box->open();
+}
+
+void MainWindow::confirmLeaving()
+{
+    auto *box = new QMessageBox(QMessageBox::Warning, tr("Leave running?"),
+        tr("Leave the motors as they are?"), QMessageBox::NoButton, this);
+    box->setObjectName(QStringLiteral("leaveRunning"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    box->setInformativeText(tr("They may go on turning, and nothing will watch them."));
+    QPushButton *stay = box->addButton(tr("Stay"), QMessageBox::RejectRole);
+    QPushButton *leave = box->addButton(tr("Leave running"), QMessageBox::DestructiveRole);
+    box->setDefaultButton(stay);
+    box->setEscapeButton(stay);
+    connect(box, &QMessageBox::buttonClicked, this, [this, leave](QAbstractButton *button) {
+        if (button != leave)
+            return;
+        m_shutdown->leaveRunning();
+        close();
+    });
+    box->open();
+}
+
+void MainWindow::exportCsv() { }
+
+} // namespace widgets

@@ -1,0 +1,99 @@
+// MainWindow: menus, docks and what is outside them: the connect bar, the stop button, the banner. It places panels
+// and connects actions; decisions are the panels' own.
+#pragma once
+
+#include "session/port_list.h"
+#include "widgets/settings.h"
+#include "widgets/signal_selection.h"
+#include "widgets/workbench.h"
+
+#include <QMainWindow>
+
+class QDockWidget;
+class QMenu;
+class QMenuBar;
+
+namespace widgets {
+
+class Banner;
+class ConnectBar;
+class ControlPanel;
+class FilePrompt;
+class FirstSteps;
+class RegisterPanel;
+class ScopeView;
+class Shutdown;
+class StatusStrip;
+class StopAlarm;
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    /// All three outlive the window.
+    MainWindow(Workbench &workbench, const session::PortSource &ports, FilePrompt &files,
+        const Settings &settings, QWidget *parent = nullptr);
+    ~MainWindow() override;
+
+    Settings settings() const; ///< as they are now, to be saved
+    ConnectBar *connectBar() const { return m_connectBar; }
+    ControlPanel *controlPanel() const { return m_control; }
+    RegisterPanel *registerPanel() const { return m_registerPanel; }
+    ScopeView *scope() const { return m_scope; }
+    SignalSelection *selection() const { return m_selection; }
+    FirstSteps *firstSteps() const { return m_firstSteps; }
+
+public Q_SLOTS:
+    void exportCsv();
+
+Q_SIGNALS:
+    void closed(); ///< the window has agreed to close
+
+protected:
+    void closeEvent(QCloseEvent *event) override;
+
+private:
+    QWidget *makeTop();
+    QWidget *makeCentre();
+    QWidget *makeScopeBar();
+    void makeDocks();
+    void makeScopeActions();
+    void makeMenus(QMenuBar &bar);
+    void fillViewMenu(QMenu *menu);
+    void fillMotorMenu(QMenu *menu);
+    void connectParts();
+    void linkChanged();
+    void stopAdvanced(const drive::StopProgress &progress);
+    void updateFrame();
+    void askToLeave();
+    void confirmLeaving();
+    QAction *addAction(QMenu *menu, const QString &text, const QKeySequence &keys = {});
+
+    Workbench &m_workbench;
+    Device &m_device;
+    FilePrompt &m_files;
+    Settings m_settings;
+    ScopeView *m_scope;
+    SignalSelection *m_selection;
+    ConnectBar *m_connectBar = nullptr;
+    ControlPanel *m_control = nullptr;
+    RegisterPanel *m_registerPanel = nullptr;
+    QDockWidget *m_registerDock = nullptr;
+    Banner *m_banner = nullptr;
+    FirstSteps *m_firstSteps = nullptr;
+    StatusStrip *m_status = nullptr;
+    StopAlarm *m_alarm;
+    Shutdown *m_shutdown;
+    QWidget *m_frame = nullptr; ///< a red line while a real board is armed
+    QAction *m_run = nullptr;
+    QAction *m_follow = nullptr;
+    QAction *m_fit = nullptr;
+    QAction *m_fitValues = nullptr;
+    QAction *m_zoomIn = nullptr;
+    QAction *m_zoomOut = nullptr;
+    QAction *m_export = nullptr;
+    QList<QAction *> m_dockActions;
+    bool m_linkBanner =
+        false; ///< what the banner says is about the link and goes when that is well again
+};
+
+} // namespace widgets

@@ -1,0 +1,27 @@
+// What core reports as enums, said in the person's language: one sentence each, with what to do where something can be
+// done. The only place that does so.
+#pragma once
+
+#include "drive/event.h"
+#include "session/endpoint.h"
+
+#include <QString>
+
+namespace widgets {
+
+QString linkStateText(drive::LinkState state);
+/// Why a link ended or came back, in one sentence; empty for None.
+QString linkReasonText(drive::LinkReason reason);
+/// What the banner says when contact to a board is gone.
+QString linkLostText();
+/// Why a port could not be opened or is gone, and what to do; empty for None.
+QString portProblemText(const session::PortError &error, const QString &port);
+QString outcomeText(drive::Outcome outcome);
+QString motorStateText(drive::MotorState state);
+QString stopWordText(drive::StopWord word);
+/// The red alarm's text.
+QString stopNotConfirmedText();
+/// How a wish failed, in one sentence: `action` names it ("Start"); empty if it went well.
+QString failureText(const QString &action, const drive::Ended &ended);
+
+} // namespace widgets

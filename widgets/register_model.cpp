@@ -1,0 +1,390 @@
+#include "widgets/register_model.h"
+
+#include "widgets/device_text.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/value_text.h"
+
+#include <QApplication>
+#include <QFont>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QMimeData>
+#include <QPalette>
+
+namespace widgets {
+namespace {
+
+constexpr Milliseconds kLongestInterval{2000};
+
+QString fromCore(const std::string &text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+bool shown(const catalog::RegisterInfo &info)
+{
+    return !info.stub && (info.readable() || info.streaming != catalog::Streaming::Polled);
+}
+
+} // namespace
+
+RegisterModel::RegisterModel(QObject *parent)
+    : QAbstractItemModel(parent)
+{
+}
+
+void RegisterModel::setCatalog(std::shared_ptr<const catalog::Catalog> catalog, int motor)
+{
+    beginResetModel();
+    m_catalog = std::move(catalog);
+    m_motor = motor;
+    m_rows.clear();
+    m_byId.clear();
+    if (m_catalog) {
+        for (const catalog::RegisterInfo &info : m_catalog->registers()) {
+            if (!shown(info))
+                continue;
+            Row row;
+            row.id = info.perMotor ? m_catalog->withMotor(info, motor) : info.id;
+            row.info = &info;
+            row.scale = m_catalog->readScale(row.id);
+            m_byId[row.id] = m_rows.size();
+            m_rows.push_back(std::move(row));
+        }
+    }
+    rebuildGroups();
+    endResetModel();
+}
+
+void RegisterModel::rebuildGroups()
+{
+    m_groups.clear();
+    Group pinnedGroup{tr("Pinned"), {}};
+    for (const QString &name : m_pinned)
+        for (std::size_t i = 0; i < m_rows.size(); ++i)
+            if (fromCore(m_rows[i].info->name).compare(name, Qt::CaseInsensitive) == 0)
+                pinnedGroup.rows.push_back(i);
+    if (!pinnedGroup.rows.empty())
+        m_groups.push_back(std::move(pinnedGroup));
+
+    std::unordered_map<std::string, std::size_t> byName;
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        const auto [found, isNew] = byName.try_emplace(m_rows[i].info->group, m_groups.size());
+        if (isNew) {
+            const QString name = fromCore(m_rows[i].info->group);
+            m_groups.push_back({name.isEmpty() ? tr("Other registers") : name, {}});
+        }
+        m_groups[found->second].rows.push_back(i);
+    }
+}
+
+void RegisterModel::take(const std::vector<drive::Reading> &readings, Milliseconds now)
+{
+    for (const drive::Reading &reading : readings) {
+        const auto found = m_byId.find(reading.id);
+        if (found == m_byId.end())
+            continue;
+        Row &row = m_rows[found->second];
+        switch (reading.status) {
+        case drive::ReadStatus::Ok:
+            if (row.known == Known::Value)
+                row.interval = std::min(now - row.at, kLongestInterval);
+            row.known = Known::Value;
+            row.value = reading.value;
+            row.at = now;
+            row.stale = !m_believed;
+            break;
+        case drive::ReadStatus::NotSupported:
+            row.known = Known::NotSupported;
+            break;
+        case drive::ReadStatus::Refused:
+            row.known = Known::Refused;
+            break;
+        }
+        rowChanged(found->second);
+    }
+}
+
+bool RegisterModel::outdated(const Row &row, Milliseconds now) const
+{
+    return !m_believed || now - row.at > 3 * std::max(m_period, row.interval);
+}
+
+void RegisterModel::refresh(Milliseconds now)
+{
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        Row &row = m_rows[i];
+        if (row.known != Known::Value || row.stale || !outdated(row, now))
+            continue;
+        row.stale = true;
+        rowChanged(i);
+    }
+}
+
+void RegisterModel::setBelieved(bool believed)
+{
+    m_believed = believed;
+    if (believed)
+        return; // fresh values clear the mark one by one
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        if (m_rows[i].known != Known::Value || m_rows[i].stale)
+            continue;
+        m_rows[i].stale = true;
+        rowChanged(i);
+    }
+}
+
+std::optional<double> RegisterModel::shownValue(catalog::RegisterId id) const
+{
+    const Row *row = find(id);
+    if (!row || row->known != Known::Value || row->stale)
+        return {};
+    const double number = rawNumber(row->value) * row->scale.factor;
+    return number == number ? std::optional(number) : std::nullopt;
+}
+
+QString RegisterModel::text(catalog::RegisterId id) const
+{
+    const Row *row = find(id);
+    if (!row || row->known != Known::Value || row->stale)
+        return QStringLiteral("\u2013");
+    return shownText(*row->info, row->value, row->scale);
+}
+
+bool RegisterModel::supported(catalog::RegisterId id) const
+{
+    const Row *row = find(id);
+    return row && row->known != Known::NotSupported;
+}
+
+bool RegisterModel::pollable(catalog::RegisterId id) const
+{
+    const Row *row = find(id);
+    return row && row->info->readable() && row->known != Known::NotSupported;
+}
+
+void RegisterModel::setPinned(const QStringList &names)
+{
+    beginResetModel();
+    m_pinned = names;
+    rebuildGroups();
+    endResetModel();
+}
+
+void RegisterModel::togglePinned(catalog::RegisterId id)
+{
+    const Row *row = find(id);
+    if (!row)
+        return;
+    const QString name = fromCore(row->info->name);
+    QStringList names = m_pinned;
+    if (names.removeAll(name) == 0)
+        names.append(name);
+    setPinned(names);
+}
+
+const RegisterModel::Row *RegisterModel::find(catalog::RegisterId id) const
+{
+    const auto found = m_byId.find(id);
+    return found == m_byId.end() ? nullptr : &m_rows[found->second];
+}
+
+void RegisterModel::rowChanged(std::size_t row)
+{
+    for (std::size_t g = 0; g < m_groups.size(); ++g) {
+        const auto &rows = m_groups[g].rows;
+        const auto found = std::find(rows.begin(), rows.end(), row);
+        if (found == rows.end())
+            continue;
+        const QModelIndex group = index(static_cast<int>(g), 0);
+        const int r = static_cast<int>(found - rows.begin());
+        Q_EMIT dataChanged(index(r, NameColumn, group), index(r, RawColumn, group));
+    }
+}
+
+QModelIndex RegisterModel::indexOf(catalog::RegisterId id, Column column) const
+{
+    const auto found = m_byId.find(id);
+    if (found == m_byId.end())
+        return {};
+    for (std::size_t g = m_groups.size(); g-- > 0;) { // its own group comes after the pinned one
+        const auto &rows = m_groups[g].rows;
+        const auto at = std::find(rows.begin(), rows.end(), found->second);
+        if (at != rows.end())
+            return index(
+                static_cast<int>(at - rows.begin()), column, index(static_cast<int>(g), 0));
+    }
+    return {};
+}
+
+// Groups carry internal id 0, registers the number of their group plus one.
+QModelIndex RegisterModel::index(int row, int column, const QModelIndex &parentIndex) const
+{
+    if (!hasIndex(row, column, parentIndex))
+        return {};
+    return createIndex(row, column,
+        parentIndex.isValid() ? static_cast<quintptr>(parentIndex.row()) + 1 : quintptr{0});
+}
+
+QModelIndex RegisterModel::parent(const QModelIndex &child) const
+{
+    if (!child.isValid() || child.internalId() == 0)
+        return {};
+    return createIndex(static_cast<int>(child.internalId() - 1), 0, quintptr{0});
+}
+
+int RegisterModel::rowCount(const QModelIndex &parentIndex) const
+{
+    if (!parentIndex.isValid())
+        return static_cast<int>(m_groups.size());
+    if (parentIndex.internalId() != 0 || parentIndex.column() != 0)
+        return 0;
+    return static_cast<int>(m_groups[static_cast<std::size_t>(parentIndex.row())].rows.size());
+}
+
+int RegisterModel::columnCount(const QModelIndex &) const { return ColumnCount; }
+
+const RegisterModel::Row *RegisterModel::rowAt(const QModelIndex &index) const
+{
+    if (!index.isValid() || index.internalId() == 0)
+        return nullptr;
+    const Group &group = m_groups[static_cast<std::size_t>(index.internalId() - 1)];
+    return &m_rows[group.rows[static_cast<std::size_t>(index.row())]];
+}
+
+QVariant RegisterModel::data(const QModelIndex &index, int role) const
+{
+    if (!index.isValid())
+        return {};
+    const Row *row = rowAt(index);
+    if (!row) {
+        if (role == Qt::DisplayRole && index.column() == NameColumn)
+            return deviceText(m_groups[static_cast<std::size_t>(index.row())].name);
+        if (role == Qt::FontRole) {
+            QFont font = QApplication::font();
+            font.setBold(true);
+            return font;
+        }
+        return {};
+    }
+    switch (role) {
+    case Qt::DisplayRole:
+        return display(*row, index.column());
+    case Qt::ToolTipRole:
+        return toolTip(*row);
+    case Qt::TextAlignmentRole:
+        return index.column() == NameColumn ? QVariant()
+                                            : QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    case Qt::ForegroundRole:
+        if (index.column() != NameColumn && (row->stale || row->known != Known::Value))
+            return QApplication::palette().brush(QPalette::Disabled, QPalette::Text);
+        return {};
+    case IdRole:
+        return quint32(row->id);
+    case SearchRole: {
+        QStringList words{fromCore(row->info->name), fromCore(row->info->help)};
+        for (const std::string &alias : row->info->aliases)
+            words.append(fromCore(alias));
+        return words.join(QLatin1Char('\n'));
+    }
+    case StaleRole:
+        return row->stale || row->known != Known::Value;
+    case PinnedRole:
+        return m_pinned.contains(fromCore(row->info->name), Qt::CaseInsensitive);
+    default:
+        return {};
+    }
+}
+
+QVariant RegisterModel::display(const Row &row, int column) const
+{
+    if (column == NameColumn)
+        return deviceText(m_catalog->nameOf(row.id));
+    if (!row.info->readable())
+        return column == ValueColumn
+            ? tr("scope only", "a register that cannot be read, only recorded")
+            : QString();
+    switch (row.known) {
+    case Known::Nothing:
+        return QString();
+    case Known::NotSupported:
+        return column == ValueColumn ? tr("not supported") : QString();
+    case Known::Refused:
+        return column == ValueColumn ? tr("refused", "the board refused to read a register")
+                                     : QString();
+    case Known::Value:
+        break;
+    }
+    return column == ValueColumn ? shownText(*row.info, row.value, row.scale)
+                                 : rawText(*row.info, row.value);
+}
+
+QString RegisterModel::toolTip(const Row &row) const
+{
+    const QString name = deviceToolTip(m_catalog->nameOf(row.id));
+    const QString help = fromCore(row.info->help).toHtmlEscaped();
+    QString state;
+    if (row.known == Known::Value && row.stale)
+        state = tr("This value is old: it is not being read.");
+    else if (row.known == Known::NotSupported)
+        state = tr("This board does not have it.");
+    const QString drag = row.info->streaming == catalog::Streaming::Polled
+        ? tr(
+            "Drag it to the scope or press Enter: it is drawn at the rate at which it can be read.")
+        : tr("Drag it to the scope or press Enter: it is recorded at the full control rate.");
+    QStringList lines{QStringLiteral("<b>%1</b>").arg(name), help, drag, state};
+    lines.removeAll(QString());
+    return lines.join(QStringLiteral("<br>"));
+}
+
+QVariant RegisterModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal)
+        return {};
+    if (role == Qt::TextAlignmentRole && section != NameColumn)
+        return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case NameColumn:
+        return tr("Register");
+    case ValueColumn:
+        return tr("Value");
+    case RawColumn:
+        return tr("Raw", "the number as it is on the wire");
+    default:
+        return {};
+    }
+}
+
+Qt::ItemFlags RegisterModel::flags(const QModelIndex &index) const
+{
+    const Qt::ItemFlags base = QAbstractItemModel::flags(index);
+    const Row *row = rowAt(index);
+    if (!row)
+        return base;
+    const bool scalar =
+        row->info->type != catalog::ValueType::Text && row->info->type != catalog::ValueType::Raw;
+    return scalar ? base | Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren
+                  : base | Qt::ItemNeverHasChildren;
+}
+
+QStringList RegisterModel::mimeTypes() const { return {QString::fromLatin1(kRegisterMimeType)}; }
+
+QMimeData *RegisterModel::mimeData(const QModelIndexList &indexes) const
+{
+    QJsonArray ids;
+    for (const QModelIndex &index : indexes) {
+        const Row *row = rowAt(index);
+        if (row && index.column() == NameColumn && !ids.contains(QJsonValue(double(row->id))))
+            ids.append(double(row->id));
+    }
+    if (ids.isEmpty())
+        return nullptr;
+    auto *data = new QMimeData;
+    data->setData(
+        QString::fromLatin1(kRegisterMimeType), QJsonDocument(ids).toJson(QJsonDocument::Compact));
+    return data;
+}
+
+} // namespace widgets

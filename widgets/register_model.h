@@ -1,0 +1,104 @@
+// RegisterModel: the window's only truth about the registers of a board: what exists, its newest value, how old that
+// is. A tree of groups, the pinned registers first; tables, forms and read-outs are views of it. It asks for nothing
+// by itself: which registers are polled is decided by what is visible.
+#pragma once
+
+#include "drive/event.h"
+#include "widgets/device.h"
+
+#include <QAbstractItemModel>
+#include <QSet>
+
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace widgets {
+
+class RegisterModel : public QAbstractItemModel {
+    Q_OBJECT
+public:
+    enum Column { NameColumn, ValueColumn, RawColumn, ColumnCount };
+    enum Role {
+        IdRole = Qt::UserRole, ///< quint32; invalid for groups
+        SearchRole, ///< name, aliases and help in one text
+        StaleRole, ///< bool
+        PinnedRole, ///< bool
+    };
+
+    explicit RegisterModel(QObject *parent = nullptr);
+
+    /// Replaces the contents. Registers that can neither be read nor be streamed are left out.
+    void setCatalog(std::shared_ptr<const catalog::Catalog> catalog, int motor);
+    std::shared_ptr<const catalog::Catalog> catalog() const { return m_catalog; }
+
+    /// Takes values in; `now` is any monotonic clock, the same as refresh() gets.
+    void take(const std::vector<drive::Reading> &readings, Milliseconds now);
+    /// Marks values older than 3 periods as stale. A register's period is the one wished for, or the one at which its
+    /// values really come where the link is slower.
+    void refresh(Milliseconds now);
+    void setPollPeriod(Milliseconds period) { m_period = period; }
+    /// False: nothing is known to be current any more, whatever its age (a link that is silent).
+    void setBelieved(bool believed);
+
+    /// Newest value in the unit people read; empty if there is none or it is stale.
+    std::optional<double> shownValue(catalog::RegisterId id) const;
+    QString text(catalog::RegisterId id) const; ///< with unit; a dash where shownValue() is empty
+    bool supported(catalog::RegisterId id) const; ///< false once the board has said it is not
+    bool pollable(catalog::RegisterId id) const;
+
+    void setPinned(const QStringList &names); ///< before setCatalog(), or any time
+    QStringList pinned() const { return m_pinned; }
+    void togglePinned(catalog::RegisterId id);
+
+    QModelIndex indexOf(
+        catalog::RegisterId id, Column column = NameColumn) const; ///< in its own group
+
+    QModelIndex index(int row, int column, const QModelIndex &parent = {}) const override;
+    QModelIndex parent(const QModelIndex &child) const override;
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(
+        int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+    Qt::ItemFlags flags(const QModelIndex &index) const override;
+    QStringList mimeTypes() const override;
+    QMimeData *mimeData(const QModelIndexList &indexes) const override;
+    Qt::DropActions supportedDragActions() const override { return Qt::CopyAction; }
+
+private:
+    enum class Known : std::uint8_t { Nothing, Value, NotSupported, Refused };
+    struct Row {
+        catalog::RegisterId id = 0;
+        const catalog::RegisterInfo *info = nullptr;
+        catalog::Scale scale;
+        Known known = Known::Nothing;
+        bool stale = false;
+        catalog::Value value;
+        Milliseconds at{};
+        Milliseconds interval{}; ///< between the newest two values
+    };
+    struct Group {
+        QString name;
+        std::vector<std::size_t> rows;
+    };
+
+    void rebuildGroups();
+    bool outdated(const Row &row, Milliseconds now) const;
+    const Row *rowAt(const QModelIndex &index) const;
+    const Row *find(catalog::RegisterId id) const;
+    void rowChanged(std::size_t row);
+    QVariant display(const Row &row, int column) const;
+    QString toolTip(const Row &row) const;
+
+    std::shared_ptr<const catalog::Catalog> m_catalog;
+    std::vector<Row> m_rows;
+    std::vector<Group> m_groups;
+    std::unordered_map<catalog::RegisterId, std::size_t> m_byId;
+    QStringList m_pinned;
+    Milliseconds m_period{100};
+    int m_motor = 1;
+    bool m_believed = true;
+};
+
+} // namespace widgets

@@ -1,0 +1,49 @@
+// SetpointEdit: a field for one set-point. Nothing leaves it while a person types; Enter commits, and only a number
+// that was understood and is within the limits. The wheel and the arrow keys step, the wheel only in a focused and
+// enabled-for-motion field.
+#pragma once
+
+#include <QLineEdit>
+
+#include <optional>
+
+namespace widgets {
+
+class SetpointEdit : public QLineEdit {
+    Q_OBJECT
+public:
+    explicit SetpointEdit(QWidget *parent = nullptr);
+
+    /// @param limit  greatest magnitude, > 0 and finite
+    /// @param step   what the device can resolve; also what one notch of the wheel adds
+    void setLimits(double limit, double step, const QString &unit);
+    double limit() const { return m_limit; }
+    double step() const { return m_step; }
+    void setWheelAllowed(bool allowed) { m_wheelAllowed = allowed; }
+
+    /// What the text means now; empty if it is not understood or too large.
+    std::optional<double> value() const;
+    /// value() as the device will take it: the nearest multiple of the step, never beyond the limit.
+    std::optional<double> sentValue() const;
+    void setValue(double value);
+    /// The understood value, or what is wrong with the text; one short sentence.
+    QString echo() const;
+
+Q_SIGNALS:
+    void committed(double value); ///< sentValue(), on Enter
+    void echoChanged();
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+
+private:
+    void stepBy(int steps);
+
+    double m_limit = 1.0;
+    double m_step = 1.0;
+    QString m_unit;
+    bool m_wheelAllowed = false;
+};
+
+} // namespace widgets

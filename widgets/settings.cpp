@@ -1,0 +1,104 @@
+#include "widgets/settings.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSaveFile>
+#include <QStandardPaths>
+
+namespace widgets {
+namespace {
+
+constexpr qint64 kLargestFile = 1024 * 1024;
+constexpr qsizetype kMostPinned = 200;
+
+QString themeName(Theme theme)
+{
+    return theme == Theme::Light ? QStringLiteral("light")
+        : theme == Theme::Dark   ? QStringLiteral("dark")
+                                 : QStringLiteral("system");
+}
+
+Theme themeOf(const QString &name)
+{
+    return name == QLatin1String("light") ? Theme::Light
+        : name == QLatin1String("dark")   ? Theme::Dark
+                                          : Theme::System;
+}
+
+QByteArray bytesOf(const QJsonValue &value)
+{
+    return QByteArray::fromBase64(value.toString().toLatin1());
+}
+
+} // namespace
+
+QByteArray toJson(const Settings &settings)
+{
+    QJsonObject object;
+    object[QStringLiteral("geometry")] = QString::fromLatin1(settings.geometry.toBase64());
+    object[QStringLiteral("layout")] = QString::fromLatin1(settings.layout.toBase64());
+    object[QStringLiteral("port")] = settings.port;
+    object[QStringLiteral("baud")] = double(settings.baud);
+    object[QStringLiteral("theme")] = themeName(settings.theme);
+    object[QStringLiteral("exportFolder")] = settings.exportFolder;
+    object[QStringLiteral("pinned")] = QJsonArray::fromStringList(settings.pinned);
+    object[QStringLiteral("firstStepsDone")] = settings.firstStepsDone;
+    return QJsonDocument(object).toJson();
+}
+
+Settings settingsFromJson(const QByteArray &json)
+{
+    const QJsonObject object = QJsonDocument::fromJson(json).object();
+    Settings settings;
+    settings.geometry = bytesOf(object[QStringLiteral("geometry")]);
+    settings.layout = bytesOf(object[QStringLiteral("layout")]);
+    settings.port = object[QStringLiteral("port")].toString(settings.port);
+    const double baud = object[QStringLiteral("baud")].toDouble(settings.baud);
+    if (baud >= 1.0 && baud <= 4294967295.0)
+        settings.baud = static_cast<quint32>(baud);
+    settings.theme = themeOf(object[QStringLiteral("theme")].toString());
+    settings.exportFolder = object[QStringLiteral("exportFolder")].toString();
+    if (object[QStringLiteral("pinned")].isArray()) {
+        settings.pinned.clear();
+        const QJsonArray names = object[QStringLiteral("pinned")].toArray();
+        for (qsizetype i = 0; i < std::min(names.size(), kMostPinned); ++i)
+            settings.pinned.append(names[i].toString());
+    }
+    settings.firstStepsDone = object[QStringLiteral("firstStepsDone")].toBool(false);
+    return settings;
+}
+
+QString settingsPath()
+{
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation))
+        .filePath(QStringLiteral("settings.json"));
+}
+
+Settings loadSettings(const QString &path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly) || file.size() > kLargestFile)
+        return {};
+    return settingsFromJson(file.readAll());
+}
+
+bool saveSettings(const Settings &settings, const QString &path)
+{
+    QDir().mkpath(QFileInfo(path).path());
+    QSaveFile file(path);
+    const QByteArray json = toJson(settings);
+    if (!file.open(QIODevice::WriteOnly))
+        return false;
+    // On a full disk commit() can still succeed after a short write: the file would be cut.
+    if (file.write(json) != json.size() || !file.flush()) {
+        file.cancelWriting();
+        return false;
+    }
+    return file.commit();
+}
+
+} // namespace widgets

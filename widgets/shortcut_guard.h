@@ -1,0 +1,18 @@
+// ShortcutGuard: keeps the scope's single keys from taking a key that a focused control needs: the Space bar still
+// ticks a box or presses an ordinary button. Motor buttons refuse it, so there it stays the scope's.
+#pragma once
+
+#include <QObject>
+
+namespace widgets {
+
+class ShortcutGuard : public QObject {
+    Q_OBJECT
+public:
+    explicit ShortcutGuard(QObject *parent = nullptr);
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+};
+
+} // namespace widgets

@@ -1,0 +1,39 @@
+#include "widgets/shutdown.h"
+
+namespace widgets {
+namespace {
+
+constexpr int kConfirmMs = 2000;
+
+} // namespace
+
+Shutdown::Shutdown(Device &device, QObject *parent)
+    : QObject(parent)
+    , m_device(device)
+{
+    m_deadline.setSingleShot(true);
+    m_deadline.setInterval(kConfirmMs);
+    m_deadline.setTimerType(Qt::PreciseTimer);
+    connect(&m_deadline, &QTimer::timeout, this, &Shutdown::notConfirmed);
+    connect(&device, &Device::statusChanged, this, &Shutdown::check);
+}
+
+bool Shutdown::mayEnd() const { return m_leave || m_device.allIdle(); }
+
+void Shutdown::begin()
+{
+    if (underWay())
+        return;
+    m_device.stop();
+    m_deadline.start();
+}
+
+void Shutdown::check()
+{
+    if (!underWay() || !m_device.answering() || !m_device.allIdle())
+        return;
+    m_deadline.stop();
+    Q_EMIT confirmed();
+}
+
+} // namespace widgets

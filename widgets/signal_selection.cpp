@@ -1,0 +1,241 @@
+#include "widgets/signal_selection.h"
+
+#include "widgets/device_text.h"
+#include "widgets/messages.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/value_text.h"
+
+namespace widgets {
+namespace {
+
+using Kind = capture::ChannelInfo::Kind;
+
+Kind kindOf(Route route)
+{
+    return route == Route::Fast ? Kind::Fast : route == Route::Slow ? Kind::Slow : Kind::Polled;
+}
+
+} // namespace
+
+SignalSelection::SignalSelection(
+    Device &device, capture::Capture &capture, ScopeView &scope, QObject *parent)
+    : QObject(parent)
+    , m_device(device)
+    , m_capture(capture)
+    , m_scope(scope)
+{
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(0); // several drops in one turn of the loop make one stream
+    connect(&m_soon, &QTimer::timeout, this, &SignalSelection::replan);
+    connect(&device, &Device::identityChanged, this, &SignalSelection::boardChanged);
+    connect(&device, &Device::readingsArrived, this, &SignalSelection::takeReadings);
+    connect(&device, &Device::streamStarted, this, [this](const capture::StreamLayout &layout) {
+        m_capture.begin(layout);
+        syncScope();
+        Q_EMIT changed();
+    });
+    connect(&device, &Device::samplesArrived, this,
+        [this](const capture::SampleBlock &block) { m_capture.append(block); });
+    connect(&device, &Device::wishEnded, this, [this](const drive::Ended &ended) {
+        if (ended.id == 0 || ended.id != m_streamWish)
+            return;
+        m_streamWish = 0;
+        if (ended.outcome != drive::Outcome::Ok && m_device.answering())
+            Q_EMIT failed(failureText(tr("Recording signals"), ended));
+        if (m_streamStale)
+            replanSoon();
+    });
+    connect(&scope, &ScopeView::registerDropped, this,
+        [this](quint32 id, int plot) { add(id, plot < 0 ? m_scope.plotCount() : plot); });
+    connect(&scope, &ScopeView::removeRequested, this, [this](quint32 channel) {
+        if (const auto info = m_capture.info(channel))
+            remove(info->registerId);
+    });
+}
+
+QString SignalSelection::nameOf(catalog::RegisterId id) const
+{
+    const auto catalog = m_device.catalog();
+    return catalog ? deviceText(catalog->nameOf(id)) : QString();
+}
+
+std::optional<capture::ChannelId> SignalSelection::channelOf(catalog::RegisterId id) const
+{
+    for (const PlannedSignal &planned : m_plan.signalList)
+        if (planned.id == id)
+            return m_capture.find(id, kindOf(planned.route));
+    return {};
+}
+
+QColor SignalSelection::colorOf(catalog::RegisterId id) const
+{
+    const auto channel = channelOf(id);
+    return channel && m_scope.plotOf(*channel) >= 0 ? m_scope.colorOf(*channel) : QColor();
+}
+
+void SignalSelection::addDefaults()
+{
+    const auto catalog = m_device.catalog();
+    if (!catalog)
+        return;
+    const bool simulated = m_device.endpoint().kind == session::Endpoint::Kind::Simulator;
+    // Which speed sensor a real board has is not known before it is asked; its measured speed always exists.
+    const std::pair<const char *, int> defaults[] = {{"I_A", 0}, {"I_B", 0}, {"I_Q_MEAS", 0},
+        {simulated ? "STOPLL_ROT_SPEED" : "SPEED_MEAS", 1}};
+    for (const auto &[name, plot] : defaults) {
+        const catalog::RegisterInfo *info = catalog->find(name);
+        if (info)
+            add(info->perMotor ? catalog->withMotor(*info, m_device.motor()) : info->id, plot);
+    }
+}
+
+int SignalSelection::plotFor(catalog::RegisterId id) const
+{
+    const auto catalog = m_device.catalog();
+    int last = 0;
+    for (const WantedSignal &signal : m_wanted) {
+        if (catalog && catalog->readScale(signal.id).unit == catalog->readScale(id).unit)
+            return signal.plot;
+        last = std::max(last, signal.plot + 1);
+    }
+    return last;
+}
+
+void SignalSelection::add(quint32 id, int plot)
+{
+    const auto catalog = m_device.catalog();
+    const catalog::RegisterInfo *info = catalog ? catalog->find(id) : nullptr;
+    if (!info || info->type == catalog::ValueType::Text || info->type == catalog::ValueType::Raw)
+        return;
+    const int wantedPlot = plot >= 0 ? plot : plotFor(id);
+    const Route route = info->streaming == catalog::Streaming::Polled ? Route::Polled : Route::Fast;
+    const auto found =
+        std::find_if(m_wanted.begin(), m_wanted.end(), [id](const auto &s) { return s.id == id; });
+    if (found == m_wanted.end()) {
+        m_wanted.push_back({id, route, wantedPlot});
+    } else if (plot >= 0 && found->plot != plot) { // dropped onto another plot: it moves there
+        found->plot = plot;
+        if (const auto channel = channelOf(id))
+            m_scope.removeChannel(*channel);
+    }
+    replanSoon();
+}
+
+void SignalSelection::remove(quint32 id)
+{
+    if (const auto channel = channelOf(id))
+        m_scope.removeChannel(*channel);
+    if (std::erase_if(m_wanted, [id](const WantedSignal &signal) { return signal.id == id; }) == 0)
+        return;
+    m_capture.endPolled(id);
+    replanSoon();
+}
+
+void SignalSelection::setRoute(quint32 id, Route route)
+{
+    for (WantedSignal &signal : m_wanted)
+        if (signal.id == id)
+            signal.route = route;
+    replanSoon();
+}
+
+void SignalSelection::setFastEvery(unsigned ticks)
+{
+    if (ticks == m_fastEvery)
+        return;
+    m_fastEvery = ticks;
+    replanSoon();
+}
+
+void SignalSelection::clearRecorded()
+{
+    const auto shown = m_scope.channels();
+    for (const capture::ChannelId channel : shown)
+        m_scope.removeChannel(channel);
+    m_capture.clear();
+    syncScope();
+    m_scope.captureChanged();
+    Q_EMIT changed();
+}
+
+void SignalSelection::boardChanged()
+{
+    const auto catalog = m_device.catalog();
+    if (!catalog)
+        return;
+    std::erase_if(
+        m_wanted, [&](const WantedSignal &signal) { return catalog->find(signal.id) == nullptr; });
+    m_streamWish = 0;
+    if (m_wanted.empty())
+        addDefaults();
+    replan();
+}
+
+void SignalSelection::replanSoon() { m_soon.start(); }
+
+void SignalSelection::replan()
+{
+    const auto catalog = m_device.catalog();
+    if (!catalog)
+        return;
+    const std::vector<catalog::RegisterId> polledBefore = m_plan.polled;
+    m_plan = planChannels(m_wanted, *catalog, m_device.streamLimits(), m_fastEvery);
+    for (const catalog::RegisterId id : polledBefore)
+        if (std::find(m_plan.polled.begin(), m_plan.polled.end(), id) == m_plan.polled.end())
+            m_capture.endPolled(id);
+    sendStream();
+    syncScope();
+    Q_EMIT changed();
+}
+
+void SignalSelection::sendStream()
+{
+    m_streamStale = m_streamWish != 0;
+    const bool empty = m_plan.stream.fast.empty() && m_plan.stream.slow.empty();
+    if (m_streamStale || !m_device.answering() || (empty && !m_streamed))
+        return;
+    m_streamed = !empty;
+    m_streamWish = m_device.submit(m_plan.stream);
+}
+
+void SignalSelection::takeReadings(const std::vector<drive::Reading> &readings)
+{
+    const auto catalog = m_device.catalog();
+    if (!catalog || m_plan.polled.empty())
+        return;
+    bool isNew = false;
+    for (const drive::Reading &reading : readings) {
+        if (reading.status != drive::ReadStatus::Ok
+            || std::find(m_plan.polled.begin(), m_plan.polled.end(), reading.id)
+                == m_plan.polled.end())
+            continue;
+        const catalog::Scale scale = catalog->readScale(reading.id);
+        const bool known = m_capture.find(reading.id, Kind::Polled).has_value();
+        m_capture.appendPolled(reading.id, catalog->nameOf(reading.id), scale.unit,
+            toSeconds(reading.at.time_since_epoch()), rawNumber(reading.value) * scale.factor);
+        isNew = isNew || !known;
+    }
+    if (isNew) {
+        syncScope();
+        Q_EMIT changed();
+    }
+}
+
+void SignalSelection::syncScope()
+{
+    std::vector<capture::ChannelId> shown;
+    for (const WantedSignal &signal : m_wanted) {
+        const auto channel = channelOf(signal.id);
+        if (!channel)
+            continue;
+        shown.push_back(*channel);
+        if (m_scope.plotOf(*channel) < 0)
+            m_scope.addChannel(*channel, signal.plot);
+    }
+    const auto there = m_scope.channels();
+    for (const capture::ChannelId channel : there)
+        if (std::find(shown.begin(), shown.end(), channel) == shown.end())
+            m_scope.removeChannel(channel);
+}
+
+} // namespace widgets

@@ -1,0 +1,114 @@
+#include "widgets/value_text.h"
+
+#include "widgets/device_text.h"
+
+#include <QLocale>
+
+#include <cmath>
+#include <limits>
+
+namespace widgets {
+namespace {
+
+constexpr std::size_t kShownBytes = 24;
+
+QString hexText(std::int64_t value, std::size_t width)
+{
+    const auto digits = static_cast<int>(std::max<std::size_t>(width, 1) * 2);
+    const auto mask = width >= 8 ? ~std::uint64_t{0}
+                                 : (std::uint64_t{1} << (8 * std::max<std::size_t>(width, 1))) - 1;
+    return QStringLiteral("0x%1").arg(
+        static_cast<qulonglong>(static_cast<std::uint64_t>(value) & mask), digits, 16,
+        QLatin1Char('0'));
+}
+
+QString bytesText(const Bytes &bytes)
+{
+    const auto shown = static_cast<qsizetype>(std::min(bytes.size(), kShownBytes));
+    QString text = QString::fromLatin1(
+        QByteArray(reinterpret_cast<const char *>(bytes.data()), shown).toHex(' '));
+    if (bytes.size() > kShownBytes)
+        text += QStringLiteral(" \u2026");
+    return text;
+}
+
+QString withUnit(const QString &number, const std::string &unit)
+{
+    const QString text = deviceText(unit);
+    return text.isEmpty() || text == QLatin1String("-") ? number : number + QChar(0x202f) + text;
+}
+
+QString floatText(double value)
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return std::isfinite(value) ? locale.toString(value, 'g', 6) : QStringLiteral("\u2013");
+}
+
+} // namespace
+
+int decimalsFor(double factor)
+{
+    const double step = std::abs(factor);
+    if (!(step > 0.0) || !std::isfinite(step))
+        return 0;
+    return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 4);
+}
+
+QString numberText(double value, int decimals)
+{
+    if (!std::isfinite(value))
+        return QStringLiteral("\u2013");
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(value, 'f', decimals);
+}
+
+double rawNumber(const catalog::Value &value)
+{
+    if (const auto *integer = std::get_if<std::int64_t>(&value))
+        return static_cast<double>(*integer);
+    if (const auto *real = std::get_if<double>(&value))
+        return *real;
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+QString shownText(
+    const catalog::RegisterInfo &info, const catalog::Value &value, const catalog::Scale &scale)
+{
+    if (const auto *text = std::get_if<std::string>(&value))
+        return deviceText(*text);
+    if (const auto *bytes = std::get_if<Bytes>(&value))
+        return QObject::tr("%n byte(s)", nullptr, static_cast<int>(bytes->size()));
+    if (const auto *real = std::get_if<double>(&value))
+        return withUnit(floatText(*real * scale.factor), scale.unit);
+    const auto integer = std::get<std::int64_t>(value);
+    switch (info.meaning) {
+    case catalog::Meaning::Flags:
+        return hexText(integer, catalog::widthOf(info.type));
+    case catalog::Meaning::Boolean:
+        return integer == 0 ? QObject::tr("no") : QObject::tr("yes");
+    case catalog::Meaning::Enumeration:
+        return QString::number(integer);
+    case catalog::Meaning::Number:
+        break;
+    }
+    return withUnit(
+        numberText(static_cast<double>(integer) * scale.factor, decimalsFor(scale.factor)),
+        scale.unit);
+}
+
+QString rawText(const catalog::RegisterInfo &info, const catalog::Value &value)
+{
+    if (const auto *text = std::get_if<std::string>(&value))
+        return deviceText(*text);
+    if (const auto *bytes = std::get_if<Bytes>(&value))
+        return bytesText(*bytes);
+    if (const auto *real = std::get_if<double>(&value))
+        return floatText(*real);
+    const auto integer = std::get<std::int64_t>(value);
+    return info.meaning == catalog::Meaning::Flags ? hexText(integer, catalog::widthOf(info.type))
+                                                   : QString::number(integer);
+}
+
+} // namespace widgets

@@ -1,0 +1,27 @@
+// Numbers as the window shows them: in the unit people read, with digits that fit the resolution, so that a changing
+// value keeps its width. Display only; files use capture's own writer.
+#pragma once
+
+#include "catalog/register_info.h"
+
+#include <QString>
+
+namespace widgets {
+
+/// Digits behind the point that one raw step of `factor` deserves, 0 to 4.
+int decimalsFor(double factor);
+
+/// `value` in the locale's manner, group marks left out.
+QString numberText(double value, int decimals);
+
+/// A register's value as shown, unit included; enumerations, flags, text and structures in their own manner.
+QString shownText(
+    const catalog::RegisterInfo &info, const catalog::Value &value, const catalog::Scale &scale);
+
+/// The same value as the wire has it: digits, 0x for flags, hexadecimal bytes for structures.
+QString rawText(const catalog::RegisterInfo &info, const catalog::Value &value);
+
+/// The value as a number, raw; NaN for text and structures.
+double rawNumber(const catalog::Value &value);
+
+} // namespace widgets

@@ -1,0 +1,55 @@
+#include "widgets/watch_list.h"
+
+#include <unordered_set>
+
+namespace widgets {
+namespace {
+
+constexpr int kSoonMs = 30;
+constexpr Milliseconds kPeriod{100};
+
+} // namespace
+
+WatchList::WatchList(Device &device, const RegisterModel &model, QObject *parent)
+    : QObject(parent)
+    , m_device(device)
+    , m_model(model)
+{
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(kSoonMs);
+    connect(&m_soon, &QTimer::timeout, this, &WatchList::send);
+    connect(&device, &Device::linkStateChanged, this, [this] {
+        if (m_device.answering())
+            changed();
+    });
+}
+
+void WatchList::changed()
+{
+    if (!m_soon.isActive())
+        m_soon.start();
+}
+
+void WatchList::forget()
+{
+    m_asked.clear();
+    changed();
+}
+
+void WatchList::send()
+{
+    if (!m_device.answering() || !m_device.identified())
+        return;
+    std::vector<catalog::RegisterId> sum;
+    std::unordered_set<catalog::RegisterId> seen;
+    for (const Source &source : m_sources)
+        for (const catalog::RegisterId id : source())
+            if (m_model.pollable(id) && seen.insert(id).second)
+                sum.push_back(id);
+    if (sum == m_asked)
+        return;
+    m_asked = sum;
+    m_device.submit(drive::Watch{std::move(sum), kPeriod});
+}
+
+} // namespace widgets

@@ -1,0 +1,40 @@
+// WatchList: which registers are polled right now: the sum of what the parts of the window show. Asks the device only
+// when the sum has changed.
+#pragma once
+
+#include "widgets/device.h"
+#include "widgets/register_model.h"
+
+#include <QTimer>
+
+#include <functional>
+#include <vector>
+
+namespace widgets {
+
+class WatchList : public QObject {
+    Q_OBJECT
+public:
+    using Source = std::function<std::vector<catalog::RegisterId>()>;
+
+    WatchList(Device &device, const RegisterModel &model, QObject *parent = nullptr);
+
+    /// Sources are asked in this order; the earlier ones are the more important.
+    void addSource(Source source) { m_sources.push_back(std::move(source)); }
+    const std::vector<catalog::RegisterId> &registers() const { return m_asked; }
+
+public Q_SLOTS:
+    void changed(); ///< one of the sources has something else to say
+    void forget(); ///< the board is another one: ask again
+
+private:
+    void send();
+
+    Device &m_device;
+    const RegisterModel &m_model;
+    std::vector<Source> m_sources;
+    std::vector<catalog::RegisterId> m_asked;
+    QTimer m_soon;
+};
+
+} // namespace widgets

@@ -1,0 +1,52 @@
+// Workbench: the parts of Rotorscope that are not widgets, made and connected: the session in its thread, the device,
+// the registers, the capture, the polling, the Esc key and one heartbeat. It decides nothing; panels are given its parts.
+//
+// Outlives every window that shows it.
+#pragma once
+
+#include "capture/capture.h"
+#include "session/session_thread.h"
+#include "widgets/device.h"
+#include "widgets/register_model.h"
+#include "widgets/stop_filter.h"
+#include "widgets/watch_list.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+namespace widgets {
+
+class Workbench : public QObject {
+    Q_OBJECT
+public:
+    explicit Workbench(QObject *parent = nullptr);
+    ~Workbench() override;
+
+    Device &device() { return m_device; }
+    RegisterModel &registers() { return m_registers; }
+    capture::Capture &capture() { return m_capture; }
+    WatchList &watchList() { return m_watchList; }
+    Milliseconds now() const
+    {
+        return Milliseconds(m_clock.elapsed());
+    } ///< since the workbench was made
+
+Q_SIGNALS:
+    void heartbeat(widgets::Milliseconds now); ///< some times a second: ages, rates
+
+private:
+    void connectSession();
+    void connectModels();
+
+    QElapsedTimer m_clock;
+    Device m_device;
+    RegisterModel m_registers;
+    capture::Capture m_capture;
+    WatchList m_watchList;
+    StopFilter m_stopFilter;
+    QTimer m_heart;
+    session::SessionThread m_thread; // last: ends first, while the device it tells still exists
+};
+
+} // namespace widgets
