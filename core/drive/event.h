@@ -42,7 +42,8 @@ struct LinkChanged {
 
 /// What the board said of itself. Text is the device's: never format or rich text.
 struct Identity {
-    std::string protocol; ///< for people, e.g. "MCP over ASPEP 6.4.0": comes from core, shown as it is
+    std::string
+        protocol; ///< for people, e.g. "MCP over ASPEP 6.4.0": comes from core, shown as it is
     std::string firmware; ///< name
     std::string version; ///< e.g. "6.4.0"
     std::string controlBoard;
@@ -68,7 +69,16 @@ struct StreamLimits {
     double linkBytesPerSecond = 0.0;
 };
 
-enum class Feature : std::uint8_t { Start, Stop, AcknowledgeFaults, SpeedRamp, TorqueRamp, CurrentReference, Stream, WriteRegisters };
+enum class Feature : std::uint8_t {
+    Start,
+    Stop,
+    AcknowledgeFaults,
+    SpeedRamp,
+    TorqueRamp,
+    CurrentReference,
+    Stream,
+    WriteRegisters
+};
 struct Capability {
     Feature feature;
     bool available = true;
@@ -116,7 +126,15 @@ struct Ended {
     std::vector<WriteResult> writes;
 };
 
-enum class MotorState : std::uint8_t { Unknown, Idle, Starting, Running, Stopping, FaultNow, FaultOver };
+enum class MotorState : std::uint8_t {
+    Unknown,
+    Idle,
+    Starting,
+    Running,
+    Stopping,
+    FaultNow,
+    FaultOver
+};
 struct MotorStatus {
     int motor = 1;
     MotorState state = MotorState::Unknown;
@@ -152,9 +170,10 @@ struct LinkCounters {
     std::uint64_t streamPackets = 0;
     std::uint64_t streamLostTicks = 0; ///< control periods that no packet holds
     std::uint64_t streamSkipped = 0; ///< packets of unknown kind, mark or length
+    bool operator==(const LinkCounters &) const = default;
 };
 
-using Event = std::variant<LinkChanged, Identified, RegistersRead, Ended, MotorStatus, StreamStarted,
-    capture::SampleBlock, StopProgress, LinkCounters>;
+using Event = std::variant<LinkChanged, Identified, RegistersRead, Ended, MotorStatus,
+    StreamStarted, capture::SampleBlock, StopProgress, LinkCounters>;
 
 } // namespace drive

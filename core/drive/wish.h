@@ -62,7 +62,8 @@ struct Stream {
 /// Registers to be read over and over; replaces the list before. The drive spreads them over the spare link time.
 struct Watch {
     std::vector<RegisterId> registers;
-    Duration period = std::chrono::milliseconds(100); ///< wished for; the rate reached is what the link can spare
+    Duration period =
+        std::chrono::milliseconds(100); ///< wished for; the rate reached is what the link can spare
 };
 
 struct Wish {

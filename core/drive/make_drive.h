@@ -1,0 +1,13 @@
+// The drive for a line, without naming its protocol: today every line speaks the same one.
+#pragma once
+
+#include "drive/drive.h"
+
+#include <memory>
+
+namespace drive {
+
+/// @param baud  the speed the port is open at; time-outs and stream sizes follow from it
+std::unique_ptr<Drive> makeDrive(std::uint32_t baud);
+
+} // namespace drive

@@ -1,0 +1,19 @@
+// The clamps of set-points: no speed or current beyond what the board says it stands is ever sent. They live here,
+// below every window and script. Nothing is clipped silently: a set-point beyond the limit is refused with the reason.
+#pragma once
+
+#include "drive/mcp_board.h"
+#include "drive/wish.h"
+
+#include <string>
+
+namespace drive {
+
+/// Why this set-point must not be sent; empty if it may. A limit that is not known refuses too.
+std::string refuseSpeed(const McpBoard &board, int motor, double rpm);
+std::string refuseCurrent(const McpBoard &board, int motor, double amps);
+
+/// The same for a write of a register that is a set-point; empty for all others.
+std::string refuseSetPoint(const McpBoard &board, const RegisterWrite &write);
+
+} // namespace drive

@@ -1,0 +1,70 @@
+// A piece of work that asks the board something, one request after the other. McpDrive sends the request of the most
+// urgent task whenever the link is free and hands the answer back to it. Tasks know no link and no clock.
+#pragma once
+
+#include "base/bytes.h"
+#include "base/time.h"
+#include "drive/event.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace drive {
+
+class Task {
+public:
+    Task() = default;
+    Task(const Task &) = delete;
+    Task &operator=(const Task &) = delete;
+    virtual ~Task() = default;
+
+    /// The next request's payload; nothing if it has nothing to ask now.
+    virtual std::optional<Bytes> nextRequest(TimePoint now) = 0;
+    virtual void takeResponse(ByteView response, TimePoint now) = 0;
+    /// The answer was lost. `executed` as in aspep::Controller::NoResponse.
+    virtual void takeNoResponse(std::optional<bool> executed, TimePoint now) = 0;
+};
+
+/// What has to be true for a wish to be carried out.
+enum class Permission : std::uint8_t { Always, Armed };
+
+/// The work for one wish. It ends once: finished() stays true and ended() says how.
+class WishTask : public Task {
+public:
+    WishTask(WishId id, Permission permission)
+        : m_permission(permission)
+    {
+        m_ended.id = id;
+    }
+
+    Permission permission() const { return m_permission; }
+    bool finished() const { return m_finished; }
+    const Ended &ended() const { return m_ended; }
+
+    /// Nothing more will be sent for it (stop, link lost, disarmed): ends with what is known until now.
+    virtual void cut(const std::string &reason)
+    {
+        if (!m_finished)
+            end(m_sent ? Outcome::Unknown : Outcome::NotSent, reason);
+    }
+
+protected:
+    void end(Outcome outcome, std::string reason = {})
+    {
+        m_finished = true;
+        m_ended.outcome = outcome;
+        m_ended.reason = std::move(reason);
+    }
+    void markSent() { m_sent = true; }
+    bool sent() const { return m_sent; }
+    std::vector<WriteResult> &writes() { return m_ended.writes; }
+
+private:
+    Ended m_ended;
+    Permission m_permission;
+    bool m_finished = false;
+    bool m_sent = false; ///< something that can change the board has left
+};
+
+} // namespace drive

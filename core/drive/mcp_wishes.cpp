@@ -1,0 +1,84 @@
+#include "drive/mcp_wishes.h"
+
+#include <algorithm>
+
+namespace drive {
+
+bool WishQueue::add(std::unique_ptr<WishTask> task)
+{
+    Queue &queue = dynamic_cast<ReadTask *>(task.get()) != nullptr ? m_reading : m_acting;
+    if (queue.size() >= kMaxWaiting)
+        return false;
+    queue.push_back(std::move(task));
+    return true;
+}
+
+void WishQueue::addFirst(std::unique_ptr<WishTask> task) { m_acting.push_front(std::move(task)); }
+
+void WishQueue::supersede(const Write &newer)
+{
+    for (const auto &task : m_acting)
+        if (auto *write = dynamic_cast<WriteTask *>(task.get()))
+            write->supersede(newer);
+}
+
+WishTask *WishQueue::next(bool armed)
+{
+    for (Queue *queue : {&m_acting, &m_reading}) {
+        for (const auto &task : *queue) {
+            if (!armed && task->permission() == Permission::Armed)
+                task->cut("not armed");
+            if (!task->finished())
+                return task.get();
+        }
+    }
+    return nullptr;
+}
+
+void WishQueue::cutAll(const std::string &reason, const WishTask *except)
+{
+    for (Queue *queue : {&m_acting, &m_reading})
+        for (const auto &task : *queue)
+            if (task.get() != except)
+                task->cut(reason);
+}
+
+void WishQueue::cutArmed(const std::string &reason, const WishTask *except)
+{
+    for (const auto &task : m_acting)
+        if (task->permission() == Permission::Armed && task.get() != except)
+            task->cut(reason);
+}
+
+void WishQueue::collect(std::vector<Event> &events)
+{
+    collectFrom(m_acting, events);
+    collectFrom(m_reading, events);
+}
+
+void WishQueue::collectFrom(Queue &queue, std::vector<Event> &events)
+{
+    for (const auto &task : queue) {
+        std::vector<Reading> readings;
+        if (auto *read = dynamic_cast<ReadTask *>(task.get()))
+            readings = read->takeReadings();
+        else if (auto *write = dynamic_cast<WriteTask *>(task.get()))
+            readings = write->takeReadings();
+        if (!readings.empty())
+            events.emplace_back(RegistersRead{std::move(readings)});
+        if (task->finished() && task->ended().id != 0)
+            events.emplace_back(task->ended());
+    }
+    std::erase_if(queue, [](const auto &task) { return task->finished(); });
+}
+
+bool WishQueue::contains(const Task *task) const
+{
+    const auto holds = [&](const Queue &queue) {
+        return std::any_of(
+            queue.begin(), queue.end(), [&](const auto &one) { return one.get() == task; });
+    };
+    return holds(m_acting) || holds(m_reading);
+}
+
+} // namespace drive

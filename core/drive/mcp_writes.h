@@ -1,0 +1,73 @@
+// Read and write wishes. A write goes out as one SET a register (safe on every board), surrounded by reading: the
+// value before, for undo, and the value after it, because an OK is not a proof.
+#pragma once
+
+#include "drive/mcp_reader.h"
+#include "drive/mcp_task.h"
+
+#include <vector>
+
+namespace drive {
+
+class ReadTask : public WishTask {
+public:
+    ReadTask(WishId id, const Read &read, const McpBoard &board);
+
+    std::optional<Bytes> nextRequest(TimePoint now) override;
+    void takeResponse(ByteView response, TimePoint now) override;
+    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+
+    std::vector<Reading> takeReadings() { return std::exchange(m_readings, {}); }
+
+private:
+    const McpBoard &m_board;
+    std::vector<RegisterId> m_ids;
+    RegisterReader m_reader;
+    std::vector<Reading> m_readings;
+    bool m_started = false;
+};
+
+class WriteTask : public WishTask {
+public:
+    WriteTask(WishId id, const Write &write, const McpBoard &board);
+
+    std::optional<Bytes> nextRequest(TimePoint now) override;
+    void takeResponse(ByteView response, TimePoint now) override;
+    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+    void cut(const std::string &reason) override;
+
+    /// A newer write of these registers was asked for: what has not left yet is not sent any more.
+    void supersede(const Write &newer);
+    std::vector<Reading> takeReadings() { return std::exchange(m_readings, {}); }
+
+private:
+    enum class Phase : std::uint8_t { Before, Setting, After };
+    enum class State : std::uint8_t { Waiting, Open, Doubtful, Done };
+    struct Item {
+        RegisterWrite write;
+        Bytes encoded;
+        State state = State::Waiting;
+        bool repeated = false;
+        WriteResult result;
+    };
+
+    void check(Item &item) const;
+    Item *waiting();
+    Item *open();
+    std::vector<RegisterId> idsToRead(bool after) const;
+    void startReading(Phase phase);
+    void enter(Phase phase);
+    void takeReadingsInto(
+        std::optional<Value> WriteResult::*where, ByteView response, TimePoint now);
+    void finishItem(Item &item, Outcome outcome, const std::string &reason);
+    void finish();
+
+    const McpBoard &m_board;
+    std::vector<Item> m_items;
+    RegisterReader m_reader;
+    std::vector<Reading> m_readings;
+    Phase m_phase = Phase::Before;
+    bool m_started = false;
+};
+
+} // namespace drive

@@ -1,0 +1,296 @@
+// A drive and a simulated board, joined by a line that can be spoilt, on a virtual clock. `now` moves only inside
+// runFor() and runUntil(); the same seed gives the same run, byte for byte.
+#pragma once
+
+#include "drive/mcp_drive.h"
+#include "simulation/simulated_board.h"
+
+#include <QtGlobal>
+
+#include <algorithm>
+#include <deque>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace support {
+
+using namespace std::chrono_literals;
+
+/// Small and the same everywhere (splitmix64).
+class Random {
+public:
+    explicit Random(std::uint64_t seed)
+        : m_state(seed)
+    {
+    }
+    std::uint64_t next()
+    {
+        std::uint64_t z = m_state += 0x9E3779B97F4A7C15ULL;
+        z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9ULL;
+        z = (z ^ z >> 27) * 0x94D049BB133111EBULL;
+        return z ^ z >> 31;
+    }
+    std::uint64_t below(std::uint64_t bound) { return next() % bound; }
+    bool chance(double probability)
+    {
+        return static_cast<double>(next() >> 11) * 0x1p-53 < probability;
+    }
+
+private:
+    std::uint64_t m_state;
+};
+
+/// Probabilities per byte, in each direction.
+struct LineFaults {
+    double flip = 0.0, drop = 0.0, duplicate = 0.0, insert = 0.0;
+    double stall = 0.0;
+    Duration stallTime = 20ms;
+    bool cut = false; ///< nothing gets through
+};
+
+class LinkPair {
+public:
+    explicit LinkPair(const simulation::BoardOptions &options = {}, std::uint64_t seed = 1)
+        : baud(options.baud)
+        , board(simulation::makeBoard(options))
+        , m_random(seed)
+    {
+        drive::McpDriveConfig config;
+        config.baud = baud;
+        drive = drive::makeMcpDrive(config);
+    }
+
+    std::uint32_t baud;
+    TimePoint now{1s};
+    std::unique_ptr<drive::Drive> drive;
+    std::unique_ptr<simulation::SimulatedBoard> board;
+    LineFaults toBoard, toDrive;
+
+    // What the drive told, whole and by kind.
+    std::vector<drive::Event> events;
+    std::map<drive::WishId, std::vector<drive::Ended>> ended;
+    drive::LinkState link = drive::LinkState::Closed;
+    drive::LinkReason reason = drive::LinkReason::None;
+    std::optional<drive::Identified> identified;
+    std::map<int, drive::MotorStatus> status;
+    std::map<drive::RegisterId, drive::Reading> values;
+    std::vector<drive::StopProgress> stops;
+    drive::LinkCounters counters;
+    Bytes sent; ///< all that left the drive
+    std::vector<Bytes> requests; ///< payloads that left the drive
+    std::function<void(const drive::Event &)> onEvent;
+
+    template <class What>
+    drive::WishId submit(What what)
+    {
+        const drive::WishId id = ++m_lastWish;
+        drive->submit({id, std::move(what)}, now);
+        exchange();
+        return id;
+    }
+
+    void connect()
+    {
+        drive->connect(now);
+        exchange();
+    }
+
+    void runFor(Duration time)
+    {
+        runUntil([] { return false; }, time);
+    }
+
+    /// @return whether it came true within `limit`
+    bool runUntil(const std::function<bool()> &condition, Duration limit)
+    {
+        const TimePoint end = now + limit;
+        exchange();
+        while (!condition()) {
+            if (now >= end)
+                return false;
+            step(end);
+        }
+        return true;
+    }
+
+    bool runUntilIdentified(Duration limit = 5s)
+    {
+        return runUntil(
+            [&] { return identified.has_value() && identified->catalog != nullptr; }, limit);
+    }
+    bool runUntilEnded(drive::WishId id, Duration limit = 5s)
+    {
+        return runUntil([&] { return ended.contains(id); }, limit);
+    }
+    bool runUntilState(drive::MotorState state, Duration limit = 10s)
+    {
+        return runUntil([&] { return status.contains(1) && status.at(1).state == state; }, limit);
+    }
+    drive::Outcome outcome(drive::WishId id) const { return ended.at(id).front().outcome; }
+    drive::RegisterId id(std::string_view name) const
+    {
+        return identified->catalog->resolve(name).value_or(0);
+    }
+
+    /// Lets the drive say what it wants to, after a direct call of one of its verbs.
+    void exchange()
+    {
+        takeEvents();
+        for (Output &output : drive->takeOutput())
+            m_sending.push_back(std::move(output));
+        takeEvents();
+    }
+
+private:
+    struct Flying {
+        TimePoint at;
+        Bytes bytes;
+    };
+    static constexpr Duration kGrain = 250us; ///< how often the board's side is looked at
+
+    void step(TimePoint end)
+    {
+        TimePoint next = std::min(end, now + kGrain);
+        if (const auto due = drive->nextTimeout())
+            next = std::min(next, std::max(*due, now));
+        if (!m_sending.empty())
+            next = std::min(next, std::max(sendAt(), now));
+        if (m_lineFreeAt > now)
+            next = std::min(next, m_lineFreeAt);
+        if (next == now)
+            ++m_standing;
+        else
+            m_standing = 0;
+        if (m_standing > 1000)
+            qFatal("the drive wants to be called at once, for ever");
+        now = next;
+        sendDue();
+        board->advance(now);
+        if (const Bytes bytes = board->takeOutput(); !bytes.empty())
+            fly(m_toDrive, spoil(bytes, toDrive), toDrive);
+        deliver();
+        if (const auto due = drive->nextTimeout(); due && *due <= now)
+            drive->handleTimeout(now);
+        exchange();
+    }
+
+    TimePoint sendAt() const { return m_lineFreeAt + m_sending.front().gapBefore; }
+
+    void sendDue()
+    {
+        while (!m_sending.empty() && sendAt() <= now) {
+            Output output = std::move(m_sending.front());
+            m_sending.pop_front();
+            watch(output.bytes);
+            m_lineFreeAt = now + wireTime(output.bytes.size(), baud);
+            m_unsent = true;
+            fly(m_toBoard, spoil(output.bytes, toBoard), toBoard);
+        }
+        if (m_unsent && m_sending.empty() && m_lineFreeAt <= now) {
+            m_unsent = false;
+            drive->handleSent(now);
+        }
+    }
+
+    /// Splits what leaves into packets, knowing that each header and payload is an output of its own.
+    void watch(const Bytes &bytes)
+    {
+        sent.insert(sent.end(), bytes.begin(), bytes.end());
+        if (m_payloadNext)
+            requests.push_back(bytes);
+        m_payloadNext = !m_payloadNext && bytes.size() == 4 && (bytes[0] & 0xFU) == 9;
+    }
+
+    void fly(std::deque<Flying> &queue, Bytes bytes, const LineFaults &faults)
+    {
+        TimePoint at = now;
+        if (m_random.chance(faults.stall * static_cast<double>(bytes.size())))
+            at += faults.stallTime;
+        if (!queue.empty())
+            at = std::max(at, queue.back().at);
+        if (!bytes.empty())
+            queue.push_back({at, std::move(bytes)});
+    }
+
+    void deliver()
+    {
+        while (!m_toBoard.empty() && m_toBoard.front().at <= now) {
+            board->receive(m_toBoard.front().bytes, now);
+            m_toBoard.pop_front();
+        }
+        while (!m_toDrive.empty() && m_toDrive.front().at <= now) {
+            const Bytes bytes = std::move(m_toDrive.front().bytes);
+            m_toDrive.pop_front();
+            drive->receive(bytes, now);
+            exchange();
+        }
+    }
+
+    Bytes spoil(const Bytes &bytes, const LineFaults &faults)
+    {
+        if (faults.cut)
+            return {};
+        if (faults.flip + faults.drop + faults.duplicate + faults.insert <= 0.0)
+            return bytes;
+        Bytes result;
+        for (std::uint8_t byte : bytes) {
+            if (m_random.chance(faults.drop))
+                continue;
+            if (m_random.chance(faults.flip))
+                byte = static_cast<std::uint8_t>(byte ^ 1U << m_random.below(8));
+            result.push_back(byte);
+            if (m_random.chance(faults.duplicate))
+                result.push_back(byte);
+            if (m_random.chance(faults.insert))
+                result.push_back(static_cast<std::uint8_t>(m_random.next()));
+        }
+        return result;
+    }
+
+    void takeEvents()
+    {
+        for (drive::Event &event : drive->takeEvents()) {
+            note(event);
+            if (onEvent)
+                onEvent(event);
+            if (!std::holds_alternative<capture::SampleBlock>(event))
+                events.push_back(std::move(event));
+        }
+    }
+
+    void note(const drive::Event &event)
+    {
+        if (const auto *change = std::get_if<drive::LinkChanged>(&event)) {
+            link = change->state;
+            reason = change->reason;
+        } else if (const auto *found = std::get_if<drive::Identified>(&event)) {
+            identified = *found;
+        } else if (const auto *read = std::get_if<drive::RegistersRead>(&event)) {
+            for (const drive::Reading &reading : read->readings)
+                values[reading.id] = reading;
+        } else if (const auto *end = std::get_if<drive::Ended>(&event)) {
+            ended[end->id].push_back(*end);
+        } else if (const auto *motor = std::get_if<drive::MotorStatus>(&event)) {
+            status[motor->motor] = *motor;
+        } else if (const auto *stop = std::get_if<drive::StopProgress>(&event)) {
+            stops.push_back(*stop);
+        } else if (const auto *count = std::get_if<drive::LinkCounters>(&event)) {
+            counters = *count;
+        }
+    }
+
+    Random m_random;
+    std::deque<Output> m_sending;
+    std::deque<Flying> m_toBoard, m_toDrive;
+    TimePoint m_lineFreeAt{};
+    drive::WishId m_lastWish = 0;
+    bool m_unsent = false;
+    bool m_payloadNext = false;
+    int m_standing = 0;
+};
+
+} // namespace support
