@@ -97,6 +97,7 @@ constexpr RegisterId kMotorConfig = registerId(1, RegisterType::Raw, 0);
 constexpr RegisterId kApplicationConfig = registerId(2, RegisterType::Raw, 0);
 constexpr RegisterId kFocFwConfig = registerId(3, RegisterType::Raw, 0);
 constexpr RegisterId kScaleConfig = registerId(4, RegisterType::Raw, 0);
+constexpr RegisterId kAdcOffset = registerId(5, RegisterType::Raw, 0); ///< HSO only
 constexpr RegisterId kSpeedRamp = registerId(6, RegisterType::Raw, 0);
 constexpr RegisterId kTorqueRamp = registerId(7, RegisterType::Raw, 0);
 constexpr RegisterId kRevUpData = registerId(8, RegisterType::Raw, 0);
@@ -106,6 +107,10 @@ constexpr RegisterId kAsyncUartA =
     registerId(20, RegisterType::Raw, 0); ///< datalog; sent with motor 1: 0x0529
 constexpr RegisterId kAsyncUartB = registerId(21, RegisterType::Raw, 0);
 constexpr RegisterId kAsyncStLink = registerId(22, RegisterType::Raw, 0);
+constexpr RegisterId kHallHewPins = registerId(28, RegisterType::Raw, 0);
+constexpr RegisterId kHallConnectedPins = registerId(29, RegisterType::Raw, 0);
+constexpr RegisterId kHallPhaseShift = registerId(30, RegisterType::Raw, 0);
+constexpr RegisterId kBemfAdcConf = registerId(31, RegisterType::Raw, 0); ///< six-step
 } // namespace reg
 
 } // namespace mcp

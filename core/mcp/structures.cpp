@@ -157,7 +157,7 @@ Result<RevUpData, CodecError> decodeRevUpData(ByteView raw)
     for (ByteReader r(raw); r.left() > 0;) {
         RevUpStage stage;
         stage.rpm = r.s32();
-        stage.digits = r.u16();
+        stage.digits = r.s16();
         stage.milliseconds = r.u16();
         stages.push_back(stage);
     }
@@ -290,7 +290,7 @@ Bytes encode(const RevUpData &stages)
 {
     ByteWriter w;
     for (std::size_t i = 0; i < std::min(stages.size(), kMaxRevUpStages); ++i)
-        w.s32(stages[i].rpm).u16(stages[i].digits).u16(stages[i].milliseconds);
+        w.s32(stages[i].rpm).s16(stages[i].digits).u16(stages[i].milliseconds);
     return w.take();
 }
 

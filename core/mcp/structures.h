@@ -80,7 +80,7 @@ struct PositionRamp { // 8 bytes; read back swapped by 6.1 and 6.2.1
 
 struct RevUpStage {
     std::int32_t rpm = 0;
-    std::uint16_t digits = 0; ///< torque in s16A; six-step: pulse
+    std::int16_t digits = 0; ///< torque in s16A; six-step: pulse
     std::uint16_t milliseconds = 0;
     bool operator==(const RevUpStage &) const = default;
 };
