@@ -45,7 +45,6 @@ Index Channel::atOrAfter(Nanos time) const
     return std::visit([time](const auto &column) { return column.atOrAfter(time); }, m_column);
 }
 
-/// Until when the value of `index` is known: the next sample, or the end of its run.
 Nanos Channel::holdUntil(Index index) const
 {
     if (const FastColumn *column = fast())

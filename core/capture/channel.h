@@ -62,6 +62,7 @@ public:
     Nanos timeOf(Index index) const;
     double at(Index index) const; ///< in the channel's unit
     Index atOrAfter(Nanos time) const;
+    Nanos holdUntil(Index index) const; ///< until when that sample's value is known to be true
 
     /// [first sample, end of the last one's hold); nullopt if there is no sample.
     std::optional<TimeSpan> timeSpan() const;
@@ -93,7 +94,6 @@ public:
 
 private:
     MinMax shown(CodeRange range) const;
-    Nanos holdUntil(Index index) const;
 
     ChannelInfo m_info;
     Column m_column;

@@ -1,0 +1,327 @@
+#include "capture/csv_export.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstring>
+
+namespace capture {
+
+namespace {
+using Kind = ChannelInfo::Kind;
+
+constexpr std::size_t kPiece = 1 << 20; ///< bytes
+constexpr std::size_t kMostRowsARun = 4096;
+constexpr std::size_t kTimeWidth = 24; ///< digits of 64 bits, sign and point
+constexpr std::size_t kCodeWidth = 16; ///< of an entry of CodeTexts
+constexpr std::size_t kNumberWidth =
+    24; ///< a double's shortest text: sign, 17 digits, point, e-308
+constexpr std::size_t kColumnWidth = kNumberWidth + 1; ///< and the separator
+
+/// Shortest text that reads back exactly; at most 24 characters.
+char *writeNumber(char *at, double value)
+{
+    return std::to_chars(at, at + kNumberWidth, value).ptr;
+}
+
+/// Writes `time` at `at`, returns the end. The caller has kTimeWidth bytes ready.
+char *writeTime(char *at, Nanos time)
+{
+    if (time < 0) {
+        *at++ = '-';
+        time = -time;
+    }
+    at = std::to_chars(at, at + kTimeWidth, time / 1'000'000'000).ptr;
+    auto fraction = static_cast<std::uint32_t>(time % 1'000'000'000);
+    if (fraction == 0)
+        return at;
+    *at = '.';
+    char *end = at + 10;
+    for (char *digit = end - 1; digit > at; --digit) {
+        *digit = static_cast<char>('0' + fraction % 10);
+        fraction /= 10;
+    }
+    while (end[-1] == '0')
+        --end;
+    return end;
+}
+
+/// The kind whose samples make the rows: the fastest there is.
+Kind rowKind(const std::vector<Channel> &channels)
+{
+    Kind fastest = Kind::Polled;
+    for (const Channel &channel : channels)
+        fastest = std::min(fastest, channel.info().kind);
+    return fastest;
+}
+} // namespace
+
+/// 65536 codes need formatting once each: the table turns a number into the copy of one 16-byte entry.
+class CsvWriter::CodeTexts {
+public:
+    explicit CodeTexts(const Channel &channel)
+        : m_channel(channel)
+        , m_entries(65536)
+    {
+    }
+
+    char *write(char *at, std::int16_t code)
+    {
+        Entry &entry = m_entries[static_cast<std::uint16_t>(code)];
+        if (entry.size == 0)
+            fill(entry, code);
+        std::memcpy(at, &entry, kCodeWidth);
+        return at + entry.size;
+    }
+
+private:
+    struct Entry {
+        std::array<char, kCodeWidth - 1> text;
+        std::uint8_t size = 0;
+    };
+    static_assert(sizeof(Entry) == kCodeWidth);
+
+    void fill(Entry &entry, std::int16_t code) const
+    {
+        // As float: 24 bits tell 65536 codes apart, and the text is a third shorter than a double's. The longest
+        // is a sign, nine digits, a point and e-38: 15 characters.
+        const auto value = static_cast<float>(m_channel.toShown(code));
+        const auto end =
+            std::to_chars(entry.text.data(), entry.text.data() + entry.text.size(), value);
+        entry.size = static_cast<std::uint8_t>(end.ptr - entry.text.data());
+    }
+
+    const Channel &m_channel;
+    std::vector<Entry> m_entries;
+};
+
+struct CsvWriter::Column {
+    const Channel *channel = nullptr;
+    bool makesRows = false;
+    Index next = 0; ///< first sample not yet used
+    Index stop = 0; ///< one past the last in the range
+    std::unique_ptr<CodeTexts> texts; ///< fast channels only
+    // A held value: its text and how long it holds.
+    std::array<char, kNumberWidth> held{};
+    std::size_t heldSize = 0;
+    Nanos heldUntil = std::numeric_limits<Nanos>::min();
+};
+
+struct CsvWriter::Run {
+    Nanos time = 0;
+    std::size_t count = 0;
+    std::vector<bool> there; ///< by column: has a sample in each of these rows
+    const Segment *segment = nullptr; ///< gives the rows' times if fast channels make them
+    Index first = 0; ///< in that segment
+};
+
+std::vector<Snapshot> splitByRate(const Snapshot &channels)
+{
+    std::vector<Channel> fast;
+    std::vector<Channel> slow;
+    std::vector<Snapshot> polled;
+    for (const Channel &channel : *channels) {
+        if (channel.empty())
+            continue;
+        if (channel.info().kind == Kind::Fast)
+            fast.push_back(channel);
+        else if (channel.info().kind == Kind::Slow)
+            slow.push_back(channel);
+        else
+            polled.push_back(std::make_shared<std::vector<Channel>>(1, channel));
+    }
+    std::vector<Snapshot> result;
+    if (!fast.empty())
+        result.push_back(std::make_shared<std::vector<Channel>>(std::move(fast)));
+    if (!slow.empty())
+        result.push_back(std::make_shared<std::vector<Channel>>(std::move(slow)));
+    result.insert(result.end(), polled.begin(), polled.end());
+    return result;
+}
+
+std::string csvHeading(const ChannelInfo &channel)
+{
+    std::string heading = channel.name;
+    if (!heading.empty() && std::strchr("=+-@\t\r\n", heading.front()))
+        heading.insert(heading.begin(), '\'');
+    if (!channel.unit.empty())
+        heading += " [" + channel.unit + "]";
+    if (heading.find_first_of(",\"\r\n") == std::string::npos)
+        return heading;
+    std::string quoted = "\"";
+    for (const char c : heading)
+        quoted.append(c == '"' ? 2 : 1, c);
+    return quoted + '"';
+}
+
+std::string csvTime(Nanos time)
+{
+    std::array<char, kTimeWidth> text;
+    return {text.data(), writeTime(text.data(), time)};
+}
+
+CsvWriter::CsvWriter(Snapshot channels, CsvOptions options)
+    : m_channels(std::move(channels))
+    , m_options(options)
+{
+    const Kind rows = rowKind(*m_channels);
+    for (const Channel &channel : *m_channels) {
+        auto column = std::make_unique<Column>();
+        column->channel = &channel;
+        column->makesRows = channel.info().kind == rows;
+        column->next = channel.begin();
+        column->stop = channel.end();
+        if (m_options.range) {
+            column->next = channel.atOrAfter(toNanos(m_options.range->from));
+            column->stop = channel.atOrAfter(toNanos(m_options.range->to));
+            if (!column->makesRows && column->next > channel.begin())
+                --column->next; // may still hold when the range starts
+        }
+        if (channel.fast())
+            column->texts = std::make_unique<CodeTexts>(channel);
+        if (column->makesRows && column->stop > column->next)
+            m_total += column->stop - column->next;
+        m_columns.push_back(std::move(column));
+    }
+}
+
+CsvWriter::~CsvWriter() = default;
+
+double CsvWriter::progress() const
+{
+    if (m_total == 0)
+        return m_started ? 1.0 : 0.0;
+    return static_cast<double>(m_done) / static_cast<double>(m_total);
+}
+
+bool CsvWriter::next(std::string &text)
+{
+    text.clear();
+    if (!m_started) {
+        m_started = true;
+        writeHeading(text);
+    }
+    Run run;
+    while (text.size() < kPiece && plan(run))
+        writeRun(run, text);
+    return !text.empty();
+}
+
+void CsvWriter::writeHeading(std::string &text) const
+{
+    text += "time [s]";
+    for (const Channel &channel : *m_channels)
+        text += ',' + csvHeading(channel.info());
+    text += '\n';
+}
+
+/// Finds the next rows: their start, who has samples in them, and how many there are before that changes.
+bool CsvWriter::plan(Run &run) const
+{
+    bool any = false;
+    for (const auto &column : m_columns) {
+        if (!column->makesRows || column->next >= column->stop)
+            continue;
+        const Nanos time = column->channel->timeOf(column->next);
+        run.time = any ? std::min(run.time, time) : time;
+        any = true;
+    }
+    if (!any)
+        return false;
+    run.there.assign(m_columns.size(), false);
+    run.segment = nullptr;
+    run.count = kMostRowsARun;
+    Nanos others = std::numeric_limits<Nanos>::max();
+    for (std::size_t i = 0; i < m_columns.size(); ++i) {
+        const Column &column = *m_columns[i];
+        if (!column.makesRows || column.next >= column.stop)
+            continue;
+        const Nanos time = column.channel->timeOf(column.next);
+        if (time > run.time) {
+            others = std::min(others, time);
+            continue;
+        }
+        run.there[i] = true;
+        const FastColumn *fast = column.channel->fast();
+        if (!fast) {
+            run.count = 1;
+            continue;
+        }
+        const Segment &segment = fast->segments()[fast->segmentOf(column.next)];
+        const auto left =
+            static_cast<std::size_t>(std::min(segment.end(), column.stop) - column.next);
+        run.count = std::min(run.count, fast->codes(column.next, left).size());
+        if (!run.segment) {
+            run.segment = &segment;
+            run.first = column.next;
+        } else if (run.segment->base != segment.base || run.segment->step != segment.step) {
+            run.count = 1;
+        }
+    }
+    if (run.segment && others != std::numeric_limits<Nanos>::max())
+        run.count = std::min(
+            run.count, static_cast<std::size_t>(run.segment->atOrAfter(others) - run.first));
+    return true;
+}
+
+void CsvWriter::writeRun(const Run &run, std::string &text)
+{
+    if (!m_zero)
+        m_zero = m_options.zero == CsvOptions::Zero::FirstRow ? run.time : 0;
+    std::vector<std::span<const std::int16_t>> codes(m_columns.size());
+    for (std::size_t i = 0; i < m_columns.size(); ++i) {
+        if (run.there[i] && m_columns[i]->texts)
+            codes[i] = m_columns[i]->channel->fast()->codes(m_columns[i]->next, run.count);
+    }
+    // Most rows of a run are a whole number of nanoseconds apart; the exact division is for the others.
+    const Segment *segment = run.segment;
+    const std::int64_t picoKilo = segment ? segment->step * 1'000'000'000'000LL : 0;
+    const bool even = segment && picoKilo % segment->base.milliHz == 0;
+    const Nanos step = even ? picoKilo / segment->base.milliHz : 0;
+
+    const std::size_t before = text.size();
+    text.resize(before + run.count * (kTimeWidth + m_columns.size() * kColumnWidth + 1));
+    char *at = text.data() + before;
+    Nanos time = run.time;
+    for (std::size_t row = 0; row < run.count; ++row) {
+        if (row != 0)
+            time = even ? time + step : segment->timeOf(run.first + row);
+        at = writeTime(at, time - *m_zero);
+        for (std::size_t i = 0; i < m_columns.size(); ++i) {
+            *at++ = ',';
+            Column &column = *m_columns[i];
+            if (!codes[i].empty())
+                at = column.texts->write(at, codes[i][row]);
+            else if (!column.makesRows)
+                at = writeHeld(column, time, at);
+            else if (run.there[i])
+                at = writeNumber(at, column.channel->at(column.next));
+        }
+        *at++ = '\n';
+    }
+    text.resize(static_cast<std::size_t>(at - text.data()));
+    for (std::size_t i = 0; i < m_columns.size(); ++i) {
+        if (run.there[i]) {
+            m_columns[i]->next += run.count;
+            m_done += run.count;
+        }
+    }
+    m_rows += run.count;
+}
+
+/// The newest value at or before `time`; nothing before the first and where it does not hold any more.
+char *CsvWriter::writeHeld(Column &column, Nanos time, char *at)
+{
+    const ValueColumn *values = column.channel->values();
+    while (column.next < values->end() && values->timeOf(column.next) <= time) {
+        const char *end = writeNumber(column.held.data(), column.channel->at(column.next));
+        column.heldSize = static_cast<std::size_t>(end - column.held.data());
+        column.heldUntil = column.channel->holdUntil(column.next);
+        ++column.next;
+    }
+    if (time < column.heldUntil)
+        at = std::copy_n(column.held.data(), column.heldSize, at);
+    return at;
+}
+
+} // namespace capture

@@ -1,0 +1,69 @@
+// A capture as comma-separated text, made piece by piece from a snapshot: whoever owns the file writes the pieces.
+// The format is described in docs/csv.md: `.` and `,`, UTF-8, shortest numbers that read back exactly, time first.
+//
+// Rows are the samples of the fastest kind of channel in the snapshot; slower ones are held. What is not known is
+// blank, what was lost has no row, and nothing is ever filled in.
+#pragma once
+
+#include "capture/capture.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace capture {
+
+struct CsvOptions {
+    std::optional<TimeSpan> range; ///< rows in [from, to); all if not set
+    enum class Zero : std::uint8_t {
+        Session, ///< times as on the scope
+        FirstRow, ///< the first row is 0
+    } zero = Zero::Session;
+};
+
+/// Snapshots that share a rate: all fast channels, all slow ones, each polled one alone. Empty channels are left out.
+/// For one file per rate; every sample of every channel is then in some file.
+std::vector<Snapshot> splitByRate(const Snapshot &channels);
+
+/// A column's heading, e.g. `I_Q_MEAS [A]`: quoted where it must be, and with a leading apostrophe where a
+/// spreadsheet would take it for a formula.
+std::string csvHeading(const ChannelInfo &channel);
+
+/// Nanoseconds as seconds with as few digits as say it exactly, e.g. 62500 -> "0.0000625".
+std::string csvTime(Nanos time);
+
+class CsvWriter {
+public:
+    /// @param channels  columns in this order
+    explicit CsvWriter(Snapshot channels, CsvOptions options = {});
+    ~CsvWriter();
+    CsvWriter(const CsvWriter &) = delete;
+    CsvWriter &operator=(const CsvWriter &) = delete;
+
+    /// Replaces `text` by the next piece, about 1 MiB of whole rows. False, and no text, when all is written.
+    bool next(std::string &text);
+
+    double progress() const; ///< 0..1
+    std::uint64_t rows() const { return m_rows; } ///< written so far, without the heading
+
+private:
+    class CodeTexts; ///< the text of every 16-bit code, made when it is first needed
+    struct Column;
+    struct Run; ///< rows that follow each other without a change of who is there
+
+    void writeHeading(std::string &text) const;
+    bool plan(Run &run) const;
+    void writeRun(const Run &run, std::string &text);
+    static char *writeHeld(Column &column, Nanos time, char *at);
+
+    Snapshot m_channels;
+    CsvOptions m_options;
+    std::vector<std::unique_ptr<Column>> m_columns;
+    bool m_started = false;
+    std::optional<Nanos> m_zero;
+    std::uint64_t m_rows = 0;
+    std::uint64_t m_total = 0; ///< samples to write in the columns that make rows
+    std::uint64_t m_done = 0;
+};
+
+} // namespace capture

@@ -1,0 +1,124 @@
+// The CSV file: whole or not there at all, whatever the disk does.
+#include "session/csv_file.h"
+
+#include <QDir>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace session;
+
+class TestCsvFile : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void theFileHoldsWhatTheWriterSays();
+    void aFolderThatIsNotThereIsOneError();
+    void aFolderIsNotReplaced();
+    void cancellingLeavesTheOldFile();
+    void theThreadFinishesOnceAndReportsProgress();
+    void destroyingARunningExportLeavesNothing();
+};
+
+namespace {
+
+capture::Snapshot recording(int samples)
+{
+    capture::Capture capture;
+    capture.begin({1, 16000.0, 0.0, 1, {{1, "A", "A", 0.1, 0.0}, {2, "B", "A", 0.1, 0.0}}, {}});
+    for (int tick = 0; tick < samples; tick += 1000)
+        capture.append({1, tick, 1000, std::vector<std::int16_t>(2000, 1234), {}, 0});
+    const std::vector<capture::ChannelId> ids{*capture.find(1), *capture.find(2)};
+    return capture.snapshot(ids);
+}
+
+QByteArray contents(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void put(const QString &path, const QByteArray &text)
+{
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(text), text.size());
+}
+
+} // namespace
+
+void TestCsvFile::theFileHoldsWhatTheWriterSays()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.csv"));
+    capture::CsvWriter writer(recording(50'000));
+    const CsvResult result = writeCsvFile(path, writer);
+    QCOMPARE(result.error, CsvError::None);
+    QCOMPARE(result.rows, 50'000U);
+    const QByteArray text = contents(path);
+    QCOMPARE(text.size(), result.bytes);
+    QVERIFY(text.startsWith("time [s],A [A],B [A]\n0,123.4,123.4\n"));
+    QCOMPARE(text.count('\n'), 50'001);
+}
+
+void TestCsvFile::aFolderThatIsNotThereIsOneError()
+{
+    QTemporaryDir folder;
+    capture::CsvWriter writer(recording(1000));
+    const CsvResult result =
+        writeCsvFile(folder.filePath(QStringLiteral("no/such/folder/a.csv")), writer);
+    QCOMPARE(result.error, CsvError::CannotOpen);
+    QVERIFY(!result.systemText.isEmpty());
+}
+
+void TestCsvFile::aFolderIsNotReplaced()
+{
+    QTemporaryDir folder;
+    capture::CsvWriter writer(recording(1000));
+    QCOMPARE(writeCsvFile(folder.path(), writer).error, CsvError::NotAFile);
+    QVERIFY(QFileInfo(folder.path()).isDir());
+}
+
+void TestCsvFile::cancellingLeavesTheOldFile()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.csv"));
+    put(path, "old");
+    capture::CsvWriter writer(recording(200'000));
+    const CsvResult result =
+        writeCsvFile(path, writer, [](double fraction) { return fraction < 0.3; });
+    QCOMPARE(result.error, CsvError::Cancelled);
+    QCOMPARE(contents(path), QByteArray("old"));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
+}
+
+void TestCsvFile::theThreadFinishesOnceAndReportsProgress()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.csv"));
+    CsvExport job(path, recording(100'000), {});
+    QList<CsvResult> results;
+    connect(&job, &CsvExport::finished, this, [&](const CsvResult &r) { results.append(r); });
+    job.start();
+    job.start(); // a second click changes nothing
+    QTRY_COMPARE(results.size(), 1);
+    QCOMPARE(results[0].error, CsvError::None);
+    QCOMPARE(results[0].rows, 100'000U);
+    QVERIFY(!job.running());
+    QCOMPARE(contents(path).count('\n'), 100'001);
+}
+
+void TestCsvFile::destroyingARunningExportLeavesNothing()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.csv"));
+    {
+        CsvExport job(path, recording(3'000'000), {});
+        job.start();
+    }
+    QVERIFY(!QFile::exists(path));
+    QVERIFY(QDir(folder.path()).isEmpty(QDir::Files | QDir::Hidden));
+}
+
+QTEST_GUILESS_MAIN(TestCsvFile)
+#include "tst_csv_file.moc"

@@ -1,0 +1,76 @@
+// A disk that is full after so many bytes, for each such number: a limit on the file's size gives the same short
+// write as a full disk, without one.
+#include "session/csv_file.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <csignal>
+#include <sys/resource.h>
+
+using namespace session;
+
+class TestCsvFullDisk : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void whereverItFillsTheOldFileStays();
+};
+
+namespace {
+
+capture::Snapshot recording()
+{
+    capture::Capture capture;
+    capture.begin({1, 16000.0, 0.0, 1, {{1, "A", "A", 0.1, 0.0}}, {}});
+    for (int tick = 0; tick < 200'000; tick += 1000)
+        capture.append({1, tick, 1000, std::vector<std::int16_t>(1000, 1234), {}, 0});
+    const std::vector<capture::ChannelId> ids{*capture.find(1)};
+    return capture.snapshot(ids);
+}
+
+/// No file of this process may grow past `bytes` while this lives.
+struct SizeLimit {
+    rlimit before{};
+    explicit SizeLimit(rlim_t bytes)
+    {
+        std::signal(SIGXFSZ, SIG_IGN);
+        getrlimit(RLIMIT_FSIZE, &before);
+        const rlimit limit{bytes, before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~SizeLimit() { setrlimit(RLIMIT_FSIZE, &before); }
+};
+
+} // namespace
+
+void TestCsvFullDisk::whereverItFillsTheOldFileStays()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.csv"));
+    QFile old(path);
+    QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
+    old.close();
+    const capture::Snapshot snapshot = recording();
+    capture::CsvWriter whole(snapshot);
+    const CsvResult full = writeCsvFile(folder.filePath(QStringLiteral("b.csv")), whole);
+    QCOMPARE(full.error, CsvError::None);
+    for (qint64 bytes = 0; bytes < full.bytes; bytes += 1 + full.bytes / 37) {
+        capture::CsvWriter writer(snapshot);
+        CsvResult result;
+        {
+            const SizeLimit limit(static_cast<rlim_t>(bytes));
+            result = writeCsvFile(path, writer);
+        }
+        QCOMPARE(result.error, CsvError::CannotWrite);
+        QVERIFY(!result.systemText.isEmpty());
+        QVERIFY(old.open(QIODevice::ReadOnly));
+        QCOMPARE(old.readAll(), QByteArray("old"));
+        old.close();
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 2);
+    }
+}
+
+QTEST_GUILESS_MAIN(TestCsvFullDisk)
+#include "tst_csv_full_disk_posix.moc"
