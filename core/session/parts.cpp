@@ -1,10 +1,7 @@
 // What a session is made of outside the tests.
 #include "session/session.h"
 
-#if __has_include("drive/make_drive.h")
 #include "drive/make_drive.h"
-#define ROTORSCOPE_HAS_DRIVE
-#endif
 
 #include <chrono>
 
@@ -23,13 +20,9 @@ TimePoint readClock()
 
 Parts realParts()
 {
-    Parts parts;
-    parts.clock = readClock;
-#ifdef ROTORSCOPE_HAS_DRIVE
-    parts.transport = makeTransport;
-    parts.drive = [](const Endpoint &endpoint) { return drive::makeDrive(endpoint.baud); };
-#endif
-    return parts;
+    return {.clock = readClock, .transport = makeTransport, .drive = [](const Endpoint &endpoint) {
+                return drive::makeDrive(endpoint.baud);
+            }};
 }
 
 Session::Session(QObject *parent)

@@ -82,7 +82,6 @@ void PortLock::release()
 
 QString portHolder(const QString &path)
 {
-    const QByteArray self = QByteArray::number(::getpid());
     const QStringList pids =
         QDir(QStringLiteral("/proc")).entryList({ QStringLiteral("[0-9]*") }, QDir::Dirs);
     for (const QString &pid : pids) {

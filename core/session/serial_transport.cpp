@@ -54,13 +54,14 @@ PortError SerialTransport::open(TimePoint now)
     return {};
 }
 
-PortError SerialTransport::openError(const QString &path) const
+PortError SerialTransport::openError(const QString &path)
 {
+    m_lock.release(); // or we would be found as the one who holds it
     switch (m_port->error()) {
     case QSerialPort::DeviceNotFoundError:
         return { PortProblem::NotFound, m_port->errorString() };
     case QSerialPort::PermissionError:
-        // The lock is held already, so nothing but another program's lock file or claim is left.
+        // The device itself could be opened, so it is another program's lock file or claim.
         return { PortProblem::Busy, portHolder(path) };
     case QSerialPort::UnsupportedOperationError:
         return { PortProblem::BadSpeed, m_port->errorString() };

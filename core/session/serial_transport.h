@@ -25,7 +25,7 @@ public:
     bool real() const override { return true; }
 
 private:
-    PortError openError(const QString &path) const;
+    PortError openError(const QString &path);
     void onReadyRead();
     void onError(QSerialPort::SerialPortError error);
     void fail(const QString &detail);

@@ -50,7 +50,7 @@ public:
     void close() override { ++m_log.closed; }
     void write(ByteView view, TimePoint now) override
     {
-        m_log.written.push_back({ now, Bytes(view.begin(), view.end()) });
+        m_log.written.push_back({now, Bytes(view.begin(), view.end())});
     }
     bool sent(TimePoint) const override { return m_log.sent; }
     void advance(TimePoint) override { }
@@ -58,7 +58,7 @@ public:
     bool real() const override { return false; }
 
     void hear(const QByteArray &data) { Q_EMIT received(data); }
-    void fail() { Q_EMIT failed({ session::PortProblem::Unplugged, QStringLiteral("gone") }); }
+    void fail() { Q_EMIT failed({session::PortProblem::Unplugged, QStringLiteral("gone")}); }
 
 private:
     Log &m_log;
@@ -91,10 +91,9 @@ public:
     {
         ++m_log.disconnects;
         if (farewell.empty())
-            events.push_back(
-                drive::LinkChanged{ drive::LinkState::Closed, drive::LinkReason::None });
+            events.push_back(drive::LinkChanged{drive::LinkState::Closed, drive::LinkReason::None});
         else
-            outputs.push_back({ farewell, {} });
+            outputs.push_back({farewell, {}});
     }
     void receive(ByteView view, TimePoint) override
     {
@@ -131,7 +130,7 @@ private:
 
 /// A session on virtual time with both fakes behind it.
 struct Bench {
-    TimePoint now{ 100s };
+    TimePoint now{100s};
     FakeTransport::Log port;
     FakeDrive::Log board;
     session::Session session;
@@ -141,11 +140,11 @@ struct Bench {
     bool acknowledging = true;
 
     Bench()
-        : session({ .clock = [this] { return now; },
+        : session({.clock = [this] { return now; },
             .transport =
                 [this](const session::Endpoint &) { return std::make_unique<FakeTransport>(port); },
-            .drive =
-                [this](const session::Endpoint &) { return std::make_unique<FakeDrive>(board); } })
+            .drive = [this](
+                         const session::Endpoint &) { return std::make_unique<FakeDrive>(board); }})
     {
         using session::Session;
         QObject::connect(
@@ -164,7 +163,7 @@ struct Bench {
 
     static session::Endpoint serial()
     {
-        return { session::Endpoint::Kind::Serial, QStringLiteral("bench"), 1'000'000, {}, true };
+        return {session::Endpoint::Kind::Serial, QStringLiteral("bench"), 1'000'000, {}, true};
     }
     FakeDrive &drive() { return *board.alive; }
 

@@ -22,13 +22,12 @@ private Q_SLOTS:
 
 namespace {
 
-const TimePoint kStart{ 1s };
+const TimePoint kStart{1s};
 
 drive::Event read(drive::RegisterId id, std::int64_t value)
 {
     return drive::RegistersRead{
-        { { .id = id, .status = drive::ReadStatus::Ok, .value = value, .at = {} } }
-    };
+        {{.id = id, .status = drive::ReadStatus::Ok, .value = value, .at = {}}}};
 }
 
 drive::Event block(capture::Tick tick, std::uint32_t count)
@@ -44,9 +43,8 @@ drive::Event block(capture::Tick tick, std::uint32_t count)
 drive::Event started(std::uint32_t step)
 {
     capture::StreamLayout layout{
-        .id = 1, .tickHz = 16000, .originSeconds = 0, .fastStep = step, .fast = { {} }, .slow = {}
-    };
-    return drive::StreamStarted{ layout };
+        .id = 1, .tickHz = 16000, .originSeconds = 0, .fastStep = step, .fast = {{}}, .slow = {}};
+    return drive::StreamStarted{layout};
 }
 
 /// A batcher whose receiver has taken two batches and acknowledged none.
@@ -119,7 +117,7 @@ void TestBatcher::everyReadingStaysWhileTheReceiverKeepsUp()
 void TestBatcher::samplesBeyondTheBoundAreLostTicksOfTheNextBlock()
 {
     Behind bench(
-        { .period = 16ms, .maxUnacknowledged = 2, .maxWaitingValues = 250, .maxLinkChanges = 8 });
+        {.period = 16ms, .maxUnacknowledged = 2, .maxWaitingValues = 250, .maxLinkChanges = 8});
     bench.batcher.add(started(2));
     for (int i = 0; i < 5; ++i)
         bench.batcher.add(block(i * 200, 100));
@@ -137,14 +135,14 @@ void TestBatcher::endsOfWishesAreNeverThinned()
     Behind bench;
     for (drive::WishId id = 1; id <= 100; ++id)
         bench.batcher.add(
-            drive::Ended{ .id = id, .outcome = drive::Outcome::Ok, .reason = {}, .writes = {} });
+            drive::Ended{.id = id, .outcome = drive::Outcome::Ok, .reason = {}, .writes = {}});
     QCOMPARE(bench.catchUp()->events.size(), 100U);
 }
 
 void TestBatcher::aFloodStaysBounded()
 {
     Behind bench(
-        { .period = 16ms, .maxUnacknowledged = 2, .maxWaitingValues = 1000, .maxLinkChanges = 8 });
+        {.period = 16ms, .maxUnacknowledged = 2, .maxWaitingValues = 1000, .maxLinkChanges = 8});
     for (int i = 0; i < 20'000; ++i) {
         bench.batcher.add(read(static_cast<drive::RegisterId>(i % 10), i));
         bench.batcher.add(block(i * 100, 100));

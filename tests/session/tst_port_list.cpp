@@ -23,22 +23,22 @@ struct FakeSource : session::PortSource {
 void TestPortList::theSimulatedBoardIsFirstThenStLinksThenOthers()
 {
     FakeSource source;
-    source.list = { { QStringLiteral("/dev/ttyUSB0"), {}, {}, {}, 0x0403, 0x6001 },
-        { QStringLiteral("/dev/ttyACM1"), {}, {}, {}, 0x0483, 0x374B },
-        { QStringLiteral("/dev/ttyACM0"), {}, {}, {}, 0x0483, 0x3753 } };
+    source.list = {{QStringLiteral("/dev/ttyUSB0"), {}, {}, {}, 0x0403, 0x6001},
+        {QStringLiteral("/dev/ttyACM1"), {}, {}, {}, 0x0483, 0x374B},
+        {QStringLiteral("/dev/ttyACM0"), {}, {}, {}, 0x0483, 0x3753}};
     QStringList paths;
     for (const PortChoice &choice : session::portChoices(source))
         paths.append(choice.path);
     QCOMPARE(paths,
-        QStringList({ QStringLiteral("sim"), QStringLiteral("/dev/ttyACM0"),
-            QStringLiteral("/dev/ttyACM1"), QStringLiteral("/dev/ttyUSB0") }));
+        QStringList({QStringLiteral("sim"), QStringLiteral("/dev/ttyACM0"),
+            QStringLiteral("/dev/ttyACM1"), QStringLiteral("/dev/ttyUSB0")}));
 }
 
 void TestPortList::titlesAreTheDevicesWordsWithoutRepetition()
 {
     FakeSource source;
-    source.list = { { QStringLiteral("/dev/ttyACM0"), QStringLiteral("STLINK-V3"),
-        QStringLiteral("ST"), QStringLiteral("ST"), 0, 0 } };
+    source.list = {{QStringLiteral("/dev/ttyACM0"), QStringLiteral("STLINK-V3"),
+        QStringLiteral("ST"), QStringLiteral("ST"), 0, 0}};
     QCOMPARE(session::portChoices(source).at(1).title, QStringLiteral("ST STLINK-V3"));
 }
 

@@ -38,7 +38,7 @@ void TestSession::outputsKeepTheirGapsOnTheWire()
     Bench bench;
     bench.session.open(Bench::serial());
     const TimePoint start = bench.now;
-    bench.drive().outputs = { { bytes({ 1, 2, 3, 4 }), {} }, { bytes({ 5 }), 1500us } };
+    bench.drive().outputs = {{bytes({1, 2, 3, 4}), {}}, {bytes({5}), 1500us}};
     bench.turn();
     QCOMPARE(bench.port.written.size(), 1U);
     bench.runUntil(start + 10ms);
@@ -51,7 +51,7 @@ void TestSession::aPortThatIsSlowerThanItsSpeedDelaysTheGap()
     Bench bench;
     bench.session.open(Bench::serial());
     const TimePoint start = bench.now;
-    bench.drive().outputs = { { bytes({ 1, 2, 3, 4 }), {} }, { bytes({ 5 }), 1500us } };
+    bench.drive().outputs = {{bytes({1, 2, 3, 4}), {}}, {bytes({5}), 1500us}};
     bench.port.sent = false;
     bench.runUntil(start + 5ms);
     QCOMPARE(bench.port.written.size(), 1U);
@@ -66,11 +66,11 @@ void TestSession::theDriveHearsThatItsOutputHasLeft()
     Bench bench;
     bench.session.open(Bench::serial());
     const TimePoint start = bench.now;
-    bench.drive().outputs = { { Bytes(100), {} } };
+    bench.drive().outputs = {{Bytes(100), {}}};
     bench.turn();
     QVERIFY(bench.board.sentAt.empty());
     bench.runUntil(start + 10ms);
-    QCOMPARE(bench.board.sentAt, std::vector<TimePoint>{ start + 1ms });
+    QCOMPARE(bench.board.sentAt, std::vector<TimePoint>{start + 1ms});
 }
 
 void TestSession::bytesReachTheDriveAndItsEventsComeOut()
@@ -79,7 +79,7 @@ void TestSession::bytesReachTheDriveAndItsEventsComeOut()
     bench.session.open(Bench::serial());
     bench.drive().events.push_back(drive::LinkCounters{});
     bench.port.alive->hear("ab");
-    QCOMPARE(bench.board.received, bytes({ 'a', 'b' }));
+    QCOMPARE(bench.board.received, bytes({'a', 'b'}));
     QCOMPARE(bench.told<drive::LinkCounters>().size(), 1U);
 }
 
@@ -127,7 +127,7 @@ void TestSession::aStopWithoutAPortDoesNothing()
 void TestSession::wishesWithoutAPortEndNotSent()
 {
     Bench bench;
-    bench.session.submit({ .id = 5, .what = drive::Read{} });
+    bench.session.submit({.id = 5, .what = drive::Read{}});
     const auto ends = bench.told<drive::Ended>();
     QCOMPARE(ends.size(), 1U);
     QCOMPARE(ends[0].id, 5U);
@@ -142,16 +142,16 @@ void TestSession::armingIsToldAndEndsWithTheStop()
     bench.session.open(Bench::serial());
     bench.session.setArmed(true);
     bench.session.stop();
-    QCOMPARE(bench.armed, (std::vector<bool>{ true, false }));
+    QCOMPARE(bench.armed, (std::vector<bool>{true, false}));
 }
 
 void TestSession::aPortThatCannotBeOpenedIsToldOnce()
 {
     Bench bench;
-    bench.port.openResult = { PortProblem::Busy, QStringLiteral("other (pid 1)") };
+    bench.port.openResult = {PortProblem::Busy, QStringLiteral("other (pid 1)")};
     bench.session.open(Bench::serial());
     bench.runUntil(bench.now + 5s);
-    QCOMPARE(bench.ports, (std::vector<Port>{ { PortState::Closed, PortProblem::Busy } }));
+    QCOMPARE(bench.ports, (std::vector<Port>{{PortState::Closed, PortProblem::Busy}}));
     QCOMPARE(bench.board.made, 0);
 }
 
@@ -159,7 +159,7 @@ void TestSession::closingWaitsForTheLastWordsButNotForLong()
 {
     Bench bench;
     bench.session.open(Bench::serial());
-    bench.drive().farewell = bytes({ 9 });
+    bench.drive().farewell = bytes({9});
     const TimePoint start = bench.now;
     bench.session.close();
     QCOMPARE(bench.port.written.size(), 1U);
@@ -188,8 +188,8 @@ void TestSession::openingAnOpenSessionClosesItFirst()
     bench.session.open(Bench::serial());
     bench.runUntil(bench.now + 1s);
     QCOMPARE(bench.ports,
-        (std::vector<Port>{ { PortState::Open, PortProblem::None },
-            { PortState::Closed, PortProblem::None }, { PortState::Open, PortProblem::None } }));
+        (std::vector<Port>{{PortState::Open, PortProblem::None},
+            {PortState::Closed, PortProblem::None}, {PortState::Open, PortProblem::None}}));
     QCOMPARE(bench.board.connects, 2);
 }
 
@@ -204,8 +204,8 @@ void TestSession::anUnpluggedPortIsToldOnceAndTheDriveIsToldToo()
     QCOMPARE(bench.board.disconnects, 1);
     QCOMPARE(bench.port.opened, 1);
     QCOMPARE(bench.ports,
-        (std::vector<Port>{ { PortState::Open, PortProblem::None },
-            { PortState::Closed, PortProblem::Unplugged } }));
+        (std::vector<Port>{
+            {PortState::Open, PortProblem::None}, {PortState::Closed, PortProblem::Unplugged}}));
 }
 
 void TestSession::anUnpluggedPortIsTriedAgainEveryHalfSecond()
@@ -214,7 +214,7 @@ void TestSession::anUnpluggedPortIsTriedAgainEveryHalfSecond()
     bench.session.open(Bench::serial());
     bench.session.setArmed(true);
     bench.port.alive->fail();
-    bench.port.openResult = { PortProblem::NotFound, {} };
+    bench.port.openResult = {PortProblem::NotFound, {}};
     bench.runUntil(bench.now + 1900ms);
     QCOMPARE(bench.ports.size(), 2U); // the attempts are not told
     bench.port.openResult = {};
@@ -222,20 +222,20 @@ void TestSession::anUnpluggedPortIsTriedAgainEveryHalfSecond()
     QCOMPARE(bench.ports.back(), Port(PortState::Open, PortProblem::None));
     QCOMPARE(bench.board.connects, 2);
     QVERIFY(!bench.drive().armed());
-    QCOMPARE(bench.armed, (std::vector<bool>{ true, false }));
+    QCOMPARE(bench.armed, (std::vector<bool>{true, false}));
 }
 
 void TestSession::reopeningTakesUpStreamingAndNothingElse()
 {
     Bench bench;
     bench.session.open(Bench::serial());
-    bench.session.submit({ .id = 1,
-        .what = drive::Stream{ .fast = { 1, 2 }, .fastEvery = 1, .slow = {}, .slowEvery = 1 } });
+    bench.session.submit({.id = 1,
+        .what = drive::Stream{.fast = {1, 2}, .fastEvery = 1, .slow = {}, .slowEvery = 1}});
     bench.session.submit(
-        { .id = 2, .what = drive::SpeedRamp{ .motor = 1, .rpm = 1000, .duration = 1s } });
+        {.id = 2, .what = drive::SpeedRamp{.motor = 1, .rpm = 1000, .duration = 1s}});
     bench.session.submit(
-        { .id = 3, .what = drive::Command{ .action = drive::MotorAction::Start, .motor = 1 } });
-    bench.session.submit({ .id = 4, .what = drive::Watch{ .registers = { 3 }, .period = 100ms } });
+        {.id = 3, .what = drive::Command{.action = drive::MotorAction::Start, .motor = 1}});
+    bench.session.submit({.id = 4, .what = drive::Watch{.registers = {3}, .period = 100ms}});
     bench.board.wishes.clear();
     bench.port.alive->fail();
     bench.runUntil(bench.now + 600ms);

@@ -1,0 +1,174 @@
+// The serial port against pseudo-terminals: bytes, one writer, and every way a port can fail.
+#include "session/serial_transport.h"
+#include "support/pseudo_terminal.h"
+
+#include <QAbstractEventDispatcher>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace std::chrono_literals;
+using session::PortError;
+using session::PortProblem;
+using session::SerialTransport;
+using support::PseudoTerminal;
+
+class TestSerialTransport : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void bytesPassBothWaysUnchanged();
+    void everyUsualAndUnusualSpeedOpens_data();
+    void everyUsualAndUnusualSpeedOpens();
+    void anUnpluggedPortFailsOnceAndIsClosed();
+    void anUnpluggedPortFailsOnceWhileWriting();
+    void aSecondOpenIsRefusedAlsoByAnotherName();
+    void aClosedPortCanBeOpenedAgain();
+    void whatIsNotASerialPortIsRefused();
+    void aSpeedThatCannotBeIsRefused();
+};
+
+namespace {
+
+struct Port {
+    SerialTransport transport;
+    QByteArray heard;
+    int failures = 0;
+    PortError error;
+
+    explicit Port(const QString &path, std::uint32_t baud = 1843200)
+        : transport(path, baud)
+    {
+        QObject::connect(&transport, &session::Transport::received, &transport,
+            [this](const QByteArray &bytes) { heard += bytes; });
+        QObject::connect(
+            &transport, &session::Transport::failed, &transport, [this](const PortError &why) {
+                ++failures;
+                error = why;
+            });
+    }
+    PortProblem open() { return transport.open({}).problem; }
+};
+
+Bytes allBytes()
+{
+    Bytes bytes(256);
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        bytes[i] = static_cast<std::uint8_t>(i);
+    return bytes;
+}
+
+} // namespace
+
+void TestSerialTransport::bytesPassBothWaysUnchanged()
+{
+    PseudoTerminal device;
+    Port port(device.path());
+    QCOMPARE(port.open(), PortProblem::None);
+    const Bytes bytes = allBytes();
+    port.transport.write(bytes, {});
+    QVERIFY(port.transport.sent({})); // without a turn of the event loop
+    QCOMPARE(device.read(), bytes);
+    device.write(bytes);
+    QTRY_COMPARE(port.heard, QByteArray(reinterpret_cast<const char *>(bytes.data()), 256));
+}
+
+void TestSerialTransport::everyUsualAndUnusualSpeedOpens_data()
+{
+    QTest::addColumn<quint32>("baud");
+    for (const quint32 baud : {115200U, 230400U, 460800U, 921600U, 1843200U, 123456U})
+        QTest::addRow("%u", baud) << baud;
+}
+
+void TestSerialTransport::everyUsualAndUnusualSpeedOpens()
+{
+    QFETCH(quint32, baud);
+    PseudoTerminal device;
+    QCOMPARE(Port(device.path(), baud).open(), PortProblem::None);
+}
+
+void TestSerialTransport::anUnpluggedPortFailsOnceAndIsClosed()
+{
+    PseudoTerminal device;
+    Port port(device.path());
+    QCOMPARE(port.open(), PortProblem::None);
+    device.write(Bytes{0x1A, 0x00}); // half a header
+    device.unplug();
+    QTRY_COMPARE(port.failures, 1);
+    QCOMPARE(port.error.problem, PortProblem::Unplugged);
+    QVERIFY(!port.transport.nextWake()); // nothing left to look after
+    int turns = 0;
+    while (
+        QCoreApplication::eventDispatcher()->processEvents(QEventLoop::AllEvents) && turns < 1000)
+        ++turns;
+    QVERIFY2(turns < 100, qPrintable(QString::number(turns))); // the event loop comes to rest
+    QCOMPARE(port.failures, 1);
+}
+
+void TestSerialTransport::anUnpluggedPortFailsOnceWhileWriting()
+{
+    PseudoTerminal device;
+    Port port(device.path());
+    QCOMPARE(port.open(), PortProblem::None);
+    device.unplug();
+    port.transport.write(allBytes(), {});
+    port.transport.write(allBytes(), {});
+    QTRY_COMPARE(port.failures, 1);
+    port.transport.write(allBytes(), {}); // harmless
+    QVERIFY(port.transport.sent({}));
+    QCoreApplication::processEvents();
+    QCOMPARE(port.failures, 1);
+}
+
+void TestSerialTransport::aSecondOpenIsRefusedAlsoByAnotherName()
+{
+    PseudoTerminal device;
+    QTemporaryDir folder;
+    const QString alias = folder.filePath(QStringLiteral("alias"));
+    QVERIFY(QFile::link(device.path(), alias));
+    Port first(device.path());
+    QCOMPARE(first.open(), PortProblem::None);
+    for (const QString &name : {device.path(), alias}) {
+        Port second(name);
+        const PortError error = second.transport.open({});
+        QCOMPARE(error.problem, PortProblem::Busy);
+        QVERIFY2(error.detail.contains(QString::number(QCoreApplication::applicationPid())),
+            qPrintable(error.detail));
+    }
+    first.transport.write(Bytes{1}, {}); // the first is undisturbed
+    QCOMPARE(device.read(), Bytes{1});
+    first.transport.close();
+    QCOMPARE(Port(alias).open(), PortProblem::None);
+}
+
+void TestSerialTransport::aClosedPortCanBeOpenedAgain()
+{
+    PseudoTerminal device;
+    Port port(device.path());
+    for (int i = 0; i < 3; ++i) {
+        QCOMPARE(port.open(), PortProblem::None);
+        port.transport.write(Bytes{7}, {});
+        QCOMPARE(device.read(), Bytes{7});
+        port.transport.close();
+    }
+    device.unplug();
+    QCOMPARE(port.open(), PortProblem::NotFound);
+}
+
+void TestSerialTransport::whatIsNotASerialPortIsRefused()
+{
+    QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("file")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(Port(file.fileName()).open(), PortProblem::NotFound);
+    QCOMPARE(Port(folder.filePath(QStringLiteral("nothing"))).open(), PortProblem::NotFound);
+    QVERIFY(Port(folder.path()).open() != PortProblem::None);
+}
+
+void TestSerialTransport::aSpeedThatCannotBeIsRefused()
+{
+    PseudoTerminal device;
+    QCOMPARE(Port(device.path(), 0).open(), PortProblem::BadSpeed);
+}
+
+QTEST_GUILESS_MAIN(TestSerialTransport)
+#include "tst_serial_transport_posix.moc"
