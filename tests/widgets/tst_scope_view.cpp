@@ -16,6 +16,28 @@ class TestScopeView : public QObject {
 private Q_SLOTS:
     void anEmptyScopeSaysWhatToDo();
     void aTraceIsDrawnWhereItsValuesAre();
+    void aGapShowsNoTraceAndIsShaded();
+    void singleSamplesAreDrawnAsSteps();
+    void aPeakOfOneSampleIsNeverLost();
+    void signalsOfOneUnitShareAnAxisAndOthersGetTheirOwn();
+    void aFifthUnitSharesTheLastAxis();
+    void plotsAreStackedAndVanishWhenEmpty();
+    void followingKeepsTheNewestSampleAtTheRightEdge();
+    void aStoppedPictureStandsStillWhileRecordingGoesOn();
+    void manyChangesMakeOneRedraw();
+    void keysDriveTheView();
+    void fittingShowsEverything();
+    void draggingPansAndEndsFollowing();
+    void theWheelZoomsAtTheMouse();
+    void aRightDragZoomsIntoTheBox();
+    void draggingAnAxisMovesOnlyThatAxis();
+    void clickingTheLegendSelectsAndDeleteRemoves();
+    void registersDroppedOnAPlotAreReported();
+    void whatIsNoListOfRegistersIsNotAccepted();
+    void coloursStayWithTheRegisterAndFollowTheTheme();
+    void aClearedCaptureKeepsItsTracesByRegister();
+    void nonsenseRangesChangeNothing();
+    void screenReadersHearWhatIsShown();
 };
 
 namespace {
@@ -93,6 +115,22 @@ QList<int> rowsOf(const QImage &image, int x, const QColor &color)
     return rows;
 }
 
+void sendDrop(QWidget &target, const QPoint &at, const QByteArray &json, bool *entered)
+{
+    QMimeData data;
+    data.setData(QString::fromLatin1(kRegisterMimeType), json);
+    QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    enter.setAccepted(false);
+    QApplication::sendEvent(&target, &enter);
+    *entered = enter.isAccepted();
+    if (!*entered)
+        return;
+    QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&target, &drop);
+}
+
+QWidget &plotOf(ScopeView &view) { return *view.findChild<QWidget *>(QStringLiteral("scopePlot")); }
+
 } // namespace
 
 void TestScopeView::anEmptyScopeSaysWhatToDo()
@@ -121,6 +159,453 @@ void TestScopeView::aTraceIsDrawnWhereItsValuesAre()
     QCOMPARE(left.size(), 1);
     QCOMPARE(right.size(), 1);
     QVERIFY(left.first() > 300 && right.first() < 100);
+}
+
+void TestScopeView::aGapShowsNoTraceAndIsShaded()
+{
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.record(4000, 500);
+    bench.tick += 2000; // lost
+    bench.record(4000, 500);
+    bench.view.fitAll();
+    const QImage image = bench.picture();
+    const QColor color = bench.view.colorOf(bench.id(1));
+    const QRect area = bench.view.plotRect(0);
+    const auto at = [&](double share) { return area.left() + int(share * area.width()); };
+    QCOMPARE(rowsOf(image, at(0.2), color).size(), 1);
+    QCOMPARE(rowsOf(image, at(0.5), color).size(), 0);
+    QCOMPARE(rowsOf(image, at(0.8), color).size(), 1);
+    const int y = area.top() + area.height() / 4 + 3;
+    QCOMPARE(QColor(image.pixel(at(0.21), y)), QColor(Qt::white));
+    QVERIFY(QColor(image.pixel(at(0.51), y)) != QColor(Qt::white));
+}
+
+void TestScopeView::singleSamplesAreDrawnAsSteps()
+{
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.record(10, [](int, int tick) { return tick % 2 * 100; });
+    bench.view.setVisibleRange(0.0, 0.010);
+    bench.view.fitValues();
+    const QImage image = bench.picture();
+    const QColor color = bench.view.colorOf(bench.id(1));
+    const QRect area = bench.view.plotRect(0);
+    // Nine tenths into a sample it is still that sample's value: no slope, no rounding to the nearest.
+    for (int i = 0; i < 9; ++i) {
+        const int x = area.left() + int((i + 0.9) * area.width() / 10.0);
+        const QList<int> rows = rowsOf(image, x, color);
+        QCOMPARE(rows.size(), 1);
+        QCOMPARE(rows.first() < area.center().y(), i % 2 == 1);
+    }
+}
+
+void TestScopeView::aPeakOfOneSampleIsNeverLost()
+{
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.record(1'000'000, [](int, int tick) { return tick == 654'321 ? 30000 : 0; });
+    bench.view.fitAll();
+    const QImage image = bench.picture();
+    const QColor color = bench.view.colorOf(bench.id(1));
+    const QRect area = bench.view.plotRect(0);
+    const int x = area.left() + int(0.654321 * area.width());
+    int tall = 0;
+    for (int dx = -1; dx <= 1; ++dx)
+        tall = std::max(tall, int(rowsOf(image, x + dx, color).size()));
+    QVERIFY(tall > area.height() / 2);
+}
+
+void TestScopeView::signalsOfOneUnitShareAnAxisAndOthersGetTheirOwn()
+{
+    Bench bench({signal(1, "A"), signal(2, "A"), signal(3, "rpm")});
+    for (const catalog::RegisterId reg : {1U, 2U, 3U})
+        bench.view.addChannel(bench.id(reg));
+    QCOMPARE(bench.view.plotCount(), 1);
+    QCOMPARE(bench.view.axisCount(0), 2);
+    bench.record(1000, [](int s, int) { return s == 2 ? 1500 : s; });
+    bench.picture();
+    QVERIFY(bench.view.valueRangeOf(bench.id(1)).to < 10);
+    QVERIFY(bench.view.valueRangeOf(bench.id(3)).to > 1500);
+    bench.view.removeChannel(bench.id(3));
+    QCOMPARE(bench.view.axisCount(0), 1);
+    bench.picture();
+}
+
+void TestScopeView::aFifthUnitSharesTheLastAxis()
+{
+    Bench bench(
+        {signal(1, "A"), signal(2, "V"), signal(3, "rpm"), signal(4, "deg"), signal(5, "W")});
+    for (catalog::RegisterId reg = 1; reg <= 5; ++reg)
+        bench.view.addChannel(bench.id(reg));
+    bench.record(1000, 7);
+    QVERIFY(!bench.picture().isNull());
+    QCOMPARE(bench.view.axisCount(0), 4);
+    QCOMPARE(bench.view.channels().size(), 5);
+}
+
+void TestScopeView::plotsAreStackedAndVanishWhenEmpty()
+{
+    Bench bench({signal(1, "A"), signal(2, "V"), signal(3, "rpm")});
+    bench.view.addChannel(bench.id(1), 7); // clipped: an empty scope has one plot
+    QCOMPARE(bench.view.plotOf(bench.id(1)), 0);
+    bench.view.addChannel(bench.id(2), 1);
+    bench.view.addChannel(bench.id(3), -5);
+    QCOMPARE(bench.view.plotCount(), 2);
+    QCOMPARE(bench.view.plotOf(bench.id(2)), 1);
+    QCOMPARE(bench.view.plotOf(bench.id(3)), 0);
+    bench.record(1000, 1);
+    bench.picture();
+    const QRect upper = bench.view.plotRect(0);
+    const QRect lower = bench.view.plotRect(1);
+    QVERIFY(upper.bottom() < lower.top());
+    QCOMPARE(upper.left(), lower.left()); // one time axis: the same second is one vertical line
+    QCOMPARE(upper.width(), lower.width());
+    bench.view.removeChannel(bench.id(1));
+    bench.view.removeChannel(bench.id(3));
+    QCOMPARE(bench.view.plotCount(), 1);
+    QCOMPARE(bench.view.plotOf(bench.id(2)), 0);
+    bench.view.removeChannel(bench.id(2));
+    QCOMPARE(bench.view.plotCount(), 1);
+    bench.picture();
+}
+
+void TestScopeView::followingKeepsTheNewestSampleAtTheRightEdge()
+{
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    QVERIFY(bench.view.following());
+    bench.record(20'000, 1);
+    bench.picture();
+    QCOMPARE(bench.view.visibleRange().to, 19.999);
+    const double span = bench.view.visibleRange().to - bench.view.visibleRange().from;
+    bench.record(500, 1);
+    QTRY_COMPARE(bench.view.visibleRange().to, 20.499);
+    QVERIFY(std::abs(bench.view.visibleRange().to - bench.view.visibleRange().from - span) < 1e-9);
+    bench.view.zoom(2.0);
+    QCOMPARE(bench.view.visibleRange().to, 20.499);
+    QVERIFY(bench.view.following());
+}
+
+void TestScopeView::aStoppedPictureStandsStillWhileRecordingGoesOn()
+{
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.record(20'000, 1);
+    bench.picture();
+    QSignalSpy spy(&bench.view, &ScopeView::runningChanged);
+    bench.view.setRunning(false);
+    bench.picture();
+    const double right = bench.view.visibleRange().to;
+    const quint64 redraws = bench.view.redraws();
+    bench.record(5000, 9);
+    QCoreApplication::processEvents();
+    QCOMPARE(bench.view.visibleRange().to, right);
+    QCOMPARE(bench.view.redraws(), redraws);
+    QCOMPARE(bench.capture.size(bench.id(1)), 25'000U);
+    bench.view.setRunning(true);
+    QTRY_COMPARE(bench.view.visibleRange().to, 24.999);
+    QCOMPARE(spy.size(), 2);
+}
+
+void TestScopeView::manyChangesMakeOneRedraw()
+{
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.picture();
+    const quint64 before = bench.view.redraws();
+    for (int i = 0; i < 1000; ++i)
+        bench.record(10, i);
+    bench.picture();
+    QVERIFY(bench.view.redraws() - before <= 3);
+    const quint64 after = bench.view.redraws();
+    bench.view.captureChanged(); // nothing new
+    QCoreApplication::processEvents();
+    QCOMPARE(bench.view.redraws(), after);
+}
+
+void TestScopeView::keysDriveTheView()
+{
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.record(20'000, 1);
+    bench.picture();
+    ScopeView &view = bench.view;
+    QTest::keyClick(&view, Qt::Key_Space);
+    QVERIFY(!view.running());
+    QTest::keyClick(&view, Qt::Key_Space);
+    QVERIFY(view.running());
+    const double span = view.visibleRange().to - view.visibleRange().from;
+    QTest::keyClick(&view, Qt::Key_Plus);
+    QVERIFY(view.visibleRange().to - view.visibleRange().from < span);
+    QTest::keyClick(&view, Qt::Key_Minus);
+    QVERIFY(std::abs(view.visibleRange().to - view.visibleRange().from - span) < 1e-6);
+    const double right = view.visibleRange().to;
+    QTest::keyClick(&view, Qt::Key_Left);
+    QVERIFY(view.visibleRange().to < right);
+    QVERIFY(!view.following());
+    QTest::keyClick(&view, Qt::Key_Right);
+    QVERIFY(std::abs(view.visibleRange().to - right) < 1e-6);
+    QTest::keyClick(&view, Qt::Key_Left);
+    QTest::keyClick(&view, Qt::Key_End);
+    QVERIFY(view.following());
+    QCOMPARE(view.visibleRange().to, 19.999);
+    QVERIFY(view.gridVisible());
+    QTest::keyClick(&view, Qt::Key_G);
+    QVERIFY(!view.gridVisible());
+    QTest::keyClick(&view, Qt::Key_F);
+    QCOMPARE(view.visibleRange().from, 0.0);
+    QCOMPARE(view.visibleRange().to, 20.0);
+    // With Ctrl they belong to somebody else.
+    QTest::keyClick(&view, Qt::Key_Space, Qt::ControlModifier);
+    QVERIFY(view.running());
+}
+
+void TestScopeView::fittingShowsEverything()
+{
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.record(30'000, [](int, int tick) { return tick < 100 ? 5000 : 10; });
+    bench.view.fitAll();
+    bench.picture();
+    const auto range = bench.view.valueRangeOf(bench.id(1));
+    QVERIFY(range.to > 5000 && range.from < 10 && range.to < 6000);
+    bench.view.setVisibleRange(1.0, 2.0);
+    QTest::keyClick(&bench.view, Qt::Key_F, Qt::ShiftModifier);
+    QVERIFY(bench.view.valueRangeOf(bench.id(1)).to < 20);
+    QCOMPARE(bench.view.visibleRange().from, 1.0);
+}
+
+void TestScopeView::draggingPansAndEndsFollowing()
+{
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.record(20'000, 1);
+    bench.picture();
+    QSignalSpy spy(&bench.view, &ScopeView::followingChanged);
+    const auto before = bench.view.visibleRange();
+    QWidget &plot = plotOf(bench.view);
+    const QPoint center = bench.view.plotRect(0).center();
+    const int distance = bench.view.plotRect(0).width() / 5;
+    QTest::mousePress(&plot, Qt::LeftButton, {}, center);
+    QTest::mouseMove(&plot, center + QPoint(distance, 0));
+    QTest::mouseRelease(&plot, Qt::LeftButton, {}, center + QPoint(distance, 0));
+    const auto after = bench.view.visibleRange();
+    QVERIFY(std::abs(before.from - after.from - (before.to - before.from) / 5) < 0.01);
+    QCOMPARE(spy.size(), 1);
+    QVERIFY(!bench.view.following());
+    bench.picture();
+    QCOMPARE(bench.view.visibleRange().from, after.from);
+}
+
+void TestScopeView::theWheelZoomsAtTheMouse()
+{
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.record(20'000, 1);
+    bench.view.setVisibleRange(0.0, 10.0);
+    bench.picture();
+    QWidget &plot = plotOf(bench.view);
+    const QRect area = bench.view.plotRect(0);
+    const auto wheel = [&](QPoint at, int delta, Qt::KeyboardModifiers held) {
+        QWheelEvent event(
+            at, plot.mapToGlobal(at), {}, {0, delta}, Qt::NoButton, held, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&plot, &event);
+    };
+    const QPoint quarter(area.left() + area.width() / 4, area.center().y());
+    wheel(quarter, 120, {});
+    auto range = bench.view.visibleRange();
+    QVERIFY(range.to - range.from < 9.0);
+    QVERIFY(std::abs(range.from + (range.to - range.from) / 4 - 2.5) < 0.02);
+    wheel(quarter, -120, Qt::ShiftModifier);
+    QVERIFY(std::abs(bench.view.visibleRange().to - bench.view.visibleRange().from
+                - (range.to - range.from))
+        < 1e-9);
+    QVERIFY(bench.view.visibleRange().from > range.from);
+    // On the value axis it is the gain.
+    const auto values = bench.view.valueRangeOf(bench.id(1));
+    range = bench.view.visibleRange();
+    wheel({area.left() - 15, area.center().y()}, 120, {});
+    QVERIFY(bench.view.valueRangeOf(bench.id(1)).to < values.to);
+    QCOMPARE(bench.view.visibleRange().from, range.from);
+}
+
+void TestScopeView::aRightDragZoomsIntoTheBox()
+{
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.record(10'000, [](int, int tick) { return tick % 100; });
+    bench.view.fitAll();
+    bench.picture();
+    QWidget &plot = plotOf(bench.view);
+    const QRect area = bench.view.plotRect(0);
+    const auto values = bench.view.valueRangeOf(bench.id(1));
+    const QPoint from(area.left() + area.width() / 2, area.top() + area.height() / 2);
+    const QPoint to(area.left() + area.width() * 3 / 4, area.top() + area.height() * 3 / 4);
+    QTest::mousePress(&plot, Qt::RightButton, {}, from);
+    QTest::mouseMove(&plot, to);
+    QTest::mouseRelease(&plot, Qt::RightButton, {}, to);
+    const auto range = bench.view.visibleRange();
+    QVERIFY(std::abs(range.from - 5.0) < 0.05 && std::abs(range.to - 7.5) < 0.05);
+    const auto zoomed = bench.view.valueRangeOf(bench.id(1));
+    const double height = values.to - values.from;
+    QVERIFY(std::abs(zoomed.to - (values.to - height / 2)) < height * 0.02);
+    QVERIFY(std::abs(zoomed.from - (values.to - height * 3 / 4)) < height * 0.02);
+}
+
+void TestScopeView::draggingAnAxisMovesOnlyThatAxis()
+{
+    Bench bench({signal(1, "A"), signal(2, "V")});
+    bench.view.addChannel(bench.id(1));
+    bench.view.addChannel(bench.id(2));
+    bench.record(10'000, [](int, int tick) { return tick % 100; });
+    bench.picture();
+    QWidget &plot = plotOf(bench.view);
+    const QRect area = bench.view.plotRect(0);
+    const auto first = bench.view.valueRangeOf(bench.id(1));
+    const auto second = bench.view.valueRangeOf(bench.id(2));
+    const QPoint axis(area.left() - 15, area.center().y());
+    QTest::mousePress(&plot, Qt::LeftButton, {}, axis);
+    QTest::mouseMove(&plot, axis + QPoint(0, area.height() / 4));
+    QTest::mouseRelease(&plot, Qt::LeftButton, {}, axis + QPoint(0, area.height() / 4));
+    const auto moved = bench.view.valueRangeOf(bench.id(1));
+    QVERIFY(std::abs(moved.from - first.from - (first.to - first.from) / 4) < 1.0);
+    QCOMPARE(bench.view.valueRangeOf(bench.id(2)).from, second.from);
+    bench.record(10, 20000); // an axis moved by hand stays where it was put
+    bench.picture();
+    QCOMPARE(bench.view.valueRangeOf(bench.id(1)).to, moved.to);
+    QVERIFY(bench.view.valueRangeOf(bench.id(2)).to > 20000);
+    QTest::mouseClick(&plot, Qt::MiddleButton, {}, axis);
+    bench.picture();
+    QVERIFY(bench.view.valueRangeOf(bench.id(1)).to > 20000);
+}
+
+void TestScopeView::clickingTheLegendSelectsAndDeleteRemoves()
+{
+    Bench bench({signal(1, "A"), signal(2, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.view.addChannel(bench.id(2));
+    bench.record(100, 1);
+    bench.picture();
+    QSignalSpy spy(&bench.view, &ScopeView::removeRequested);
+    QTest::keyClick(&bench.view, Qt::Key_Delete); // nothing is selected
+    QCOMPARE(spy.size(), 0);
+    const QPoint entry = bench.view.plotRect(0).topLeft() + QPoint(20, 12);
+    QTest::mouseClick(&plotOf(bench.view), Qt::LeftButton, {}, entry);
+    QTest::keyClick(&bench.view, Qt::Key_Delete);
+    QCOMPARE(spy.size(), 1);
+    QCOMPARE(spy[0][0].value<quint32>(), bench.id(1));
+    QCOMPARE(bench.view.channels(), QList<ChannelId>{bench.id(2)});
+    bench.picture();
+}
+
+void TestScopeView::registersDroppedOnAPlotAreReported()
+{
+    Bench bench({signal(1, "A"), signal(2, "V")});
+    bench.view.addChannel(bench.id(1));
+    bench.view.addChannel(bench.id(2), 1);
+    bench.record(100, 1);
+    bench.picture();
+    QSignalSpy spy(&bench.view, &ScopeView::registerDropped);
+    bool entered = false;
+    sendDrop(bench.view, bench.view.plotRect(1).center(), "[1337, 7]", &entered);
+    QVERIFY(entered);
+    QCOMPARE(spy.size(), 2);
+    QCOMPARE(spy[0][0].value<quint32>(), 1337U);
+    QCOMPARE(spy[0][1].toInt(), 1);
+    const QPoint onAxis(bench.view.plotRect(0).left() - 15, bench.view.plotRect(0).center().y());
+    sendDrop(bench.view, onAxis, "[5]", &entered);
+    QCOMPARE(spy.last()[1].toInt(), 0);
+    sendDrop(bench.view, {400, bench.view.height() - 5}, "[6]", &entered);
+    QCOMPARE(spy.last()[1].toInt(), -1);
+}
+
+void TestScopeView::whatIsNoListOfRegistersIsNotAccepted()
+{
+    Bench bench({signal(1, "A")});
+    QSignalSpy spy(&bench.view, &ScopeView::registerDropped);
+    for (const char *bad : {"", "garbage", "{}", "[]", "[-1]", "[4294967296]", "[\"1\"]", "[1.5"}) {
+        bool entered = true;
+        sendDrop(bench.view, {400, 200}, bad, &entered);
+        QVERIFY2(!entered, bad);
+    }
+    QCOMPARE(spy.size(), 0);
+}
+
+void TestScopeView::coloursStayWithTheRegisterAndFollowTheTheme()
+{
+    Bench bench({signal(1, "A"), signal(2, "A"), signal(3, "A")});
+    for (const catalog::RegisterId reg : {1U, 2U, 3U})
+        bench.view.addChannel(bench.id(reg));
+    const QColor second = bench.view.colorOf(bench.id(2));
+    QVERIFY(second != bench.view.colorOf(bench.id(1)) && second != bench.view.colorOf(bench.id(3)));
+    bench.view.removeChannel(bench.id(2));
+    bench.view.removeChannel(bench.id(1));
+    bench.view.addChannel(bench.id(2));
+    QCOMPARE(bench.view.colorOf(bench.id(2)), second);
+    bench.record(100, 1);
+    QCOMPARE(QColor(bench.picture().pixel(3, 3)), QColor(Qt::white));
+    QPalette dark;
+    dark.setColor(QPalette::Base, QColor(20, 20, 20));
+    dark.setColor(QPalette::Text, Qt::white);
+    bench.view.setPalette(dark);
+    QCOMPARE(QColor(bench.picture().pixel(3, 3)), QColor(20, 20, 20));
+    QVERIFY(bench.view.colorOf(bench.id(2)).lightness() > second.lightness());
+    QVERIFY(std::abs(bench.view.colorOf(bench.id(2)).hue() - second.hue()) < 25);
+}
+
+void TestScopeView::aClearedCaptureKeepsItsTracesByRegister()
+{
+    Bench bench({signal(1, "A"), signal(2, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.record(100, 1);
+    bench.picture();
+    const ChannelId before = bench.id(1);
+    bench.capture.clear();
+    bench.record(100, 2);
+    bench.picture();
+    QVERIFY(bench.id(1) != before);
+    QCOMPARE(bench.view.channels(), QList<ChannelId>{bench.id(1)});
+    bench.capture.begin({});
+    bench.capture.clear();
+    bench.view.captureChanged();
+    bench.picture();
+    QVERIFY(bench.view.channels().isEmpty());
+}
+
+void TestScopeView::nonsenseRangesChangeNothing()
+{
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.record(1000, 1);
+    bench.view.setVisibleRange(0.0, 1.0);
+    const double inf = std::numeric_limits<double>::infinity();
+    bench.view.setVisibleRange(1.0, 1.0);
+    bench.view.setVisibleRange(2.0, 1.0);
+    bench.view.setVisibleRange(std::nan(""), 1.0);
+    bench.view.setVisibleRange(0.0, inf);
+    bench.view.zoom(0.0);
+    bench.view.zoom(std::nan(""));
+    QCOMPARE(bench.view.visibleRange().from, 0.0);
+    QCOMPARE(bench.view.visibleRange().to, 1.0);
+    for (int i = 0; i < 200; ++i)
+        bench.view.zoom(2.0);
+    bench.picture();
+    QVERIFY(bench.view.visibleRange().to > bench.view.visibleRange().from);
+    for (int i = 0; i < 200; ++i)
+        bench.view.zoom(0.5);
+    bench.picture();
+    QVERIFY(bench.view.visibleRange().to - bench.view.visibleRange().from <= 1e7 + 1);
+}
+
+void TestScopeView::screenReadersHearWhatIsShown()
+{
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    QAccessibleInterface *face = QAccessible::queryAccessibleInterface(&bench.view);
+    QVERIFY(face);
+    QCOMPARE(face->text(QAccessible::Name), QStringLiteral("Scope"));
+    QVERIFY(face->text(QAccessible::Description).contains(QStringLiteral("S1")));
 }
 
 QTEST_MAIN(TestScopeView)

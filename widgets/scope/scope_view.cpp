@@ -102,6 +102,28 @@ bool ScopeView::following() const { return m_following; }
 
 bool ScopeView::gridVisible() const { return m_stack->grid(); }
 
+QRect ScopeView::plotRect(int plot) const
+{
+    if (plot < 0 || plot >= plotCount())
+        return {};
+    const QRect rect = m_stack->plot(plot).rect->rect();
+    return {m_plot->mapTo(this, rect.topLeft()), rect.size()};
+}
+
+ScopeView::ValueRange ScopeView::valueRangeOf(capture::ChannelId channel) const
+{
+    const Trace *trace = m_stack->trace(channel);
+    if (!trace)
+        return {};
+    return {trace->valueAxis->range().lower, trace->valueAxis->range().upper};
+}
+
+int ScopeView::axisCount(int plot) const
+{
+    const bool there = plot >= 0 && plot < plotCount();
+    return there ? static_cast<int>(m_stack->plot(plot).axes.size()) : 0;
+}
+
 void ScopeView::captureChanged()
 {
     if (m_capture.revision() != m_drawnRevision)

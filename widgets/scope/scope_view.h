@@ -43,6 +43,13 @@ public:
     bool running() const; ///< false: the picture stands still, recording goes on
     bool following() const; ///< the right edge stays at the newest sample
     bool gridVisible() const;
+    QRect plotRect(int plot)
+        const; ///< where its traces are drawn, in this widget's pixels; empty if there is none
+    struct ValueRange {
+        double from = 0.0, to = 1.0; ///< in the channel's unit
+    };
+    ValueRange valueRangeOf(capture::ChannelId channel) const; ///< of the axis it is drawn on
+    int axisCount(int plot) const; ///< value axes of a plot
 
     /// For the status bar and for tests: redraws since the view was made.
     quint64 redraws() const { return m_redraws; }
