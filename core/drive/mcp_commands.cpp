@@ -78,16 +78,16 @@ void CommandTask::takeResponse(ByteView response, TimePoint now)
             if (reading.status != ReadStatus::Ok || value == nullptr)
                 continue;
             if (reading.id == idOf(mcp::reg::kStatus, m_command.motor)) {
-                m_state += " in " + catalog::valueName("STATUS", *value);
+                m_state = " in " + catalog::valueName("STATUS", *value);
             } else {
                 const auto bits = static_cast<std::uint32_t>(*value);
                 for (const std::string &fault :
                     catalog::faultNames(static_cast<std::uint16_t>(bits | bits >> 16)))
-                    m_state += ", " + fault;
+                    m_faults += ", " + fault;
             }
         }
         if (m_reader.finished())
-            end(Outcome::Refused, m_refusal + m_state);
+            end(Outcome::Refused, m_refusal + m_state + m_faults);
         return;
     }
     if (isOk(response))
@@ -105,7 +105,7 @@ void CommandTask::takeNoResponse(std::optional<bool> executed, TimePoint)
     if (!m_refusal.empty()) {
         m_reader.takeNoResponse();
         if (m_reader.finished())
-            end(Outcome::Refused, m_refusal + m_state);
+            end(Outcome::Refused, m_refusal + m_state + m_faults);
         return;
     }
     end(executed.has_value() && !*executed ? Outcome::NotSent : Outcome::Unknown, "no answer");

@@ -20,7 +20,7 @@ private:
     Command m_command;
     std::string m_refusal; ///< the board's word, while the state that explains it is read
     RegisterReader m_reader;
-    std::string m_state;
+    std::string m_state, m_faults;
 };
 
 /// Speed ramp, torque ramp or current reference: the control mode first, if it is another one, then the raw register.

@@ -242,8 +242,8 @@ void McpDrive::arm()
 {
     if (m_mode != Mode::Open || !m_board.identified || !m_board.knownFirmware || m_lost)
         return;
-    if (m_stop.exclusive() && !m_stop.alarmed())
-        return; // first the stop that was asked for
+    if (m_stop.exclusive())
+        return; // first the stop that was asked for has to be confirmed
     m_stop.end();
     m_armed = true;
 }
@@ -446,6 +446,7 @@ void McpDrive::close(TimePoint now)
     if (busy && connected() && now < m_closeBy)
         return;
     cutAllWishes("disconnected");
+    m_stream.close();
     m_link.reset();
     static_cast<void>(m_link.takeEvents());
     m_task = nullptr;
@@ -454,6 +455,7 @@ void McpDrive::close(TimePoint now)
     m_lost.reset();
     m_reconnectAt.reset();
     m_mode = Mode::Closed;
+    collect();
 }
 
 // ---- wishes

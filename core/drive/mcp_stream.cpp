@@ -72,6 +72,14 @@ void StreamControl::restart(bool boardReset)
     }
 }
 
+void StreamControl::close()
+{
+    restart(true);
+    m_decoder.reset();
+    m_wanted = {};
+    m_stopNeeded = true;
+}
+
 std::string StreamControl::refuse(const Stream &stream) const
 {
     if (auto why = m_board.reasonAgainst(Feature::Stream); !why.empty())

@@ -28,6 +28,7 @@ public:
 
     /// Identified: the datalog was stopped just now. `boardReset`: nothing about its counter is known any more.
     void restart(bool boardReset);
+    void close(); ///< the link is given up: nothing is wanted any more
     void connected()
     {
         m_stopNeeded = true;

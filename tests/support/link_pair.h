@@ -3,11 +3,14 @@
 #pragma once
 
 #include "drive/mcp_drive.h"
+#include "mcp/protocol.h"
+#include "mcp/request.h"
 #include "simulation/simulated_board.h"
 
 #include <QtGlobal>
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <functional>
 #include <map>
@@ -83,6 +86,7 @@ public:
     Bytes sent; ///< all that left the drive
     std::vector<Bytes> requests; ///< payloads that left the drive
     std::function<void(const drive::Event &)> onEvent;
+    std::function<bool(const Bytes &)> loses; ///< outputs of the drive that never arrive
 
     template <class What>
     drive::WishId submit(What what)
@@ -188,7 +192,8 @@ private:
             watch(output.bytes);
             m_lineFreeAt = now + wireTime(output.bytes.size(), baud);
             m_unsent = true;
-            fly(m_toBoard, spoil(output.bytes, toBoard), toBoard);
+            if (!loses || !loses(output.bytes))
+                fly(m_toBoard, spoil(output.bytes, toBoard), toBoard);
         }
         if (m_unsent && m_sending.empty() && m_lineFreeAt <= now) {
             m_unsent = false;
@@ -292,5 +297,73 @@ private:
     bool m_payloadNext = false;
     int m_standing = 0;
 };
+
+/// Connected, identified and, if wanted, armed.
+struct Session : LinkPair {
+    explicit Session(
+        bool toArm = true, const simulation::BoardOptions &options = {}, std::uint64_t seed = 1)
+        : LinkPair(options, seed)
+    {
+        connect();
+        ready = runUntilIdentified();
+        if (toArm)
+            drive->arm();
+    }
+    bool ready = false;
+
+    /// START and wait for RUN.
+    bool startMotor()
+    {
+        submit(drive::Command{drive::MotorAction::Start, 1});
+        return runUntilState(drive::MotorState::Running);
+    }
+    bool runAt(std::int32_t rpm)
+    {
+        if (!startMotor())
+            return false;
+        submit(drive::SpeedRamp{1, rpm, 500ms});
+        return runUntil(
+            [&] { return status[1].speedRpm && std::abs(*status[1].speedRpm - rpm) < 0.05 * rpm; },
+            5s);
+    }
+    bool hasStopWord(drive::StopWord word) const
+    {
+        return std::any_of(stops.begin(), stops.end(),
+            [&](const auto &progress) { return progress.word == word; });
+    }
+};
+
+/// Command ids of the requests that left.
+inline std::vector<std::uint16_t> commandsIn(const std::vector<Bytes> &requests)
+{
+    std::vector<std::uint16_t> commands;
+    for (const Bytes &request : requests)
+        if (const auto decoded = mcp::decodeRequest(request))
+            commands.push_back(decoded->command);
+    return commands;
+}
+
+inline std::size_t count(const std::vector<Bytes> &requests, mcp::CommandId command)
+{
+    const auto all = commandsIn(requests);
+    return static_cast<std::size_t>(
+        std::count(all.begin(), all.end(), static_cast<std::uint16_t>(command)));
+}
+
+/// Whether a request can change anything but what is streamed.
+inline bool changesSomething(const Bytes &request)
+{
+    const auto decoded = mcp::decodeRequest(request);
+    if (!decoded)
+        return true;
+    if (decoded->command == static_cast<std::uint16_t>(mcp::CommandId::GetRegister))
+        return false;
+    if (decoded->command != static_cast<std::uint16_t>(mcp::CommandId::SetRegister))
+        return true;
+    const auto list = mcp::decodeSetList(decoded->content);
+    return std::any_of(list.writes.begin(), list.writes.end(), [](const auto &write) {
+        return write.id.type() != 5 || write.id.element() < 20 || write.id.element() > 22;
+    });
+}
 
 } // namespace support

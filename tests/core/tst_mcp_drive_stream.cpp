@@ -1,0 +1,312 @@
+// The stream of McpDrive: samples belong to the signals they are shown under, at the ticks they were taken.
+#include "support/link_pair.h"
+
+#include <QTest>
+
+#include <numbers>
+
+using namespace drive;
+using support::Session;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// Judges every block by what the signals of a motor at 1500 rpm look like: each has a look of its own.
+class Judge {
+public:
+    explicit Judge(Session &session)
+        : m_session(session)
+    {
+        session.onEvent = [this](const Event &event) { take(event); };
+    }
+
+    std::size_t streams = 0, blocks = 0;
+    std::string wrong;
+    capture::Tick lost = 0;
+
+private:
+    void take(const Event &event)
+    {
+        if (const auto *started = std::get_if<StreamStarted>(&event)) {
+            m_layout = started->layout;
+            ++streams;
+        } else if (const auto *block = std::get_if<capture::SampleBlock>(&event)) {
+            judge(*block);
+        }
+    }
+
+    void judge(const capture::SampleBlock &block)
+    {
+        ++blocks;
+        lost += block.lostTicks;
+        if (block.stream != m_layout.id)
+            wrong = "a block of another stream";
+        if (block.fast.size() != m_layout.fast.size() * block.count)
+            wrong = "another number of samples";
+        if (m_last && block.firstTick < *m_last)
+            wrong = "time goes back";
+        m_last = block.firstTick + static_cast<capture::Tick>(block.count) * m_layout.fastStep;
+        for (std::size_t s = 0; s < m_layout.fast.size() && wrong.empty(); ++s)
+            for (std::size_t i = 0; i < block.count && wrong.empty(); ++i)
+                if (!fits(m_layout.fast[s].name, block.fast[s * block.count + i]))
+                    wrong = m_layout.fast[s].name + " shows "
+                        + std::to_string(block.fast[s * block.count + i]);
+        for (const capture::SlowGroup &group : block.slow) {
+            if (group.values.size() != m_layout.slow.size())
+                wrong = "another number of slow values";
+            for (std::size_t s = 0; s < m_layout.slow.size() && wrong.empty(); ++s)
+                if (!fits(m_layout.slow[s].name, group.values[s]))
+                    wrong = m_layout.slow[s].name + " shows " + std::to_string(group.values[s])
+                        + " slowly";
+        }
+    }
+
+    /// Ranges that do not overlap: speed 250 tenths of a hertz, Iq small but not that, Vq large.
+    static bool fits(const std::string &name, std::int32_t value)
+    {
+        if (name == "STOPLL_ROT_SPEED")
+            return value > 220 && value < 280;
+        if (name == "V_Q")
+            return value > 1000;
+        if (name == "HALL_SPEED" || name == "ENCODER_SPEED")
+            return value == 0; // not in this build: the firmware logs 0
+        return false;
+    }
+
+    Session &m_session;
+    capture::StreamLayout m_layout;
+    std::optional<capture::Tick> m_last;
+};
+
+} // namespace
+
+class TestMcpDriveStream : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void reconfiguredThreeHundredTimesInFlightEverySampleHasItsSignal();
+    void slowSignalsComeAtTheirOwnRate();
+    void whatCannotBeStreamedIsRefusedAndTheOldStreamStays();
+    void anEmptyWishStops();
+    void theDatalogIsStoppedBeforeTheFirstConfiguration();
+    void eachConfigurationHasAnotherMark();
+    void ticksMapToTheSessionsTime();
+    void aRecoveryShowsAsAGapOnly();
+    void aLineThatIsTooSlowShowsGaps();
+    void linkTwoUsesItsOwnRegister();
+};
+
+void TestMcpDriveStream::reconfiguredThreeHundredTimesInFlightEverySampleHasItsSignal()
+{
+    Session session;
+    QVERIFY(session.runAt(1500));
+    session.runFor(1s);
+    Judge judge(session);
+    const RegisterId speed = session.id("STOPLL_ROT_SPEED"), vq = session.id("V_Q"),
+                     hall = session.id("HALL_SPEED"), encoder = session.id("ENCODER_SPEED");
+    const std::vector<std::vector<RegisterId>> choices{{speed}, {vq}, {speed, vq}, {vq, speed},
+        {hall, speed, vq}, {vq, hall, encoder}, {encoder, hall, vq, speed}};
+    support::Random random(7);
+    for (int i = 0; i < 300; ++i) {
+        Stream stream;
+        stream.fast = choices[random.below(choices.size())];
+        stream.fastEvery = 1 + static_cast<unsigned>(random.below(3));
+        if (random.chance(0.5)) {
+            stream.slow = choices[random.below(3)];
+            stream.slowEvery = 1 + static_cast<unsigned>(random.below(20));
+        }
+        session.submit(stream);
+        session.runFor(Duration(random.below(120'000'000)));
+        QVERIFY2(judge.wrong.empty(), judge.wrong.c_str());
+    }
+    QVERIFY2(judge.streams > 100, std::to_string(judge.streams).c_str());
+    QVERIFY(judge.blocks > 300); // more packets than configurations
+    QCOMPARE(session.counters.streamSkipped, 0U);
+}
+
+void TestMcpDriveStream::slowSignalsComeAtTheirOwnRate()
+{
+    Session session;
+    std::vector<capture::Tick> slow, fast;
+    session.onEvent = [&](const Event &event) {
+        if (const auto *block = std::get_if<capture::SampleBlock>(&event)) {
+            for (const auto &group : block->slow)
+                slow.push_back(group.tick - block->firstTick);
+            fast.push_back(block->count);
+        }
+    };
+    session.submit(Stream{{session.id("I_A")}, 2, {session.id("V_Q"), session.id("V_D")}, 10});
+    session.runFor(500ms);
+    QVERIFY(slow.size() > 100);
+    QCOMPARE(slow[0], 18); // behind the tenth block, which is 18 ticks after the first
+    QCOMPARE(slow[1], 38);
+}
+
+void TestMcpDriveStream::whatCannotBeStreamedIsRefusedAndTheOldStreamStays()
+{
+    Session session;
+    std::uint64_t blocks = 0;
+    session.onEvent = [&](const Event &event) {
+        blocks += std::holds_alternative<capture::SampleBlock>(event);
+    };
+    session.submit(Stream{{session.id("I_A")}, 1, {}, 1});
+    session.runFor(300ms);
+    const std::vector<Stream> bad{{{session.id("SPEED_MEAS")}, 1, {}, 1},
+        {{session.id("I_A")}, 1, {session.id("BUS_VOLTAGE")}, 1}, {{0xFFF1}, 1, {}, 1},
+        {{session.id("I_A") & ~7U}, 1, {}, 1}, {{(session.id("I_A") & ~7U) + 2}, 1, {}, 1},
+        {{session.id("I_A")}, 0, {}, 1}, {{session.id("I_A")}, 257, {}, 1},
+        {{session.id("I_A")}, 1, {session.id("I_B")}, 255},
+        {std::vector<RegisterId>(11, session.id("I_A")), 1, {}, 1}};
+    const std::size_t sets = support::count(session.requests, mcp::CommandId::SetRegister);
+    for (const Stream &stream : bad) {
+        const WishId wish = session.submit(stream);
+        QVERIFY(session.runUntilEnded(wish));
+        QVERIFY(session.outcome(wish) == Outcome::Refused);
+        QVERIFY(!session.ended[wish].front().reason.empty());
+    }
+    QCOMPARE(support::count(session.requests, mcp::CommandId::SetRegister), sets);
+    const std::uint64_t before = blocks;
+    session.runFor(300ms);
+    QVERIFY(blocks > before);
+}
+
+void TestMcpDriveStream::anEmptyWishStops()
+{
+    Session session;
+    std::optional<capture::StreamLayout> layout;
+    std::uint64_t afterStop = 0;
+    session.onEvent = [&](const Event &event) {
+        if (const auto *started = std::get_if<StreamStarted>(&event))
+            layout = started->layout;
+        if (std::holds_alternative<capture::SampleBlock>(event) && (!layout || layout->empty()))
+            ++afterStop;
+    };
+    session.submit(Stream{{session.id("I_A")}, 1, {}, 1});
+    session.runFor(300ms);
+    QVERIFY(layout && !layout->empty());
+    const WishId stop = session.submit(Stream{});
+    QVERIFY(session.runUntilEnded(stop));
+    QVERIFY(session.outcome(stop) == Outcome::Ok);
+    QVERIFY(session.runUntil([&] { return layout->empty(); }, 200ms));
+    session.runFor(300ms);
+    QCOMPARE(afterStop, 0U);
+}
+
+void TestMcpDriveStream::theDatalogIsStoppedBeforeTheFirstConfiguration()
+{
+    Session session;
+    session.submit(Stream{{session.id("I_A")}, 1, {}, 1});
+    session.runFor(200ms);
+    bool stopped = false;
+    for (const Bytes &request : session.requests) {
+        if (request.size() < 5 || request[0] != 0x08 || request[2] != 0x29)
+            continue;
+        if (request.back() == 0)
+            stopped = true;
+        else
+            QVERIFY(stopped);
+    }
+    // A recovery is a connection too: the next configuration is preceded by a stop again.
+    session.toDrive.cut = true;
+    session.runFor(60ms);
+    session.toDrive.cut = false;
+    session.runFor(500ms);
+    QVERIFY(session.link == LinkState::Connected);
+    const std::size_t from = session.requests.size();
+    const WishId wish = session.submit(Stream{{session.id("I_B")}, 1, {}, 1});
+    QVERIFY(session.runUntilEnded(wish));
+    std::vector<std::uint8_t> marks;
+    for (std::size_t i = from; i < session.requests.size(); ++i)
+        if (session.requests[i].size() > 5 && session.requests[i][0] == 0x08)
+            marks.push_back(session.requests[i].back());
+    QCOMPARE(marks.size(), 2U);
+    QCOMPARE(marks[0], 0);
+    QVERIFY(marks[1] != 0);
+}
+
+void TestMcpDriveStream::eachConfigurationHasAnotherMark()
+{
+    Session session;
+    for (int i = 0; i < 260; ++i)
+        QVERIFY(session.runUntilEnded(session.submit(Stream{{session.id("I_A")}, 1, {}, 1})));
+    int last = -1, different = 0;
+    for (const Bytes &request : session.requests) {
+        if (request.size() < 14 || request[0] != 0x08 || request[2] != 0x29 || request.back() == 0)
+            continue;
+        QVERIFY(request.back() != last);
+        last = request.back();
+        ++different;
+    }
+    QCOMPARE(different, 260);
+}
+
+void TestMcpDriveStream::ticksMapToTheSessionsTime()
+{
+    Session session;
+    session.runFor(3s);
+    double worst = 0.0;
+    capture::StreamLayout layout;
+    session.onEvent = [&](const Event &event) {
+        if (const auto *started = std::get_if<StreamStarted>(&event))
+            layout = started->layout;
+        if (const auto *block = std::get_if<capture::SampleBlock>(&event)) {
+            const double end = layout.originSeconds
+                + static_cast<double>(block->firstTick + block->count) / layout.tickHz;
+            worst = std::max(worst, std::abs(toSeconds(session.now.time_since_epoch()) - end));
+        }
+    };
+    session.submit(Stream{{session.id("I_A")}, 1, {}, 1});
+    session.runFor(1s);
+    session.submit(Stream{{session.id("I_A"), session.id("I_B")}, 1, {}, 1});
+    session.runFor(1s);
+    QVERIFY2(worst > 0.0 && worst < 0.03, std::to_string(worst).c_str());
+}
+
+void TestMcpDriveStream::aRecoveryShowsAsAGapOnly()
+{
+    Session session;
+    QVERIFY(session.runAt(1500));
+    session.runFor(1s);
+    Judge judge(session);
+    session.submit(Stream{{session.id("STOPLL_ROT_SPEED"), session.id("V_Q")}, 1, {}, 1});
+    session.runFor(500ms);
+    session.board->corruptAfter(1000);
+    session.runFor(100ms);
+    session.board->inject(Bytes{0xFF, 0x01, 0x02});
+    session.runFor(2s);
+    QVERIFY(session.link == LinkState::Connected);
+    QVERIFY(session.counters.recoveries > 0);
+    QCOMPARE(judge.streams, 1U); // the same stream before and after
+    QVERIFY(judge.lost > 0);
+    QVERIFY2(judge.wrong.empty() || judge.lost > 0, judge.wrong.c_str());
+}
+
+void TestMcpDriveStream::aLineThatIsTooSlowShowsGaps()
+{
+    simulation::BoardOptions options;
+    options.baud = 460800;
+    Session session(true, options);
+    QVERIFY(session.runAt(1500));
+    session.runFor(1s);
+    Judge judge(session);
+    session.submit(
+        Stream{{session.id("STOPLL_ROT_SPEED"), session.id("V_Q"), session.id("V_Q")}, 1, {}, 1});
+    session.runFor(2s);
+    QVERIFY(judge.lost > 1000);
+    QVERIFY2(judge.wrong.empty(), judge.wrong.c_str());
+    QVERIFY(session.link == LinkState::Connected);
+}
+
+void TestMcpDriveStream::linkTwoUsesItsOwnRegister()
+{
+    simulation::BoardOptions options;
+    options.linkId = 1;
+    Session session(false, options);
+    QVERIFY(session.ready);
+    QCOMPARE(session.requests.at(2).at(2), 0x69);
+    const WishId wish = session.submit(Stream{{session.id("I_A")}, 1, {}, 1});
+    QVERIFY(session.runUntilEnded(wish));
+    QVERIFY(session.outcome(wish) == Outcome::Ok);
+}
+
+QTEST_APPLESS_MAIN(TestMcpDriveStream)
+#include "tst_mcp_drive_stream.moc"

@@ -1,0 +1,210 @@
+// Writes of McpDrive: checked before they leave, read back after, and honest about what nobody knows.
+#include "support/link_pair.h"
+
+#include <QTest>
+
+#include <limits>
+
+using namespace drive;
+using support::Session;
+using namespace std::chrono_literals;
+
+class TestMcpDriveWrites : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aWriteTellsBeforeAndAfter();
+    void aListIsWrittenOneByOneAndEachHasItsOwnEnd();
+    void valuesThatDoNotFitNeverLeave();
+    void setPointsBeyondTheLimitsAreRefused();
+    void rampRegistersReadBackInTheirOwnForm();
+    void theNewestWaitingWriteWins();
+    void aLostAnswerIsSettledByReadingBack();
+    void whatWasNotCarriedOutIsWrittenAgainOnce();
+    void commandsAreNeverRepeated();
+};
+
+void TestMcpDriveWrites::aWriteTellsBeforeAndAfter()
+{
+    Session session;
+    const RegisterId kp = session.id("SPEED_KP");
+    const WishId read = session.submit(Read{{kp}});
+    QVERIFY(session.runUntilEnded(read));
+    const Value old = session.values[kp].value;
+    const WishId write = session.submit(Write{{{kp, std::int64_t{-1234}}}});
+    QVERIFY(session.runUntilEnded(write));
+    const Ended &end = session.ended[write].front();
+    QVERIFY(end.outcome == Outcome::Ok);
+    QCOMPARE(end.writes.size(), 1U);
+    QVERIFY(end.writes[0].before == old);
+    QVERIFY(end.writes[0].readBack == Value(std::int64_t{-1234}));
+    QVERIFY(session.values[kp].value == Value(std::int64_t{-1234}));
+}
+
+void TestMcpDriveWrites::aListIsWrittenOneByOneAndEachHasItsOwnEnd()
+{
+    Session session;
+    const WishId write = session.submit(Write{{
+        {session.id("SPEED_KP"), std::int64_t{11}},
+        {session.id("BUS_VOLTAGE"), std::int64_t{11}},
+        {session.id("FLUXWK_KP"), std::int64_t{11}}, // not in this build
+        {session.id("ASYNC_UARTA"), Bytes{0, 0}},
+        {0xFFF1, std::int64_t{0}},
+        {session.id("SPEED_KI"), 12.0},
+    }});
+    QVERIFY(session.runUntilEnded(write));
+    const Ended &end = session.ended[write].front();
+    QVERIFY(end.outcome == Outcome::Refused);
+    QCOMPARE(end.writes.size(), 6U);
+    QVERIFY(end.writes[0].outcome == Outcome::Ok);
+    QCOMPARE(end.writes[1].reason, "cannot be written");
+    QCOMPARE(end.writes[2].reason, "UNKNOWN_REG");
+    QCOMPARE(end.writes[3].reason, "is set by streaming");
+    QCOMPARE(end.writes[4].reason, "no such register");
+    QVERIFY(end.writes[5].outcome == Outcome::Ok);
+    QVERIFY(end.writes[5].readBack == Value(std::int64_t{12}));
+}
+
+void TestMcpDriveWrites::valuesThatDoNotFitNeverLeave()
+{
+    Session session;
+    const RegisterId kp = session.id("SPEED_KP"), mode = session.id("CONTROL_MODE");
+    const std::size_t before = session.requests.size();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<RegisterWrite> bad{{kp, std::int64_t{32768}}, {kp, std::int64_t{-32769}},
+        {kp, nan}, {kp, 1.5}, {kp, 1e300}, {kp, std::string("7")}, {kp, Bytes{7, 0}},
+        {mode, std::int64_t{256}}, {mode, std::int64_t{-1}},
+        {session.id("SPEED_RAMP"), std::int64_t{5}}};
+    for (const RegisterWrite &write : bad) {
+        const WishId wish = session.submit(Write{{write}});
+        QVERIFY(session.runUntilEnded(wish));
+        QVERIFY(session.outcome(wish) == Outcome::Refused);
+        QVERIFY(!session.ended[wish].front().writes[0].reason.empty());
+    }
+    for (std::size_t i = before; i < session.requests.size(); ++i)
+        QVERIFY(!support::changesSomething(session.requests[i]));
+}
+
+void TestMcpDriveWrites::setPointsBeyondTheLimitsAreRefused()
+{
+    Session session;
+    const MotorLimits limits = session.identified->limits.at(0);
+    const auto tooFast = static_cast<std::int32_t>(limits.maxSpeedRpm) + 1;
+    const double current = std::min(
+        limits.nominalCurrentAmps, limits.maxCurrentAmps > 0 ? limits.maxCurrentAmps : 1e9);
+    const double amps = session.identified->catalog->readScale(session.id("I_Q")).factor;
+    const auto digits = static_cast<std::int64_t>(current / amps) + 2;
+    const std::size_t before = session.requests.size();
+    std::vector<WishId> wishes;
+    wishes.push_back(session.submit(SpeedRamp{1, tooFast, 100ms}));
+    wishes.push_back(session.submit(SpeedRamp{1, -tooFast, 100ms}));
+    wishes.push_back(session.submit(SpeedRamp{1, 100, 70s}));
+    wishes.push_back(session.submit(TorqueRamp{1, -1.01 * current, 100ms}));
+    wishes.push_back(session.submit(TorqueRamp{1, std::numeric_limits<double>::infinity(), 0ms}));
+    wishes.push_back(session.submit(CurrentReference{1, 0.8 * current, 0.8 * current}));
+    const auto put = [&](const char *name, Value value) {
+        wishes.push_back(session.submit(Write{{{session.id(name), std::move(value)}}}));
+    };
+    put("SPEED_REF", std::int64_t{tooFast});
+    put("I_Q_REF", -digits);
+    put("SPEED_RAMP", ByteWriter().s32(tooFast).u16(100).take());
+    put("TORQUE_RAMP", ByteWriter().s32(static_cast<std::int32_t>(digits)).u16(100).take());
+    put("CURRENT_REF", ByteWriter().s16(static_cast<std::int32_t>(digits)).s16(0).take());
+    session.runFor(1s);
+    for (const WishId wish : wishes) {
+        QVERIFY(session.outcome(wish) == Outcome::Refused);
+        QVERIFY(!session.ended[wish].front().reason.empty());
+    }
+    for (std::size_t i = before; i < session.requests.size(); ++i)
+        QVERIFY(!support::changesSomething(session.requests[i]));
+    const WishId within = session.submit(SpeedRamp{1, tooFast - 1, 100ms});
+    QVERIFY(session.runUntilEnded(within));
+    QVERIFY(session.outcome(within) == Outcome::Ok);
+}
+
+void TestMcpDriveWrites::rampRegistersReadBackInTheirOwnForm()
+{
+    Session session;
+    const WishId write =
+        session.submit(Write{{{session.id("TORQUE_RAMP"), ByteWriter().s32(-50).u16(200).take()}}});
+    QVERIFY(session.runUntilEnded(write));
+    QVERIFY(session.outcome(write) == Outcome::Ok);
+    QVERIFY(session.ended[write].front().writes[0].readBack
+        == Value(ByteWriter().s16(-50).u16(200).take()));
+}
+
+void TestMcpDriveWrites::theNewestWaitingWriteWins()
+{
+    Session session;
+    const RegisterId kp = session.id("SPEED_KP"), ki = session.id("SPEED_KI");
+    std::vector<WishId> wishes;
+    for (int i = 1; i <= 10; ++i)
+        wishes.push_back(session.submit(Write{{{kp, std::int64_t{i}}}}));
+    const WishId other = session.submit(Write{{{ki, std::int64_t{77}}}});
+    QVERIFY(session.runUntilEnded(other));
+    session.runFor(100ms);
+    std::size_t notSent = 0;
+    for (const WishId wish : wishes) {
+        QCOMPARE(session.ended[wish].size(), 1U);
+        notSent += session.outcome(wish) == Outcome::NotSent;
+    }
+    QVERIFY(notSent >= 8);
+    QVERIFY(session.outcome(wishes.back()) == Outcome::Ok);
+    QVERIFY(session.values[kp].value == Value(std::int64_t{10}));
+}
+
+void TestMcpDriveWrites::aLostAnswerIsSettledByReadingBack()
+{
+    Session session;
+    const RegisterId kp = session.id("SPEED_KP");
+    const std::size_t before = support::count(session.requests, mcp::CommandId::SetRegister);
+    const WishId write = session.submit(Write{{{kp, std::int64_t{4321}}}});
+    QVERIFY(session.runUntil(
+        [&] { return support::count(session.requests, mcp::CommandId::SetRegister) > before; },
+        1s));
+    session.toDrive.cut = true; // the SET arrives, its answer does not
+    session.runFor(30ms);
+    session.toDrive.cut = false;
+    QVERIFY(session.runUntilEnded(write));
+    QVERIFY(session.outcome(write) == Outcome::Ok);
+    QVERIFY(session.ended[write].front().writes[0].readBack == Value(std::int64_t{4321}));
+    QCOMPARE(support::count(session.requests, mcp::CommandId::SetRegister), before + 1);
+}
+
+void TestMcpDriveWrites::whatWasNotCarriedOutIsWrittenAgainOnce()
+{
+    Session session;
+    const RegisterId kp = session.id("SPEED_KP");
+    const Bytes set{0x08, 0x00, 0x91, 0x00, 0xE1, 0x10};
+    const auto sets = [&] {
+        return std::count(session.requests.begin(), session.requests.end(), set);
+    };
+    session.loses = [&](const Bytes &output) { return output == set && sets() == 1; };
+    const WishId write = session.submit(Write{{{kp, std::int64_t{0x10E1}}}});
+    QVERIFY(session.runUntilEnded(write));
+    QVERIFY(session.outcome(write) == Outcome::Ok);
+    QCOMPARE(sets(), 2);
+}
+
+void TestMcpDriveWrites::commandsAreNeverRepeated()
+{
+    for (const bool reachesTheBoard : {true, false}) {
+        Session session;
+        session.runFor(50ms);
+        const WishId start = session.submit(Command{MotorAction::Start, 1});
+        if (!reachesTheBoard)
+            session.toBoard.cut = true;
+        QVERIFY(session.runUntil(
+            [&] { return support::count(session.requests, mcp::CommandId::StartMotor) == 1; }, 1s));
+        session.toDrive.cut = true;
+        session.runFor(30ms);
+        session.toDrive.cut = session.toBoard.cut = false;
+        QVERIFY(session.runUntilEnded(start));
+        QVERIFY(session.outcome(start) == (reachesTheBoard ? Outcome::Unknown : Outcome::NotSent));
+        session.runFor(3s);
+        QCOMPARE(support::count(session.requests, mcp::CommandId::StartMotor), 1U);
+        QCOMPARE(session.status[1].state == MotorState::Running, reachesTheBoard);
+    }
+}
+
+QTEST_APPLESS_MAIN(TestMcpDriveWrites)
+#include "tst_mcp_drive_writes.moc"
