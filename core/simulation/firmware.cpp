@@ -9,14 +9,14 @@ namespace simulation {
 
 namespace {
 
-constexpr int kBootCapTicks = 10, kOffsetTicks = 50, kSwitchOverTicks = 25, kStopTicks = 400;
+constexpr int kBootCapTicks = 10, kOffsetTicks = 40, kSwitchOverTicks = 25, kStopTicks = 400;
 constexpr double kSpeedToSwitchOver_rpm = 600.0;
 constexpr std::uint16_t kStartUpFailed = 0x0010;
 constexpr std::int16_t kDefaultSpeed_rpm = 1500;
 
 std::array<RevUpStage, Firmware::kRevUpStages> defaultRevUp()
 {
-    return {{{0, 1360, 150}, {900, 1360, 500}, {900, 1360, 0}, {900, 1360, 0}, {900, 1360, 0}}};
+    return {{{0, 1360, 50}, {900, 1360, 300}, {900, 1360, 0}, {900, 1360, 0}, {900, 1360, 0}}};
 }
 
 } // namespace

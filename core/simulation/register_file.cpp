@@ -33,9 +33,12 @@ Status append(Bytes &out, int room, std::uint32_t value, int width)
     return Status::Ok;
 }
 
+/// Texts and structures compare with 16 bits without a sign: what was overdrawn by an unchecked one looks like plenty.
+int unsignedRoom(int room) { return static_cast<std::uint16_t>(room); }
+
 Status appendRaw(Bytes &out, int room, const Bytes &value)
 {
-    if (room < static_cast<int>(value.size()) + 2)
+    if (unsignedRoom(room) < static_cast<int>(value.size()) + 2)
         return Status::NoTxSyncSpace;
     append(out, 2, static_cast<std::uint32_t>(value.size()), 2);
     out.insert(out.end(), value.begin(), value.end());
@@ -142,7 +145,7 @@ Status RegisterFile::readText(RegisterId id, int room, Bytes &out) const
         text = kMotorName;
     else
         return Status::UnknownRegister;
-    if (room < static_cast<int>(text.size()) + 1)
+    if (unsignedRoom(room) < static_cast<int>(text.size()) + 1)
         return m_traits.asPrinted ? Status::NoTxSyncSpace : Status::StringFormat;
     out.insert(out.end(), text.begin(), text.end());
     out.push_back(0);
@@ -201,10 +204,10 @@ RegisterFile::Written RegisterFile::write(
     case RegisterType::Bits32:
         return {writeLong(id, value.s32(0)), 4};
     case RegisterType::String: {
-        int size = 0;
-        while (size < available && value.u8(static_cast<std::size_t>(size)) != 0)
+        int size = 1; // the terminating zero at least
+        while (size < available && value.u8(static_cast<std::size_t>(size - 1)) != 0)
             ++size;
-        return {Status::ReadOnly, size + 1};
+        return {Status::ReadOnly, size};
     }
     case RegisterType::Raw: {
         const int size = value.u16(0);

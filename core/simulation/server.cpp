@@ -1,6 +1,7 @@
 // Dispatch and the two register lists.
 #include "simulation/server.h"
 
+#include "aspep/packet.h"
 #include "simulation/simulated_board.h"
 
 #include <algorithm>
@@ -16,6 +17,8 @@ using mcp::Status;
 
 constexpr unsigned kMotors = 1;
 constexpr std::size_t kUserAnswerMax = 64;
+constexpr std::size_t kAnswerMax =
+    aspep::kMaxPayload - 128; ///< behind it there is room for any one value
 
 } // namespace
 
@@ -79,6 +82,8 @@ Status Server::get(const Request &request)
         const RegisterId id{request.data.u16(at)};
         if (id.motor() > kMotors)
             return Status::Nok;
+        if (m_answer.size() > kAnswerMax)
+            return Status::NoTxSyncSpace; // real firmware has overwritten its memory by now
         status = m_registers.read(id, request.room - static_cast<int>(m_answer.size()), m_answer);
         if (status != Status::Ok)
             break;
