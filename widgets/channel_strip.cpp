@@ -173,7 +173,9 @@ QWidget *ChannelStrip::makeChip(const PlannedSignal &planned)
 
     auto *tag = new QToolButton(chip);
     tag->setAutoRaise(true);
-    tag->setText(routeText(planned.route));
+    // The style's own arrow overlaps so short a text.
+    tag->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    tag->setText(routeText(planned.route) + QStringLiteral(" \u25be"));
     tag->setPopupMode(QToolButton::InstantPopup);
     tag->setAccessibleName(tr("How %1 is recorded: %2").arg(name, routeText(planned.route)));
     tag->setToolTip(planned.detour == Detour::None ? tr("How this signal is recorded")

@@ -251,8 +251,10 @@ void ConnectBar::updateIdentity()
         return;
     }
     const drive::Identity &identity = identified->identity;
+    const QString firmware = deviceText(identity.firmware);
+    const QString version = deviceText(identity.version);
     m_firmware->setText(
-        QStringLiteral("%1 %2").arg(deviceText(identity.firmware), deviceText(identity.version)));
+        firmware.contains(version) ? firmware : QStringLiteral("%1 %2").arg(firmware, version));
     m_firmware->setToolTip(deviceToolTip(identity.firmware) + QStringLiteral("<br>")
         + deviceToolTip(identity.protocol));
     QStringList boards{deviceText(identity.controlBoard)};

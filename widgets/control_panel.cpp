@@ -93,6 +93,7 @@ ControlPanel::ControlPanel(Device &device, RegisterModel &registers, QWidget *pa
         updateState();
     });
     connect(&device, &Device::identityChanged, this, [this] {
+        m_takeReference = true;
         resolveReadouts();
         updateLimits();
         updateState();
@@ -270,6 +271,23 @@ void ControlPanel::updateReadouts()
     for (const Readout &readout : m_readouts)
         readout.value->setText(
             readout.id ? m_registers.text(*readout.id) : QStringLiteral("\u2013"));
+    takeReference();
+}
+
+void ControlPanel::takeReference()
+{
+    // Once, and not over what a person has typed: the field begins with what the board would do anyway.
+    if (!m_takeReference || m_speed->isModified())
+        return;
+    for (const Readout &readout : m_readouts) {
+        const bool isReference = readout.name == std::string_view("SPEED_REF");
+        const auto value =
+            isReference && readout.id ? m_registers.shownValue(*readout.id) : std::nullopt;
+        if (!value)
+            continue;
+        m_speed->setValue(*value);
+        m_takeReference = false;
+    }
 }
 
 void ControlPanel::refresh(Milliseconds now)
@@ -282,8 +300,10 @@ void ControlPanel::stopAdvanced(const drive::StopProgress &progress)
 {
     m_words->show();
     m_words->take(progress, m_now);
-    if (progress.word == drive::StopWord::Requested)
+    if (progress.word == drive::StopWord::Requested) {
+        m_takeReference = false;
         m_speed->setValue(0.0); // nothing of the old set-point is left to be sent again by accident
+    }
 }
 
 void ControlPanel::changeEvent(QEvent *event)
@@ -392,7 +412,7 @@ void ControlPanel::updateButtons()
 {
     const auto apply = [](QWidget *widget, const Allowed &can, const QString &help) {
         widget->setEnabled(can.yes);
-        widget->setToolTip(can.yes ? help : can.why);
+        widget->setToolTip(plainToolTip(can.yes ? help : can.why));
     };
     m_arm->setChecked(m_device.armed());
     m_arm->setEnabled(m_device.answering());

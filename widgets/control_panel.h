@@ -65,6 +65,7 @@ private:
     void updateLimits();
     void updateReadouts();
     void resolveReadouts();
+    void takeReference();
     void stopAdvanced(const drive::StopProgress &progress);
     void submit(const QString &action, decltype(drive::Wish::what) what);
 
@@ -93,6 +94,8 @@ private:
     std::vector<Readout> m_readouts;
     QMap<drive::WishId, QString> m_open; ///< wishes of this panel that have not ended
     Milliseconds m_now{};
+    bool m_takeReference =
+        false; ///< the speed field still has to be given the board's own set-point
 };
 
 } // namespace widgets

@@ -1,5 +1,7 @@
 #include "widgets/device_text.h"
 
+#include <QTextDocument>
+
 namespace widgets {
 namespace {
 
@@ -21,7 +23,9 @@ QString deviceText(const QString &text)
             shown.truncate(kDeviceTextLength - 1);
             return shown + QChar(0x2026);
         }
-        if (hidesOrReorders(c))
+        if (c == QLatin1Char('\t'))
+            shown += QLatin1Char(' '); // vendors put one into their version texts
+        else if (hidesOrReorders(c))
             shown += QStringLiteral("\\u%1").arg(ushort(c.unicode()), 4, 16, QLatin1Char('0'));
         else
             shown += c;
@@ -38,5 +42,11 @@ QString deviceText(std::string_view text)
 }
 
 QString deviceToolTip(std::string_view text) { return deviceText(text).toHtmlEscaped(); }
+
+QString plainToolTip(const QString &text)
+{
+    return Qt::mightBeRichText(text) ? QStringLiteral("<span>%1</span>").arg(text.toHtmlEscaped())
+                                     : text;
+}
 
 } // namespace widgets

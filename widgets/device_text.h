@@ -11,12 +11,15 @@ namespace widgets {
 /// Shows at most so many characters of a device's text.
 inline constexpr int kDeviceTextLength = 64;
 
-/// `text` as one line: invalid UTF-8 replaced, control and direction-changing characters written as \uXXXX, cut with
+/// `text` as one line: invalid UTF-8 replaced, control and direction-changing characters written as \uXXXX (a tab as a space), cut with
 /// an ellipsis after kDeviceTextLength characters.
 QString deviceText(std::string_view text);
 QString deviceText(const QString &text);
 
 /// deviceText() for a place that takes rich text (tool tips guess): escaped.
 QString deviceToolTip(std::string_view text);
+
+/// Plain text as a tool tip, which would guess whether it is rich text.
+QString plainToolTip(const QString &text);
 
 } // namespace widgets

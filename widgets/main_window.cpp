@@ -6,6 +6,7 @@
 #include "widgets/connect_bar.h"
 #include "widgets/control_panel.h"
 #include "widgets/device_text.h"
+#include "widgets/export_dialog.h"
 #include "widgets/file_prompt.h"
 #include "widgets/first_steps.h"
 #include "widgets/messages.h"
@@ -21,6 +22,7 @@
 #include <QActionGroup>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -32,7 +34,7 @@
 namespace widgets {
 namespace {
 
-constexpr int kRegisterWidth = 290;
+constexpr int kRegisterWidth = 304;
 constexpr int kControlWidth = 268;
 constexpr int kLayoutVersion = 1;
 
@@ -327,8 +329,8 @@ void MainWindow::fillMotorMenu(QMenu *menu)
     connect(menu, &QMenu::aboutToShow, this, [this, arm, start, acknowledge] {
         arm->setChecked(m_device.armed());
         arm->setEnabled(m_device.answering());
-        start->setToolTip(m_control->startHint());
-        acknowledge->setToolTip(m_control->acknowledgeHint());
+        start->setToolTip(plainToolTip(m_control->startHint()));
+        acknowledge->setToolTip(plainToolTip(m_control->acknowledgeHint()));
     });
     menu->setToolTipsVisible(true);
 }
@@ -483,6 +485,20 @@ void MainWindow::confirmLeaving()
     box->open();
 }
 
-void MainWindow::exportCsv() { }
+void MainWindow::exportCsv()
+{
+    auto *dialog =
+        new ExportDialog(m_workbench.capture(), *m_scope, m_files, m_settings.exportFolder, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &ExportDialog::exported, this, [this](const QString &path) {
+        const QFileInfo file(path);
+        m_settings.exportFolder = file.path();
+        m_linkBanner = false;
+        m_banner->say(Banner::Kind::Note, tr("Exported to %1.").arg(deviceText(file.filePath())));
+        if (m_firstSteps->step() == FirstSteps::Step::Save)
+            m_firstSteps->finish();
+    });
+    dialog->open();
+}
 
 } // namespace widgets

@@ -178,4 +178,28 @@ QString failureText(const QString &action, const drive::Ended &ended)
               .arg(action, how, reason);
 }
 
+QString csvErrorText(const session::CsvResult &result)
+{
+    using session::CsvError;
+    const QString path = deviceText(result.path);
+    const QString detail = deviceText(result.systemText);
+    switch (result.error) {
+    case CsvError::None:
+        return {};
+    case CsvError::Cancelled:
+        return Messages::tr("The export was cancelled; no file was written.");
+    case CsvError::NotAFile:
+        return Messages::tr("%1 is not a file. Choose another name.").arg(path);
+    case CsvError::CannotOpen:
+        return Messages::tr("%1 cannot be written (%2). Choose another folder.").arg(path, detail);
+    case CsvError::CannotWrite:
+        return Messages::tr("The disk did not take the file (%1). Make room or choose another "
+                            "folder; nothing was replaced.")
+            .arg(detail);
+    case CsvError::CannotReplace:
+        return Messages::tr("%1 cannot be replaced (%2). Choose another name.").arg(path, detail);
+    }
+    return {};
+}
+
 } // namespace widgets

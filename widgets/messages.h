@@ -3,6 +3,7 @@
 #pragma once
 
 #include "drive/event.h"
+#include "session/csv_file.h"
 #include "session/endpoint.h"
 
 #include <QString>
@@ -23,5 +24,8 @@ QString stopWordText(drive::StopWord word);
 QString stopNotConfirmedText();
 /// How a wish failed, in one sentence: `action` names it ("Start"); empty if it went well.
 QString failureText(const QString &action, const drive::Ended &ended);
+
+/// Why an export was not written, and what to do; empty for None.
+QString csvErrorText(const session::CsvResult &result);
 
 } // namespace widgets

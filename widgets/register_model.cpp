@@ -315,8 +315,7 @@ QVariant RegisterModel::display(const Row &row, int column) const
     case Known::Value:
         break;
     }
-    return column == ValueColumn ? shownText(*row.info, row.value, row.scale)
-                                 : rawText(*row.info, row.value);
+    return column == ValueColumn ? shownText(*row.info, row.value, row.scale) : rawText(row.value);
 }
 
 QString RegisterModel::toolTip(const Row &row) const

@@ -40,13 +40,13 @@ RegisterPanel::RegisterPanel(RegisterModel &model, QWidget *parent)
     m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_tree->setDragEnabled(true);
     m_tree->setDragDropMode(QAbstractItemView::DragOnly);
-    m_tree->setIndentation(12);
+    m_tree->setIndentation(10);
     m_tree->setTextElideMode(Qt::ElideRight);
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
     m_tree->header()->setStretchLastSection(false);
     m_tree->header()->setSectionResizeMode(RegisterModel::NameColumn, QHeaderView::Stretch);
-    m_tree->header()->resizeSection(RegisterModel::ValueColumn, 92);
-    m_tree->header()->resizeSection(RegisterModel::RawColumn, 62);
+    m_tree->header()->resizeSection(RegisterModel::ValueColumn, 88);
+    m_tree->header()->resizeSection(RegisterModel::RawColumn, 52);
     m_tree->header()->setMinimumSectionSize(40);
     m_tree->installEventFilter(this);
 

@@ -14,12 +14,10 @@ constexpr std::size_t kShownBytes = 24;
 
 QString hexText(std::int64_t value, std::size_t width)
 {
-    const auto digits = static_cast<int>(std::max<std::size_t>(width, 1) * 2);
-    const auto mask = width >= 8 ? ~std::uint64_t{0}
-                                 : (std::uint64_t{1} << (8 * std::max<std::size_t>(width, 1))) - 1;
-    return QStringLiteral("0x%1").arg(
-        static_cast<qulonglong>(static_cast<std::uint64_t>(value) & mask), digits, 16,
-        QLatin1Char('0'));
+    const std::uint64_t mask =
+        width == 0 || width >= 8 ? ~std::uint64_t{0} : (std::uint64_t{1} << (8 * width)) - 1;
+    return QStringLiteral("0x")
+        + QString::number(static_cast<std::uint64_t>(value) & mask, 16).toUpper();
 }
 
 QString bytesText(const Bytes &bytes)
@@ -98,7 +96,7 @@ QString shownText(
         scale.unit);
 }
 
-QString rawText(const catalog::RegisterInfo &info, const catalog::Value &value)
+QString rawText(const catalog::Value &value)
 {
     if (const auto *text = std::get_if<std::string>(&value))
         return deviceText(*text);
@@ -107,8 +105,7 @@ QString rawText(const catalog::RegisterInfo &info, const catalog::Value &value)
     if (const auto *real = std::get_if<double>(&value))
         return floatText(*real);
     const auto integer = std::get<std::int64_t>(value);
-    return info.meaning == catalog::Meaning::Flags ? hexText(integer, catalog::widthOf(info.type))
-                                                   : QString::number(integer);
+    return QString::number(integer);
 }
 
 } // namespace widgets

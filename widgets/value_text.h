@@ -18,8 +18,8 @@ QString numberText(double value, int decimals);
 QString shownText(
     const catalog::RegisterInfo &info, const catalog::Value &value, const catalog::Scale &scale);
 
-/// The same value as the wire has it: digits, 0x for flags, hexadecimal bytes for structures.
-QString rawText(const catalog::RegisterInfo &info, const catalog::Value &value);
+/// The same value as the wire has it: digits, hexadecimal bytes for structures.
+QString rawText(const catalog::Value &value);
 
 /// The value as a number, raw; NaN for text and structures.
 double rawNumber(const catalog::Value &value);

@@ -9,20 +9,24 @@ namespace session {
 
 namespace {
 
-/// The one reading of a clock that a link depends on.
-TimePoint readClock()
+/// The one reading of a clock that a link depends on: monotonic, and 0 when the session is made, so
+/// that people see times of their session and not of the machine.
+Clock makeClock()
 {
-    return TimePoint(
-        std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch()));
+    const auto start = std::chrono::steady_clock::now();
+    return [start] {
+        return TimePoint(
+            std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now() - start));
+    };
 }
 
 } // namespace
 
 Parts realParts()
 {
-    return {.clock = readClock, .transport = makeTransport, .drive = [](const Endpoint &endpoint) {
-                return drive::makeDrive(endpoint.baud);
-            }};
+    return {.clock = makeClock(),
+        .transport = makeTransport,
+        .drive = [](const Endpoint &endpoint) { return drive::makeDrive(endpoint.baud); }};
 }
 
 Session::Session(QObject *parent)

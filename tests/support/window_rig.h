@@ -1,0 +1,58 @@
+// The real window with its workbench, on ports and file answers of the test's own.
+#pragma once
+
+#include "support/window_facts.h"
+#include "widgets/file_prompt.h"
+#include "widgets/main_window.h"
+#include "widgets/workbench.h"
+
+#include <QTest>
+
+namespace facts {
+
+class NoPorts : public session::PortSource {
+public:
+    QList<session::SystemPort> ports() const override { return {}; }
+};
+
+/// Answers every question for a file name with `answer`; an empty one gives up.
+class AnsweredPrompt : public widgets::FilePrompt {
+public:
+    QString answer;
+    widgets::SaveQuestion asked;
+
+    void askSave(QWidget *, const widgets::SaveQuestion &question, Answer done) override
+    {
+        asked = question;
+        if (!answer.isEmpty())
+            done(answer);
+    }
+};
+
+struct WindowRig {
+    NoPorts ports;
+    AnsweredPrompt files;
+    widgets::Workbench workbench;
+    widgets::MainWindow window;
+
+    explicit WindowRig(const widgets::Settings &settings = quietSettings())
+        : window(workbench, ports, files, settings)
+    {
+        window.show();
+    }
+
+    static widgets::Settings quietSettings()
+    {
+        widgets::Settings settings;
+        settings.firstStepsDone = true;
+        return settings;
+    }
+
+    template <class T>
+    T *find(const char *name) const
+    {
+        return window.findChild<T *>(QLatin1String(name));
+    }
+};
+
+} // namespace facts

@@ -1,0 +1,124 @@
+#include "support/window_rig.h"
+#include "widgets/about_dialog.h"
+#include "widgets/stop_alarm.h"
+#include "widgets/theme.h"
+
+#include <QAccessible>
+#include <QMenu>
+#include <QMenuBar>
+#include <QScrollArea>
+
+class TestAccessibility : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_rig =
+            std::make_unique<facts::WindowRig>(widgets::Settings{}); // the first-steps card as well
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        facts::connectBoard(m_rig->workbench.device());
+        for (const auto id : {facts::kCurrentA, facts::kSpeed})
+            m_rig->window.selection()->add(id);
+        QCoreApplication::processEvents();
+    }
+    void cleanup()
+    {
+        m_rig->workbench.device().portChanged(session::PortState::Closed, {});
+        m_rig.reset();
+    }
+
+    void everythingThatTakesTheFocusHasAName()
+    {
+        widgets::showAbout(&m_rig->window);
+        widgets::showKeys(&m_rig->window);
+        m_rig->window.exportCsv();
+        m_rig->find<widgets::StopAlarm>("stopAlarm")->raiseAlarm(1);
+        int checked = 0;
+        for (QWidget *widget : m_rig->window.findChildren<QWidget *>()) {
+            if (widget->focusPolicy() == Qt::NoFocus || widget->focusProxy() || isInside(widget))
+                continue;
+            QAccessibleInterface *interface = QAccessible::queryAccessibleInterface(widget);
+            QVERIFY(interface);
+            QVERIFY2(!interface->text(QAccessible::Name).isEmpty(),
+                qPrintable(QStringLiteral("%1 %2").arg(
+                    QLatin1String(widget->metaObject()->className()), widget->objectName())));
+            ++checked;
+        }
+        QVERIFY(checked > 25);
+    }
+
+    void whatCannotBePressedSaysWhy()
+    {
+        for (const char *name : {"start", "go", "stopRamp", "acknowledge"}) {
+            const auto *button = m_rig->find<QWidget>(name);
+            QVERIFY(!button->isEnabled());
+            QVERIFY2(!button->toolTip().isEmpty(), name);
+        }
+    }
+
+    void everyMenuHasEntriesAndNoKeyIsGivenTwice()
+    {
+        QList<QKeySequence> keys;
+        const auto *bar = m_rig->window.menuWidget()->findChild<QMenuBar *>();
+        QVERIFY(bar->actions().size() >= 6);
+        for (const QAction *entry : bar->actions()) {
+            QVERIFY(!entry->menu()->actions().isEmpty());
+            for (const QAction *action : entry->menu()->actions())
+                for (const QKeySequence &key : action->shortcuts()) {
+                    QVERIFY2(!keys.contains(key), qPrintable(key.toString()));
+                    keys.append(key);
+                }
+        }
+    }
+
+    void nothingIsCutAtTheSmallestSize_data()
+    {
+        QTest::addColumn<int>("theme");
+        QTest::newRow("light") << int(widgets::Theme::Light);
+        QTest::newRow("dark") << int(widgets::Theme::Dark);
+    }
+    void nothingIsCutAtTheSmallestSize()
+    {
+        QFETCH(int, theme);
+        widgets::applyTheme(static_cast<widgets::Theme>(theme));
+        m_rig->window.resize(1280, 720);
+        QCoreApplication::processEvents();
+        QCOMPARE(m_rig->window.size(), QSize(1280, 720));
+        for (const char *name : {"port", "baud", "connect", "stopMotors", "portLamp", "boardLamp",
+                 "motorState", "arm", "start", "stop", "acknowledge", "speed", "rampTime", "go",
+                 "stopRamp", "fastRate", "registerSearch"}) {
+            const auto *widget = m_rig->find<QWidget>(name);
+            QVERIFY2(widget && widget->isVisible(), name);
+            QVERIFY2(widget->width() >= widget->minimumSizeHint().width(), name);
+            QVERIFY2(widget->height() >= widget->minimumSizeHint().height(), name);
+            const QRect place(widget->mapTo(&m_rig->window, QPoint()), widget->size());
+            QVERIFY2(m_rig->window.rect().contains(place), name);
+            QVERIFY2(widget->visibleRegion().boundingRect() == widget->rect(), name);
+        }
+    }
+
+    void theStopButtonCannotBeHidden()
+    {
+        m_rig->find<QWidget>("controlDock")->hide();
+        m_rig->find<QWidget>("registerDock")->hide();
+        QVERIFY(m_rig->find<QWidget>("stopMotors")->isVisible());
+        QVERIFY(m_rig->find<QWidget>("statusMotor")->isVisible());
+    }
+
+private:
+    /// Parts of a control that take the focus for it.
+    static bool isInside(const QWidget *widget)
+    {
+        for (const QWidget *parent = widget->parentWidget(); parent;
+             parent = parent->parentWidget())
+            if (parent->inherits("QAbstractSpinBox") || parent->inherits("QComboBox"))
+                return true;
+        return false;
+    }
+
+    std::unique_ptr<facts::WindowRig> m_rig;
+};
+
+QTEST_MAIN(TestAccessibility)
+#include "tst_accessibility.moc"

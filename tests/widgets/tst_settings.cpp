@@ -1,0 +1,62 @@
+#include "widgets/settings.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using widgets::Settings;
+
+class TestSettings : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void whatIsSavedIsLoaded()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("deep/er/settings.json"));
+        Settings settings;
+        settings.geometry = QByteArray("\x01\x02\xff", 3);
+        settings.port = QStringLiteral("/dev/ttyACM0");
+        settings.baud = 115200;
+        settings.theme = widgets::Theme::Dark;
+        settings.pinned = {QStringLiteral("I_A")};
+        settings.firstStepsDone = true;
+        QVERIFY(widgets::saveSettings(settings, path));
+        QCOMPARE(widgets::loadSettings(path), settings);
+    }
+
+    void aMissingOrDamagedFileGivesTheDefaults()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("settings.json"));
+        QCOMPARE(widgets::loadSettings(path), Settings{});
+        const QByteArray whole = widgets::toJson(Settings{});
+        for (qsizetype cut = 0; cut < whole.size() - 3; ++cut) {
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(whole.left(cut));
+            file.close();
+            QCOMPARE(widgets::loadSettings(path), Settings{});
+        }
+    }
+
+    void fieldsOfTheWrongKindKeepTheirDefaults()
+    {
+        const Settings read = widgets::settingsFromJson(
+            R"({"port": 5, "baud": "fast", "theme": [], "pinned": "x", "firstStepsDone": 1})");
+        QCOMPARE(read, Settings{});
+    }
+
+    void anUnwritableFolderIsToldAndChangesNothing()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("file"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.close();
+        QVERIFY(!widgets::saveSettings(Settings{}, path + QStringLiteral("/settings.json")));
+    }
+};
+
+QTEST_MAIN(TestSettings)
+#include "tst_settings.moc"

@@ -1,0 +1,215 @@
+#include "support/window_rig.h"
+#include "widgets/about_dialog.h"
+#include "widgets/control_panel.h"
+#include "widgets/motor_button.h"
+#include "widgets/setpoint_edit.h"
+#include "widgets/stop_alarm.h"
+
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QSignalSpy>
+
+class TestStop : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_rig = std::make_unique<facts::WindowRig>();
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        m_rig->window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&m_rig->window));
+        facts::connectBoard(device());
+        m_stops = std::make_unique<QSignalSpy>(&device(), &widgets::Device::stopWished);
+    }
+    void cleanup()
+    {
+        m_stops.reset();
+        device().portChanged(session::PortState::Closed, {});
+        m_rig.reset();
+    }
+
+    void escapeStopsOnceFromTheWindow()
+    {
+        QTest::keyClick(&m_rig->window, Qt::Key_Escape);
+        QCOMPARE(m_stops->size(), 1);
+        QTest::keyClick(&m_rig->window, Qt::Key_Escape);
+        QCOMPARE(m_stops->size(), 2);
+    }
+
+    void escapeStopsWithTheFocusInAText_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char *name : {"registerSearch", "speed", "port", "baud", "rampTime",
+                 "registerTree", "arm", "start", "connect"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+    void escapeStopsWithTheFocusInAText()
+    {
+        QFETCH(QString, name);
+        auto *widget = m_rig->window.findChild<QWidget *>(name);
+        QVERIFY(widget);
+        widget->setFocus();
+        QTest::keyClick(widget, Qt::Key_Escape);
+        QCOMPARE(m_stops->size(), 1);
+    }
+
+    void escapeStopsUnderAModalDialogAndStillClosesIt()
+    {
+        widgets::showAbout(&m_rig->window);
+        auto *dialog = m_rig->window.findChild<QDialog *>(QString(), Qt::FindDirectChildrenOnly);
+        QVERIFY(dialog);
+        auto *about = qobject_cast<QDialog *>(QApplication::activeModalWidget());
+        QVERIFY(about);
+        QTest::keyClick(about, Qt::Key_Escape);
+        QCOMPARE(m_stops->size(), 1);
+        QVERIFY(!about->isVisible());
+    }
+
+    void escapeStopsUnderAMessageBox()
+    {
+        QMessageBox box(QMessageBox::Question, QStringLiteral("Title"), QStringLiteral("Text"),
+            QMessageBox::Ok, &m_rig->window);
+        box.open();
+        QTest::keyClick(&box, Qt::Key_Escape);
+        QCOMPARE(m_stops->size(), 1);
+        QVERIFY(!box.isVisible());
+    }
+
+    void escapeStopsWhileAMenuIsOpenAndStillClosesIt()
+    {
+        auto *menu = m_rig->window.menuWidget()->findChild<QMenuBar *>()->actions().at(0)->menu();
+        menu->popup(m_rig->window.mapToGlobal(QPoint(5, 5)));
+        QVERIFY(menu->isVisible());
+        QTest::keyClick(menu, Qt::Key_Escape);
+        QCOMPARE(m_stops->size(), 1);
+        QVERIFY(!menu->isVisible());
+    }
+
+    void escapeStopsWhileAListIsOpen()
+    {
+        auto *combo = m_rig->find<QComboBox>("fastRate");
+        combo->addItem(QStringLiteral("one"));
+        combo->showPopup();
+        QWidget *popup = QApplication::activePopupWidget();
+        QVERIFY(popup);
+        QTest::keyClick(popup, Qt::Key_Escape);
+        QCOMPARE(m_stops->size(), 1);
+    }
+
+    void holdingTheKeyIsOneAct()
+    {
+        QTest::keyPress(&m_rig->window, Qt::Key_Escape);
+        for (int i = 0; i < 5; ++i) {
+            QKeyEvent repeat(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier, QString(), true);
+            QCoreApplication::sendEvent(&m_rig->window, &repeat);
+        }
+        QTest::keyRelease(&m_rig->window, Qt::Key_Escape);
+        QCOMPARE(m_stops->size(), 1);
+    }
+
+    void theButtonActsWhenItIsPressedNotWhenItIsLetGo()
+    {
+        for (const char *name : {"stopMotors", "stop"}) {
+            m_stops->clear();
+            auto *button = m_rig->find<widgets::StopButton>(name);
+            QVERIFY(button->isEnabled());
+            QVERIFY(button->height() >= 48);
+            QTest::mousePress(button, Qt::LeftButton);
+            QCOMPARE(m_stops->size(), 1);
+            QTest::mouseRelease(
+                button, Qt::LeftButton, Qt::NoModifier, QPoint(-50, -50)); // slid off
+            QCOMPARE(m_stops->size(), 1);
+        }
+    }
+
+    void aStopDisarmsAtOnce()
+    {
+        device().armedChanged(true);
+        QTest::keyClick(&m_rig->window, Qt::Key_Escape);
+        QVERIFY(!device().armed());
+    }
+
+    void withoutAPortThereIsNothingToStop()
+    {
+        device().portChanged(session::PortState::Closed, {});
+        QTest::keyClick(&m_rig->window, Qt::Key_Escape);
+        QCOMPARE(m_stops->size(), 0);
+    }
+
+    void aStopThatIsNotConfirmedRaisesTheAlarm()
+    {
+        facts::feed(device(),
+            {drive::StopProgress{1, drive::StopWord::Requested, {}},
+                drive::StopProgress{1, drive::StopWord::NotConfirmed, {}}});
+        auto *alarm = m_rig->find<widgets::StopAlarm>("stopAlarm");
+        QVERIFY(alarm->isVisible());
+        QVERIFY(alarm->isModal());
+        QCOMPARE(m_rig->find<QLabel>("stopAlarmText")->text(),
+            QStringLiteral("Stop NOT confirmed. Use the hardware stop."));
+        std::vector<drive::Wish> wishes;
+        connect(&device(), &widgets::Device::wishMade, this,
+            [&](const drive::Wish &wish) { wishes.push_back(wish); });
+        QTest::keyClick(alarm, Qt::Key_Escape);
+        QVERIFY(!alarm->isVisible());
+        QVERIFY(wishes.empty());
+        QVERIFY(!device().armed());
+    }
+
+    void theWindowStaysWhileAMotorTurnsAndGoesOnceItIsIdle()
+    {
+        facts::feed(device(), {facts::status(drive::MotorState::Running)});
+        QVERIFY(!m_rig->window.close());
+        QCOMPARE(m_stops->size(), 1);
+        QVERIFY(m_rig->window.isVisible());
+        facts::feed(device(), {facts::status(drive::MotorState::Stopping)});
+        QVERIFY(m_rig->window.isVisible());
+        facts::feed(device(), {facts::status(drive::MotorState::Idle)});
+        QVERIFY(!m_rig->window.isVisible());
+    }
+
+    void withoutEvidenceTheWindowAsksAndLeavingTakesTwoChoices()
+    {
+        facts::feed(device(), {facts::status(drive::MotorState::Running)});
+        QVERIFY(!m_rig->window.close());
+        QTRY_VERIFY(m_rig->find<QMessageBox>("leaveQuestion"));
+        auto *question = m_rig->find<QMessageBox>("leaveQuestion");
+        QTest::mouseClick(question->buttons().at(question->buttonRole(question->buttons().at(0))
+                                      == QMessageBox::DestructiveRole
+                                  ? 0
+                                  : 1),
+            Qt::LeftButton);
+        auto *second = m_rig->find<QMessageBox>("leaveRunning");
+        QVERIFY(second);
+        QVERIFY(m_rig->window.isVisible());
+        for (QAbstractButton *button : second->buttons())
+            if (second->buttonRole(button) == QMessageBox::DestructiveRole)
+                QTest::mouseClick(button, Qt::LeftButton);
+        QTRY_VERIFY(!m_rig->window.isVisible());
+    }
+
+    void theWordsAreNeverThoseOfACertifiedStop()
+    {
+        QStringList texts{widgets::stopLimitsText()};
+        for (const QWidget *widget : m_rig->window.findChildren<QWidget *>())
+            texts << widget->toolTip() << widget->accessibleName()
+                  << widget->property("text").toString();
+        for (const QString &text : texts)
+            for (const char *word : {"emergency", "safe", "STO ", "SS1"})
+                QVERIFY2(!text.contains(QLatin1String(word), Qt::CaseSensitive), qPrintable(text));
+    }
+
+private:
+    widgets::Device &device() { return m_rig->workbench.device(); }
+
+    std::unique_ptr<facts::WindowRig> m_rig;
+    std::unique_ptr<QSignalSpy> m_stops;
+};
+
+QTEST_MAIN(TestStop)
+#include "tst_stop.moc"
