@@ -15,11 +15,10 @@ namespace {
 constexpr Duration kTornGrace = 30ms; ///< beyond the wire time of what is missing
 constexpr Duration kRestAfterNack =
     10ms; ///< the Performer listens again after the next idle line only
-constexpr Duration kRestAfterTorn = 2ms;
-/// A packet with more than this missing may, for anybody who parses the line by lengths, still
-/// swallow a whole dialogue: only silence ends it. Less than this is filled up by repeated echoes.
-constexpr std::size_t kLongTail = 32;
-constexpr Duration kLongSilence = 550ms;
+/// A packet that lacks no more than this is left open: the replies of the dialogue fill it up, and what then follows is
+/// seen to be out of step. One that lacks more would swallow the whole dialogue: only silence ends it. So everybody who
+/// parses the line by lengths agrees on where packets start.
+constexpr std::size_t kShortTail = 12;
 
 void earliest(std::optional<TimePoint> &due, std::optional<TimePoint> other)
 {
@@ -60,7 +59,11 @@ void Controller::connect(TimePoint now)
     m_rounds = 0;
     m_echoesLeft = 1;
     m_attempts = 0;
-    negotiate(now);
+    if (!m_replyDue || now >= *m_replyDue)
+        return negotiate(now);
+    m_state = State::Negotiating; // the last packet of the link before may still be answered
+    m_framer.setLimits({});
+    rest(now, {});
 }
 
 void Controller::reset()
@@ -71,7 +74,6 @@ void Controller::reset()
     m_urgent.reset();
     m_state = State::Idle;
     m_step = Step::None;
-    m_replyDue.reset();
     m_suspect = false;
     m_output.clear();
     m_framer.resynchronise();
@@ -99,6 +101,7 @@ void Controller::receive(ByteView bytes, TimePoint now)
     if (bytes.empty())
         return;
     m_lastByte = now;
+    m_tornTold = false;
     m_heardBytes = true;
     Packet packet;
     for (;;) {
@@ -113,7 +116,7 @@ void Controller::receive(ByteView bytes, TimePoint now)
             break;
         if (hurried() && !m_framer.inStep()) {
             m_framer.resynchronise(); // a stop does not wait for silence; only an exact echo counts
-                                      // anyway
+                // anyway
             break;
         }
     }
@@ -142,7 +145,7 @@ void Controller::onData(const Data &data, Bytes &payload, TimePoint now)
 {
     if (!data.response) {
         if (m_state == State::Connected || m_state == State::Recovering)
-            m_events.push_back(Async{ std::move(payload) });
+            m_events.push_back(Async{std::move(payload)});
         return;
     }
     if (m_step != Step::Waiting) {
@@ -153,7 +156,7 @@ void Controller::onData(const Data &data, Bytes &payload, TimePoint now)
     m_step = Step::None;
     m_requestOpen = false;
     m_parity = !m_parity;
-    m_events.push_back(Response{ std::move(payload) });
+    m_events.push_back(Response{std::move(payload)});
     if (blind())
         endBlind(now);
     else if (m_urgent)
@@ -211,22 +214,16 @@ void Controller::onFault(Framer::Step what, TimePoint now)
 void Controller::onTorn(TimePoint now)
 {
     ++m_stats.torn;
-    const std::size_t missing = m_framer.missing();
-    const bool longTail = missing > kLongTail;
-    const std::size_t filling = longTail ? 0 : (missing + kHeaderSize - 1) / kHeaderSize;
-    m_echoesLeft = std::max(m_echoesLeft, 2 + static_cast<int>(filling));
+    m_tornTold = true;
     if (hurried()) {
         m_framer.resynchronise();
         return;
     }
+    m_echoesLeft = std::max(m_echoesLeft, 2);
     if (m_state == State::Connected)
         recover(now);
-    if (longTail) {
+    if (m_framer.missing() > kShortTail)
         drain(now, kLongSilence);
-    } else {
-        m_framer.resynchronise();
-        rest(now, kRestAfterTorn);
-    }
 }
 
 void Controller::handleTimeout(TimePoint now)
@@ -247,26 +244,11 @@ void Controller::onStepOver(TimePoint now)
     case Step::None:
         break;
     case Step::Waiting:
-        ++m_stats.timeouts;
-        m_replyDue.reset();
-        if (blind()) {
-            endRequest(std::nullopt);
-            endBlind(now);
-        } else {
-            recover(now);
-        }
-        break;
     case Step::KeepingAlive:
-        ++m_stats.timeouts;
-        m_replyDue.reset();
-        recover(now);
-        break;
     case Step::Probing:
     case Step::Offering:
     case Step::Pinging:
-        ++m_stats.timeouts;
-        m_replyDue.reset();
-        retry(now);
+        onReplyTimeout(now);
         break;
     case Step::Draining:
         onDrainOver(now);
@@ -280,6 +262,22 @@ void Controller::onStepOver(TimePoint now)
     }
 }
 
+void Controller::onReplyTimeout(TimePoint now)
+{
+    ++m_stats.timeouts;
+    m_replyDue.reset();
+    if (blind()) {
+        endRequest(std::nullopt);
+        return endBlind(now);
+    }
+    if (m_framer.midPacket() && !m_tornTold && now - m_lastByte >= m_config.hostLatency)
+        onTorn(now); // with every word of a dialogue its tail would come nearer, but only a little
+    if (m_state == State::Connected)
+        recover(now);
+    else if (m_step != Step::Draining && m_step != Step::Resting)
+        retry(now);
+}
+
 void Controller::checkHealth(TimePoint now)
 {
     if (m_state == State::Idle || m_urgent)
@@ -291,7 +289,7 @@ void Controller::checkHealth(TimePoint now)
     }
     if (canSend() && now - m_lastValid >= m_config.keepAliveAfter) {
         m_step = Step::KeepingAlive;
-        sendPacket(Ping{ false, false, 0, ++m_number }, {}, now);
+        sendPacket(Ping{false, false, 0, ++m_number}, {}, now);
     }
     if (m_state == State::Connected)
         return;
@@ -321,7 +319,8 @@ std::optional<TimePoint> Controller::healthDue() const
 
 std::optional<TimePoint> Controller::tornAt() const
 {
-    if (!m_framer.midPacket() || m_step == Step::Draining || (m_state == State::Idle && !m_urgent))
+    if (!m_framer.midPacket() || m_tornTold || m_step == Step::Draining
+        || (m_state == State::Idle && !m_urgent))
         return std::nullopt;
     return m_lastByte + wireTime(m_framer.missing(), m_config.baud) + m_config.hostLatency
         + kTornGrace;
@@ -365,7 +364,7 @@ std::optional<TimePoint> Controller::nextTimeout() const
 void Controller::sendPacket(const Header &header, Duration gap, TimePoint now)
 {
     const HeaderBytes bytes = encodeHeader(header);
-    m_output.push_back({ Bytes(bytes.begin(), bytes.end()), gap });
+    m_output.push_back({Bytes(bytes.begin(), bytes.end()), gap});
     m_stats.bytesOut += bytes.size();
     ++m_stats.packetsOut;
     awaitReply(now + gap + wireTime(bytes.size(), m_config.baud));
@@ -373,7 +372,7 @@ void Controller::sendPacket(const Header &header, Duration gap, TimePoint now)
 
 void Controller::sendData(ByteView payload, Duration gap, TimePoint now)
 {
-    sendPacket(Data{ false, static_cast<std::uint16_t>(payload.size()) }, gap, now);
+    sendPacket(Data{false, static_cast<std::uint16_t>(payload.size())}, gap, now);
     Bytes body(payload.begin(), payload.end());
     if (m_agreed.dataCrc) {
         const std::uint16_t crc = crc16Xmodem(payload);
@@ -383,7 +382,7 @@ void Controller::sendData(ByteView payload, Duration gap, TimePoint now)
     m_stats.bytesOut += body.size();
     awaitReply(
         now + gap + m_config.payloadPause + wireTime(kHeaderSize + body.size(), m_config.baud));
-    m_output.push_back({ std::move(body), m_config.payloadPause });
+    m_output.push_back({std::move(body), m_config.payloadPause});
 }
 
 void Controller::awaitReply(TimePoint from)
@@ -404,7 +403,7 @@ void Controller::handleSent(TimePoint now)
 void Controller::endRequest(std::optional<bool> executed)
 {
     if (std::exchange(m_requestOpen, false))
-        m_events.push_back(NoResponse{ executed });
+        m_events.push_back(NoResponse{executed});
 }
 
 std::vector<Output> Controller::takeOutput() { return std::exchange(m_output, {}); }

@@ -141,6 +141,9 @@ private:
         Settling, ///< echoed, but late echoes of earlier Beacons may still come
         Pinging, ///< the reply of the Ping that connects is due
     };
+    /// Silence after which nobody takes what follows for the rest of a packet.
+    static constexpr Duration kLongSilence = std::chrono::milliseconds(550);
+
     struct Urgent {
         enum class Stage : std::uint8_t { Patience, Dialogue, Sent };
         Bytes payload;
@@ -159,6 +162,7 @@ private:
     void onFault(Framer::Step what, TimePoint now);
     void onTorn(TimePoint now);
     void onStepOver(TimePoint now);
+    void onReplyTimeout(TimePoint now);
     void countFault(Framer::Step what);
     void endRequest(std::optional<bool> executed);
     std::optional<TimePoint> stepEnd() const;
@@ -216,6 +220,7 @@ private:
     TimePoint m_lastByte;
     TimePoint m_lastValid;
     bool m_suspect = false;
+    bool m_tornTold = false; ///< that the packet under way does not go on
     bool m_heardBytes = false; ///< since connect()
     bool m_heardAnswer = false; ///< a Beacon or Ping that can be an answer, since connect()
 

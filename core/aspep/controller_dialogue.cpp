@@ -53,7 +53,7 @@ void Controller::probe(TimePoint now)
 {
     m_probed = true;
     m_step = Step::Probing;
-    sendPacket(Ping{ false, false, 0, ++m_number }, {}, now);
+    sendPacket(Ping{false, false, 0, ++m_number}, {}, now);
 }
 
 void Controller::ping(TimePoint now)
@@ -62,7 +62,7 @@ void Controller::ping(TimePoint now)
         m_state = State::Pinging;
     m_step = Step::Pinging;
     ++m_attempts;
-    sendPacket(Ping{ false, false, 0, ++m_number }, {}, now);
+    sendPacket(Ping{false, false, 0, ++m_number}, {}, now);
 }
 
 void Controller::onBeacon(const Beacon &answer, TimePoint now)
@@ -118,7 +118,7 @@ void Controller::afterEcho(TimePoint now)
     if (m_state != State::Recovering) {
         m_agreed = m_offer;
         m_everAgreed = true;
-        m_framer.setLimits({ m_agreed.txSyncMax(), m_agreed.txAsyncMax(), m_agreed.dataCrc });
+        m_framer.setLimits({m_agreed.txSyncMax(), m_agreed.txAsyncMax(), m_agreed.dataCrc});
     }
     ping(now);
 }
@@ -162,7 +162,7 @@ void Controller::enterConnected(const Ping &reply, TimePoint now)
     if (recovered)
         m_events.push_back(Recovered{});
     else
-        m_events.push_back(Connected{ m_agreed, m_afterReset });
+        m_events.push_back(Connected{m_agreed, m_afterReset});
     m_afterReset = false;
     if (m_urgent)
         onUrgentDue(now);
@@ -204,7 +204,13 @@ void Controller::drain(TimePoint now, Duration quiet)
 void Controller::onDrainOver(TimePoint now)
 {
     m_replyDue.reset();
-    if (now - std::max(m_lastByte, m_drainStart) >= m_quiet) {
+    const Duration silence = now - std::max(m_lastByte, m_drainStart);
+    if (silence >= m_quiet && silence < kLongSilence && m_framer.missingToScanner() > 0) {
+        m_drainStart = m_lastByte;
+        m_quiet = kLongSilence;
+        return;
+    }
+    if (silence >= m_quiet) {
         m_framer.resynchronise();
         return goOn(now);
     }
@@ -263,7 +269,7 @@ Duration Controller::dialogueLimit() const
 void Controller::lose(LostReason reason)
 {
     reset();
-    m_events.push_back(Lost{ reason });
+    m_events.push_back(Lost{reason});
 }
 
 Controller::LostReason Controller::connectFailure() const

@@ -31,8 +31,8 @@ void Controller::sendUrgent(ByteView payload, TimePoint now)
     m_urgent.reset();
     if (canSend())
         return sendRequest(payload, now);
-    m_urgent = Urgent{ Bytes(payload.begin(), payload.end()), Urgent::Stage::Patience, before,
-        now + kPatience };
+    m_urgent = Urgent{
+        Bytes(payload.begin(), payload.end()), Urgent::Stage::Patience, before, now + kPatience};
     if (m_state == State::Connected && m_replyDue)
         m_urgent->until = std::min(m_urgent->until, *m_replyDue);
     else
@@ -77,7 +77,7 @@ void Controller::sendBlind(TimePoint now)
     m_urgent->stage = Urgent::Stage::Sent;
     if (!echoed)
         sendPacket(m_state == State::Recovering ? m_agreed : m_offer, kBlindGap, now);
-    sendPacket(Ping{ false, false, 0, ++m_number }, kBlindGap, now);
+    sendPacket(Ping{false, false, 0, ++m_number}, kBlindGap, now);
     m_step = Step::Waiting;
     m_requestOpen = true;
     sendData(m_urgent->payload, kBlindGap, now);

@@ -26,7 +26,7 @@ Framer::Step stepOf(PacketError error)
 /// Firmware that was forced to promise a payload CRC sends the constant CA FE in its place.
 bool crcFits(ByteView payload, std::uint8_t low, std::uint8_t high)
 {
-    const unsigned sent = low | unsigned{ high } << 8;
+    const unsigned sent = low | unsigned{high} << 8;
     return sent == 0xFECA || sent == crc16Xmodem(payload);
 }
 
@@ -36,6 +36,7 @@ Framer::Step Framer::next(ByteView &bytes, Packet &packet)
 {
     if (!m_inStep) {
         m_discarded += bytes.size();
+        scan(bytes);
         bytes = {};
         return Step::NeedBytes;
     }
@@ -65,7 +66,7 @@ Framer::Step Framer::startPacket()
         return bad(stepOf(header.error()));
     m_header = *header;
     if (const auto *data = std::get_if<Data>(&m_header)) {
-        if (data->length > (data->response ? m_limits.response : m_limits.async))
+        if (tooLong(*data))
             return bad(Step::TooLong);
         m_crcFollows = m_limits.dataCrc && data->length > 0;
         m_payloadSize = data->length + (m_crcFollows ? kCrcSize : 0);
@@ -106,7 +107,40 @@ Framer::Step Framer::bad(Step what)
     m_inStep = false;
     m_headerSize = 0;
     m_discarded += kHeaderSize;
+    m_scanSize = m_scanSkip = 0;
+    if (what != Step::BadPayloadCrc)
+        scan(m_headerBytes);
     return what;
+}
+
+bool Framer::tooLong(const Data &data) const
+{
+    return data.length > (data.response ? m_limits.response : m_limits.async);
+}
+
+void Framer::scan(ByteView bytes)
+{
+    while (!bytes.empty()) {
+        const std::size_t skipped = std::min(m_scanSkip, bytes.size());
+        m_scanSkip -= skipped;
+        bytes = bytes.subspan(skipped);
+        if (bytes.empty())
+            return;
+        m_scanWindow[m_scanSize++] = bytes.front();
+        bytes = bytes.subspan(1);
+        if (m_scanSize < kHeaderSize)
+            continue;
+        const auto header = decodeHeader(m_scanWindow);
+        const Data *data = header ? std::get_if<Data>(&*header) : nullptr;
+        if (header && !(data && tooLong(*data))) {
+            m_scanSize = 0;
+            if (data && data->length > 0)
+                m_scanSkip = data->length + (m_limits.dataCrc ? kCrcSize : 0);
+        } else {
+            std::copy(m_scanWindow.begin() + 1, m_scanWindow.end(), m_scanWindow.begin());
+            --m_scanSize;
+        }
+    }
 }
 
 void Framer::resynchronise()

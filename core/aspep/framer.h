@@ -43,6 +43,9 @@ public:
     /// Bytes that the packet under way still needs; of a header that is not whole, those of the
     /// header.
     std::size_t missing() const;
+    /// Out of step: what somebody who looks for headers in the discarded bytes, as line analysers do, would still wait
+    /// for. Until it has come, or the line was silent for long, he takes our dialogue for a payload.
+    std::size_t missingToScanner() const { return m_scanSkip; }
     std::uint64_t discardedBytes() const { return m_discarded; }
 
 private:
@@ -50,6 +53,8 @@ private:
     Step finishPayload(Packet &packet);
     Step bad(Step what);
     bool takePayload(ByteView &bytes);
+    bool tooLong(const Data &data) const;
+    void scan(ByteView bytes);
 
     Limits m_limits;
     bool m_inStep = true;
@@ -61,6 +66,9 @@ private:
     Bytes m_payload;
     std::size_t m_payloadSize = 0; ///< with its CRC
     std::uint64_t m_discarded = 0;
+    HeaderBytes m_scanWindow{};
+    std::size_t m_scanSize = 0; ///< bytes in the window
+    std::size_t m_scanSkip = 0; ///< bytes to the end of what looked like a packet
 };
 
 } // namespace aspep

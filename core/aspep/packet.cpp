@@ -39,31 +39,31 @@ std::uint32_t bitsOf(const Data &d)
 
 Result<Header, PacketError> beaconFrom(std::uint32_t word)
 {
-    return Beacon{ static_cast<std::uint8_t>(get(word, 4, 3)), get(word, 7, 1) != 0,
+    return Beacon{static_cast<std::uint8_t>(get(word, 4, 3)), get(word, 7, 1) != 0,
         static_cast<std::uint8_t>(get(word, 8, 6)), static_cast<std::uint8_t>(get(word, 14, 7)),
-        static_cast<std::uint8_t>(get(word, 21, 7)) };
+        static_cast<std::uint8_t>(get(word, 21, 7))};
 }
 
 Result<Header, PacketError> pingFrom(std::uint32_t word)
 {
     if (get(word, 4, 1) != get(word, 5, 1) || get(word, 6, 1) != get(word, 7, 1))
         return fail(PacketError::Inconsistent);
-    return Ping{ get(word, 4, 1) != 0, get(word, 6, 1) != 0,
-        static_cast<std::uint8_t>(get(word, 8, 4)), static_cast<std::uint16_t>(get(word, 12, 16)) };
+    return Ping{get(word, 4, 1) != 0, get(word, 6, 1) != 0,
+        static_cast<std::uint8_t>(get(word, 8, 4)), static_cast<std::uint16_t>(get(word, 12, 16))};
 }
 
 Result<Header, PacketError> nackFrom(std::uint32_t word)
 {
     if (get(word, 8, 8) != get(word, 16, 8) || get(word, 4, 4) != 0 || get(word, 24, 4) != 0)
         return fail(PacketError::Inconsistent);
-    return Nack{ static_cast<std::uint8_t>(get(word, 8, 8)) };
+    return Nack{static_cast<std::uint8_t>(get(word, 8, 8))};
 }
 
 Result<Header, PacketError> dataFrom(std::uint32_t word)
 {
     if (get(word, 17, 11) != 0)
         return fail(PacketError::Inconsistent);
-    return Data{ get(word, 0, 4) == kResponse, static_cast<std::uint16_t>(get(word, 4, 13)) };
+    return Data{get(word, 0, 4) == kResponse, static_cast<std::uint16_t>(get(word, 4, 13))};
 }
 
 } // namespace
@@ -71,15 +71,15 @@ Result<Header, PacketError> dataFrom(std::uint32_t word)
 HeaderBytes encodeHeader(const Header &header)
 {
     const std::uint32_t bits = std::visit([](const auto &h) { return bitsOf(h); }, header);
-    const std::uint32_t word = bits | std::uint32_t{ crc4(bits) } << 28;
-    return { static_cast<std::uint8_t>(word), static_cast<std::uint8_t>(word >> 8),
-        static_cast<std::uint8_t>(word >> 16), static_cast<std::uint8_t>(word >> 24) };
+    const std::uint32_t word = bits | std::uint32_t{crc4(bits)} << 28;
+    return {static_cast<std::uint8_t>(word), static_cast<std::uint8_t>(word >> 8),
+        static_cast<std::uint8_t>(word >> 16), static_cast<std::uint8_t>(word >> 24)};
 }
 
 Result<Header, PacketError> decodeHeader(HeaderBytes bytes)
 {
-    const std::uint32_t word = bytes[0] | std::uint32_t{ bytes[1] } << 8
-        | std::uint32_t{ bytes[2] } << 16 | std::uint32_t{ bytes[3] } << 24;
+    const std::uint32_t word = bytes[0] | std::uint32_t{bytes[1]} << 8
+        | std::uint32_t{bytes[2]} << 16 | std::uint32_t{bytes[3]} << 24;
     if (crc4(word & 0x0FFFFFFFU) != word >> 28)
         return fail(PacketError::BadHeaderCrc);
     switch (get(word, 0, 4)) {

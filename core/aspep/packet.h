@@ -38,9 +38,9 @@ struct Beacon {
     std::uint8_t txAsyncUnits =
         127; ///< an async packet holds up to txAsyncUnits * 64 bytes; 0: there are none
 
-    std::size_t rxMax() const { return (std::size_t{ rxUnits } + 1) * 32; }
-    std::size_t txSyncMax() const { return (std::size_t{ txSyncUnits } + 1) * 32; }
-    std::size_t txAsyncMax() const { return std::size_t{ txAsyncUnits } * 64; }
+    std::size_t rxMax() const { return (std::size_t{rxUnits} + 1) * 32; }
+    std::size_t txSyncMax() const { return (std::size_t{txSyncUnits} + 1) * 32; }
+    std::size_t txAsyncMax() const { return std::size_t{txAsyncUnits} * 64; }
     bool operator==(const Beacon &) const = default;
 };
 
