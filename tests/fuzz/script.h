@@ -18,12 +18,13 @@ inline void require(bool holds)
         std::abort();
 }
 
-/// Plays `script` on a machine with receive(), handleTimeout() and nextTimeout(). A byte up to 191 is the length of a piece
-/// of the stream that follows it, one from 192 on lets as many eighths of a second less 191 pass. `drain` is called after each
-/// step, to take the output and to look at the machine.
-/// Time never stands still: a machine that asks to be called again and again at one instant is a finding.
+/// Plays `script` on a machine with receive(), handleTimeout() and nextTimeout(). A byte up to 191 is the length of a
+/// piece of the stream that follows it, one from 192 on lets as many units of time less 191 pass. `drain` is called
+/// after each step, to take the output and to look at the machine.
+/// Time never stands still: a machine that asks to be called over and over at one instant is a finding.
 template <class Machine, class Drain>
-void play(ByteView script, Machine &machine, Drain drain)
+void play(
+    ByteView script, Machine &machine, Drain drain, Duration unit = std::chrono::milliseconds(125))
 {
     constexpr int kStepsAtOneInstant = 1000;
     TimePoint now{};
@@ -43,7 +44,7 @@ void play(ByteView script, Machine &machine, Drain drain)
     while (at < script.size()) {
         const std::uint8_t step = script[at++];
         if (step >= 192) {
-            passUntil(now + std::chrono::milliseconds(125) * (step - 191));
+            passUntil(now + unit * (step - 191));
             continue;
         }
         const std::size_t length = std::min<std::size_t>(step, script.size() - at);
@@ -51,7 +52,7 @@ void play(ByteView script, Machine &machine, Drain drain)
         drain(now);
         at += length;
     }
-    passUntil(now + std::chrono::seconds(5));
+    passUntil(now + unit * 40);
 }
 
 } // namespace fuzz
