@@ -1,0 +1,303 @@
+#include "arguments.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <QRegularExpression>
+
+#include <cmath>
+
+namespace cli {
+
+namespace {
+
+struct CommandText {
+    const char *name;
+    const char *words; ///< after the name
+    const char *help;
+    int least, most; ///< number of words
+    bool needsPort = true;
+};
+
+constexpr int kAny = 1'000'000;
+
+const CommandText kCommands[] = {
+    {"ports", "", "Lists the serial ports; those of ST-LINK debuggers are marked.", 0, 0, false},
+    {"info", "", "Says what the board is, what was negotiated, and what its motors do.", 0, 0},
+    {"registers", "", "Lists the registers that the board's firmware has.", 0, 0},
+    {"get", "NAME[@MOTOR]...",
+        "Reads registers, in A, V, rpm, degrees; with --raw as the numbers on the wire.", 1, kAny},
+    {"set", "NAME[@MOTOR]=VALUE...",
+        "Writes registers and prints each as old -> new, as read back. Values are in the unit that "
+        "get shows, with --raw "
+        "the numbers on the wire; the decimal sign is a point; structures are hexadecimal.",
+        1, kAny},
+    {"start", "", "Starts the motor.", 0, 0},
+    {"stop", "", "Stops every motor and waits until they stand still.", 0, 0},
+    {"ack", "", "Acknowledges the motor's faults.", 0, 0},
+    {"ramp", "RPM MS", "Ramps the speed set-point to RPM within MS milliseconds.", 2, 2},
+    {"capture", "--hf A,B --seconds S -o FILE.csv",
+        "Records signals into a CSV file, which appears whole or not at all.", 0, 0},
+    {"decode", "TRACE.jsonl", "Decodes a recorded session and prints one JSON object per packet.",
+        1, 1, false},
+};
+
+const CommandText *findCommand(const QString &name)
+{
+    for (const CommandText &command : kCommands) {
+        if (name == QLatin1String(command.name))
+            return &command;
+    }
+    return nullptr;
+}
+
+QString commandList()
+{
+    QString list = QStringLiteral("Talks to a motor drive. The command is the confirmation: "
+                                  "nothing is asked.\n\nCommands:\n");
+    for (const CommandText &command : kCommands) {
+        const QString call =
+            QLatin1String(command.name) + QLatin1Char(' ') + QLatin1String(command.words);
+        list += QStringLiteral("  %1 %2\n")
+                    .arg(call.trimmed().leftJustified(42), QLatin1String(command.help));
+    }
+    return list
+        + QStringLiteral("\nCtrl-C stops the motor that this run started.\n"
+                         "Exit status: 0 done, 1 refused by the board, 2 usage, 3 no connection, 4 "
+                         "data lost, 5 file "
+                         "error, 128 + signal when interrupted.");
+}
+
+void addCommonOptions(QCommandLineParser &parser)
+{
+    parser.addOptions({
+        {QStringLiteral("port"),
+            QStringLiteral("Device path of a serial port, or sim for a simulated board."),
+            QStringLiteral("PORT")},
+        {QStringLiteral("baud"), QStringLiteral("Bits per second, 1843200 if not given."),
+            QStringLiteral("N")},
+        {QStringLiteral("json"), QStringLiteral("Prints JSON instead of text.")},
+        {{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Prints this help.")},
+        {{QStringLiteral("v"), QStringLiteral("version")}, QStringLiteral("Prints the version.")},
+    });
+}
+
+void addCommandOptions(QCommandLineParser &parser, const QString &command)
+{
+    if (command == QLatin1String("get") || command == QLatin1String("set"))
+        parser.addOption(
+            {QStringLiteral("raw"), QStringLiteral("Numbers as they are on the wire.")});
+    if (command == QLatin1String("start") || command == QLatin1String("ack")
+        || command == QLatin1String("ramp") || command == QLatin1String("capture"))
+        parser.addOption({QStringLiteral("motor"),
+            QStringLiteral("Number of the motor, 1 if not given."), QStringLiteral("N")});
+    if (command != QLatin1String("capture"))
+        return;
+    parser.addOptions({
+        {QStringLiteral("hf"), QStringLiteral("Signals at the rate of the control loop."),
+            QStringLiteral("A,B")},
+        {QStringLiteral("hf-rate"),
+            QStringLiteral("One sample every N + 1 control periods, 0 if not given."),
+            QStringLiteral("N")},
+        {QStringLiteral("mf"), QStringLiteral("Signals recorded less often."),
+            QStringLiteral("C,D")},
+        {QStringLiteral("mf-rate"),
+            QStringLiteral("One --mf group every N + 1 samples, 15 if not given."),
+            QStringLiteral("N")},
+        {QStringLiteral("seconds"), QStringLiteral("How long to record."), QStringLiteral("S")},
+        {{QStringLiteral("o"), QStringLiteral("output")}, QStringLiteral("The file to write."),
+            QStringLiteral("FILE.csv")},
+        {QStringLiteral("start"),
+            QStringLiteral(
+                "Starts the motor first, waits until it runs, and stops it at the end.")},
+        {QStringLiteral("ramp"),
+            QStringLiteral("Ramps to RPM within MS milliseconds before recording."),
+            QStringLiteral("RPM,MS")},
+        {QStringLiteral("keep-running"), QStringLiteral("Leaves the motor running at the end.")},
+    });
+}
+
+auto usage(const QString &sentence) { return failure(kUsage, sentence); }
+
+Outcome<int> wholeNumber(const QString &text, int least, int most, const QString &what)
+{
+    bool ok = false;
+    const int number = text.trimmed().toInt(&ok);
+    if (!ok || number < least || number > most)
+        return usage(QStringLiteral("%1 must be a whole number from %2 to %3, not \"%4\".")
+                         .arg(what, QString::number(least), QString::number(most), text));
+    return number;
+}
+
+Outcome<RampArguments> rampOf(const QString &rpm, const QString &milliseconds)
+{
+    const auto speed = wholeNumber(rpm, -1'000'000, 1'000'000, QStringLiteral("RPM"));
+    if (!speed)
+        return tl::make_unexpected(speed.error());
+    const auto time = wholeNumber(milliseconds, 0, 65535, QStringLiteral("MS"));
+    if (!time)
+        return tl::make_unexpected(time.error());
+    return RampArguments{*speed, *time};
+}
+
+QStringList namesOf(const QString &list)
+{
+    QStringList names = list.split(QLatin1Char(','), Qt::SkipEmptyParts);
+    for (QString &name : names)
+        name = name.trimmed();
+    return names;
+}
+
+Outcome<CaptureArguments> captureOf(const QCommandLineParser &parser)
+{
+    CaptureArguments capture;
+    capture.fast = namesOf(parser.value(QStringLiteral("hf")));
+    capture.slow = namesOf(parser.value(QStringLiteral("mf")));
+    if (capture.fast.isEmpty() && capture.slow.isEmpty())
+        return usage(QStringLiteral("Name the signals to record, for example --hf I_A,I_B."));
+    for (const auto &[option, rate, most] : {std::tuple{"hf-rate", &capture.fastRate, 255},
+             std::tuple{"mf-rate", &capture.slowRate, 253}}) {
+        const QString name = QLatin1String(option);
+        if (!parser.isSet(name))
+            continue;
+        const auto number = wholeNumber(parser.value(name), 0, most, QStringLiteral("--") + name);
+        if (!number)
+            return tl::make_unexpected(number.error());
+        *rate = static_cast<unsigned>(*number);
+    }
+    bool ok = false;
+    capture.seconds = parser.value(QStringLiteral("seconds")).toDouble(&ok);
+    if (!ok || !std::isfinite(capture.seconds) || capture.seconds <= 0 || capture.seconds > 86400)
+        return usage(QStringLiteral(
+            "Say how long to record with --seconds S, more than 0 and at most 86400."));
+    capture.file = parser.value(QStringLiteral("output"));
+    if (capture.file.isEmpty())
+        return usage(QStringLiteral("Name the file to write with -o FILE.csv."));
+    capture.start = parser.isSet(QStringLiteral("start"));
+    capture.keepRunning = parser.isSet(QStringLiteral("keep-running"));
+    if (parser.isSet(QStringLiteral("ramp"))) {
+        const QStringList parts = parser.value(QStringLiteral("ramp")).split(QLatin1Char(','));
+        if (parts.size() != 2)
+            return usage(
+                QStringLiteral("Write the ramp as --ramp RPM,MS, for example --ramp 1500,500."));
+        const auto ramp = rampOf(parts[0], parts[1]);
+        if (!ramp)
+            return tl::make_unexpected(ramp.error());
+        capture.ramp = *ramp;
+    }
+    return capture;
+}
+
+/// Options may stand before or behind the command's name; the later one counts.
+Outcome<bool> takeCommon(const QCommandLineParser &parser, Arguments &arguments)
+{
+    if (parser.isSet(QStringLiteral("port")))
+        arguments.port = parser.value(QStringLiteral("port"));
+    if (parser.isSet(QStringLiteral("json")))
+        arguments.json = true;
+    if (parser.isSet(QStringLiteral("baud"))) {
+        const auto baud = wholeNumber(
+            parser.value(QStringLiteral("baud")), 1200, 20'000'000, QStringLiteral("--baud"));
+        if (!baud)
+            return tl::make_unexpected(baud.error());
+        arguments.baud = static_cast<std::uint32_t>(*baud);
+    }
+    if (parser.isSet(QStringLiteral("version")))
+        arguments.text = QCoreApplication::applicationName() + QLatin1Char(' ')
+            + QCoreApplication::applicationVersion();
+    else if (parser.isSet(QStringLiteral("help")))
+        arguments.text = parser.helpText().trimmed();
+    return arguments.text.has_value();
+}
+
+/// A speed may be negative and is no option then. (indexOf() wants the whole word to match.)
+QStringList protectNegativeNumbers(QStringList line)
+{
+    static const QRegularExpression number(QStringLiteral("-[0-9.].*"));
+    const auto first = line.indexOf(number);
+    if (first > 0 && !line.contains(QStringLiteral("--")))
+        line.insert(first, QStringLiteral("--"));
+    return line;
+}
+
+Outcome<bool> takeCommand(const CommandText &command, const QStringList &line, Arguments &arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QLatin1String(command.help));
+    addCommonOptions(parser);
+    addCommandOptions(parser, arguments.command);
+    parser.addPositionalArgument(
+        arguments.command, {}, arguments.command + QLatin1Char(' ') + QLatin1String(command.words));
+    const QString seeHelp = QStringLiteral("see rotorscope-cli %1 --help.").arg(arguments.command);
+    if (!parser.parse(
+            arguments.command == QLatin1String("ramp") ? protectNegativeNumbers(line) : line))
+        return usage(parser.errorText().remove(QRegularExpression(QStringLiteral("\\.$")))
+            + QStringLiteral("; ") + seeHelp);
+    const auto common = takeCommon(parser, arguments);
+    if (!common || *common)
+        return common;
+    arguments.words = parser.positionalArguments();
+    if (arguments.words.size() < command.least || arguments.words.size() > command.most)
+        return usage(QStringLiteral("Write: rotorscope-cli --port PORT %1 %2; ")
+                         .arg(arguments.command, QLatin1String(command.words))
+            + seeHelp);
+    arguments.raw = parser.optionNames().contains(QStringLiteral("raw"));
+    if (parser.optionNames().contains(QStringLiteral("motor"))) {
+        const auto motor =
+            wholeNumber(parser.value(QStringLiteral("motor")), 1, 7, QStringLiteral("--motor"));
+        if (!motor)
+            return tl::make_unexpected(motor.error());
+        arguments.motor = *motor;
+    }
+    if (arguments.command == QLatin1String("ramp")) {
+        const auto ramp = rampOf(arguments.words[0], arguments.words[1]);
+        if (!ramp)
+            return tl::make_unexpected(ramp.error());
+        arguments.ramp = *ramp;
+    }
+    if (arguments.command == QLatin1String("capture")) {
+        auto capture = captureOf(parser);
+        if (!capture)
+            return tl::make_unexpected(capture.error());
+        arguments.capture = std::move(*capture);
+    }
+    if (command.needsPort && arguments.port.isEmpty())
+        return usage(QStringLiteral(
+            "Say where the board is with --port PORT, or --port sim for a simulated one; "
+            "rotorscope-cli ports lists them."));
+    return false;
+}
+
+} // namespace
+
+Outcome<Arguments> parseArguments(const QStringList &line)
+{
+    Arguments arguments;
+    QCommandLineParser parser;
+    parser.setApplicationDescription(commandList());
+    parser.setOptionsAfterPositionalArgumentsMode(QCommandLineParser::ParseAsPositionalArguments);
+    addCommonOptions(parser);
+    parser.addPositionalArgument(
+        QStringLiteral("command"), {}, QStringLiteral("COMMAND [ARGUMENT...]"));
+    if (!parser.parse(line))
+        return usage(parser.errorText().remove(QRegularExpression(QStringLiteral("\\.$")))
+            + QStringLiteral("; see rotorscope-cli --help."));
+    const auto common = takeCommon(parser, arguments);
+    if (!common)
+        return tl::make_unexpected(common.error());
+    if (*common)
+        return arguments;
+    const QStringList words = parser.positionalArguments();
+    if (words.isEmpty())
+        return usage(QStringLiteral("Say what to do; rotorscope-cli --help lists the commands."));
+    const CommandText *command = findCommand(words.first());
+    if (command == nullptr)
+        return usage(QStringLiteral("There is no command \"%1\"; rotorscope-cli --help lists them.")
+                         .arg(words.first()));
+    arguments.command = words.first();
+    const auto taken = takeCommand(*command, words, arguments);
+    if (!taken)
+        return tl::make_unexpected(taken.error());
+    return arguments;
+}
+
+} // namespace cli

@@ -1,0 +1,45 @@
+// The command line, taken apart. It knows which options each command has, not what they mean to a board.
+#pragma once
+
+#include "failure.h"
+
+#include <QStringList>
+
+#include <cstdint>
+#include <optional>
+
+namespace cli {
+
+struct RampArguments {
+    int rpm = 0;
+    int milliseconds = 0;
+};
+
+struct CaptureArguments {
+    QStringList fast, slow; ///< register names
+    unsigned fastRate = 0; ///< one sample every so many control periods more than one
+    unsigned slowRate = 15; ///< one group every so many fast samples more than one
+    double seconds = 0.0;
+    QString file;
+    bool start = false;
+    bool keepRunning = false;
+    std::optional<RampArguments> ramp;
+};
+
+struct Arguments {
+    QString port;
+    std::uint32_t baud = 1843200;
+    bool json = false;
+    bool raw = false;
+    int motor = 1;
+    QString command;
+    QStringList words; ///< the command's own, without options
+    RampArguments ramp; ///< of the command `ramp`
+    CaptureArguments capture;
+    std::optional<QString> text; ///< help or version: to be printed instead of doing anything
+};
+
+/// @param line  with the program's name in front
+Outcome<Arguments> parseArguments(const QStringList &line);
+
+} // namespace cli

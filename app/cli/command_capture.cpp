@@ -1,0 +1,293 @@
+// capture: starts the motor if asked to, records exactly the wanted time, stops what it started, writes the file.
+#include "commands.h"
+#include "csv_output.h"
+#include "recorder.h"
+#include "sentences.h"
+#include "values.h"
+
+#include <QJsonObject>
+#include <QLoggingCategory>
+
+#include <cmath>
+
+Q_LOGGING_CATEGORY(lcProgress, "cli.progress", QtWarningMsg)
+
+namespace cli {
+
+using namespace std::chrono_literals;
+using drive::MotorState;
+
+namespace {
+
+constexpr auto kRunWithin = 10s; ///< from the start to RUN
+constexpr auto kSettleWithin = 1s; ///< after the ramp, for the speed to follow
+constexpr auto kStandstillWithin = 2s;
+constexpr auto kFirstSampleWithin = 5s;
+constexpr double kMostBytes = 1.2e9; ///< of samples, which are kept in memory until the end
+
+class CaptureRun {
+public:
+    explicit CaptureRun(Desk &desk)
+        : m_desk(desk)
+        , m_wanted(desk.arguments.capture)
+        , m_recorder(desk.arguments.capture.seconds)
+    {
+    }
+
+    Outcome<int> run();
+
+private:
+    Outcome<drive::Stream> stream() const;
+    Outcome<int> prepare();
+    Outcome<int> startMotor();
+    Outcome<int> ramp();
+    Outcome<int> record(const drive::Stream &stream);
+    Outcome<int> stopMotor();
+    Failure abandon(Failure why);
+    Outcome<int> write();
+    Outcome<int> verdict() const;
+
+    Desk &m_desk;
+    const CaptureArguments &m_wanted;
+    Recorder m_recorder;
+    bool m_started = false;
+    std::optional<drive::MotorStatus> m_fault; ///< of the motor that this run started
+};
+
+Outcome<int> CaptureRun::run()
+{
+    const auto motor = m_desk.checkMotor();
+    if (!motor)
+        return motor;
+    const auto wanted = stream();
+    if (!wanted)
+        return tl::make_unexpected(wanted.error());
+    if (const auto possible = checkCsvTarget(m_wanted.file); !possible)
+        return possible;
+    Outcome<int> done = prepare();
+    if (done)
+        done = record(*wanted);
+    if (!done)
+        return tl::make_unexpected(abandon(done.error()));
+    const auto stopped = stopMotor();
+    // What was recorded is worth keeping even if the stop was not confirmed.
+    const auto written = write();
+    if (!stopped)
+        return stopped;
+    if (!written)
+        return written;
+    return verdict();
+}
+
+Outcome<drive::Stream> CaptureRun::stream() const
+{
+    const catalog::Catalog &catalog = m_desk.catalog();
+    const auto fast = resolveNames(catalog, m_wanted.fast);
+    if (!fast)
+        return tl::make_unexpected(fast.error());
+    const auto slow = resolveNames(catalog, m_wanted.slow);
+    if (!slow)
+        return tl::make_unexpected(slow.error());
+    for (const auto *list : {&*fast, &*slow}) {
+        for (const catalog::RegisterId id : *list) {
+            if (catalog.find(id)->streaming == catalog::Streaming::Polled)
+                return failure(kUsage,
+                    QStringLiteral("%1 cannot be recorded by the board; rotorscope-cli registers "
+                                   "marks what streams.")
+                        .arg(QString::fromStdString(catalog.nameOf(id))));
+        }
+    }
+    const drive::StreamLimits &limits = m_desk.board.streaming;
+    if (limits.tickHz <= 0 || limits.maxSignals == 0)
+        return failure(kRefused, QStringLiteral("This board records no signals."));
+    if (fast->size() + slow->size() > limits.maxSignals)
+        return failure(kUsage,
+            QStringLiteral("The board records at most %1 signals at a time; leave some out.")
+                .arg(limits.maxSignals));
+    const double rows = m_wanted.seconds * limits.tickHz / (m_wanted.fastRate + 1);
+    if (rows * 2.0 * static_cast<double>(std::max<std::size_t>(1, fast->size())) > kMostBytes)
+        return failure(kUsage,
+            QStringLiteral("That is too much for one capture; take fewer seconds, fewer signals or "
+                           "a larger --hf-rate."));
+    return drive::Stream{.fast = *fast,
+        .fastEvery = m_wanted.fastRate + 1,
+        .slow = *slow,
+        .slowEvery = m_wanted.slowRate + 1};
+}
+
+Outcome<int> CaptureRun::prepare()
+{
+    if (m_wanted.start) {
+        if (const auto started = startMotor(); !started)
+            return started;
+    }
+    return m_wanted.ramp ? ramp() : kDone;
+}
+
+Outcome<int> CaptureRun::startMotor()
+{
+    const int motor = m_desk.arguments.motor;
+    Conversation &talk = m_desk.talk;
+    const auto before = talk.status(motor);
+    if (!before)
+        return tl::make_unexpected(before.error());
+    if (before->state != MotorState::Idle)
+        return failure(kRefused,
+            before->state == MotorState::FaultNow || before->state == MotorState::FaultOver
+                ? QStringLiteral(
+                    "The motor has a fault: %1; acknowledge it with rotorscope-cli ack.")
+                      .arg(stateText(*before))
+                : QStringLiteral("The motor is not idle (%1); stop it, or leave out --start.")
+                      .arg(stateText(*before)));
+    talk.arm();
+    m_started = true; // from here on it may turn, whatever the answer says
+    const auto ended =
+        talk.command(drive::Command{drive::MotorAction::Start, motor}, QStringLiteral("The start"));
+    if (!ended)
+        return tl::make_unexpected(ended.error());
+    qCInfo(lcProgress) << "started";
+    const auto settled = [](MotorState state) {
+        return state == MotorState::Running || state == MotorState::FaultNow
+            || state == MotorState::FaultOver;
+    };
+    const auto until = std::chrono::steady_clock::now() + kRunWithin;
+    auto status = talk.nextStatus(motor);
+    while (status && !settled(status->state) && std::chrono::steady_clock::now() < until)
+        status = talk.nextStatus(motor);
+    if (!status)
+        return tl::make_unexpected(status.error());
+    if (status->state != MotorState::Running)
+        return failure(kRefused,
+            QStringLiteral("The motor does not run: %1; look for the cause of its fault.")
+                .arg(stateText(*status)));
+    return kDone;
+}
+
+Outcome<int> CaptureRun::ramp()
+{
+    const int motor = m_desk.arguments.motor;
+    Conversation &talk = m_desk.talk;
+    const RampArguments &ramp = *m_wanted.ramp;
+    talk.arm();
+    const std::chrono::milliseconds duration(ramp.milliseconds);
+    const auto ended =
+        talk.command(drive::SpeedRamp{.motor = motor, .rpm = ramp.rpm, .duration = duration},
+            QStringLiteral("The ramp"));
+    if (!ended)
+        return tl::make_unexpected(ended.error());
+    const auto over = talk.waitUntil([] { return false; }, duration);
+    if (!over)
+        return tl::make_unexpected(over.error());
+    const double tolerance = std::max(10.0, std::abs(ramp.rpm) * 0.02);
+    const auto until = std::chrono::steady_clock::now() + kSettleWithin;
+    while (std::chrono::steady_clock::now() < until) {
+        const auto status = talk.nextStatus(motor);
+        if (!status)
+            return tl::make_unexpected(status.error());
+        if (status->state == MotorState::FaultNow || status->state == MotorState::FaultOver)
+            return failure(kRefused,
+                QStringLiteral("The motor stopped by itself: %1; look for the cause of its fault.")
+                    .arg(stateText(*status)));
+        if (!status->speedRpm || std::abs(*status->speedRpm - ramp.rpm) <= tolerance)
+            break;
+    }
+    return kDone;
+}
+
+Outcome<int> CaptureRun::record(const drive::Stream &stream)
+{
+    Conversation &talk = m_desk.talk;
+    talk.listen([this](const drive::Event &event) {
+        m_recorder.take(event);
+        const auto *status = std::get_if<drive::MotorStatus>(&event);
+        if (m_started && status
+            && (status->state == MotorState::FaultNow || status->state == MotorState::FaultOver))
+            m_fault = *status;
+    });
+    const auto ended = talk.command(stream, QStringLiteral("The recording"));
+    if (!ended)
+        return tl::make_unexpected(ended.error());
+    const auto begun = talk.waitUntil([this] { return !m_recorder.empty(); }, kFirstSampleWithin);
+    if (!begun)
+        return tl::make_unexpected(begun.error());
+    if (*begun == Waited::TimeOver)
+        return failure(kDataLost,
+            QStringLiteral(
+                "The board sent no samples; record fewer signals or take a larger --hf-rate."));
+    const auto limit =
+        std::chrono::milliseconds(static_cast<std::int64_t>(m_wanted.seconds * 1500.0))
+        + kFirstSampleWithin;
+    const auto complete = talk.waitUntil([this] { return m_recorder.complete(); }, limit);
+    talk.listen({});
+    if (!complete)
+        return tl::make_unexpected(complete.error());
+    const auto over = talk.ask(drive::Stream{});
+    if (!over)
+        return tl::make_unexpected(over.error());
+    return kDone;
+}
+
+Outcome<int> CaptureRun::stopMotor()
+{
+    if (!m_started || m_wanted.keepRunning)
+        return kDone;
+    const auto stopped = m_desk.talk.stop(kStandstillWithin);
+    if (!stopped)
+        return tl::make_unexpected(stopped.error());
+    return kDone;
+}
+
+/// The run ends early: a motor that it started does not go on.
+Failure CaptureRun::abandon(Failure why)
+{
+    if (!m_started)
+        return why;
+    if (!m_desk.talk.stop(0ms))
+        why.sentence += QStringLiteral(" Stop NOT confirmed. Use the hardware stop.");
+    else
+        why.sentence += QStringLiteral(" The motor was stopped.");
+    return why;
+}
+
+Outcome<int> CaptureRun::write()
+{
+    const auto rows = writeCsv(m_recorder.capture(), m_wanted.file);
+    if (!rows)
+        return tl::make_unexpected(rows.error());
+    if (m_desk.out.json())
+        m_desk.out.line(QJsonObject{{QStringLiteral("file"), m_wanted.file},
+            {QStringLiteral("rows"), static_cast<qint64>(*rows)},
+            {QStringLiteral("seconds"), m_wanted.seconds},
+            {QStringLiteral("lost_ticks"), static_cast<qint64>(m_recorder.lostTicks())},
+            {QStringLiteral("complete"), m_recorder.complete()}});
+    else
+        m_desk.out.line(
+            QStringLiteral("%1: %2 rows, %3 s, %4 control periods lost")
+                .arg(m_wanted.file, QString::number(*rows), numberText(m_wanted.seconds),
+                    QString::number(m_recorder.lostTicks())));
+    return kDone;
+}
+
+Outcome<int> CaptureRun::verdict() const
+{
+    if (m_fault)
+        return failure(kRefused,
+            QStringLiteral(
+                "The motor stopped by itself while recording: %1; look for the cause of its fault.")
+                .arg(stateText(*m_fault)));
+    if (!m_recorder.complete())
+        return failure(kDataLost,
+            QStringLiteral("The samples stopped coming before the time was over; check the link."));
+    if (m_recorder.lostTicks() > 0)
+        return failure(kDataLost,
+            QStringLiteral("%1 control periods were lost, and the file has gaps; record fewer "
+                           "signals, take a larger --hf-rate or a higher --baud.")
+                .arg(m_recorder.lostTicks()));
+    return kDone;
+}
+
+} // namespace
+
+Outcome<int> runCapture(Desk &desk) { return CaptureRun(desk).run(); }
+
+} // namespace cli

@@ -1,0 +1,99 @@
+// start, stop, ack and ramp.
+#include "commands.h"
+#include "sentences.h"
+
+#include <QJsonObject>
+
+namespace cli {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto kStandstillWithin = 10s; ///< a motor may coast
+
+/// Carries out a wish for the motor that is meant and prints the state that follows.
+Outcome<int> commandMotor(Desk &desk, decltype(drive::Wish::what) wish, const QString &what)
+{
+    desk.talk.arm();
+    const auto ended = desk.talk.command(std::move(wish), what);
+    if (!ended)
+        return tl::make_unexpected(ended.error());
+    const auto status = desk.talk.nextStatus(desk.arguments.motor);
+    if (!status)
+        return tl::make_unexpected(status.error());
+    printStatus(desk.out, *status);
+    return kDone;
+}
+
+} // namespace
+
+Outcome<int> Desk::checkMotor() const
+{
+    if (arguments.motor <= board.identity.motors)
+        return arguments.motor;
+    return failure(kUsage,
+        QStringLiteral("The board has no motor %1, only %2.")
+            .arg(QString::number(arguments.motor), QString::number(board.identity.motors)));
+}
+
+Outcome<int> runStart(Desk &desk)
+{
+    const auto motor = desk.checkMotor();
+    if (!motor)
+        return motor;
+    const auto done = commandMotor(
+        desk, drive::Command{drive::MotorAction::Start, *motor}, QStringLiteral("The start"));
+    // Interrupted half-way, the motor may be on its way: it is this run's to stop.
+    if (!done && done.error().status > kInterrupted)
+        (void)desk.talk.stop(0ms);
+    return done;
+}
+
+Outcome<int> runStop(Desk &desk)
+{
+    const auto stopped = desk.talk.stop(kStandstillWithin);
+    if (!stopped)
+        return tl::make_unexpected(stopped.error());
+    const bool still = *stopped == drive::StopWord::Standstill;
+    if (desk.out.json())
+        desk.out.line(
+            QJsonObject{{QStringLiteral("stopped"), true}, {QStringLiteral("standstill"), still}});
+    else
+        desk.out.line(still ? QStringLiteral("Standstill measured.")
+                            : QStringLiteral("The drive is idle; no standstill was measured yet."));
+    return kDone;
+}
+
+Outcome<int> runAcknowledge(Desk &desk)
+{
+    const auto motor = desk.checkMotor();
+    if (!motor)
+        return motor;
+    const auto done =
+        commandMotor(desk, drive::Command{drive::MotorAction::AcknowledgeFaults, *motor},
+            QStringLiteral("The acknowledgement"));
+    if (!done)
+        return done;
+    const auto status = desk.talk.status(*motor);
+    if (status && !status->faultsNow.empty())
+        return failure(kRefused,
+            QStringLiteral("The fault is still present: %1; remove its cause first.")
+                .arg(stateText(*status)));
+    return done;
+}
+
+Outcome<int> runRamp(Desk &desk)
+{
+    const auto motor = desk.checkMotor();
+    if (!motor)
+        return motor;
+    const RampArguments &ramp = desk.arguments.ramp;
+    return commandMotor(desk,
+        drive::SpeedRamp{.motor = *motor,
+            .rpm = ramp.rpm,
+            .duration = std::chrono::milliseconds(ramp.milliseconds)},
+        QStringLiteral("The ramp"));
+}
+
+} // namespace cli

@@ -1,0 +1,59 @@
+#include "commands.h"
+#include "sentences.h"
+#include "session/port_list.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+
+namespace cli {
+
+namespace {
+
+using session::PortChoice;
+
+const char *wordOf(PortChoice::Kind kind)
+{
+    switch (kind) {
+    case PortChoice::Kind::Simulator:
+        return "simulator";
+    case PortChoice::Kind::StLink:
+        return "st-link";
+    case PortChoice::Kind::Serial:
+        break;
+    }
+    return "serial";
+}
+
+QString titleOf(const PortChoice &port)
+{
+    const QString title = plainText(port.title.toStdString());
+    switch (port.kind) {
+    case PortChoice::Kind::Simulator:
+        return QStringLiteral("Simulated board");
+    case PortChoice::Kind::StLink:
+        return QStringLiteral("ST-LINK: ") + title;
+    case PortChoice::Kind::Serial:
+        break;
+    }
+    return title;
+}
+
+} // namespace
+
+Outcome<int> runPorts(Output &out)
+{
+    QJsonArray list;
+    for (const PortChoice &port : session::portChoices()) {
+        if (out.json())
+            list.append(QJsonObject{{QStringLiteral("path"), port.path},
+                {QStringLiteral("kind"), QLatin1String(wordOf(port.kind))},
+                {QStringLiteral("title"), titleOf(port)}});
+        else
+            out.line(QStringLiteral("%1  %2").arg(port.path.leftJustified(16), titleOf(port)));
+    }
+    if (out.json())
+        out.line(list);
+    return kDone;
+}
+
+} // namespace cli

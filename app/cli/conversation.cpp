@@ -1,0 +1,232 @@
+#include "conversation.h"
+
+#include "sentences.h"
+#include "session/port_list.h"
+
+#include <QEventLoop>
+#include <QTimer>
+
+namespace cli {
+
+using namespace std::chrono_literals;
+using drive::LinkState;
+using drive::StopWord;
+
+namespace {
+
+constexpr auto kConnectWithin = 15s; ///< the drive gives up earlier by itself
+constexpr auto kEndWithin = 30s; ///< of any wish; the drive ends each by itself
+constexpr auto kIdleWithin = 2s; ///< after a stop
+constexpr auto kFarewell = 500ms;
+
+session::Endpoint endpointOf(const Arguments &arguments)
+{
+    using Kind = session::Endpoint::Kind;
+    const bool simulated = arguments.port == QLatin1String(session::kSimulatorPath);
+    return {.kind = simulated ? Kind::Simulator : Kind::Serial,
+        .path = arguments.port,
+        .baud = arguments.baud,
+        .board = {},
+        .reopen = false};
+}
+
+} // namespace
+
+Conversation::Conversation(const Arguments &arguments, const Interrupt &interrupt)
+    : m_arguments(arguments)
+    , m_interrupt(interrupt)
+{
+    using session::Session;
+    QObject::connect(&m_session, &Session::batch, this, &Conversation::takeBatch);
+    QObject::connect(&m_session, &Session::portChanged, this, &Conversation::takePort);
+    QObject::connect(&m_interrupt, &Interrupt::raised, this, &Conversation::changed);
+}
+
+Conversation::~Conversation() { close(); }
+
+Outcome<drive::Identified> Conversation::connect()
+{
+    m_session.open(endpointOf(m_arguments));
+    const auto waited = waitUntil([this] { return m_board.has_value(); }, kConnectWithin);
+    if (!waited)
+        return tl::make_unexpected(waited.error());
+    if (*waited == Waited::TimeOver)
+        return failure(kNoConnection, sentenceOf(drive::LinkReason::NoAnswer, m_arguments));
+    return *m_board;
+}
+
+void Conversation::close()
+{
+    if (m_session.closed())
+        return;
+    m_heedInterrupt = false;
+    m_broken.reset();
+    m_session.close();
+    (void)waitUntil([this] { return m_session.closed(); }, kFarewell);
+}
+
+Outcome<drive::Ended> Conversation::ask(decltype(drive::Wish::what) what)
+{
+    m_ended.reset();
+    m_session.submit({.id = ++m_lastWish, .what = std::move(what)});
+    const auto waited = waitUntil([this] { return m_ended.has_value(); }, kEndWithin);
+    if (!waited)
+        return tl::make_unexpected(waited.error());
+    if (*waited == Waited::TimeOver)
+        return failure(kNoConnection, sentenceOf(drive::LinkReason::Silence, m_arguments));
+    return *m_ended;
+}
+
+Outcome<drive::Ended> Conversation::command(decltype(drive::Wish::what) wish, const QString &what)
+{
+    auto ended = ask(std::move(wish));
+    if (!ended || ended->outcome == drive::Outcome::Ok)
+        return ended;
+    const QString reason = plainText(ended->reason);
+    switch (ended->outcome) {
+    case drive::Outcome::Unknown:
+        return failure(kNoConnection,
+            QStringLiteral("%1: the board's answer was lost, so it may have happened; look with "
+                           "rotorscope-cli info.")
+                .arg(what));
+    case drive::Outcome::NotSent:
+        return failure(kRefused,
+            QStringLiteral("%1 was not sent%2.")
+                .arg(what, reason.isEmpty() ? reason : QStringLiteral(": ") + reason));
+    default:
+        break;
+    }
+    return failure(kRefused,
+        QStringLiteral(
+            "%1 was refused by the board%2; look at its state and faults with rotorscope-cli info.")
+            .arg(what, reason.isEmpty() ? reason : QStringLiteral(" (%1)").arg(reason)));
+}
+
+Outcome<std::vector<drive::Reading>> Conversation::read(const std::vector<drive::RegisterId> &ids)
+{
+    m_readings.clear();
+    const auto ended = ask(drive::Read{ids});
+    if (!ended)
+        return tl::make_unexpected(ended.error());
+    std::vector<drive::Reading> readings;
+    for (const drive::RegisterId id : ids) {
+        const auto found = m_readings.find(id);
+        readings.push_back(found != m_readings.end()
+                ? found->second
+                : drive::Reading{
+                    .id = id, .status = drive::ReadStatus::NotSupported, .value = {}, .at = {}});
+    }
+    return readings;
+}
+
+Outcome<drive::MotorStatus> Conversation::status(int motor)
+{
+    const auto waited = waitUntil([&] { return m_status.contains(motor); }, kIdleWithin);
+    if (!waited)
+        return tl::make_unexpected(waited.error());
+    if (*waited == Waited::TimeOver)
+        return failure(
+            kRefused, QStringLiteral("The board does not tell the state of motor %1.").arg(motor));
+    return m_status.at(motor);
+}
+
+Outcome<drive::MotorStatus> Conversation::nextStatus(int motor)
+{
+    m_status.erase(motor);
+    return status(motor);
+}
+
+void Conversation::arm() { m_session.setArmed(true); }
+
+bool Conversation::allStopped(StopWord least) const
+{
+    for (int motor = 1; motor <= m_board->identity.motors; ++motor) {
+        const auto word = m_stopWords.find(motor);
+        if (word == m_stopWords.end() || word->second == StopWord::NotConfirmed
+            || word->second < least)
+            return false;
+    }
+    return true;
+}
+
+Outcome<StopWord> Conversation::stop(Milliseconds standstill)
+{
+    m_heedInterrupt = false;
+    m_stopWords.clear();
+    m_session.stop();
+    const auto idle = waitUntil([this] { return allStopped(StopWord::DriveIdle); }, kIdleWithin);
+    if (!idle)
+        return tl::make_unexpected(idle.error());
+    if (*idle == Waited::TimeOver)
+        return failure(kRefused, QStringLiteral("Stop NOT confirmed. Use the hardware stop."));
+    const auto still = waitUntil([this] { return allStopped(StopWord::Standstill); }, standstill);
+    return still && *still == Waited::Happened ? StopWord::Standstill : StopWord::DriveIdle;
+}
+
+Outcome<Waited> Conversation::waitUntil(const std::function<bool()> &condition, Milliseconds limit)
+{
+    QEventLoop loop;
+    const auto over = [&] { return ended() || condition(); };
+    if (!over()) {
+        QObject::connect(this, &Conversation::changed, &loop, [&] {
+            if (over())
+                loop.quit();
+        });
+        QTimer::singleShot(limit, Qt::PreciseTimer, &loop, &QEventLoop::quit);
+        loop.exec();
+    }
+    if (condition())
+        return Waited::Happened;
+    if (ended())
+        return tl::make_unexpected(endReason());
+    return Waited::TimeOver;
+}
+
+Failure Conversation::endReason() const
+{
+    if (m_broken)
+        return *m_broken;
+    return {kInterrupted + m_interrupt.number(), QStringLiteral("Interrupted.")};
+}
+
+void Conversation::takeBatch(const session::BatchPtr &batch)
+{
+    for (const drive::Event &event : batch->events)
+        take(event);
+    m_session.acknowledge();
+    Q_EMIT changed();
+}
+
+void Conversation::take(const drive::Event &event)
+{
+    if (m_listener)
+        m_listener(event);
+    if (const auto *link = std::get_if<drive::LinkChanged>(&event)) {
+        const bool wasReset = link->state == LinkState::Connected
+            && link->reason == drive::LinkReason::BoardReset && m_board;
+        if (link->state == LinkState::Lost || wasReset)
+            m_broken = Failure{kNoConnection, sentenceOf(link->reason, m_arguments)};
+    } else if (const auto *identified = std::get_if<drive::Identified>(&event)) {
+        m_board = *identified;
+    } else if (const auto *read = std::get_if<drive::RegistersRead>(&event)) {
+        for (const drive::Reading &reading : read->readings)
+            m_readings[reading.id] = reading;
+    } else if (const auto *end = std::get_if<drive::Ended>(&event)) {
+        if (end->id == m_lastWish)
+            m_ended = *end;
+    } else if (const auto *status = std::get_if<drive::MotorStatus>(&event)) {
+        m_status[status->motor] = *status;
+    } else if (const auto *progress = std::get_if<drive::StopProgress>(&event)) {
+        m_stopWords[progress->motor] = progress->word;
+    }
+}
+
+void Conversation::takePort(session::PortState state, const session::PortError &why)
+{
+    m_open = state == session::PortState::Open;
+    if (!m_open && why.problem != session::PortProblem::None)
+        m_broken = Failure{kNoConnection, sentenceOf(why, m_arguments)};
+    Q_EMIT changed();
+}
+
+} // namespace cli

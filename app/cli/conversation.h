@@ -1,0 +1,85 @@
+// Conversation: one session with one board, asked step by step. Each step waits in the event loop until what it waits
+// for has happened, the time is over, the connection broke or the user interrupted.
+//
+// Call order: connect(), then anything, then close(). The program has no other event loop, so none is nested.
+#pragma once
+
+#include "arguments.h"
+#include "failure.h"
+#include "interrupt.h"
+#include "session/session.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace cli {
+
+enum class Waited : std::uint8_t { Happened, TimeOver };
+
+class Conversation : public QObject {
+    Q_OBJECT
+public:
+    using Milliseconds = std::chrono::milliseconds;
+
+    Conversation(const Arguments &arguments, const Interrupt &interrupt);
+    ~Conversation() override;
+
+    /// Opens the port, connects, learns what the board is.
+    Outcome<drive::Identified> connect();
+    /// Ends streaming and closes the port, within half a second. A motor goes on as it is.
+    void close();
+
+    /// Asks for something and waits for its end. Not armed: what writes or moves ends NotSent.
+    Outcome<drive::Ended> ask(decltype(drive::Wish::what) what);
+    /// ask() for what must succeed: any other outcome is a failure that begins with `what`.
+    Outcome<drive::Ended> command(decltype(drive::Wish::what) wish, const QString &what);
+    /// Readings in the order of the ids; a register that did not answer is NotSupported.
+    Outcome<std::vector<drive::Reading>> read(const std::vector<drive::RegisterId> &ids);
+    /// The newest status of a motor; waits for the first one.
+    Outcome<drive::MotorStatus> status(int motor);
+    /// A status that was taken after this call.
+    Outcome<drive::MotorStatus> nextStatus(int motor);
+
+    void arm();
+    /// Stops every motor; waits until the drive is idle (2 s at most), then up to `standstill` until they stand still.
+    /// Works after an interrupt, too.
+    /// @return  how far it was confirmed; a failure if the drive was not seen idle
+    Outcome<drive::StopWord> stop(Milliseconds standstill);
+
+    Outcome<Waited> waitUntil(const std::function<bool()> &condition, Milliseconds limit);
+
+    /// Called for each event, besides what is kept here.
+    void listen(std::function<void(const drive::Event &)> listener)
+    {
+        m_listener = std::move(listener);
+    }
+
+private:
+    void takeBatch(const session::BatchPtr &batch);
+    void take(const drive::Event &event);
+    void takePort(session::PortState state, const session::PortError &why);
+    bool ended() const { return m_broken || (m_heedInterrupt && m_interrupt.number() != 0); }
+    Failure endReason() const;
+    bool allStopped(drive::StopWord least) const;
+
+    Arguments m_arguments;
+    const Interrupt &m_interrupt;
+    session::Session m_session;
+    std::function<void(const drive::Event &)> m_listener;
+    bool m_heedInterrupt = true;
+    bool m_open = false;
+    std::optional<Failure> m_broken; ///< why the connection is no more
+    std::optional<drive::Identified> m_board;
+    std::map<int, drive::MotorStatus> m_status;
+    std::map<int, drive::StopWord> m_stopWords;
+    std::map<drive::RegisterId, drive::Reading> m_readings; ///< since the last read()
+    std::optional<drive::Ended> m_ended;
+    drive::WishId m_lastWish = 0;
+
+Q_SIGNALS:
+    void changed(); ///< something was told: whoever waits looks again
+};
+
+} // namespace cli

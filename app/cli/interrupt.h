@@ -1,0 +1,26 @@
+// Interrupt: Ctrl-C and the signals that ask a program to end, as an event in the event loop instead of a sudden end.
+#pragma once
+
+#include <QObject>
+
+namespace cli {
+
+class Interrupt : public QObject {
+    Q_OBJECT
+public:
+    explicit Interrupt(QObject *parent = nullptr);
+    ~Interrupt() override;
+
+    /// The first signal that came; 0: none yet.
+    int number() const { return m_number; }
+
+Q_SIGNALS:
+    void raised();
+
+private:
+    void raise(int number);
+
+    int m_number = 0;
+};
+
+} // namespace cli

@@ -1,0 +1,78 @@
+// rotorscope-cli: one command, one board, one exit status. Its words are a contract that scripts depend on, so they
+// are English in every language.
+#include "commands.h"
+
+#include <QCoreApplication>
+
+namespace cli {
+
+namespace {
+
+struct LinkCommand {
+    const char *name;
+    Outcome<int> (*run)(Desk &);
+};
+
+const LinkCommand kLinkCommands[] = {
+    {"info", runInfo},
+    {"registers", runRegisters},
+    {"get", runGet},
+    {"set", runSet},
+    {"start", runStart},
+    {"stop", runStop},
+    {"ack", runAcknowledge},
+    {"ramp", runRamp},
+    {"capture", runCapture},
+};
+
+Outcome<int> runLinkCommand(const Arguments &arguments, Output &out)
+{
+    const Interrupt interrupt;
+    Conversation talk(arguments, interrupt);
+    const auto board = talk.connect();
+    if (!board)
+        return tl::make_unexpected(board.error());
+    Desk desk{arguments, talk, *board, out};
+    for (const LinkCommand &command : kLinkCommands) {
+        if (arguments.command == QLatin1String(command.name))
+            return command.run(desk);
+    }
+    return kUsage; // parseArguments() lets no other name through
+}
+
+Outcome<int> run(const QStringList &line)
+{
+    const auto arguments = parseArguments(line);
+    if (!arguments)
+        return tl::make_unexpected(arguments.error());
+    Output out(arguments->json);
+    Outcome<int> status = kDone;
+    if (arguments->text)
+        out.line(*arguments->text);
+    else if (arguments->command == QLatin1String("ports"))
+        status = runPorts(out);
+    else if (arguments->command == QLatin1String("decode"))
+        status = runDecode(*arguments, out);
+    else
+        status = runLinkCommand(*arguments, out);
+    if (!out.flush() && status && *status == kDone)
+        return failure(
+            kFileError, QStringLiteral("The output could not be written; check where it goes."));
+    return status;
+}
+
+} // namespace
+
+} // namespace cli
+
+int main(int argc, char *argv[])
+{
+    QCoreApplication app(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("rotorscope-cli"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(ROTORSCOPE_VERSION));
+    const auto status = cli::run(QCoreApplication::arguments());
+    if (status)
+        return *status;
+    cli::Output::error(status.error().sentence);
+    return status.error().status;
+}

@@ -1,0 +1,75 @@
+#include "recorder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cli {
+
+using capture::SampleBlock;
+using capture::Tick;
+
+namespace {
+
+/// Cuts off what is at or after `end`.
+void trim(SampleBlock &block, Tick step, Tick end)
+{
+    std::erase_if(block.slow, [end](const capture::SlowGroup &group) { return group.tick >= end; });
+    const Tick fits = std::clamp<Tick>((end - block.firstTick + step - 1) / step, 0, block.count);
+    if (fits == block.count || block.count == 0)
+        return;
+    const std::size_t signalCount = block.fast.size() / block.count;
+    std::vector<std::int16_t> fast;
+    for (std::size_t s = 0; s < signalCount; ++s) {
+        const auto begin = block.fast.begin() + static_cast<std::ptrdiff_t>(s * block.count);
+        fast.insert(fast.end(), begin, begin + fits);
+    }
+    block.fast = std::move(fast);
+    block.count = static_cast<std::uint32_t>(fits);
+}
+
+/// The tick after the last one that the block tells about.
+Tick endOf(const SampleBlock &block, Tick step)
+{
+    Tick end = block.firstTick + Tick{block.count} * step;
+    if (!block.slow.empty())
+        end = std::max(end, block.slow.back().tick + 1);
+    return end;
+}
+
+} // namespace
+
+void Recorder::take(const drive::Event &event)
+{
+    if (const auto *started = std::get_if<drive::StreamStarted>(&event)) {
+        if (m_origin || started->layout.empty())
+            return;
+        m_layout = started->layout;
+        m_layout.originSeconds = 0.0; // its ticks will be counted from the first sample
+        m_length = static_cast<Tick>(std::llround(m_seconds * m_layout.tickHz));
+    } else if (const auto *block = std::get_if<SampleBlock>(&event)) {
+        if (!m_complete && block->stream == m_layout.id && m_layout.tickHz > 0)
+            takeBlock(*block);
+    }
+}
+
+void Recorder::takeBlock(SampleBlock block)
+{
+    if (!m_origin) {
+        m_origin = block.firstTick;
+        block.lostTicks = 0; // before the beginning
+        m_capture.begin(m_layout);
+    }
+    block.firstTick -= *m_origin;
+    for (capture::SlowGroup &group : block.slow)
+        group.tick -= *m_origin;
+    if (block.lostTicks > 0)
+        m_lost += std::max<Tick>(
+            0, std::min(block.firstTick, m_length) - (block.firstTick - block.lostTicks));
+    const Tick step = m_layout.fastStep;
+    m_complete = endOf(block, step) >= m_length;
+    trim(block, step, m_length);
+    if (block.count > 0 || !block.slow.empty())
+        m_capture.append(block);
+}
+
+} // namespace cli

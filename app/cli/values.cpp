@@ -1,0 +1,239 @@
+#include "values.h"
+
+#include "catalog/names.h"
+#include "output.h"
+#include "sentences.h"
+
+#include <QJsonArray>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace cli {
+
+using catalog::Catalog;
+using catalog::Meaning;
+using catalog::RegisterId;
+using catalog::RegisterInfo;
+using catalog::Value;
+using catalog::ValueType;
+
+namespace {
+
+template <class... Fs>
+struct Overloaded : Fs... {
+    using Fs::operator()...;
+};
+template <class... Fs>
+Overloaded(Fs...) -> Overloaded<Fs...>;
+
+QString hexOf(const Bytes &bytes)
+{
+    return QString::fromLatin1(QByteArray(
+        reinterpret_cast<const char *>(bytes.data()), static_cast<qsizetype>(bytes.size()))
+                                   .toHex(' '));
+}
+
+QString textOf(const std::string_view &text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+/// Six digits: what a scale of a 16-bit number can carry, without the noise of a product of two binary fractions.
+QString shownText(double value) { return QString::number(value, 'g', 7); }
+
+QStringList flagsOf(const RegisterInfo &info, std::int64_t number)
+{
+    QStringList names;
+    const auto add = [&names](const std::vector<std::string> &list) {
+        for (const std::string &name : list)
+            names.append(textOf(name));
+    };
+    if (info.name == "FAULTS_FLAGS") {
+        add(catalog::faultNames(static_cast<std::uint16_t>(number & 0xFFFF)));
+        add(catalog::faultNames(static_cast<std::uint16_t>((number >> 16) & 0xFFFF)));
+        names.removeDuplicates();
+    } else {
+        add(catalog::flagNames(info.name, static_cast<std::uint32_t>(number)));
+    }
+    return names;
+}
+
+QString integerText(const Catalog &catalog, RegisterId id, std::int64_t number, Digits digits)
+{
+    const RegisterInfo *info = catalog.find(id);
+    if (info == nullptr || digits == Digits::Raw)
+        return QString::number(number);
+    if (info->meaning == Meaning::Enumeration)
+        return QStringLiteral("%1 (%2)").arg(
+            textOf(catalog::valueName(info->name, number)), QString::number(number));
+    if (info->meaning == Meaning::Flags) {
+        const QStringList flags = flagsOf(*info, number);
+        return flags.isEmpty() ? QStringLiteral("none") : flags.join(QStringLiteral(", "));
+    }
+    const catalog::Scale scale = catalog.readScale(id);
+    const QString text = scale.factor == 1.0
+        ? QString::number(number)
+        : shownText(static_cast<double>(number) * scale.factor);
+    return scale.unit.empty() ? text : text + QLatin1Char(' ') + textOf(scale.unit);
+}
+
+/// Smallest and largest number that the register's width holds.
+std::pair<std::int64_t, std::int64_t> rangeOf(ValueType type)
+{
+    switch (type) {
+    case ValueType::U8:
+        return {0, 0xFF};
+    case ValueType::S8:
+        return {-0x80, 0x7F};
+    case ValueType::U16:
+        return {0, 0xFFFF};
+    case ValueType::S16:
+        return {-0x8000, 0x7FFF};
+    case ValueType::S32:
+        return {std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()};
+    default:
+        return {0, std::numeric_limits<std::uint32_t>::max()};
+    }
+}
+
+std::optional<double> numberOf(const QString &text)
+{
+    const QByteArray bytes = text.trimmed().toLatin1();
+    double number = 0.0;
+    if (bytes.startsWith("0x") || bytes.startsWith("0X")) {
+        std::uint32_t whole = 0;
+        const auto end =
+            std::from_chars(bytes.constData() + 2, bytes.constData() + bytes.size(), whole, 16);
+        if (end.ec != std::errc{} || end.ptr != bytes.constData() + bytes.size())
+            return std::nullopt;
+        return whole;
+    }
+    const auto end = std::from_chars(bytes.constData(), bytes.constData() + bytes.size(), number);
+    if (end.ec != std::errc{} || end.ptr != bytes.constData() + bytes.size()
+        || !std::isfinite(number))
+        return std::nullopt;
+    return number;
+}
+
+} // namespace
+
+QString idText(RegisterId id)
+{
+    return QStringLiteral("0x%1").arg(
+        QString::number(id, 16).toUpper().rightJustified(4, QLatin1Char('0')));
+}
+
+QString valueText(const Catalog &catalog, RegisterId id, const Value &value, Digits digits)
+{
+    return std::visit(
+        Overloaded{
+            [&](std::int64_t number) { return integerText(catalog, id, number, digits); },
+            [&](double number) {
+                const catalog::Scale scale = catalog.readScale(id);
+                const QString text =
+                    digits == Digits::Raw ? numberText(number) : shownText(number * scale.factor);
+                return digits == Digits::Raw || scale.unit.empty()
+                    ? text
+                    : text + QLatin1Char(' ') + textOf(scale.unit);
+            },
+            [](const std::string &text) { return plainText(text); },
+            [](const Bytes &bytes) { return hexOf(bytes); },
+        },
+        value);
+}
+
+QJsonObject valueJson(const Catalog &catalog, RegisterId id, const Value &value, Digits digits)
+{
+    QJsonObject object{
+        {QStringLiteral("name"), textOf(catalog.nameOf(id))}, {QStringLiteral("id"), idText(id)}};
+    const RegisterInfo *info = catalog.find(id);
+    const catalog::Scale scale = digits == Digits::Raw ? catalog::Scale{} : catalog.readScale(id);
+    std::visit(
+        Overloaded{
+            [&](std::int64_t number) {
+                object[QStringLiteral("raw")] = static_cast<qint64>(number);
+                if (scale.factor == 1.0)
+                    object[QStringLiteral("value")] = static_cast<qint64>(number);
+                else
+                    object[QStringLiteral("value")] = static_cast<double>(number) * scale.factor;
+                if (info && info->meaning == Meaning::Enumeration)
+                    object[QStringLiteral("text")] = textOf(catalog::valueName(info->name, number));
+                if (info && info->meaning == Meaning::Flags)
+                    object[QStringLiteral("flags")] =
+                        QJsonArray::fromStringList(flagsOf(*info, number));
+            },
+            [&](double number) {
+                object[QStringLiteral("raw")] = number;
+                object[QStringLiteral("value")] = number * scale.factor;
+            },
+            [&](const std::string &text) { object[QStringLiteral("value")] = plainText(text); },
+            [&](const Bytes &bytes) { object[QStringLiteral("value")] = hexOf(bytes); },
+        },
+        value);
+    object[QStringLiteral("unit")] = textOf(scale.unit);
+    return object;
+}
+
+Outcome<Value> parseValue(const Catalog &catalog, RegisterId id, const QString &text, Digits digits)
+{
+    const RegisterInfo *info = catalog.find(id);
+    const QString name = textOf(catalog.nameOf(id));
+    if (info == nullptr)
+        return failure(kUsage, QStringLiteral("%1 is not known and cannot be written.").arg(name));
+    if (info->type == ValueType::Text)
+        return Value(text.toStdString());
+    if (info->type == ValueType::Raw) {
+        QString hex = text;
+        hex.remove(QLatin1Char(' '));
+        const QByteArray bytes = QByteArray::fromHex(hex.toLatin1());
+        if (bytes.isEmpty() || bytes.size() * 2 != hex.size())
+            return failure(kUsage,
+                QStringLiteral("%1 is a structure: write it as hexadecimal bytes, such as 01FF.")
+                    .arg(name));
+        return Value(Bytes(bytes.begin(), bytes.end()));
+    }
+    const std::optional<double> number = numberOf(text);
+    if (!number)
+        return failure(kUsage,
+            QStringLiteral("\"%1\" is no number for %2; the decimal sign is a point.")
+                .arg(text, name));
+    const double factor = digits == Digits::Raw ? 1.0 : catalog.readScale(id).factor;
+    if (!catalog::isInteger(info->type))
+        return Value(factor == 0.0 ? *number : *number / factor);
+    const double raw = std::round(factor == 0.0 ? *number : *number / factor);
+    const auto [least, most] = rangeOf(info->type);
+    if (!(raw >= static_cast<double>(least) && raw <= static_cast<double>(most))) {
+        const double low = static_cast<double>(least) * factor;
+        const double high = static_cast<double>(most) * factor;
+        return failure(kUsage,
+            QStringLiteral("%1 holds %2 to %3, not %4.")
+                .arg(name, shownText(std::min(low, high)), shownText(std::max(low, high)), text));
+    }
+    return Value(static_cast<std::int64_t>(raw));
+}
+
+Outcome<RegisterId> resolveName(const Catalog &catalog, const QString &name)
+{
+    if (const auto id = catalog.resolve(name.toStdString()))
+        return *id;
+    return failure(kUsage,
+        QStringLiteral(
+            "This board has no register \"%1\"; rotorscope-cli registers lists what it has.")
+            .arg(name));
+}
+
+Outcome<std::vector<RegisterId>> resolveNames(const Catalog &catalog, const QStringList &names)
+{
+    std::vector<RegisterId> ids;
+    for (const QString &name : names) {
+        const auto id = resolveName(catalog, name);
+        if (!id)
+            return tl::make_unexpected(id.error());
+        ids.push_back(*id);
+    }
+    return ids;
+}
+
+} // namespace cli

@@ -1,0 +1,222 @@
+// rotorscope-cli as scripts see it: what it prints, where, and how it ends. The real program, against its own
+// simulated board.
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+class TestCli : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void wrongUsageIsExitStatus2AndOneLine_data();
+    void wrongUsageIsExitStatus2AndOneLine();
+    void helpAndVersionAreNoErrors();
+    void portsBeginWithTheSimulatedBoard();
+    void infoTellsWhatTheBoardIs();
+    void getReadsInUnitsAndRaw();
+    void setPrintsOldAndNew();
+    void whatTheBoardRefusesIsExitStatus1();
+    void noConnectionIsExitStatus3();
+    void captureWritesExactlyTheTimeAsked();
+    void captureIntoNowhereIsExitStatus5AndMovesNothing();
+    void captureOfTooMuchSaysSoWithGaps();
+};
+
+namespace {
+
+struct Run {
+    int status = -1;
+    QString out, err;
+    QStringList lines() const { return out.split(QLatin1Char('\n'), Qt::SkipEmptyParts); }
+    QJsonDocument json() const { return QJsonDocument::fromJson(out.toUtf8()); }
+};
+
+QString program() { return QStringLiteral(ROTORSCOPE_BIN "/rotorscope-cli"); }
+
+QStringList words(const char *line)
+{
+    return QString::fromUtf8(line).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+}
+
+Run run(const QStringList &arguments)
+{
+    QProcess process;
+    process.start(program(), arguments);
+    if (!process.waitForFinished(60'000))
+        process.kill();
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+        QString::fromUtf8(process.readAllStandardOutput()),
+        QString::fromUtf8(process.readAllStandardError())};
+}
+
+Run run(const char *line) { return run(words(line)); }
+
+QList<QStringList> readCsv(const QString &path)
+{
+    QFile file(path);
+    QList<QStringList> rows;
+    if (!file.open(QIODevice::ReadOnly))
+        return rows;
+    while (!file.atEnd())
+        rows.append(QString::fromUtf8(file.readLine()).trimmed().split(QLatin1Char(',')));
+    return rows;
+}
+
+#define COMPARE_STATUS(result, expected)                                                           \
+    QVERIFY2((result).status == (expected),                                                        \
+        qPrintable(QStringLiteral("status %1, stderr: %2")                                         \
+                       .arg(QString::number((result).status), (result).err)))
+
+} // namespace
+
+void TestCli::wrongUsageIsExitStatus2AndOneLine_data()
+{
+    QTest::addColumn<QString>("line");
+    for (const char *line : {"", "fly", "--port", "--port sim", "--colour red info", "info",
+             "get STATUS", "--port sim get", "--port sim get NO_SUCH_REGISTER",
+             "--port sim get STATUS@9", "--port sim set SPEED_KP", "--port sim set SPEED_KP=1,5",
+             "--port sim set SPEED_KP=99999999", "--port sim set SPEED_KP=nan",
+             "--port sim ramp 1000", "--port sim ramp fast 100", "--port sim ramp 1000 -1",
+             "--baud 3 --port sim info", "--port sim start --motor 2",
+             "--port sim capture -o x.csv --seconds 1", "--port sim capture --hf I_A --seconds 1",
+             "--port sim capture --hf I_A --seconds -1 -o x.csv",
+             "--port sim capture --hf SPEED_MEAS --seconds 1 -o x.csv",
+             "--port sim capture --hf I_A --hf-rate 256 --seconds 1 -o x.csv",
+             "--port sim capture --hf I_A --ramp 1500 --seconds 1 -o x.csv", "decode"})
+        QTest::newRow(line) << QString::fromLatin1(line);
+}
+
+void TestCli::wrongUsageIsExitStatus2AndOneLine()
+{
+    QFETCH(QString, line);
+    const Run result = run(line.split(QLatin1Char(' '), Qt::SkipEmptyParts));
+    COMPARE_STATUS(result, 2);
+    QCOMPARE(result.out, QString());
+    QCOMPARE(result.err.count(QLatin1Char('\n')), 1);
+    QVERIFY2(result.err.startsWith(QLatin1String("rotorscope-cli: ")), qPrintable(result.err));
+}
+
+void TestCli::helpAndVersionAreNoErrors()
+{
+    for (const char *line : {"--help", "capture --help", "get -h", "--version"}) {
+        const Run result = run(line);
+        COMPARE_STATUS(result, 0);
+        QVERIFY(!result.out.isEmpty());
+        QCOMPARE(result.err, QString());
+    }
+    QVERIFY(run("--help").out.contains(QLatin1String("capture --hf")));
+    QVERIFY(run("set --help").out.contains(QLatin1String("--raw")));
+}
+
+void TestCli::portsBeginWithTheSimulatedBoard()
+{
+    QVERIFY(run("ports").lines().first().startsWith(QLatin1String("sim ")));
+    const QJsonObject first = run("--json ports").json().array().first().toObject();
+    QCOMPARE(first[QLatin1String("path")].toString(), QStringLiteral("sim"));
+    QCOMPARE(first[QLatin1String("kind")].toString(), QStringLiteral("simulator"));
+}
+
+void TestCli::infoTellsWhatTheBoardIs()
+{
+    const Run result = run("--port sim --json info");
+    COMPARE_STATUS(result, 0);
+    const QJsonObject info = result.json().object();
+    QCOMPARE(info[QLatin1String("control_rate_hz")].toDouble(), 16000.0);
+    QCOMPARE(info[QLatin1String("stream_bytes")].toInt(), 2048);
+    QVERIFY(!info[QLatin1String("version")].toString().isEmpty());
+    QCOMPARE(info[QLatin1String("motors")]
+                 .toArray()
+                 .first()
+                 .toObject()[QLatin1String("state")]
+                 .toString(),
+        QStringLiteral("IDLE"));
+    QVERIFY(run("--port sim info").out.contains(QLatin1String("Motor 1: IDLE")));
+}
+
+void TestCli::getReadsInUnitsAndRaw()
+{
+    const Run shown = run("--port sim get STATUS BUS_VOLTAGE I_Q");
+    COMPARE_STATUS(shown, 0);
+    QCOMPARE(shown.lines().size(), 3);
+    QCOMPARE(shown.lines()[0], QStringLiteral("STATUS = IDLE (0)"));
+    QVERIFY2(shown.lines()[1].endsWith(QLatin1String(" V")), qPrintable(shown.lines()[1]));
+    QVERIFY2(shown.lines()[2].startsWith(QLatin1String("I_Q_MEAS = ")),
+        qPrintable(shown.lines()[2])); // by its alias
+    QCOMPARE(run("--port sim get STATUS --raw").lines()[0], QStringLiteral("STATUS = 0"));
+    const QJsonObject status =
+        run("--port sim --json get STATUS@1").json().array().first().toObject();
+    QCOMPARE(status[QLatin1String("value")].toInt(-1), 0);
+    QCOMPARE(status[QLatin1String("text")].toString(), QStringLiteral("IDLE"));
+}
+
+void TestCli::setPrintsOldAndNew()
+{
+    const QJsonObject old = run("--port sim --json get SPEED_KP").json().array().first().toObject();
+    const qint64 value = old[QLatin1String("raw")].toInteger();
+    const Run result = run({QStringLiteral("--port"), QStringLiteral("sim"), QStringLiteral("set"),
+        QStringLiteral("SPEED_KP=%1").arg(value + 7)});
+    COMPARE_STATUS(result, 0);
+    QCOMPARE(result.lines(),
+        QStringList{QStringLiteral("SPEED_KP: %1 -> %2")
+                        .arg(QString::number(value), QString::number(value + 7))});
+}
+
+void TestCli::whatTheBoardRefusesIsExitStatus1()
+{
+    const Run readOnly = run("--port sim set STATUS=1");
+    COMPARE_STATUS(readOnly, 1);
+    QCOMPARE(readOnly.err.count(QLatin1Char('\n')), 1);
+}
+
+void TestCli::noConnectionIsExitStatus3()
+{
+    const Run result = run("--port /dev/no-such-port info");
+    COMPARE_STATUS(result, 3);
+    QCOMPARE(result.err.count(QLatin1Char('\n')), 1);
+    QVERIFY2(result.err.contains(QLatin1String("/dev/no-such-port")), qPrintable(result.err));
+}
+
+void TestCli::captureWritesExactlyTheTimeAsked()
+{
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("x.csv"));
+    const Run result = run(words("--port sim capture --hf I_B,I_A --hf-rate 3 --mf "
+                                 "STOPLL_ROT_SPEED --mf-rate 9 --seconds 0.25 -o")
+        << file);
+    COMPARE_STATUS(result, 0);
+    const auto rows = readCsv(file);
+    QCOMPARE(rows.first(),
+        (QStringList{QStringLiteral("time [s]"), QStringLiteral("I_B [A]"),
+            QStringLiteral("I_A [A]"), QStringLiteral("STOPLL_ROT_SPEED [rpm]")}));
+    QCOMPARE(rows.size() - 1, 1000); // 0.25 s at 16 kHz / 4
+    QCOMPARE(rows[1][0], QStringLiteral("0"));
+    QCOMPARE(rows[2][0], QStringLiteral("0.00025"));
+    QCOMPARE(rows.last()[0], QStringLiteral("0.24975"));
+}
+
+void TestCli::captureIntoNowhereIsExitStatus5AndMovesNothing()
+{
+    const Run result =
+        run("--port sim capture --start --hf I_A --seconds 1 -o /no/such/folder/x.csv");
+    COMPARE_STATUS(result, 5);
+    QCOMPARE(result.err.count(QLatin1Char('\n')), 1);
+}
+
+void TestCli::captureOfTooMuchSaysSoWithGaps()
+{
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("x.csv"));
+    const Run result = run(
+        words("--port sim --baud 230400 capture --hf I_A,I_B,I_Q_MEAS,I_D_MEAS --seconds 0.5 -o")
+        << file);
+    COMPARE_STATUS(result, 4);
+    QCOMPARE(result.err.count(QLatin1Char('\n')), 1);
+    const auto rows = readCsv(file);
+    QVERIFY(rows.size() > 100);
+    QVERIFY(rows.size() < 8001);
+}
+
+QTEST_GUILESS_MAIN(TestCli)
+#include "tst_cli.moc"
