@@ -41,6 +41,7 @@ void RegisterReader::clear()
     m_batch = 0;
     m_losses = 0;
     m_gaveUp = false;
+    m_doubted.reset();
 }
 
 std::optional<Bytes> RegisterReader::nextRequest(const McpBoard &board)
@@ -98,11 +99,13 @@ std::vector<Reading> RegisterReader::takeResponse(
         const bool unknown =
             silent || status == static_cast<std::uint8_t>(mcp::Status::UnknownRegister);
         const RegisterId failed = m_waiting[readings.size()];
-        readings.push_back(
-            {failed, unknown ? ReadStatus::NotSupported : ReadStatus::Refused, {}, now});
+        if (silent || m_doubted == failed)
+            readings.push_back(
+                {failed, unknown ? ReadStatus::NotSupported : ReadStatus::Refused, {}, now});
+        m_doubted = failed;
     }
-    m_waiting.erase(
-        m_waiting.begin(), m_waiting.begin() + static_cast<std::ptrdiff_t>(readings.size()));
+    const std::size_t done = readings.size();
+    m_waiting.erase(m_waiting.begin(), m_waiting.begin() + static_cast<std::ptrdiff_t>(done));
     m_batch = 0;
     m_losses = 0;
     return readings;

@@ -3,6 +3,7 @@
 // Ids go out ordered 32-, 16-, 8-bit (an unaligned value is a fault on small controllers); texts and raw values each
 // in a request of their own. The room for answers is computed here, because the board does not check it for every
 // register. A failing id ends an answer early: the values before it tell which one it was, the rest is asked again.
+// A refusal is believed when it comes twice: the id may have been damaged on its way, and payloads are not protected.
 // An answer whose length fits nothing counts as lost. Lost answers are asked for again up to kRepeats times.
 #pragma once
 
@@ -33,6 +34,7 @@ public:
 private:
     std::deque<RegisterId> m_waiting; ///< in sending order; the open batch is its first m_batch
     std::size_t m_batch = 0;
+    std::optional<RegisterId> m_doubted; ///< refused once
     int m_losses = 0; ///< of the batch in a row
     bool m_gaveUp = false;
 };

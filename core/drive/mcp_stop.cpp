@@ -64,9 +64,11 @@ void StopSequence::takeStatus(const MotorStatus &status, TimePoint askedAt)
     if (motor == nullptr || !motor->firstSent || askedAt < *motor->firstSent)
         return;
     if (!isDriveIdle(status)) {
-        motor->slowReadings = 0;
+        motor->idleReadings = motor->slowReadings = 0;
         return;
     }
+    if (++motor->idleReadings < kIdleReadings)
+        return;
     if (!std::exchange(motor->idle, true))
         tell(*motor, StopWord::DriveIdle, status.at);
     if (!status.speedRpm || std::abs(*status.speedRpm) >= kStandstillRpm)

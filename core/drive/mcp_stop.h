@@ -1,10 +1,11 @@
 // The stop of every motor: what is to be sent when, and what may be claimed on what evidence. It does no sending.
 //
-// begin() -> Requested. STOP goes out for each motor and is repeated until the drive is seen idle, because the board
-// answers OK to every STOP and may lose one (firmware facts F4, F8). An OK is only Accepted. DriveIdle needs a STATUS
-// that was asked for after a STOP had left; Standstill needs three slow speed readings after that. No such STATUS
-// within half a second is the alarm NotConfirmed; the repeating goes on.
-// Without a link the STOPs are sent blind for two seconds; once a link is there again, the repeating goes on.
+// begin() -> Requested. STOP goes out for each motor and is repeated until the drive is seen idle,
+// because the board answers OK to every STOP and may lose one. An OK is only Accepted. DriveIdle
+// needs a STATUS, twice in a row, that was asked for after a STOP had left; Standstill needs three
+// slow speed readings after that. No such STATUS within half a second is the alarm NotConfirmed;
+// the repeating goes on. Without a link the STOPs are sent blind for two seconds; once a link is
+// there again, the repeating goes on.
 #pragma once
 
 #include "drive/event.h"
@@ -21,6 +22,8 @@ public:
     static constexpr Duration kBlindTime = std::chrono::seconds(2);
     static constexpr double kStandstillRpm = 10.0;
     static constexpr int kStandstillReadings = 3;
+    static constexpr int kIdleReadings =
+        2; ///< one could be damaged: answers are not protected on the wire
 
     void begin(int motors, TimePoint now);
     void end() { m_motors.clear(); }
@@ -53,7 +56,7 @@ private:
         std::optional<TimePoint> firstSent;
         TimePoint nextStop;
         bool accepted = false, idle = false, standstill = false, alarmed = false;
-        int slowReadings = 0;
+        int idleReadings = 0, slowReadings = 0;
     };
     Motor *find(int number);
     void tell(const Motor &motor, StopWord word, TimePoint at);

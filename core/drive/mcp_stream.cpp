@@ -193,17 +193,19 @@ void StreamControl::receive(ByteView packet, TimePoint now)
         m_origin.reset();
         m_announced = 0;
     }
-    if (block->stream != m_announced)
-        announce(*block, now);
+    if (block->stream != m_announced && !announce(*block, now)) {
+        ++m_skipped; // of a configuration from before the last identification
+        return;
+    }
     m_events.emplace_back(std::move(*block));
 }
 
-void StreamControl::announce(const capture::SampleBlock &block, TimePoint now)
+bool StreamControl::announce(const capture::SampleBlock &block, TimePoint now)
 {
     const auto at = std::find_if(m_sent.begin(), m_sent.end(),
         [&](const Active &sent) { return sent.layout.id == block.stream; });
     if (at == m_sent.end())
-        return;
+        return false;
     m_sent.erase(m_sent.begin(), at);
     capture::StreamLayout &layout = m_sent.front().layout;
     if (!m_origin) {
@@ -217,6 +219,7 @@ void StreamControl::announce(const capture::SampleBlock &block, TimePoint now)
     layout.originSeconds = *m_origin;
     m_announced = block.stream;
     m_events.emplace_back(StreamStarted{layout});
+    return true;
 }
 
 void StreamControl::addStats()

@@ -62,7 +62,7 @@ private:
     void agreed(const Stream &stream, const mcp::DatalogConfig &config, TimePoint now);
     void stopSent();
     capture::StreamLayout layoutOf(const Stream &stream) const;
-    void announce(const capture::SampleBlock &block, TimePoint now);
+    bool announce(const capture::SampleBlock &block, TimePoint now);
     void addStats();
 
     const McpBoard &m_board;

@@ -99,6 +99,11 @@ std::optional<Bytes> VitalPoll::nextRequest(TimePoint now)
         if (!m_due || now < *m_due)
             return std::nullopt;
         m_round.clear();
+        // Every board has these. If one says otherwise it is asked again each time.
+        for (int motor = 1; motor <= m_board.motors; ++motor) {
+            m_missing.erase(idOf(mcp::reg::kStatus, motor));
+            m_missing.erase(idOf(mcp::reg::kFaultsFlags, motor));
+        }
         m_reader.start(idsToRead(), m_board);
         m_roundAsked = now;
     }
@@ -110,7 +115,7 @@ void VitalPoll::takeResponse(ByteView response, TimePoint now)
     for (Reading &reading : m_reader.takeResponse(response, m_board, now)) {
         if (reading.status == ReadStatus::Ok)
             m_round[reading.id] = std::move(reading.value);
-        else if (reading.status == ReadStatus::NotSupported)
+        else
             m_missing.insert(reading.id);
     }
     if (m_reader.finished())

@@ -213,6 +213,8 @@ void TestMcpDriveStop::evidenceFromBeforeTheStopCountsForNothing()
     stop.takeStatus(statusOf(MotorState::Running, 1000, t + 6ms), t + 5ms);
     QVERIFY(words(stop).empty());
     stop.takeStatus(statusOf(MotorState::FaultOver, 1000, t + 8ms), t + 7ms);
+    QVERIFY(words(stop).empty());
+    stop.takeStatus(statusOf(MotorState::FaultOver, 1000, t + 8ms), t + 7ms);
     QVERIFY((words(stop) == std::vector<StopWord>{StopWord::DriveIdle}));
     QVERIFY(!stop.exclusive());
     QVERIFY(stop.active());
@@ -227,7 +229,7 @@ void TestMcpDriveStop::standstillNeedsThreeSlowReadingsInARow()
     stop.begin(1, t);
     stop.stopSent(1, t);
     static_cast<void>(stop.takeProgress());
-    for (const double rpm : {300.0, 5.0, -5.0, 20.0, 5.0, 9.0})
+    for (const double rpm : {300.0, 300.0, 5.0, -5.0, 20.0, 5.0, 9.0})
         stop.takeStatus(statusOf(MotorState::Idle, rpm, t + 1ms), t + 1ms);
     QVERIFY((words(stop) == std::vector<StopWord>{StopWord::DriveIdle}));
     stop.takeStatus(statusOf(MotorState::Idle, -9.0, t + 2ms), t + 2ms);
@@ -247,6 +249,7 @@ void TestMcpDriveStop::everyMotorIsStopped()
     stop.stopSent(2, t);
     QVERIFY(!stop.stopDue(t + 99ms, true));
     stop.takeStatus(statusOf(MotorState::Idle, 0, t + 1ms, 1), t + 1ms);
+    stop.takeStatus(statusOf(MotorState::Idle, 0, t + 2ms, 1), t + 2ms);
     QVERIFY(stop.exclusive());
     QCOMPARE(stop.stopDue(t + 100ms, true), std::optional<int>(2));
     static_cast<void>(stop.takeProgress());

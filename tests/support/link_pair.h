@@ -53,6 +53,10 @@ struct LineFaults {
     double stall = 0.0;
     Duration stallTime = 20ms;
     bool cut = false; ///< nothing gets through
+    /// One fault at the byte with this number, counted from the beginning of the run.
+    enum class Once : std::uint8_t { None, Flip, Drop, Duplicate } once = Once::None;
+    std::uint64_t onceAt = 0;
+    std::uint64_t passed = 0; ///< bytes so far
 };
 
 class LinkPair {
@@ -235,8 +239,25 @@ private:
         }
     }
 
-    Bytes spoil(const Bytes &bytes, const LineFaults &faults)
+    static Bytes spoilOnce(const Bytes &bytes, LineFaults &faults)
     {
+        Bytes result;
+        for (const std::uint8_t byte : bytes) {
+            const auto once =
+                faults.passed++ == faults.onceAt ? faults.once : LineFaults::Once::None;
+            if (once != LineFaults::Once::Drop)
+                result.push_back(once == LineFaults::Once::Flip
+                        ? static_cast<std::uint8_t>(byte ^ 0x10U)
+                        : byte);
+            if (once == LineFaults::Once::Duplicate)
+                result.push_back(byte);
+        }
+        return result;
+    }
+
+    Bytes spoil(const Bytes &given, LineFaults &faults)
+    {
+        const Bytes bytes = spoilOnce(given, faults);
         if (faults.cut)
             return {};
         if (faults.flip + faults.drop + faults.duplicate + faults.insert <= 0.0)

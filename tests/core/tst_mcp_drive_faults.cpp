@@ -1,0 +1,295 @@
+// McpDrive on a line that is being spoilt: seeded campaigns. Whatever the line does, each wish ends once, nothing
+// moves that nobody asked for, samples stay with their channels, and when the faults end the link is there again.
+// ROTORSCOPE_LONG=1 runs a hundred times as much. A failure names its seed.
+#include "support/link_pair.h"
+
+#include <QTest>
+
+using namespace drive;
+using support::LineFaults;
+using support::LinkPair;
+using support::Random;
+using support::Session;
+using namespace std::chrono_literals;
+
+namespace {
+
+int times(int fast)
+{
+    return qEnvironmentVariableIntValue("ROTORSCOPE_LONG") != 0 ? 100 * fast : fast;
+}
+
+/// A person who cannot wait, and a line that cannot be trusted; the oracle looks at everything that leaves and comes.
+class Campaign {
+public:
+    explicit Campaign(std::uint64_t seed)
+        : m_random(seed)
+        , m_pair(options(seed), seed)
+    {
+        m_pair.onEvent = [this](const Event &event) { judge(event); };
+    }
+
+    /// What went wrong; empty if nothing did.
+    std::string run()
+    {
+        const LineFaults faults = someFaults();
+        const bool fromTheStart = m_random.chance(0.3);
+        if (fromTheStart)
+            m_pair.toBoard = m_pair.toDrive = faults;
+        m_pair.connect();
+        m_pair.runUntil([&] { return m_pair.identified.has_value(); }, 2s);
+        m_pair.drive->arm();
+        m_pair.toBoard = faults;
+        m_pair.toDrive = m_random.chance(0.5) ? faults : LineFaults{};
+        const TimePoint end = m_pair.now + 2s;
+        while (m_pair.now < end && m_wrong.empty()) {
+            act();
+            m_pair.runFor(Duration(m_random.below(60'000'000)));
+            judgeRequests();
+        }
+        m_pair.toBoard = m_pair.toDrive = LineFaults{};
+        if (!m_pair.runUntil([&] { return settled(); }, 5s) && m_wrong.empty())
+            m_wrong = "not connected 5 s after the faults ended";
+        judgeRequests();
+        for (const WishId wish : m_wishes)
+            if (m_pair.ended[wish].size() != 1 && m_wrong.empty())
+                m_wrong = "wish " + std::to_string(wish) + " ended "
+                    + std::to_string(m_pair.ended[wish].size()) + " times";
+        return m_wrong;
+    }
+
+private:
+    static simulation::BoardOptions options(std::uint64_t seed)
+    {
+        simulation::BoardOptions options;
+        options.seed = seed;
+        if (seed % 3 == 0)
+            options.profile = "mcsdk-6.2";
+        if (seed % 5 == 0)
+            options.firstTimestamp = 0xFFFFFFFF - 8000;
+        if (seed % 7 == 0)
+            options.baud = 460800;
+        return options;
+    }
+
+    LineFaults someFaults()
+    {
+        LineFaults faults;
+        const auto some = [&](double most) {
+            return m_random.chance(0.5) ? most * double(m_random.below(100)) / 100 : 0.0;
+        };
+        faults.flip = some(2e-3);
+        faults.drop = some(1e-3);
+        faults.duplicate = some(1e-3);
+        faults.insert = some(1e-3);
+        faults.stall = some(1e-4);
+        faults.stallTime = Duration(m_random.below(300'000'000));
+        return faults;
+    }
+
+    RegisterId id(const char *name) const { return m_pair.identified ? m_pair.id(name) : 0x0049; }
+
+    template <class What>
+    void ask(What what)
+    {
+        m_wishes.push_back(m_pair.submit(std::move(what)));
+    }
+
+    void act()
+    {
+        const std::vector<RegisterId> channels{
+            id("I_A"), id("I_B"), id("V_Q"), id("STOPLL_ROT_SPEED")};
+        switch (m_random.below(12)) {
+        case 0:
+            ++m_starts;
+            return ask(Command{MotorAction::Start, 1});
+        case 1:
+            return ask(Command{MotorAction::AcknowledgeFaults, 1});
+        case 2:
+            ++m_ramps;
+            return ask(SpeedRamp{1, static_cast<std::int32_t>(m_random.below(1500)), 100ms});
+        case 3:
+        case 4:
+            return ask(Write{{{id("SPEED_KP"), std::int64_t(m_random.below(1000))},
+                {id("SPEED_KI"), std::int64_t(m_random.below(1000))}}});
+        case 5:
+            return ask(Read{{id("MOTOR_CONFIG"), id("BUS_VOLTAGE"), id("SPEED_KP")}});
+        case 6:
+        case 7:
+            return ask(Stream{{channels.begin(), channels.begin() + long(m_random.below(5))},
+                1 + unsigned(m_random.below(4)),
+                {channels.begin(), channels.begin() + long(m_random.below(2))},
+                1 + unsigned(m_random.below(9))});
+        case 8:
+            return ask(Watch{channels, 50ms});
+        case 9:
+            if (m_random.chance(0.5))
+                m_pair.drive->stop(m_pair.now);
+            m_stopped = !m_pair.drive->armed();
+            return m_pair.exchange();
+        case 10:
+            if (m_random.chance(0.1))
+                m_pair.board->reset();
+            else if (m_random.chance(0.2))
+                m_pair.board->mute(Duration(m_random.below(400'000'000)));
+            return;
+        default:
+            m_pair.drive->arm();
+            return m_pair.exchange();
+        }
+    }
+
+    bool settled()
+    {
+        for (const WishId wish : m_wishes)
+            if (!m_pair.ended.contains(wish))
+                return false;
+        return m_pair.link == LinkState::Connected;
+    }
+
+    void judge(const Event &event)
+    {
+        if (const auto *started = std::get_if<StreamStarted>(&event)) {
+            m_layout = started->layout;
+        } else if (const auto *block = std::get_if<capture::SampleBlock>(&event)) {
+            if (block->stream != m_layout.id || m_layout.empty())
+                m_wrong = "a block of no known stream";
+            else if (block->fast.size() != m_layout.fast.size() * block->count)
+                m_wrong = "a block with another number of channels";
+            for (const auto &group : block->slow)
+                if (group.values.size() != m_layout.slow.size())
+                    m_wrong = "a slow group with another number of channels";
+            if (block->lostTicks < 0)
+                m_wrong = "less than nothing was lost";
+        }
+    }
+
+    /// Commands are sent once each, and only those that were asked for.
+    void judgeRequests()
+    {
+        const auto atMost = [&](mcp::CommandId command, std::size_t most, const char *what) {
+            if (support::count(m_pair.requests, command) > most && m_wrong.empty())
+                m_wrong = std::string("more than asked for: ") + what;
+        };
+        atMost(mcp::CommandId::StartMotor, m_starts, "START");
+        atMost(mcp::CommandId::StartStop, 0, "START_STOP");
+        const auto ramps =
+            std::count_if(m_pair.requests.begin(), m_pair.requests.end(), [](const Bytes &request) {
+                return request.size() > 4 && request[0] == 0x08 && request[2] == 0xA9
+                    && request[3] == 0x01;
+            });
+        if (ramps > m_ramps && m_wrong.empty())
+            m_wrong = "more ramps than asked for";
+    }
+
+    Random m_random;
+    LinkPair m_pair;
+    std::vector<WishId> m_wishes;
+    capture::StreamLayout m_layout;
+    std::size_t m_starts = 0;
+    std::ptrdiff_t m_ramps = 0;
+    bool m_stopped = false;
+    std::string m_wrong;
+};
+
+} // namespace
+
+class TestMcpDriveFaults : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void underRandomFaultsEachWishEndsOnceAndTheLinkComesBack();
+    void oneFaultAtAnyByteIsOvercome_data();
+    void oneFaultAtAnyByteIsOvercome();
+    void aStopGetsThroughABadLine();
+    void theSameSeedGivesTheSameRun();
+};
+
+void TestMcpDriveFaults::underRandomFaultsEachWishEndsOnceAndTheLinkComesBack()
+{
+    for (int seed = 1; seed <= times(200); ++seed) {
+        const std::string wrong = Campaign(static_cast<std::uint64_t>(seed)).run();
+        QVERIFY2(wrong.empty(), ("seed " + std::to_string(seed) + ": " + wrong).c_str());
+    }
+}
+
+void TestMcpDriveFaults::oneFaultAtAnyByteIsOvercome_data()
+{
+    QTest::addColumn<bool>("toTheBoard");
+    QTest::addColumn<int>("kind");
+    const char *names[] = {"", "flipped", "dropped", "doubled"};
+    for (int kind = 1; kind <= 3; ++kind) {
+        QTest::addRow("%s on the way to the board", names[kind]) << true << kind;
+        QTest::addRow("%s on the way from the board", names[kind]) << false << kind;
+    }
+}
+
+void TestMcpDriveFaults::oneFaultAtAnyByteIsOvercome()
+{
+    QFETCH(bool, toTheBoard);
+    QFETCH(int, kind);
+    // A whole session: connect, identify, start, stream, stop. Fast: every 31st byte; long: each.
+    const std::uint64_t step = times(1) > 1 ? 1 : 31;
+    for (std::uint64_t at = static_cast<std::uint64_t>(kind); at < 1200; at += step) {
+        LinkPair pair;
+        LineFaults &line = toTheBoard ? pair.toBoard : pair.toDrive;
+        line.once = static_cast<LineFaults::Once>(kind);
+        line.onceAt = at;
+        const auto place = "byte " + std::to_string(at);
+        pair.connect();
+        QVERIFY2(pair.runUntilIdentified(6s), place.c_str());
+        pair.drive->arm();
+        const WishId start = pair.submit(Command{MotorAction::Start, 1});
+        QVERIFY2(pair.runUntilEnded(start), place.c_str());
+        const WishId stream = pair.submit(Stream{{pair.id("I_A")}, 1, {}, 1});
+        QVERIFY2(pair.runUntilEnded(stream), place.c_str());
+        pair.runFor(20ms);
+        pair.drive->stop(pair.now);
+        pair.exchange();
+        QVERIFY2(pair.runUntil(
+                     [&] {
+                         return pair.status[1].state == MotorState::Idle
+                             && pair.link == LinkState::Connected;
+                     },
+                     5s),
+            place.c_str());
+        QVERIFY2(support::count(pair.requests, mcp::CommandId::StartMotor) <= 1, place.c_str());
+    }
+}
+
+void TestMcpDriveFaults::aStopGetsThroughABadLine()
+{
+    for (int seed = 1; seed <= times(40); ++seed) {
+        Session session(true, {}, static_cast<std::uint64_t>(seed));
+        QVERIFY(session.startMotor());
+        session.submit(Stream{{session.id("I_A"), session.id("I_B")}, 1, {}, 1});
+        LineFaults faults;
+        faults.flip = faults.drop = 5e-4;
+        session.toBoard = session.toDrive = faults;
+        session.runFor(100ms + 3ms * (seed % 100));
+        session.drive->stop(session.now);
+        session.exchange();
+        QVERIFY2(session.runUntil([&] { return session.hasStopWord(StopWord::DriveIdle); }, 10s),
+            std::to_string(seed).c_str());
+        // What it says is true.
+        session.toBoard = session.toDrive = LineFaults{};
+        session.runFor(6s);
+        QVERIFY2(session.status[1].state == MotorState::Idle, std::to_string(seed).c_str());
+    }
+}
+
+void TestMcpDriveFaults::theSameSeedGivesTheSameRun()
+{
+    const auto run = [] {
+        Session session(true, {}, 99);
+        LineFaults faults;
+        faults.flip = faults.drop = 1e-3;
+        session.toBoard = session.toDrive = faults;
+        session.submit(Stream{{session.id("I_A")}, 1, {}, 1});
+        session.runFor(2s);
+        return session.sent;
+    };
+    QVERIFY(run() == run());
+}
+
+QTEST_APPLESS_MAIN(TestMcpDriveFaults)
+#include "tst_mcp_drive_faults.moc"
