@@ -43,7 +43,7 @@ mcp::Status DatalogRecorder::configure(const StaleBytes &value)
         const mcp::RegisterId id{value.u16(6 + 2 * i)};
         const bool fast = i < m_pending.hfCount;
         const auto width = static_cast<std::uint8_t>(fast ? 2 : mcp::scalarWidth(id.type()));
-        m_pending.signals[i] = {m_find(id), width};
+        m_pending.logged[i] = {m_find(id), width};
         block += width;
     }
     if (size < block + kStampBytes + kTailBytes)
@@ -112,7 +112,7 @@ void DatalogRecorder::begin(std::uint32_t timestamp)
 void DatalogRecorder::appendBlock()
 {
     for (std::size_t i = 0; i < m_active.hfCount; ++i)
-        append(m_active.signals[i]);
+        append(m_active.logged[i]);
     if (m_active.mfRate >= kMfAtEnd)
         return;
     if (m_mfIndex == m_active.mfRate) {
@@ -126,7 +126,7 @@ void DatalogRecorder::appendBlock()
 void DatalogRecorder::appendMf()
 {
     for (std::size_t i = 0; i < m_active.mfCount; ++i)
-        append(m_active.signals[std::size_t{m_active.hfCount} + i]);
+        append(m_active.logged[std::size_t{m_active.hfCount} + i]);
 }
 
 void DatalogRecorder::append(const Signal &signal)

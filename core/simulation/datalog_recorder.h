@@ -50,7 +50,7 @@ private:
     struct Configuration {
         std::uint8_t hfRate = 0, hfCount = 0, mfRate = 0, mfCount = 0;
         std::size_t trigger = 0; ///< the packet is full when its write index is beyond this
-        std::array<Signal, kMaxSignals> signals{};
+        std::array<Signal, kMaxSignals> logged{};
     };
     void stop();
     void begin(std::uint32_t timestamp);

@@ -282,7 +282,9 @@ void Firmware::startUp()
     }
     const RevUpStage &stage = m_revUp[m_stageIndex];
     ++m_stageTicks;
-    m_forced_rpm = m_stageFrom_rpm + (stage.rpm - m_stageFrom_rpm) * m_stageTicks / stage.ms;
+    const double direction = m_modeAsked == 3 && m_lastSpeedRamp.rpm < 0 ? -1.0 : 1.0;
+    m_forced_rpm =
+        direction * (m_stageFrom_rpm + (stage.rpm - m_stageFrom_rpm) * m_stageTicks / stage.ms);
     m_currentLimit = std::abs(static_cast<double>(stage.torque));
     speedLoop();
     if (std::abs(m_filteredSpeed_dHz * 6.0) >= kSpeedToSwitchOver_rpm)
@@ -304,9 +306,9 @@ void Firmware::beginRun()
 void Firmware::speedLoop()
 {
     const double error_dHz = m_forced_rpm / 6.0 - m_filteredSpeed_dHz;
-    m_speedIntegral += m_tuning.speedKi * error_dHz / std::exp2(m_tuning.speedKiDiv);
+    m_speedIntegral += scaledGain(m_tuning.speedKi, m_tuning.speedKiDiv) * error_dHz;
     m_speedIntegral = std::clamp(m_speedIntegral, -m_currentLimit, m_currentLimit);
-    const double proportional = m_tuning.speedKp * error_dHz / std::exp2(m_tuning.speedKpDiv);
+    const double proportional = scaledGain(m_tuning.speedKp, m_tuning.speedKpDiv) * error_dHz;
     m_iqReference = std::clamp(proportional + m_speedIntegral, -m_currentLimit, m_currentLimit);
 }
 

@@ -93,7 +93,7 @@ public:
     double power_w() const;
     double hfHz() const { return m_hfHz; }
 
-    const Signals &signals() const { return m_signals; }
+    const Signals &variables() const { return m_signals; }
     Tuning &tuning() { return m_tuning; }
     const Pmsm &motor() const { return m_motor; }
     const Stage &stage() const { return m_stage; }

@@ -105,16 +105,16 @@ void Firmware::publish()
 void Firmware::control()
 {
     constexpr double kLimit = 0.95 * 32767.0;
-    const auto loop = [](double error, double &integral, int kp, int kpDiv, int ki, int kiDiv,
-                          double limit) {
-        integral = std::clamp(integral + std::ldexp(ki * error, -kiDiv), -limit, limit);
-        return std::clamp(std::ldexp(kp * error, -kpDiv) + integral, -limit, limit);
+    const auto loop = [](double error, double &integral, double kp, double ki, double limit) {
+        integral = std::clamp(integral + ki * error, -limit, limit);
+        return std::clamp(kp * error + integral, -limit, limit);
     };
     const Tuning &t = m_tuning;
-    m_vd =
-        loop(m_idReference - m_signals.iD, m_dIntegral, t.dKp, t.dKpDiv, t.dKi, t.dKiDiv, kLimit);
+    m_vd = loop(m_idReference - m_signals.iD, m_dIntegral, scaledGain(t.dKp, t.dKpDiv),
+        scaledGain(t.dKi, t.dKiDiv), kLimit);
     const double room = std::sqrt(std::max(0.0, kLimit * kLimit - m_vd * m_vd));
-    m_vq = loop(m_iqReference - m_signals.iQ, m_qIntegral, t.qKp, t.qKpDiv, t.qKi, t.qKiDiv, room);
+    m_vq = loop(m_iqReference - m_signals.iQ, m_qIntegral, scaledGain(t.qKp, t.qKpDiv),
+        scaledGain(t.qKi, t.qKiDiv), room);
 }
 
 } // namespace simulation

@@ -96,7 +96,7 @@ Status RegisterFile::readWord(RegisterId id, int room, Bytes &out) const
     if (row == nullptr || row->use == WordRegister::Use::OnlyLogged)
         return Status::UnknownRegister;
     std::int16_t value =
-        row->gain != nullptr ? m_firmware.tuning().*row->gain : m_firmware.signals().*row->signal;
+        row->gain != nullptr ? m_firmware.tuning().*row->gain : m_firmware.variables().*row->signal;
     if (row->use == WordRegister::Use::LoggedSpeed && m_traits.scalesReadSpeeds) {
         const double scaled = value * 6.0 / fullScaleSpeedDigit_rpm(m_firmware);
         value = static_cast<std::int16_t>(std::clamp(scaled, -32768.0, 32767.0));
@@ -113,7 +113,7 @@ Status RegisterFile::readLong(RegisterId id, int room, Bytes &out) const
     const auto square = [](std::int32_t a, std::int32_t b) {
         return static_cast<std::uint32_t>((a * a + b * b) >> 15);
     };
-    const Signals &s = m_firmware.signals();
+    const Signals &s = m_firmware.variables();
     switch (id.element()) {
     case mcp::reg::kFaultsFlags.element():
         return append(out, room, m_firmware.faultFlags(), 4);
@@ -183,7 +183,7 @@ Status RegisterFile::readRaw(RegisterId id, int room, Bytes &out) const
     }
     case mcp::reg::kCurrentRef.element():
         return appendRaw(out, unchecked,
-            writer.s16(m_firmware.signals().iQRef).s16(m_firmware.signals().iDRef).take());
+            writer.s16(m_firmware.variables().iQRef).s16(m_firmware.variables().iDRef).take());
     case mcp::reg::kRevUpData.element():
         for (const RevUpStage &stage : m_firmware.revUp())
             writer.s32(stage.rpm).s16(stage.torque).u16(stage.ms);
@@ -243,7 +243,7 @@ Status RegisterFile::writeWord(RegisterId id, std::int16_t value)
     if (row == nullptr || row->use == WordRegister::Use::OnlyLogged)
         return Status::UnknownRegister;
     if (row->use == WordRegister::Use::Reference) {
-        const Signals &now = m_firmware.signals();
+        const Signals &now = m_firmware.variables();
         if (row->element == kIqRef)
             m_firmware.setCurrentReferences(value, now.iDRef);
         else
@@ -332,7 +332,7 @@ Source RegisterFile::source(RegisterId id) const
     if (static_cast<RegisterType>(id.type()) == RegisterType::Bits16) {
         const WordRegister *row = findWordRegister(id.element(), m_traits);
         if (row != nullptr && row->logged())
-            return {&(m_firmware.signals().*row->signal), 2};
+            return {&(m_firmware.variables().*row->signal), 2};
     } else if (m_options.wide) {
         if (id == mcp::reg::kStatus.withMotor(1))
             return {&m_wideState, 1};

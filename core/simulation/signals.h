@@ -2,6 +2,8 @@
 // be written. Plain values; the register file and the datalog read them where they are.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace simulation {
@@ -24,5 +26,11 @@ struct Tuning {
     std::int16_t observerC1 = -24379, observerC2 = 18041;
     std::int16_t pllKp = 638, pllKi = 45, pllKpDiv = 14, pllKiDiv = 15;
 };
+
+/// What a numerator and an exponent of two stand for; exponents that no divisor has are cut to 0..31.
+inline double scaledGain(std::int16_t numerator, std::int16_t exponent)
+{
+    return std::ldexp(numerator, -std::clamp<int>(exponent, 0, 31));
+}
 
 } // namespace simulation
