@@ -14,7 +14,12 @@ using namespace std::chrono_literals;
 
 /// Chances a byte; lengths of what lasts.
 struct SpoiltFaults {
-    double flip = 0.0, drop = 0.0, duplicate = 0.0, insert = 0.0, stall = 0.0, cut = 0.0;
+    double flip = 0.0;
+    double drop = 0.0;
+    double duplicate = 0.0;
+    double insert = 0.0;
+    double stall = 0.0;
+    double cut = 0.0;
     Duration stallTime = 100ms, cutTime = 100ms;
 };
 

@@ -1,0 +1,236 @@
+// The hurried way for Stop: when its bytes leave, whatever the link is doing.
+#include "support/virtual_link.h"
+
+using namespace support;
+using aspep::Ping;
+
+class TestControllerUrgent : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void onAnIdleLinkItGoesAtOnce();
+    void behindAnAnswerThatComesItIsAnOrdinaryRequest();
+    void behindAnAnswerThatFailsItFollowsADialogue();
+    void withoutEchoesItGoesBlindInTime();
+    void betweenBlindPacketsTheBoardCanBreathe();
+    void onALostLinkItUsesTheAgreedSizes();
+    void onALinkThatNeverWasItOffersTheMost();
+    void aBlindStopThatIsAnsweredSaysSo();
+    void everyUrgentRequestEndsOnce();
+    void noiseDoesNotHoldItUp();
+};
+
+namespace {
+
+const Bytes kStop = hex("21 00");
+const Bytes kGetStatus = hex("10 00 49 00");
+
+bool endsWithStop(const Bytes &bytes)
+{
+    return bytes.size() >= 6 && Bytes(bytes.end() - 6, bytes.end()) == hex("29 00 00 E0 21 00");
+}
+
+bool isPing(const Bytes &bytes) { return bytes.size() == 4 && (bytes[0] & 0xF) == 6; }
+
+int ends(const VirtualLink &link)
+{
+    return link.count<Controller::Response>() + link.count<Controller::NoResponse>();
+}
+
+} // namespace
+
+void TestControllerUrgent::onAnIdleLinkItGoesAtOnce()
+{
+    VirtualLink link;
+    link.connect();
+    link.controller.sendUrgent(kStop, link.now);
+    QVERIFY(endsWithStop(link.sent()));
+    link.hear(packet(true, hex("00")));
+    QCOMPARE(link.count<Controller::Response>(), 1);
+    QVERIFY(link.controller.canSend());
+}
+
+void TestControllerUrgent::behindAnAnswerThatComesItIsAnOrdinaryRequest()
+{
+    VirtualLink link;
+    link.connect();
+    link.controller.sendRequest(kGetStatus, link.now);
+    (void)link.sent();
+    link.controller.sendUrgent(kStop, link.now);
+    QVERIFY(link.sent().empty());
+    link.wait(3ms);
+    link.hear(packet(true, hex("06 00")));
+    QVERIFY(endsWithStop(link.sent()));
+    link.hear(packet(true, hex("00")));
+    QCOMPARE(link.count<Controller::Response>(), 2);
+    QCOMPARE(link.count<Controller::NoResponse>(), 0);
+    // A keep-alive Ping is an answer to wait for, too.
+    link.wait(250ms);
+    QVERIFY(isPing(link.sent()));
+    link.controller.sendUrgent(kStop, link.now);
+    QVERIFY(link.sent().empty());
+    link.hear(kConfigured);
+    QVERIFY(endsWithStop(link.sent()));
+}
+
+void TestControllerUrgent::behindAnAnswerThatFailsItFollowsADialogue()
+{
+    VirtualLink link;
+    link.connect();
+    link.controller.sendRequest(kGetStatus, link.now);
+    (void)link.sent();
+    link.controller.sendUrgent(kStop, link.now);
+    QCOMPARE(link.nextSent(), kBoard);
+    QVERIFY(link.now - TimePoint{} <= 50ms);
+    QCOMPARE(link.count<Controller::NoResponse>(), 1); // the open request ends first
+    link.wait(2ms);
+    link.hear(kBoard);
+    QVERIFY(isPing(link.sent()));
+    link.wait(2ms);
+    link.hear(kConfigured);
+    QVERIFY(endsWithStop(link.sent()));
+    QCOMPARE(link.controller.state(), Controller::State::Connected);
+    QCOMPARE(link.count<Controller::Recovered>(), 1);
+    link.hear(packet(true, hex("00")));
+    QCOMPARE(link.count<Controller::Response>(), 1);
+}
+
+void TestControllerUrgent::withoutEchoesItGoesBlindInTime()
+{
+    VirtualLink link;
+    link.connect();
+    link.controller.sendRequest(kGetStatus, link.now);
+    (void)link.sent();
+    link.wait(10ms);
+    const TimePoint pressed = link.now;
+    link.controller.sendUrgent(kStop, link.now);
+    QCOMPARE(link.nextSent(), kBoard);
+    const Bytes blind = link.nextSent();
+    QVERIFY(link.now - pressed <= 70ms);
+    QCOMPARE(Bytes(blind.begin(), blind.begin() + 4), kBoard);
+    QVERIFY(isPing(Bytes(blind.begin() + 4, blind.begin() + 8)));
+    QVERIFY(endsWithStop(blind));
+    QCOMPARE(blind.size(), std::size_t{14});
+    while (ends(link) < 2)
+        link.sleepUntilTimeout();
+    QCOMPARE(link.controller.state(),
+        Controller::State::Recovering); // and then the link is mended as usual
+}
+
+void TestControllerUrgent::betweenBlindPacketsTheBoardCanBreathe()
+{
+    VirtualLink link;
+    link.connect();
+    link.controller.sendRequest(kGetStatus, link.now);
+    (void)link.sent();
+    link.controller.sendUrgent(kStop, link.now);
+    (void)link.nextSent();
+    link.wait(20ms);
+    const auto outputs = link.controller.takeOutput();
+    QCOMPARE(outputs.size(), std::size_t{4});
+    for (std::size_t i = 0; i < 3; ++i)
+        QVERIFY(outputs[i].gapBefore >= 2ms);
+    QVERIFY(outputs[3].gapBefore >= 1ms); // header to payload
+}
+
+void TestControllerUrgent::onALostLinkItUsesTheAgreedSizes()
+{
+    VirtualLink link;
+    link.connect();
+    link.wait(2s);
+    (void)link.sent();
+    QCOMPARE(link.controller.state(), Controller::State::Idle);
+    link.events.clear();
+    for (int attempt = 0; attempt < 20; ++attempt) { // every 100 ms, whatever comes back
+        link.controller.sendUrgent(kStop, link.now);
+        link.collect();
+        QCOMPARE(link.sent(), kBoard);
+        QVERIFY(endsWithStop(link.nextSent()));
+        link.wait(70ms);
+        QCOMPARE(ends(link), attempt + 1);
+    }
+    QCOMPARE(link.controller.state(), Controller::State::Idle);
+    QCOMPARE(link.count<Controller::Lost>(), 0);
+    // The board is back.
+    link.controller.sendUrgent(kStop, link.now);
+    QCOMPARE(link.sent(), kBoard);
+    link.hear(kBoard);
+    QVERIFY(isPing(link.sent()));
+    link.hear(kConfigured);
+    QVERIFY(endsWithStop(link.sent()));
+    QCOMPARE(link.count<Controller::Connected>(), 1);
+}
+
+void TestControllerUrgent::onALinkThatNeverWasItOffersTheMost()
+{
+    VirtualLink link;
+    link.controller.sendUrgent(kStop, link.now);
+    QCOMPARE(link.sent(), kWidest);
+    link.hear(kBoard);
+    QCOMPARE(link.sent(), kBoard);
+    link.hear(kBoard);
+    QVERIFY(isPing(link.sent()));
+    link.hear(kConfigured);
+    QVERIFY(endsWithStop(link.sent()));
+}
+
+void TestControllerUrgent::aBlindStopThatIsAnsweredSaysSo()
+{
+    VirtualLink link;
+    link.connect();
+    link.controller.sendRequest(kGetStatus, link.now);
+    (void)link.sent();
+    link.controller.sendUrgent(kStop, link.now);
+    (void)link.nextSent();
+    QVERIFY(endsWithStop(link.nextSent()));
+    link.hear(kBoard + kConfigured + packet(true, hex("00")));
+    QCOMPARE(link.count<Controller::Response>(), 1);
+    QCOMPARE(ends(link), 2);
+    QCOMPARE(link.controller.state(), Controller::State::Recovering);
+}
+
+void TestControllerUrgent::everyUrgentRequestEndsOnce()
+{
+    VirtualLink link;
+    link.connect();
+    int asked = 0;
+    for (int i = 0; i < 200; ++i) {
+        if (link.controller.canSend() && i % 3 == 0) {
+            link.controller.sendRequest(kGetStatus, link.now);
+            ++asked;
+        }
+        if (i % 2 == 0) {
+            link.controller.sendUrgent(kStop, link.now);
+            ++asked;
+        }
+        link.collect();
+        if (const Bytes bytes = link.sent(); !bytes.empty() && i % 7 != 0)
+            link.hear(bytes.size() > 4 ? packet(true, hex("00"))
+                    : isPing(bytes)    ? kConfigured
+                                       : bytes);
+        link.wait(std::chrono::milliseconds(i % 29));
+        QVERIFY(asked - ends(link) >= 0 && asked - ends(link) <= 2);
+    }
+    link.controller.reset();
+    link.collect();
+    QCOMPARE(ends(link), asked);
+}
+
+void TestControllerUrgent::noiseDoesNotHoldItUp()
+{
+    VirtualLink link;
+    link.connect();
+    link.hear(Bytes(40, 0xFF));
+    QCOMPARE(link.controller.state(), Controller::State::Recovering);
+    const TimePoint pressed = link.now;
+    link.controller.sendUrgent(kStop, link.now);
+    Bytes sent;
+    while (!endsWithStop(sent) && link.now - pressed < 1s) {
+        link.hear(Bytes(10, 0xFF));
+        link.wait(1ms);
+        sent = sent + link.sent();
+    }
+    QVERIFY(link.now - pressed <= 22ms);
+}
+
+QTEST_APPLESS_MAIN(TestControllerUrgent)
+#include "tst_controller_urgent.moc"
