@@ -330,7 +330,8 @@ void ControlPanel::updateState()
     const bool believed = m_device.answering();
     QString text = believed ? motorStateText(status.state) : linkStateText(m_device.link().state);
     const QString name = deviceText(status.stateName);
-    if (believed && !name.isEmpty() && name.compare(text, Qt::CaseInsensitive) != 0)
+    if (believed && !name.isEmpty()
+        && !text.startsWith(name, Qt::CaseInsensitive)) // "Idle (IDLE)" says nothing more
         text += QStringLiteral(" (%1)").arg(name);
     m_state->setText(text);
     m_state->setEnabled(believed);
@@ -411,6 +412,8 @@ QString ControlPanel::acknowledgeHint() const
 void ControlPanel::updateButtons()
 {
     const auto apply = [](QWidget *widget, const Allowed &can, const QString &help) {
+        if (!can.yes && widget->hasFocus())
+            widget->clearFocus(); // or it would move on by itself, to the next button
         widget->setEnabled(can.yes);
         widget->setToolTip(plainToolTip(can.yes ? help : can.why));
     };

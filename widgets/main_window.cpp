@@ -9,6 +9,7 @@
 #include "widgets/export_dialog.h"
 #include "widgets/file_prompt.h"
 #include "widgets/first_steps.h"
+#include "widgets/lamp.h"
 #include "widgets/messages.h"
 #include "widgets/motor_button.h"
 #include "widgets/register_panel.h"
@@ -26,6 +27,7 @@
 #include <QHBoxLayout>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QToolButton>
@@ -37,6 +39,35 @@ namespace {
 constexpr int kRegisterWidth = 304;
 constexpr int kControlWidth = 268;
 constexpr int kLayoutVersion = 1;
+
+/// A green disc while the picture runs, a red square while it is held: told apart by shape, too.
+QIcon runIcon(bool running, const QPalette &palette)
+{
+    QPixmap pixmap(32, 32);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(Lamp::colorOf(running ? Lamp::Light::On : Lamp::Light::Bad, palette));
+    if (running)
+        painter.drawEllipse(QRectF(5, 5, 22, 22));
+    else
+        painter.drawRect(QRectF(6, 6, 20, 20));
+    return QIcon(pixmap);
+}
+
+/// What is switched on has to be told from what is not in both themes; the style's sunken look is too faint for that.
+QString scopeBarStyle(const QPalette &palette)
+{
+    return QStringLiteral("QToolButton { padding: 3px 9px; border: 1px solid %1; border-radius: "
+                          "4px; background: %2; }"
+                          "QToolButton:hover { background: %3; }"
+                          "QToolButton:checked { background: %4; border-color: %5; }"
+                          "QToolButton:focus { border-color: %5; }")
+        .arg(palette.color(QPalette::Mid).name(), palette.color(QPalette::Button).name(),
+            palette.color(QPalette::Base).name(), palette.color(QPalette::Mid).name(),
+            palette.color(QPalette::Highlight).name());
+}
 
 } // namespace
 
@@ -146,19 +177,42 @@ void MainWindow::makeScopeActions()
     m_zoomIn->setToolTip(tr("Shows half the time (+)"));
     m_zoomOut = make(tr("Zoom out"), Qt::Key_Minus, [this] { m_scope->zoom(0.5); });
     m_zoomOut->setToolTip(tr("Shows twice the time (\u2212)"));
-    connect(m_scope, &ScopeView::runningChanged, m_run, &QAction::setChecked);
+    connect(m_scope, &ScopeView::runningChanged, this, &MainWindow::showRunning);
+    showRunning(m_scope->running());
     connect(m_scope, &ScopeView::followingChanged, m_follow, &QAction::setChecked);
+}
+
+void MainWindow::showRunning(bool running)
+{
+    m_run->setChecked(running);
+    m_run->setText(running ? tr("Running", "the scope's picture moves")
+                           : tr("Held", "the scope's picture stands still"));
+    m_run->setIcon(runIcon(running, palette()));
+}
+
+void MainWindow::changeEvent(QEvent *event)
+{
+    QMainWindow::changeEvent(event);
+    if (event->type() != QEvent::PaletteChange || !m_scopeBar)
+        return;
+    showRunning(m_scope->running());
+    m_scopeBar->setStyleSheet(scopeBarStyle(palette()));
+    updateFrame();
 }
 
 QWidget *MainWindow::makeScopeBar()
 {
     auto *bar = new QWidget(this);
+    m_scopeBar = bar;
+    bar->setStyleSheet(scopeBarStyle(palette()));
     auto *layout = new QHBoxLayout(bar);
     layout->setContentsMargins(8, 4, 8, 4);
     layout->setSpacing(4);
     for (QAction *action : {m_run, m_follow, m_fit, m_fitValues, m_zoomIn, m_zoomOut}) {
         auto *button = new QToolButton(bar);
         button->setDefaultAction(action);
+        button->setToolButtonStyle(
+            action == m_run ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonTextOnly);
         button->setFocusPolicy(Qt::TabFocus);
         button->setMinimumHeight(26);
         button->setAccessibleName(action->text());

@@ -50,11 +50,13 @@ Q_SIGNALS:
 
 protected:
     void closeEvent(QCloseEvent *event) override;
+    void changeEvent(QEvent *event) override;
 
 private:
     QWidget *makeTop();
     QWidget *makeCentre();
     QWidget *makeScopeBar();
+    void showRunning(bool running);
     void makeDocks();
     void makeScopeActions();
     void makeMenus(QMenuBar &bar);
@@ -84,6 +86,7 @@ private:
     StopAlarm *m_alarm;
     Shutdown *m_shutdown;
     QWidget *m_frame = nullptr; ///< a red line while a real board is armed
+    QWidget *m_scopeBar = nullptr;
     QAction *m_run = nullptr;
     QAction *m_follow = nullptr;
     QAction *m_fit = nullptr;

@@ -59,8 +59,8 @@ QSize StopButton::sizeHint() const
 void StopButton::keyPressEvent(QKeyEvent *event)
 {
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if ((enter || event->key() == Qt::Key_Space) && !event->isAutoRepeat()) {
-        Q_EMIT stopPressed(); // to stop, every key that could have been meant is right
+    if (enter && !event->isAutoRepeat()) {
+        Q_EMIT stopPressed();
         return;
     }
     MotorButton::keyPressEvent(event);

@@ -1,6 +1,8 @@
 // rotorscope: the window. Wiring only: arguments, language, theme, the workbench and its window.
 #include "arguments.h"
 
+#include "../cli/interrupt.h"
+
 #include "session/port_list.h"
 #include "widgets/connect_bar.h"
 #include "widgets/file_prompt.h"
@@ -59,6 +61,9 @@ int run(int argc, char **argv, const gui::Arguments &arguments)
     widgets::Workbench workbench;
     widgets::MainWindow window(workbench, ports, files, settings);
     window.show();
+    // Asked to end by a signal: the same questions as when a person closes the window.
+    const cli::Interrupt interrupt;
+    QObject::connect(&interrupt, &cli::Interrupt::raised, &window, &QWidget::close);
     if (arguments.connect)
         QTimer::singleShot(0, window.connectBar(), &widgets::ConnectBar::connectOrDisconnect);
     const int status = QApplication::exec();
