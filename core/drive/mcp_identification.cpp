@@ -12,6 +12,7 @@ namespace drive {
 namespace {
 
 constexpr int kMaxMotors = 7; // what three bits can number
+constexpr int kMostRounds = 8; // of reading a structure until it is the same twice
 constexpr std::uint32_t kOldestKnown = 0x060000, kNewestKnown = 0x0604FF;
 constexpr std::uint8_t kSensorHso = 5, kSensorZest = 6;
 
@@ -32,6 +33,8 @@ void Identification::restart()
 {
     m_phase = Phase::Count;
     m_values.clear();
+    m_doubtful.clear();
+    m_rounds = 0;
     m_identity = {};
     m_global = {};
     m_sizesKnown = true;
@@ -67,11 +70,9 @@ void Identification::takeResponse(ByteView response, TimePoint now)
 {
     if (m_phase == Phase::StopDatalog)
         return describe(); // builds without a datalog refuse, which is as good as stopped
-    for (Reading &reading : m_reader.takeResponse(response, m_board, now))
-        if (reading.status == ReadStatus::Ok)
-            m_values[reading.id] = std::move(reading.value);
+    takeReadings(m_reader.takeResponse(response, m_board, now));
     if (m_reader.finished())
-        m_phase == Phase::Count ? afterCount() : finish();
+        afterRound();
 }
 
 void Identification::takeNoResponse(std::optional<bool>, TimePoint)
@@ -83,7 +84,33 @@ void Identification::takeNoResponse(std::optional<bool>, TimePoint)
     }
     m_reader.takeNoResponse();
     if (m_reader.finished())
-        m_phase == Phase::Count ? afterCount() : finish();
+        afterRound();
+}
+
+void Identification::takeReadings(std::vector<Reading> readings)
+{
+    for (Reading &reading : readings) {
+        if (reading.status != ReadStatus::Ok)
+            continue;
+        const auto before = m_values.find(reading.id);
+        const bool same = before != m_values.end() && before->second == reading.value;
+        if (!same && std::holds_alternative<Bytes>(reading.value))
+            m_doubtful.insert(reading.id);
+        else
+            m_doubtful.erase(reading.id);
+        m_values[reading.id] = std::move(reading.value);
+    }
+}
+
+void Identification::afterRound()
+{
+    if (!m_doubtful.empty() && ++m_rounds < kMostRounds)
+        return m_reader.start({m_doubtful.begin(), m_doubtful.end()}, m_board);
+    for (const RegisterId id : m_doubtful)
+        m_values.erase(id); // never the same twice: rather unknown than wrong
+    m_doubtful.clear();
+    m_rounds = 0;
+    m_phase == Phase::Count ? afterCount() : finish();
 }
 
 void Identification::afterCount()

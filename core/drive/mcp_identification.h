@@ -1,7 +1,10 @@
-// Finds out what board is on the other end, before anything is written: version, motors, names, structures, scales,
-// limits. Order: GLOBAL_CONFIG, then (by others) the state of every motor, then the datalog is stopped, then the rest,
-// each text and structure in a request of its own. What a build does not have, or has in a size that no known firmware
-// has, makes the board "unknown firmware": shown read-only and raw, never refused.
+// Finds out what board is on the other end, before anything is written: version, motors, names,
+// structures, scales, limits. Order: GLOBAL_CONFIG, then (by others) the state of every motor, then
+// the datalog is stopped, then the rest, each text and structure in a request of its own.
+//
+// Structures are read until two readings agree: they bound what may be sent to which motor, and
+// nothing else protects them on the wire. What has a size that no known firmware has makes the
+// board "unknown firmware": shown read-only and raw, never refused.
 #pragma once
 
 #include "drive/mcp_reader.h"
@@ -9,6 +12,7 @@
 #include "mcp/structures.h"
 
 #include <map>
+#include <set>
 
 namespace drive {
 
@@ -34,6 +38,8 @@ public:
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
+    void takeReadings(std::vector<Reading> readings);
+    void afterRound();
     void afterCount();
     void describe();
     void finish();
@@ -47,6 +53,8 @@ private:
     Phase m_phase = Phase::Count;
     RegisterReader m_reader;
     std::map<RegisterId, Value> m_values;
+    std::set<RegisterId> m_doubtful; ///< structures that were not the same twice
+    int m_rounds = 0;
     mcp::GlobalConfig m_global;
     Identity m_identity;
     bool m_sizesKnown = true;

@@ -82,7 +82,7 @@ std::vector<Reading> RegisterReader::takeResponse(
     ByteReader values(response.first(response.size() - kStatusBytes));
     while (readings.size() < m_batch && values.left() > 0) {
         const RegisterId id = m_waiting[readings.size()];
-        auto value = readValue(values, typeOf(*board.catalog, id));
+        auto value = readValue(values, id, typeOf(*board.catalog, id));
         if (!value)
             break;
         readings.push_back({id, ReadStatus::Ok, std::move(*value), now});

@@ -1,6 +1,7 @@
 #include "drive/mcp_values.h"
 
 #include "mcp/protocol.h"
+#include "mcp/value.h"
 
 #include <cmath>
 #include <limits>
@@ -86,19 +87,7 @@ ValueType typeOf(const catalog::Catalog &catalog, RegisterId id)
 {
     if (const auto *info = catalog.find(id))
         return info->type;
-    switch (static_cast<mcp::RegisterType>(id >> 3 & 7U)) {
-    case mcp::RegisterType::Bits8:
-        return ValueType::U8;
-    case mcp::RegisterType::Bits16:
-        return ValueType::U16;
-    case mcp::RegisterType::Bits32:
-        return ValueType::U32;
-    case mcp::RegisterType::String:
-        return ValueType::Text;
-    case mcp::RegisterType::Raw:
-        break;
-    }
-    return ValueType::Raw;
+    return mcp::plainType({static_cast<std::uint16_t>(id)});
 }
 
 std::size_t wireWidth(RegisterId id)
@@ -106,41 +95,10 @@ std::size_t wireWidth(RegisterId id)
     return mcp::scalarWidth(static_cast<std::uint8_t>(id >> 3 & 7U));
 }
 
-std::optional<Value> readValue(ByteReader &bytes, ValueType type)
+std::optional<Value> readValue(ByteReader &bytes, RegisterId id, ValueType type)
 {
-    Value value;
-    switch (type) {
-    case ValueType::U8:
-        value = std::int64_t{bytes.u8()};
-        break;
-    case ValueType::S8:
-        value = std::int64_t{bytes.s8()};
-        break;
-    case ValueType::U16:
-        value = std::int64_t{bytes.u16()};
-        break;
-    case ValueType::S16:
-        value = std::int64_t{bytes.s16()};
-        break;
-    case ValueType::U32:
-        value = std::int64_t{bytes.u32()};
-        break;
-    case ValueType::S32:
-        value = std::int64_t{bytes.s32()};
-        break;
-    case ValueType::F32:
-        value = double{bytes.f32()};
-        break;
-    case ValueType::Text:
-        value = bytes.zeroTerminated();
-        break;
-    case ValueType::Raw: {
-        const ByteView content = bytes.take(bytes.u16());
-        value = Bytes(content.begin(), content.end());
-        break;
-    }
-    }
-    return bytes.ok() ? std::optional<Value>(std::move(value)) : std::nullopt;
+    const auto value = mcp::decodeValue({static_cast<std::uint16_t>(id)}, bytes);
+    return value ? std::optional<Value>(mcp::interpret(*value, type)) : std::nullopt;
 }
 
 Result<Bytes, std::string> encodeValue(const catalog::RegisterInfo &info, const Value &value)

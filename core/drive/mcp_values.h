@@ -18,7 +18,7 @@ catalog::ValueType typeOf(const catalog::Catalog &catalog, RegisterId id);
 std::size_t wireWidth(RegisterId id);
 
 /// The next value of an answer; for raw values the content without its size. Empty if the bytes do not hold one.
-std::optional<Value> readValue(ByteReader &bytes, catalog::ValueType type);
+std::optional<Value> readValue(ByteReader &bytes, RegisterId id, catalog::ValueType type);
 
 /// What follows the id in a SET. Fails (with the reason) on text, on non-finite numbers and out of the type's range.
 Result<Bytes, std::string> encodeValue(const catalog::RegisterInfo &info, const Value &value);

@@ -50,9 +50,9 @@ void TestMcpDrive::connectsAndSaysWhatBoardItIs()
     QCOMPARE(board.catalog->readScale(session.id("I_Q")).unit, "A");
     // Version first, then the state, then the datalog stopped, then the rest.
     QCOMPARE(session.requests.at(0), (Bytes{0x10, 0x00, 0x28, 0x00}));
-    QCOMPARE(session.requests.at(1), (Bytes{0x10, 0x00, 0x19, 0x00, 0x49, 0x00}));
-    QCOMPARE(session.requests.at(2).at(2), 0x29);
-    QCOMPARE(session.requests.at(2).at(3), 0x05);
+    QCOMPARE(session.requests.at(2), (Bytes{0x10, 0x00, 0x19, 0x00, 0x49, 0x00}));
+    QCOMPARE(session.requests.at(3).at(2), 0x29);
+    QCOMPARE(session.requests.at(3).at(3), 0x05);
     QVERIFY(session.runUntil(
         [&] { return session.status.contains(1) && session.status[1].speedRpm; }, 1s));
     QVERIFY(session.status[1].state == MotorState::Idle);

@@ -302,7 +302,7 @@ void TestMcpDriveStream::linkTwoUsesItsOwnRegister()
     options.linkId = 1;
     Session session(false, options);
     QVERIFY(session.ready);
-    QCOMPARE(session.requests.at(2).at(2), 0x69);
+    QCOMPARE(session.requests.at(3).at(2), 0x69);
     const WishId wish = session.submit(Stream{{session.id("I_A")}, 1, {}, 1});
     QVERIFY(session.runUntilEnded(wish));
     QVERIFY(session.outcome(wish) == Outcome::Ok);
