@@ -1,4 +1,1232 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_US">
+<context>
+    <name>About</name>
+    <message>
+        <source>A program on a PC over a serial line is no replacement for a switch that removes the power: have one at hand. &quot;Stop motors&quot; takes the motor out of control; it may coast for a long time. If Rotorscope crashes, is killed or loses the link, nothing is sent and the motor goes on turning.</source>
+        <translation>Ein Programm auf einem PC an einer seriellen Leitung ersetzt keinen Schalter, der die Spannung wegnimmt: Halten Sie einen griffbereit. „Motoren stoppen“ schaltet die Regelung ab; der Motor kann noch lange auslaufen. Wenn Rotorscope abstürzt, beendet wird oder die Verbindung verliert, wird nichts gesendet, und der Motor dreht weiter.</translation>
+    </message>
+    <message>
+        <source>About Rotorscope</source>
+        <translation>Über Rotorscope</translation>
+    </message>
+    <message>
+        <source>A workbench for engineers who tune electric motors.</source>
+        <translation>Eine Werkbank für alle, die Elektromotoren abstimmen.</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later, without any warranty. Built with Qt %1 and QCustomPlot.</source>
+        <translation>Freie Software unter der GNU General Public License, Version 3 oder neuer, ohne jede Gewährleistung. Erstellt mit Qt %1 und QCustomPlot.</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Stop every motor, from any window</source>
+        <translation>Alle Motoren stoppen, aus jedem Fenster</translation>
+    </message>
+    <message>
+        <source>Start the motor (after Arm)</source>
+        <translation>Den Motor starten (nach dem Freigeben)</translation>
+    </message>
+    <message>
+        <source>Acknowledge faults</source>
+        <translation>Fehler quittieren</translation>
+    </message>
+    <message>
+        <source>Connect, disconnect</source>
+        <translation>Verbinden, trennen</translation>
+    </message>
+    <message>
+        <source>Find a register</source>
+        <translation>Ein Register suchen</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>In the list: add to the scope. In a set-point: send it</source>
+        <translation>In der Liste: zum Oszilloskop hinzufügen. Im Sollwert: senden</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Hold the picture, let it run (never starts a motor)</source>
+        <translation>Das Bild anhalten oder laufen lassen (startet nie einen Motor)</translation>
+    </message>
+    <message>
+        <source>Show everything; fit the values only</source>
+        <translation>Alles zeigen; nur die Werte einpassen</translation>
+    </message>
+    <message>
+        <source>Zoom in, out; also the wheel</source>
+        <translation>Vergrößern, verkleinern; auch mit dem Mausrad</translation>
+    </message>
+    <message>
+        <source>Earlier, later</source>
+        <translation>Früher, später</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Follow the newest samples</source>
+        <translation>Den neuesten Werten folgen</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>CSV exportieren</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>Vollbild</translation>
+    </message>
+</context>
+<context>
+    <name>Channels</name>
+    <message>
+        <source>HF</source>
+        <comment>high frequency: recorded at the control rate</comment>
+        <translation>HF</translation>
+    </message>
+    <message>
+        <source>MF</source>
+        <comment>medium frequency: recorded once for many fast samples</comment>
+        <translation>MF</translation>
+    </message>
+    <message>
+        <source>polled</source>
+        <comment>read one by one</comment>
+        <translation>abgefragt</translation>
+    </message>
+    <message>
+        <source>The board cannot record this register: it is read one by one and drawn at that rate.</source>
+        <translation>Das Board kann dieses Register nicht aufzeichnen: Es wird einzeln gelesen und in diesem Takt gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The board records no more signals at once: this one is read one by one.</source>
+        <translation>Mehr Signale zeichnet das Board nicht gleichzeitig auf: Dieses wird einzeln gelesen.</translation>
+    </message>
+    <message>
+        <source>The link is too slow to record it: it is read one by one.</source>
+        <translation>Die Verbindung ist zu langsam, um es aufzuzeichnen: Es wird einzeln gelesen.</translation>
+    </message>
+</context>
+<context>
+    <name>Messages</name>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation>verbindet</translation>
+    </message>
+    <message>
+        <source>board answering</source>
+        <translation>Board antwortet</translation>
+    </message>
+    <message>
+        <source>board silent</source>
+        <translation>Board schweigt</translation>
+    </message>
+    <message>
+        <source>recovering</source>
+        <translation>stellt wieder her</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>The port is open but no board answers. Check the baud rate, the cable and the board&apos;s power.</source>
+        <translation>Die Schnittstelle ist offen, aber kein Board antwortet. Prüfen Sie Baudrate, Kabel und Versorgung des Boards.</translation>
+    </message>
+    <message>
+        <source>Bytes arrive but make no sense. The baud rate is probably not the board&apos;s: try another one.</source>
+        <translation>Es kommen Bytes an, aber sie ergeben keinen Sinn. Die Baudrate ist vermutlich nicht die des Boards: Versuchen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>The board answers but does not agree on the settings of the link. Reset the board and connect again.</source>
+        <translation>Das Board antwortet, einigt sich aber nicht auf die Einstellungen der Verbindung. Setzen Sie das Board zurück und verbinden Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The board went silent. Check the cable and the board&apos;s power.</source>
+        <translation>Das Board ist verstummt. Prüfen Sie Kabel und Versorgung des Boards.</translation>
+    </message>
+    <message>
+        <source>Contact to the board could not be restored. Check the cable, reset the board and connect again.</source>
+        <translation>Der Kontakt zum Board ließ sich nicht wiederherstellen. Prüfen Sie das Kabel, setzen Sie das Board zurück und verbinden Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The board was reset. It is connected again; arm it before you go on.</source>
+        <translation>Das Board wurde zurückgesetzt. Es ist wieder verbunden; geben Sie es frei, bevor Sie weitermachen.</translation>
+    </message>
+    <message>
+        <source>The board speaks an older protocol that this version does not. Its firmware needs version 6 of the SDK.</source>
+        <translation>Das Board spricht ein älteres Protokoll, das diese Version nicht beherrscht. Seine Firmware braucht Version 6 des SDK.</translation>
+    </message>
+    <message>
+        <source>Link lost. The motor may still be turning (this drive has no communication time-out).</source>
+        <translation>Verbindung verloren. Der Motor dreht vielleicht noch (dieser Antrieb hat keine Zeitüberwachung der Kommunikation).</translation>
+    </message>
+    <message>
+        <source>There is no port %1. Plug the board in, then choose it from the list.</source>
+        <translation>Es gibt keine Schnittstelle %1. Schließen Sie das Board an und wählen Sie es dann aus der Liste.</translation>
+    </message>
+    <message>
+        <source>You may not use %1. Run &quot;sudo adduser $USER dialout&quot;, then log out and in again.</source>
+        <translation>Sie dürfen %1 nicht benutzen. Führen Sie „sudo adduser $USER dialout“ aus, melden Sie sich dann ab und wieder an.</translation>
+    </message>
+    <message>
+        <source>%1 is in use by another program. Close that program, then connect again.</source>
+        <translation>%1 wird von einem anderen Programm benutzt. Schließen Sie es und verbinden Sie dann erneut.</translation>
+    </message>
+    <message>
+        <source>%1 is in use (%2). Close that program, then connect again.</source>
+        <translation>%1 wird benutzt (%2). Schließen Sie dieses Programm und verbinden Sie dann erneut.</translation>
+    </message>
+    <message>
+        <source>%1 refuses this baud rate. Choose another one.</source>
+        <translation>%1 lehnt diese Baudrate ab. Wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>%1 was unplugged. The motor may still be turning (this drive has no communication time-out).</source>
+        <translation>%1 wurde abgezogen. Der Motor dreht vielleicht noch (dieser Antrieb hat keine Zeitüberwachung der Kommunikation).</translation>
+    </message>
+    <message>
+        <source>The recording %1 cannot be read. Choose another file.</source>
+        <translation>Die Aufzeichnung %1 kann nicht gelesen werden. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened (%2). Check the cable, then connect again.</source>
+        <translation>%1 kann nicht geöffnet werden (%2). Prüfen Sie das Kabel und verbinden Sie dann erneut.</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>refused by the board</source>
+        <translation>vom Board abgelehnt</translation>
+    </message>
+    <message>
+        <source>not sent</source>
+        <translation>nicht gesendet</translation>
+    </message>
+    <message>
+        <source>sent, but the answer was lost</source>
+        <translation>gesendet, aber die Antwort ging verloren</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <comment>state of a motor</comment>
+        <translation>Unbekannt</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <comment>state of a motor</comment>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <comment>state of a motor</comment>
+        <translation>Anlauf</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <comment>state of a motor</comment>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <comment>state of a motor</comment>
+        <translation>Stoppt</translation>
+    </message>
+    <message>
+        <source>Fault present</source>
+        <comment>state of a motor</comment>
+        <translation>Fehler liegt an</translation>
+    </message>
+    <message>
+        <source>Fault over</source>
+        <comment>state of a motor; acknowledge to go on</comment>
+        <translation>Fehler vorbei</translation>
+    </message>
+    <message>
+        <source>stop requested</source>
+        <translation>Stopp angefordert</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <comment>the board accepted the stop</comment>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>drive idle</source>
+        <translation>Antrieb in Ruhe</translation>
+    </message>
+    <message>
+        <source>standstill measured</source>
+        <translation>Stillstand gemessen</translation>
+    </message>
+    <message>
+        <source>not confirmed</source>
+        <translation>nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>Stop NOT confirmed. Use the hardware stop.</source>
+        <translation>Stopp NICHT bestätigt. Benutzen Sie den Hardware-Stopp.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <comment>action: how it ended</comment>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3).</source>
+        <comment>action: how it ended (the board&apos;s word)</comment>
+        <translation>%1: %2 (%3).</translation>
+    </message>
+    <message>
+        <source>The export was cancelled; no file was written.</source>
+        <translation>Der Export wurde abgebrochen; es wurde keine Datei geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 is not a file. Choose another name.</source>
+        <translation>%1 ist keine Datei. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written (%2). Choose another folder.</source>
+        <translation>%1 kann nicht geschrieben werden (%2). Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>The disk did not take the file (%1). Make room or choose another folder; nothing was replaced.</source>
+        <translation>Der Datenträger hat die Datei nicht angenommen (%1). Schaffen Sie Platz oder wählen Sie einen anderen Ordner; es wurde nichts ersetzt.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be replaced (%2). Choose another name.</source>
+        <translation>%1 kann nicht ersetzt werden (%2). Wählen Sie einen anderen Namen.</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message numerus="yes">
+        <source>%n byte(s)</source>
+        <translation>
+            <numerusform>%n Byte</numerusform>
+            <numerusform>%n Bytes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+</context>
+<context>
+    <name>Setpoint</name>
+    <message>
+        <source>Type a number.</source>
+        <translation>Geben Sie eine Zahl ein.</translation>
+    </message>
+    <message>
+        <source>Not a plain number: use digits, one decimal point and a sign.</source>
+        <translation>Keine einfache Zahl: Verwenden Sie Ziffern, ein Dezimalzeichen und ein Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>Write the number without group marks.</source>
+        <translation>Schreiben Sie die Zahl ohne Tausendertrennzeichen.</translation>
+    </message>
+    <message>
+        <source>Too many digits.</source>
+        <translation>Zu viele Ziffern.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Banner</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ChannelStrip</name>
+    <message>
+        <source>Drag registers here or onto the scope, or press Enter in the list.</source>
+        <translation>Ziehen Sie Register hierher oder auf das Oszilloskop, oder drücken Sie in der Liste die Eingabetaste.</translation>
+    </message>
+    <message>
+        <source>Rate of the fast signals</source>
+        <translation>Takt der schnellen Signale</translation>
+    </message>
+    <message>
+        <source>Samples a second of each HF signal</source>
+        <translation>Abtastwerte je Sekunde und HF-Signal</translation>
+    </message>
+    <message>
+        <source>HF rate</source>
+        <translation>HF-Takt</translation>
+    </message>
+    <message>
+        <source>%1 kHz</source>
+        <translation>%1 kHz</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>How %1 is recorded: %2</source>
+        <translation>Wie %1 aufgezeichnet wird: %2</translation>
+    </message>
+    <message>
+        <source>How this signal is recorded</source>
+        <translation>Wie dieses Signal aufgezeichnet wird</translation>
+    </message>
+    <message>
+        <source>HF: at the fast rate</source>
+        <translation>HF: im schnellen Takt</translation>
+    </message>
+    <message numerus="yes">
+        <source>MF: once for %n fast samples</source>
+        <translation>
+            <numerusform>MF: einmal je schnellem Abtastwert</numerusform>
+            <numerusform>MF: einmal je %n schnelle Abtastwerte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Polled: read one by one</source>
+        <translation>Abgefragt: einzeln gelesen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Take it off the scope</source>
+        <translation>Vom Oszilloskop nehmen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 kB/s (%3 %)</source>
+        <comment>used, available, percent</comment>
+        <translation>%1 von %2 kB/s (%3 %)</translation>
+    </message>
+    <message>
+        <source>rate lowered to fit the link</source>
+        <translation>Takt gesenkt, damit er zur Verbindung passt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s) polled, see the chips</source>
+        <translation>
+            <numerusform>%n Signal abgefragt, siehe Kanalleiste</numerusform>
+            <numerusform>%n Signale abgefragt, siehe Kanalleiste</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ConnectBar</name>
+    <message>
+        <source>Simulated board</source>
+        <translation>Simuliertes Board</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Schnittstelle</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Board</translation>
+    </message>
+    <message>
+        <source>A port of the list, or a path that you type</source>
+        <translation>Eine Schnittstelle aus der Liste oder ein eingegebener Pfad</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Choose a port, or type its path.</source>
+        <translation>Wählen Sie eine Schnittstelle oder geben Sie ihren Pfad ein.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a baud rate.</source>
+        <translation>„%1“ ist keine Baudrate.</translation>
+    </message>
+    <message>
+        <source>port open</source>
+        <translation>Schnittstelle offen</translation>
+    </message>
+    <message>
+        <source>port not open</source>
+        <translation>Schnittstelle nicht offen</translation>
+    </message>
+    <message>
+        <source>port closed</source>
+        <translation>Schnittstelle geschlossen</translation>
+    </message>
+    <message>
+        <source>no board</source>
+        <translation>kein Board</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Closes the port (Ctrl+D)</source>
+        <translation>Schließt die Schnittstelle (Strg+D)</translation>
+    </message>
+    <message>
+        <source>Opens the port and looks for a board (Ctrl+D)</source>
+        <translation>Öffnet die Schnittstelle und sucht ein Board (Strg+D)</translation>
+    </message>
+    <message>
+        <source>Motor %1</source>
+        <translation>Motor %1</translation>
+    </message>
+    <message>
+        <source>Motor %1: %2</source>
+        <comment>number, name</comment>
+        <translation>Motor %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ControlPanel</name>
+    <message>
+        <source>Arm: allow commands</source>
+        <translation>Freigeben: Befehle zulassen</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Start motor</source>
+        <translation>Motor starten</translation>
+    </message>
+    <message>
+        <source>Acknowledge faults</source>
+        <translation>Fehler quittieren</translation>
+    </message>
+    <message>
+        <source>Speed set-point in rpm</source>
+        <translation>Drehzahlsollwert in U/min</translation>
+    </message>
+    <message>
+        <source>Ramp time in milliseconds</source>
+        <translation>Rampenzeit in Millisekunden</translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <comment>send the speed ramp</comment>
+        <translation>Anfahren</translation>
+    </message>
+    <message>
+        <source>Stop ramp</source>
+        <translation>Rampe anhalten</translation>
+    </message>
+    <message>
+        <source>Speed [rpm]</source>
+        <translation>Drehzahl [U/min]</translation>
+    </message>
+    <message>
+        <source>Ramp time</source>
+        <translation>Rampenzeit</translation>
+    </message>
+    <message>
+        <source>Measured speed</source>
+        <translation>Istdrehzahl</translation>
+    </message>
+    <message>
+        <source>Speed reference</source>
+        <translation>Drehzahlsollwert</translation>
+    </message>
+    <message>
+        <source>Current Iq</source>
+        <translation>Strom Iq</translation>
+    </message>
+    <message>
+        <source>Bus voltage</source>
+        <translation>Zwischenkreisspannung</translation>
+    </message>
+    <message>
+        <source>Power stage</source>
+        <translation>Leistungsteil</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>U/min</translation>
+    </message>
+    <message>
+        <source>No fault present</source>
+        <translation>Kein Fehler liegt an</translation>
+    </message>
+    <message>
+        <source>Present: %1</source>
+        <translation>Liegt an: %1</translation>
+    </message>
+    <message>
+        <source>To acknowledge: %1</source>
+        <translation>Zu quittieren: %1</translation>
+    </message>
+    <message>
+        <source>Connect to a board first.</source>
+        <translation>Verbinden Sie zuerst ein Board.</translation>
+    </message>
+    <message>
+        <source>Arm first.</source>
+        <translation>Geben Sie zuerst frei.</translation>
+    </message>
+    <message>
+        <source>Acknowledge the faults first.</source>
+        <translation>Quittieren Sie zuerst die Fehler.</translation>
+    </message>
+    <message>
+        <source>The motor has to be idle.</source>
+        <translation>Der Motor muss in Ruhe sein.</translation>
+    </message>
+    <message>
+        <source>The fault is still present: remove its cause first.</source>
+        <translation>Der Fehler liegt noch an: Beseitigen Sie zuerst seine Ursache.</translation>
+    </message>
+    <message>
+        <source>There is no fault to acknowledge.</source>
+        <translation>Es gibt keinen Fehler zu quittieren.</translation>
+    </message>
+    <message>
+        <source>Starts the motor (Ctrl+Enter).</source>
+        <translation>Startet den Motor (Strg+Eingabe).</translation>
+    </message>
+    <message>
+        <source>Acknowledges the faults that are over (Ctrl+Backspace).</source>
+        <translation>Quittiert die Fehler, die vorbei sind (Strg+Rücktaste).</translation>
+    </message>
+    <message>
+        <source>Until it is armed, nothing that writes or moves leaves Rotorscope. A stop, a lost link and a new connection disarm.</source>
+        <translation>Ohne Freigabe verlässt nichts Rotorscope, was schreibt oder bewegt. Ein Stopp, eine verlorene und eine neue Verbindung heben die Freigabe auf.</translation>
+    </message>
+    <message>
+        <source>Ends a ramp where it is; the motor goes on turning.</source>
+        <translation>Beendet eine Rampe, wo sie gerade ist; der Motor dreht weiter.</translation>
+    </message>
+    <message>
+        <source>Sends the set-point as a ramp (Enter in the field does the same).</source>
+        <translation>Sendet den Sollwert als Rampe (die Eingabetaste im Feld tut dasselbe).</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Quittieren</translation>
+    </message>
+    <message>
+        <source>Speed ramp</source>
+        <translation>Drehzahlrampe</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ExportDialog</name>
+    <message>
+        <source>Export CSV</source>
+        <translation>CSV exportieren</translation>
+    </message>
+    <message>
+        <source>What the scope shows</source>
+        <translation>Was das Oszilloskop zeigt</translation>
+    </message>
+    <message>
+        <source>Everything recorded</source>
+        <translation>Alles Aufgezeichnete</translation>
+    </message>
+    <message>
+        <source>One file; slower signals keep their last value</source>
+        <translation>Eine Datei; langsamere Signale behalten ihren letzten Wert</translation>
+    </message>
+    <message>
+        <source>One file for each rate</source>
+        <translation>Eine Datei je Takt</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Fortschritt des Exports</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Rates</source>
+        <translation>Takte</translation>
+    </message>
+    <message>
+        <source>Nothing has been recorded yet.</source>
+        <translation>Es wurde noch nichts aufgezeichnet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s). The first column is the time in seconds; numbers have a decimal point and columns are separated by commas. Lost samples have no row.</source>
+        <translation>
+            <numerusform>%n Signal. Die erste Spalte ist die Zeit in Sekunden; Zahlen haben einen Dezimalpunkt, Spalten sind durch Kommas getrennt. Verlorene Abtastwerte haben keine Zeile.</numerusform>
+            <numerusform>%n Signale. Die erste Spalte ist die Zeit in Sekunden; Zahlen haben einen Dezimalpunkt, Spalten sind durch Kommas getrennt. Verlorene Abtastwerte haben keine Zeile.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv)</source>
+        <translation>CSV-Dateien (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Choose another name.</source>
+        <translation>%1 gibt es schon. Wählen Sie einen anderen Namen.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FirstSteps</name>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Help &gt; First steps brings these cards back.</source>
+        <translation>Hilfe &gt; Erste Schritte zeigt diese Karten wieder.</translation>
+    </message>
+    <message>
+        <source>Welcome to Rotorscope</source>
+        <translation>Willkommen bei Rotorscope</translation>
+    </message>
+    <message>
+        <source>Try everything on a simulated board, or choose the port of your own board above.</source>
+        <translation>Probieren Sie alles an einem simulierten Board aus, oder wählen Sie oben die Schnittstelle Ihres eigenen Boards.</translation>
+    </message>
+    <message>
+        <source>Connect to simulated board</source>
+        <translation>Mit dem simulierten Board verbinden</translation>
+    </message>
+    <message>
+        <source>Connect my board</source>
+        <translation>Mein Board verbinden</translation>
+    </message>
+    <message>
+        <source>Connected: the scope shows live signals</source>
+        <translation>Verbunden: Das Oszilloskop zeigt Signale live</translation>
+    </message>
+    <message>
+        <source>Tick &quot;Arm&quot; on the right, then press Start. The Esc key stops every motor, wherever you are.</source>
+        <translation>Setzen Sie rechts den Haken bei „Freigeben“ und drücken Sie dann Starten. Die Esc-Taste stoppt jeden Motor, wo immer Sie sind.</translation>
+    </message>
+    <message>
+        <source>The motor is running</source>
+        <translation>Der Motor läuft</translation>
+    </message>
+    <message>
+        <source>Type another speed and press Enter. Drag a register from the list onto the scope to see it too.</source>
+        <translation>Geben Sie eine andere Drehzahl ein und drücken Sie die Eingabetaste. Ziehen Sie ein Register aus der Liste auf das Oszilloskop, um es ebenfalls zu sehen.</translation>
+    </message>
+    <message>
+        <source>Save what you see</source>
+        <translation>Speichern, was Sie sehen</translation>
+    </message>
+    <message>
+        <source>The export writes the visible part, or all of it, as a CSV file with units.</source>
+        <translation>Der Export schreibt den sichtbaren Teil oder alles als CSV-Datei mit Einheiten.</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>CSV exportieren</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MainWindow</name>
+    <message>
+        <source>Run</source>
+        <comment>the scope&apos;s picture moves</comment>
+        <translation>Laufen</translation>
+    </message>
+    <message>
+        <source>Lets the picture run or holds it; recording goes on (Space)</source>
+        <translation>Lässt das Bild laufen oder hält es an; die Aufzeichnung läuft weiter (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>Keeps the newest samples in view (End)</source>
+        <translation>Behält die neuesten Werte im Bild (Ende)</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <comment>show all samples</comment>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Shows everything (F)</source>
+        <translation>Zeigt alles (F)</translation>
+    </message>
+    <message>
+        <source>Fit values</source>
+        <translation>Werte einpassen</translation>
+    </message>
+    <message>
+        <source>Fits the value axes only (Shift+F)</source>
+        <translation>Passt nur die Werteachsen ein (Umschalt+F)</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Shows half the time (+)</source>
+        <translation>Zeigt die halbe Zeit (+)</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Shows twice the time (−)</source>
+        <translation>Zeigt die doppelte Zeit (−)</translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation>CSV exportieren…</translation>
+    </message>
+    <message>
+        <source>Writes the visible samples, or all, to a file (Ctrl+Shift+E)</source>
+        <translation>Schreibt die sichtbaren oder alle Werte in eine Datei (Strg+Umschalt+E)</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>CSV exportieren</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>Register</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>&amp;Gerät</translation>
+    </message>
+    <message>
+        <source>&amp;Connect or disconnect</source>
+        <translation>&amp;Verbinden oder trennen</translation>
+    </message>
+    <message>
+        <source>&amp;Refresh the list of ports</source>
+        <translation>Liste der &amp;Schnittstellen auffrischen</translation>
+    </message>
+    <message>
+        <source>&amp;Motor</source>
+        <translation>&amp;Motor</translation>
+    </message>
+    <message>
+        <source>&amp;Scope</source>
+        <translation>&amp;Oszilloskop</translation>
+    </message>
+    <message>
+        <source>&amp;Earlier</source>
+        <translation>&amp;Früher</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Später</translation>
+    </message>
+    <message>
+        <source>&amp;Clear what was recorded</source>
+        <translation>Aufgezeichnetes &amp;löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;First steps</source>
+        <translation>&amp;Erste Schritte</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;About Rotorscope</source>
+        <translation>Ü&amp;ber Rotorscope</translation>
+    </message>
+    <message>
+        <source>&amp;Find a register</source>
+        <translation>Ein Register &amp;suchen</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>Like the &amp;system</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>St&amp;op motors</source>
+        <translation>Motoren st&amp;oppen</translation>
+    </message>
+    <message>
+        <source>A&amp;rm</source>
+        <translation>F&amp;reigeben</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>&amp;Starten</translation>
+    </message>
+    <message>
+        <source>&amp;Acknowledge faults</source>
+        <translation>Fehler &amp;quittieren</translation>
+    </message>
+    <message>
+        <source>&amp;Go to the set-point</source>
+        <translation>Den Sollwert &amp;anfahren</translation>
+    </message>
+    <message>
+        <source>S&amp;top the ramp</source>
+        <translation>Die &amp;Rampe anhalten</translation>
+    </message>
+    <message>
+        <source>This firmware is not known: registers are shown raw and nothing is written.</source>
+        <translation>Diese Firmware ist nicht bekannt: Register werden roh gezeigt, und nichts wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 – Rotorscope</source>
+        <comment>what is connected</comment>
+        <translation>%1 – Rotorscope</translation>
+    </message>
+    <message>
+        <source>Simulated board</source>
+        <translation>Simuliertes Board</translation>
+    </message>
+    <message>
+        <source>Stopping the motors before Rotorscope ends…</source>
+        <translation>Die Motoren werden gestoppt, bevor Rotorscope endet…</translation>
+    </message>
+    <message>
+        <source>Stop motors</source>
+        <translation>Motoren stoppen</translation>
+    </message>
+    <message>
+        <source>Rotorscope has told every motor to stop, but there is no evidence that they did.</source>
+        <translation>Rotorscope hat jedem Motor den Stopp befohlen, aber nichts belegt, dass sie stehen.</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>End Rotorscope all the same…</source>
+        <translation>Rotorscope trotzdem beenden…</translation>
+    </message>
+    <message>
+        <source>Leave running?</source>
+        <translation>Laufen lassen?</translation>
+    </message>
+    <message>
+        <source>Leave the motors as they are?</source>
+        <translation>Die Motoren lassen, wie sie sind?</translation>
+    </message>
+    <message>
+        <source>They may go on turning, and nothing will watch them.</source>
+        <translation>Sie drehen vielleicht weiter, und nichts überwacht sie.</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Bleiben</translation>
+    </message>
+    <message>
+        <source>Leave running</source>
+        <translation>Laufen lassen</translation>
+    </message>
+    <message>
+        <source>Exported to %1.</source>
+        <translation>Exportiert nach %1.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RegisterModel</name>
+    <message>
+        <source>Pinned</source>
+        <translation>Angeheftet</translation>
+    </message>
+    <message>
+        <source>Other registers</source>
+        <translation>Weitere Register</translation>
+    </message>
+    <message>
+        <source>scope only</source>
+        <comment>a register that cannot be read, only recorded</comment>
+        <translation>nur Oszilloskop</translation>
+    </message>
+    <message>
+        <source>not supported</source>
+        <translation>nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <comment>the board refused to read a register</comment>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>This value is old: it is not being read.</source>
+        <translation>Dieser Wert ist alt: Er wird gerade nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>This board does not have it.</source>
+        <translation>Dieses Board hat es nicht.</translation>
+    </message>
+    <message>
+        <source>Drag it to the scope or press Enter: it is drawn at the rate at which it can be read.</source>
+        <translation>Ziehen Sie es auf das Oszilloskop oder drücken Sie die Eingabetaste: Es wird in dem Takt gezeichnet, in dem es gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>Drag it to the scope or press Enter: it is recorded at the full control rate.</source>
+        <translation>Ziehen Sie es auf das Oszilloskop oder drücken Sie die Eingabetaste: Es wird im vollen Regeltakt aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Register</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Raw</source>
+        <comment>the number as it is on the wire</comment>
+        <translation>Roh</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RegisterPanel</name>
+    <message>
+        <source>Search registers (Ctrl+K)</source>
+        <translation>Register suchen (Strg+K)</translation>
+    </message>
+    <message>
+        <source>Search registers</source>
+        <translation>Register suchen</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>Register</translation>
+    </message>
+    <message>
+        <source>Add to scope</source>
+        <translation>Zum Oszilloskop hinzufügen</translation>
+    </message>
+    <message>
+        <source>Pinned</source>
+        <comment>menu entry of a register</comment>
+        <translation>Angeheftet</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ScopeView</name>
+    <message>
+        <source>Scope</source>
+        <translation>Oszilloskop</translation>
+    </message>
+    <message>
+        <source>Drag a signal here, or select one in the tree and press Enter</source>
+        <translation>Ziehen Sie ein Signal hierher, oder wählen Sie eines im Baum und drücken Sie die Eingabetaste</translation>
+    </message>
+    <message>
+        <source>Run	Space</source>
+        <translation>Laufen	Leertaste</translation>
+    </message>
+    <message>
+        <source>Follow the newest sample	End</source>
+        <translation>Dem neuesten Wert folgen	Ende</translation>
+    </message>
+    <message>
+        <source>Grid	G</source>
+        <translation>Gitter	G</translation>
+    </message>
+    <message>
+        <source>Fit everything	F</source>
+        <translation>Alles einpassen	F</translation>
+    </message>
+    <message>
+        <source>Fit values	Shift+F</source>
+        <translation>Werte einpassen	Umschalt+F</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Shows %1</source>
+        <translation>Zeigt %1</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SetpointEdit</name>
+    <message>
+        <source>The limit is %1 %2.</source>
+        <comment>number unit</comment>
+        <translation>Die Grenze ist %1 %2.</translation>
+    </message>
+    <message>
+        <source>Understood: %1 %2</source>
+        <comment>number unit</comment>
+        <translation>Verstanden: %1 %2</translation>
+    </message>
+    <message>
+        <source>%1 becomes %2 %3 (steps of %4)</source>
+        <comment>typed number, sent number, unit, step</comment>
+        <translation>Aus %1 wird %2 %3 (Schritte von %4)</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SignalSelection</name>
+    <message>
+        <source>Recording signals</source>
+        <translation>Signale aufzeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StatusStrip</name>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Negotiated packet sizes: request / answer / stream</source>
+        <translation>Ausgehandelte Paketgrößen: Anfrage / Antwort / Strom</translation>
+    </message>
+    <message>
+        <source>Bytes received a second, and their share of what the link can carry</source>
+        <translation>Empfangene Bytes je Sekunde und ihr Anteil an dem, was die Verbindung trägt</translation>
+    </message>
+    <message>
+        <source>simulated board</source>
+        <translation>simuliertes Board</translation>
+    </message>
+    <message>
+        <source>%1 / %2 / %3 B</source>
+        <comment>sizes in bytes: request, answer, stream</comment>
+        <translation>%1 / %2 / %3 B</translation>
+    </message>
+    <message>
+        <source>Motor %1: %2</source>
+        <comment>number, state</comment>
+        <translation>Motor %1: %2</translation>
+    </message>
+    <message>
+        <source>Faults: %1</source>
+        <comment>how many</comment>
+        <translation>Fehler: %1</translation>
+    </message>
+    <message>
+        <source>Lost: %1</source>
+        <comment>control periods without samples</comment>
+        <translation>Verloren: %1</translation>
+    </message>
+    <message>
+        <source>Control periods that no packet holds</source>
+        <translation>Regeltakte, die in keinem Paket stehen</translation>
+    </message>
+    <message>
+        <source>%1 samples were recorded by the board but came too fast to be shown.</source>
+        <translation>%1 Abtastwerte hat das Board aufgezeichnet, aber sie kamen zu schnell, um gezeigt zu werden.</translation>
+    </message>
+    <message>
+        <source>Bad packets: %1</source>
+        <translation>Schlechte Pakete: %1</translation>
+    </message>
+    <message>
+        <source>%1 kB/s (%2 %)</source>
+        <comment>received, percent of the link</comment>
+        <translation>%1 kB/s (%2 %)</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StopAlarm</name>
+    <message>
+        <source>Stop motors</source>
+        <translation>Motoren stoppen</translation>
+    </message>
+    <message>
+        <source>Motor %1 was told to stop, but neither its state nor its speed shows that it did. Rotorscope goes on trying. Closing this message starts nothing again.</source>
+        <translation>Motor %1 wurde der Stopp befohlen, aber weder Zustand noch Drehzahl zeigen, dass er steht. Rotorscope versucht es weiter. Das Schließen dieser Meldung startet nichts.</translation>
+    </message>
+    <message>
+        <source>Meanwhile standstill was measured.</source>
+        <translation>Inzwischen wurde Stillstand gemessen.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StopButton</name>
+    <message>
+        <source>Stop motors (Esc)</source>
+        <translation>Motoren stoppen (Esc)</translation>
+    </message>
+    <message>
+        <source>Stop motors</source>
+        <translation>Motoren stoppen</translation>
+    </message>
+    <message>
+        <source>Stops every motor at once, from anywhere: press it or the Esc key.
+A program on a PC is no replacement for a switch that removes the power.</source>
+        <translation>Stoppt sofort jeden Motor, von überall: Drücken Sie den Knopf oder die Esc-Taste.
+Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StopWords</name>
+    <message>
+        <source>%1 s ago</source>
+        <translation>vor %1 s</translation>
+    </message>
+</context>
 </TS>

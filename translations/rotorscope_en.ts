@@ -1,4 +1,1231 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en_US">
+<context>
+    <name>About</name>
+    <message>
+        <source>A program on a PC over a serial line is no replacement for a switch that removes the power: have one at hand. &quot;Stop motors&quot; takes the motor out of control; it may coast for a long time. If Rotorscope crashes, is killed or loses the link, nothing is sent and the motor goes on turning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Rotorscope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A workbench for engineers who tune electric motors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later, without any warranty. Built with Qt %1 and QCustomPlot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop every motor, from any window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start the motor (after Arm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acknowledge faults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect, disconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find a register</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the list: add to the scope. In a set-point: send it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the picture, let it run (never starts a motor)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show everything; fit the values only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom in, out; also the wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Earlier, later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow the newest samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Channels</name>
+    <message>
+        <source>HF</source>
+        <comment>high frequency: recorded at the control rate</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MF</source>
+        <comment>medium frequency: recorded once for many fast samples</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>polled</source>
+        <comment>read one by one</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board cannot record this register: it is read one by one and drawn at that rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board records no more signals at once: this one is read one by one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link is too slow to record it: it is read one by one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Messages</name>
+    <message>
+        <source>not connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>board answering</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>board silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recovering</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The port is open but no board answers. Check the baud rate, the cable and the board&apos;s power.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes arrive but make no sense. The baud rate is probably not the board&apos;s: try another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board answers but does not agree on the settings of the link. Reset the board and connect again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board went silent. Check the cable and the board&apos;s power.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contact to the board could not be restored. Check the cable, reset the board and connect again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board was reset. It is connected again; arm it before you go on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board speaks an older protocol that this version does not. Its firmware needs version 6 of the SDK.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link lost. The motor may still be turning (this drive has no communication time-out).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no port %1. Plug the board in, then choose it from the list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You may not use %1. Run &quot;sudo adduser $USER dialout&quot;, then log out and in again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is in use by another program. Close that program, then connect again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is in use (%2). Close that program, then connect again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 refuses this baud rate. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was unplugged. The motor may still be turning (this drive has no communication time-out).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording %1 cannot be read. Choose another file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened (%2). Check the cable, then connect again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refused by the board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not sent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sent, but the answer was lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <comment>state of a motor</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <comment>state of a motor</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <comment>state of a motor</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <comment>state of a motor</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <comment>state of a motor</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fault present</source>
+        <comment>state of a motor</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fault over</source>
+        <comment>state of a motor; acknowledge to go on</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stop requested</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <comment>the board accepted the stop</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drive idle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standstill measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not confirmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop NOT confirmed. Use the hardware stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <comment>action: how it ended</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3).</source>
+        <comment>action: how it ended (the board&apos;s word)</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The export was cancelled; no file was written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a file. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be written (%2). Choose another folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The disk did not take the file (%1). Make room or choose another folder; nothing was replaced.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be replaced (%2). Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message numerus="yes">
+        <source>%n byte(s)</source>
+        <translation>
+            <numerusform>%n byte</numerusform>
+            <numerusform>%n bytes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Setpoint</name>
+    <message>
+        <source>Type a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not a plain number: use digits, one decimal point and a sign.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the number without group marks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too many digits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Banner</name>
+    <message>
+        <source>Close this message</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ChannelStrip</name>
+    <message>
+        <source>Drag registers here or onto the scope, or press Enter in the list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate of the fast signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples a second of each HF signal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HF rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 kHz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How %1 is recorded: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How this signal is recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HF: at the fast rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>MF: once for %n fast samples</source>
+        <translation>
+            <numerusform>MF: once for %n fast sample</numerusform>
+            <numerusform>MF: once for %n fast samples</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Polled: read one by one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take it off the scope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 kB/s (%3 %)</source>
+        <comment>used, available, percent</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rate lowered to fit the link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s) polled, see the chips</source>
+        <translation>
+            <numerusform>%n signal polled, see the chips</numerusform>
+            <numerusform>%n signals polled, see the chips</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ConnectBar</name>
+    <message>
+        <source>Simulated board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A port of the list, or a path that you type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a port, or type its path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a baud rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>port open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>port not open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>port closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closes the port (Ctrl+D)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opens the port and looks for a board (Ctrl+D)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1: %2</source>
+        <comment>number, name</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ControlPanel</name>
+    <message>
+        <source>Arm: allow commands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acknowledge faults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed set-point in rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ramp time in milliseconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <comment>send the speed ramp</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed [rpm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ramp time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current Iq</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bus voltage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No fault present</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Present: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To acknowledge: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect to a board first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acknowledge the faults first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor has to be idle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The fault is still present: remove its cause first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no fault to acknowledge.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the motor (Ctrl+Enter).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acknowledges the faults that are over (Ctrl+Backspace).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Until it is armed, nothing that writes or moves leaves Rotorscope. A stop, a lost link and a new connection disarm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends a ramp where it is; the motor goes on turning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sends the set-point as a ramp (Enter in the field does the same).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ExportDialog</name>
+    <message>
+        <source>Export CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the scope shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One file; slower signals keep their last value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One file for each rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing has been recorded yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s). The first column is the time in seconds; numbers have a decimal point and columns are separated by commas. Lost samples have no row.</source>
+        <translation>
+            <numerusform>%n signal. The first column is the time in seconds; numbers have a decimal point and columns are separated by commas. Lost samples have no row.</numerusform>
+            <numerusform>%n signals. The first column is the time in seconds; numbers have a decimal point and columns are separated by commas. Lost samples have no row.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 exists already. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FirstSteps</name>
+    <message>
+        <source>Hide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help &gt; First steps brings these cards back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Welcome to Rotorscope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try everything on a simulated board, or choose the port of your own board above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect to simulated board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect my board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connected: the scope shows live signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tick &quot;Arm&quot; on the right, then press Start. The Esc key stops every motor, wherever you are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor is running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type another speed and press Enter. Drag a register from the list onto the scope to see it too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save what you see</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The export writes the visible part, or all of it, as a CSV file with units.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MainWindow</name>
+    <message>
+        <source>Run</source>
+        <comment>the scope&apos;s picture moves</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lets the picture run or holds it; recording goes on (Space)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the newest samples in view (End)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <comment>show all samples</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows everything (F)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fits the value axes only (Shift+F)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows half the time (+)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows twice the time (−)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes the visible samples, or all, to a file (Ctrl+Shift+E)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Connect or disconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Refresh the list of ports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Scope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Earlier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Clear what was recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;First steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;About Rotorscope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Find a register</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Like the &amp;system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>St&amp;op motors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A&amp;rm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Acknowledge faults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Go to the set-point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;top the ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This firmware is not known: registers are shown raw and nothing is written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 – Rotorscope</source>
+        <comment>what is connected</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping the motors before Rotorscope ends…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop motors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotorscope has told every motor to stop, but there is no evidence that they did.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End Rotorscope all the same…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave running?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave the motors as they are?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They may go on turning, and nothing will watch them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exported to %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RegisterModel</name>
+    <message>
+        <source>Pinned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other registers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scope only</source>
+        <comment>a register that cannot be read, only recorded</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not supported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <comment>the board refused to read a register</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This value is old: it is not being read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board does not have it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag it to the scope or press Enter: it is drawn at the rate at which it can be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag it to the scope or press Enter: it is recorded at the full control rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Raw</source>
+        <comment>the number as it is on the wire</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RegisterPanel</name>
+    <message>
+        <source>Search registers (Ctrl+K)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search registers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add to scope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pinned</source>
+        <comment>menu entry of a register</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ScopeView</name>
+    <message>
+        <source>Scope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a signal here, or select one in the tree and press Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run	Space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow the newest sample	End</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grid	G</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit everything	F</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit values	Shift+F</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SetpointEdit</name>
+    <message>
+        <source>The limit is %1 %2.</source>
+        <comment>number unit</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Understood: %1 %2</source>
+        <comment>number unit</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 becomes %2 %3 (steps of %4)</source>
+        <comment>typed number, sent number, unit, step</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SignalSelection</name>
+    <message>
+        <source>Recording signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StatusStrip</name>
+    <message>
+        <source>Link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Negotiated packet sizes: request / answer / stream</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes received a second, and their share of what the link can carry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>simulated board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 / %2 / %3 B</source>
+        <comment>sizes in bytes: request, answer, stream</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1: %2</source>
+        <comment>number, state</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Faults: %1</source>
+        <comment>how many</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lost: %1</source>
+        <comment>control periods without samples</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control periods that no packet holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 samples were recorded by the board but came too fast to be shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bad packets: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 kB/s (%2 %)</source>
+        <comment>received, percent of the link</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StopAlarm</name>
+    <message>
+        <source>Stop motors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1 was told to stop, but neither its state nor its speed shows that it did. Rotorscope goes on trying. Closing this message starts nothing again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meanwhile standstill was measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StopButton</name>
+    <message>
+        <source>Stop motors (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop motors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops every motor at once, from anywhere: press it or the Esc key.
+A program on a PC is no replacement for a switch that removes the power.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StopWords</name>
+    <message>
+        <source>%1 s ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
 </TS>
