@@ -88,6 +88,8 @@ bool Capture::follows(const SampleBlock &block)
         const Nanos behind = m_streamEnd - start;
         m_shift += behind;
         base.origin += behind;
+    } else if (start > m_streamEnd && !m_layout.fast.empty()) {
+        breakStream(); // also if the block does not own up to a loss
     }
     m_base = base;
     m_fresh = false;

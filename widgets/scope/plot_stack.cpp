@@ -11,7 +11,8 @@
 namespace widgets {
 
 namespace {
-constexpr double kMargin = 0.08; ///< of the span, above and below what is shown
+constexpr double kMarginBelow = 0.06; ///< of the span
+constexpr double kMarginAbove = 0.14; ///< more, for the legend
 constexpr int kTimeLabelWidth = 90; ///< pixels
 constexpr int kValueLabelHeight = 32;
 
@@ -21,7 +22,7 @@ QCPRange roomy(double low, double high)
     double span = high - low;
     if (!(span > 0))
         span = std::max(std::abs(high) * 0.2, 1e-3);
-    return {low - span * kMargin, high + span * kMargin};
+    return {low - span * kMarginBelow, high + span * kMarginAbove};
 }
 } // namespace
 
@@ -42,7 +43,7 @@ ScopePlot &PlotStack::append()
 {
     auto plot = std::make_unique<ScopePlot>();
     plot->rect = new QCPAxisRect(&m_plot, false);
-    plot->rect->setMinimumMargins(QMargins(8, 6, 8, 6));
+    plot->rect->setMinimumMargins(QMargins(8, 6, 30, 6)); // right: half a time label
     plot->rect->setMarginGroup(QCP::msLeft | QCP::msRight, m_margins);
     plot->dark = isDark(m_palette);
     QCPAxis *time = plot->rect->addAxis(QCPAxis::atBottom);

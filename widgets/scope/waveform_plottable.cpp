@@ -173,15 +173,17 @@ void WaveformPlottable::drawSteps(
         return static_cast<int>(std::floor(std::clamp(x, -10.0, view.width + 10.0)));
     };
     int lastRow = 0;
+    bool joined = false; // to the sample before it, which may be left of the picture
     for (const capture::Sample &sample : samples) {
         const int left = xOf(sample.time);
         const int right = xOf(sample.holdUntil);
         const int row = rows.of(sample.value);
         fillBox(m_image, left, row - line / 2, std::max(line, right - left), line, color);
-        if (!sample.first)
+        if (joined && !sample.first)
             fillBox(m_image, left, std::min(row, lastRow) - line / 2, line,
                 std::abs(row - lastRow) + line, color);
         lastRow = row;
+        joined = true;
         if ((sample.holdUntil - sample.time) * view.perSecond() >= kDotSpacing * line)
             fillBox(m_image, left - line, row - line - line / 2, 3 * line, 3 * line, color);
     }
@@ -210,7 +212,7 @@ void WaveformPlottable::drawLastValues(QCPPainter *painter) const
             continue;
         const double step = tickStep(trace.valueAxis->range().size(), 200);
         const double y = trace.valueAxis->coordToPixel(*shown);
-        labels.push_back({std::clamp(y, area.top() + metrics.height(), area.bottom()),
+        labels.push_back({std::clamp(y, area.top() + metrics.height() + 1, area.bottom()),
             valueLabel(*shown, step, mParentPlot->locale()),
             traceColor(trace.colorSlot, m_scopePlot.dark)});
     }
@@ -221,7 +223,9 @@ void WaveformPlottable::drawLastValues(QCPPainter *painter) const
         label.y = std::min(label.y, below - metrics.height());
         below = label.y;
         const double left = area.right() - metrics.horizontalAdvance(label.text) - 4;
-        const QRectF box(left, label.y - metrics.ascent(), area.right() - left, metrics.height());
+        // Above the trace's end, so that it stays visible.
+        const QRectF box(
+            left, label.y - metrics.height() - 1, area.right() - left, metrics.height());
         QColor ground = m_scopePlot.dark ? QColor(Qt::black) : QColor(Qt::white);
         ground.setAlpha(170);
         painter->fillRect(box, ground);
