@@ -11,7 +11,7 @@ namespace {
 using Kind = ChannelInfo::Kind;
 
 constexpr std::size_t kPiece = 1 << 20; ///< bytes
-constexpr std::size_t kMostRowsARun = 4096;
+constexpr std::size_t kMostRowsARun = 512; ///< so that their text stays in the cache
 constexpr std::size_t kTimeWidth = 24; ///< digits of 64 bits, sign and point
 constexpr std::size_t kCodeWidth = 16; ///< of an entry of CodeTexts
 constexpr std::size_t kNumberWidth =
@@ -24,6 +24,15 @@ char *writeNumber(char *at, double value)
     return std::to_chars(at, at + kNumberWidth, value).ptr;
 }
 
+constexpr auto kPairs = [] {
+    std::array<std::array<char, 2>, 100> pairs{};
+    for (std::size_t i = 0; i < 100; ++i)
+        pairs[i] = {static_cast<char>('0' + i / 10), static_cast<char>('0' + i % 10)};
+    return pairs;
+}();
+
+void writePair(char *at, std::uint32_t number) { std::memcpy(at, kPairs[number].data(), 2); }
+
 /// Writes `time` at `at`, returns the end. The caller has kTimeWidth bytes ready.
 char *writeTime(char *at, Nanos time)
 {
@@ -32,15 +41,16 @@ char *writeTime(char *at, Nanos time)
         time = -time;
     }
     at = std::to_chars(at, at + kTimeWidth, time / 1'000'000'000).ptr;
-    auto fraction = static_cast<std::uint32_t>(time % 1'000'000'000);
+    const auto fraction = static_cast<std::uint32_t>(time % 1'000'000'000);
     if (fraction == 0)
         return at;
     *at = '.';
+    at[1] = static_cast<char>('0' + fraction / 100'000'000);
+    writePair(at + 2, fraction / 1'000'000 % 100);
+    writePair(at + 4, fraction / 10'000 % 100);
+    writePair(at + 6, fraction / 100 % 100);
+    writePair(at + 8, fraction % 100);
     char *end = at + 10;
-    for (char *digit = end - 1; digit > at; --digit) {
-        *digit = static_cast<char>('0' + fraction % 10);
-        fraction /= 10;
-    }
     while (end[-1] == '0')
         --end;
     return end;
@@ -268,10 +278,15 @@ void CsvWriter::writeRun(const Run &run, std::string &text)
 {
     if (!m_zero)
         m_zero = m_options.zero == CsvOptions::Zero::FirstRow ? run.time : 0;
-    std::vector<std::span<const std::int16_t>> codes(m_columns.size());
+    m_fields.clear();
     for (std::size_t i = 0; i < m_columns.size(); ++i) {
-        if (run.there[i] && m_columns[i]->texts)
-            codes[i] = m_columns[i]->channel->fast()->codes(m_columns[i]->next, run.count);
+        Column &column = *m_columns[i];
+        Field field{&column, nullptr, nullptr, run.there[i]};
+        if (run.there[i] && column.texts) {
+            field.texts = column.texts.get();
+            field.codes = column.channel->fast()->codes(column.next, run.count).data();
+        }
+        m_fields.push_back(field);
     }
     // Most rows of a run are a whole number of nanoseconds apart; the exact division is for the others.
     const Segment *segment = run.segment;
@@ -287,15 +302,14 @@ void CsvWriter::writeRun(const Run &run, std::string &text)
         if (row != 0)
             time = even ? time + step : segment->timeOf(run.first + row);
         at = writeTime(at, time - *m_zero);
-        for (std::size_t i = 0; i < m_columns.size(); ++i) {
+        for (const Field &field : m_fields) {
             *at++ = ',';
-            Column &column = *m_columns[i];
-            if (!codes[i].empty())
-                at = column.texts->write(at, codes[i][row]);
-            else if (!column.makesRows)
-                at = writeHeld(column, time, at);
-            else if (run.there[i])
-                at = writeNumber(at, column.channel->at(column.next));
+            if (field.codes)
+                at = field.texts->write(at, field.codes[row]);
+            else if (!field.column->makesRows)
+                at = writeHeld(*field.column, time, at);
+            else if (field.there)
+                at = writeNumber(at, field.column->channel->at(field.column->next));
         }
         *at++ = '\n';
     }

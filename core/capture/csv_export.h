@@ -49,6 +49,12 @@ public:
 private:
     class CodeTexts; ///< the text of every 16-bit code, made when it is first needed
     struct Column;
+    struct Field { ///< a column during one run
+        Column *column;
+        CodeTexts *texts;
+        const std::int16_t *codes; ///< nullptr: not a fast column with samples
+        bool there;
+    };
     struct Run; ///< rows that follow each other without a change of who is there
 
     void writeHeading(std::string &text) const;
@@ -59,6 +65,7 @@ private:
     Snapshot m_channels;
     CsvOptions m_options;
     std::vector<std::unique_ptr<Column>> m_columns;
+    std::vector<Field> m_fields; ///< of the run being written
     bool m_started = false;
     std::optional<Nanos> m_zero;
     std::uint64_t m_rows = 0;

@@ -1,0 +1,170 @@
+// P10: a CSV file of 8 signals x 1,000,000 rows, against what other programs do for each number.
+#include "bench/motor_data.h"
+#include "bench/paired.h"
+#include "session/csv_file.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTextStream>
+
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <memory>
+
+namespace {
+
+using namespace bench;
+
+constexpr std::size_t kRows = 1'000'000;
+constexpr qsizetype kPiece = 1 << 20;
+
+/// The recording and where the files go; made once.
+struct Export {
+    QTemporaryDir folder;
+    capture::Snapshot snapshot;
+    std::vector<std::vector<std::int16_t>> codes;
+    double factor = motorLayout().fast[0].factor;
+
+    Export()
+    {
+        capture::Capture capture;
+        recordMotor(capture, kRows);
+        std::vector<capture::ChannelId> ids;
+        for (const auto &info : capture.channels())
+            ids.push_back(info.id);
+        snapshot = capture.snapshot(ids);
+        for (int s = 0; s < kSignals; ++s)
+            codes.push_back(motorSignal(s, kRows));
+    }
+    QString path(const char *name) const { return folder.filePath(QString::fromLatin1(name)); }
+
+    void ours() const
+    {
+        capture::CsvWriter writer(snapshot);
+        const auto result = session::writeCsvFile(path("ours.csv"), writer);
+        require(result.error == session::CsvError::None, "the CSV file was not written");
+    }
+
+    /// A loop over rows; `format` turns a number into text at a place and returns its end.
+    template <class Format>
+    void plainLoop(const char *name, Format format) const
+    {
+        QFile file(path(name));
+        require(file.open(QIODevice::WriteOnly | QIODevice::Unbuffered), "cannot open a file");
+        std::string text;
+        std::array<char, 64> number{};
+        for (std::size_t row = 0; row < kRows; ++row) {
+            text.append(number.data(), format(number.data(), double(row) / kTickHz));
+            for (std::size_t s = 0; s < kSignals; ++s) {
+                text += ',';
+                text.append(number.data(), format(number.data(), codes[s][row] * factor));
+            }
+            text += '\n';
+            if (qsizetype(text.size()) >= kPiece) {
+                file.write(text.data(), qint64(text.size()));
+                text.clear();
+            }
+        }
+        file.write(text.data(), qint64(text.size()));
+    }
+
+    /// Streams a QString a number, as plotting programs written with Qt do.
+    void textStream() const
+    {
+        QFile file(path("stream.csv"));
+        require(file.open(QIODevice::WriteOnly), "cannot open a file");
+        QTextStream stream(&file);
+        for (std::size_t row = 0; row < kRows; ++row) {
+            stream << QString::number(double(row) / kTickHz, 'g', 12);
+            for (std::size_t s = 0; s < kSignals; ++s)
+                stream << ',' << QString::number(codes[s][row] * factor, 'g', 12);
+            stream << '\n';
+        }
+    }
+};
+
+const Export &data()
+{
+    static const Export made;
+    return made;
+}
+
+void csvAgainstSnprintf(benchmark::State &state)
+{
+    const Export &e = data();
+    const Pair pair = pairedRatio(
+        state, [&] { e.ours(); },
+        [&] {
+            e.plainLoop("snprintf.csv",
+                [](char *at, double value) { return at + std::snprintf(at, 64, "%.9g", value); });
+        });
+    state.counters["Mrows_per_s"] = double(kRows) / pair.aSeconds / 1e6;
+    report({"P10", "CSV 8 x 1000000 rows to a file: times the rows a second", pair.ratio, ">= 25",
+        "snprintf(\"%.9g\")"});
+}
+
+void csvAgainstToChars(benchmark::State &state)
+{
+    const Export &e = data();
+    const Pair pair = pairedRatio(
+        state, [&] { e.ours(); },
+        [&] {
+            e.plainLoop("to_chars.csv",
+                [](char *at, double value) { return std::to_chars(at, at + 64, value).ptr; });
+        });
+    report({"P10", "CSV 8 x 1000000 rows to a file: times the rows a second", pair.ratio, ">= 6",
+        "std::to_chars of a double"});
+}
+
+void csvAgainstTextStream(benchmark::State &state)
+{
+    const Export &e = data();
+    const Pair pair = pairedRatio(
+        state, [&] { e.ours(); }, [&] { e.textStream(); });
+    report({"P10", "CSV 8 x 1000000 rows to a file: times the rows a second", pair.ratio, ">= 30",
+        "QTextStream << QString::number, style of PlotJuggler"});
+}
+
+/// Every field of the file gives the very code that was recorded.
+void csvReadsBack(benchmark::State &state)
+{
+    const Export &e = data();
+    std::uint64_t wrong = 0;
+    for (auto _ : state) {
+        capture::CsvWriter writer(e.snapshot);
+        std::string piece;
+        std::string heading;
+        std::size_t row = 0;
+        bool first = true;
+        while (writer.next(piece)) {
+            const char *at = piece.data();
+            const char *end = at + piece.size();
+            if (first)
+                at = std::find(at, end, '\n') + 1;
+            first = false;
+            for (; at < end; ++row) {
+                double time = 0;
+                at = std::from_chars(at, end, time).ptr;
+                wrong += std::lround(time * kTickHz) != long(row);
+                for (std::size_t s = 0; s < kSignals; ++s) {
+                    float value = 0;
+                    at = std::from_chars(at + 1, end, value).ptr;
+                    wrong += std::lround(double(value) / e.factor) != e.codes[s][row];
+                }
+                ++at;
+            }
+        }
+        require(row == kRows, "the CSV has another number of rows");
+    }
+    report(
+        {"P10", "numbers that do not read back to their code", double(wrong), "0", "all 8000000"});
+    require(wrong == 0, "a CSV number does not read back");
+}
+
+} // namespace
+
+BENCHMARK(csvAgainstSnprintf)->Iterations(3)->UseManualTime();
+BENCHMARK(csvAgainstToChars)->Iterations(5)->UseManualTime();
+BENCHMARK(csvAgainstTextStream)->Iterations(3)->UseManualTime();
+BENCHMARK(csvReadsBack)->Iterations(1);

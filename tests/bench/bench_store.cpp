@@ -1,0 +1,107 @@
+// P6, P7: what a sample costs in the store, in memory and in time.
+#include "bench/motor_data.h"
+#include "bench/paired.h"
+
+#include <qcustomplot.h>
+
+#include <cstring>
+#include <memory>
+
+namespace {
+
+using namespace bench;
+
+/// Blocks made beforehand, so that only the appending is measured.
+std::vector<capture::SampleBlock> blocksOf(std::size_t samples, std::size_t batch)
+{
+    std::vector<capture::SampleBlock> blocks;
+    for (std::size_t done = 0; done < samples; done += batch) {
+        capture::SampleBlock block{1, static_cast<capture::Tick>(done),
+            static_cast<std::uint32_t>(batch), std::vector<std::int16_t>(batch * kSignals), {}, 0};
+        for (std::size_t i = 0; i < block.fast.size(); ++i)
+            block.fast[i] =
+                motorSample(static_cast<int>(i / batch), std::int64_t(done + i % batch));
+        blocks.push_back(std::move(block));
+    }
+    return blocks;
+}
+
+void memory(benchmark::State &state)
+{
+    constexpr std::size_t kSamples = 5'000'000;
+    double bytes = 0;
+    for (auto _ : state) {
+        const double before = residentBytes();
+        const auto store = std::make_unique<capture::Capture>();
+        recordMotor(*store, kSamples);
+        const double resident = residentBytes() - before;
+        const double own = double(store->bytes());
+        bytes = std::max(resident, own) / double(kSamples * kSignals);
+    }
+    state.counters["bytes"] = bytes;
+    report({"P6", "bytes a fast sample, envelope included", bytes, "<= 2.3",
+        "nothing (larger of resident growth and allocated)"});
+    report({"P6", "times less memory a sample", double(sizeof(QCPGraphData)) / bytes, ">= 6.9",
+        "QCPGraph, 16 bytes"});
+}
+
+void appendAgainstMemcpy(benchmark::State &state)
+{
+    const auto batch = static_cast<std::size_t>(state.range(0));
+    const auto blocks = blocksOf(999'000 / batch * batch, batch);
+    std::vector<std::vector<std::int16_t>> columns(kSignals);
+    const auto copy = [&] {
+        for (auto &column : columns)
+            std::vector<std::int16_t>(1'000'000).swap(column); // fresh pages, as the store needs
+        std::size_t at = 0;
+        for (const capture::SampleBlock &block : blocks) {
+            for (std::size_t s = 0; s < kSignals; ++s)
+                std::memcpy(&columns[s][at], &block.fast[s * batch], batch * 2);
+            at += batch;
+        }
+        benchmark::ClobberMemory();
+    };
+    const auto append = [&] {
+        capture::Capture store;
+        store.begin(motorLayout());
+        for (const capture::SampleBlock &block : blocks)
+            store.append(block);
+        benchmark::DoNotOptimize(store.revision());
+    };
+    const Pair pair = pairedRatio(state, copy, append);
+    state.counters["ns_per_sample"] = pair.bSeconds * 1e9 / (999'000.0 * kSignals);
+    report({"P7", "append with envelope, batches of " + std::to_string(batch) + ": times the cost",
+        pair.ratio, "<= 1.6 in batches of 333", "memcpy into fresh columns"});
+}
+
+void appendAgainstGraphs(benchmark::State &state)
+{
+    const auto blocks = blocksOf(999'000, 333);
+    const auto add = [&] {
+        std::vector<QCPGraphDataContainer> graphs(kSignals);
+        QVector<QCPGraphData> data(333);
+        for (const capture::SampleBlock &block : blocks) {
+            for (std::size_t s = 0; s < kSignals; ++s) {
+                for (qsizetype i = 0; i < 333; ++i)
+                    data[i] = {double(block.firstTick + i) / kTickHz,
+                        double(block.fast[s * 333 + std::size_t(i)])};
+                graphs[s].add(data, true);
+            }
+        }
+    };
+    const auto append = [&] {
+        capture::Capture store;
+        store.begin(motorLayout());
+        for (const capture::SampleBlock &block : blocks)
+            store.append(block);
+    };
+    const Pair pair = pairedRatio(state, append, add);
+    report({"P7", "append with envelope, batches of 333: times cheaper", pair.ratio, ">= 50",
+        "QCPGraphDataContainer::add in batches"});
+}
+
+} // namespace
+
+BENCHMARK(memory)->Iterations(1);
+BENCHMARK(appendAgainstMemcpy)->Arg(333)->Arg(20)->Iterations(31)->UseManualTime();
+BENCHMARK(appendAgainstGraphs)->Iterations(7)->UseManualTime();

@@ -1,0 +1,86 @@
+#include "bench/motor_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bench {
+
+namespace {
+constexpr double kTurn = 6.283185307179586;
+
+/// A cheap hash: noise that depends on nothing but the place.
+std::int32_t noise(std::uint64_t place, std::int32_t width)
+{
+    place *= 0x9E3779B97F4A7C15ULL;
+    place ^= place >> 29;
+    place *= 0xBF58476D1CE4E5B9ULL;
+    return static_cast<std::int32_t>((place >> 33) % static_cast<std::uint64_t>(2 * width + 1))
+        - width;
+}
+} // namespace
+
+std::int16_t motorSample(int s, std::int64_t i)
+{
+    const double angle = double(i) * kTurn * 100.0 / kTickHz; // 100 Hz electrical
+    const auto place = static_cast<std::uint64_t>(i) * kSignals + static_cast<std::uint64_t>(s);
+    double value = 0;
+    switch (s) {
+    case 0:
+    case 1:
+    case 2:
+        value = 9000.0 * std::sin(angle - s * kTurn / 3) + noise(place, 700);
+        break;
+    case 3:
+        value = 8200.0 + noise(place, 500);
+        break;
+    case 4:
+        value = -300.0 + noise(place, 500);
+        break;
+    case 5:
+        value = 12000.0 + 2500.0 * std::sin(double(i) * kTurn / 60000.0) + noise(place, 40);
+        break;
+    case 6:
+        value = std::fmod(double(i) * 65536.0 * 100.0 / kTickHz, 65536.0) - 32768.0;
+        break;
+    default:
+        value = 24000.0 + noise(place, 120);
+    }
+    return static_cast<std::int16_t>(value);
+}
+
+std::vector<std::int16_t> motorSignal(int s, std::size_t count)
+{
+    std::vector<std::int16_t> samples(count);
+    for (std::size_t i = 0; i < count; ++i)
+        samples[i] = motorSample(s, static_cast<std::int64_t>(i));
+    return samples;
+}
+
+capture::StreamLayout motorLayout()
+{
+    capture::StreamLayout layout;
+    layout.id = 1;
+    layout.tickHz = kTickHz;
+    for (int s = 0; s < kSignals; ++s)
+        layout.fast.push_back({static_cast<catalog::RegisterId>(s + 1), "A" + std::to_string(s),
+            "A", 3.3 / 65536.0 / 0.33 / 1.53, 0.0});
+    return layout;
+}
+
+void recordMotor(capture::Capture &capture, std::size_t count, std::size_t batch)
+{
+    capture.begin(motorLayout());
+    for (std::size_t done = 0; done < count; done += batch) {
+        const std::size_t now = std::min(batch, count - done);
+        capture::SampleBlock block{1, static_cast<capture::Tick>(done),
+            static_cast<std::uint32_t>(now), std::vector<std::int16_t>(now * kSignals), {}, 0};
+        for (std::size_t s = 0; s < kSignals; ++s) {
+            for (std::size_t i = 0; i < now; ++i)
+                block.fast[s * now + i] =
+                    motorSample(static_cast<int>(s), static_cast<std::int64_t>(done + i));
+        }
+        capture.append(block);
+    }
+}
+
+} // namespace bench

@@ -1,0 +1,139 @@
+#include "bench/paired.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <map>
+
+#if defined(__linux__)
+#include <unistd.h>
+#endif
+
+namespace bench {
+
+namespace {
+std::vector<Figure> &figures()
+{
+    static std::vector<Figure> all;
+    return all;
+}
+
+double cpuSeconds(const std::function<void()> &work)
+{
+    const std::clock_t start = std::clock();
+    work();
+    return double(std::clock() - start) / double(CLOCKS_PER_SEC);
+}
+
+double quantile(std::vector<double> values, double share)
+{
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(share * double(values.size() - 1) + 0.5)];
+}
+
+std::string quoted(const std::string &text)
+{
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\')
+            result += '\\';
+        result += c;
+    }
+    return result + '"';
+}
+} // namespace
+
+void report(Figure figure) { figures().push_back(std::move(figure)); }
+
+bool writeFigures(const std::string &path)
+{
+    std::map<std::string, std::vector<Figure>> byId;
+    for (const Figure &figure : figures())
+        byId[figure.id].push_back(figure);
+    std::cout << "\nRatios (median of pairs, CPU time)\n";
+    for (const auto &[id, list] : byId) {
+        for (const Figure &figure : list) {
+            std::cout << std::left << std::setw(5) << id << std::right << std::setw(10)
+                      << std::setprecision(4) << figure.ratio << "  " << figure.what << ", against "
+                      << figure.against << "; goal: " << figure.goal << '\n';
+        }
+    }
+    std::ofstream file(path);
+    file << std::setprecision(6) << "{";
+    const char *separator = "\n";
+    for (const auto &[id, list] : byId) {
+        file << separator << "  " << quoted(id) << ": [";
+        separator = ",\n";
+        const char *comma = "\n";
+        for (const Figure &figure : list) {
+            file << comma << "    {\"what\": " << quoted(figure.what)
+                 << ", \"ratio\": " << figure.ratio << ", \"goal\": " << quoted(figure.goal)
+                 << ", \"against\": " << quoted(figure.against) << "}";
+            comma = ",\n";
+        }
+        file << "\n  ]";
+    }
+    file << "\n}\n";
+    file.close();
+    return file.good();
+}
+
+Pair pairedRatio(
+    benchmark::State &state, const std::function<void()> &a, const std::function<void()> &b)
+{
+    a();
+    b();
+    std::vector<double> ratios;
+    std::vector<double> aTimes;
+    std::vector<double> bTimes;
+    bool first = true;
+    for (auto _ : state) {
+        double aTime = 0;
+        double bTime = 0;
+        if (first) {
+            aTime = cpuSeconds(a);
+            bTime = cpuSeconds(b);
+        } else {
+            bTime = cpuSeconds(b);
+            aTime = cpuSeconds(a);
+        }
+        first = !first;
+        aTimes.push_back(aTime);
+        bTimes.push_back(bTime);
+        ratios.push_back(bTime / std::max(aTime, 1e-7));
+        state.SetIterationTime(aTime);
+    }
+    const Pair pair{quantile(ratios, 0.5), quantile(aTimes, 0.5), quantile(bTimes, 0.5)};
+    state.counters["ratio"] = pair.ratio;
+    state.counters["p10"] = quantile(ratios, 0.1);
+    state.counters["p90"] = quantile(ratios, 0.9);
+    state.counters["a_ms"] = pair.aSeconds * 1e3;
+    state.counters["b_ms"] = pair.bSeconds * 1e3;
+    return pair;
+}
+
+double residentBytes()
+{
+#if defined(__linux__)
+    std::ifstream statm("/proc/self/statm");
+    double size = 0;
+    double resident = 0;
+    if (statm >> size >> resident)
+        return resident * double(sysconf(_SC_PAGESIZE));
+#endif
+    return 0.0;
+}
+
+void require(bool holds, const char *what)
+{
+    if (holds)
+        return;
+    std::cerr << "The benchmark's own result is wrong: " << what << '\n';
+    std::exit(1);
+}
+
+} // namespace bench
