@@ -4,6 +4,8 @@
 #include "drive/mcp_values.h"
 #include "mcp/protocol.h"
 
+#include <algorithm>
+
 namespace drive {
 
 namespace {
@@ -166,7 +168,9 @@ void VitalPoll::publish(TimePoint now)
         m_states[motor] = status.state;
         m_news.push_back(std::move(status));
     }
-    m_due = m_roundAsked + (somethingUnderWay() || now < m_fastUntil ? kFastPeriod : kPeriod);
+    const Duration period = somethingUnderWay() || now < m_fastUntil ? kFastPeriod : kPeriod;
+    // On a line that is full of samples an answer takes long: half of the time is for others.
+    m_due = std::max(m_roundAsked + period, now + (now - m_roundAsked));
 }
 
 } // namespace drive

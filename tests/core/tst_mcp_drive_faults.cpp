@@ -206,6 +206,7 @@ class TestMcpDriveFaults : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void underRandomFaultsEachWishEndsOnceAndTheLinkComesBack();
+    void seedsThatFailedOnceStayWell();
     void oneFaultAtAnyByteIsOvercome_data();
     void oneFaultAtAnyByteIsOvercome();
     void aStopGetsThroughABadLine();
@@ -217,6 +218,16 @@ void TestMcpDriveFaults::underRandomFaultsEachWishEndsOnceAndTheLinkComesBack()
     const int only = qEnvironmentVariableIntValue("ROTORSCOPE_SEED");
     for (int seed = only > 0 ? only : 1; seed <= (only > 0 ? only : times(200)); ++seed) {
         const std::string wrong = Campaign(static_cast<std::uint64_t>(seed)).run();
+        QVERIFY2(wrong.empty(), ("seed " + std::to_string(seed) + ": " + wrong).c_str());
+    }
+}
+
+void TestMcpDriveFaults::seedsThatFailedOnceStayWell()
+{
+    // 355: a damaged GLOBAL_CONFIG made five motors of one. 1610: on a line full of samples the poll
+    // of states left no time for wishes.
+    for (const std::uint64_t seed : {355U, 1610U}) {
+        const std::string wrong = Campaign(seed).run();
         QVERIFY2(wrong.empty(), ("seed " + std::to_string(seed) + ": " + wrong).c_str());
     }
 }
