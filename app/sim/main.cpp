@@ -33,11 +33,25 @@ void onSignal(int)
     errno = before;
 }
 
-TimePoint clockNow()
-{
-    return TimePoint(
-        std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch()));
-}
+/// The board's time: real time without the stretches in which this program was stopped, for a board cannot make up
+/// for an hour at once.
+class Clock {
+public:
+    TimePoint now()
+    {
+        const auto real = std::chrono::steady_clock::now().time_since_epoch();
+        const auto step = std::chrono::duration_cast<Duration>(real - m_last);
+        m_last = real;
+        if (step < kLongestStep)
+            m_now += step;
+        return m_now;
+    }
+
+private:
+    static constexpr Duration kLongestStep = std::chrono::seconds(1);
+    std::chrono::steady_clock::duration m_last{};
+    TimePoint m_now{};
+};
 
 void say(int descriptor, const std::string &text)
 {
@@ -87,7 +101,7 @@ public:
 
     void run()
     {
-        m_board.advance(clockNow());
+        m_board.advance(m_clock.now());
         while (!m_ended)
             step();
     }
@@ -103,6 +117,7 @@ private:
     int m_signals;
     bool m_ended = false;
     std::string m_line;
+    Clock m_clock;
 };
 
 void Simulator::wait(bool present, std::array<pollfd, 3> &sources)
@@ -111,7 +126,7 @@ void Simulator::wait(bool present, std::array<pollfd, 3> &sources)
     sources[0] = {m_signals, POLLIN, 0};
     sources[1] = {m_control ? STDIN_FILENO : -1, POLLIN, 0};
     sources[2] = {present ? m_terminal.descriptor() : -1, POLLIN, 0};
-    const TimePoint now = clockNow();
+    const TimePoint now = m_clock.now();
     const Duration left =
         std::clamp(present ? m_board.nextWake() - now : kIdleStep, Duration(0), kIdleStep);
     const timespec timeout{0, left.count()};
@@ -123,7 +138,7 @@ void Simulator::step()
     const bool present = m_terminal.clientPresent();
     std::array<pollfd, 3> sources{};
     wait(present, sources);
-    const TimePoint now = clockNow();
+    const TimePoint now = m_clock.now();
     if (sources[0].revents != 0)
         m_ended = true;
     if (present && (sources[2].revents & POLLIN) != 0)

@@ -16,6 +16,8 @@ namespace simulation {
 namespace {
 
 constexpr Duration kSysTick = std::chrono::microseconds(500);
+constexpr std::size_t kOutputMax = 16U
+    << 20; ///< minutes of a full line; a line that nobody listens to keeps nothing
 
 /// What a restart makes anew: everything but the motor and the line.
 struct Processor final : AsyncLine {
@@ -153,6 +155,8 @@ void Board::advance(TimePoint now)
     }
     m_now = m_processor->now = now;
     m_transmitter.collect(now, m_faults, m_output);
+    if (m_output.size() > kOutputMax)
+        m_output.clear();
 }
 
 void Board::receiverEvent()

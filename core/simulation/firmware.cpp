@@ -129,7 +129,8 @@ void Firmware::rampSpeed(SpeedRamp ramp)
         m_speedIntegral = m_iqReference;
         m_speedRamp.start(m_filteredSpeed_dHz * 6.0, 0);
     }
-    m_speedRamp.start(ramp.rpm / 6 * 6.0, ramp.ms);
+    const int target_rpm = ramp.rpm / 6 * 6; // counted in 0.1 Hz
+    m_speedRamp.start(target_rpm, ramp.ms);
 }
 
 void Firmware::rampTorque(TorqueRamp ramp)
@@ -213,10 +214,9 @@ void Firmware::mfTask()
 void Firmware::updateFaults()
 {
     m_occurredFaults |= m_presentFaults;
-    const bool faulty = m_state == MotorState::FaultNow || m_state == MotorState::FaultOver;
-    if (m_occurredFaults != 0 && !faulty)
-        enter(MotorState::FaultNow);
-    else if (m_state == MotorState::FaultOver && m_presentFaults != 0)
+    const bool trips = m_occurredFaults != 0 && m_state != MotorState::FaultOver;
+    const bool returns = m_presentFaults != 0 && m_state == MotorState::FaultOver;
+    if (m_state != MotorState::FaultNow && (trips || returns))
         enter(MotorState::FaultNow);
 }
 

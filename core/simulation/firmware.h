@@ -117,7 +117,7 @@ private:
     void startUp();
     void speedLoop();
     void beginRun();
-    double noise(int digits); ///< uniform, whole digits
+    double noise(int most); ///< uniform whole digits, -most to most
 
     double m_hfHz;
     Stage m_stage;

@@ -33,7 +33,7 @@ double Firmware::noise(int most)
     m_random ^= m_random << 13;
     m_random ^= m_random >> 7;
     m_random ^= m_random << 17;
-    const auto span = static_cast<std::uint64_t>(2 * most + 1);
+    const std::uint64_t span = 2 * static_cast<std::uint64_t>(most) + 1;
     return static_cast<double>((m_random >> 33) % span) - most;
 }
 

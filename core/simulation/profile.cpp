@@ -62,6 +62,7 @@ const Traits *findTraits(std::string_view profile)
 std::vector<std::string> profileNames()
 {
     std::vector<std::string> names;
+    names.reserve(kProfiles.size());
     for (const Traits &row : kProfiles)
         names.emplace_back(row.profile);
     return names;

@@ -39,6 +39,7 @@ private slots:
     void softResetHasNoAnswer();
     void userCommandsEchoBackwards();
     void theDatalogBelongsToTheLinkItIsOn();
+    void theTextIsFollowedWhereItCanBe();
 };
 
 void TestServer::emptyListsAreRefusedForReadingOnly()
@@ -177,6 +178,25 @@ void TestServer::theDatalogBelongsToTheLinkItIsOn()
     QCOMPARE(bench.ask(stop(0x0529)), Bytes{5});
     QCOMPARE(bench.ask(stop(0x0569)), Bytes{0});
     QCOMPARE(bench.ask(stop(0x0568)), Bytes{5});
+}
+
+void TestServer::theTextIsFollowedWhereItCanBe()
+{
+    BoardOptions options;
+    options.profile = "spec";
+    options.txSyncMax = 32;
+    BoardBench bench(options);
+    QVERIFY(bench.connect());
+    QCOMPARE(bench.ask(get().u16(0x00A9).take()).size(), std::size_t{14 + 2 + 1});
+    QCOMPARE(bench.ask(get().u16(0x0129).take()), Bytes{5});
+    QCOMPARE(bench.ask(get().u16(0x01E9).take()).size(), std::size_t{6 + 2 + 1});
+    QCOMPARE(bench.ask(set().u16(0x0091).u16(1).u16(0x07D1).u16(1).take()), (Bytes{1, 4, 1}));
+    QCOMPARE(bench.ask(get().u16(0x0020).u16(0x0020).take()).back(), 8);
+    QCOMPARE(bench.ask(get().u16(0x01A9).u16(0x01A9).u16(0x01A9).u16(0x01A9).take()).size(),
+        std::size_t{25});
+    QCOMPARE(bench.ask(ByteWriter().u16(0).take()), (Bytes{1, 0, 0, 0, 0}));
+    for (const unsigned id : {0x0528U, 0x0529U})
+        QCOMPARE(bench.ask(set().u16(id).u16(2).u16(0).take()), Bytes{0});
 }
 
 QTEST_APPLESS_MAIN(TestServer)
