@@ -3,6 +3,7 @@
 #include "widgets/flow_layout.h"
 #include "widgets/scope/scope_drop.h"
 #include "widgets/value_text.h"
+#include "widgets/wheel_guard.h"
 
 #include <QActionGroup>
 #include <QComboBox>
@@ -99,6 +100,7 @@ ChannelStrip::ChannelStrip(SignalSelection &selection, Device &device, QWidget *
     setAcceptDrops(true);
     m_empty->setEnabled(false);
     m_rate->setObjectName(QStringLiteral("fastRate"));
+    new WheelGuard(m_rate);
     m_rate->setAccessibleName(tr("Rate of the fast signals"));
     m_rate->setToolTip(tr("Samples a second of each HF signal"));
     m_budget->setObjectName(QStringLiteral("linkBudget"));

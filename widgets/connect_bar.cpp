@@ -3,6 +3,7 @@
 #include "widgets/device_text.h"
 #include "widgets/lamp.h"
 #include "widgets/messages.h"
+#include "widgets/wheel_guard.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -87,6 +88,8 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     m_motor->setObjectName(QStringLiteral("motor"));
     m_motor->setAccessibleName(tr("Motor"));
     m_motor->hide();
+    for (QComboBox *choice : {m_port, m_baud, m_motor})
+        new WheelGuard(choice);
     m_portLamp->setObjectName(QStringLiteral("portLamp"));
     m_boardLamp->setObjectName(QStringLiteral("boardLamp"));
     for (QLabel *label : {m_firmware, m_board}) {
@@ -163,14 +166,13 @@ quint32 ConnectBar::baud() const
     return ok && baud >= kSlowestBaud && baud <= kFastestBaud ? baud : 0;
 }
 
-bool ConnectBar::connecting() const { return m_wanted || m_device.portOpen(); }
-
 void ConnectBar::connectOrDisconnect()
 {
     if (connecting()) {
-        m_wanted = false;
-        m_device.close();
-        updateLink();
+        if (m_device.portOpen() && !m_device.allIdle())
+            Q_EMIT disconnectWhileTurning();
+        else
+            disconnectNow();
         return;
     }
     session::Endpoint endpoint;
@@ -190,6 +192,13 @@ void ConnectBar::connectOrDisconnect()
     endpoint.board.baud = endpoint.baud;
     m_wanted = true;
     m_device.open(endpoint);
+    updateLink();
+}
+
+void ConnectBar::disconnectNow()
+{
+    m_wanted = false;
+    m_device.close();
     updateLink();
 }
 

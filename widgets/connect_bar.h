@@ -24,14 +24,18 @@ public:
     void setEndpoint(const QString &path, quint32 baud); ///< "sim" for the simulated board
     QString path() const; ///< as chosen or typed
     quint32 baud() const; ///< 0 if the text is not a baud rate
+    /// A connection is open, or wanted and being looked for.
+    bool connecting() const { return m_wanted || m_device.portOpen(); }
 
 public Q_SLOTS:
     void connectOrDisconnect(); ///< Ctrl+D
+    void disconnectNow(); ///< whatever the motors do
     void refreshPorts();
     void openSimulator();
     void focusPort();
 
 Q_SIGNALS:
+    void disconnectWhileTurning(); ///< not done: a person has to say what becomes of the motors
     void refused(const QString &sentence); ///< what was typed cannot be used
 
 protected:
@@ -40,7 +44,6 @@ protected:
 private:
     void updateLink();
     void updateIdentity();
-    bool connecting() const;
 
     Device &m_device;
     const session::PortSource &m_source;

@@ -6,6 +6,7 @@
 #include "widgets/motor_button.h"
 #include "widgets/setpoint_edit.h"
 #include "widgets/stop_words.h"
+#include "widgets/wheel_guard.h"
 
 #include <QCheckBox>
 #include <QEvent>
@@ -46,22 +47,6 @@ QString joined(const std::vector<std::string> &names)
         texts.append(deviceText(name));
     return texts.join(QStringLiteral(", "));
 }
-
-/// Turns the wheel of a box that has no focus into scrolling, not into a new value.
-class WheelGuard : public QObject {
-public:
-    using QObject::QObject;
-
-protected:
-    bool eventFilter(QObject *watched, QEvent *event) override
-    {
-        const auto *widget = qobject_cast<QWidget *>(watched);
-        if (event->type() != QEvent::Wheel || (widget && widget->hasFocus()))
-            return false;
-        event->ignore();
-        return true;
-    }
-};
 
 } // namespace
 
@@ -182,10 +167,9 @@ QWidget *ControlPanel::makeSpeed()
     m_rampTime->setSingleStep(100);
     m_rampTime->setValue(500);
     m_rampTime->setKeyboardTracking(false);
-    m_rampTime->setFocusPolicy(Qt::StrongFocus);
     m_rampTime->setAlignment(Qt::AlignRight);
     m_rampTime->setSuffix(QStringLiteral(" ms"));
-    m_rampTime->installEventFilter(new WheelGuard(m_rampTime));
+    new WheelGuard(m_rampTime);
     m_go = new MotorButton(tr("Go", "send the speed ramp"), box);
     m_go->setObjectName(QStringLiteral("go"));
     m_stopRamp = new MotorButton(tr("Stop ramp"), box);

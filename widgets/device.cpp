@@ -72,6 +72,7 @@ drive::WishId Device::submit(decltype(drive::Wish::what) what)
 void Device::open(const session::Endpoint &endpoint)
 {
     m_endpoint = endpoint;
+    m_portError = {};
     forgetBoard();
     Q_EMIT openWished(endpoint);
 }
@@ -134,6 +135,12 @@ void Device::armedChanged(bool armed)
     Q_EMIT armedStateChanged(armed);
 }
 
+void Device::disarm()
+{
+    setArmed(false);
+    armedChanged(false); // shown at once; the session's own word follows
+}
+
 void Device::take(const drive::Event &event)
 {
     std::visit(
@@ -142,7 +149,7 @@ void Device::take(const drive::Event &event)
                 m_link = link;
                 if (link.state == drive::LinkState::Lost || link.state == drive::LinkState::Closed
                     || link.reason == drive::LinkReason::BoardReset)
-                    setArmed(false);
+                    disarm();
                 Q_EMIT linkStateChanged();
             },
             [this](const drive::Identified &identified) {

@@ -87,6 +87,7 @@ Q_SIGNALS:
 private:
     void take(const drive::Event &event);
     void forgetBoard();
+    void disarm();
 
     session::Endpoint m_endpoint;
     session::PortState m_port = session::PortState::Closed;

@@ -83,6 +83,7 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     , m_connectBar(new ConnectBar(m_device, ports, this))
     , m_alarm(new StopAlarm(this))
     , m_shutdown(new Shutdown(m_device, this))
+    , m_parting(new Shutdown(m_device, this))
 {
     setObjectName(QStringLiteral("mainWindow"));
     setWindowTitle(QStringLiteral("Rotorscope"));
@@ -392,7 +393,7 @@ void MainWindow::fillMotorMenu(QMenu *menu)
 void MainWindow::connectParts()
 {
     const auto note = [this](const QString &sentence) {
-        m_linkBanner = false;
+        m_told = Told::Other;
         m_banner->say(Banner::Kind::Warning, sentence);
     };
     connect(m_connectBar, &ConnectBar::refused, this, note);
@@ -424,37 +425,51 @@ void MainWindow::connectParts()
     connect(&m_device, &Device::portStateChanged, this, &MainWindow::linkChanged);
     connect(&m_device, &Device::armedStateChanged, this, &MainWindow::updateFrame);
     connect(&m_device, &Device::stopAdvanced, this, &MainWindow::stopAdvanced);
+    connect(m_connectBar, &ConnectBar::disconnectWhileTurning, this, &MainWindow::askToDisconnect);
+    connect(m_parting, &Shutdown::confirmed, m_connectBar, &ConnectBar::disconnectNow);
     connect(m_shutdown, &Shutdown::confirmed, this, &QWidget::close);
     connect(m_shutdown, &Shutdown::notConfirmed, this, &MainWindow::askToLeave);
 }
 
 void MainWindow::linkChanged()
 {
+    const LinkMessage message = linkMessage();
+    // Contact that was lost stays told until there is contact again, not until the next attempt.
+    const bool stillLost = m_told == Told::Loss && m_device.identified() && !m_device.answering()
+        && m_connectBar->connecting();
+    if (!message.sentence.isEmpty())
+        m_banner->say(message.kind, message.sentence);
+    else if (stillLost)
+        return updateFrame();
+    else if (m_told != Told::Other)
+        m_banner->clear();
+    m_told = message.told;
+    updateFrame();
+}
+
+MainWindow::LinkMessage MainWindow::linkMessage() const
+{
     using drive::LinkState;
     const session::PortError error = m_device.portError();
     const drive::LinkChanged link = m_device.link();
-    QString sentence;
-    auto kind = Banner::Kind::Bad;
-    if (!m_device.portOpen() && error.problem != session::PortProblem::None)
-        sentence = portProblemText(error, m_device.endpoint().path);
-    else if (link.state == LinkState::Lost && m_device.identified())
-        sentence = linkLostText() + QLatin1Char(' ') + linkReasonText(link.reason);
-    else if (link.state == LinkState::Lost)
-        sentence = linkReasonText(link.reason);
-    else if (link.reason == drive::LinkReason::BoardReset && link.state == LinkState::Connected)
-        sentence = linkReasonText(link.reason), kind = Banner::Kind::Warning;
-    else if (m_device.identified() && m_device.answering()
-        && !m_device.identified()->identity.knownFirmware)
-        sentence =
+    const bool known = m_device.identified().has_value();
+    if (!m_device.portOpen() && error.problem != session::PortProblem::None) {
+        const bool lost = error.problem == session::PortProblem::Unplugged;
+        return {Banner::Kind::Bad, portProblemText(error, m_device.endpoint().path),
+            lost ? Told::Loss : Told::Link};
+    }
+    if (link.state == LinkState::Lost && known)
+        return {Banner::Kind::Bad, linkLostText() + QLatin1Char(' ') + linkReasonText(link.reason),
+            Told::Loss};
+    if (link.state == LinkState::Lost)
+        return {Banner::Kind::Bad, linkReasonText(link.reason), Told::Link};
+    if (link.reason == drive::LinkReason::BoardReset && link.state == LinkState::Connected)
+        return {Banner::Kind::Warning, linkReasonText(link.reason), Told::Link};
+    if (known && m_device.answering() && !m_device.identified()->identity.knownFirmware)
+        return {Banner::Kind::Note,
             tr("This firmware is not known: registers are shown raw and nothing is written."),
-        kind = Banner::Kind::Note;
-
-    if (!sentence.isEmpty())
-        m_banner->say(kind, sentence);
-    else if (m_linkBanner)
-        m_banner->clear();
-    m_linkBanner = !sentence.isEmpty();
-    updateFrame();
+            Told::Link};
+    return {};
 }
 
 void MainWindow::updateFrame()
@@ -539,6 +554,29 @@ void MainWindow::confirmLeaving()
     box->open();
 }
 
+void MainWindow::askToDisconnect()
+{
+    auto *box = new QMessageBox(QMessageBox::Warning, tr("Disconnect"), tr("A motor is not idle."),
+        QMessageBox::NoButton, this);
+    box->setObjectName(QStringLiteral("disconnectQuestion"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    box->setInformativeText(
+        tr("Without a connection nothing watches it, and this program cannot stop it."));
+    QPushButton *stop = box->addButton(tr("Stop motors, then disconnect"), QMessageBox::AcceptRole);
+    QPushButton *leave = box->addButton(tr("Leave running"), QMessageBox::DestructiveRole);
+    QPushButton *stay = box->addButton(tr("Stay connected"), QMessageBox::RejectRole);
+    box->setDefaultButton(stay);
+    box->setEscapeButton(stay);
+    connect(box, &QMessageBox::buttonClicked, this, [this, stop, leave](QAbstractButton *button) {
+        if (button == stop)
+            m_parting->begin();
+        else if (button == leave)
+            m_connectBar->disconnectNow();
+    });
+    box->open();
+}
+
 void MainWindow::exportCsv()
 {
     auto *dialog =
@@ -547,7 +585,7 @@ void MainWindow::exportCsv()
     connect(dialog, &ExportDialog::exported, this, [this](const QString &path) {
         const QFileInfo file(path);
         m_settings.exportFolder = file.path();
-        m_linkBanner = false;
+        m_told = Told::Other;
         m_banner->say(Banner::Kind::Note, tr("Exported to %1.").arg(deviceText(file.filePath())));
         if (m_firstSteps->step() == FirstSteps::Step::Save)
             m_firstSteps->finish();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "session/port_list.h"
+#include "widgets/banner.h"
 #include "widgets/settings.h"
 #include "widgets/signal_selection.h"
 #include "widgets/workbench.h"
@@ -15,7 +16,6 @@ class QMenuBar;
 
 namespace widgets {
 
-class Banner;
 class ConnectBar;
 class ControlPanel;
 class FilePrompt;
@@ -63,7 +63,21 @@ private:
     void fillViewMenu(QMenu *menu);
     void fillMotorMenu(QMenu *menu);
     void connectParts();
+    /// What the banner was last used for.
+    enum class Told : std::uint8_t {
+        Other,
+        Link, ///< goes when the link changes
+        Loss, ///< stays until the board answers again
+    };
+    struct LinkMessage {
+        Banner::Kind kind = Banner::Kind::Note;
+        QString sentence; ///< empty: nothing to say
+        Told told = Told::Other;
+    };
+
     void linkChanged();
+    LinkMessage linkMessage() const;
+    void askToDisconnect();
     void stopAdvanced(const drive::StopProgress &progress);
     void updateFrame();
     void askToLeave();
@@ -85,6 +99,7 @@ private:
     StatusStrip *m_status = nullptr;
     StopAlarm *m_alarm;
     Shutdown *m_shutdown;
+    Shutdown *m_parting; ///< the same for a disconnection
     QWidget *m_frame = nullptr; ///< a red line while a real board is armed
     QWidget *m_scopeBar = nullptr;
     QAction *m_run = nullptr;
@@ -95,8 +110,7 @@ private:
     QAction *m_zoomOut = nullptr;
     QAction *m_export = nullptr;
     QList<QAction *> m_dockActions;
-    bool m_linkBanner =
-        false; ///< what the banner says is about the link and goes when that is well again
+    Told m_told = Told::Other;
 };
 
 } // namespace widgets

@@ -47,6 +47,9 @@ StatusStrip::StatusStrip(Device &device, QWidget *parent)
     m_rate = addPart("statusRate");
     m_lost = addPart("statusLost");
     m_bad = addPart("statusBad");
+    m_watchdog = addPart("statusWatchdog");
+    m_watchdog->setToolTip(tr("This drive has no communication time-out: when the link is gone, "
+                              "the motor goes on turning."));
     m_sizes->setToolTip(tr("Negotiated packet sizes: request / answer / stream"));
     m_rate->setToolTip(tr("Bytes received a second, and their share of what the link can carry"));
 
@@ -84,6 +87,7 @@ void StatusStrip::updateLink()
     }
     m_link->show(lightOf(m_device.link().state), text);
     const auto &identified = m_device.identified();
+    m_watchdog->setText(identified ? tr("Drive watchdog: none") : QString());
     m_sizes->setText(identified ? tr("%1 / %2 / %3 B", "sizes in bytes: request, answer, stream")
                                       .arg(QString::number(identified->requestBytes),
                                           QString::number(identified->responseBytes),

@@ -33,6 +33,7 @@ private:
     QLabel *m_rate;
     QLabel *m_lost;
     QLabel *m_bad;
+    QLabel *m_watchdog;
     Milliseconds m_lastTime{};
     std::uint64_t m_lastBytes = 0;
 };

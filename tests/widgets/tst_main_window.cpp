@@ -1,0 +1,151 @@
+#include "support/window_rig.h"
+#include "widgets/banner.h"
+#include "widgets/connect_bar.h"
+#include "widgets/lamp.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QWheelEvent>
+
+using drive::LinkReason;
+using drive::LinkState;
+using widgets::Lamp;
+
+class TestMainWindow : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_rig = std::make_unique<facts::WindowRig>();
+        // The session is left out: what it would be asked is seen here, what it would say is fed by hand.
+        device().disconnect(SIGNAL(openWished(session::Endpoint)));
+        device().disconnect(SIGNAL(closeWished()));
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        QTest::mouseClick(m_rig->find<QPushButton>("connect"), Qt::LeftButton);
+        facts::connectBoard(device());
+    }
+    void cleanup()
+    {
+        device().portChanged(session::PortState::Closed, {});
+        m_rig.reset();
+    }
+
+    void anOpenPortIsNotYetABoard()
+    {
+        feed({LinkState::Connecting, LinkReason::None});
+        QVERIFY(lamp("portLamp")->light() == Lamp::Light::On);
+        QVERIFY(lamp("boardLamp")->light() == Lamp::Light::Waiting);
+        feed({LinkState::Connected, LinkReason::None});
+        QVERIFY(lamp("boardLamp")->light() == Lamp::Light::On);
+        QCOMPARE(lamp("boardLamp")->text(), QStringLiteral("board answering"));
+    }
+
+    void aLostLinkStaysToldUntilTheBoardAnswers()
+    {
+        feed({LinkState::Lost, LinkReason::Silence});
+        QVERIFY(banner()->isVisible());
+        QVERIFY(banner()->kind() == widgets::Banner::Kind::Bad);
+        QVERIFY(banner()->text().startsWith(
+            QStringLiteral("Link lost. The motor may still be turning (this drive has no "
+                           "communication time-out).")));
+        feed({LinkState::Connecting, LinkReason::None});
+        QVERIFY(banner()->isVisible());
+        feed({LinkState::Connected, LinkReason::None});
+        QVERIFY(!banner()->isVisible());
+    }
+
+    void aBoardThatWasNeverMetIsNotSaidToTurnAMotor()
+    {
+        m_rig->find<QPushButton>("connect")->click();
+        device().portChanged(session::PortState::Closed, {});
+        m_rig->find<QPushButton>("connect")->click();
+        device().portChanged(session::PortState::Open, {});
+        feed({LinkState::Lost, LinkReason::NoAnswer});
+        QVERIFY(banner()->text().contains(QStringLiteral("no board answers")));
+        QVERIFY(!banner()->text().contains(QStringLiteral("turning")));
+    }
+
+    void everyReasonIsASentence()
+    {
+        for (int reason = 1; reason <= int(LinkReason::OldProtocol); ++reason) {
+            feed({LinkState::Lost, static_cast<LinkReason>(reason)});
+            QVERIFY(banner()->isVisible());
+            QVERIFY(banner()->text().endsWith(QLatin1Char('.')));
+        }
+    }
+
+    void aSuspectLinkShowsNoValueAsCurrent()
+    {
+        facts::feed(
+            device(), {drive::RegistersRead{{facts::reading(facts::kSpeed, std::int64_t{1500})}}});
+        QVERIFY(m_rig->workbench.registers().shownValue(facts::kSpeed));
+        feed({LinkState::Suspect, LinkReason::None});
+        QVERIFY(!m_rig->workbench.registers().shownValue(facts::kSpeed));
+        QVERIFY(!m_rig->find<QPushButton>("start")->isEnabled());
+    }
+
+    void disconnectingFromATurningMotorAsks()
+    {
+        QSignalSpy closes(&device(), &widgets::Device::closeWished);
+        QSignalSpy stops(&device(), &widgets::Device::stopWished);
+        facts::feed(device(), {facts::status(drive::MotorState::Running)});
+        QTest::keyClick(&m_rig->window, Qt::Key_D, Qt::ControlModifier);
+        QCOMPARE(closes.size(), 0);
+        auto *question = m_rig->find<QMessageBox>("disconnectQuestion");
+        QVERIFY(question);
+        for (QAbstractButton *button : question->buttons())
+            if (question->buttonRole(button) == QMessageBox::AcceptRole)
+                QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(stops.size(), 1);
+        QCOMPARE(closes.size(), 0); // not before there is evidence
+        facts::feed(device(), {facts::status(drive::MotorState::Idle)});
+        QCOMPARE(closes.size(), 1);
+    }
+
+    void disconnectingFromAnIdleMotorDoesNotAsk()
+    {
+        QSignalSpy closes(&device(), &widgets::Device::closeWished);
+        QTest::keyClick(&m_rig->window, Qt::Key_D, Qt::ControlModifier);
+        QCOMPARE(closes.size(), 1);
+    }
+
+    void theWheelChangesNoChoiceWithoutFocus()
+    {
+        auto *baud = m_rig->find<QComboBox>("fastRate");
+        QVERIFY(baud->count() > 2);
+        const int before = baud->currentIndex();
+        m_rig->window.setFocus();
+        QWheelEvent wheel(QPointF(5, 5), baud->mapToGlobal(QPointF(5, 5)), {}, QPoint(0, -120),
+            Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(baud, &wheel);
+        QCOMPARE(baud->currentIndex(), before);
+    }
+
+    void whatIsVisibleIsPolledAndNothingElse()
+    {
+        auto &watch = m_rig->workbench.watchList();
+        QTRY_VERIFY(!watch.registers().empty());
+        const auto &asked = watch.registers();
+        QVERIFY(std::find(asked.begin(), asked.end(), facts::kSpeed)
+            != asked.end()); // the control panel's
+        QVERIFY(
+            std::find(asked.begin(), asked.end(), facts::kAngle) == asked.end()); // cannot be read
+        QVERIFY(std::find(asked.begin(), asked.end(), facts::kFlags)
+            == asked.end()); // its group is closed
+    }
+
+private:
+    widgets::Device &device() { return m_rig->workbench.device(); }
+    widgets::Banner *banner() { return m_rig->find<widgets::Banner>("banner"); }
+    Lamp *lamp(const char *name) { return m_rig->find<Lamp>(name); }
+    void feed(drive::LinkChanged link) { facts::feed(device(), {link}); }
+
+    std::unique_ptr<facts::WindowRig> m_rig;
+};
+
+QTEST_MAIN(TestMainWindow)
+#include "tst_main_window.moc"
