@@ -59,8 +59,7 @@ void Conversation::close()
 {
     if (m_session.closed())
         return;
-    m_heedInterrupt = false;
-    m_broken.reset();
+    m_stopping = true;
     m_session.close();
     (void)waitUntil([this] { return m_session.closed(); }, kFarewell);
 }
@@ -151,7 +150,7 @@ bool Conversation::allStopped(StopWord least) const
 
 Outcome<StopWord> Conversation::stop(Milliseconds standstill)
 {
-    m_heedInterrupt = false;
+    m_stopping = true;
     m_stopWords.clear();
     m_session.stop();
     const auto idle = waitUntil([this] { return allStopped(StopWord::DriveIdle); }, kIdleWithin);
@@ -180,6 +179,13 @@ Outcome<Waited> Conversation::waitUntil(const std::function<bool()> &condition, 
     if (ended())
         return tl::make_unexpected(endReason());
     return Waited::TimeOver;
+}
+
+bool Conversation::ended() const
+{
+    if (m_stopping)
+        return m_session.closed();
+    return m_broken || m_interrupt.number() != 0;
 }
 
 Failure Conversation::endReason() const
@@ -223,8 +229,8 @@ void Conversation::take(const drive::Event &event)
 
 void Conversation::takePort(session::PortState state, const session::PortError &why)
 {
-    m_open = state == session::PortState::Open;
-    if (!m_open && why.problem != session::PortProblem::None)
+    const bool closed = state == session::PortState::Closed;
+    if (closed && why.problem != session::PortProblem::None)
         m_broken = Failure{kNoConnection, sentenceOf(why, m_arguments)};
     Q_EMIT changed();
 }

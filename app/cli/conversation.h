@@ -60,7 +60,7 @@ private:
     void takeBatch(const session::BatchPtr &batch);
     void take(const drive::Event &event);
     void takePort(session::PortState state, const session::PortError &why);
-    bool ended() const { return m_broken || (m_heedInterrupt && m_interrupt.number() != 0); }
+    bool ended() const;
     Failure endReason() const;
     bool allStopped(drive::StopWord least) const;
 
@@ -68,8 +68,8 @@ private:
     const Interrupt &m_interrupt;
     session::Session m_session;
     std::function<void(const drive::Event &)> m_listener;
-    bool m_heedInterrupt = true;
-    bool m_open = false;
+    bool m_stopping =
+        false; ///< neither an interrupt nor a lost link ends this: the drive stops blind
     std::optional<Failure> m_broken; ///< why the connection is no more
     std::optional<drive::Identified> m_board;
     std::map<int, drive::MotorStatus> m_status;

@@ -1,0 +1,81 @@
+// The session in its own thread, as the window has it: it opens, is stopped and ends without being waited for.
+#include "session/session.h"
+#include "session/session_thread.h"
+
+#include <QElapsedTimer>
+#include <QtTest>
+
+#include <optional>
+
+using session::Session;
+using session::SessionThread;
+
+class TestSessionThread : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void theBoardIsIdentifiedFromAnotherThread();
+    void aStopFromThisThreadIsConfirmed();
+    void theThreadEndsSoonWithAPortOpenAndWithout();
+};
+
+namespace {
+
+/// What the window's thread sees: everything arrives there by queued signals.
+struct Viewer : QObject {
+    SessionThread thread;
+    std::optional<drive::Identified> board;
+    std::optional<drive::StopWord> word;
+
+    Viewer()
+    {
+        connect(thread.session(), &Session::batch, this, [this](const session::BatchPtr &batch) {
+            for (const drive::Event &event : batch->events) {
+                if (const auto *identified = std::get_if<drive::Identified>(&event))
+                    board = *identified;
+                else if (const auto *progress = std::get_if<drive::StopProgress>(&event))
+                    word = progress->word;
+            }
+            QMetaObject::invokeMethod(
+                thread.session(), &Session::acknowledge, Qt::QueuedConnection);
+        });
+        Session *session = thread.session();
+        QMetaObject::invokeMethod(
+            session, [session] { session->open({}); }, Qt::QueuedConnection);
+    }
+};
+
+} // namespace
+
+void TestSessionThread::theBoardIsIdentifiedFromAnotherThread()
+{
+    Viewer viewer;
+    QTRY_VERIFY_WITH_TIMEOUT(viewer.board, 20'000);
+    QVERIFY(viewer.thread.session()->thread() != QThread::currentThread());
+}
+
+void TestSessionThread::aStopFromThisThreadIsConfirmed()
+{
+    Viewer viewer;
+    QTRY_VERIFY_WITH_TIMEOUT(viewer.board, 20'000);
+    viewer.thread.session()->stopFromAnyThread();
+    QTRY_COMPARE_WITH_TIMEOUT(viewer.word, std::optional(drive::StopWord::Standstill), 20'000);
+}
+
+void TestSessionThread::theThreadEndsSoonWithAPortOpenAndWithout()
+{
+    QElapsedTimer time;
+    {
+        SessionThread idle;
+        time.start();
+    }
+    QVERIFY2(time.elapsed() < 1900, qPrintable(QString::number(time.elapsed())));
+    {
+        Viewer viewer;
+        QTRY_VERIFY_WITH_TIMEOUT(viewer.board, 20'000);
+        time.start();
+    }
+    QVERIFY2(time.elapsed() < 1900, qPrintable(QString::number(time.elapsed())));
+}
+
+QTEST_GUILESS_MAIN(TestSessionThread)
+#include "tst_session_thread.moc"
