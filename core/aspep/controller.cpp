@@ -12,6 +12,8 @@ using namespace std::chrono_literals;
 
 namespace {
 
+/// While a packet still waits to be written nobody can have lost it: a busy host gets this much more time.
+constexpr Duration kUnsentGrace = 250ms;
 constexpr Duration kTornGrace = 30ms; ///< beyond the wire time of what is missing
 constexpr Duration kRestAfterNack =
     10ms; ///< the Performer listens again after the next idle line only
@@ -169,7 +171,7 @@ void Controller::onNack(TimePoint now)
     if (blind())
         return;
     m_replyDue.reset(); // an answer of a kind: the Performer is done with what was sent
-    m_echoesLeft = std::max(m_echoesLeft, 2);
+    damage();
     if (m_state == State::Connected)
         recover(now);
     if (m_step != Step::Draining)
@@ -200,10 +202,16 @@ void Controller::countFault(Framer::Step what)
     }
 }
 
+void Controller::damage()
+{
+    m_damaged = true;
+    m_echoesLeft = std::max(m_echoesLeft, 2);
+}
+
 void Controller::onFault(Framer::Step what, TimePoint now)
 {
     countFault(what);
-    m_echoesLeft = std::max(m_echoesLeft, 2);
+    damage();
     if (hurried())
         return;
     if (m_state == State::Connected)
@@ -219,7 +227,7 @@ void Controller::onTorn(TimePoint now)
         m_framer.resynchronise();
         return;
     }
-    m_echoesLeft = std::max(m_echoesLeft, 2);
+    damage();
     if (m_state == State::Connected)
         recover(now);
     if (m_framer.missing() > kShortTail)
@@ -387,7 +395,7 @@ void Controller::sendData(ByteView payload, Duration gap, TimePoint now)
 
 void Controller::awaitReply(TimePoint from)
 {
-    m_replyDue = from + responseTimeout();
+    m_replyDue = from + responseTimeout() + kUnsentGrace;
     m_sentPending = true;
 }
 

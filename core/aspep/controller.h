@@ -161,6 +161,7 @@ private:
     void onNack(TimePoint now);
     void onFault(Framer::Step what, TimePoint now);
     void onTorn(TimePoint now);
+    void damage();
     void onStepOver(TimePoint now);
     void onReplyTimeout(TimePoint now);
     void countFault(Framer::Step what);
@@ -233,6 +234,7 @@ private:
     int m_rounds = 0; ///< how often the dialogue had to go back
     int m_echoesLeft = 1; ///< exact echoes still wanted before the Ping
     bool m_probed = false;
+    bool m_damaged = false; ///< something bad was heard: only Beacon and Ping mend that
 
     std::vector<Output> m_output;
     std::vector<Event> m_events;

@@ -2,9 +2,10 @@
 // then a Ping.
 //
 // A recovery begins with a Ping: a board that was reset says so only before it has heard a matching
-// Beacon. Then the agreed Beacon must come back exactly, twice: the first echo shows that the line
-// is in step, the second that the first was no late answer and that nothing which came before is
-// still under way.
+// Beacon. Where nothing bad was heard, only nothing at all, its reply is enough: the board is there
+// and connected, and its stream goes on. Else the agreed Beacon must come back exactly, twice: the
+// first echo shows that the line is in step, the second that the first was no late answer and that
+// nothing which came before is still under way.
 #include "aspep/controller.h"
 
 #include <algorithm>
@@ -86,7 +87,7 @@ void Controller::onBeacon(const Beacon &answer, TimePoint now)
     ++m_stats.unexpected;
     if (blind())
         return;
-    m_echoesLeft = std::max(m_echoesLeft, 2);
+    damage();
     if (m_step == Step::Settling) {
         m_restUntil = now + m_config.hostLatency;
     } else if (m_state == State::Connected) {
@@ -137,9 +138,9 @@ void Controller::onPing(const Ping &reply, TimePoint now)
     if (!reply.configured)
         return onNotConfigured(now);
     m_linkId = reply.linkId;
-    if (m_step == Step::Probing)
+    if (m_step == Step::Probing && m_damaged)
         return offer(now);
-    if (m_step == Step::Pinging)
+    if (m_step == Step::Probing || m_step == Step::Pinging)
         return enterConnected(reply, now);
     m_step = Step::None;
     m_parity = reply.parity;
@@ -158,6 +159,7 @@ void Controller::enterConnected(const Ping &reply, TimePoint now)
     m_step = Step::None;
     m_attempts = m_rounds = 0;
     m_echoesLeft = 1;
+    m_damaged = false;
     m_suspect = false;
     if (recovered)
         m_events.push_back(Recovered{});
