@@ -76,8 +76,8 @@ std::optional<TimePoint> McpDrive::nextTimeout() const
         consider(m_closeBy);
     if (m_stop.active()) {
         consider(m_stop.nextAlarm());
-        consider(
-            m_stopUnderWay ? m_stopSince + StopSequence::kRepeat : m_stop.nextStop(connected()));
+        if (const auto next = m_stop.nextStop(connected(), m_workedAt))
+            consider(m_stopUnderWay ? std::max(*next, m_stopSince + StopSequence::kRepeat) : *next);
     }
     // What is due already and was not sent waits for something else, which has its own timer.
     const auto considerLater = [&](std::optional<TimePoint> at) {

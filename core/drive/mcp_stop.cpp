@@ -89,13 +89,14 @@ void StopSequence::handleTimeout(TimePoint now)
             tell(motor, StopWord::NotConfirmed, now);
 }
 
-std::optional<TimePoint> StopSequence::nextStop(bool connected) const
+std::optional<TimePoint> StopSequence::nextStop(bool connected, TimePoint now) const
 {
     std::optional<TimePoint> due;
     for (const Motor &motor : m_motors)
-        if (!motor.idle && (connected || motor.nextStop < blindUntil())
-            && (!due || motor.nextStop < *due))
+        if (!motor.idle && (!due || motor.nextStop < *due))
             due = motor.nextStop;
+    if (due && !connected && std::max(*due, now) >= blindUntil())
+        return std::nullopt;
     return due;
 }
 

@@ -45,7 +45,7 @@ public:
     void takeStatus(const MotorStatus &status, TimePoint askedAt);
     void handleTimeout(TimePoint now);
     /// When the next STOP or the alarm is due.
-    std::optional<TimePoint> nextStop(bool connected) const;
+    std::optional<TimePoint> nextStop(bool connected, TimePoint now) const;
     std::optional<TimePoint> nextAlarm() const;
 
     std::vector<StopProgress> takeProgress() { return std::exchange(m_progress, {}); }
