@@ -12,8 +12,8 @@ namespace simulation {
 
 struct BoardOptions;
 
-constexpr std::string_view kControlStageName = "Rotorscope simulated";
-constexpr std::string_view kPowerStageName = "Sim 24V stage";
+constexpr std::string_view kControlStageName = "Simulated-G4";
+constexpr std::string_view kPowerStageName = "Simulated24V";
 constexpr std::string_view kMotorName = "Sim PMSM 24V";
 
 // Each without the size that goes in front of it on the wire.
