@@ -43,10 +43,10 @@ QString sentenceOf(const session::PortError &error, const Arguments &arguments)
     case PortProblem::BadSpeed:
         return QStringLiteral("%1 cannot do %2 baud; choose another speed with --baud.")
             .arg(port, QString::number(arguments.baud));
-    case PortProblem::Unplugged:
+    case PortProblem::Unplugged: // the system's own words for it are left-overs of another call
         return QStringLiteral(
-            "The connection to %1 broke%2; check the cable. A motor may still be turning.")
-            .arg(port, detail);
+            "The connection to %1 broke; check the cable. A motor may still be turning.")
+            .arg(port);
     case PortProblem::BadFile:
         return QStringLiteral("%1 is no recorded session.").arg(port);
     case PortProblem::Other:

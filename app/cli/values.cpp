@@ -40,7 +40,7 @@ QString textOf(const std::string_view &text)
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-/// Six digits: what a scale of a 16-bit number can carry, without the noise of a product of two binary fractions.
+/// Seven digits: more than a scale of a 16-bit number needs, without the noise of a product of two binary fractions.
 QString shownText(double value) { return QString::number(value, 'g', 7); }
 
 QStringList flagsOf(const RegisterInfo &info, std::int64_t number)
