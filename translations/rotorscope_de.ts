@@ -640,6 +640,14 @@
         <source>Speed ramp</source>
         <translation>Drehzahlrampe</translation>
     </message>
+    <message>
+        <source>Stop (Esc)</source>
+        <translation>Stopp (Esc)</translation>
+    </message>
+    <message>
+        <source>Faults are not known</source>
+        <translation>Fehler sind nicht bekannt</translation>
+    </message>
 </context>
 <context>
     <name>widgets::ExportDialog</name>
@@ -991,6 +999,36 @@
         <source>Exported to %1.</source>
         <translation>Exportiert nach %1.</translation>
     </message>
+    <message>
+        <source>Running</source>
+        <comment>the scope&apos;s picture moves</comment>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <comment>the scope&apos;s picture stands still</comment>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>A motor is not idle.</source>
+        <translation>Ein Motor ist nicht in Ruhe.</translation>
+    </message>
+    <message>
+        <source>Without a connection nothing watches it, and this program cannot stop it.</source>
+        <translation>Ohne Verbindung überwacht ihn nichts, und dieses Programm kann ihn nicht stoppen.</translation>
+    </message>
+    <message>
+        <source>Stop motors, then disconnect</source>
+        <translation>Motoren stoppen, dann trennen</translation>
+    </message>
+    <message>
+        <source>Stay connected</source>
+        <translation>Verbunden bleiben</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterModel</name>
@@ -1188,6 +1226,14 @@
         <source>%1 kB/s (%2 %)</source>
         <comment>received, percent of the link</comment>
         <translation>%1 kB/s (%2 %)</translation>
+    </message>
+    <message>
+        <source>This drive has no communication time-out: when the link is gone, the motor goes on turning.</source>
+        <translation>Dieser Antrieb hat keine Zeitüberwachung der Kommunikation: Reißt die Verbindung ab, dreht der Motor weiter.</translation>
+    </message>
+    <message>
+        <source>Drive watchdog: none</source>
+        <translation>Überwachung im Antrieb: keine</translation>
     </message>
 </context>
 <context>

@@ -640,6 +640,14 @@
         <source>Speed ramp</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Stop (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Faults are not known</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::ExportDialog</name>
@@ -991,6 +999,36 @@
         <source>Exported to %1.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Running</source>
+        <comment>the scope&apos;s picture moves</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <comment>the scope&apos;s picture stands still</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A motor is not idle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without a connection nothing watches it, and this program cannot stop it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop motors, then disconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stay connected</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterModel</name>
@@ -1187,6 +1225,14 @@
     <message>
         <source>%1 kB/s (%2 %)</source>
         <comment>received, percent of the link</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This drive has no communication time-out: when the link is gone, the motor goes on turning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive watchdog: none</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -129,6 +129,7 @@ QWidget *ControlPanel::makeCommands()
     m_start->setMinimumHeight(48);
     m_stop = new StopButton(box);
     m_stop->setObjectName(QStringLiteral("stop"));
+    m_stop->setText(tr("Stop (Esc)"));
     m_acknowledge = new MotorButton(tr("Acknowledge faults"), box);
     m_acknowledge->setObjectName(QStringLiteral("acknowledge"));
 
@@ -313,9 +314,11 @@ void ControlPanel::updateState()
     const drive::MotorStatus status = m_device.status(m_device.motor());
     const bool believed = m_device.answering();
     QString text = believed ? motorStateText(status.state) : linkStateText(m_device.link().state);
+    // The firmware's own word where several of its states are one of ours.
+    const bool several =
+        status.state == drive::MotorState::Starting || status.state == drive::MotorState::Unknown;
     const QString name = deviceText(status.stateName);
-    if (believed && !name.isEmpty()
-        && !text.startsWith(name, Qt::CaseInsensitive)) // "Idle (IDLE)" says nothing more
+    if (believed && several && !name.isEmpty())
         text += QStringLiteral(" (%1)").arg(name);
     m_state->setText(text);
     m_state->setEnabled(believed);
@@ -334,11 +337,12 @@ void ControlPanel::updateState()
     QPalette red = palette();
     red.setColor(QPalette::WindowText, Lamp::colorOf(Lamp::Light::Bad, palette()));
     m_faultsNow->setPalette(status.faultsNow.empty() ? palette() : red);
-    m_faultsNow->setText(status.faultsNow.empty()
+    m_faultsNow->setText(!believed ? tr("Faults are not known")
+            : status.faultsNow.empty()
             ? tr("No fault present")
             : QStringLiteral("\u2716 ") + tr("Present: %1").arg(joined(status.faultsNow)));
     m_faultsNow->setEnabled(believed);
-    m_faultsPast->setVisible(!status.faultsPast.empty());
+    m_faultsPast->setVisible(believed && !status.faultsPast.empty());
     m_faultsPast->setText(tr("To acknowledge: %1").arg(joined(status.faultsPast)));
     updateButtons();
 }

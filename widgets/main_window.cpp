@@ -37,6 +37,7 @@ namespace widgets {
 namespace {
 
 constexpr int kRegisterWidth = 304;
+constexpr int kRegisterMinimum = 240;
 constexpr int kControlWidth = 268;
 constexpr int kLayoutVersion = 1;
 
@@ -178,6 +179,10 @@ void MainWindow::makeScopeActions()
     m_zoomIn->setToolTip(tr("Shows half the time (+)"));
     m_zoomOut = make(tr("Zoom out"), Qt::Key_Minus, [this] { m_scope->zoom(0.5); });
     m_zoomOut->setToolTip(tr("Shows twice the time (\u2212)"));
+    // The bar has little room, and less in other languages; menus and screen readers get the words.
+    m_fitValues->setIconText(QStringLiteral("\u2195"));
+    m_zoomIn->setIconText(QStringLiteral("+"));
+    m_zoomOut->setIconText(QStringLiteral("\u2212"));
     connect(m_scope, &ScopeView::runningChanged, this, &MainWindow::showRunning);
     showRunning(m_scope->running());
     connect(m_scope, &ScopeView::followingChanged, m_follow, &QAction::setChecked);
@@ -252,6 +257,7 @@ QWidget *MainWindow::makeCentre()
 void MainWindow::makeDocks()
 {
     m_registerPanel = new RegisterPanel(m_workbench.registers(), this);
+    m_registerPanel->setMinimumWidth(kRegisterMinimum);
     m_control = new ControlPanel(m_device, m_workbench.registers(), this);
     auto *scroll = new QScrollArea(this);
     scroll->setFrameShape(QFrame::NoFrame);

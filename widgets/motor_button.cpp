@@ -53,7 +53,7 @@ StopButton::StopButton(QWidget *parent)
 QSize StopButton::sizeHint() const
 {
     const int width = fontMetrics().horizontalAdvance(text()) + 2 * kStopPadding;
-    return {std::max(width, 150), kStopHeight};
+    return {std::max(width, 130), kStopHeight};
 }
 
 void StopButton::keyPressEvent(QKeyEvent *event)

@@ -1,5 +1,6 @@
 #include "support/window_rig.h"
 #include "widgets/about_dialog.h"
+#include "widgets/scope/scope_view.h"
 #include "widgets/stop_alarm.h"
 #include "widgets/theme.h"
 
@@ -7,6 +8,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QScrollArea>
+#include <QTranslator>
 
 class TestAccessibility : public QObject {
     Q_OBJECT
@@ -75,13 +77,23 @@ private Q_SLOTS:
     void nothingIsCutAtTheSmallestSize_data()
     {
         QTest::addColumn<int>("theme");
-        QTest::newRow("light") << int(widgets::Theme::Light);
-        QTest::newRow("dark") << int(widgets::Theme::Dark);
+        QTest::addColumn<QString>("language");
+        QTest::newRow("light") << int(widgets::Theme::Light) << QString();
+        QTest::newRow("dark") << int(widgets::Theme::Dark) << QString();
+        QTest::newRow("German") << int(widgets::Theme::Light) << QStringLiteral("de");
     }
     void nothingIsCutAtTheSmallestSize()
     {
         QFETCH(int, theme);
+        QFETCH(QString, language);
         widgets::applyTheme(static_cast<widgets::Theme>(theme));
+        QTranslator translator;
+        if (!language.isEmpty()) {
+            QVERIFY(translator.load(QStringLiteral(":/i18n/rotorscope_") + language));
+            QCoreApplication::installTranslator(&translator);
+            cleanup();
+            init();
+        }
         m_rig->window.resize(1280, 720);
         QCoreApplication::processEvents();
         QCOMPARE(m_rig->window.size(), QSize(1280, 720));
@@ -96,6 +108,8 @@ private Q_SLOTS:
             QVERIFY2(m_rig->window.rect().contains(place), name);
             QVERIFY2(widget->visibleRegion().boundingRect() == widget->rect(), name);
         }
+        QVERIFY(m_rig->find<QWidget>("registerTree")->width() >= 220);
+        QVERIFY(m_rig->window.scope()->width() >= 400);
     }
 
     void theStopButtonCannotBeHidden()

@@ -116,7 +116,7 @@ private Q_SLOTS:
             board.identity.motorNames = {text};
             board.identity.protocol = text;
             board.capabilities = {{drive::Feature::Start, false, text}};
-            drive::MotorStatus status = facts::status(drive::MotorState::FaultOver);
+            drive::MotorStatus status = facts::status(drive::MotorState::Starting);
             status.stateName = text;
             status.faultsNow = {text};
             status.faultsPast = {text};
