@@ -58,7 +58,10 @@ std::optional<TimeSpan> Channel::timeSpan() const
 {
     if (empty())
         return std::nullopt;
-    return TimeSpan{toSeconds(timeOf(begin())), toSeconds(holdUntil(end() - 1))};
+    const Nanos last = timeOf(end() - 1);
+    // That a polled value may still be true says nothing about how long was recorded.
+    const Nanos until = m_info.kind == ChannelInfo::Kind::Polled ? last + 1 : holdUntil(end() - 1);
+    return TimeSpan{toSeconds(timeOf(begin())), toSeconds(until)};
 }
 
 MinMax Channel::shown(CodeRange range) const

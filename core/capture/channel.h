@@ -64,7 +64,7 @@ public:
     Index atOrAfter(Nanos time) const;
     Nanos holdUntil(Index index) const; ///< until when that sample's value is known to be true
 
-    /// [first sample, end of the last one's hold); nullopt if there is no sample.
+    /// [first sample, end of the last one's step); a polled value ends where it begins. nullopt if there is no sample.
     std::optional<TimeSpan> timeSpan() const;
 
     /// Extremes of the samples in [from, to); exact. empty() if there are none.

@@ -86,7 +86,7 @@ public:
 
 private:
     struct Entry {
-        std::array<char, kCodeWidth - 1> text;
+        std::array<char, kCodeWidth - 1> text{};
         std::uint8_t size = 0;
     };
     static_assert(sizeof(Entry) == kCodeWidth);
@@ -166,7 +166,7 @@ std::string csvHeading(const ChannelInfo &channel)
 
 std::string csvTime(Nanos time)
 {
-    std::array<char, kTimeWidth> text;
+    std::array<char, kTimeWidth> text{};
     return {text.data(), writeTime(text.data(), time)};
 }
 

@@ -63,8 +63,8 @@ public:
 private:
     static constexpr std::size_t kBlock = 64;
     struct Chunk {
-        std::array<Nanos, kChunkSamples> times;
-        std::array<double, kChunkSamples> values;
+        std::array<Nanos, kChunkSamples> times{};
+        std::array<double, kChunkSamples> values{};
         std::array<MinMax, kChunkSamples / kBlock> ranges;
     };
     static std::size_t inChunk(Index index)

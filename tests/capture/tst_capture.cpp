@@ -329,6 +329,7 @@ void TestCapture::polledValuesAreTheirOwnChannel()
     QCOMPARE(capture.size(id), std::uint64_t(3));
     QCOMPARE(capture.valueAt(id, 1.25), std::optional(1500.25));
     QCOMPARE(capture.valueAt(id, 3.0), std::optional(1600.5));
+    QVERIFY(capture.timeSpan(id)->to < 10.001);
     QVERIFY(!capture.valueAt(id, 4.0)); // nobody has asked for too long
     QCOMPARE(capture.channel(id)->gaps(0, 20, 0).size(), std::size_t(1));
     QCOMPARE(capture.refused().backwards + capture.refused().notFinite, std::uint64_t(2));

@@ -256,13 +256,15 @@ std::optional<double> PlotStack::newestSample() const
     return newest;
 }
 
-void PlotStack::adoptChannels()
+bool PlotStack::adoptChannels()
 {
+    bool changed = false;
     std::vector<capture::ChannelId> lost;
     for (const auto &plot : m_plots) {
         for (Trace &trace : plot->traces) {
             if (m_capture.channel(trace.channel))
                 continue;
+            changed = true;
             const auto successor = m_capture.find(trace.info.registerId, trace.info.kind);
             if (successor && plotOf(*successor) < 0) {
                 trace.channel = *successor;
@@ -274,6 +276,7 @@ void PlotStack::adoptChannels()
     }
     for (const capture::ChannelId channel : lost)
         remove(channel);
+    return changed;
 }
 
 void PlotStack::select(std::optional<capture::ChannelId> channel)

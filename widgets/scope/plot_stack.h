@@ -34,7 +34,7 @@ public:
     QColor colorOf(capture::ChannelId channel) const;
     std::optional<double> newestSample() const; ///< seconds; of the traces shown
     /// Follows registers into their new channels after the capture was cleared; drops those that have none.
-    void adoptChannels();
+    bool adoptChannels(); ///< true if anything changed
     void select(std::optional<capture::ChannelId> channel);
     std::optional<capture::ChannelId> selected() const;
 

@@ -37,6 +37,7 @@ bool ScopeMouse::eventFilter(QObject *, QEvent *event)
 {
     switch (event->type()) {
     case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick: // two quick clicks are two clicks
         return press(*static_cast<QMouseEvent *>(event));
     case QEvent::MouseMove:
         return move(*static_cast<QMouseEvent *>(event));

@@ -126,8 +126,8 @@ int ScopeView::axisCount(int plot) const
 
 void ScopeView::captureChanged()
 {
-    if (m_capture.revision() != m_drawnRevision)
-        m_stack->adoptChannels();
+    if (m_capture.revision() != m_drawnRevision && m_stack->adoptChannels())
+        updateDescription();
     if (m_running && m_capture.revision() != m_drawnRevision)
         redraw();
 }

@@ -100,10 +100,15 @@ void WaveformPlottable::shadeGaps(QCPPainter *painter) const
 {
     const QCPRange range = keyAxis()->range();
     const double pixel = range.size() / std::max(1, m_scopePlot.rect->width());
+    // A slow value is unknown for longer than the loss itself: where fast signals are shown, theirs are the gaps.
+    using Kind = capture::ChannelInfo::Kind;
+    Kind kind = Kind::Polled;
+    for (const Trace &trace : m_scopePlot.traces)
+        kind = std::min(kind, trace.info.kind);
     std::vector<capture::TimeSpan> gaps;
     for (const Trace &trace : m_scopePlot.traces) {
         const capture::Channel *channel = m_capture.channel(trace.channel);
-        if (!channel || trace.info.kind == capture::ChannelInfo::Kind::Polled)
+        if (!channel || trace.info.kind != kind || kind == Kind::Polled)
             continue;
         const auto own = channel->gaps(range.lower, range.upper, pixel);
         gaps.insert(gaps.end(), own.begin(), own.end());
