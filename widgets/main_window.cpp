@@ -1,6 +1,5 @@
 #include "widgets/main_window.h"
 
-#include "widgets/about_dialog.h"
 #include "widgets/banner.h"
 #include "widgets/channel_strip.h"
 #include "widgets/connect_bar.h"
@@ -18,17 +17,13 @@
 #include "widgets/shutdown.h"
 #include "widgets/status_strip.h"
 #include "widgets/stop_alarm.h"
-#include "widgets/theme.h"
 
-#include <QActionGroup>
-#include <QCloseEvent>
 #include <QDockWidget>
+#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QPainter>
-#include <QPushButton>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -286,116 +281,6 @@ void MainWindow::makeDocks()
         Qt::Horizontal);
 }
 
-QAction *MainWindow::addAction(QMenu *menu, const QString &text, const QKeySequence &keys)
-{
-    QAction *action = menu->addAction(text);
-    action->setShortcut(keys);
-    QMainWindow::addAction(action);
-    return action;
-}
-
-void MainWindow::makeMenus(QMenuBar &bar)
-{
-    QMenu *file = bar.addMenu(tr("&File"));
-    file->addAction(m_export);
-    file->addSeparator();
-    connect(addAction(file, tr("&Quit"), Qt::CTRL | Qt::Key_Q), &QAction::triggered, this,
-        &QWidget::close);
-
-    fillViewMenu(bar.addMenu(tr("&View")));
-
-    QMenu *device = bar.addMenu(tr("&Device"));
-    connect(addAction(device, tr("&Connect or disconnect"), Qt::CTRL | Qt::Key_D),
-        &QAction::triggered, m_connectBar, &ConnectBar::connectOrDisconnect);
-    connect(addAction(device, tr("&Refresh the list of ports"), Qt::Key_F5), &QAction::triggered,
-        m_connectBar, &ConnectBar::refreshPorts);
-
-    fillMotorMenu(bar.addMenu(tr("&Motor")));
-
-    QMenu *scope = bar.addMenu(tr("&Scope"));
-    scope->addActions({m_run, m_follow});
-    scope->addSeparator();
-    scope->addActions({m_fit, m_fitValues, m_zoomIn, m_zoomOut});
-    connect(addAction(scope, tr("&Earlier"), Qt::CTRL | Qt::Key_Left), &QAction::triggered, m_scope,
-        [this] { m_scope->pan(-0.25); });
-    connect(addAction(scope, tr("&Later"), Qt::CTRL | Qt::Key_Right), &QAction::triggered, m_scope,
-        [this] { m_scope->pan(0.25); });
-    scope->addSeparator();
-    connect(addAction(scope, tr("&Clear what was recorded")), &QAction::triggered, m_selection,
-        &SignalSelection::clearRecorded);
-
-    QMenu *help = bar.addMenu(tr("&Help"));
-    connect(addAction(help, tr("&First steps")), &QAction::triggered, m_firstSteps,
-        &FirstSteps::restart);
-    connect(addAction(help, tr("&Keys"), Qt::Key_F1), &QAction::triggered, this,
-        [this] { showKeys(this); });
-    connect(addAction(help, tr("&About Rotorscope")), &QAction::triggered, this,
-        [this] { showAbout(this); });
-}
-
-void MainWindow::fillViewMenu(QMenu *menu)
-{
-    menu->addActions(m_dockActions);
-    connect(addAction(menu, tr("&Find a register"), Qt::CTRL | Qt::Key_K), &QAction::triggered,
-        this, [this] {
-            m_registerDock->show();
-            m_registerPanel->focusSearch();
-        });
-    menu->addSeparator();
-    QMenu *themes = menu->addMenu(tr("&Theme"));
-    auto *group = new QActionGroup(this);
-    const std::pair<Theme, QString> choices[] = {{Theme::System, tr("Like the &system")},
-        {Theme::Light, tr("&Light")}, {Theme::Dark, tr("&Dark")}};
-    for (const auto &[theme, text] : choices) {
-        QAction *action = themes->addAction(text);
-        action->setCheckable(true);
-        action->setChecked(theme == m_settings.theme);
-        group->addAction(action);
-        connect(action, &QAction::triggered, this, [this, chosen = theme] {
-            m_settings.theme = chosen;
-            applyTheme(chosen);
-        });
-    }
-    QAction *full = addAction(menu, tr("F&ull screen"), Qt::Key_F11);
-    full->setCheckable(true);
-    connect(
-        full, &QAction::triggered, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
-}
-
-void MainWindow::fillMotorMenu(QMenu *menu)
-{
-    // The tab shows the key without taking it: Esc belongs to the filter that also works under dialogs.
-    connect(menu->addAction(tr("St&op motors") + QStringLiteral("\tEsc")), &QAction::triggered,
-        &m_device, &Device::stop);
-    menu->addSeparator();
-    QAction *arm = menu->addAction(tr("A&rm"));
-    arm->setCheckable(true);
-    connect(arm, &QAction::triggered, m_control, [this, arm] {
-        m_control->toggleArmed();
-        arm->setChecked(m_device.armed());
-    });
-    connect(&m_device, &Device::armedStateChanged, arm, &QAction::setChecked);
-    QAction *start = addAction(menu, tr("&Start"), Qt::CTRL | Qt::Key_Return);
-    start->setShortcuts({Qt::CTRL | Qt::Key_Return, Qt::CTRL | Qt::Key_Enter});
-    start->setAutoRepeat(false);
-    connect(start, &QAction::triggered, m_control, &ControlPanel::start);
-    QAction *acknowledge = addAction(menu, tr("&Acknowledge faults"), Qt::CTRL | Qt::Key_Backspace);
-    acknowledge->setAutoRepeat(false);
-    connect(acknowledge, &QAction::triggered, m_control, &ControlPanel::acknowledge);
-    menu->addSeparator();
-    connect(menu->addAction(tr("&Go to the set-point")), &QAction::triggered, m_control,
-        &ControlPanel::go);
-    connect(menu->addAction(tr("S&top the ramp")), &QAction::triggered, m_control,
-        &ControlPanel::stopRamp);
-    connect(menu, &QMenu::aboutToShow, this, [this, arm, start, acknowledge] {
-        arm->setChecked(m_device.armed());
-        arm->setEnabled(m_device.answering());
-        start->setToolTip(plainToolTip(m_control->startHint()));
-        acknowledge->setToolTip(plainToolTip(m_control->acknowledgeHint()));
-    });
-    menu->setToolTipsVisible(true);
-}
-
 void MainWindow::connectParts()
 {
     const auto note = [this](const QString &sentence) {
@@ -500,87 +385,6 @@ void MainWindow::stopAdvanced(const drive::StopProgress &progress)
         m_alarm->raiseAlarm(progress.motor);
     else if (progress.word == drive::StopWord::Standstill)
         m_alarm->confirmedLate();
-}
-
-void MainWindow::closeEvent(QCloseEvent *event)
-{
-    if (!m_shutdown->mayEnd()) {
-        event->ignore();
-        m_banner->say(
-            Banner::Kind::Warning, tr("Stopping the motors before Rotorscope ends\u2026"));
-        m_shutdown->begin();
-        return;
-    }
-    m_device.close();
-    event->accept();
-    Q_EMIT closed();
-}
-
-void MainWindow::askToLeave()
-{
-    auto *box = new QMessageBox(QMessageBox::Warning, tr("Stop motors"), stopNotConfirmedText(),
-        QMessageBox::NoButton, this);
-    box->setObjectName(QStringLiteral("leaveQuestion"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setTextFormat(Qt::PlainText);
-    box->setInformativeText(
-        tr("Rotorscope has told every motor to stop, but there is no evidence that they did."));
-    QPushButton *again = box->addButton(tr("Try again"), QMessageBox::RejectRole);
-    QPushButton *leave =
-        box->addButton(tr("End Rotorscope all the same\u2026"), QMessageBox::DestructiveRole);
-    box->setDefaultButton(again);
-    box->setEscapeButton(again);
-    connect(box, &QMessageBox::buttonClicked, this, [this, leave](QAbstractButton *button) {
-        if (button == leave)
-            confirmLeaving();
-        else
-            m_shutdown->begin();
-    });
-    box->open();
-}
-
-void MainWindow::confirmLeaving()
-{
-    auto *box = new QMessageBox(QMessageBox::Warning, tr("Leave running?"),
-        tr("Leave the motors as they are?"), QMessageBox::NoButton, this);
-    box->setObjectName(QStringLiteral("leaveRunning"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setTextFormat(Qt::PlainText);
-    box->setInformativeText(tr("They may go on turning, and nothing will watch them."));
-    QPushButton *stay = box->addButton(tr("Stay"), QMessageBox::RejectRole);
-    QPushButton *leave = box->addButton(tr("Leave running"), QMessageBox::DestructiveRole);
-    box->setDefaultButton(stay);
-    box->setEscapeButton(stay);
-    connect(box, &QMessageBox::buttonClicked, this, [this, leave](QAbstractButton *button) {
-        if (button != leave)
-            return;
-        m_shutdown->leaveRunning();
-        close();
-    });
-    box->open();
-}
-
-void MainWindow::askToDisconnect()
-{
-    auto *box = new QMessageBox(QMessageBox::Warning, tr("Disconnect"), tr("A motor is not idle."),
-        QMessageBox::NoButton, this);
-    box->setObjectName(QStringLiteral("disconnectQuestion"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setTextFormat(Qt::PlainText);
-    box->setInformativeText(
-        tr("Without a connection nothing watches it, and this program cannot stop it."));
-    QPushButton *stop = box->addButton(tr("Stop motors, then disconnect"), QMessageBox::AcceptRole);
-    QPushButton *leave = box->addButton(tr("Leave running"), QMessageBox::DestructiveRole);
-    QPushButton *stay = box->addButton(tr("Stay connected"), QMessageBox::RejectRole);
-    box->setDefaultButton(stay);
-    box->setEscapeButton(stay);
-    connect(box, &QMessageBox::buttonClicked, this, [this, stop, leave](QAbstractButton *button) {
-        if (button == stop)
-            m_parting->begin();
-        else if (button == leave)
-            m_connectBar->disconnectNow();
-    });
-    box->open();
 }
 
 void MainWindow::exportCsv()

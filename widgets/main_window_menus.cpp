@@ -1,0 +1,128 @@
+// The menus of the main window: only entries that work, each key given once.
+#include "widgets/about_dialog.h"
+#include "widgets/connect_bar.h"
+#include "widgets/control_panel.h"
+#include "widgets/device_text.h"
+#include "widgets/first_steps.h"
+#include "widgets/main_window.h"
+#include "widgets/register_panel.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/theme.h"
+
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QMenuBar>
+
+namespace widgets {
+
+QAction *MainWindow::addAction(QMenu *menu, const QString &text, const QKeySequence &keys)
+{
+    QAction *action = menu->addAction(text);
+    action->setShortcut(keys);
+    QMainWindow::addAction(action);
+    return action;
+}
+
+void MainWindow::makeMenus(QMenuBar &bar)
+{
+    QMenu *file = bar.addMenu(tr("&File"));
+    file->addAction(m_export);
+    file->addSeparator();
+    connect(addAction(file, tr("&Quit"), Qt::CTRL | Qt::Key_Q), &QAction::triggered, this,
+        &QWidget::close);
+
+    fillViewMenu(bar.addMenu(tr("&View")));
+
+    QMenu *device = bar.addMenu(tr("&Device"));
+    connect(addAction(device, tr("&Connect or disconnect"), Qt::CTRL | Qt::Key_D),
+        &QAction::triggered, m_connectBar, &ConnectBar::connectOrDisconnect);
+    connect(addAction(device, tr("&Refresh the list of ports"), Qt::Key_F5), &QAction::triggered,
+        m_connectBar, &ConnectBar::refreshPorts);
+
+    fillMotorMenu(bar.addMenu(tr("&Motor")));
+
+    QMenu *scope = bar.addMenu(tr("&Scope"));
+    scope->addActions({m_run, m_follow});
+    scope->addSeparator();
+    scope->addActions({m_fit, m_fitValues, m_zoomIn, m_zoomOut});
+    connect(addAction(scope, tr("&Earlier"), Qt::CTRL | Qt::Key_Left), &QAction::triggered, m_scope,
+        [this] { m_scope->pan(-0.25); });
+    connect(addAction(scope, tr("&Later"), Qt::CTRL | Qt::Key_Right), &QAction::triggered, m_scope,
+        [this] { m_scope->pan(0.25); });
+    scope->addSeparator();
+    connect(addAction(scope, tr("&Clear what was recorded")), &QAction::triggered, m_selection,
+        &SignalSelection::clearRecorded);
+
+    QMenu *help = bar.addMenu(tr("&Help"));
+    connect(addAction(help, tr("&First steps")), &QAction::triggered, m_firstSteps,
+        &FirstSteps::restart);
+    connect(addAction(help, tr("&Keys"), Qt::Key_F1), &QAction::triggered, this,
+        [this] { showKeys(this); });
+    connect(addAction(help, tr("&About Rotorscope")), &QAction::triggered, this,
+        [this] { showAbout(this); });
+}
+
+void MainWindow::fillViewMenu(QMenu *menu)
+{
+    menu->addActions(m_dockActions);
+    connect(addAction(menu, tr("&Find a register"), Qt::CTRL | Qt::Key_K), &QAction::triggered,
+        this, [this] {
+            m_registerDock->show();
+            m_registerPanel->focusSearch();
+        });
+    menu->addSeparator();
+    QMenu *themes = menu->addMenu(tr("&Theme"));
+    auto *group = new QActionGroup(this);
+    const std::pair<Theme, QString> choices[] = {{Theme::System, tr("Like the &system")},
+        {Theme::Light, tr("&Light")}, {Theme::Dark, tr("&Dark")}};
+    for (const auto &[theme, text] : choices) {
+        QAction *action = themes->addAction(text);
+        action->setCheckable(true);
+        action->setChecked(theme == m_settings.theme);
+        group->addAction(action);
+        connect(action, &QAction::triggered, this, [this, chosen = theme] {
+            m_settings.theme = chosen;
+            applyTheme(chosen);
+        });
+    }
+    QAction *full = addAction(menu, tr("F&ull screen"), Qt::Key_F11);
+    full->setCheckable(true);
+    connect(
+        full, &QAction::triggered, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
+}
+
+void MainWindow::fillMotorMenu(QMenu *menu)
+{
+    // The tab shows the key without taking it: Esc belongs to the filter that also works under dialogs.
+    connect(menu->addAction(tr("St&op motors") + QStringLiteral("\tEsc")), &QAction::triggered,
+        &m_device, &Device::stop);
+    menu->addSeparator();
+    QAction *arm = menu->addAction(tr("A&rm"));
+    arm->setCheckable(true);
+    connect(arm, &QAction::triggered, m_control, [this, arm] {
+        m_control->toggleArmed();
+        arm->setChecked(m_device.armed());
+    });
+    connect(&m_device, &Device::armedStateChanged, arm, &QAction::setChecked);
+    QAction *start = addAction(menu, tr("&Start"), Qt::CTRL | Qt::Key_Return);
+    start->setShortcuts({Qt::CTRL | Qt::Key_Return, Qt::CTRL | Qt::Key_Enter});
+    start->setAutoRepeat(false);
+    connect(start, &QAction::triggered, m_control, &ControlPanel::start);
+    QAction *acknowledge = addAction(menu, tr("&Acknowledge faults"), Qt::CTRL | Qt::Key_Backspace);
+    acknowledge->setAutoRepeat(false);
+    connect(acknowledge, &QAction::triggered, m_control, &ControlPanel::acknowledge);
+    menu->addSeparator();
+    connect(menu->addAction(tr("&Go to the set-point")), &QAction::triggered, m_control,
+        &ControlPanel::go);
+    connect(menu->addAction(tr("S&top the ramp")), &QAction::triggered, m_control,
+        &ControlPanel::stopRamp);
+    connect(menu, &QMenu::aboutToShow, this, [this, arm, start, acknowledge] {
+        arm->setChecked(m_device.armed());
+        arm->setEnabled(m_device.answering());
+        start->setToolTip(plainToolTip(m_control->startHint()));
+        acknowledge->setToolTip(plainToolTip(m_control->acknowledgeHint()));
+    });
+    menu->setToolTipsVisible(true);
+}
+
+} // namespace widgets
