@@ -48,7 +48,7 @@ Duration Controller::responseTimeout() const
     constexpr std::size_t kUsualAsync = 2048;
     constexpr std::size_t kUsualResponse = 256;
     const std::size_t bytes =
-        m_everAgreed ? m_agreed.txAsyncMax() + m_agreed.txSyncMax() : kUsualAsync + kUsualResponse;
+        m_everAgreed ? m_widest.async + m_widest.response : kUsualAsync + kUsualResponse;
     const Duration wire = wireTime(bytes + 2 * kHeaderSize, m_config.baud);
     return wire + wire / 2 + 2ms + m_config.hostLatency;
 }

@@ -207,6 +207,7 @@ private:
     Step m_step = Step::None;
     Beacon m_offer;
     Beacon m_agreed;
+    Framer::Limits m_widest{0, 0, false}; ///< of all agreements: a board goes on with its first
     bool m_everAgreed = false;
     bool m_afterReset = false;
     bool m_parity = false; ///< what the next Ping should say if no request is lost

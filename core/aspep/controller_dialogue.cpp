@@ -119,7 +119,11 @@ void Controller::afterEcho(TimePoint now)
     if (m_state != State::Recovering) {
         m_agreed = m_offer;
         m_everAgreed = true;
-        m_framer.setLimits({m_agreed.txSyncMax(), m_agreed.txAsyncMax(), m_agreed.dataCrc});
+        // A Performer that streams keeps to the sizes of its first agreement, whatever came after.
+        m_widest.response = std::max(m_widest.response, m_agreed.txSyncMax());
+        m_widest.async = std::max(m_widest.async, m_agreed.txAsyncMax());
+        m_widest.dataCrc = m_agreed.dataCrc;
+        m_framer.setLimits(m_widest);
     }
     ping(now);
 }
@@ -175,6 +179,7 @@ void Controller::onNotConfigured(TimePoint now)
     if (m_state == State::Connected || m_state == State::Recovering) {
         endRequest(std::nullopt);
         m_afterReset = true;
+        m_widest = {0, 0, false};
         m_dialogueStart = now;
         m_rounds = 0;
     } else if (++m_rounds > kMaxRounds) {
