@@ -131,7 +131,7 @@ void csvReadsBack(benchmark::State &state)
 {
     const Export &e = data();
     std::uint64_t wrong = 0;
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         capture::CsvWriter writer(e.snapshot);
         std::string piece;
         std::string heading;

@@ -127,7 +127,7 @@ void peaks(benchmark::State &state)
     capture.append({1, 0, kSamples, samples, {}, 0});
     const capture::ChannelId id = capture.channels()[0].id;
     std::uint64_t missed = 0;
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         for (const double zoom : {1.0, 3.0, 10.0, 77.0}) {
             const double span = kSamples / kTickHz / zoom;
             for (const std::int64_t place : places) {

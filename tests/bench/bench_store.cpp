@@ -30,7 +30,7 @@ void memory(benchmark::State &state)
 {
     constexpr std::size_t kSamples = 5'000'000;
     double bytes = 0;
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         const double before = residentBytes();
         const auto store = std::make_unique<capture::Capture>();
         recordMotor(*store, kSamples);

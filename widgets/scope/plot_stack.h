@@ -26,7 +26,8 @@ public:
     int plotAt(const QPointF &position) const; ///< axes included; -1 if there is none
     ValueAxis *valueAxisAt(const QPointF &position); ///< nullptr if it is not over a value axis
 
-    void add(const capture::ChannelInfo &channel, int plot);
+    /// @param index  of the plot, clipped; count() makes a new one
+    void add(const capture::ChannelInfo &channel, int index);
     void remove(capture::ChannelId channel);
     const Trace *trace(capture::ChannelId channel) const;
     std::vector<capture::ChannelId> channels() const;

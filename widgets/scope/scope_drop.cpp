@@ -22,7 +22,7 @@ QList<quint32> registersIn(const QMimeData &data)
     QList<quint32> ids;
     const QByteArray json = data.data(QString::fromLatin1(kRegisterMimeType));
     const QJsonArray array = QJsonDocument::fromJson(json).array();
-    for (const QJsonValue &value : array) {
+    for (const auto &value : array) {
         const qint64 id = value.toInteger(-1);
         if (id >= 0 && id <= 0xFFFFFFFFLL && ids.size() < kMostRegisters)
             ids.append(static_cast<quint32>(id));
