@@ -179,7 +179,6 @@ void Controller::onNotConfigured(TimePoint now)
     if (m_state == State::Connected || m_state == State::Recovering) {
         endRequest(std::nullopt);
         m_afterReset = true;
-        m_widest = {0, 0, false};
         m_dialogueStart = now;
         m_rounds = 0;
     } else if (++m_rounds > kMaxRounds) {
