@@ -76,6 +76,9 @@ private:
 
 class ByteWriter {
 public:
+    /// Room for most messages from the start: one allocation instead of several.
+    ByteWriter() { m_bytes.reserve(64); }
+
     ByteWriter &u8(std::uint32_t value) { return number(value, 1); }
     ByteWriter &u16(std::uint32_t value) { return number(value, 2); }
     ByteWriter &u32(std::uint32_t value) { return number(value, 4); }
