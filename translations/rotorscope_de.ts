@@ -173,6 +173,10 @@
         <translation>Das Board spricht ein älteres Protokoll, das diese Version nicht beherrscht. Seine Firmware braucht Version 6 des SDK.</translation>
     </message>
     <message>
+        <source>Link lost. The motor may still be turning; the drive is to stop it by itself after %1 ms.</source>
+        <translation>Verbindung verloren. Der Motor dreht vielleicht noch; der Antrieb soll ihn nach %1 ms selbst anhalten.</translation>
+    </message>
+    <message>
         <source>Link lost. The motor may still be turning (this drive has no communication time-out).</source>
         <translation>Verbindung verloren. Der Motor dreht vielleicht noch (dieser Antrieb hat keine Zeitüberwachung der Kommunikation).</translation>
     </message>
@@ -1230,6 +1234,14 @@
     <message>
         <source>This drive has no communication time-out: when the link is gone, the motor goes on turning.</source>
         <translation>Dieser Antrieb hat keine Zeitüberwachung der Kommunikation: Reißt die Verbindung ab, dreht der Motor weiter.</translation>
+    </message>
+    <message>
+        <source>Drive watchdog: %1 ms</source>
+        <translation>Überwachung im Antrieb: %1 ms</translation>
+    </message>
+    <message>
+        <source>This drive stops its motor by itself when this program has not been heard for that time. It is not a safety function.</source>
+        <translation>Dieser Antrieb hält seinen Motor selbst an, wenn er so lange nichts von diesem Programm gehört hat. Das ist keine Sicherheitsfunktion.</translation>
     </message>
     <message>
         <source>Drive watchdog: none</source>

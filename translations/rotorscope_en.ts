@@ -173,6 +173,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Link lost. The motor may still be turning; the drive is to stop it by itself after %1 ms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Link lost. The motor may still be turning (this drive has no communication time-out).</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1229,6 +1233,14 @@
     </message>
     <message>
         <source>This drive has no communication time-out: when the link is gone, the motor goes on turning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive watchdog: %1 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This drive stops its motor by itself when this program has not been heard for that time. It is not a safety function.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

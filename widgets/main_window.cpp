@@ -350,7 +350,9 @@ MainWindow::LinkMessage MainWindow::linkMessage() const
             lost ? Told::Loss : Told::Link};
     }
     if (link.state == LinkState::Lost && known)
-        return {Banner::Kind::Bad, linkLostText() + QLatin1Char(' ') + linkReasonText(link.reason),
+        return {Banner::Kind::Bad,
+            linkLostText(m_device.identified()->identity.watchdog) + QLatin1Char(' ')
+                + linkReasonText(link.reason),
             Told::Loss};
     if (link.state == LinkState::Lost)
         return {Banner::Kind::Bad, linkReasonText(link.reason), Told::Link};

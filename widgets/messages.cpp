@@ -62,8 +62,12 @@ QString linkReasonText(drive::LinkReason reason)
     return {};
 }
 
-QString linkLostText()
+QString linkLostText(std::optional<std::chrono::milliseconds> watchdog)
 {
+    if (watchdog)
+        return Messages::tr("Link lost. The motor may still be turning; the drive is to stop it "
+                            "by itself after %1 ms.")
+            .arg(QString::number(watchdog->count()));
     return Messages::tr(
         "Link lost. The motor may still be turning (this drive has no communication time-out).");
 }

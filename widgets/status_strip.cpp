@@ -48,8 +48,6 @@ StatusStrip::StatusStrip(Device &device, QWidget *parent)
     m_lost = addPart("statusLost");
     m_bad = addPart("statusBad");
     m_watchdog = addPart("statusWatchdog");
-    m_watchdog->setToolTip(tr("This drive has no communication time-out: when the link is gone, "
-                              "the motor goes on turning."));
     m_sizes->setToolTip(tr("Negotiated packet sizes: request / answer / stream"));
     m_rate->setToolTip(tr("Bytes received a second, and their share of what the link can carry"));
 
@@ -87,12 +85,29 @@ void StatusStrip::updateLink()
     }
     m_link->show(lightOf(m_device.link().state), text);
     const auto &identified = m_device.identified();
-    m_watchdog->setText(identified ? tr("Drive watchdog: none") : QString());
+    updateWatchdog();
     m_sizes->setText(identified ? tr("%1 / %2 / %3 B", "sizes in bytes: request, answer, stream")
                                       .arg(QString::number(identified->requestBytes),
                                           QString::number(identified->responseBytes),
                                           QString::number(identified->streamBytes))
                                 : QString());
+}
+
+void StatusStrip::updateWatchdog()
+{
+    const auto &identified = m_device.identified();
+    if (!identified) {
+        m_watchdog->clear();
+        m_watchdog->setToolTip(QString());
+    } else if (const auto &watchdog = identified->identity.watchdog) {
+        m_watchdog->setText(tr("Drive watchdog: %1 ms").arg(QString::number(watchdog->count())));
+        m_watchdog->setToolTip(tr("This drive stops its motor by itself when this program has not "
+                                  "been heard for that time. It is not a safety function."));
+    } else {
+        m_watchdog->setText(tr("Drive watchdog: none"));
+        m_watchdog->setToolTip(tr("This drive has no communication time-out: when the link is "
+                                  "gone, the motor goes on turning."));
+    }
 }
 
 void StatusStrip::updateMotor()

@@ -22,6 +22,7 @@ public:
 private:
     QLabel *addPart(const char *objectName);
     void updateLink();
+    void updateWatchdog();
     void updateMotor();
     void updateCounters();
 

@@ -39,6 +39,9 @@ QJsonObject boardJson(const drive::Identified &board, const QJsonArray &motors)
         {QStringLiteral("firmware"), plainText(identity.firmware)},
         {QStringLiteral("version"), plainText(identity.version)},
         {QStringLiteral("known_firmware"), identity.knownFirmware},
+        {QStringLiteral("watchdog_ms"),
+            identity.watchdog ? QJsonValue(static_cast<qint64>(identity.watchdog->count()))
+                              : QJsonValue()},
         {QStringLiteral("control_board"), plainText(identity.controlBoard)},
         {QStringLiteral("power_boards"), textsOf(identity.powerBoards)},
         {QStringLiteral("motor_names"), textsOf(identity.motorNames)},
@@ -64,13 +67,16 @@ void printBoard(Output &out, const drive::Identified &board)
     const drive::Identity &identity = board.identity;
     const auto row = [&out](const char *name, const QString &text) {
         if (!text.trimmed().isEmpty())
-            out.line(QString::fromLatin1(name).leftJustified(15) + text);
+            out.line(QString::fromLatin1(name).leftJustified(16) + text);
     };
     row("Firmware", plainText(identity.firmware + " " + identity.version));
     row("Protocol", plainText(identity.protocol));
     row("Control board", plainText(identity.controlBoard));
     row("Power board", joined(identity.powerBoards));
     row("Motor", joined(identity.motorNames));
+    row("Drive watchdog",
+        identity.watchdog ? QStringLiteral("%1 ms").arg(identity.watchdog->count())
+                          : QStringLiteral("none"));
     row("Sizes",
         QStringLiteral("request %1, response %2, stream %3 bytes")
             .arg(QString::number(board.requestBytes), QString::number(board.responseBytes),

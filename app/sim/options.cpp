@@ -33,6 +33,8 @@ It serves one client after the other until SIGTERM.
   --wide 0|1        datalog sources for STATUS, SPEED_MEAS, SPEED_REF and
                     FAULTS_FLAGS (0)
   --user-cb N       user commands it knows, 0 to 2 (0)
+  --watchdog MS     stop the motor when no heartbeat (user command 1) comes
+                    for MS milliseconds, and say so in FW_NAME; 0: never (0)
   --seed N          of the noise; the same seed gives the same run (1)
   --control         obey words on standard input, one a line, and end with it:
                     reset | fault HEX | nofault | mute MS | corrupt N |
@@ -71,6 +73,7 @@ const std::vector<Flag> &flags()
         {"--null-check", 0, 1, 1, into(&B::nullCheck)},
         {"--wide", 0, 1, 1, into(&B::wide)},
         {"--user-cb", 0, 2, 1, into(&B::userCallbacks)},
+        {"--watchdog", 0, 60'000, 1, into(&B::watchdogMs)},
         {"--seed", 0, UINT64_MAX, 1, into(&B::seed)},
     };
     return table;

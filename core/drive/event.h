@@ -50,6 +50,8 @@ struct Identity {
     std::vector<std::string> powerBoards; ///< one a motor
     std::vector<std::string> motorNames; ///< one a motor
     int motors = 1;
+    /// The drive stops its motor by itself when it hears nothing for that long; none: it turns on.
+    std::optional<std::chrono::milliseconds> watchdog;
     bool knownFirmware = true; ///< false: registers are shown raw and nothing is written
 };
 

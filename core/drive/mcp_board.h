@@ -22,6 +22,7 @@ struct McpBoard {
     std::vector<MotorLimits> limits; ///< one a motor
     StreamLimits streaming;
     std::vector<Capability> capabilities;
+    std::optional<std::chrono::milliseconds> watchdog; ///< what its name promises
 
     std::uint32_t baud = 1843200;
     std::uint8_t linkId = 0; ///< decides which datalog register is ours

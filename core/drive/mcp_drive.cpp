@@ -86,6 +86,7 @@ std::optional<TimePoint> McpDrive::nextTimeout() const
     };
     if (linkIsFree() && m_mode == Mode::Open) {
         considerLater(m_vitals.due());
+        considerLater(m_heartbeat.due());
         considerLater(m_watch.due());
         if (stopHoldsBack(m_workedAt))
             considerLater(m_stop.blindUntil());

@@ -45,6 +45,7 @@ void McpDrive::on(const Link::Connected &event, TimePoint now)
     m_board.linkId = m_link.linkId();
     m_identification.restart();
     m_vitals.restart(now);
+    m_heartbeat.restart(now);
     m_watch.restart(now);
     m_stream.connected();
     tell(LinkState::Connected, event.afterReset ? LinkReason::BoardReset : LinkReason::None);
@@ -104,13 +105,19 @@ void McpDrive::afterTask(TimePoint now)
         m_vitals.hurry(now); // whatever became of it, look at once
 }
 
-void McpDrive::onIdentified(TimePoint now)
+void McpDrive::tellIdentity()
 {
-    m_stream.restart(m_resetSeen);
     Identified event{m_identification.identity(), m_board.catalog, m_board.limits,
         m_board.streaming, m_board.capabilities, m_board.requestBytes, m_board.responseBytes,
         m_board.streamBytes};
+    event.identity.watchdog = m_board.watchdog;
     m_events.emplace_back(std::move(event));
+}
+
+void McpDrive::onIdentified(TimePoint now)
+{
+    m_stream.restart(m_resetSeen);
+    tellIdentity();
     m_vitals.hurry(now); // now the speed can be read too
     if (m_stream.wanted() && m_mode == Mode::Open)
         m_wishes.addFirst(std::make_unique<StreamTask>(0, m_stream.wish(), m_stream));

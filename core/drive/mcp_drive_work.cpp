@@ -21,12 +21,17 @@ void McpDrive::work(TimePoint now)
     tellVitals();
     if (m_identification.takeNews())
         onIdentified(now);
+    if (m_heartbeat.takeGivenUp()) {
+        m_board.watchdog.reset();
+        tellIdentity();
+    }
     if (m_reconnectAt && now >= *m_reconnectAt && m_mode == Mode::Open && !m_stop.blind(now)) {
         m_reconnectAt.reset();
         m_link.connect(now);
     }
     if (m_mode == Mode::Open && m_stop.active())
         sendStop(now);
+    m_heartbeat.setWanted(!m_stop.active() && (m_armed || m_vitals.motorDriven()));
     if (linkIsFree())
         sendNext(now);
     collect();
@@ -61,7 +66,8 @@ bool McpDrive::stopHoldsBack(TimePoint now) const
 
 void McpDrive::sendNext(TimePoint now)
 {
-    if (m_mode == Mode::Open && (sendIdentification(now) || give(m_vitals, now)))
+    if (m_mode == Mode::Open
+        && (sendIdentification(now) || give(m_heartbeat, now) || give(m_vitals, now)))
         return;
     while (WishTask *wish = m_wishes.next(m_armed)) {
         if (give(*wish, now))

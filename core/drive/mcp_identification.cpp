@@ -1,6 +1,7 @@
 #include "drive/mcp_identification.h"
 
 #include "catalog/tables.h"
+#include "drive/mcp_heartbeat.h"
 #include "drive/mcp_scales.h"
 #include "drive/mcp_stream.h"
 #include "mcp/protocol.h"
@@ -27,6 +28,15 @@ std::string versionText(std::uint32_t version)
         + std::to_string(version & 0xFF);
 }
 
+/// Whether a damaged answer would do more than look wrong: structures, and a name that promises a watchdog.
+bool decidesSomething(const Reading &reading)
+{
+    const auto *text = std::get_if<std::string>(&reading.value);
+    if (text != nullptr)
+        return reading.id == mcp::reg::kFwName.bits && watchdogIn(*text);
+    return std::holds_alternative<Bytes>(reading.value);
+}
+
 } // namespace
 
 void Identification::restart()
@@ -47,6 +57,7 @@ void Identification::restart()
     m_board.scales.clear();
     m_board.limits.clear();
     m_board.capabilities.clear();
+    m_board.watchdog.reset();
     m_board.streaming = {};
     m_reader.start({mcp::reg::kGlobalConfig.bits}, m_board);
 }
@@ -94,7 +105,7 @@ void Identification::takeReadings(std::vector<Reading> readings)
             continue;
         const auto before = m_values.find(reading.id);
         const bool same = before != m_values.end() && before->second == reading.value;
-        if (!same && std::holds_alternative<Bytes>(reading.value))
+        if (!same && decidesSomething(reading))
             m_doubtful.insert(reading.id);
         else
             m_doubtful.erase(reading.id);
@@ -207,6 +218,7 @@ void Identification::finish()
     m_identity.protocol = "MCP over ASPEP " + m_identity.version;
     m_identity.firmware = text(mcp::reg::kFwName, 0);
     m_identity.controlBoard = text(mcp::reg::kCtrlStageName, 0);
+    m_board.watchdog = m_identity.watchdog = watchdogIn(m_identity.firmware);
     m_identity.motors = m_board.motors;
     m_identity.knownFirmware = m_board.knownFirmware;
     m_phase = Phase::Done;

@@ -6,6 +6,7 @@
 #include "aspep/controller.h"
 #include "drive/mcp_commands.h"
 #include "drive/mcp_drive.h"
+#include "drive/mcp_heartbeat.h"
 #include "drive/mcp_identification.h"
 #include "drive/mcp_polling.h"
 #include "drive/mcp_stop.h"
@@ -71,6 +72,7 @@ private:
     void on(const Link::Async &event, TimePoint now) { m_stream.receive(event.payload, now); }
     void afterTask(TimePoint now);
     void onIdentified(TimePoint now);
+    void tellIdentity();
 
     // what goes out
     void work(TimePoint now);
@@ -97,6 +99,7 @@ private:
     McpBoard m_board;
     Identification m_identification{m_board};
     VitalPoll m_vitals{m_board};
+    Heartbeat m_heartbeat{m_board};
     WatchPoll m_watch{m_board};
     StreamControl m_stream{m_board};
     StopSequence m_stop;

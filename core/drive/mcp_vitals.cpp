@@ -65,6 +65,7 @@ void VitalPoll::restart(TimePoint now)
     m_round.clear();
     m_missing.clear();
     m_states.clear();
+    m_driven.clear();
     m_news.clear();
     m_due = now;
     m_fastUntil = now;
@@ -166,6 +167,10 @@ void VitalPoll::publish(TimePoint now)
             if (const Value *value = find(m_round, m_board.catalog->withMotor(*speed, motor)))
                 status.speedRpm = asNumber(*value);
         m_states[motor] = status.state;
+        if (isDriveIdle(status))
+            m_driven.erase(motor);
+        else
+            m_driven.insert(motor);
         m_news.push_back(std::move(status));
     }
     const Duration period = somethingUnderWay() || now < m_fastUntil ? kFastPeriod : kPeriod;

@@ -63,6 +63,7 @@ public:
         , m_transmitter(options.baud)
         , m_firmware(options.hfHz, options.seed)
     {
+        m_firmware.setWatchdog(options.watchdogMs);
         powerUp();
     }
 

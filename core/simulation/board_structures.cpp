@@ -7,6 +7,14 @@
 
 namespace simulation {
 
+std::string firmwareName(const Traits &traits, const BoardOptions &options)
+{
+    std::string name(traits.firmwareName);
+    if (options.watchdogMs > 0)
+        name += " RSWD" + std::to_string(options.watchdogMs);
+    return name;
+}
+
 Bytes globalConfig(const Traits &traits, const BoardOptions &options)
 {
     const auto streams = static_cast<std::uint32_t>(options.streams);

@@ -17,6 +17,8 @@ constexpr std::string_view kPowerStageName = "Simulated24V";
 constexpr std::string_view kMotorName = "Sim PMSM 24V";
 
 // Each without the size that goes in front of it on the wire.
+/// FW_NAME. A watchdog shows at its end.
+std::string firmwareName(const Traits &traits, const BoardOptions &options);
 Bytes globalConfig(const Traits &traits, const BoardOptions &options);
 Bytes motorConfig(const Firmware &firmware);
 Bytes applicationConfig(

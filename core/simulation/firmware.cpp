@@ -50,6 +50,7 @@ void Firmware::restart()
     m_state = MotorState::Idle;
     m_ticksInState = 0;
     m_occurredFaults = 0;
+    m_hungry_ms = 0;
     m_mode = Mode::Speed;
     m_modeAsked = 3;
     m_lastSpeedRamp = {kDefaultSpeed_rpm, 0};
@@ -79,19 +80,24 @@ bool Firmware::start()
     return true;
 }
 
+bool Firmware::driven() const
+{
+    return powered() || m_state == MotorState::ChargeBootCap || m_state == MotorState::OffsetCalib;
+}
+
 void Firmware::stop()
 {
-    switch (m_state) {
-    case MotorState::ChargeBootCap:
-    case MotorState::OffsetCalib:
-    case MotorState::Start:
-    case MotorState::SwitchOver:
-    case MotorState::Run:
+    if (driven())
         enter(MotorState::Stop);
-        break;
-    default:
-        break;
-    }
+}
+
+/// Time counts while the motor is driven, so a start has one whole time-out before it needs a heartbeat.
+void Firmware::lookAtWatchdog()
+{
+    if (m_watchdog_ms == 0 || !driven())
+        m_hungry_ms = 0;
+    else if (++m_hungry_ms >= m_watchdog_ms)
+        stop();
 }
 
 void Firmware::stopRamp()
@@ -207,6 +213,7 @@ void Firmware::mfTask()
     m_signals.busVoltage_v = static_cast<std::int16_t>(m_stage.nominal_v);
     m_signals.temperature_c = 25;
     updateFaults();
+    lookAtWatchdog();
     runStates();
     m_rest = !powered() && m_motor.atRest();
 }

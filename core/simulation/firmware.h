@@ -75,6 +75,9 @@ public:
     void setControlMode(std::uint8_t mode); ///< 3 speed, 4 torque; others are ignored
     void setRevUpStage(std::size_t index, RevUpStage stage) { m_revUp[index] = stage; }
     void setPresentFaults(std::uint16_t bits) { m_presentFaults = bits; }
+    /// Stops the motor by itself when it is driven and not fed for that long; 0: never.
+    void setWatchdog(int ms) { m_watchdog_ms = ms; }
+    void feedWatchdog() { m_hungry_ms = 0; }
     /// The processor restarts; the rotor keeps turning.
     void restart();
 
@@ -108,6 +111,8 @@ private:
     };
 
     bool powered() const;
+    bool driven() const; ///< started and neither stopping nor in a fault
+    void lookAtWatchdog();
     void enter(MotorState state);
     void control();
     void measureAtRest();
@@ -130,6 +135,7 @@ private:
     int m_ticksInState = 0;
     bool m_rest = true; ///< nothing but noise to be measured
     std::uint16_t m_presentFaults = 0, m_occurredFaults = 0;
+    int m_watchdog_ms = 0, m_hungry_ms = 0;
 
     Mode m_mode = Mode::Speed; ///< in force
     std::uint8_t m_modeAsked = 3;

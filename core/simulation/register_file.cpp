@@ -134,9 +134,9 @@ Status RegisterFile::readLong(RegisterId id, int room, Bytes &out) const
 
 Status RegisterFile::readText(RegisterId id, int room, Bytes &out) const
 {
-    std::string_view text;
+    std::string text;
     if (id == mcp::reg::kFwName)
-        text = m_traits.firmwareName;
+        text = firmwareName(m_traits, m_options);
     else if (id == mcp::reg::kCtrlStageName)
         text = kControlStageName;
     else if (id == mcp::reg::kPwrStageName.withMotor(1))

@@ -16,6 +16,7 @@ using mcp::RegisterId;
 using mcp::Status;
 
 constexpr unsigned kMotors = 1;
+constexpr int kHeartbeat = 1; ///< user command that feeds the watchdog
 constexpr std::size_t kUserAnswerMax = 64;
 constexpr std::size_t kAnswerMax =
     aspep::kMaxPayload - 128; ///< behind it there is room for any one value
@@ -158,11 +159,21 @@ Status Server::command(const Request &request)
     }
 }
 
+Status Server::heartbeat(const Request &request)
+{
+    if (request.length != 2 || request.data.u16(0) != m_options.watchdogMs)
+        return Status::Nok; // meant for something else
+    m_firmware.feedWatchdog();
+    return Status::Ok;
+}
+
 Status Server::userCommand(const Request &request)
 {
     if (request.command > static_cast<std::uint16_t>(CommandId::UserLast))
         return Status::CommandUnknown;
     const int index = request.command - static_cast<int>(CommandId::UserFirst);
+    if (index == kHeartbeat && m_options.watchdogMs > 0)
+        return heartbeat(request);
     if (index >= m_options.userCallbacks)
         return Status::CallbackNotRegistered;
     if (index > 0)

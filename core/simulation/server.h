@@ -37,6 +37,7 @@ private:
     mcp::Status set(const Request &request);
     mcp::Status command(const Request &request);
     mcp::Status userCommand(const Request &request);
+    mcp::Status heartbeat(const Request &request);
 
     const Traits &m_traits;
     const BoardOptions &m_options;

@@ -29,8 +29,11 @@ struct BoardOptions {
     double hfHz = 16000.0; ///< control rate; FOCFW_CONFIG agrees with it
     std::uint32_t firstTimestamp = 0; ///< HF counter at power-on
     bool nullCheck = false; ///< a build that repeats the last response on an empty request
-    bool wide = false; ///< an application with datalog sources for STATUS, SPEED_MEAS, SPEED_REF, FAULTS_FLAGS
-    int userCallbacks = 0; ///< 0..2: the first echoes its payload reversed, the second answers status 0x42
+    bool wide =
+        false; ///< an application with datalog sources for STATUS, SPEED_MEAS, SPEED_REF, FAULTS_FLAGS
+    int userCallbacks =
+        0; ///< 0..2: the first echoes its payload reversed, the second answers status 0x42
+    int watchdogMs = 0; ///< 0: none; else user command 1 is the heartbeat and FW_NAME says so
     std::uint64_t seed = 1;
 };
 
@@ -46,9 +49,11 @@ public:
 
     // Control words; each as a person at the board would do it.
     virtual void reset() = 0; ///< power cycle
-    virtual void setFaults(std::uint16_t present) = 0; ///< fault bits that are present from now on; 0: none
+    virtual void setFaults(
+        std::uint16_t present) = 0; ///< fault bits that are present from now on; 0: none
     virtual void mute(Duration time) = 0; ///< what it sends meanwhile is lost on the line
-    virtual void corruptAfter(std::uint64_t bytes) = 0; ///< bit 0 of the byte after so many more sent bytes
+    virtual void corruptAfter(
+        std::uint64_t bytes) = 0; ///< bit 0 of the byte after so many more sent bytes
     virtual void inject(ByteView bytes) = 0; ///< these bytes appear in its output at once
 
     /// What it is, for people and the port list.

@@ -126,6 +126,8 @@ void TestCli::infoTellsWhatTheBoardIs()
     QCOMPARE(info[QLatin1String("control_rate_hz")].toDouble(), 16000.0);
     QCOMPARE(info[QLatin1String("stream_bytes")].toInt(), 2048);
     QVERIFY(!info[QLatin1String("version")].toString().isEmpty());
+    QVERIFY(info[QLatin1String("watchdog_ms")].isNull());
+    QVERIFY(info.contains(QLatin1String("watchdog_ms")));
     QCOMPARE(info[QLatin1String("motors")]
                  .toArray()
                  .first()

@@ -69,6 +69,22 @@ private Q_SLOTS:
         QVERIFY(!banner()->text().contains(QStringLiteral("turning")));
     }
 
+    void theWatchdogOfADriveIsShown()
+    {
+        auto *shown = m_rig->find<QLabel>("statusWatchdog");
+        QCOMPARE(shown->text(), QStringLiteral("Drive watchdog: none"));
+        drive::Identified board = facts::identified();
+        board.identity.watchdog = std::chrono::milliseconds(500);
+        facts::feed(device(), {board});
+        QCOMPARE(shown->text(), QStringLiteral("Drive watchdog: 500 ms"));
+        feed({LinkState::Lost, LinkReason::Silence});
+        QVERIFY(banner()->text().contains(QStringLiteral("stop it by itself after 500 ms")));
+        QVERIFY(!banner()->text().contains(QStringLiteral("no communication time-out")));
+        board.identity.watchdog.reset();
+        facts::feed(device(), {board});
+        QCOMPARE(shown->text(), QStringLiteral("Drive watchdog: none"));
+    }
+
     void everyReasonIsASentence()
     {
         for (int reason = 1; reason <= int(LinkReason::OldProtocol); ++reason) {

@@ -1,0 +1,46 @@
+// The heartbeat of a drive that has a watchdog: user command 1, every third of the time-out, while a motor is driven
+// or could be. It only keeps a running motor alive. It is never sent to firmware whose name does not ask for it,
+// because user commands mean something else elsewhere (HSO builds write and read flash with them).
+// Contract: docs/drive-watchdog.md.
+#pragma once
+
+#include "drive/mcp_task.h"
+
+#include <string_view>
+
+namespace drive {
+
+struct McpBoard;
+
+/// The time-out that a firmware's name ends in (" RSWD500"), 100 ms to 60 s; nothing for any other name.
+std::optional<std::chrono::milliseconds> watchdogIn(std::string_view firmwareName);
+
+class Heartbeat : public Task {
+public:
+    static constexpr int kRefusals = 3; ///< in a row, then it is sent no more
+
+    explicit Heartbeat(const McpBoard &board)
+        : m_board(board)
+    {
+    }
+
+    void restart(TimePoint now); ///< a new connection
+    void setWanted(bool wanted) { m_wanted = wanted; }
+    /// When the next one is due; nothing if none is to be sent.
+    std::optional<TimePoint> due() const;
+    /// True once after the board has refused too many: it has no watchdog that we could feed.
+    bool takeGivenUp() { return std::exchange(m_givenUp, false); }
+
+    std::optional<Bytes> nextRequest(TimePoint now) override;
+    void takeResponse(ByteView response, TimePoint now) override;
+    void takeNoResponse(std::optional<bool>, TimePoint) override { } ///< the next one is due soon
+
+private:
+    const McpBoard &m_board;
+    bool m_wanted = false;
+    bool m_givenUp = false;
+    int m_refused = 0;
+    TimePoint m_due;
+};
+
+} // namespace drive
