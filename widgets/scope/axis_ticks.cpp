@@ -7,12 +7,30 @@ namespace widgets {
 
 namespace {
 constexpr int kMostTicks = 1000;
+constexpr double kLeastDigits = 8.0;
 
 int decimalsFor(double step)
 {
     return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
 }
 } // namespace
+
+double leastSpan(const QString &unit, double digit)
+{
+    struct Least {
+        const char *unit;
+        double span;
+    };
+    // What is next to nothing for any motor on a bench; finer is there by hand.
+    static constexpr Least kLeast[] = {
+        {"A", 0.1}, {"V", 0.5}, {"rpm", 20.0}, {"Hz", 1.0}, {"\u00b0C", 5.0}, {"deg", 5.0}};
+    double span = std::isfinite(digit) ? kLeastDigits * std::abs(digit) : 0.0;
+    for (const Least &least : kLeast) {
+        if (unit == QString::fromUtf8(least.unit))
+            span = std::max(span, least.span);
+    }
+    return span;
+}
 
 double tickStep(double span, int most)
 {

@@ -8,6 +8,10 @@
 
 namespace widgets {
 
+/// The least that a value axis shows of a signal, in its unit: so much that the noise of a few digits looks like what
+/// it is. @param digit  what one digit is worth; 0 if that is not known
+double leastSpan(const QString &unit, double digit);
+
 /// The smallest step of the form 1, 2 or 5 times a power of ten that cuts `span` into at most `most` pieces.
 double tickStep(double span, int most);
 

@@ -1,6 +1,7 @@
 #include "widgets/scope/plot_stack.h"
 
 #include "widgets/scope/axis_ticker.h"
+#include "widgets/scope/axis_ticks.h"
 #include "widgets/scope/trace_colors.h"
 #include "widgets/scope/trace_legend.h"
 #include "widgets/scope/waveform_plottable.h"
@@ -16,12 +17,17 @@ constexpr double kMarginAbove = 0.14; ///< more, for the legend
 constexpr int kTimeLabelWidth = 90; ///< pixels
 constexpr int kValueLabelHeight = 32;
 
-/// A range that shows [low, high] with some room, also if both are the same.
-QCPRange roomy(double low, double high)
+/// A range that shows [low, high] with some room, and at least `least` of the unit.
+QCPRange roomy(double low, double high, double least)
 {
-    double span = high - low;
-    if (!(span > 0))
-        span = std::max(std::abs(high) * 0.2, 1e-3);
+    if (!(high > low) && !(least > 0))
+        least = std::max(std::abs(high) * 0.2, 1e-3);
+    if (high - low < least) {
+        const double middle = low + (high - low) / 2;
+        low = middle - least / 2;
+        high = middle + least / 2;
+    }
+    const double span = high - low;
     return {low - span * kMarginBelow, high + span * kMarginAbove};
 }
 } // namespace
@@ -319,6 +325,19 @@ capture::MinMax PlotStack::extremes(const ScopePlot &plot, const QCPAxis *axis) 
     return all;
 }
 
+double PlotStack::leastSpanOf(const ScopePlot &plot, const ValueAxis &axis) const
+{
+    double least = 0.0;
+    for (const Trace &trace : plot.traces) {
+        if (trace.valueAxis != axis.axis)
+            continue;
+        // A polled value comes scaled: what its digit is worth is not known here.
+        const bool scaled = trace.info.kind == capture::ChannelInfo::Kind::Polled;
+        least = std::max(least, leastSpan(axis.unit, scaled ? 0.0 : trace.info.factor));
+    }
+    return least;
+}
+
 void PlotStack::growAxes()
 {
     for (const auto &plot : m_plots) {
@@ -332,7 +351,7 @@ void PlotStack::growAxes()
             const double high = double(shown.max);
             QCPRange range = axis.axis->range();
             if (!axis.fitted || low < range.lower || high > range.upper) {
-                const QCPRange wanted = roomy(low, high);
+                const QCPRange wanted = roomy(low, high, leastSpanOf(*plot, axis));
                 if (axis.fitted)
                     range.expand(wanted);
                 else
@@ -349,7 +368,8 @@ void PlotStack::fitAxis(ValueAxis &axis)
     for (const auto &plot : m_plots) {
         const capture::MinMax shown = extremes(*plot, axis.axis);
         if (!shown.empty()) {
-            axis.axis->setRange(roomy(double(shown.min), double(shown.max)));
+            axis.axis->setRange(
+                roomy(double(shown.min), double(shown.max), leastSpanOf(*plot, axis)));
             axis.fitted = true;
         }
     }

@@ -59,6 +59,7 @@ private:
     void styleAxis(QCPAxis &axis) const;
     void labelAxes(ScopePlot &plot);
     int slotFor(const capture::ChannelInfo &channel);
+    double leastSpanOf(const ScopePlot &plot, const ValueAxis &axis) const;
     capture::MinMax extremes(const ScopePlot &plot, const QCPAxis *axis) const;
 
     QCustomPlot &m_plot;

@@ -18,6 +18,9 @@ struct Trace {
     bool selected = false;
 };
 
+/// The step in which a trace's values are written out: as long as they keep it, their digits keep their places.
+double readingStep(const Trace &trace);
+
 /// A value axis and who decides its range.
 struct ValueAxis {
     QCPAxis *axis = nullptr;

@@ -190,7 +190,10 @@ void ScopeView::jumpToNewest()
     const auto newest = m_stack->newestSample();
     if (!newest)
         return;
-    applyRange({*newest - (m_range.to - m_range.from), *newest});
+    // A young session fills the picture from the left: nothing was ever recorded before zero.
+    const double span = m_range.to - m_range.from;
+    const double to = std::max(*newest, span);
+    applyRange({to - span, to});
 }
 
 void ScopeView::applyRange(TimeRange range)

@@ -8,7 +8,27 @@ namespace widgets {
 namespace {
 constexpr double kMark = 10.0; ///< side of the coloured mark
 constexpr double kSpace = 6.0;
+
+/// As wide as the longest number that its axis can show, so that entries do not dance while values change.
+QString paddedReading(const Trace &trace, double value, const QLocale &locale)
+{
+    const double step = readingStep(trace);
+    const QCPRange range = trace.valueAxis->range();
+    const double largest = std::max(std::abs(range.lower), std::abs(range.upper));
+    const auto width = valueLabel(-largest, step, locale).size();
+    const QString text = valueLabel(value, step, locale);
+    // Figure spaces are as wide as digits; a sign is about as wide as one.
+    return QString(std::max<qsizetype>(width - text.size(), 0), QChar(0x2007)) + text;
+}
 } // namespace
+
+double readingStep(const Trace &trace)
+{
+    // A polled value comes scaled: what its digit is worth is not known here.
+    if (trace.info.kind == capture::ChannelInfo::Kind::Polled || !(std::abs(trace.info.factor) > 0))
+        return tickStep(trace.valueAxis->range().size(), 200);
+    return std::abs(trace.info.factor);
+}
 
 TraceLegend::TraceLegend(const ScopePlot &plot, const capture::Capture &capture)
     : QCPLayerable(plot.rect->parentPlot(), QStringLiteral("legend"))
@@ -42,10 +62,8 @@ void TraceLegend::draw(QCPPainter *painter)
         QFont font = mParentPlot->font();
         font.setBold(trace.selected);
         QString text = QString::fromStdString(trace.info.name);
-        if (const auto value = m_capture.lastValue(trace.channel)) {
-            const double step = tickStep(trace.valueAxis->range().size(), 200);
-            text += QStringLiteral("  ") + valueLabel(*value, step, mParentPlot->locale());
-        }
+        if (const auto value = m_capture.lastValue(trace.channel))
+            text += QStringLiteral("  ") + paddedReading(trace, *value, mParentPlot->locale());
         if (!trace.info.unit.empty())
             text += QChar(QChar::Nbsp) + QString::fromStdString(trace.info.unit);
         const double width = QFontMetricsF(font).horizontalAdvance(text) + kMark + 3 * kSpace;

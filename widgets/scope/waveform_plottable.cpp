@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace widgets {
 
@@ -13,6 +14,10 @@ namespace {
 constexpr std::uint64_t kSamplesAColumn = 2;
 /// Steps this wide, in pixels, get a dot at the sample.
 constexpr double kDotSpacing = 8.0;
+/// Columns taller than this, in pixels, are part of a band rather than of a line.
+constexpr int kBandHeight = 8;
+constexpr int kBandShare = 16; ///< of the picture that is a band at least, as one part in so many
+constexpr int kStripeWidth = 3;
 
 /// Where a value lies, in rows from the top of the picture.
 struct Rows {
@@ -90,8 +95,7 @@ void WaveformPlottable::draw(QCPPainter *painter)
     const QCPRange range = keyAxis()->range();
     const View view{
         range.lower, range.upper, size.width(), size.height(), std::max(1, qRound(ratio))};
-    for (const Trace &trace : m_scopePlot.traces)
-        drawTrace(view, trace);
+    drawTraces(view);
     painter->drawImage(rect.topLeft(), m_image);
     drawLastValues(painter);
 }
@@ -131,20 +135,54 @@ void WaveformPlottable::shadeGaps(QCPPainter *painter) const
     }
 }
 
-void WaveformPlottable::drawTrace(const View &view, const Trace &trace)
+/// Bands first, in stripes where they overlap; lines over them, so that no band hides one.
+void WaveformPlottable::drawTraces(const View &view)
 {
-    const capture::Channel *channel = m_capture.channel(trace.channel);
-    if (!channel || channel->empty() || !(view.to > view.from))
-        return;
-    const std::uint64_t count = channel->countIn(view.from, view.to);
-    if (count > kSamplesAColumn * std::uint64_t(view.width))
-        drawColumns(view, trace, *channel);
-    else
-        drawSteps(view, trace, *channel);
+    struct Dense {
+        QRgb color;
+        PixelColumns bands;
+        PixelColumns lines;
+    };
+    std::vector<Dense> dense;
+    std::vector<std::pair<const Trace *, const capture::Channel *>> sparse;
+    for (const Trace &trace : m_scopePlot.traces) {
+        const capture::Channel *channel = m_capture.channel(trace.channel);
+        if (!channel || channel->empty() || !(view.to > view.from))
+            continue;
+        const std::uint64_t count = channel->countIn(view.from, view.to);
+        if (count <= kSamplesAColumn * std::uint64_t(view.width)) {
+            sparse.emplace_back(&trace, channel);
+            continue;
+        }
+        PixelColumns bands = columnsOf(view, trace, *channel);
+        const int height = kBandHeight * view.thickness;
+        // A few peaks make no band: they stay whole, and leave the others' stripes as they are.
+        const bool peaks = bands.tallerThan(height) < view.width / kBandShare;
+        PixelColumns lines =
+            peaks ? std::exchange(bands, PixelColumns(view.width)) : bands.takeThin(height);
+        const QRgb color = traceColor(trace.colorSlot, m_scopePlot.dark).rgba();
+        dense.push_back({color, std::move(bands), std::move(lines)});
+    }
+    Stripes stripes{kStripeWidth * view.thickness, 0, 0};
+    for (const Dense &trace : dense)
+        stripes.count += trace.bands.empty() ? 0 : 1;
+    for (const Dense &trace : dense) {
+        if (trace.bands.empty())
+            continue;
+        if (stripes.own == 0)
+            fillColumns(m_image, trace.bands, trace.color);
+        else
+            fillStriped(m_image, trace.bands, trace.color, stripes);
+        ++stripes.own;
+    }
+    for (const Dense &trace : dense)
+        fillColumns(m_image, trace.lines, trace.color);
+    for (const auto &[trace, channel] : sparse)
+        drawSteps(view, *trace, *channel);
 }
 
-void WaveformPlottable::drawColumns(
-    const View &view, const Trace &trace, const capture::Channel &channel)
+PixelColumns WaveformPlottable::columnsOf(
+    const View &view, const Trace &trace, const capture::Channel &channel) const
 {
     const Rows rows = view.rows(*trace.valueAxis);
     const auto extremes = channel.columns(view.from, view.to, std::size_t(view.width));
@@ -162,7 +200,7 @@ void WaveformPlottable::drawColumns(
     }
     columns.joinNeighbours();
     columns.thicken(view.thickness);
-    fillColumns(m_image, columns, traceColor(trace.colorSlot, m_scopePlot.dark).rgba());
+    return columns;
 }
 
 void WaveformPlottable::drawSteps(
@@ -215,7 +253,7 @@ void WaveformPlottable::drawLastValues(QCPPainter *painter) const
                                  : std::nullopt;
         if (!shown)
             continue;
-        const double step = tickStep(trace.valueAxis->range().size(), 200);
+        const double step = readingStep(trace);
         const double y = trace.valueAxis->coordToPixel(*shown);
         labels.push_back({std::clamp(y, area.top() + metrics.height() + 1, area.bottom()),
             valueLabel(*shown, step, mParentPlot->locale()),

@@ -25,8 +25,9 @@ protected:
 private:
     struct View; ///< the picture's size and time range, for one redraw
     void shadeGaps(QCPPainter *painter) const;
-    void drawTrace(const View &view, const Trace &trace);
-    void drawColumns(const View &view, const Trace &trace, const capture::Channel &channel);
+    void drawTraces(const View &view);
+    PixelColumns columnsOf(
+        const View &view, const Trace &trace, const capture::Channel &channel) const;
     void drawSteps(const View &view, const Trace &trace, const capture::Channel &channel);
     void drawLastValues(QCPPainter *painter) const;
 
