@@ -338,6 +338,101 @@
     </message>
 </context>
 <context>
+    <name>RegisterGroups</name>
+    <message>
+        <source>Profiler</source>
+        <translation>Profiler</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>Six-step</source>
+        <translation>Blockkommutierung</translation>
+    </message>
+    <message>
+        <source>Ramps and references</source>
+        <translation>Rampen und Sollwerte</translation>
+    </message>
+    <message>
+        <source>PFC</source>
+        <translation>PFC</translation>
+    </message>
+    <message>
+        <source>Motor parameters</source>
+        <translation>Motorparameter</translation>
+    </message>
+    <message>
+        <source>HSO and ZeST observer</source>
+        <translation>HSO- und ZeST-Beobachter</translation>
+    </message>
+    <message>
+        <source>DAC and debug</source>
+        <translation>DAC und Fehlersuche</translation>
+    </message>
+    <message>
+        <source>Current loop</source>
+        <translation>Stromregler</translation>
+    </message>
+    <message>
+        <source>Sensing and offsets</source>
+        <translation>Messung und Offsets</translation>
+    </message>
+    <message>
+        <source>Observer + PLL</source>
+        <translation>Beobachter + PLL</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Observer + CORDIC</source>
+        <translation>Beobachter + CORDIC</translation>
+    </message>
+    <message>
+        <source>Identity</source>
+        <translation>Identität</translation>
+    </message>
+    <message>
+        <source>Configuration</source>
+        <translation>Konfiguration</translation>
+    </message>
+    <message>
+        <source>Speed loop</source>
+        <translation>Drehzahlregler</translation>
+    </message>
+    <message>
+        <source>Datalog</source>
+        <translation>Datenaufzeichnung</translation>
+    </message>
+    <message>
+        <source>Start-up</source>
+        <translation>Anlauf</translation>
+    </message>
+    <message>
+        <source>Motor state</source>
+        <translation>Motorzustand</translation>
+    </message>
+    <message>
+        <source>Modulation</source>
+        <translation>Modulation</translation>
+    </message>
+    <message>
+        <source>Feed forward</source>
+        <translation>Vorsteuerung</translation>
+    </message>
+    <message>
+        <source>Flux weakening</source>
+        <translation>Feldschwächung</translation>
+    </message>
+    <message>
+        <source>Encoder and Hall</source>
+        <translation>Encoder und Hall</translation>
+    </message>
+</context>
+<context>
     <name>Setpoint</name>
     <message>
         <source>Type a number.</source>
@@ -1032,6 +1127,11 @@
     <message>
         <source>Stay connected</source>
         <translation>Verbunden bleiben</translation>
+    </message>
+    <message>
+        <source>Not live: %1</source>
+        <comment>state of the link, e.g. board silent</comment>
+        <translation>Nicht aktuell: %1</translation>
     </message>
 </context>
 <context>

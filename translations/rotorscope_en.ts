@@ -338,6 +338,101 @@
     </message>
 </context>
 <context>
+    <name>RegisterGroups</name>
+    <message>
+        <source>Profiler</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Six-step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ramps and references</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PFC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HSO and ZeST observer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DAC and debug</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sensing and offsets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Observer + PLL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Observer + CORDIC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Identity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Configuration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Datalog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start-up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modulation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flux weakening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Encoder and Hall</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Setpoint</name>
     <message>
         <source>Type a number.</source>
@@ -1031,6 +1126,11 @@
     </message>
     <message>
         <source>Stay connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not live: %1</source>
+        <comment>state of the link, e.g. board silent</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -123,6 +123,8 @@ QWidget *ControlPanel::makeCommands()
     auto *box = new QWidget(this);
     m_arm = new QCheckBox(tr("Arm: allow commands"), box);
     m_arm->setObjectName(QStringLiteral("arm"));
+    // A click leaves the focus where it is: the Space that follows is meant for the picture.
+    m_arm->setFocusPolicy(Qt::TabFocus);
     m_start = new MotorButton(tr("Start"), box);
     m_start->setObjectName(QStringLiteral("start"));
     m_start->setAccessibleName(tr("Start motor"));

@@ -324,6 +324,18 @@ void MainWindow::connectParts()
 
 void MainWindow::linkChanged()
 {
+    tellLink();
+    updateFrame();
+    // What is shown of a board that does not answer must not be taken for the present.
+    const bool expected = m_device.portOpen() || m_told == Told::Loss;
+    const bool stale = m_device.identified() && !m_device.answering() && expected;
+    m_scope->setStale(stale ? tr("Not live: %1", "state of the link, e.g. board silent")
+                                  .arg(linkStateText(m_device.link().state))
+                            : QString());
+}
+
+void MainWindow::tellLink()
+{
     const LinkMessage message = linkMessage();
     // Contact that was lost stays told until there is contact again, not until the next attempt.
     const bool stillLost = m_told == Told::Loss && m_device.identified() && !m_device.answering()
@@ -331,11 +343,10 @@ void MainWindow::linkChanged()
     if (!message.sentence.isEmpty())
         m_banner->say(message.kind, message.sentence);
     else if (stillLost)
-        return updateFrame();
+        return;
     else if (m_told != Told::Other)
         m_banner->clear();
     m_told = message.told;
-    updateFrame();
 }
 
 MainWindow::LinkMessage MainWindow::linkMessage() const

@@ -76,6 +76,7 @@ private:
     };
 
     void linkChanged();
+    void tellLink();
     LinkMessage linkMessage() const;
     void askToDisconnect();
     void stopAdvanced(const drive::StopProgress &progress);

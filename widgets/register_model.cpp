@@ -1,6 +1,7 @@
 #include "widgets/register_model.h"
 
 #include "widgets/device_text.h"
+#include "widgets/register_group_messages.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/value_text.h"
 
@@ -71,7 +72,7 @@ void RegisterModel::rebuildGroups()
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const auto [found, isNew] = byName.try_emplace(m_rows[i].info->group, m_groups.size());
         if (isNew) {
-            const QString name = fromCore(m_rows[i].info->group);
+            const QString name = registerGroupText(m_rows[i].info->group);
             m_groups.push_back({name.isEmpty() ? tr("Other registers") : name, {}});
         }
         m_groups[found->second].rows.push_back(i);

@@ -1,7 +1,9 @@
 // The translations as files: complete, with the same place holders as their sources, and inside the program.
 // Looks at translations/*.ts in the source folder, never at the wording.
+#include <QDir>
 #include <QFile>
 #include <QRegularExpression>
+#include <QSet>
 #include <QTest>
 #include <QTranslator>
 #include <QXmlStreamReader>
@@ -97,6 +99,7 @@ class TestTranslations : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void germanIsCompleteAndKeepsPlaceHolders();
+    void everyGroupOfRegistersIsTranslated();
     void englishHasItsPlurals();
     void theProgramHoldsThem_data();
     void theProgramHoldsThem();
@@ -119,6 +122,30 @@ void TestTranslations::germanIsCompleteAndKeepsPlaceHolders()
         }
     }
     QVERIFY2(flaws.isEmpty(), qPrintable(flaws.join(u'\n')));
+}
+
+void TestTranslations::everyGroupOfRegistersIsTranslated()
+{
+    QSet<QString> known;
+    for (const Message &message : readMessages(QStringLiteral("de"))) {
+        if (message.context == QLatin1String("RegisterGroups"))
+            known.insert(message.source);
+    }
+    const QDir folder(QStringLiteral(ROTORSCOPE_SOURCE "/resources/registers"));
+    int registers = 0;
+    for (const QString &name : folder.entryList({QStringLiteral("*.csv")})) {
+        QFile file(folder.filePath(name));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const auto lines = QString::fromUtf8(file.readAll()).split(u'\n', Qt::SkipEmptyParts);
+        const auto column = lines.first().split(u',').indexOf(QLatin1String("group"));
+        QVERIFY(column > 0); // no column before it holds a quoted comma
+        for (const QString &line : lines.mid(1)) {
+            const QString group = line.split(u',').value(column);
+            QVERIFY2(known.contains(group), qPrintable(line));
+            ++registers;
+        }
+    }
+    QVERIFY(registers > 300);
 }
 
 void TestTranslations::englishHasItsPlurals()

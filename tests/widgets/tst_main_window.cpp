@@ -2,6 +2,7 @@
 #include "widgets/banner.h"
 #include "widgets/connect_bar.h"
 #include "widgets/lamp.h"
+#include "widgets/scope/scope_view.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -42,6 +43,24 @@ private Q_SLOTS:
         feed({LinkState::Connected, LinkReason::None});
         QVERIFY(lamp("boardLamp")->light() == Lamp::Light::On);
         QCOMPARE(lamp("boardLamp")->text(), QStringLiteral("board answering"));
+    }
+
+    void aSilentBoardHatchesTheScopeUntilItAnswers()
+    {
+        auto *scope = m_rig->find<widgets::ScopeView>("scope");
+        auto *mark = m_rig->find<QWidget>("staleMark");
+        QVERIFY(!mark->isVisible());
+        feed({LinkState::Suspect, LinkReason::None});
+        QCOMPARE(scope->stale(), QStringLiteral("Not live: board silent"));
+        QVERIFY(mark->isVisible());
+        QCOMPARE(mark->size(), scope->size());
+        feed({LinkState::Lost, LinkReason::Silence});
+        QCOMPARE(scope->stale(), QStringLiteral("Not live: link lost"));
+        feed({LinkState::Connected, LinkReason::None});
+        QVERIFY(!mark->isVisible());
+        device().portChanged(
+            session::PortState::Closed, {}); // by a person: the picture is a recording
+        QVERIFY(!mark->isVisible());
     }
 
     void aLostLinkStaysToldUntilTheBoardAnswers()

@@ -2,6 +2,7 @@
 
 #include "widgets/scope/plot_stack.h"
 #include "widgets/scope/scope_mouse.h"
+#include "widgets/scope/stale_mark.h"
 
 #include <QKeyEvent>
 #include <QLabel>
@@ -30,6 +31,7 @@ ScopeView::ScopeView(capture::Capture &capture, QWidget *parent)
     , m_plot(new QCustomPlot(this))
     , m_hint(new QLabel(this))
     , m_dropMark(new QRubberBand(QRubberBand::Rectangle, this))
+    , m_stale(new StaleMark(*this, this))
     , m_stack(std::make_unique<PlotStack>(*m_plot, capture))
     , m_mouse(new ScopeMouse(*this, *m_plot, *m_stack))
 {
@@ -101,6 +103,14 @@ bool ScopeView::running() const { return m_running; }
 bool ScopeView::following() const { return m_following; }
 
 bool ScopeView::gridVisible() const { return m_stack->grid(); }
+
+void ScopeView::setStale(const QString &why)
+{
+    if (why != m_stale->why())
+        m_stale->say(why);
+}
+
+QString ScopeView::stale() const { return m_stale->why(); }
 
 QRect ScopeView::plotRect(int plot) const
 {
@@ -386,6 +396,7 @@ void ScopeView::resizeEvent(QResizeEvent *event)
     QWidget::resizeEvent(event);
     m_hint->setGeometry(rect().adjusted(40, 40, -40, -40));
     m_hint->raise();
+    m_stale->setGeometry(rect());
 }
 
 } // namespace widgets

@@ -19,6 +19,7 @@ namespace widgets {
 
 class PlotStack;
 class ScopeMouse;
+class StaleMark;
 
 class ScopeView : public QWidget {
     Q_OBJECT
@@ -43,6 +44,9 @@ public:
     bool running() const; ///< false: the picture stands still, recording goes on
     bool following() const; ///< the right edge stays at the newest sample
     bool gridVisible() const;
+    /// Hatches the plots and says why what they show is not live; empty ends that.
+    void setStale(const QString &why);
+    QString stale() const;
     QRect plotRect(int plot)
         const; ///< where its traces are drawn, in this widget's pixels; empty if there is none
     struct ValueRange {
@@ -102,6 +106,7 @@ private:
     QCustomPlot *m_plot;
     QLabel *m_hint;
     QRubberBand *m_dropMark;
+    StaleMark *m_stale;
     std::unique_ptr<PlotStack> m_stack;
     ScopeMouse *m_mouse;
     QTimer m_frame;
