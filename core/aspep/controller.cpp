@@ -45,6 +45,8 @@ std::uint8_t Controller::linkId() const { return m_linkId; }
 
 Duration Controller::responseTimeout() const
 {
+    if (m_state == State::Negotiating && !m_heardBytes && m_attempts > m_config.attempts)
+        return wireTime(2 * kHeaderSize, m_config.baud) + 5ms + m_config.hostLatency; // no stream
     constexpr std::size_t kUsualAsync = 2048;
     constexpr std::size_t kUsualResponse = 256;
     const std::size_t bytes =
@@ -104,7 +106,9 @@ void Controller::receive(ByteView bytes, TimePoint now)
         return;
     m_lastByte = now;
     m_tornTold = false;
-    m_heardBytes = true;
+    if (!std::exchange(m_heardBytes, true) && m_state == State::Negotiating)
+        m_attempts =
+            std::min(m_attempts, 2); // what was swallowed does not count, but may echo late
     Packet packet;
     for (;;) {
         const Framer::Step step = m_framer.next(bytes, packet);

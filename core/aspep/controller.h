@@ -40,7 +40,7 @@ public:
         Duration hostLatency =
             std::chrono::milliseconds(20); ///< what a USB adapter and the scheduler may add
         int attempts =
-            5; ///< how often one step of a dialogue is sent before the link counts as lost
+            5; ///< how often a step of a dialogue is sent until the link is lost; oftener into silence
         Duration keepAliveAfter =
             std::chrono::milliseconds(250); ///< silence after which a Ping is sent
         Duration suspectAfter = std::chrono::milliseconds(500); ///< no valid packet: event Suspect

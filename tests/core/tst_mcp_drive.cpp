@@ -1,4 +1,5 @@
 // McpDrive against the simulated board: what a person's session is made of, on virtual time.
+#include "aspep/packet.h"
 #include "drive/mcp_scales.h"
 #include "support/link_pair.h"
 
@@ -23,6 +24,7 @@ private Q_SLOTS:
     void aBoardThatIsResetIsSeenAndDisarms();
     void aLostLinkComesBackByItselfAndReadOnly();
     void nobodyAnswersAndItSaysSo();
+    void aBoardThatWaitsForTheRestOfARequestIsReached();
     void disconnectingEndsTheStreamAndEveryWish();
     void manyMotorsAreRefusedBeforeTheWire();
     void olderFirmwareHasItsOwnScales();
@@ -292,6 +294,26 @@ void TestMcpDrive::aLostLinkComesBackByItselfAndReadOnly()
     QVERIFY(session.status[1].state == MotorState::Running); // the board does not care
     for (std::size_t i = before; i < session.requests.size(); ++i)
         QVERIFY(!support::changesSomething(session.requests[i]));
+}
+
+void TestMcpDrive::aBoardThatWaitsForTheRestOfARequestIsReached()
+{
+    // A program that was killed between header and payload leaves such a board behind.
+    for (const int length : {4, 7, 128, 255, 256}) {
+        support::Session session(false);
+        QVERIFY(session.ready);
+        session.drive->disconnect(session.now);
+        session.runFor(1s);
+        const aspep::HeaderBytes header =
+            aspep::encodeHeader(aspep::Data{false, static_cast<std::uint16_t>(length)});
+        session.board->receive(Bytes(header.begin(), header.end()), session.now);
+        session.runFor(10ms);
+        session.board->receive(Bytes{0x12, 0x00, 0x13}, session.now);
+        session.runFor(100ms);
+        session.connect();
+        QVERIFY(session.runUntil([&] { return session.link != LinkState::Connecting; }, 10s));
+        QVERIFY2(session.link == LinkState::Connected, std::to_string(length).c_str());
+    }
 }
 
 void TestMcpDrive::nobodyAnswersAndItSaysSo()
