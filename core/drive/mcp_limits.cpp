@@ -28,6 +28,10 @@ std::string refuseDigits(const McpBoard &board, int motor, double digits)
 
 std::string refuseRaw(const McpBoard &board, std::uint16_t bare, int motor, const Bytes &bytes)
 {
+    const bool ramp = bare == mcp::reg::kSpeedRamp.bits || bare == mcp::reg::kTorqueRamp.bits;
+    const std::size_t needed = ramp ? 6 : bare == mcp::reg::kCurrentRef.bits ? 4 : bytes.size();
+    if (bytes.size() != needed) // firmware takes what is missing from an older packet
+        return "takes " + std::to_string(needed) + " bytes";
     ByteReader reader(bytes);
     if (bare == mcp::reg::kSpeedRamp.bits)
         return refuseSpeed(board, motor, reader.s32());

@@ -26,6 +26,19 @@ std::string refuseAddress(const McpBoard &board, RegisterId id)
     return {};
 }
 
+/// Why bytes of this length are not written over those that were read; empty if they may. The two that are written in
+/// lengths of their own are looked at elsewhere: TORQUE_RAMP with the limits, REVUP_DATA by the board.
+std::string refuseLength(const RegisterWrite &write, const Value &before)
+{
+    const auto *content = std::get_if<Bytes>(&write.value);
+    const auto *old = std::get_if<Bytes>(&before);
+    const RegisterId bare = write.id & ~RegisterId{7};
+    if (content == nullptr || old == nullptr || content->size() == old->size()
+        || bare == mcp::reg::kTorqueRamp.bits || bare == mcp::reg::kRevupData.bits)
+        return {};
+    return "takes " + std::to_string(old->size()) + " bytes";
+}
+
 /// What was read equals what was meant to be written. TORQUE_RAMP reads back shorter than it is written.
 bool sameValue(RegisterId id, const Value &wanted, const Value &read)
 {
@@ -170,6 +183,12 @@ std::optional<Bytes> WriteTask::nextRequest(TimePoint)
     if (m_phase == Phase::Before) {
         if (!m_reader.finished())
             return m_reader.nextRequest(m_board);
+        for (Item &item : m_items) {
+            if (item.state != State::Waiting || !item.result.before)
+                continue;
+            if (const auto why = refuseLength(item.write, *item.result.before); !why.empty())
+                finishItem(item, Outcome::Refused, why);
+        }
         enter(Phase::Setting);
     }
     if (m_phase == Phase::Setting) {

@@ -73,7 +73,9 @@ void TestMcpDriveWrites::valuesThatDoNotFitNeverLeave()
     const std::vector<RegisterWrite> bad{{kp, std::int64_t{32768}}, {kp, std::int64_t{-32769}},
         {kp, nan}, {kp, 1.5}, {kp, 1e300}, {kp, std::string("7")}, {kp, Bytes{7, 0}},
         {mode, std::int64_t{256}}, {mode, std::int64_t{-1}},
-        {session.id("SPEED_RAMP"), std::int64_t{5}}};
+        {session.id("SPEED_RAMP"), std::int64_t{5}}, {session.id("SPEED_RAMP"), Bytes{0}},
+        {session.id("SPEED_RAMP"), Bytes(7)}, {session.id("TORQUE_RAMP"), Bytes(4)},
+        {session.id("CURRENT_REF"), Bytes(3)}};
     for (const RegisterWrite &write : bad) {
         const WishId wish = session.submit(Write{{write}});
         QVERIFY(session.runUntilEnded(wish));
