@@ -88,8 +88,10 @@ std::string StreamControl::refuse(const Stream &stream) const
         return "at most " + std::to_string(m_board.streaming.maxSignals) + " signals at a time";
     if (stream.fastEvery < 1 || stream.fastEvery > 256)
         return "the fast rate is every 1st to 256th control period";
-    if (stream.slowEvery < 1 || stream.slowEvery > 254)
-        return "the slow rate is every 1st to 254th fast sample";
+    if (stream.slowEvery < 1 || stream.slowEvery > Stream::kSlowOncePerPacket)
+        return "the slow rate is every 1st to 254th fast sample, or once a packet";
+    if (stream.slowEvery == Stream::kSlowOncePerPacket && stream.fast.empty())
+        return "without fast signals no packet ever fills";
     for (const auto *list : {&stream.fast, &stream.slow}) {
         for (const RegisterId id : *list) {
             const auto *info = m_board.catalog->find(id);

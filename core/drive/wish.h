@@ -56,7 +56,8 @@ struct Stream {
     std::vector<RegisterId> fast; ///< in the order wanted
     unsigned fastEvery = 1; ///< one sample every so many control periods, 1..256
     std::vector<RegisterId> slow;
-    unsigned slowEvery = 1; ///< one slow group every so many fast samples, 1..254
+    unsigned slowEvery = 1; ///< one slow group every so many fast samples, 1..254, or:
+    static constexpr unsigned kSlowOncePerPacket = 255; ///< behind the last sample of each packet
 };
 
 /// Registers to be read over and over; replaces the list before. The drive spreads them over the spare link time.
