@@ -16,6 +16,18 @@ CsvResult failed(CsvResult result, CsvError error, const QString &systemText)
     result.systemText = systemText;
     return result;
 }
+
+/// A short write is no success: commit() would put a truncated file in place (Qt 6.4). Only writing the rest tells why.
+bool writeAll(QSaveFile &file, std::string_view text)
+{
+    while (!text.empty()) {
+        const qint64 count = file.write(text.data(), static_cast<qint64>(text.size()));
+        if (count <= 0)
+            return false;
+        text.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return true;
+}
 } // namespace
 
 CsvResult writeCsvFile(
@@ -32,14 +44,12 @@ CsvResult writeCsvFile(
         return failed(result, CsvError::CannotOpen, file.errorString());
     std::string text;
     while (writer.next(text)) {
-        const auto size = static_cast<qint64>(text.size());
-        // After a short write commit() would still succeed and put a truncated file in place (Qt 6.4).
-        if (file.write(text.data(), size) != size) {
+        if (!writeAll(file, text)) {
             const QString reason = file.errorString();
             file.cancelWriting();
             return failed(result, CsvError::CannotWrite, reason);
         }
-        result.bytes += size;
+        result.bytes += static_cast<qint64>(text.size());
         if (proceed && !proceed(writer.progress())) {
             file.cancelWriting();
             return failed(result, CsvError::Cancelled, {});
