@@ -8,7 +8,6 @@
 #include <cstring>
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
 #include <utility>
@@ -18,6 +17,14 @@ namespace sim {
 namespace {
 
 std::string reason(const std::string &what) { return what + ": " + std::strerror(errno); }
+
+/// Where a symbolic link points to; nothing if the path is none.
+std::string linkTarget(const std::string &path)
+{
+    std::array<char, 256> target{};
+    const ssize_t size = readlink(path.c_str(), target.data(), target.size());
+    return size > 0 ? std::string(target.data(), static_cast<std::size_t>(size)) : std::string();
+}
 
 bool makeRaw(const char *path)
 {
@@ -107,8 +114,8 @@ void PseudoTerminal::write(ByteView bytes)
 
 Result<Link, std::string> Link::make(const std::string &path, const std::string &target)
 {
-    struct stat found { };
-    if (lstat(path.c_str(), &found) == 0 && S_ISLNK(found.st_mode))
+    // Only what an earlier simulator left behind makes room; anybody else's link stays.
+    if (linkTarget(path).starts_with("/dev/"))
         unlink(path.c_str());
     if (symlink(target.c_str(), path.c_str()) != 0)
         return fail(reason("cannot make the link " + path));
@@ -136,9 +143,7 @@ Link::~Link()
     if (m_path.empty())
         return;
     // Only while it is still ours: a later simulator may have taken the name over.
-    std::array<char, 256> now{};
-    const ssize_t size = readlink(m_path.c_str(), now.data(), now.size());
-    if (size > 0 && m_target == std::string_view(now.data(), static_cast<std::size_t>(size)))
+    if (linkTarget(m_path) == m_target)
         unlink(m_path.c_str());
 }
 

@@ -1,4 +1,5 @@
 // rotorscope-sim as others script against it: its first line, its link, its end, its complaints.
+#include <QFile>
 #include <QFileInfo>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -45,6 +46,7 @@ private slots:
     void aWrongCommandLineIsOneSentenceAndStatus2();
     void helpNamesEveryFlag();
     void itSaysWhereItIsLinksAndEndsOnSigterm();
+    void onlyALeftOverLinkIsReplaced();
     void aClientIsAnsweredAndTheNextOneToo();
     void withControlItEndsWithItsInput();
     void withoutControlItNeverReadsItsInput();
@@ -104,6 +106,21 @@ void TestSimulatorProgram::itSaysWhereItIsLinksAndEndsOnSigterm()
     QCOMPARE(program.process.exitStatus(), QProcess::NormalExit);
     QCOMPARE(program.process.exitCode(), 0);
     QVERIFY(!QFileInfo(link).isSymLink());
+}
+
+void TestSimulatorProgram::onlyALeftOverLinkIsReplaced()
+{
+    const QTemporaryDir folder;
+    const QString mine = folder.filePath(QStringLiteral("mine"));
+    const QString old = folder.filePath(QStringLiteral("old"));
+    QVERIFY(QFile::link(folder.path(), mine));
+    QVERIFY(QFile::link(QStringLiteral("/dev/pts/9999"), old));
+    Program refused({QStringLiteral("mcp"), QStringLiteral("--link"), mine});
+    QVERIFY(refused.ended());
+    QCOMPARE(refused.process.exitCode(), 5);
+    QCOMPARE(QFileInfo(mine).symLinkTarget(), folder.path());
+    Program taken({QStringLiteral("mcp"), QStringLiteral("--link"), old});
+    QCOMPARE(QFileInfo(old).symLinkTarget(), taken.firstLine().mid(6));
 }
 
 void TestSimulatorProgram::aClientIsAnsweredAndTheNextOneToo()
