@@ -101,7 +101,8 @@ void addCommandOptions(QCommandLineParser &parser, const QString &command)
         {QStringLiteral("mf"), QStringLiteral("Signals recorded less often."),
             QStringLiteral("C,D")},
         {QStringLiteral("mf-rate"),
-            QStringLiteral("One --mf group every N + 1 samples, 15 if not given."),
+            QStringLiteral(
+                "One --mf group every N + 1 samples, 15 if not given; 254: one in each packet."),
             QStringLiteral("N")},
         {QStringLiteral("seconds"), QStringLiteral("How long to record."), QStringLiteral("S")},
         {{QStringLiteral("o"), QStringLiteral("output")}, QStringLiteral("The file to write."),
@@ -155,7 +156,7 @@ Outcome<CaptureArguments> captureOf(const QCommandLineParser &parser)
     if (capture.fast.isEmpty() && capture.slow.isEmpty())
         return usage(QStringLiteral("Name the signals to record, for example --hf I_A,I_B."));
     for (const auto &[option, rate, most] : {std::tuple{"hf-rate", &capture.fastRate, 255},
-             std::tuple{"mf-rate", &capture.slowRate, 253}}) {
+             std::tuple{"mf-rate", &capture.slowRate, 254}}) {
         const QString name = QLatin1String(option);
         if (!parser.isSet(name))
             continue;

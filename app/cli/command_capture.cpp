@@ -25,6 +25,11 @@ constexpr auto kStandstillWithin = 2s;
 constexpr auto kFirstSampleWithin = 5s;
 constexpr double kMostBytes = 1.2e9; ///< of samples, which are kept in memory until the end
 
+QString recordingAdvice()
+{
+    return QStringLiteral("record fewer signals, or --mf with a smaller --mf-rate");
+}
+
 class CaptureRun {
 public:
     explicit CaptureRun(Desk &desk)
@@ -38,6 +43,7 @@ public:
 
 private:
     Outcome<drive::Stream> stream() const;
+    Outcome<int> rehearse(const drive::Stream &stream);
     Outcome<int> prepare();
     Outcome<int> startMotor();
     Outcome<int> ramp();
@@ -63,6 +69,8 @@ Outcome<int> CaptureRun::run()
     if (!wanted)
         return tl::make_unexpected(wanted.error());
     if (const auto possible = checkCsvTarget(m_wanted.file); !possible)
+        return possible;
+    if (const auto possible = rehearse(*wanted); !possible)
         return possible;
     Outcome<int> done = prepare();
     if (done)
@@ -113,6 +121,21 @@ Outcome<drive::Stream> CaptureRun::stream() const
         .fastEvery = m_wanted.fastRate + 1,
         .slow = *slow,
         .slowEvery = m_wanted.slowRate + 1};
+}
+
+/// No motor turns for a recording that the board then refuses: it is asked for the recording beforehand.
+Outcome<int> CaptureRun::rehearse(const drive::Stream &stream)
+{
+    if (!m_wanted.start && !m_wanted.ramp)
+        return kDone;
+    const auto agreed =
+        m_desk.talk.command(stream, QStringLiteral("The recording"), recordingAdvice());
+    if (!agreed)
+        return tl::make_unexpected(agreed.error());
+    const auto over = m_desk.talk.ask(drive::Stream{});
+    if (!over)
+        return tl::make_unexpected(over.error());
+    return kDone;
 }
 
 Outcome<int> CaptureRun::prepare()
@@ -204,7 +227,7 @@ Outcome<int> CaptureRun::record(const drive::Stream &stream)
             && (status->state == MotorState::FaultNow || status->state == MotorState::FaultOver))
             m_fault = *status;
     });
-    const auto ended = talk.command(stream, QStringLiteral("The recording"));
+    const auto ended = talk.command(stream, QStringLiteral("The recording"), recordingAdvice());
     if (!ended)
         return tl::make_unexpected(ended.error());
     const auto begun = talk.waitUntil([this] { return !m_recorder.empty(); }, kFirstSampleWithin);

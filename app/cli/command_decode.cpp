@@ -24,13 +24,24 @@ mcp::TraceLookup lookupOf(const catalog::Catalog &catalog)
     };
 }
 
-mcp::TraceDirection directionOf(const QString &word)
+std::optional<mcp::TraceDirection> directionOf(const QString &word)
 {
     if (word == QLatin1String("C>P"))
         return mcp::TraceDirection::FromController;
     if (word == QLatin1String("P>C"))
         return mcp::TraceDirection::FromPerformer;
-    return mcp::TraceDirection::Event;
+    if (word == QLatin1String("--"))
+        return mcp::TraceDirection::Event;
+    return std::nullopt;
+}
+
+/// The bytes that a line's `hex` spells; none if it is no string of whole bytes. fromHex() would pass over what is wrong.
+std::optional<QByteArray> bytesOf(const QJsonValue &hex)
+{
+    QByteArray digits = hex.toString(QStringLiteral("?")).toLatin1();
+    digits.replace(' ', QByteArray());
+    const QByteArray bytes = QByteArray::fromHex(digits);
+    return bytes.size() * 2 == digits.size() ? std::optional(bytes) : std::nullopt;
 }
 
 } // namespace
@@ -55,19 +66,19 @@ Outcome<int> runDecode(const Arguments &arguments, Output &out)
         const QJsonObject line = document.object();
         if (number == 1 && document.isObject() && !line.contains(QLatin1String("dir")))
             continue; // the header
-        if (!line.contains(QLatin1String("dir")))
+        const QString word = line.value(QLatin1String("dir")).toString();
+        const auto direction = directionOf(word);
+        const bool event = direction == mcp::TraceDirection::Event;
+        const auto content = event ? QByteArray() : bytesOf(line.value(QLatin1String("hex")));
+        if (!direction || !content)
             return failure(kFileError,
                 QStringLiteral("%1, line %2 is no recorded packet; a packet is a JSON object with "
-                               "dir, hex and t_ms.")
+                               "dir (C>P, P>C or --), hex and t_ms.")
                     .arg(path, QString::number(number)));
-        const QString direction = line.value(QLatin1String("dir")).toString();
-        const QByteArray hex =
-            QByteArray::fromHex(line.value(QLatin1String("hex")).toString().toLatin1());
-        const ByteView bytes(reinterpret_cast<const std::uint8_t *>(hex.constData()),
-            static_cast<std::size_t>(hex.size()));
+        const ByteView bytes(reinterpret_cast<const std::uint8_t *>(content->constData()),
+            static_cast<std::size_t>(content->size()));
         const double time_ms = line.value(QLatin1String("t_ms")).toDouble();
-        out.write(
-            traceJson(decoder.next(directionOf(direction), bytes), packet++, time_ms, direction));
+        out.write(traceJson(decoder.next(*direction, bytes), packet++, time_ms, word));
     }
     if (packet == 0)
         return failure(kFileError, QStringLiteral("%1 holds no recorded packet.").arg(path));

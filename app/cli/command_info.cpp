@@ -16,7 +16,10 @@ QJsonArray textsOf(const std::vector<std::string> &texts)
     return array;
 }
 
-QJsonObject motorJson(const drive::MotorStatus &status, const drive::MotorLimits &limits)
+/// What the board does not tell is 0 in our structures, and null for others.
+QJsonValue known(double number) { return number > 0.0 ? QJsonValue(number) : QJsonValue(); }
+
+QJsonObject statusJson(const drive::MotorStatus &status)
 {
     return {{QStringLiteral("motor"), status.motor},
         {QStringLiteral("state"), plainText(status.stateName)},
@@ -24,11 +27,17 @@ QJsonObject motorJson(const drive::MotorStatus &status, const drive::MotorLimits
         {QStringLiteral("faults_now"), textsOf(status.faultsNow)},
         {QStringLiteral("faults_past"), textsOf(status.faultsPast)},
         {QStringLiteral("speed_rpm"),
-            status.speedRpm ? QJsonValue(*status.speedRpm) : QJsonValue()},
-        {QStringLiteral("max_speed_rpm"), limits.maxSpeedRpm},
-        {QStringLiteral("max_current_a"), limits.maxCurrentAmps},
-        {QStringLiteral("nominal_current_a"), limits.nominalCurrentAmps},
-        {QStringLiteral("pole_pairs"), limits.polePairs}};
+            status.speedRpm ? QJsonValue(*status.speedRpm) : QJsonValue()}};
+}
+
+QJsonObject motorJson(const drive::MotorStatus &status, const drive::MotorLimits &limits)
+{
+    QJsonObject motor = statusJson(status);
+    motor[QStringLiteral("max_speed_rpm")] = known(limits.maxSpeedRpm);
+    motor[QStringLiteral("max_current_a")] = known(limits.maxCurrentAmps);
+    motor[QStringLiteral("nominal_current_a")] = known(limits.nominalCurrentAmps);
+    motor[QStringLiteral("pole_pairs")] = known(limits.polePairs);
+    return motor;
 }
 
 QJsonObject boardJson(const drive::Identified &board, const QJsonArray &motors)
@@ -50,7 +59,7 @@ QJsonObject boardJson(const drive::Identified &board, const QJsonArray &motors)
         {QStringLiteral("response_bytes"), static_cast<qint64>(board.responseBytes)},
         {QStringLiteral("stream_bytes"), static_cast<qint64>(board.streamBytes)},
         {QStringLiteral("stream_signals"), static_cast<qint64>(streaming.maxSignals)},
-        {QStringLiteral("control_rate_hz"), streaming.tickHz},
+        {QStringLiteral("control_rate_hz"), known(streaming.tickHz)},
         {QStringLiteral("link_bytes_per_second"), streaming.linkBytesPerSecond}};
 }
 
@@ -97,7 +106,7 @@ void printBoard(Output &out, const drive::Identified &board)
 void printStatus(Output &out, const drive::MotorStatus &status)
 {
     if (out.json()) {
-        out.line(motorJson(status, {}));
+        out.line(statusJson(status));
         return;
     }
     const QString speed =

@@ -49,7 +49,8 @@ Outcome<int> runPorts(Output &out)
                 {QStringLiteral("kind"), QLatin1String(wordOf(port.kind))},
                 {QStringLiteral("title"), titleOf(port)}});
         else
-            out.line(QStringLiteral("%1  %2").arg(port.path.leftJustified(16), titleOf(port)));
+            out.line(
+                QStringLiteral("%1  %2").arg(port.path.leftJustified(16), titleOf(port)).trimmed());
     }
     if (out.json())
         out.line(list);

@@ -4,6 +4,8 @@
 
 #include <QJsonArray>
 
+#include <algorithm>
+
 namespace cli {
 
 namespace {
@@ -23,6 +25,11 @@ Outcome<Wanted> wantedOf(const Desk &desk, Digits digits)
         const auto id = resolveName(desk.catalog(), word.left(equals).trimmed());
         if (!id)
             return tl::make_unexpected(id.error());
+        if (std::any_of(wanted.write.writes.begin(), wanted.write.writes.end(),
+                [&id](const drive::RegisterWrite &one) { return one.id == *id; }))
+            return failure(kUsage,
+                QStringLiteral("%1 is named twice; give it one value.")
+                    .arg(QString::fromStdString(desk.catalog().nameOf(*id))));
         const catalog::RegisterInfo *info = desk.catalog().find(*id);
         if (info != nullptr && !info->writable())
             return failure(kRefused,

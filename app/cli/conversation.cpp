@@ -76,7 +76,8 @@ Outcome<drive::Ended> Conversation::ask(decltype(drive::Wish::what) what)
     return *m_ended;
 }
 
-Outcome<drive::Ended> Conversation::command(decltype(drive::Wish::what) wish, const QString &what)
+Outcome<drive::Ended> Conversation::command(
+    decltype(drive::Wish::what) wish, const QString &what, const QString &advice)
 {
     auto ended = ask(std::move(wish));
     if (!ended || ended->outcome == drive::Outcome::Ok)
@@ -96,9 +97,8 @@ Outcome<drive::Ended> Conversation::command(decltype(drive::Wish::what) wish, co
         break;
     }
     return failure(kRefused,
-        QStringLiteral(
-            "%1 was refused by the board%2; look at its state and faults with rotorscope-cli info.")
-            .arg(what, reason.isEmpty() ? reason : QStringLiteral(" (%1)").arg(reason)));
+        QStringLiteral("%1 was refused%2; %3.")
+            .arg(what, reason.isEmpty() ? reason : QStringLiteral(" (%1)").arg(reason), advice));
 }
 
 Outcome<std::vector<drive::Reading>> Conversation::read(const std::vector<drive::RegisterId> &ids)

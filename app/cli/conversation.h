@@ -33,8 +33,11 @@ public:
 
     /// Asks for something and waits for its end. Not armed: what writes or moves ends NotSent.
     Outcome<drive::Ended> ask(decltype(drive::Wish::what) what);
-    /// ask() for what must succeed: any other outcome is a failure that begins with `what`.
-    Outcome<drive::Ended> command(decltype(drive::Wish::what) wish, const QString &what);
+    /// ask() for what must succeed: any other outcome is a failure that begins with `what`. `advice` ends the sentence
+    /// about a refusal.
+    Outcome<drive::Ended> command(decltype(drive::Wish::what) wish, const QString &what,
+        const QString &advice = QStringLiteral(
+            "look at the board's state and faults with rotorscope-cli info"));
     /// Readings in the order of the ids; a register that did not answer is NotSupported.
     Outcome<std::vector<drive::Reading>> read(const std::vector<drive::RegisterId> &ids);
     /// The newest status of a motor; waits for the first one.

@@ -45,7 +45,7 @@ void Recorder::take(const drive::Event &event)
             return;
         m_layout = started->layout;
         m_layout.originSeconds = 0.0; // its ticks will be counted from the first sample
-        m_length = static_cast<Tick>(std::llround(m_seconds * m_layout.tickHz));
+        m_length = std::max<Tick>(1, std::llround(m_seconds * m_layout.tickHz));
     } else if (const auto *block = std::get_if<SampleBlock>(&event)) {
         if (!m_complete && block->stream == m_layout.id && m_layout.tickHz > 0)
             takeBlock(*block);

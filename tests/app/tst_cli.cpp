@@ -18,10 +18,18 @@ private Q_SLOTS:
     void getReadsInUnitsAndRaw();
     void setPrintsOldAndNew();
     void whatTheBoardRefusesIsExitStatus1();
+    void aStructureOfAnotherLengthIsNotWritten();
+    void startTellsTheStateInJson();
     void noConnectionIsExitStatus3();
     void captureWritesExactlyTheTimeAsked();
     void captureIntoNowhereIsExitStatus5AndMovesNothing();
     void captureOfTooMuchSaysSoWithGaps();
+    void captureOfLessThanATickIsOneRow();
+    void captureTakesSlowSignalsOnceAPacket();
+    void captureThatTheBoardRefusesStartsNoMotor();
+    void decodePrintsOneObjectALine();
+    void decodeOfWhatIsNoPacketIsExitStatus5_data();
+    void decodeOfWhatIsNoPacketIsExitStatus5();
 };
 
 namespace {
@@ -78,12 +86,14 @@ void TestCli::wrongUsageIsExitStatus2AndOneLine_data()
              "get STATUS", "--port sim get", "--port sim get NO_SUCH_REGISTER",
              "--port sim get STATUS@9", "--port sim set SPEED_KP", "--port sim set SPEED_KP=1,5",
              "--port sim set SPEED_KP=99999999", "--port sim set SPEED_KP=nan",
-             "--port sim ramp 1000", "--port sim ramp fast 100", "--port sim ramp 1000 -1",
-             "--baud 3 --port sim info", "--port sim start --motor 2",
-             "--port sim capture -o x.csv --seconds 1", "--port sim capture --hf I_A --seconds 1",
+             "--port sim set SPEED_KP=1 SPEED_KP@1=2", "--port sim ramp 1000",
+             "--port sim ramp fast 100", "--port sim ramp 1000 -1", "--baud 3 --port sim info",
+             "--port sim start --motor 2", "--port sim capture -o x.csv --seconds 1",
+             "--port sim capture --hf I_A --seconds 1",
              "--port sim capture --hf I_A --seconds -1 -o x.csv",
              "--port sim capture --hf SPEED_MEAS --seconds 1 -o x.csv",
              "--port sim capture --hf I_A --hf-rate 256 --seconds 1 -o x.csv",
+             "--port sim capture --hf I_A --mf I_B --mf-rate 255 --seconds 1 -o x.csv",
              "--port sim capture --hf I_A --ramp 1500 --seconds 1 -o x.csv", "decode"})
         QTest::newRow(line) << QString::fromLatin1(line);
 }
@@ -172,6 +182,27 @@ void TestCli::whatTheBoardRefusesIsExitStatus1()
     QCOMPARE(readOnly.err.count(QLatin1Char('\n')), 1);
 }
 
+void TestCli::aStructureOfAnotherLengthIsNotWritten()
+{
+    // Firmware would fill the missing bytes with what lies in its buffer, and ramp to any speed.
+    const Run result = run("--port sim set SPEED_RAMP=00 SPEED_KP=5");
+    COMPARE_STATUS(result, 1);
+    QCOMPARE(result.lines().size(), 2);
+    QVERIFY2(result.lines()[1].endsWith(QLatin1String("-> 5")), qPrintable(result.out));
+    QVERIFY2(
+        result.err.contains(QLatin1String("SPEED_RAMP (takes 6 bytes)")), qPrintable(result.err));
+}
+
+void TestCli::startTellsTheStateInJson()
+{
+    const Run result = run("--port sim --json start");
+    COMPARE_STATUS(result, 0);
+    const QJsonObject state = result.json().object();
+    QVERIFY(!state[QLatin1String("state")].toString().isEmpty());
+    QVERIFY(state.contains(QLatin1String("speed_rpm")));
+    QVERIFY(!state.contains(QLatin1String("max_speed_rpm"))); // info tells it, and nothing is 0
+}
+
 void TestCli::noConnectionIsExitStatus3()
 {
     const Run result = run("--port /dev/no-such-port info");
@@ -218,6 +249,91 @@ void TestCli::captureOfTooMuchSaysSoWithGaps()
     const auto rows = readCsv(file);
     QVERIFY(rows.size() > 100);
     QVERIFY(rows.size() < 8001);
+}
+
+void TestCli::captureOfLessThanATickIsOneRow()
+{
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("x.csv"));
+    const Run result = run(words("--port sim capture --hf I_A --seconds 0.00001 -o") << file);
+    COMPARE_STATUS(result, 0);
+    QCOMPARE(readCsv(file).size(), 2);
+}
+
+void TestCli::captureTakesSlowSignalsOnceAPacket()
+{
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("x.csv"));
+    const Run result =
+        run(words("--port sim capture --hf I_A --mf I_B --mf-rate 254 --seconds 0.5 -o") << file);
+    COMPARE_STATUS(result, 0);
+    const auto rows = readCsv(file);
+    QCOMPARE(rows.size(), 8001);
+    QCOMPARE(rows[1][2], QString()); // not yet known
+    QVERIFY(!rows.last()[2].isEmpty());
+}
+
+void TestCli::captureThatTheBoardRefusesStartsNoMotor()
+{
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("x.csv"));
+    // 20 ms of so slow a line hold no group of 254 samples.
+    const Run result = run(words("--port sim --baud 115200 capture --start --hf I_A --mf I_B "
+                                 "--mf-rate 253 --seconds 1 -o")
+        << file);
+    COMPARE_STATUS(result, 1);
+    QVERIFY2(result.err.contains(QLatin1String("--mf-rate")), qPrintable(result.err));
+    QVERIFY2(!result.err.contains(QLatin1String("The motor was stopped")), qPrintable(result.err));
+    QVERIFY(!QFile::exists(file));
+}
+
+namespace {
+
+Run decode(const QByteArray &text)
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("trace.jsonl"));
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+        return {};
+    file.close();
+    return run({QStringLiteral("decode"), path});
+}
+
+} // namespace
+
+void TestCli::decodePrintsOneObjectALine()
+{
+    const Run result = decode("{\"transcript\": \"a header\"}\n"
+                              "{\"t_ms\": 1, \"dir\": \"C>P\", \"hex\": \"05 ff ff 0f\"}\n"
+                              "{\"t_ms\": 2, \"dir\": \"--\", \"hex\": \"\"}\n"
+                              "{\"t_ms\": 3, \"dir\": \"P>C\", \"hex\": \"05c701\"}\n");
+    COMPARE_STATUS(result, 0);
+    QCOMPARE(result.lines().size(), 3);
+    QVERIFY(result.lines()[0].contains(QLatin1String("\"type\":\"BEACON\"")));
+    QVERIFY(result.lines()[1].contains(QLatin1String("\"type\":\"event\"")));
+    QVERIFY(result.lines()[2].contains(QLatin1String("\"type\":\"invalid\"")));
+}
+
+void TestCli::decodeOfWhatIsNoPacketIsExitStatus5_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("nothing") << QByteArray();
+    QTest::newRow("no JSON") << QByteArray("hello\n");
+    QTest::newRow("a list") << QByteArray("[1,2]\n");
+    QTest::newRow("another direction") << QByteArray("{\"dir\":\"X\",\"hex\":\"05ffff0f\"}\n");
+    QTest::newRow("a number") << QByteArray("{\"dir\":\"C>P\",\"hex\":5}\n");
+    QTest::newRow("no hex digits") << QByteArray("{\"dir\":\"C>P\",\"hex\":\"zz11\"}\n");
+    QTest::newRow("half a byte") << QByteArray("{\"dir\":\"C>P\",\"hex\":\"123\"}\n");
+    QTest::newRow("zeros") << QByteArray(3'000'000, '\0');
+}
+
+void TestCli::decodeOfWhatIsNoPacketIsExitStatus5()
+{
+    QFETCH(QByteArray, text);
+    const Run result = decode(text);
+    COMPARE_STATUS(result, 5);
+    QCOMPARE(result.err.count(QLatin1Char('\n')), 1);
 }
 
 QTEST_GUILESS_MAIN(TestCli)
