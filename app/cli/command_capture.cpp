@@ -84,6 +84,10 @@ Outcome<int> CaptureRun::run()
         return stopped;
     if (!written)
         return written;
+    // Nobody looked for Ctrl-C while the file was written, and a motor may have been left running.
+    const auto undisturbed = m_desk.talk.waitUntil([] { return false; }, 1ms);
+    if (!undisturbed && undisturbed.error().status > kInterrupted)
+        return tl::make_unexpected(abandon(undisturbed.error()));
     return verdict();
 }
 
