@@ -72,23 +72,23 @@ private:
     Device &m_device;
     RegisterModel &m_registers;
 
-    QLabel *m_state;
-    QLabel *m_faultsNow;
-    QLabel *m_faultsPast;
-    QCheckBox *m_arm;
-    MotorButton *m_start;
-    StopButton *m_stop;
-    MotorButton *m_acknowledge;
-    SetpointEdit *m_speed;
-    QLabel *m_echo;
-    QSpinBox *m_rampTime;
-    MotorButton *m_go;
-    MotorButton *m_stopRamp;
+    QLabel *m_state = nullptr;
+    QLabel *m_faultsNow = nullptr;
+    QLabel *m_faultsPast = nullptr;
+    QCheckBox *m_arm = nullptr;
+    MotorButton *m_start = nullptr;
+    StopButton *m_stop = nullptr;
+    MotorButton *m_acknowledge = nullptr;
+    SetpointEdit *m_speed = nullptr;
+    QLabel *m_echo = nullptr;
+    QSpinBox *m_rampTime = nullptr;
+    MotorButton *m_go = nullptr;
+    MotorButton *m_stopRamp = nullptr;
     StopWords *m_words = nullptr;
     struct Readout {
-        const char *name;
-        QLabel *label;
-        QLabel *value;
+        const char *name = nullptr;
+        QLabel *label = nullptr;
+        QLabel *value = nullptr;
         std::optional<catalog::RegisterId> id;
     };
     std::vector<Readout> m_readouts;

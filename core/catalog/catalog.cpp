@@ -32,8 +32,8 @@ std::string hexName(RegisterId id)
 Scale digits(double perDigit, std::string_view unit, const RegisterInfo &info, double fixedPoint)
 {
     if (!(perDigit > 0.0) || !std::isfinite(perDigit))
-        return { 1.0, info.fractionBits > 0 ? std::string() : info.unit };
-    return { perDigit * fixedPoint, std::string(unit) };
+        return {1.0, info.fractionBits > 0 ? std::string() : info.unit};
+    return {perDigit * fixedPoint, std::string(unit)};
 }
 
 } // namespace
@@ -119,11 +119,11 @@ Scale Catalog::scaleOf(RegisterId id, double rpmPerDigit) const
     case Quantity::SpeedTenthHz:
         return digits(rpmPerDigit, "rpm", *info, fixedPoint);
     case Quantity::Angle:
-        return { 360.0 * (info->fractionBits > 0 ? fixedPoint : 1.0 / 65536.0), "°" };
+        return {360.0 * (info->fractionBits > 0 ? fixedPoint : 1.0 / 65536.0), "°"};
     case Quantity::Plain:
         break;
     }
-    return { fixedPoint, info->unit };
+    return {fixedPoint, info->unit};
 }
 
 Scale Catalog::readScale(RegisterId id) const

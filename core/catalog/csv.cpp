@@ -27,7 +27,7 @@ public:
 private:
     Result<CsvRow, TableError> nextRow()
     {
-        CsvRow row{ m_line, {} };
+        CsvRow row{m_line, {}};
         for (;;) {
             auto field = nextField();
             if (!field)
@@ -70,10 +70,10 @@ private:
             } else if (m_at >= m_text.size() || endsField(m_text[m_at])) {
                 return field;
             } else {
-                return fail(TableError{ m_line, "A closing quote is followed by text." });
+                return fail(TableError{m_line, "A closing quote is followed by text."});
             }
         }
-        return fail(TableError{ opened, "A quote is never closed." });
+        return fail(TableError{opened, "A quote is never closed."});
     }
 
     static bool endsField(char c) { return c == ',' || c == '\n' || c == '\r'; }

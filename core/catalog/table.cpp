@@ -18,29 +18,27 @@ struct Word {
     T value;
 };
 
-constexpr Word<ValueType> kTypes[] = { { "u8", ValueType::U8 }, { "s8", ValueType::S8 },
-    { "u16", ValueType::U16 }, { "s16", ValueType::S16 }, { "u32", ValueType::U32 },
-    { "s32", ValueType::S32 }, { "f32", ValueType::F32 }, { "string", ValueType::Text },
-    { "raw", ValueType::Raw } };
-constexpr Word<Meaning> kMeanings[] = { { "number", Meaning::Number },
-    { "enumeration", Meaning::Enumeration }, { "flags", Meaning::Flags },
-    { "boolean", Meaning::Boolean } };
-constexpr Word<Quantity> kQuantities[] = { { "plain", Quantity::Plain },
-    { "current", Quantity::Current }, { "voltage", Quantity::Voltage },
-    { "angle", Quantity::Angle }, { "speed", Quantity::SpeedTenthHz },
-    { "frequency", Quantity::Frequency } };
-constexpr Word<bool> kScopes[] = { { "motor", true }, { "global", false } };
+constexpr Word<ValueType> kTypes[] = {{"u8", ValueType::U8}, {"s8", ValueType::S8},
+    {"u16", ValueType::U16}, {"s16", ValueType::S16}, {"u32", ValueType::U32},
+    {"s32", ValueType::S32}, {"f32", ValueType::F32}, {"string", ValueType::Text},
+    {"raw", ValueType::Raw}};
+constexpr Word<Meaning> kMeanings[] = {{"number", Meaning::Number},
+    {"enumeration", Meaning::Enumeration}, {"flags", Meaning::Flags},
+    {"boolean", Meaning::Boolean}};
+constexpr Word<Quantity> kQuantities[] = {{"plain", Quantity::Plain},
+    {"current", Quantity::Current}, {"voltage", Quantity::Voltage}, {"angle", Quantity::Angle},
+    {"speed", Quantity::SpeedTenthHz}, {"frequency", Quantity::Frequency}};
+constexpr Word<bool> kScopes[] = {{"motor", true}, {"global", false}};
 
 struct AccessWord {
     Access access;
     bool stub = false;
     bool streamOnly = false;
 };
-constexpr Word<AccessWord> kAccesses[] = { { "R", { Access::Read } }, { "W", { Access::Write } },
-    { "RW", { Access::ReadWrite } }, { "R-setnoop", { Access::Read } },
-    { "datalog-only", { Access::None, false, true } }, { "stub", { Access::ReadWrite, true } },
-    { "stub-RO", { Access::Read, true } }, { "setnoop", { Access::None } },
-    { "none", { Access::None } } };
+constexpr Word<AccessWord> kAccesses[] = {{"R", {Access::Read}}, {"W", {Access::Write}},
+    {"RW", {Access::ReadWrite}}, {"R-setnoop", {Access::Read}},
+    {"datalog-only", {Access::None, false, true}}, {"stub", {Access::ReadWrite, true}},
+    {"stub-RO", {Access::Read, true}}, {"setnoop", {Access::None}}, {"none", {Access::None}}};
 
 template <class T, std::size_t N>
 const T *findWord(const Word<T> (&words)[N], std::string_view text)
@@ -111,9 +109,9 @@ enum Column : std::size_t {
     Description,
     ColumnCount
 };
-constexpr std::array<std::string_view, ColumnCount> kColumns{ "family", "name", "aliases", "id_hex",
+constexpr std::array<std::string_view, ColumnCount> kColumns{"family", "name", "aliases", "id_hex",
     "format", "scope", "access", "unit", "quantity", "meaning", "group", "dangerous", "datalog",
-    "since", "until", "description" };
+    "since", "until", "description"};
 
 class TableReader {
 public:
@@ -122,8 +120,8 @@ public:
         for (std::size_t column = 0; column < ColumnCount; ++column) {
             const auto at = std::find(header.fields.begin(), header.fields.end(), kColumns[column]);
             if (at == header.fields.end())
-                return fail(TableError{ header.line,
-                    "The column \"" + std::string(kColumns[column]) + "\" is missing." });
+                return fail(TableError{header.line,
+                    "The column \"" + std::string(kColumns[column]) + "\" is missing."});
             m_places[column] = static_cast<std::size_t>(at - header.fields.begin());
         }
         m_width = header.fields.size();
@@ -142,7 +140,7 @@ public:
         if (!since)
             return error(row, "has no valid version in \"since\"");
         const auto until =
-            field(row, Until).empty() ? VersionRange{ 0, 0xFFFFFF } : versions(field(row, Until));
+            field(row, Until).empty() ? VersionRange{0, 0xFFFFFF} : versions(field(row, Until));
         if (!until)
             return error(row, "has no valid version in \"until\"");
         return field(row, Family) == family && version >= since->first && version <= until->last;
@@ -213,8 +211,8 @@ private:
 
     tl::unexpected<TableError> error(const CsvRow &row, const std::string &what) const
     {
-        return fail(TableError{
-            row.line, "The row of line " + std::to_string(row.line) + " " + what + "." });
+        return fail(
+            TableError{row.line, "The row of line " + std::to_string(row.line) + " " + what + "."});
     }
 
     std::array<std::size_t, ColumnCount> m_places{};
@@ -230,7 +228,7 @@ Result<std::vector<RegisterInfo>, TableError> readTable(
     if (!rows)
         return fail(rows.error());
     if (rows->empty())
-        return fail(TableError{ 1, "The table is empty." });
+        return fail(TableError{1, "The table is empty."});
     TableReader reader;
     if (const auto header = reader.readHeader(rows->front()); !header)
         return fail(header.error());

@@ -39,8 +39,8 @@ public:
 
     /// The motor that a STOP is due for; `connected` says whether there is a link.
     std::optional<int> stopDue(TimePoint now, bool connected) const;
-    void stopSent(int motor, TimePoint now);
-    void stopAnswered(int motor, TimePoint now);
+    void stopSent(int number, TimePoint now);
+    void stopAnswered(int number, TimePoint now);
     /// A status whose request left at `askedAt`.
     void takeStatus(const MotorStatus &status, TimePoint askedAt);
     void handleTimeout(TimePoint now);

@@ -17,7 +17,7 @@ std::size_t valuesOf(const capture::SampleBlock &block)
 
 capture::Tick endOf(const capture::SampleBlock &block, capture::Tick step)
 {
-    return block.firstTick + std::max<capture::Tick>(1, capture::Tick{ block.count } * step);
+    return block.firstTick + std::max<capture::Tick>(1, capture::Tick{block.count} * step);
 }
 
 } // namespace

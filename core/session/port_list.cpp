@@ -12,13 +12,13 @@ namespace {
 constexpr quint16 kStVendor = 0x0483;
 /// V2-1, V2-1 without mass storage, V3 (three kinds), V3 without mass storage, V3PWR. Older ones
 /// have no port.
-constexpr std::array<quint16, 7> kStLinkProducts{ 0x374B, 0x3752, 0x374E, 0x374F, 0x3753, 0x3754,
-    0x3757 };
+constexpr std::array<quint16, 7> kStLinkProducts{
+    0x374B, 0x3752, 0x374E, 0x374F, 0x3753, 0x3754, 0x3757};
 
 QString titleOf(const SystemPort &port)
 {
     QStringList words;
-    for (const QString &word : { port.manufacturer, port.description, port.serialNumber }) {
+    for (const QString &word : {port.manufacturer, port.description, port.serialNumber}) {
         if (!word.isEmpty() && !words.contains(word))
             words.append(word);
     }
@@ -32,12 +32,12 @@ QList<SystemPort> SystemPortSource::ports() const
     QList<SystemPort> ports;
     const QList<QSerialPortInfo> infos = QSerialPortInfo::availablePorts();
     for (const QSerialPortInfo &info : infos) {
-        ports.append({ .path = info.systemLocation(),
+        ports.append({.path = info.systemLocation(),
             .description = info.description(),
             .manufacturer = info.manufacturer(),
             .serialNumber = info.serialNumber(),
             .vendor = info.vendorIdentifier(),
-            .product = info.productIdentifier() });
+            .product = info.productIdentifier()});
     }
     return ports;
 }
@@ -52,11 +52,11 @@ bool isStLink(quint16 vendor, quint16 product)
 QList<PortChoice> portChoices(const PortSource &source)
 {
     using Kind = PortChoice::Kind;
-    QList<PortChoice> choices{ { Kind::Simulator, QString::fromLatin1(kSimulatorPath), {} } };
+    QList<PortChoice> choices{{Kind::Simulator, QString::fromLatin1(kSimulatorPath), {}}};
     const QList<SystemPort> ports = source.ports();
     for (const SystemPort &port : ports) {
         const Kind kind = isStLink(port.vendor, port.product) ? Kind::StLink : Kind::Serial;
-        choices.append({ kind, port.path, titleOf(port) });
+        choices.append({kind, port.path, titleOf(port)});
     }
     std::stable_sort(
         choices.begin() + 1, choices.end(), [](const PortChoice &a, const PortChoice &b) {

@@ -44,8 +44,8 @@ PortError errorOf(int error, const QString &path)
 {
     const PortProblem problem = problemOf(error);
     if (problem == PortProblem::Busy)
-        return { problem, portHolder(path) };
-    return { problem, QString::fromLocal8Bit(std::strerror(error)) };
+        return {problem, portHolder(path)};
+    return {problem, QString::fromLocal8Bit(std::strerror(error))};
 }
 
 } // namespace
@@ -62,7 +62,7 @@ PortError PortLock::acquire(const QString &path)
         return errorOf(errno, path);
     if (::isatty(m_fd) == 0) {
         release();
-        return { PortProblem::NotFound, QString() };
+        return {PortProblem::NotFound, QString()};
     }
     if (::flock(m_fd, LOCK_EX | LOCK_NB) != 0) {
         const int error = errno;
@@ -83,7 +83,7 @@ void PortLock::release()
 QString portHolder(const QString &path)
 {
     const QStringList pids =
-        QDir(QStringLiteral("/proc")).entryList({ QStringLiteral("[0-9]*") }, QDir::Dirs);
+        QDir(QStringLiteral("/proc")).entryList({QStringLiteral("[0-9]*")}, QDir::Dirs);
     for (const QString &pid : pids) {
         const QDir fds(QStringLiteral("/proc/%1/fd").arg(pid));
         const QFileInfoList entries =
@@ -104,7 +104,7 @@ QString portHolder(const QString &path)
 PortHealth checkPort(qintptr handle)
 {
     const int fd = static_cast<int>(handle);
-    pollfd state{ .fd = fd, .events = 0, .revents = 0 };
+    pollfd state{.fd = fd, .events = 0, .revents = 0};
     PortHealth health;
     if (::poll(&state, 1, 0) > 0)
         health.hungUp = (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0;

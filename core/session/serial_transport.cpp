@@ -59,14 +59,14 @@ PortError SerialTransport::openError(const QString &path)
     m_lock.release(); // or we would be found as the one who holds it
     switch (m_port->error()) {
     case QSerialPort::DeviceNotFoundError:
-        return { PortProblem::NotFound, m_port->errorString() };
+        return {PortProblem::NotFound, m_port->errorString()};
     case QSerialPort::PermissionError:
         // The device itself could be opened, so it is another program's lock file or claim.
-        return { PortProblem::Busy, portHolder(path) };
+        return {PortProblem::Busy, portHolder(path)};
     case QSerialPort::UnsupportedOperationError:
-        return { PortProblem::BadSpeed, m_port->errorString() };
+        return {PortProblem::BadSpeed, m_port->errorString()};
     default:
-        return { PortProblem::Other, m_port->errorString() };
+        return {PortProblem::Other, m_port->errorString()};
     }
 }
 
@@ -137,7 +137,7 @@ void SerialTransport::onError(QSerialPort::SerialPortError error)
 void SerialTransport::fail(const QString &detail)
 {
     close();
-    Q_EMIT failed({ PortProblem::Unplugged, detail });
+    Q_EMIT failed({PortProblem::Unplugged, detail});
 }
 
 } // namespace session

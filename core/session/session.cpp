@@ -22,8 +22,8 @@ const auto kStopEvent = static_cast<QEvent::Type>(QEvent::registerEventType());
 
 ByteView viewOf(const QByteArray &bytes)
 {
-    return { reinterpret_cast<const std::uint8_t *>(bytes.constData()),
-        static_cast<std::size_t>(bytes.size()) };
+    return {reinterpret_cast<const std::uint8_t *>(bytes.constData()),
+        static_cast<std::size_t>(bytes.size())};
 }
 
 } // namespace
@@ -96,7 +96,7 @@ PortError Session::tryOpen(TimePoint now)
 {
     auto transport = m_parts.transport(m_endpoint);
     if (!transport)
-        return { PortProblem::Other, {} };
+        return {PortProblem::Other, {}};
     if (PortError error = transport->open(now); error.problem != PortProblem::None) {
         qCInfo(lcLink) << "cannot open" << m_endpoint.path << error.detail;
         return error;
@@ -148,7 +148,7 @@ void Session::submit(const drive::Wish &wish)
         m_drive->submit(wish, now);
     else if (wish.id != 0)
         m_batcher.add(drive::Ended{
-            .id = wish.id, .outcome = drive::Outcome::NotSent, .reason = {}, .writes = {} });
+            .id = wish.id, .outcome = drive::Outcome::NotSent, .reason = {}, .writes = {}});
     step(now);
 }
 
@@ -273,9 +273,9 @@ void Session::takeUpAgain(TimePoint now)
 {
     m_takeUpAgain = false;
     if (m_stream)
-        m_drive->submit({ .id = 0, .what = *m_stream }, now);
+        m_drive->submit({.id = 0, .what = *m_stream}, now);
     if (m_watch)
-        m_drive->submit({ .id = 0, .what = *m_watch }, now);
+        m_drive->submit({.id = 0, .what = *m_watch}, now);
 }
 
 /// The port is gone: the drive ends all its wishes, then the port is told as closed, once.

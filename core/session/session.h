@@ -114,7 +114,7 @@ private:
     std::optional<Endpoint> m_next; ///< to be opened when the one before is closed
     std::unique_ptr<Transport> m_transport;
     std::unique_ptr<drive::Drive> m_drive;
-    Outbox m_outbox{ 1 };
+    Outbox m_outbox{1};
     Batcher m_batcher;
     std::optional<PortError> m_failure; ///< reported by the transport, not yet acted upon
     std::optional<drive::Stream> m_stream; ///< last asked for; taken up again after a reopening

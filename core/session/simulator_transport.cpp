@@ -16,7 +16,7 @@ PortError SimulatorTransport::open(TimePoint now)
 {
     m_board = m_makeBoard();
     if (!m_board)
-        return { PortProblem::NotFound, {} };
+        return {PortProblem::NotFound, {}};
     m_start = now;
     m_last = now;
     return {};

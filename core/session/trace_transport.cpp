@@ -19,9 +19,9 @@ Trace readTrace(const QString &path, const QString &direction)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        return { {},
-            { file.exists() ? PortProblem::NoPermission : PortProblem::NotFound,
-                file.errorString() } };
+        return {{},
+            {file.exists() ? PortProblem::NoPermission : PortProblem::NotFound,
+                file.errorString()}};
     Trace trace;
     while (!file.atEnd() && trace.packets.size() < kMostPackets) {
         const QJsonObject line = QJsonDocument::fromJson(file.readLine(kLongestLine)).object();
@@ -31,10 +31,10 @@ Trace readTrace(const QString &path, const QString &direction)
         if (!std::isfinite(at_ms) || at_ms < 0 || at_ms > kLatest_ms)
             continue;
         const QByteArray hex = line.value(QLatin1String("hex")).toString().toLatin1();
-        trace.packets.push_back({ fromSeconds(at_ms / 1e3), QByteArray::fromHex(hex) });
+        trace.packets.push_back({fromSeconds(at_ms / 1e3), QByteArray::fromHex(hex)});
     }
     if (trace.packets.empty())
-        return { {}, { PortProblem::BadFile, {} } };
+        return {{}, {PortProblem::BadFile, {}}};
     std::stable_sort(trace.packets.begin(), trace.packets.end(),
         [](const TracePacket &a, const TracePacket &b) { return a.at < b.at; });
     return trace;

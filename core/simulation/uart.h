@@ -44,7 +44,7 @@ public:
 private:
     struct Byte {
         TimePoint end;
-        std::uint8_t value;
+        std::uint8_t value = 0;
     };
     void accept(std::uint8_t value);
     bool idleComesFirst() const;

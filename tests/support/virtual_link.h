@@ -37,13 +37,13 @@ inline Bytes hex(std::string_view text)
 inline Bytes header(const aspep::Header &what)
 {
     const auto bytes = aspep::encodeHeader(what);
-    return { bytes.begin(), bytes.end() };
+    return {bytes.begin(), bytes.end()};
 }
 
 /// A Data packet from the Performer: an async packet, or a response.
 inline Bytes packet(bool response, const Bytes &payload)
 {
-    Bytes bytes = header(aspep::Data{ response, static_cast<std::uint16_t>(payload.size()) });
+    Bytes bytes = header(aspep::Data{response, static_cast<std::uint16_t>(payload.size())});
     bytes.insert(bytes.end(), payload.begin(), payload.end());
     return bytes;
 }
@@ -125,7 +125,7 @@ struct VirtualLink {
         hear(kBoard);
         QCOMPARE(sent(), kBoard);
         hear(kBoard);
-        QCOMPARE(sent(), header(aspep::Ping{ false, false, 0, 1 }));
+        QCOMPARE(sent(), header(aspep::Ping{false, false, 0, 1}));
         hear(kConfigured);
         QCOMPARE(controller.state(), Controller::State::Connected);
         events.clear();
