@@ -1362,6 +1362,10 @@
         <source>Meanwhile standstill was measured.</source>
         <translation>Inzwischen wurde Stillstand gemessen.</translation>
     </message>
+    <message>
+        <source>There is no connection that could carry the stop, and the motor was not at rest when it was last heard. Closing this message starts nothing again.</source>
+        <translation>Es besteht keine Verbindung, die den Stopp übertragen könnte, und der Motor war nicht in Ruhe, als er zuletzt zu hören war. Das Schließen dieser Meldung startet nichts.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::StopButton</name>

@@ -1362,6 +1362,10 @@
         <source>Meanwhile standstill was measured.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>There is no connection that could carry the stop, and the motor was not at rest when it was last heard. Closing this message starts nothing again.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::StopButton</name>

@@ -325,8 +325,11 @@ void ControlPanel::updateState()
     m_state->setText(text);
     m_state->setEnabled(believed);
     QPalette colors = palette();
-    const auto light = status.state == drive::MotorState::Running ? Lamp::Light::On
-        : status.state == drive::MotorState::FaultNow             ? Lamp::Light::Bad
+    // The link's words must not wear the colour of a state that is no longer known.
+    const auto light = !believed
+        ? (m_device.link().state == drive::LinkState::Lost ? Lamp::Light::Bad : Lamp::Light::Off)
+        : status.state == drive::MotorState::Running  ? Lamp::Light::On
+        : status.state == drive::MotorState::FaultNow ? Lamp::Light::Bad
         : status.state == drive::MotorState::FaultOver
             || status.state == drive::MotorState::Starting
             || status.state == drive::MotorState::Stopping

@@ -83,8 +83,10 @@ void Device::close() { Q_EMIT closeWished(); }
 
 void Device::stop()
 {
-    if (!portOpen())
+    if (!portOpen()) {
+        Q_EMIT stopImpossible();
         return;
+    }
     Q_EMIT stopWished();
     armedChanged(false);
 }

@@ -67,6 +67,7 @@ Q_SIGNALS:
     void closeWished();
     void wishMade(const drive::Wish &wish);
     void stopWished();
+    void stopImpossible(); ///< no port is open: nothing can carry a stop
     void armWished(bool armed);
 
     // Toward the panels.

@@ -55,6 +55,7 @@ FirstSteps::FirstSteps(Device &device, QWidget *parent)
     connect(&device, &Device::identityChanged, this, &FirstSteps::follow);
     connect(&device, &Device::statusChanged, this, &FirstSteps::follow);
     connect(&device, &Device::wishEnded, this, &FirstSteps::follow);
+    connect(&device, &Device::linkStateChanged, this, &FirstSteps::follow);
     hide();
 }
 
@@ -114,6 +115,8 @@ void FirstSteps::follow()
     const MotorState state = m_device.status(m_device.motor()).state;
     if (m_step == Step::Welcome && m_device.identified())
         show(Step::Start);
+    // What a card says of the board holds only while the board answers; the banner has the word until then.
+    setVisible(m_step == Step::Welcome || m_step == Step::Save || m_device.answering());
     if (m_step == Step::Start && state == MotorState::Running)
         show(Step::Speed);
     if (m_step == Step::Speed && (state == MotorState::Idle || state == MotorState::Stopping))

@@ -316,6 +316,10 @@ void MainWindow::connectParts()
     connect(&m_device, &Device::portStateChanged, this, &MainWindow::linkChanged);
     connect(&m_device, &Device::armedStateChanged, this, &MainWindow::updateFrame);
     connect(&m_device, &Device::stopAdvanced, this, &MainWindow::stopAdvanced);
+    connect(&m_device, &Device::stopImpossible, this, [this] {
+        if (m_told == Told::Loss && !m_device.allIdle() && !m_alarm->isVisible())
+            m_alarm->raiseNotSent();
+    });
     connect(m_connectBar, &ConnectBar::disconnectWhileTurning, this, &MainWindow::askToDisconnect);
     connect(m_parting, &Shutdown::confirmed, m_connectBar, &ConnectBar::disconnectNow);
     connect(m_shutdown, &Shutdown::confirmed, this, &QWidget::close);

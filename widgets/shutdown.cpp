@@ -18,7 +18,15 @@ Shutdown::Shutdown(Device &device, QObject *parent)
     connect(&device, &Device::statusChanged, this, &Shutdown::check);
 }
 
-bool Shutdown::mayEnd() const { return m_leave || m_device.allIdle(); }
+bool Shutdown::mayEnd() const
+{
+    // A board that answers but has not said yet what its motor does may have one that turns.
+    const auto &identified = m_device.identified();
+    const bool ours = !identified || identified->identity.knownFirmware;
+    const bool unheard = m_device.answering() && ours
+        && m_device.status(m_device.motor()).state == drive::MotorState::Unknown;
+    return m_leave || (m_device.allIdle() && !unheard);
+}
 
 void Shutdown::begin()
 {
@@ -30,7 +38,7 @@ void Shutdown::begin()
 
 void Shutdown::check()
 {
-    if (!underWay() || !m_device.answering() || !m_device.allIdle())
+    if (!underWay() || !m_device.answering() || !mayEnd())
         return;
     m_deadline.stop();
     Q_EMIT confirmed();

@@ -52,6 +52,16 @@ void StopAlarm::raiseAlarm(int motor)
     raise();
 }
 
+void StopAlarm::raiseNotSent()
+{
+    m_text->setText(stopNotConfirmedText());
+    m_detail->setText(tr("There is no connection that could carry the stop, and the motor was not "
+                         "at rest when it was last heard. Closing this message starts nothing "
+                         "again."));
+    open();
+    raise();
+}
+
 void StopAlarm::confirmedLate()
 {
     if (isVisible())

@@ -13,6 +13,7 @@ public:
     explicit StopAlarm(QWidget *parent = nullptr);
 
     void raiseAlarm(int motor); ///< modal, without a loop of its own
+    void raiseNotSent(); ///< the same, for a stop that nothing could carry
     void
     confirmedLate(); ///< evidence came after all; the text says so and stays until it is closed
 

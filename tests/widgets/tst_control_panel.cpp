@@ -208,6 +208,22 @@ private Q_SLOTS:
         QVERIFY(!button("start")->isEnabled());
     }
 
+    void aStateThatIsNotKnownHasNoColour()
+    {
+        facts::connectBoard(*m_device);
+        const auto colour = [this] {
+            return m_panel->findChild<QLabel *>(QStringLiteral("motorState"))
+                ->palette()
+                .color(QPalette::Active, QPalette::WindowText);
+        };
+        const QColor plain = colour();
+        facts::feed(*m_device, {facts::status(drive::MotorState::Running)});
+        QVERIFY(colour() != plain);
+        facts::feed(
+            *m_device, {drive::LinkChanged{drive::LinkState::Suspect, drive::LinkReason::None}});
+        QCOMPARE(colour(), plain);
+    }
+
     void aStopDisarmsAndForgetsTheSetPoint()
     {
         arm();

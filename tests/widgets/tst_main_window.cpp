@@ -1,6 +1,7 @@
 #include "support/window_rig.h"
 #include "widgets/banner.h"
 #include "widgets/connect_bar.h"
+#include "widgets/first_steps.h"
 #include "widgets/lamp.h"
 #include "widgets/scope/scope_view.h"
 
@@ -43,6 +44,18 @@ private Q_SLOTS:
         feed({LinkState::Connected, LinkReason::None});
         QVERIFY(lamp("boardLamp")->light() == Lamp::Light::On);
         QCOMPARE(lamp("boardLamp")->text(), QStringLiteral("board answering"));
+    }
+
+    void theCardSaysNothingOfABoardThatDoesNotAnswer()
+    {
+        m_rig->find<widgets::FirstSteps>("firstSteps")->restart();
+        feed({LinkState::Connected, LinkReason::None});
+        auto *card = m_rig->find<QWidget>("firstSteps");
+        QVERIFY(card->isVisible());
+        feed({LinkState::Lost, LinkReason::Silence});
+        QVERIFY(!card->isVisible());
+        feed({LinkState::Connected, LinkReason::None});
+        QVERIFY(card->isVisible());
     }
 
     void aSilentBoardHatchesTheScopeUntilItAnswers()

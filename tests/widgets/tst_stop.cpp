@@ -7,11 +7,13 @@
 
 #include <QComboBox>
 #include <QDialog>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
 #include <QSignalSpy>
 
 class TestStop : public QObject {
@@ -140,6 +142,66 @@ private Q_SLOTS:
         device().portChanged(session::PortState::Closed, {});
         QTest::keyClick(&m_rig->window, Qt::Key_Escape);
         QCOMPARE(m_stops->size(), 0);
+    }
+
+    void whileTheLinkIsLostAStopIsStillSent()
+    {
+        for (const auto state : {drive::LinkState::Suspect, drive::LinkState::Recovering,
+                 drive::LinkState::Lost, drive::LinkState::Connecting}) {
+            m_stops->clear();
+            facts::feed(device(), {drive::LinkChanged{state, drive::LinkReason::Silence}});
+            QVERIFY(m_rig->find<widgets::StopButton>("stop")->isEnabled());
+            QTest::mousePress(m_rig->find<QWidget>("stopMotors"), Qt::LeftButton);
+            QTest::keyClick(&m_rig->window, Qt::Key_Escape);
+            QCOMPARE(m_stops->size(), 2);
+        }
+    }
+
+    void aPulledCableUnderATurningMotorIsToldWhenStopIsPressed()
+    {
+        auto *alarm = m_rig->find<widgets::StopAlarm>("stopAlarm");
+        facts::feed(device(), {facts::status(drive::MotorState::Running)});
+        device().portChanged(
+            session::PortState::Closed, {session::PortProblem::Unplugged, QStringLiteral("gone")});
+        QVERIFY(!alarm->isVisible());
+        QTest::keyClick(&m_rig->window, Qt::Key_Escape);
+        QCOMPARE(m_stops->size(), 0);
+        QVERIFY(alarm->isVisible());
+        QTest::keyClick(alarm, Qt::Key_Escape); // closes it, and does not raise it again at once
+        QVERIFY(!alarm->isVisible());
+    }
+
+    void escapeStopsDuringADrag()
+    {
+        auto *plot = m_rig->find<QWidget>("scopePlot");
+        QTest::mousePress(plot, Qt::LeftButton, Qt::NoModifier, plot->rect().center());
+        QTest::mouseMove(plot, plot->rect().center() + QPoint(30, 0));
+        QTest::keyClick(&m_rig->window, Qt::Key_Escape);
+        QCOMPARE(m_stops->size(), 1);
+        QTest::mouseRelease(plot, Qt::LeftButton);
+        QCOMPARE(m_stops->size(), 1);
+    }
+
+    void escapeStopsWhileTheScopesMenuIsOpen()
+    {
+        auto *plot = m_rig->find<QWidget>("scopePlot");
+        QTest::mouseClick(plot, Qt::RightButton, Qt::NoModifier, plot->rect().center());
+        QPointer<QWidget> menu = QApplication::activePopupWidget();
+        QVERIFY(menu);
+        QTest::keyClick(menu.data(), Qt::Key_Escape);
+        QCOMPARE(m_stops->size(), 1);
+        QVERIFY(!menu || !menu->isVisible());
+    }
+
+    void escapeStopsUnderAFileDialog()
+    {
+        // As widgets/file_prompt.cpp makes it: a system's own dialog would keep the key for itself.
+        QFileDialog dialog(&m_rig->window);
+        dialog.setOption(QFileDialog::DontUseNativeDialog);
+        dialog.open();
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+        QCOMPARE(m_stops->size(), 1);
+        QVERIFY(!dialog.isVisible());
     }
 
     void aStopThatIsNotConfirmedRaisesTheAlarm()
