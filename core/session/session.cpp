@@ -261,6 +261,9 @@ void Session::collectEvents(TimePoint now)
                            << static_cast<int>(link->reason);
             m_saidFarewell = m_saidFarewell || link->state == drive::LinkState::Closed;
         }
+        if (const auto *stream = std::get_if<drive::StreamStarted>(&event))
+            qCInfo(lcLink) << "stream of" << stream->layout.fast.size() << "fast and"
+                           << stream->layout.slow.size() << "slow signals";
         identified = identified || std::holds_alternative<drive::Identified>(event);
         m_batcher.add(std::move(event));
     }
