@@ -5,6 +5,7 @@
 #include "sentences.h"
 #include "values.h"
 
+#include <QFileInfo>
 #include <QJsonObject>
 #include <QLoggingCategory>
 
@@ -50,6 +51,7 @@ private:
     Outcome<int> record(const drive::Stream &stream);
     Outcome<int> stopMotor();
     Failure abandon(Failure why);
+    Failure salvage(Failure why);
     Outcome<int> write();
     Outcome<int> verdict() const;
 
@@ -76,7 +78,7 @@ Outcome<int> CaptureRun::run()
     if (done)
         done = record(*wanted);
     if (!done)
-        return tl::make_unexpected(abandon(done.error()));
+        return tl::make_unexpected(salvage(abandon(done.error())));
     const auto stopped = stopMotor();
     // What was recorded is worth keeping even if the stop was not confirmed.
     const auto written = write();
@@ -241,6 +243,7 @@ Outcome<int> CaptureRun::record(const drive::Stream &stream)
         return failure(kDataLost,
             QStringLiteral(
                 "The board sent no samples; record fewer signals or take a larger --hf-rate."));
+    qCInfo(lcProgress) << "recording";
     const auto limit =
         std::chrono::milliseconds(static_cast<std::int64_t>(m_wanted.seconds * 1500.0))
         + kFirstSampleWithin;
@@ -273,6 +276,15 @@ Failure CaptureRun::abandon(Failure why)
         why.sentence += QStringLiteral(" Stop NOT confirmed. Use the hardware stop.");
     else
         why.sentence += QStringLiteral(" The motor was stopped.");
+    return why;
+}
+
+/// The run ended early, but what was recorded until then may be what somebody waited for. An older file stays.
+Failure CaptureRun::salvage(Failure why)
+{
+    if (!m_recorder.empty() && !QFileInfo::exists(m_wanted.file) && write())
+        why.sentence +=
+            QStringLiteral(" What was recorded until then is in %1.").arg(m_wanted.file);
     return why;
 }
 

@@ -12,6 +12,8 @@ class TestTwoPrograms : public QObject {
 private Q_SLOTS:
     void aCaptureOverTheTerminalHasEveryRow();
     void aBoardThatVanishesIsExitStatus3AndSaysThatTheMotorMayTurn();
+    void whatWasRecordedBeforeTheBoardVanishedIsKept();
+    void anOlderRecordingIsWorthMoreThanABrokenOne();
     void aPortInUseIsExitStatus3AndNamesTheOther();
     void silenceIsExitStatus3();
     void garbageIsExitStatus3();
@@ -56,7 +58,8 @@ struct Cli {
     Cli(const QString &port, const QString &line)
     {
         auto environment = QProcessEnvironment::systemEnvironment();
-        environment.insert(QStringLiteral("QT_LOGGING_RULES"), QStringLiteral("link.info=true"));
+        environment.insert(QStringLiteral("QT_LOGGING_RULES"),
+            QStringLiteral("link.info=true;cli.progress.info=true"));
         process.setProcessEnvironment(environment);
         process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-cli"),
             QStringList{QStringLiteral("--port"), port} + line.split(QLatin1Char(' ')));
@@ -68,6 +71,7 @@ struct Cli {
         return heard;
     }
     bool connected() { return err().contains(QLatin1String("link state 2")); }
+    bool recording() { return err().contains(QLatin1String("recording")); }
     /// What is on standard error besides the log.
     QStringList sentences()
     {
@@ -108,7 +112,41 @@ void TestTwoPrograms::aBoardThatVanishesIsExitStatus3AndSaysThatTheMotorMayTurn(
     QCOMPARE(cli.process.exitCode(), 3);
     QCOMPARE(cli.sentences().size(), 1);
     QVERIFY2(cli.err().contains(QLatin1String("may still be turning")), qPrintable(cli.err()));
-    QVERIFY(!QFile::exists(file));
+}
+
+void TestTwoPrograms::whatWasRecordedBeforeTheBoardVanishedIsKept()
+{
+    Simulator simulator;
+    QVERIFY(simulator.ready());
+    const QString file = simulator.folder.filePath(QStringLiteral("x.csv"));
+    Cli cli(simulator.port, QStringLiteral("capture --hf I_A --seconds 60 -o %1").arg(file));
+    QTRY_VERIFY_WITH_TIMEOUT(cli.recording(), kLong_ms);
+    simulator.process.kill();
+    QTRY_VERIFY_WITH_TIMEOUT(cli.over(), kLong_ms);
+    QCOMPARE(cli.process.exitCode(), 3);
+    QVERIFY2(cli.err().contains(QLatin1String("until then is in")), qPrintable(cli.err()));
+    QFile csv(file);
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    QCOMPARE(csv.readLine(), QByteArray("time [s],I_A [A]\n"));
+    QVERIFY(csv.readAll().count('\n') > 0);
+}
+
+void TestTwoPrograms::anOlderRecordingIsWorthMoreThanABrokenOne()
+{
+    Simulator simulator;
+    QVERIFY(simulator.ready());
+    const QString file = simulator.folder.filePath(QStringLiteral("x.csv"));
+    QFile older(file);
+    QVERIFY(older.open(QIODevice::WriteOnly));
+    older.write("of yesterday\n");
+    older.close();
+    Cli cli(simulator.port, QStringLiteral("capture --hf I_A --seconds 60 -o %1").arg(file));
+    QTRY_VERIFY_WITH_TIMEOUT(cli.recording(), kLong_ms);
+    simulator.process.kill();
+    QTRY_VERIFY_WITH_TIMEOUT(cli.over(), kLong_ms);
+    QCOMPARE(cli.process.exitCode(), 3);
+    QVERIFY(older.open(QIODevice::ReadOnly));
+    QCOMPARE(older.readAll(), QByteArray("of yesterday\n"));
 }
 
 void TestTwoPrograms::aPortInUseIsExitStatus3AndNamesTheOther()
