@@ -11,10 +11,10 @@ namespace cli {
 namespace {
 
 struct CommandText {
-    const char *name;
-    const char *words; ///< after the name
-    const char *help;
-    int least, most; ///< number of words
+    const char *name = "";
+    const char *words = ""; ///< after the name
+    const char *help = "";
+    int least = 0, most = 0; ///< number of words
     bool needsPort = true;
 };
 
