@@ -73,7 +73,7 @@ public:
 private:
     void registers(const std::vector<TraceRegister> &list, const char *idKey, const char *nameKey);
     void values(const char *key, const std::vector<TraceValue> &list);
-    void value(const TraceValue &value);
+    void value(const TraceValue &entry);
     void configuration(const DatalogConfig &config);
     void ids(const char *key, const std::vector<RegisterId> &list);
 

@@ -182,9 +182,9 @@ void Identification::finish()
         found.firmware = structure(mcp::decodeFirmwareConfig, mcp::reg::kFocFwConfig, motor);
         found.scale = structure(mcp::decodeScaleConfig, mcp::reg::kScaleConfig, motor);
         m_identity.powerBoards.push_back(text(mcp::reg::kPwrStageName, motor));
-        std::string name = text(mcp::reg::kMotorName, motor);
-        m_identity.motorNames.push_back(
-            name.empty() && found.motor ? found.motor->name : std::move(name));
+        m_identity.motorNames.push_back(text(mcp::reg::kMotorName, motor));
+        if (std::string &name = m_identity.motorNames.back(); name.empty() && found.motor)
+            name = found.motor->name;
         motors.push_back(std::move(found));
     }
     const bool versionKnown = m_board.version >= kOldestKnown && m_board.version <= kNewestKnown;

@@ -26,11 +26,11 @@ public:
 
 private:
     struct Request {
-        std::uint16_t command;
-        unsigned motor;
+        std::uint16_t command = 0;
+        unsigned motor = 0;
         StaleBytes data;
-        std::uint16_t length; ///< wraps to 65534 for an empty request
-        int room;
+        std::uint16_t length = 0; ///< wraps to 65534 for an empty request
+        int room = 0;
     };
     mcp::Status dispatch(const Request &request);
     mcp::Status get(const Request &request);

@@ -18,8 +18,8 @@ struct WordRegister {
         OnlyLogged, ///< neither read nor written
         Gain, ///< read and written
     };
-    std::uint16_t element;
-    Use use;
+    std::uint16_t element = 0;
+    Use use = Use::Measured;
     std::int16_t Signals::*signal = nullptr;
     std::int16_t Tuning::*gain = nullptr;
     Build build = Build::Every;
