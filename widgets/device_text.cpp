@@ -37,7 +37,7 @@ QString deviceText(const QString &text)
 QString deviceText(std::string_view text)
 {
     // Four bytes a character at most: no need to decode more than can be shown.
-    const auto size = std::min<std::size_t>(text.size(), 4U * (kDeviceTextLength + 1));
+    const auto size = std::min<std::size_t>(text.size(), std::size_t{4} * (kDeviceTextLength + 1));
     return deviceText(QString::fromUtf8(text.data(), static_cast<qsizetype>(size)));
 }
 

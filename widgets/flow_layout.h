@@ -7,7 +7,7 @@ namespace widgets {
 
 class FlowLayout : public QLayout {
 public:
-    explicit FlowLayout(int spacing, QWidget *parent = nullptr);
+    explicit FlowLayout(int gap, QWidget *parent = nullptr);
     ~FlowLayout() override;
 
     void addItem(QLayoutItem *item) override;

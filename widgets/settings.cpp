@@ -12,7 +12,7 @@
 namespace widgets {
 namespace {
 
-constexpr qint64 kLargestFile = 1024 * 1024;
+constexpr qint64 kLargestFile = qint64{1024} * 1024;
 constexpr qsizetype kMostPinned = 200;
 
 QString themeName(Theme theme)

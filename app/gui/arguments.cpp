@@ -44,7 +44,7 @@ Arguments readArguments(const std::vector<std::string> &arguments)
     Arguments result;
     Cursor cursor{arguments};
     for (; cursor.at < arguments.size() && result.error.empty(); ++cursor.at) {
-        const std::string word = arguments[cursor.at];
+        const std::string &word = arguments[cursor.at];
         std::string value;
         if (word == "--version" || word == "-v") {
             result.version = true;

@@ -7,9 +7,10 @@
 #include <QByteArray>
 #include <QString>
 
+#include <cstdlib>
+
 #include <fcntl.h>
 #include <poll.h>
-#include <stdlib.h>
 #include <termios.h>
 #include <unistd.h>
 
