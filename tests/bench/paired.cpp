@@ -1,6 +1,7 @@
 #include "bench/paired.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -32,7 +33,7 @@ double cpuSeconds(const std::function<void()> &work)
 double quantile(std::vector<double> values, double share)
 {
     std::sort(values.begin(), values.end());
-    return values[static_cast<std::size_t>(share * double(values.size() - 1) + 0.5)];
+    return values[static_cast<std::size_t>(std::lround(share * double(values.size() - 1)))];
 }
 
 std::string quoted(const std::string &text)
@@ -91,7 +92,7 @@ Pair pairedRatio(
     std::vector<double> aTimes;
     std::vector<double> bTimes;
     bool first = true;
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         double aTime = 0;
         double bTime = 0;
         if (first) {

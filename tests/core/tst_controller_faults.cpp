@@ -101,7 +101,7 @@ private:
 };
 
 struct Kind {
-    const char *name;
+    const char *name = nullptr;
     SpoiltFaults faults;
     bool stream = false;
 };

@@ -120,7 +120,7 @@ void TestBatcher::samplesBeyondTheBoundAreLostTicksOfTheNextBlock()
         {.period = 16ms, .maxUnacknowledged = 2, .maxWaitingValues = 250, .maxLinkChanges = 8});
     bench.batcher.add(started(2));
     for (int i = 0; i < 5; ++i)
-        bench.batcher.add(block(i * 200, 100));
+        bench.batcher.add(block(capture::Tick{i} * 200, 100));
     const BatchPtr batch = bench.catchUp();
     QCOMPARE(batch->events.size(), 3U); // the layout and two blocks
     QCOMPARE(batch->droppedForDisplay, 300U);
@@ -145,7 +145,7 @@ void TestBatcher::aFloodStaysBounded()
         {.period = 16ms, .maxUnacknowledged = 2, .maxWaitingValues = 1000, .maxLinkChanges = 8});
     for (int i = 0; i < 20'000; ++i) {
         bench.batcher.add(read(static_cast<drive::RegisterId>(i % 10), i));
-        bench.batcher.add(block(i * 100, 100));
+        bench.batcher.add(block(capture::Tick{i} * 100, 100));
         bench.batcher.add(drive::LinkCounters{});
         bench.batcher.add(drive::MotorStatus{});
         bench.batcher.add(drive::LinkChanged{});
