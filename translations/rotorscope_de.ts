@@ -1099,9 +1099,9 @@
         <translation>Exportiert nach %1.</translation>
     </message>
     <message>
-        <source>Running</source>
+        <source>Live</source>
         <comment>the scope&apos;s picture moves</comment>
-        <translation>Läuft</translation>
+        <translation>Live</translation>
     </message>
     <message>
         <source>Held</source>

@@ -1099,7 +1099,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Running</source>
+        <source>Live</source>
         <comment>the scope&apos;s picture moves</comment>
         <translation type="unfinished"></translation>
     </message>

@@ -37,14 +37,15 @@ constexpr int kControlWidth = 268;
 constexpr int kLayoutVersion = 1;
 
 /// A green disc while the picture runs, a red square while it is held: told apart by shape, too.
-QIcon runIcon(bool running, const QPalette &palette)
+QIcon runIcon(bool running, bool live, const QPalette &palette)
 {
+    const Lamp::Light moving = live ? Lamp::Light::On : Lamp::Light::Off;
     QPixmap pixmap(32, 32);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(Lamp::colorOf(running ? Lamp::Light::On : Lamp::Light::Bad, palette));
+    painter.setBrush(Lamp::colorOf(running ? moving : Lamp::Light::Bad, palette));
     if (running)
         painter.drawEllipse(QRectF(5, 5, 22, 22));
     else
@@ -186,9 +187,9 @@ void MainWindow::makeScopeActions()
 void MainWindow::showRunning(bool running)
 {
     m_run->setChecked(running);
-    m_run->setText(running ? tr("Running", "the scope's picture moves")
+    m_run->setText(running ? tr("Live", "the scope's picture moves")
                            : tr("Held", "the scope's picture stands still"));
-    m_run->setIcon(runIcon(running, palette()));
+    m_run->setIcon(runIcon(running, m_device.answering(), palette()));
 }
 
 void MainWindow::changeEvent(QEvent *event)
@@ -336,6 +337,7 @@ void MainWindow::linkChanged()
     m_scope->setStale(stale ? tr("Not live: %1", "state of the link, e.g. board silent")
                                   .arg(linkStateText(m_device.link().state))
                             : QString());
+    showRunning(m_scope->running()); // its lamp is lit while samples can come
 }
 
 void MainWindow::tellLink()
