@@ -59,6 +59,7 @@ void Controller::connect(TimePoint now)
 {
     reset();
     m_heardBytes = m_heardAnswer = m_afterReset = false;
+    m_firstHeard.clear();
     m_dialogueStart = m_lastByte = m_lastValid = now;
     m_rounds = 0;
     m_echoesLeft = 1;
@@ -109,6 +110,8 @@ void Controller::receive(ByteView bytes, TimePoint now)
     if (!std::exchange(m_heardBytes, true) && m_state == State::Negotiating)
         m_attempts =
             std::min(m_attempts, 2); // what was swallowed does not count, but may echo late
+    const std::size_t wanted = std::min(kHeaderSize - m_firstHeard.size(), bytes.size());
+    m_firstHeard.insert(m_firstHeard.end(), bytes.begin(), bytes.begin() + wanted);
     Packet packet;
     for (;;) {
         const Framer::Step step = m_framer.next(bytes, packet);

@@ -50,6 +50,7 @@ public:
     enum class LostReason : std::uint8_t {
         NoAnswer, ///< nothing at all came back
         OnlyGarbage, ///< bytes came, but no valid packet: wrong speed, another protocol or noise
+        OldProtocol, ///< the first bytes were a refusal in the frame of the protocol before this one
         NoAgreement, ///< the board answered, but never agreed on version or sizes
         Silence, ///< was connected, then nothing valid for `lostAfter`
         RecoveryFailed,
@@ -224,6 +225,7 @@ private:
     bool m_suspect = false;
     bool m_tornTold = false; ///< that the packet under way does not go on
     bool m_heardBytes = false; ///< since connect()
+    Bytes m_firstHeard; ///< the first four bytes since connect()
     bool m_heardAnswer = false; ///< a Beacon or Ping that can be an answer, since connect()
 
     TimePoint m_dialogueStart;

@@ -30,6 +30,14 @@ bool canAnswer(const Beacon &answer, const Beacon &offer)
         && answer.txSyncUnits <= offer.txSyncUnits && answer.txAsyncUnits <= offer.txAsyncUnits;
 }
 
+/// A refusal as boards of the protocol before this one send it: FF, one byte, its error code, and the sum of all that
+/// with the carry added. The code is 0x0C at most. Five Beacons are to such a board at least one frame with a bad sum.
+bool isOldRefusal(const Bytes &heard)
+{
+    return heard.size() == 4 && heard[0] == 0xFF && heard[1] == 1 && heard[2] <= 0x0C
+        && heard[3] == heard[2] + 1;
+}
+
 } // namespace
 
 void Controller::negotiate(TimePoint now)
@@ -288,6 +296,8 @@ Controller::LostReason Controller::connectFailure() const
         return LostReason::RecoveryFailed;
     if (m_heardAnswer)
         return LostReason::NoAgreement;
+    if (isOldRefusal(m_firstHeard))
+        return LostReason::OldProtocol;
     return m_heardBytes ? LostReason::OnlyGarbage : LostReason::NoAnswer;
 }
 

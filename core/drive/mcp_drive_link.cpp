@@ -13,6 +13,8 @@ LinkReason reasonOf(Link::LostReason reason)
         return LinkReason::NoAnswer;
     case Link::LostReason::OnlyGarbage:
         return LinkReason::OnlyGarbage;
+    case Link::LostReason::OldProtocol:
+        return LinkReason::OldProtocol;
     case Link::LostReason::NoAgreement:
         return LinkReason::NoAgreement;
     case Link::LostReason::Silence:

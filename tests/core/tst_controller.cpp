@@ -16,6 +16,7 @@ private Q_SLOTS:
     void anAnswerLargerThanTheOfferIsNone();
     void silenceEndsTheAttemptsWithNoAnswer();
     void garbageEndsTheAttemptsWithOnlyGarbage();
+    void aRefusalInTheOlderFrameIsRecognised();
     void anotherVersionEndsWithoutAgreement();
     void counterProposalsEndAfterTenRounds();
     void aBoardThatStaysUnconfiguredEndsWithoutAgreement();
@@ -32,6 +33,33 @@ bool isLost(const VirtualLink &link, Controller::LostReason reason)
     const auto *lost = link.last<Controller::Lost>();
     return lost && lost->reason == reason && link.controller.state() == Controller::State::Idle;
 }
+
+} // namespace
+
+namespace {
+
+/// A board of the protocol before this one, as far as it reads frames: header, length, payload, sum. Lengths beyond 127 are
+/// dropped without a word; no frame of a Controller has a right sum.
+class OlderBoard {
+public:
+    Bytes receive(const Bytes &bytes)
+    {
+        Bytes answer;
+        for (const std::uint8_t byte : bytes) {
+            m_frame.push_back(byte);
+            if (m_frame.size() == 2 && byte > 127)
+                m_frame.clear();
+            if (m_frame.size() < 2 || m_frame.size() < std::size_t{3} + m_frame[1])
+                continue;
+            m_frame.clear();
+            answer = hex("FF 01 0A 0B"); // bad sum
+        }
+        return answer;
+    }
+
+private:
+    Bytes m_frame;
+};
 
 } // namespace
 
@@ -138,6 +166,30 @@ void TestController::garbageEndsTheAttemptsWithOnlyGarbage()
     }
     QVERIFY(isLost(link, Controller::LostReason::OnlyGarbage));
     QVERIFY(link.controller.stats().discardedBytes > 1000);
+}
+
+void TestController::aRefusalInTheOlderFrameIsRecognised()
+{
+    VirtualLink link;
+    link.controller.connect(link.now);
+    OlderBoard board;
+    while (link.controller.state() != Controller::State::Idle) {
+        const Bytes answer = board.receive(link.sent());
+        if (answer.empty())
+            link.sleepUntilTimeout();
+        else
+            link.hear(answer);
+    }
+    QVERIFY(isLost(link, Controller::LostReason::OldProtocol));
+    QVERIFY(link.now - TimePoint{} < 3s);
+
+    // The next attempt forgets what was heard in this one.
+    link.controller.connect(link.now);
+    while (link.controller.state() != Controller::State::Idle) {
+        (void)link.sent();
+        link.sleepUntilTimeout();
+    }
+    QVERIFY(isLost(link, Controller::LostReason::NoAnswer));
 }
 
 void TestController::anotherVersionEndsWithoutAgreement()
