@@ -86,6 +86,7 @@ public:
     void setFaults(std::uint16_t present) override { m_firmware.setPresentFaults(present); }
     void mute(Duration time) override { m_faults.muteUntil = m_now + time; }
     void corruptAfter(std::uint64_t bytes) override { m_faults.corruptAfter = bytes; }
+    void setLoadTorque(int, double) override { }
     void inject(ByteView bytes) override
     {
         m_output.insert(m_output.end(), bytes.begin(), bytes.end());

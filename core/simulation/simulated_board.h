@@ -19,7 +19,9 @@
 namespace simulation {
 
 struct BoardOptions {
-    std::string profile = "mcsdk-6.4"; ///< mcsdk-6.4, mcsdk-6.2, spec
+    std::string profile = "mcsdk-6.4"; ///< one of profileNames()
+    std::string motor; ///< a preset of plant/parameters.h; empty: the first of them
+    int motors = 1; ///< 1 or 2
     std::size_t rxMax = 256, txSyncMax = 256, txAsyncMax = 2048; ///< bytes
     bool dataCrc = false; ///< forced builds only: payloads end in CA FE
     int version = 0; ///< ASPEP version answered
@@ -55,6 +57,8 @@ public:
     virtual void corruptAfter(
         std::uint64_t bytes) = 0; ///< bit 0 of the byte after so many more sent bytes
     virtual void inject(ByteView bytes) = 0; ///< these bytes appear in its output at once
+    /// Constant torque against motor 1 or 2 from now on; the fan's and the friction stay.
+    virtual void setLoadTorque(int motor, double nm) = 0;
 
     /// What it is, for people and the port list.
     virtual std::string describe() const = 0;

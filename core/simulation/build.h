@@ -1,0 +1,59 @@
+// What a firmware was built with: which sensors, options and registers its project switched on. It decides what exists;
+// how the SDK of that time behaves is the profile's business (profile.h).
+// Source: mcp-aspep facts 5, 7 and 8 (register families, FOCFW_CONFIG); the recorded builds.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace simulation {
+
+/// Which register map and which datalog a board has.
+enum class Family : std::uint8_t { Foc, SixStep, Hso };
+
+/// Speed sensors as FOCFW_CONFIG numbers them.
+enum class SpeedSensor : std::uint8_t {
+    None = 0,
+    ObserverPll = 1,
+    ObserverCordic = 2,
+    Encoder = 3,
+    Hall = 4,
+    Hso = 5,
+    Zest = 6,
+};
+
+struct Build {
+    Family family = Family::Foc;
+    SpeedSensor mainSensor = SpeedSensor::ObserverPll; ///< closes the loops in RUN
+    SpeedSensor auxiliarySensor = SpeedSensor::None; ///< runs beside it and can be looked at
+    int motors = 1; ///< 1 or 2
+
+    // What is compiled in; each has registers.
+    bool observerPll = true;
+    bool observerCordic = false;
+    bool encoder = false;
+    bool hall = false;
+    bool fluxWeakening = false;
+    bool feedForward = false;
+    bool mtpa = false;
+    bool positionControl = false;
+    bool openLoopDebug = false; ///< CONTROL_MODE takes the open-loop modes, FOC_VQREF exists
+    bool profiler = false; ///< SC_* and the bus thresholds
+    bool cpuLoad = false; ///< PERF_*
+    bool dac = false; ///< DAC_OUT*
+
+    bool sixStep() const { return family == Family::SixStep; }
+    bool hso() const { return family == Family::Hso; }
+    /// Starts with a rev-up: no sensor knows the angle at rest.
+    bool sensorless() const
+    {
+        return mainSensor == SpeedSensor::ObserverPll || mainSensor == SpeedSensor::ObserverCordic
+            || hso();
+    }
+    bool operator==(const Build &) const = default;
+};
+
+/// The build of a profile for a motor of the presets ("": the first). Unknown names give the plain observer build.
+Build buildFor(std::string_view profile, std::string_view preset);
+
+} // namespace simulation
