@@ -1,7 +1,7 @@
 // A simulated board: the parts and their clock. Events happen in the order of time: bytes, SysTick every 0.5 ms with
 // the 1 kHz task in every second one, HF tasks at the control rate.
+#include "simulation/axis.h"
 #include "simulation/datalog_recorder.h"
-#include "simulation/firmware.h"
 #include "simulation/performer.h"
 #include "simulation/profile.h"
 #include "simulation/register_file.h"
@@ -61,9 +61,10 @@ public:
         , m_traits(traits)
         , m_receiver(options.baud)
         , m_transmitter(options.baud)
-        , m_firmware(options.hfHz, options.seed)
     {
-        m_firmware.setWatchdog(options.watchdogMs);
+        m_axes.push_back(std::make_unique<Axis>(options.hfHz, options.seed));
+        for (const auto &axis : m_axes)
+            axis->firmware.setWatchdog(options.watchdogMs);
         powerUp();
     }
 
@@ -80,10 +81,14 @@ public:
     {
         m_receiver.reset();
         m_transmitter.reset();
-        m_firmware.restart();
+        for (const auto &axis : m_axes)
+            axis->firmware.restart();
         powerUp();
     }
-    void setFaults(std::uint16_t present) override { m_firmware.setPresentFaults(present); }
+    void setFaults(std::uint16_t present) override
+    {
+        m_axes.front()->firmware.setPresentFaults(present);
+    }
     void mute(Duration time) override { m_faults.muteUntil = m_now + time; }
     void corruptAfter(std::uint64_t bytes) override { m_faults.corruptAfter = bytes; }
     void setLoadTorque(int, double) override { }
@@ -100,8 +105,8 @@ public:
 private:
     void powerUp()
     {
-        m_processor =
-            std::make_unique<Processor>(m_traits, m_options, m_firmware, m_receiver, m_transmitter);
+        m_processor = std::make_unique<Processor>(
+            m_traits, m_options, m_axes.front()->firmware, m_receiver, m_transmitter);
         m_processor->now = m_now;
     }
     TimePoint hfTime() const
@@ -116,7 +121,7 @@ private:
     const Traits &m_traits;
     UartReceiver m_receiver;
     Transmitter m_transmitter;
-    Firmware m_firmware;
+    Axes m_axes;
     std::unique_ptr<Processor> m_processor;
 
     bool m_started = false; ///< the first instant seen is the instant of power-on
@@ -180,7 +185,8 @@ void Board::hfTask(TimePoint)
 {
     Processor &cpu = *m_processor;
     ++cpu.timestamp;
-    m_firmware.hfTask();
+    for (const auto &axis : m_axes)
+        axis->firmware.hfTask();
     if (cpu.datalog.running()) {
         cpu.registers.refreshWide();
         cpu.datalog.tick(cpu.timestamp);
@@ -194,7 +200,6 @@ void Board::sysTick(TimePoint at)
     m_nextSysTick = at + kSysTick;
     m_mfTurn = !m_mfTurn;
     if (m_mfTurn) {
-        const MotorState before = m_firmware.state();
         m_processor->performer.task(
             at, [this](ByteView buffer, std::uint16_t length, std::size_t responseMax) {
                 return m_processor->server.execute(buffer, length, responseMax);
@@ -203,9 +208,13 @@ void Board::sysTick(TimePoint at)
             reset();
             return;
         }
-        m_firmware.mfTask();
-        const bool tripped =
-            m_firmware.state() == MotorState::FaultNow && before != MotorState::FaultNow;
+        bool tripped = false;
+        for (const auto &axis : m_axes) {
+            const MotorState before = axis->firmware.state();
+            axis->firmware.mfTask();
+            tripped |=
+                axis->firmware.state() == MotorState::FaultNow && before != MotorState::FaultNow;
+        }
         if (tripped && m_traits.flushesOnFault)
             m_processor->datalog.flush();
     }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/bytes.h"
-#include "simulation/firmware.h"
+#include "simulation/firmware/firmware.h"
 #include "simulation/profile.h"
 
 #include <string_view>

@@ -123,7 +123,7 @@ Status RegisterFile::readLong(RegisterId id, int room, Bytes &out) const
         return append(out, room, static_cast<std::uint32_t>(m_firmware.speedReference_rpm()), 4);
     case kEstimatedBemf:
     case kObservedBemf:
-        return append(out, room, square(s.bemfAlpha / 2, s.bemfBeta / 2), 4);
+        return append(out, room, square(s.pllBemfAlpha / 2, s.pllBemfBeta / 2), 4);
     case kMotorPower:
         return append(
             out, room, std::bit_cast<std::uint32_t>(static_cast<float>(m_firmware.power_w())), 4);

@@ -4,7 +4,7 @@
 
 #include "mcp/protocol.h"
 #include "simulation/datalog_recorder.h"
-#include "simulation/firmware.h"
+#include "simulation/firmware/firmware.h"
 #include "simulation/profile.h"
 #include "simulation/stale_bytes.h"
 

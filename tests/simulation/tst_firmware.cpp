@@ -1,5 +1,5 @@
 // The simulated motor control by itself: states, ramps, torque, nonsense gains.
-#include "simulation/firmware.h"
+#include "simulation/firmware/firmware.h"
 
 #include <QTest>
 

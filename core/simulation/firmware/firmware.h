@@ -57,6 +57,9 @@ public:
         std::int16_t digits;
         std::uint16_t ms;
     };
+    struct PositionRamp {
+        float target_rad, duration_s;
+    };
 
     Firmware(double hfHz, std::uint64_t seed);
 
@@ -71,6 +74,7 @@ public:
 
     void rampSpeed(SpeedRamp ramp);
     void rampTorque(TorqueRamp ramp);
+    void rampPosition(PositionRamp ramp) { m_lastPositionRamp = ramp; }
     void setCurrentReferences(std::int16_t iq, std::int16_t id);
     void setControlMode(std::uint8_t mode); ///< 3 speed, 4 torque; others are ignored
     void setRevUpStage(std::size_t index, RevUpStage stage) { m_revUp[index] = stage; }
@@ -89,6 +93,7 @@ public:
     std::uint8_t controlMode() const { return m_modeAsked; }
     SpeedRamp lastSpeedRamp() const { return m_lastSpeedRamp; }
     TorqueRamp lastTorqueRamp() const { return m_lastTorqueRamp; }
+    PositionRamp lastPositionRamp() const { return m_lastPositionRamp; }
     const std::array<RevUpStage, kRevUpStages> &revUp() const { return m_revUp; }
     std::int32_t speed_rpm() const { return m_speed_rpm; } ///< in steps of 6
     std::int32_t speedReference_rpm() const;
@@ -97,7 +102,12 @@ public:
     double hfHz() const { return m_hfHz; }
 
     const Signals &variables() const { return m_signals; }
+    Signals &variables()
+    {
+        return m_signals;
+    } ///< for what others measure: the load of the processor
     Tuning &tuning() { return m_tuning; }
+    Commissioning &commissioning() { return m_commissioning; }
     const Pmsm &motor() const { return m_motor; }
     const Stage &stage() const { return m_stage; }
 
@@ -129,6 +139,7 @@ private:
     Pmsm m_motor;
     Signals m_signals;
     Tuning m_tuning;
+    Commissioning m_commissioning;
     std::uint64_t m_random;
 
     MotorState m_state = MotorState::Idle;
@@ -141,6 +152,7 @@ private:
     std::uint8_t m_modeAsked = 3;
     SpeedRamp m_lastSpeedRamp{};
     TorqueRamp m_lastTorqueRamp{};
+    PositionRamp m_lastPositionRamp{};
     Ramp m_speedRamp, m_torqueRamp; ///< rpm; digits
     double m_idReference = 0.0;
     std::array<RevUpStage, kRevUpStages> m_revUp{};

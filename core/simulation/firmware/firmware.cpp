@@ -1,5 +1,5 @@
 // The slow half of the firmware: states, ramps, faults, the speed loop. The fast half is firmware_currents.cpp.
-#include "simulation/firmware.h"
+#include "simulation/firmware/firmware.h"
 
 #include <algorithm>
 #include <cmath>

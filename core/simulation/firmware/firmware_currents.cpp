@@ -1,6 +1,6 @@
 // The fast half of the firmware: what a control period measures, the current loops, what it publishes.
 // Rotor coordinates as in ST's library: with positive speed I_B follows I_A by 120 degrees.
-#include "simulation/firmware.h"
+#include "simulation/firmware/firmware.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,10 +56,11 @@ void Firmware::hfTask()
 
 void Firmware::measureAtRest()
 {
-    const Signals quiet{.angle = m_signals.angle,
-        .hallAngle = m_signals.hallAngle,
-        .busVoltage_v = m_signals.busVoltage_v,
-        .temperature_c = m_signals.temperature_c};
+    Signals quiet;
+    quiet.pllAngle = m_signals.pllAngle;
+    quiet.hallAngle = m_signals.hallAngle;
+    quiet.busVoltage_v = m_signals.busVoltage_v;
+    quiet.temperature_c = m_signals.temperature_c;
     m_signals = quiet;
     m_signals.iA = digits(noise(4));
     m_signals.iB = digits(noise(4));
@@ -81,6 +82,8 @@ void Firmware::publish()
     s.iB = digits(iB);
     s.iAlpha = digits(alpha);
     s.iBeta = digits(beta);
+    s.pllIAlpha = s.iAlpha;
+    s.pllIBeta = s.iBeta;
     s.iQ = digits(alpha * cosine - beta * sine);
     s.iD = digits(alpha * sine + beta * cosine);
     s.iQRef = digits(m_iqReference);
@@ -92,14 +95,14 @@ void Firmware::publish()
     s.vBeta = digits(voltage.beta);
     const double bemf = m_motor.parameters().polePairs * m_motor.speed_radps()
         * m_motor.parameters().flux_wb * perVolt;
-    s.bemfAlpha = digits(bemf * cosine);
-    s.bemfBeta = digits(-bemf * sine);
+    s.pllBemfAlpha = digits(bemf * cosine);
+    s.pllBemfBeta = digits(-bemf * sine);
     const auto turn = static_cast<std::int32_t>(angle_rad * (65536.0 / (2.0 * std::numbers::pi)));
-    s.angle = static_cast<std::int16_t>(static_cast<std::uint16_t>(turn));
-    s.hallAngle = s.angle;
-    s.speed = digits(m_motor.speed_radps() * (10.0 / (2.0 * std::numbers::pi)));
-    s.hallSpeed = s.speed;
-    s.openLoopAngle = m_state == MotorState::Start ? s.angle : std::int16_t{0};
+    s.pllAngle = static_cast<std::int16_t>(static_cast<std::uint16_t>(turn));
+    s.hallAngle = s.pllAngle;
+    s.pllSpeed = digits(m_motor.speed_radps() * (10.0 / (2.0 * std::numbers::pi)));
+    s.hallSpeed = s.pllSpeed;
+    s.openLoopAngle = m_state == MotorState::Start ? s.pllAngle : std::int16_t{0};
 }
 
 void Firmware::control()
