@@ -54,13 +54,21 @@ struct Processor final : AsyncLine {
     TimePoint now{};
 };
 
+/// About what a Controller waits for an answer: the longest packets in both directions, and a host's own delay.
+Duration replyTime(const BoardOptions &options)
+{
+    return 3 * wireTime(options.txAsyncMax + options.txSyncMax + 8, options.baud) / 2
+        + std::chrono::milliseconds(22);
+}
+
 class Board final : public SimulatedBoard {
 public:
     Board(const BoardOptions &options, const Traits &traits)
         : m_options(options)
         , m_traits(traits)
+        , m_liar(options.lies, replyTime(options), options.seed)
         , m_receiver(options.baud)
-        , m_transmitter(options.baud)
+        , m_transmitter(options.baud, m_liar)
     {
         m_axes.push_back(std::make_unique<Axis>(options.hfHz, options.seed));
         for (const auto &axis : m_axes)
@@ -115,10 +123,13 @@ private:
     }
     void sysTick(TimePoint at);
     void hfTask(TimePoint at);
+    Bytes execute(ByteView buffer, std::uint16_t length, std::size_t responseMax);
+    bool actAsLiar(TimePoint at); ///< true: the board restarted
     void receiverEvent();
 
     BoardOptions m_options;
     const Traits &m_traits;
+    Liar m_liar;
     UartReceiver m_receiver;
     Transmitter m_transmitter;
     Axes m_axes;
@@ -195,14 +206,38 @@ void Board::hfTask(TimePoint)
     m_nextHf = hfTime();
 }
 
+Bytes Board::execute(ByteView buffer, std::uint16_t length, std::size_t responseMax)
+{
+    const ByteView request = buffer.first(std::min<std::size_t>(length, buffer.size()));
+    if (auto pretence = m_liar.insteadOf(request))
+        return *pretence;
+    return m_liar.answer(request, m_processor->server.execute(buffer, length, responseMax));
+}
+
+bool Board::actAsLiar(TimePoint at)
+{
+    if (m_liar.honest())
+        return false;
+    const auto urge = m_liar.act(at, static_cast<std::uint8_t>(m_axes.front()->firmware.state()),
+        m_transmitter.responseFree());
+    m_transmitter.sendAsIs(urge.bytes, at);
+    if (urge.faults)
+        setFaults(*urge.faults);
+    if (urge.restart)
+        reset();
+    return urge.restart;
+}
+
 void Board::sysTick(TimePoint at)
 {
     m_nextSysTick = at + kSysTick;
     m_mfTurn = !m_mfTurn;
+    if (actAsLiar(at))
+        return;
     if (m_mfTurn) {
         m_processor->performer.task(
             at, [this](ByteView buffer, std::uint16_t length, std::size_t responseMax) {
-                return m_processor->server.execute(buffer, length, responseMax);
+                return execute(buffer, length, responseMax);
             });
         if (m_processor->server.takeResetWanted()) {
             reset();

@@ -8,6 +8,7 @@
 
 #include "base/bytes.h"
 #include "base/time.h"
+#include "simulation/liars.h"
 
 #include <cstdint>
 #include <memory>
@@ -36,6 +37,7 @@ struct BoardOptions {
     int userCallbacks =
         0; ///< 0..2: the first echoes its payload reversed, the second answers status 0x42
     int watchdogMs = 0; ///< 0: none; else user command 1 is the heartbeat and FW_NAME says so
+    std::vector<LieChoice> lies; ///< what it does wrong on purpose
     std::uint64_t seed = 1;
 };
 

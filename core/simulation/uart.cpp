@@ -96,20 +96,29 @@ void UartReceiver::reset()
     }();
 }
 
-Transmitter::Transmitter(std::uint32_t baud)
+Transmitter::Transmitter(std::uint32_t baud, Liar &liar)
     : m_baud(baud)
+    , m_liar(&liar)
 {
 }
 
 void Transmitter::sendResponse(Bytes packet, TimePoint now)
 {
-    m_response = std::move(packet);
+    sendAsIs(m_liar->packet(Liar::Packet::Response, std::move(packet), now), now);
+}
+
+void Transmitter::sendAsIs(Bytes bytes, TimePoint now)
+{
+    if (!bytes.empty())
+        m_response = std::move(bytes);
     start(now);
 }
 
 void Transmitter::sendControl(const aspep::HeaderBytes &packet, TimePoint now)
 {
-    m_control = Bytes(packet.begin(), packet.end());
+    Bytes bytes = m_liar->packet(Liar::Packet::Control, Bytes(packet.begin(), packet.end()), now);
+    if (!bytes.empty())
+        m_control = std::move(bytes);
     start(now);
 }
 
@@ -125,7 +134,11 @@ void Transmitter::releaseAsync() { --m_asyncBusy; }
 
 void Transmitter::sendAsync(Bytes packet, TimePoint now)
 {
-    m_async.push_back(std::move(packet));
+    packet = m_liar->packet(Liar::Packet::Async, std::move(packet), now);
+    if (packet.empty())
+        releaseAsync();
+    else
+        m_async.push_back(std::move(packet));
     start(now);
 }
 
@@ -208,6 +221,6 @@ void Transmitter::collect(TimePoint now, LineFaults &faults, Bytes &out)
     }
 }
 
-void Transmitter::reset() { *this = Transmitter(m_baud); }
+void Transmitter::reset() { *this = Transmitter(m_baud, *m_liar); }
 
 } // namespace simulation

@@ -6,6 +6,7 @@
 #include "aspep/packet.h"
 #include "base/bytes.h"
 #include "base/time.h"
+#include "simulation/liars.h"
 
 #include <array>
 #include <cstdint>
@@ -71,11 +72,12 @@ struct LineFaults {
 /// async packets in two buffers; they leave in this order.
 class Transmitter {
 public:
-    explicit Transmitter(std::uint32_t baud);
+    Transmitter(std::uint32_t baud, Liar &liar); ///< every packet passes the liar
 
     bool responseFree() const { return !m_response && m_kind != Kind::Response; }
     void sendResponse(Bytes packet, TimePoint now);
     void sendControl(const aspep::HeaderBytes &packet, TimePoint now);
+    void sendAsIs(Bytes bytes, TimePoint now); ///< in the place of a response
 
     /// Takes one of the two async buffers; false if both wait for the line.
     bool acquireAsync();
@@ -96,6 +98,7 @@ private:
     TimePoint endOf(std::size_t bytes) const;
 
     std::uint32_t m_baud;
+    Liar *m_liar;
     std::optional<Bytes> m_response;
     std::optional<Bytes> m_control;
     std::deque<Bytes> m_async;
