@@ -22,11 +22,18 @@ constexpr double sineSeries(double x)
     return sum;
 }
 
+/// Of what is not negative; std::lround is not for the compiler to call.
+constexpr std::int64_t toNearest(double value)
+{
+    const auto whole = static_cast<std::int64_t>(value);
+    return value - static_cast<double>(whole) < 0.5 ? whole : whole + 1;
+}
+
 constexpr auto kQuarter = [] {
     std::array<std::int16_t, kQuarterEntries + 1> table{};
     for (std::size_t i = 0; i <= kQuarterEntries; ++i) {
         const double x = static_cast<double>(i) * (std::numbers::pi / 2.0 / kQuarterEntries);
-        table[i] = saturate16(static_cast<std::int64_t>(32768.0 * sineSeries(x) + 0.5));
+        table[i] = saturate16(toNearest(32768.0 * sineSeries(x)));
     }
     return table;
 }();
@@ -71,7 +78,7 @@ constexpr auto kArcTangents = [] {
     double x = 0.5;
     for (std::size_t i = 1; i < kCordicSteps; ++i, x /= 2.0)
         table[i] = static_cast<std::uint32_t>(
-            arcTangentSeries(x) * (4294967296.0 / (2.0 * std::numbers::pi)) + 0.5);
+            toNearest(arcTangentSeries(x) * (4294967296.0 / (2.0 * std::numbers::pi))));
     return table;
 }();
 

@@ -1,0 +1,91 @@
+// Doubles here, once at design time; what runs in the loops are the integers that come out.
+#include "simulation/maths/gains.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace simulation {
+
+namespace {
+
+constexpr int kMaxShift = 15;
+constexpr int kCurrentKpShift = 10, kCurrentKiShift = 14;
+constexpr int kSpeedKpShift = 9, kSpeedKiShift = 14;
+constexpr int kPllKpShift = 14, kPllKiShift = 15;
+
+std::int16_t cut(double value)
+{
+    return static_cast<std::int16_t>(std::clamp(std::trunc(value), -32767.0, 32767.0));
+}
+
+Pi::Gains gainsOf(double kp, int kpShift, double ki, int kiShift)
+{
+    const Fraction p = fractionOf(kp, kpShift), i = fractionOf(ki, kiShift);
+    return {p.numerator, i.numerator, p.shift, i.shift};
+}
+
+} // namespace
+
+double Fraction::value() const { return std::ldexp(numerator, -shift); }
+
+Fraction fractionOf(double gain, int shift)
+{
+    int bits = std::clamp(shift, 0, kMaxShift);
+    while (bits > 0 && std::abs(std::round(std::ldexp(gain, bits))) > kDigitsMax)
+        --bits;
+    const double numerator = std::clamp(std::round(std::ldexp(gain, bits)), -32767.0, 32767.0);
+    return {static_cast<std::int16_t>(numerator), bits};
+}
+
+Fraction finestFractionOf(double gain, std::int32_t maxError)
+{
+    Fraction fraction = fractionOf(gain, kMaxShift);
+    const auto overflows = [&] {
+        return std::abs(std::int64_t{fraction.numerator} * maxError) >= std::int64_t{1} << 31;
+    };
+    while (fraction.shift > 0 && overflows())
+        fraction = fractionOf(gain, fraction.shift - 1);
+    return fraction;
+}
+
+Pi::Gains currentGains(
+    double ls_h, double rs_ohm, double bandwidth_radps, const CurrentSensing &sensing, double hfHz)
+{
+    const double perLoop = bandwidth_radps / sensing.loopGain();
+    return gainsOf(ls_h * perLoop, kCurrentKpShift, rs_ohm * perLoop / hfHz, kCurrentKiShift);
+}
+
+Pi::Gains speedGains(const SpeedLoop &loop, const CurrentSensing &sensing)
+{
+    const double tau = loop.lag_s(), d = loop.damping;
+    const double kp = loop.inertia_kgm2 / (loop.torqueConstant_nmPerA * d * tau); // A / (rad/s)
+    const double ki = kp / (d * d * tau);
+    const double digits = 2.0 * std::numbers::pi / 10.0 * sensing.digitsPerAmp();
+    return gainsOf(kp * digits, kSpeedKpShift, ki * digits / loop.mfHz, kSpeedKiShift);
+}
+
+ObserverConstants observerGains(const ObserverDesign &design)
+{
+    const double f1 = std::ldexp(1.0, design.f1Shift), f2 = std::ldexp(1.0, design.f2Shift);
+    const double perPeriod = 1.0 / (design.ls_h * design.hfHz);
+    const double decay = design.rs_ohm * perPeriod; // of the current in one period
+    const double z1 = (1.0 - decay) / 4.0, z2 = 0.25;
+    const double k1 = z1 + z2 - 2.0 + decay;
+    const double k2 = (1.0 - z1) * (1.0 - z2) / perPeriod;
+    return {.c1 = cut(f1 * decay),
+        .c3 = cut(f1 * design.maxBemf_v * perPeriod / design.maxCurrent_a),
+        .c5 = cut(f1 * design.maxVoltage_v * perPeriod / design.maxCurrent_a),
+        .gain1 = cut(f1 * k1),
+        .gain2 = cut(f2 * k2 * design.maxCurrent_a / design.maxBemf_v),
+        .f1Shift = design.f1Shift,
+        .f2Shift = design.f2Shift};
+}
+
+Pi::Gains pllGains(double wn_radps, double damping, double bemf_digits, double hfHz)
+{
+    const double wn = wn_radps / hfHz; // radians a period
+    const double perDigit = 65536.0 / (2.0 * std::numbers::pi) / bemf_digits;
+    return gainsOf(2.0 * damping * wn * perDigit, kPllKpShift, wn * wn * perDigit, kPllKiShift);
+}
+
+} // namespace simulation
