@@ -18,6 +18,15 @@ std::int16_t cut(double value)
     return static_cast<std::int16_t>(std::clamp(std::trunc(value), -32767.0, 32767.0));
 }
 
+/// The largest exponent up to `most` with which value * 2^exponent fits 16 bits.
+int shiftFor(double value, int most)
+{
+    int shift = std::clamp(most, 0, kMaxShift);
+    while (shift > 0 && std::ldexp(value, shift) > kDigitsMax)
+        --shift;
+    return shift;
+}
+
 Pi::Gains gainsOf(double kp, int kpShift, double ki, int kiShift)
 {
     const Fraction p = fractionOf(kp, kpShift), i = fractionOf(ki, kiShift);
@@ -66,19 +75,23 @@ Pi::Gains speedGains(const SpeedLoop &loop, const CurrentSensing &sensing)
 
 ObserverConstants observerGains(const ObserverDesign &design)
 {
-    const double f1 = std::ldexp(1.0, design.f1Shift), f2 = std::ldexp(1.0, design.f2Shift);
     const double perPeriod = 1.0 / (design.ls_h * design.hfHz);
     const double decay = design.rs_ohm * perPeriod; // of the current in one period
     const double z1 = (1.0 - decay) / 4.0, z2 = 0.25;
-    const double k1 = z1 + z2 - 2.0 + decay;
-    const double k2 = (1.0 - z1) * (1.0 - z2) / perPeriod;
-    return {.c1 = cut(f1 * decay),
-        .c3 = cut(f1 * design.maxBemf_v * perPeriod / design.maxCurrent_a),
-        .c5 = cut(f1 * design.maxVoltage_v * perPeriod / design.maxCurrent_a),
-        .gain1 = cut(f1 * k1),
-        .gain2 = cut(f2 * k2 * design.maxCurrent_a / design.maxBemf_v),
-        .f1Shift = design.f1Shift,
-        .f2Shift = design.f2Shift};
+    const double gain1 = z1 + z2 - 2.0 + decay;
+    const double gain2 =
+        (1.0 - z1) * (1.0 - z2) / perPeriod * design.maxCurrent_a / design.maxBemf_v;
+    const double bemf = design.maxBemf_v * perPeriod / design.maxCurrent_a;
+    const double voltage = design.maxVoltage_v * perPeriod / design.maxCurrent_a;
+    const int f1 = shiftFor(std::max({decay, -gain1, bemf, voltage}), design.f1Shift);
+    const int f2 = shiftFor(gain2, design.f2Shift);
+    return {.c1 = cut(std::ldexp(decay, f1)),
+        .c3 = cut(std::ldexp(bemf, f1)),
+        .c5 = cut(std::ldexp(voltage, f1)),
+        .gain1 = cut(std::ldexp(gain1, f1)),
+        .gain2 = cut(std::ldexp(gain2, f2)),
+        .f1Shift = f1,
+        .f2Shift = f2};
 }
 
 Pi::Gains pllGains(double wn_radps, double damping, double bemf_digits, double hfHz)

@@ -66,12 +66,12 @@ struct ObserverDesign {
     double maxBemf_v = 0.0;
     /// Full scale of the bus converter / sqrt(3); ST's tool cuts it to whole volts.
     double maxVoltage_v = 0.0;
-    int f1Shift = 14, f2Shift = 13;
+    int f1Shift = 14, f2Shift = 13; ///< the largest to use
 };
 
 /// C1, C3, C5 of the motor (cut to whole numbers), gains that move the observer's poles to a quarter of the motor's:
 /// K1 T = z1 + z2 - 2 + rs T / ls, K2 T = ls (1 - z1) (1 - z2) / T with z1 = (1 - rs T / ls) / 4, z2 = 1/4.
-/// What does not fit 16 bits is cut to them.
+/// F1 and F2 are halved until everything fits 16 bits; what does not even with 1 is cut.
 ObserverConstants observerGains(const ObserverDesign &design);
 
 /// A PLL of the second order with natural frequency `wn_radps` where the back-EMF has `bemf_digits`; both its poles
