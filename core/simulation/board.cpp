@@ -21,15 +21,17 @@ constexpr std::size_t kOutputMax = 16U
 
 /// What a restart makes anew: everything but the motor and the line.
 struct Processor final : AsyncLine {
-    Processor(const Traits &traits, const BoardOptions &options, Firmware &firmware,
-        UartReceiver &uartReceiver, Transmitter &uartTransmitter)
+    Processor(const Traits &traits, const BoardOptions &options, const Build &build,
+        const Axes &axes, UartReceiver &uartReceiver, Transmitter &uartTransmitter)
         : receiver(uartReceiver)
         , transmitter(uartTransmitter)
         , performer(traits, options, uartReceiver, uartTransmitter)
-        , registers(traits, options, firmware)
+        , registers(traits, options, build, axes)
         , datalog(
-              options.streams, [this](mcp::RegisterId id) { return registers.source(id); }, *this)
-        , server(traits, options, firmware, registers, datalog)
+              options.streams,
+              build.hso() ? UnknownSignal::KeepsPrevious : UnknownSignal::ReadsZero,
+              [this](mcp::RegisterId id) { return registers.source(id); }, *this)
+        , server(traits, options, build, axes, registers, datalog)
         , timestamp(options.firstTimestamp)
     {
     }
@@ -61,16 +63,34 @@ Duration replyTime(const BoardOptions &options)
         + std::chrono::milliseconds(22);
 }
 
+Build buildOf(const BoardOptions &options)
+{
+    Build build = options.build.value_or(buildFor(options.profile, options.motor));
+    build.motors = std::clamp(options.motors, 1, 2);
+    return build;
+}
+
+/// Six-step firmware has no datalog, and its link is told so.
+BoardOptions linkOf(BoardOptions options, const Build &build)
+{
+    if (build.sixStep())
+        options.txAsyncMax = 0;
+    return options;
+}
+
 class Board final : public SimulatedBoard {
 public:
     Board(const BoardOptions &options, const Traits &traits)
-        : m_options(options)
+        : m_build(buildOf(options))
+        , m_options(linkOf(options, m_build))
         , m_traits(traits)
         , m_liar(options.lies, replyTime(options), options.seed)
         , m_receiver(options.baud)
         , m_transmitter(options.baud, m_liar)
     {
-        m_axes.push_back(std::make_unique<Axis>(options.hfHz, options.seed));
+        for (int i = 0; i < m_build.motors; ++i)
+            m_axes.push_back(
+                std::make_unique<Axis>(options.hfHz, options.seed + static_cast<std::uint64_t>(i)));
         for (const auto &axis : m_axes)
             axis->firmware.setWatchdog(options.watchdogMs);
         powerUp();
@@ -95,7 +115,8 @@ public:
     }
     void setFaults(std::uint16_t present) override
     {
-        m_axes.front()->firmware.setPresentFaults(present);
+        for (const auto &axis : m_axes)
+            axis->firmware.setPresentFaults(present);
     }
     void mute(Duration time) override { m_faults.muteUntil = m_now + time; }
     void corruptAfter(std::uint64_t bytes) override { m_faults.corruptAfter = bytes; }
@@ -114,19 +135,22 @@ private:
     void powerUp()
     {
         m_processor = std::make_unique<Processor>(
-            m_traits, m_options, m_axes.front()->firmware, m_receiver, m_transmitter);
+            m_traits, m_options, m_build, m_axes, m_receiver, m_transmitter);
         m_processor->now = m_now;
     }
     TimePoint hfTime() const
     {
-        return m_start + fromSeconds(static_cast<double>(m_hfTicks) / m_options.hfHz);
+        return m_start
+            + fromSeconds(static_cast<double>(m_hfTicks)
+                / (m_options.hfHz * static_cast<double>(m_axes.size())));
     }
     void sysTick(TimePoint at);
-    void hfTask(TimePoint at);
+    void hfTask();
     Bytes execute(ByteView buffer, std::uint16_t length, std::size_t responseMax);
     bool actAsLiar(TimePoint at); ///< true: the board restarted
     void receiverEvent();
 
+    Build m_build;
     BoardOptions m_options;
     const Traits &m_traits;
     Liar m_liar;
@@ -167,7 +191,7 @@ void Board::advance(TimePoint now)
         else if (next == received)
             receiverEvent();
         else if (next == m_nextHf)
-            hfTask(next);
+            hfTask();
         else
             sysTick(next);
     }
@@ -192,16 +216,14 @@ void Board::receiverEvent()
     }
 }
 
-void Board::hfTask(TimePoint)
+/// With two motors their tasks take turns; the counter and the datalog know no difference.
+void Board::hfTask()
 {
     Processor &cpu = *m_processor;
     ++cpu.timestamp;
-    for (const auto &axis : m_axes)
-        axis->firmware.hfTask();
-    if (cpu.datalog.running()) {
-        cpu.registers.refreshWide();
+    m_axes[m_hfTicks % m_axes.size()]->firmware.hfTask();
+    if (cpu.datalog.running())
         cpu.datalog.tick(cpu.timestamp);
-    }
     ++m_hfTicks;
     m_nextHf = hfTime();
 }

@@ -8,6 +8,8 @@ Build buildFor(std::string_view profile, std::string_view)
     Build build;
     if (profile == "six-step") {
         build.family = Family::SixStep;
+        build.observerPll = false;
+        build.bemfSensing = true;
     } else if (profile == "hso") {
         build.family = Family::Hso;
         build.mainSensor = SpeedSensor::Hso;

@@ -41,11 +41,21 @@ struct Build {
     bool profiler = false; ///< SC_* and the bus thresholds
     bool cpuLoad = false; ///< PERF_*
     bool dac = false; ///< DAC_OUT*
+    bool pfc = false; ///< PFC_*, which never work
 
-    bool sixStep() const { return family == Family::SixStep; }
-    bool hso() const { return family == Family::Hso; }
+    // Six-step only.
+    bool bemfSensing = false; ///< sensorless by ADC: rev-up, BEMF_ADC_CONF
+    bool ipd = false; ///< initial position detection
+    bool currentMonitor = false;
+
+    // HSO only.
+    bool zest = false;
+    bool potentiometer = false;
+
+    constexpr bool sixStep() const { return family == Family::SixStep; }
+    constexpr bool hso() const { return family == Family::Hso; }
     /// Starts with a rev-up: no sensor knows the angle at rest.
-    bool sensorless() const
+    constexpr bool sensorless() const
     {
         return mainSensor == SpeedSensor::ObserverPll || mainSensor == SpeedSensor::ObserverCordic
             || hso();

@@ -12,8 +12,10 @@ constexpr std::size_t kStampBytes = 4, kTailBytes = 2;
 
 } // namespace
 
-DatalogRecorder::DatalogRecorder(int streams, FindSource find, AsyncLine &line)
+DatalogRecorder::DatalogRecorder(
+    int streams, UnknownSignal unknown, FindSource find, AsyncLine &line)
     : m_streams(std::min(static_cast<std::size_t>(std::max(streams, 0)), kMaxSignals))
+    , m_unknown(unknown)
     , m_find(std::move(find))
     , m_line(line)
 {
@@ -43,7 +45,10 @@ mcp::Status DatalogRecorder::configure(const StaleBytes &value)
         const mcp::RegisterId id{value.u16(6 + 2 * i)};
         const bool fast = i < m_pending.hfCount;
         const auto width = static_cast<std::uint8_t>(fast ? 2 : mcp::scalarWidth(id.type()));
-        m_pending.logged[i] = {m_find(id), width};
+        const Source source = m_find(id);
+        if (source.get != nullptr || m_unknown == UnknownSignal::ReadsZero)
+            m_pending.logged[i].source = source;
+        m_pending.logged[i].width = width;
         block += width;
     }
     if (size < block + kStampBytes + kTailBytes)
@@ -131,23 +136,10 @@ void DatalogRecorder::appendMf()
 
 void DatalogRecorder::append(const Signal &signal)
 {
-    // Little-endian whatever the machine: the variables are read as the numbers they are.
-    std::uint32_t value = 0;
-    switch (signal.source.width) {
-    case 1:
-        value = *static_cast<const std::uint8_t *>(signal.source.address);
-        break;
-    case 2:
-        value =
-            static_cast<std::uint16_t>(*static_cast<const std::int16_t *>(signal.source.address));
-        break;
-    case 4:
-        value =
-            static_cast<std::uint32_t>(*static_cast<const std::int32_t *>(signal.source.address));
-        break;
-    default:
-        break;
-    }
+    const Source &source = signal.source;
+    std::uint32_t value = source.get != nullptr ? source.get(*source.of) : 0;
+    if (source.upperHalf)
+        value >>= 16;
     for (unsigned i = 0; i < signal.width; ++i)
         m_packet.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
 }

@@ -12,12 +12,17 @@
 
 namespace simulation {
 
-/// A variable that can be logged. `wide` variables are 32 bits, the others 16.
+struct RegisterContext;
+
+/// A variable that can be logged: how to read it. Without `get` there is none, it reads 0.
 struct Source {
-    const void *address = nullptr;
-    std::uint8_t width =
-        2; ///< bytes the variable really has: 1, 2 or 4; 0: there is none, it reads 0
+    std::uint32_t (*get)(const RegisterContext &) = nullptr;
+    const RegisterContext *of = nullptr;
+    bool upperHalf = false; ///< 32 bits of which packets carry the upper 16
 };
+
+/// What a build does with an identifier that it does not know.
+enum class UnknownSignal : std::uint8_t { ReadsZero, KeepsPrevious };
 
 /// The buffers of the line, as the recorder uses them.
 class AsyncLine {
@@ -32,7 +37,7 @@ class DatalogRecorder {
 public:
     using FindSource = std::function<Source(mcp::RegisterId)>;
 
-    DatalogRecorder(int streams, FindSource find, AsyncLine &line);
+    DatalogRecorder(int streams, UnknownSignal unknown, FindSource find, AsyncLine &line);
 
     /// A SET of ASYNC_*: `value` starts behind the raw size.
     mcp::Status configure(const StaleBytes &value);
@@ -59,6 +64,7 @@ private:
     void append(const Signal &signal);
 
     std::size_t m_streams;
+    UnknownSignal m_unknown;
     FindSource m_find;
     AsyncLine &m_line;
     Configuration m_pending, m_active;

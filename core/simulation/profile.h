@@ -1,5 +1,7 @@
-// What sets the simulated firmwares apart: one row a profile, read by every part of the board.
-// Source: firmware 6.2.0 and 6.4.0 as recorded; `spec` is the printed text where it can work beside them.
+// What sets the simulated firmwares apart: how the SDK of a version behaves, read by every part of the board. What a
+// project switched on is in build.h; which registers a version knows is in the register tables.
+// Source: mcp-aspep facts 3 to 8 and the sessions recorded with 6.2.0 and 6.4.0; `spec` is the printed text where it can
+// work beside them.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +14,24 @@ namespace simulation {
 struct Traits {
     std::string_view profile;
     std::string_view firmwareName; ///< FW_NAME
-    std::uint32_t sdkVersion; ///< as GLOBAL_CONFIG holds it
-    bool decodesInInterrupt; ///< headers are looked at when they are complete, not every 0.5 ms
-    bool truncatesPingNumber; ///< connected, it echoes the second header byte as the number
-    bool invertsStartStop; ///< START_STOP from IDLE answers NOK although the motor starts
-    bool hasSoftReset; ///< command 15 restarts the board
-    bool hasHall; ///< Hall sensors beside the observer
-    bool hasOpenLoopAngle; ///< OPENLOOP_EL_ANGLE can be logged
-    bool flushesOnFault; ///< a fault sends the unfinished datalog packet
-    bool scalesReadSpeeds; ///< speeds of sensors are read as a fraction of SCALE_CONFIG.frequency
-    bool asPrinted; ///< the printed text wherever a Controller for shipped firmware survives it
+    std::uint32_t sdkVersion = 0; ///< as GLOBAL_CONFIG holds it
+    std::uint32_t registerVersion = 0; ///< 0xMMmmpp: which registers it knows
+
+    bool decodesInInterrupt = false; ///< headers are decoded when complete, not every 0.5 ms
+    bool truncatesPingNumber = false; ///< connected, it echoes the second header byte as the number
+    bool ignoresMotorBits = false; ///< of identifiers, with a single motor
+    bool invertsStartStop = false; ///< START_STOP from IDLE answers NOK although the motor starts
+    bool hasCpuLoadClear = false; ///< command 8
+    bool hasProfilerCommand = false; ///< command 13
+    bool hasSoftReset = false; ///< command 15 restarts the board
+    bool hasSensorSwitch = false; ///< command 16
+    bool hasScaleConfig = false;
+    bool nominalCurrentInDigits = false; ///< APPLICATION_CONFIG of 14 bytes
+    bool swapsPositionRamp = false; ///< in GET: duration first
+    bool flushesOnFault = false; ///< a fault sends the unfinished datalog packet
+    bool scalesReadSpeeds = false; ///< GET of sensors' speeds: a fraction of the full scale
+    bool asPrinted =
+        false; ///< the printed text wherever a Controller for shipped firmware survives it
 };
 
 /// The row of a profile; nullptr if there is none of that name.

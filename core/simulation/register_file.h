@@ -1,12 +1,16 @@
-// The registers of the simulated board: which exist in the profile's build, what a read gives and a write does.
-// Source: registers of firmware 6.2.0 and 6.4.0 (FOC, observer + PLL; 6.2 with Hall sensors); the recorded sessions.
+// The registers of the simulated board: which motor an identifier means, what a read gives and a write does. The
+// registers themselves are rows of register_table.h and raw_registers.h.
+// Source: mcp-aspep facts 4.4, 4.5 and 5; the recorded sessions.
 #pragma once
 
 #include "mcp/protocol.h"
+#include "simulation/axis.h"
 #include "simulation/datalog_recorder.h"
-#include "simulation/firmware/firmware.h"
 #include "simulation/profile.h"
+#include "simulation/register_table.h"
 #include "simulation/stale_bytes.h"
+
+#include <deque>
 
 namespace simulation {
 
@@ -19,7 +23,13 @@ public:
         int consumed; ///< bytes of the value; 0 where nothing says how long it is
     };
 
-    RegisterFile(const Traits &traits, const BoardOptions &options, Firmware &firmware);
+    RegisterFile(
+        const Traits &traits, const BoardOptions &options, const Build &build, const Axes &axes);
+    RegisterFile(const RegisterFile &) = delete;
+    RegisterFile &operator=(const RegisterFile &) = delete;
+
+    /// Whether the board has the motor of an identifier; 0, the board itself, always.
+    bool hasMotor(mcp::RegisterId id) const;
 
     /// Appends the value to `out`. `room` is what the response still has; some structures do not look at it.
     mcp::Status read(mcp::RegisterId id, int room, Bytes &out) const;
@@ -29,28 +39,25 @@ public:
 
     /// The variable behind a register in the datalog.
     Source source(mcp::RegisterId id) const;
-    /// Copies what is not kept as a variable of its own, for wide applications; before each sample.
-    void refreshWide();
 
 private:
-    mcp::Status readByte(mcp::RegisterId id, int room, Bytes &out) const;
-    mcp::Status readWord(mcp::RegisterId id, int room, Bytes &out) const;
-    mcp::Status readLong(mcp::RegisterId id, int room, Bytes &out) const;
+    /// The motor that answers for an identifier; nullptr where its scope and its motor bits do not fit.
+    RegisterContext *addressed(mcp::RegisterId id, RegisterRow::Scope scope);
+    const RegisterContext *addressed(mcp::RegisterId id, RegisterRow::Scope scope) const;
+    bool ignoresMotor() const;
+
+    mcp::Status readScalar(mcp::RegisterId id, int room, Bytes &out) const;
     mcp::Status readText(mcp::RegisterId id, int room, Bytes &out) const;
     mcp::Status readRaw(mcp::RegisterId id, int room, Bytes &out) const;
-    mcp::Status writeByte(mcp::RegisterId id, std::uint8_t value);
-    mcp::Status writeWord(mcp::RegisterId id, std::int16_t value);
-    mcp::Status writeLong(mcp::RegisterId id, std::int32_t value);
+    mcp::Status writeScalar(mcp::RegisterId id, std::uint32_t value);
     mcp::Status writeRaw(
         mcp::RegisterId id, const StaleBytes &value, int size, DatalogRecorder &datalog);
-    mcp::Status writeRevUp(const StaleBytes &value, int size);
     bool isDatalog(mcp::RegisterId id) const;
 
     const Traits &m_traits;
     const BoardOptions &m_options;
-    Firmware &m_firmware;
-    std::uint8_t m_wideState = 0;
-    std::int32_t m_wideSpeed = 0, m_wideReference = 0, m_wideFaults = 0;
+    const Build &m_build;
+    std::deque<RegisterContext> m_motors; ///< the datalog points at them
 };
 
 } // namespace simulation

@@ -15,7 +15,6 @@ using mcp::CommandId;
 using mcp::RegisterId;
 using mcp::Status;
 
-constexpr unsigned kMotors = 1;
 constexpr int kHeartbeat = 1; ///< user command that feeds the watchdog
 constexpr std::size_t kUserAnswerMax = 64;
 constexpr std::size_t kAnswerMax =
@@ -23,11 +22,12 @@ constexpr std::size_t kAnswerMax =
 
 } // namespace
 
-Server::Server(const Traits &traits, const BoardOptions &options, Firmware &firmware,
-    RegisterFile &registers, DatalogRecorder &datalog)
+Server::Server(const Traits &traits, const BoardOptions &options, const Build &build,
+    const Axes &axes, RegisterFile &registers, DatalogRecorder &datalog)
     : m_traits(traits)
     , m_options(options)
-    , m_firmware(firmware)
+    , m_build(build)
+    , m_axes(axes)
     , m_registers(registers)
     , m_datalog(datalog)
 {
@@ -81,7 +81,7 @@ Status Server::get(const Request &request)
     for (std::uint16_t left = request.length; left > 0;
          left = static_cast<std::uint16_t>(left - 2), at += 2) {
         const RegisterId id{request.data.u16(at)};
-        if (id.motor() > kMotors)
+        if (!m_registers.hasMotor(id))
             return Status::Nok;
         if (m_answer.size() > kAnswerMax)
             return Status::NoTxSyncSpace; // real firmware has overwritten its memory by now
@@ -101,7 +101,7 @@ Status Server::set(const Request &request)
         const RegisterId id{request.data.u16(at)};
         at += 2;
         left -= 2;
-        if (id.motor() > kMotors) {
+        if (!m_registers.hasMotor(id)) {
             total = Status::Nok;
             break;
         }
@@ -125,45 +125,97 @@ Status Server::set(const Request &request)
 
 Status Server::command(const Request &request)
 {
-    const auto id = static_cast<CommandId>(request.command);
-    const bool ofMotor = id >= CommandId::StartMotor && id <= CommandId::FaultAck;
-    if ((ofMotor || id == CommandId::IqdRefClear)
-        && (request.motor == 0 || request.motor > kMotors))
-        return Status::Nok; // real firmware reads outside its tables here
-    switch (id) {
+    switch (static_cast<CommandId>(request.command)) {
     case CommandId::StartMotor:
-        return m_firmware.start() ? Status::Ok : Status::Nok;
     case CommandId::StopMotor:
-        m_firmware.stop();
-        return Status::Ok;
     case CommandId::StopRamp:
-        m_firmware.stopRamp();
-        return Status::Ok;
     case CommandId::StartStop:
-        if (m_firmware.state() != MotorState::Idle) {
-            m_firmware.stop();
-            return Status::Ok;
-        }
-        return m_firmware.start() != m_traits.invertsStartStop ? Status::Ok : Status::Nok;
     case CommandId::FaultAck:
-        m_firmware.acknowledgeFaults();
-        return Status::Ok;
+    case CommandId::CpuLoadClear:
     case CommandId::IqdRefClear:
-        m_firmware.clearCurrentReferences();
-        return Status::Ok;
+    case CommandId::ProfilerCmd:
+    case CommandId::SensorSwitch:
+        break;
     case CommandId::SwReset:
         m_resetWanted = m_traits.hasSoftReset;
         return Status::CommandUnknown;
     default:
         return Status::CommandUnknown;
     }
+    if (request.motor == 0 || request.motor > m_axes.size())
+        return Status::Nok; // real firmware reads outside its tables here
+    return motorCommand(request, m_axes[request.motor - 1]->firmware);
+}
+
+Status Server::motorCommand(const Request &request, Firmware &firmware)
+{
+    switch (static_cast<CommandId>(request.command)) {
+    case CommandId::StartMotor:
+        return firmware.start() ? Status::Ok : Status::Nok;
+    case CommandId::StopMotor:
+        firmware.stop();
+        return Status::Ok;
+    case CommandId::StopRamp:
+        firmware.stopRamp();
+        return Status::Ok;
+    case CommandId::StartStop:
+        if (firmware.state() != MotorState::Idle) {
+            firmware.stop();
+            return Status::Ok;
+        }
+        return firmware.start() != m_traits.invertsStartStop ? Status::Ok : Status::Nok;
+    case CommandId::FaultAck:
+        firmware.acknowledgeFaults();
+        return Status::Ok;
+    case CommandId::CpuLoadClear:
+        return clearCpuLoad();
+    case CommandId::IqdRefClear:
+        if (m_build.family != Family::Foc)
+            return Status::CommandUnknown;
+        firmware.clearCurrentReferences();
+        return Status::Ok;
+    case CommandId::ProfilerCmd:
+        return profilerCommand(request);
+    case CommandId::SensorSwitch:
+        return switchSensor(firmware);
+    default:
+        return Status::CommandUnknown;
+    }
+}
+
+Status Server::clearCpuLoad()
+{
+    if (!m_traits.hasCpuLoadClear || !m_build.cpuLoad)
+        return Status::CommandUnknown;
+    Signals &measured = m_axes.front()->firmware.variables();
+    measured.cpuLoadMin = measured.cpuLoadMax = measured.cpuLoad;
+    return Status::Ok;
+}
+
+/// The self-commissioning is not simulated: its commands are taken and nothing runs.
+Status Server::profilerCommand(const Request &request) const
+{
+    constexpr std::uint8_t kLastCommand = 6;
+    if (!m_traits.hasProfilerCommand || m_build.family != Family::Foc || !m_build.profiler)
+        return Status::CommandUnknown;
+    return request.data.u8(0) <= kLastCommand ? Status::Ok : Status::Nok;
+}
+
+/// The two sensors are looked at, the loops stay with the main one.
+Status Server::switchSensor(const Firmware &firmware) const
+{
+    if (!m_traits.hasSensorSwitch || m_build.family != Family::Foc
+        || m_build.auxiliarySensor == SpeedSensor::None)
+        return Status::CommandUnknown;
+    return firmware.state() == MotorState::Run ? Status::Ok : Status::Nok;
 }
 
 Status Server::heartbeat(const Request &request)
 {
     if (request.length != 2 || request.data.u16(0) != m_options.watchdogMs)
         return Status::Nok; // meant for something else
-    m_firmware.feedWatchdog();
+    for (const auto &axis : m_axes)
+        axis->firmware.feedWatchdog();
     return Status::Ok;
 }
 
@@ -174,6 +226,8 @@ Status Server::userCommand(const Request &request)
     const int index = request.command - static_cast<int>(CommandId::UserFirst);
     if (index == kHeartbeat && m_options.watchdogMs > 0)
         return heartbeat(request);
+    if (m_build.hso() && index <= 1 && m_options.userCallbacks == 0)
+        return Status::Ok; // writes and reads the parameter page of the flash
     if (index >= m_options.userCallbacks)
         return Status::CallbackNotRegistered;
     if (index > 0)

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "mcp/protocol.h"
+#include "simulation/axis.h"
 #include "simulation/datalog_recorder.h"
-#include "simulation/firmware/firmware.h"
 #include "simulation/profile.h"
 #include "simulation/register_file.h"
 
@@ -14,7 +14,7 @@ struct BoardOptions;
 
 class Server {
 public:
-    Server(const Traits &traits, const BoardOptions &options, Firmware &firmware,
+    Server(const Traits &traits, const BoardOptions &options, const Build &build, const Axes &axes,
         RegisterFile &registers, DatalogRecorder &datalog);
 
     /// @param buffer       the whole receive buffer, old bytes included
@@ -35,13 +35,18 @@ private:
     mcp::Status dispatch(const Request &request);
     mcp::Status get(const Request &request);
     mcp::Status set(const Request &request);
+    mcp::Status motorCommand(const Request &request, Firmware &firmware);
     mcp::Status command(const Request &request);
+    mcp::Status clearCpuLoad();
+    mcp::Status profilerCommand(const Request &request) const;
+    mcp::Status switchSensor(const Firmware &firmware) const;
     mcp::Status userCommand(const Request &request);
     mcp::Status heartbeat(const Request &request);
 
     const Traits &m_traits;
     const BoardOptions &m_options;
-    Firmware &m_firmware;
+    const Build &m_build;
+    const Axes &m_axes;
     RegisterFile &m_registers;
     DatalogRecorder &m_datalog;
     Bytes m_answer; ///< of the command in hand, without the status

@@ -8,6 +8,7 @@
 
 #include "base/bytes.h"
 #include "base/time.h"
+#include "simulation/build.h"
 #include "simulation/liars.h"
 
 #include <cstdint>
@@ -23,6 +24,7 @@ struct BoardOptions {
     std::string profile = "mcsdk-6.4"; ///< one of profileNames()
     std::string motor; ///< a preset of plant/parameters.h; empty: the first of them
     int motors = 1; ///< 1 or 2
+    std::optional<Build> build; ///< instead of what profile and motor ask for; `motors` is kept
     std::size_t rxMax = 256, txSyncMax = 256, txAsyncMax = 2048; ///< bytes
     bool dataCrc = false; ///< forced builds only: payloads end in CA FE
     int version = 0; ///< ASPEP version answered
