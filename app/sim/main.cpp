@@ -207,9 +207,15 @@ int main(int argc, char **argv)
         say(STDERR_FILENO, "rotorscope-sim: " + options.error() + '\n');
         return kUsage;
     }
-    if (options->help) {
+    switch (options->action) {
+    case sim::Action::Help:
         say(STDOUT_FILENO, std::string(sim::helpText()));
-        return kDone;
+        break;
+    case sim::Action::ListLiars:
+        say(STDOUT_FILENO, sim::liarList());
+        break;
+    case sim::Action::Serve:
+        return serve(*options);
     }
-    return serve(*options);
+    return kDone;
 }

@@ -1,6 +1,8 @@
 // Reading the flags: a table from flag to the member it fills and what it may be.
 #include "options.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <functional>
 #include <optional>
@@ -35,10 +37,13 @@ It serves one client after the other until SIGTERM.
   --user-cb N       user commands it knows, 0 to 2 (0)
   --watchdog MS     stop the motor when no heartbeat (user command 1) comes
                     for MS milliseconds, and say so in FW_NAME; 0: never (0)
-  --seed N          of the noise; the same seed gives the same run (1)
+  --liar NAME[:N],..  do these things wrong, each at one chance in N; the names
+                    and what N is otherwise: --list-liars
+  --seed N          of noise and lies; the same seed gives the same run (1)
   --control         obey words on standard input, one a line, and end with it:
                     reset | fault HEX | nofault | mute MS | corrupt N |
                     inject HEX | quit
+  --list-liars      what --liar can be, and end
   --help            this text
 )";
 
@@ -112,6 +117,31 @@ std::optional<std::string> apply(const Flag &flag, std::string_view text, Option
     return std::nullopt;
 }
 
+/// Adds the lies of a list like "twice,noise:3".
+std::optional<std::string> readLies(std::string_view list, std::vector<simulation::LieChoice> &lies)
+{
+    constexpr std::uint64_t kMost = 1'000'000;
+    while (!list.empty()) {
+        const std::string_view item = list.substr(0, list.find(','));
+        list.remove_prefix(std::min(list.size(), item.size() + 1));
+        const std::size_t colon = item.find(':');
+        const auto *info = simulation::findLie(item.substr(0, colon));
+        if (info == nullptr)
+            return "there is no lie " + quoted(item.substr(0, colon)) + "; see --list-liars";
+        std::optional<std::uint64_t> oneIn = 0;
+        if (colon != std::string_view::npos) {
+            oneIn = number(item.substr(colon + 1));
+            if (!oneIn || *oneIn < 1 || *oneIn > kMost || info->oneIn == 0)
+                return info->oneIn == 0
+                    ? std::string(info->name) + " has times of its own and takes no chance"
+                    : std::string(info->name) + ": the chance is one in 1 to 1000000, not "
+                        + quoted(item.substr(colon + 1));
+        }
+        lies.push_back({info->lie, static_cast<unsigned>(*oneIn)});
+    }
+    return std::nullopt;
+}
+
 std::optional<std::string> applyNamed(
     std::string_view name, std::string_view value, Options &options)
 {
@@ -123,6 +153,8 @@ std::optional<std::string> applyNamed(
         }
         return "there is no profile " + quoted(value) + "; there are " + profileList();
     }
+    if (name == "--liar")
+        return readLies(value, options.board.lies);
     if (name == "--link") {
         options.link = value;
         return std::nullopt;
@@ -138,12 +170,37 @@ std::optional<std::string> applyNamed(
 
 std::string_view helpText() { return kHelp; }
 
+std::string liarList()
+{
+    constexpr std::array<std::string_view, 5> kActs{
+        "The link", "Answers", "Values", "The datalog", "The drive"};
+    constexpr std::size_t kColumn = 26;
+    std::string text =
+        "What --liar can be; in brackets the chance at which it happens, one in so many.\n";
+    std::optional<simulation::LieActs> acts;
+    for (const simulation::LieInfo &info : simulation::lies()) {
+        if (acts != info.acts)
+            text += '\n' + std::string(kActs[static_cast<std::size_t>(info.acts)]) + '\n';
+        acts = info.acts;
+        std::string name = "  " + std::string(info.name);
+        if (info.oneIn > 0)
+            name += " (" + std::to_string(info.oneIn) + ')';
+        name.resize(std::max(name.size() + 1, kColumn), ' ');
+        text += name + std::string(info.help) + '\n';
+    }
+    return text;
+}
+
 Result<Options, std::string> readOptions(const std::vector<std::string_view> &words)
 {
     Options options;
-    for (const std::string_view word : words)
-        options.help = options.help || word == "--help" || word == "-h";
-    if (options.help)
+    for (const std::string_view word : words) {
+        if (word == "--help" || word == "-h")
+            options.action = Action::Help;
+        else if (word == "--list-liars" && options.action == Action::Serve)
+            options.action = Action::ListLiars;
+    }
+    if (options.action != Action::Serve)
         return options;
     if (words.empty() || words[0] != "mcp")
         return fail(

@@ -10,11 +10,13 @@
 
 namespace sim {
 
+enum class Action : std::uint8_t { Serve, Help, ListLiars };
+
 struct Options {
+    Action action = Action::Serve;
     simulation::BoardOptions board;
     std::string link; ///< path of a symbolic link to the pseudo-terminal; empty: none
     bool control = false; ///< obey words on standard input
-    bool help = false;
 };
 
 /// @param words  the command line without the program's name
@@ -22,5 +24,6 @@ struct Options {
 Result<Options, std::string> readOptions(const std::vector<std::string_view> &words);
 
 std::string_view helpText();
+std::string liarList();
 
 } // namespace sim

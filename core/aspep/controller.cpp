@@ -157,7 +157,9 @@ void Controller::onData(const Data &data, Bytes &payload, TimePoint now)
             m_events.push_back(Async{std::move(payload)});
         return;
     }
-    if (m_step != Step::Waiting) {
+    // What comes before the payload can have left answers something else: the request before, for the second time.
+    const bool tooSoon = m_sentPending && now < m_payloadAt;
+    if (m_step != Step::Waiting || tooSoon) {
         ++m_stats.unexpected;
         return;
     }
@@ -395,6 +397,7 @@ void Controller::sendData(ByteView payload, Duration gap, TimePoint now)
         body.push_back(static_cast<std::uint8_t>(crc >> 8));
     }
     m_stats.bytesOut += body.size();
+    m_payloadAt = now + gap + m_config.payloadPause;
     awaitReply(
         now + gap + m_config.payloadPause + wireTime(kHeaderSize + body.size(), m_config.baud));
     m_output.push_back({std::move(body), m_config.payloadPause});

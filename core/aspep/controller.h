@@ -216,6 +216,7 @@ private:
     std::uint16_t m_number = 0; ///< of the last Ping
 
     std::optional<TimePoint> m_replyDue; ///< until then nothing else may be sent
+    TimePoint m_payloadAt; ///< no payload of the last request has left before
     bool m_sentPending = false; ///< m_replyDue is an estimate until handleSent()
     bool m_requestOpen = false; ///< its end has not been told yet
     std::optional<Urgent> m_urgent;

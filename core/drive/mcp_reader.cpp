@@ -2,6 +2,7 @@
 
 #include "drive/mcp_values.h"
 #include "mcp/protocol.h"
+#include "mcp/structures.h"
 
 #include <algorithm>
 
@@ -23,6 +24,27 @@ int sendingOrder(RegisterId id)
     default:
         return 3;
     }
+}
+
+/// Whether a structure has a size that this register has in a firmware we know. An answer that came too late, and now
+/// stands where another one is due, is mostly found out by that.
+bool sizeFits(RegisterId id, const Value &value)
+{
+    const auto *raw = std::get_if<Bytes>(&value);
+    if (raw == nullptr)
+        return true;
+    const mcp::RegisterId which = mcp::RegisterId{static_cast<std::uint16_t>(id)}.withMotor(0);
+    if (which == mcp::reg::kGlobalConfig)
+        return mcp::decodeGlobalConfig(*raw).has_value();
+    if (which == mcp::reg::kMotorConfig)
+        return mcp::decodeMotorConfig(*raw).has_value();
+    if (which == mcp::reg::kApplicationConfig)
+        return mcp::decodeApplicationConfig(*raw).has_value();
+    if (which == mcp::reg::kFocFwConfig)
+        return mcp::decodeFirmwareConfig(*raw).has_value();
+    if (which == mcp::reg::kScaleConfig)
+        return mcp::decodeScaleConfig(*raw).has_value();
+    return true;
 }
 
 } // namespace
@@ -85,6 +107,10 @@ std::vector<Reading> RegisterReader::takeResponse(
         auto value = readValue(values, id, typeOf(*board.catalog, id));
         if (!value)
             break;
+        if (board.knownFirmware && !sizeFits(id, *value)) {
+            takeNoResponse();
+            return {};
+        }
         readings.push_back({id, ReadStatus::Ok, std::move(*value), now});
     }
     const bool ok = status == static_cast<std::uint8_t>(mcp::Status::Ok);

@@ -68,6 +68,9 @@ void TestSimulatorProgram::aWrongCommandLineIsOneSentenceAndStatus2_data()
     row("too large", "mcp --hf-hz 1000000");
     row("no multiple", "mcp --rx-max 100");
     row("negative", "mcp --streams -1");
+    row("unknown lie", "mcp --liar twice,honesty");
+    row("no chance", "mcp --liar twice:0");
+    row("lie with times of its own", "mcp --liar flood:3");
 }
 
 void TestSimulatorProgram::aWrongCommandLineIsOneSentenceAndStatus2()
@@ -87,9 +90,10 @@ void TestSimulatorProgram::helpNamesEveryFlag()
     QVERIFY(program.ended());
     QCOMPARE(program.process.exitCode(), 0);
     const QByteArray text = program.process.readAllStandardOutput();
-    for (const char *flag : {"--profile", "--link", "--rx-max", "--txs-max", "--txa-max", "--crc",
-             "--version", "--liid", "--streams", "--baud", "--hf-hz", "--ts0", "--null-check",
-             "--wide", "--user-cb", "--seed", "--control", "--help"})
+    for (const char *flag :
+        {"--profile", "--link", "--rx-max", "--txs-max", "--txa-max", "--crc", "--version",
+            "--liid", "--streams", "--baud", "--hf-hz", "--ts0", "--null-check", "--wide",
+            "--user-cb", "--watchdog", "--seed", "--control", "--liar", "--list-liars", "--help"})
         QVERIFY2(text.contains(flag), flag);
 }
 
