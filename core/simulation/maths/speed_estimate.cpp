@@ -14,6 +14,8 @@ std::int16_t mechanicalSpeed_dHz(std::int32_t speed_dpp, std::uint16_t hfHz, int
 
 SpeedEstimate::SpeedEstimate(SpeedEstimateParameters parameters)
     : m_parameters(parameters)
+    , m_range(
+          {parameters.maxReliable_dHz, parameters.minReliable_dHz, parameters.errorsBeforeFault})
 {
     SpeedEstimateParameters &p = m_parameters;
     p.depth = std::clamp(p.depth, 1, static_cast<int>(kMaxDepth));
@@ -48,23 +50,14 @@ void SpeedEstimate::average(AlphaBeta bemf)
     m_speed_dHz = mechanicalSpeed_dHz(mean, m_parameters.hfHz, m_parameters.polePairs);
 
     const bool consistent = bemfIsConsistent(bemf);
-    if (m_outOfRange < m_parameters.errorsBeforeFault)
-        m_outOfRange =
-            inRange() ? 0 : m_outOfRange + 1; // at the limit it stays, until it converges anew
-    if (m_converged) {
-        m_unreliable = m_varianceIsLow && consistent ? 0 : m_unreliable + 1;
-        if (m_unreliable >= m_parameters.errorsBeforeFault) {
-            m_unreliable = 0;
-            m_outOfRange = m_parameters.errorsBeforeFault;
-        }
+    m_range.look(m_speed_dHz);
+    if (!m_converged)
+        return;
+    m_unreliable = m_varianceIsLow && consistent ? 0 : m_unreliable + 1;
+    if (m_unreliable >= m_parameters.errorsBeforeFault) {
+        m_unreliable = 0;
+        m_range.fail();
     }
-    m_reliable = m_outOfRange < m_parameters.errorsBeforeFault;
-}
-
-bool SpeedEstimate::inRange() const
-{
-    const int size = std::abs(int{m_speed_dHz});
-    return size <= m_parameters.maxReliable_dHz && size >= m_parameters.minReliable_dHz;
 }
 
 bool SpeedEstimate::bemfIsConsistent(AlphaBeta bemf)
@@ -99,7 +92,7 @@ bool SpeedEstimate::converged(std::int16_t forced_dHz)
 void SpeedEstimate::forceConvergence()
 {
     m_converged = true;
-    m_outOfRange = 0;
+    m_range.clear();
 }
 
 void SpeedEstimate::setStartUp(std::uint16_t minimum_dHz, int tests)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "simulation/maths/fixed_point.h"
+#include "simulation/maths/speed_range.h"
 
 #include <array>
 
@@ -20,7 +21,7 @@ struct SpeedEstimateParameters {
         64; ///< the same for the speed that the observer itself uses; power of two, at most `depth`
     std::uint16_t varianceThreshold =
         32; ///< of the speed squared, 128: all of it. 25 % for a PLL, 400 % for CORDIC
-    std::uint16_t maxReliable_dHz = 7667; ///< 1.15 times the maximum application speed, mechanical
+    std::uint16_t maxReliable_dHz = 767; ///< 1.15 times the maximum application speed, mechanical
     std::uint16_t minReliable_dHz = 0;
     std::uint16_t bemfTolerance =
         64; ///< of 64: how much of the expected squared back-EMF may be missing
@@ -47,7 +48,7 @@ public:
 
     std::int16_t speed_dHz() const { return m_speed_dHz; } ///< averaged, mechanical
     std::int16_t speed_dpp() const { return m_speed_dpp; } ///< averaged, electrical
-    bool reliable() const { return m_reliable; }
+    bool reliable() const { return m_range.reliable(); }
     bool hasConverged() const { return m_converged; }
     bool varianceIsLow() const { return m_varianceIsLow; }
     std::int32_t observedBemf() const { return m_observedBemf; } ///< squared digits
@@ -65,16 +66,16 @@ private:
     static constexpr std::size_t kMaxDepth = 64;
 
     bool bemfIsConsistent(AlphaBeta bemf);
-    bool inRange() const;
 
     SpeedEstimateParameters m_parameters;
+    SpeedRangeCheck m_range;
     std::array<std::int16_t, kMaxDepth> m_buffer{};
     std::size_t m_index = 0;
     std::int32_t m_sumDpp = 0;
     std::int16_t m_speed_dpp = 0, m_speed_dHz = 0;
-    bool m_varianceIsLow = false, m_reliable = true, m_converged = false;
+    bool m_varianceIsLow = false, m_converged = false;
     std::int32_t m_observedBemf = 0, m_expectedBemf = 0;
-    int m_unreliable = 0, m_outOfRange = 0, m_startUpTests = 0;
+    int m_unreliable = 0, m_startUpTests = 0;
 };
 
 } // namespace simulation
