@@ -161,7 +161,7 @@ constexpr std::array kRaws{
         .get = bemfSensingConfig,
         .set = setBemfSensing,
         .exists = bemfSensing},
-    RawRow{.id = mcp::reg::kAdcOffset, .get = nothing<24>, .exists = hso},
+    RawRow{.id = mcp::reg::kAdcOffset, .get = nothing<24>, .exists = hso, .ofCalibration = true},
 };
 
 constexpr std::array kTexts{

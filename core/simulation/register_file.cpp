@@ -72,7 +72,7 @@ RegisterFile::RegisterFile(
     , m_build(build)
 {
     for (const auto &axis : axes)
-        m_motors.push_back({traits, options, build, axis->firmware, {}});
+        m_motors.push_back({traits, options, build, axis->firmware, {}, false});
 }
 
 bool RegisterFile::ignoresMotor() const
@@ -156,6 +156,8 @@ Status RegisterFile::readRaw(RegisterId id, int room, Bytes &out) const
     const RegisterContext *at = row != nullptr ? addressed(id, row->scope) : nullptr;
     if (at == nullptr || row->get == nullptr)
         return Status::UnknownRegister;
+    if (row->ofCalibration && !at->calibrated)
+        return Status::RegisterAccess;
     const bool looks = row->looksAtRoom || m_traits.asPrinted;
     return appendRaw(out, looks ? room : INT16_MAX, row->get(*at));
 }

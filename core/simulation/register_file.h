@@ -31,6 +31,9 @@ public:
     /// Whether the board has the motor of an identifier; 0, the board itself, always.
     bool hasMotor(mcp::RegisterId id) const;
 
+    /// A motor starts, which measures the offsets of its currents.
+    void started(unsigned motor) { m_motors[motor - 1].calibrated = true; }
+
     /// Appends the value to `out`. `room` is what the response still has; some structures do not look at it.
     mcp::Status read(mcp::RegisterId id, int room, Bytes &out) const;
     /// `available`: bytes of the request behind the identifier.

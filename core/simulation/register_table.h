@@ -27,6 +27,7 @@ struct RegisterContext {
     const Build &build;
     Firmware &firmware;
     KeptValues kept;
+    bool calibrated = false; ///< the current offsets were measured since power-on
 };
 
 struct RegisterRow {

@@ -19,6 +19,7 @@ using mcp::Status;
 using At = const RegisterContext;
 
 constexpr bool zest(const Build &b) { return b.zest; }
+constexpr bool withoutZest(const Build &b) { return !b.zest; }
 constexpr bool profiler(const Build &b) { return b.profiler; }
 constexpr bool cpuLoad(const Build &b) { return b.cpuLoad; }
 constexpr bool dac(const Build &b) { return b.dac; }
@@ -292,7 +293,8 @@ constexpr std::array kRows{
     f32(113, 1.0F), // FOC_KSAMPLE_DELAY
     readOnly(f32(114)), // RSEST_RSOHM
     readOnly(f32(115)), // RSEST_RSPOWEROHM
-    f32(117), // FOC_SKINFACTOR
+    f32(117).in(zest), // FOC_SKINFACTOR
+    q(117, [](At &) { return 0U; }).settable(ignore).in(withoutZest),
     readOnly(kept(118, Bits32)), // FOC_ZEST_CORRECTION
     readOnly(kept(119, Bits32)).in(zest).onlyForDatalog(), // ANG_SPEED
     readOnly(kept(120, Bits32)).in(zest).onlyForDatalog(),

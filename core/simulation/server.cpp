@@ -147,11 +147,19 @@ Status Server::command(const Request &request)
     return motorCommand(request, m_axes[request.motor - 1]->firmware);
 }
 
+bool Server::start(unsigned motor)
+{
+    const bool accepted = m_axes[motor - 1]->firmware.start();
+    if (accepted)
+        m_registers.started(motor);
+    return accepted;
+}
+
 Status Server::motorCommand(const Request &request, Firmware &firmware)
 {
     switch (static_cast<CommandId>(request.command)) {
     case CommandId::StartMotor:
-        return firmware.start() ? Status::Ok : Status::Nok;
+        return start(request.motor) ? Status::Ok : Status::Nok;
     case CommandId::StopMotor:
         firmware.stop();
         return Status::Ok;
@@ -163,7 +171,7 @@ Status Server::motorCommand(const Request &request, Firmware &firmware)
             firmware.stop();
             return Status::Ok;
         }
-        return firmware.start() != m_traits.invertsStartStop ? Status::Ok : Status::Nok;
+        return start(request.motor) != m_traits.invertsStartStop ? Status::Ok : Status::Nok;
     case CommandId::FaultAck:
         firmware.acknowledgeFaults();
         return Status::Ok;

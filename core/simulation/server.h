@@ -37,6 +37,7 @@ private:
     mcp::Status set(const Request &request);
     mcp::Status motorCommand(const Request &request, Firmware &firmware);
     mcp::Status command(const Request &request);
+    bool start(unsigned motor);
     mcp::Status clearCpuLoad();
     mcp::Status profilerCommand(const Request &request) const;
     mcp::Status switchSensor(const Firmware &firmware) const;
