@@ -1,0 +1,69 @@
+// Another client than ours uses rotorscope-sim and cannot tell it from a board: tests/support/other_client.py, which
+// shares nothing with this program but the protocol.
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTest>
+
+namespace {
+
+/// Ended with the test, whatever becomes of that.
+struct Simulator : QProcess {
+    ~Simulator() override
+    {
+        kill();
+        waitForFinished();
+    }
+};
+
+} // namespace
+
+class TestOtherClient : public QObject {
+    Q_OBJECT
+
+private slots:
+    void itConnectsReadsDrivesRecordsAndStops_data();
+    void itConnectsReadsDrivesRecordsAndStops();
+};
+
+void TestOtherClient::itConnectsReadsDrivesRecordsAndStops_data()
+{
+    QTest::addColumn<QString>("profile");
+    for (const char *profile : {"mcsdk-6.4", "mcsdk-6.2", "spec"})
+        QTest::newRow(profile) << QString::fromLatin1(profile);
+}
+
+void TestOtherClient::itConnectsReadsDrivesRecordsAndStops()
+{
+    QFETCH(QString, profile);
+    constexpr int kPatience_ms = 60'000;
+    Simulator simulator;
+    simulator.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-sim"),
+        {QStringLiteral("mcp"), QStringLiteral("--profile"), profile, QStringLiteral("--control")});
+    while (!simulator.canReadLine() && simulator.waitForReadyRead(kPatience_ms)) { }
+    const QString line = QString::fromLocal8Bit(simulator.readLine()).trimmed();
+    QVERIFY2(line.startsWith(QLatin1String("ready ")), qPrintable(line));
+
+    QProcess client;
+    client.setProcessChannelMode(QProcess::MergedChannels);
+    client.start(QStringLiteral("python3"),
+        {QStringLiteral(ROTORSCOPE_SOURCE "/tests/support/other_client.py"), line.mid(6)});
+    QVERIFY2(client.waitForFinished(kPatience_ms), qPrintable(client.errorString()));
+    const QString said = QString::fromUtf8(client.readAll());
+    QVERIFY2(
+        client.exitStatus() == QProcess::NormalExit && client.exitCode() == 0, qPrintable(said));
+
+    static const QRegularExpression summary(
+        QStringLiteral("client: (\\d+) requests, .* (\\d+) samples"));
+    const auto match = summary.match(said);
+    QVERIFY2(match.hasMatch(), qPrintable(said));
+    constexpr int kInASecond = 16'000;
+    QVERIFY2(
+        match.captured(2).toInt() > kInASecond / 4, qPrintable(said)); // a busy machine loses some
+
+    simulator.closeWriteChannel();
+    QVERIFY(simulator.waitForFinished(kPatience_ms));
+    QCOMPARE(simulator.exitCode(), 0);
+}
+
+QTEST_GUILESS_MAIN(TestOtherClient)
+#include "tst_other_client_posix.moc"
