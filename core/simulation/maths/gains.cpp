@@ -64,6 +64,11 @@ Pi::Gains currentGains(
     return gainsOf(ls_h * perLoop, kCurrentKpShift, rs_ohm * perLoop / hfHz, kCurrentKiShift);
 }
 
+double bandwidthOnTheBridge_radps(double bandwidth_radps)
+{
+    return bandwidth_radps * 2.0 / std::numbers::sqrt3;
+}
+
 Pi::Gains speedGains(const SpeedLoop &loop, const CurrentSensing &sensing)
 {
     const double tau = loop.lag_s(), d = loop.damping;

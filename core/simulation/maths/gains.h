@@ -35,8 +35,13 @@ Fraction finestFractionOf(double gain, std::int32_t maxError);
 
 /// Pole-zero cancellation for a closed loop of first order with `bandwidth_radps`: ls * wc / AB, rs * wc / (hf AB), with
 /// 2^10 and 2^14 below the line where they fit. `ls_h`: Lq for the q axis, Ld for the d axis.
+/// ST's rule takes bus / 2^16 for a digit of voltage, but the modulation makes bus / (sqrt(3) 2^15) of it: on a board
+/// the loop is faster than asked, see bandwidthOnTheBridge_radps.
 Pi::Gains currentGains(
     double ls_h, double rs_ohm, double bandwidth_radps, const CurrentSensing &sensing, double hfHz);
+
+/// What a loop designed for `bandwidth_radps` with ST's rule has behind modulate(): 2 / sqrt(3), 15 %, more.
+double bandwidthOnTheBridge_radps(double bandwidth_radps);
 
 struct SpeedLoop {
     double inertia_kgm2 = 0.0; ///< of rotor and load
