@@ -46,6 +46,10 @@ catalog::Scales scalesOf(const MotorDescription &motor, std::uint32_t version)
             plausible(motor.application->maxReadableAmps, kMaxAmps) / kFullScaleDigits;
         scales.voltsPerDigit =
             motor.application->nominalVolts / (std::sqrt(3.0) * (kFullScaleDigits - 1.0));
+        // 6.0 and 6.1 do not say the scale of the speeds they read out; it is the one that 6.2 says.
+        const double maxRpm = plausible(motor.application->maxSpeedRpm, kMaxRpm);
+        if (version < kVersion64 && maxRpm > 0.0)
+            scales.rpmPerReadDigit = 1.15 * maxRpm / kFullScaleDigits;
     }
     return scales;
 }
