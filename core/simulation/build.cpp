@@ -1,24 +1,72 @@
 // The builds of the profiles.
 #include "simulation/build.h"
 
+#include "simulation/plant/presets.h"
+
 namespace simulation {
 
-Build buildFor(std::string_view profile, std::string_view)
+namespace {
+
+/// The sensors of a motor come into the loop, the observer stays beside them to be compared.
+void addSensors(Build &build, const PlantParameters &plant)
+{
+    if (plant.sensors.encoderPulses > 0) {
+        build.encoder = build.positionControl = true;
+        build.mainSensor = SpeedSensor::Encoder;
+        build.auxiliarySensor = SpeedSensor::ObserverPll;
+    } else if (plant.sensors.hall) {
+        build.hall = true;
+        build.mainSensor = SpeedSensor::Hall;
+        build.auxiliarySensor = SpeedSensor::ObserverPll;
+    }
+    constexpr double kSalient = 1.2; // Lq over Ld from which magnets are called buried
+    if (plant.motor.lq_h > kSalient * plant.motor.ld_h)
+        build.fluxWeakening = build.feedForward = true;
+}
+
+} // namespace
+
+Build buildFor(std::string_view profile, std::string_view preset)
+{
+    const PlantParameters *plant = preset.empty() ? nullptr : findPreset(preset);
+    Build build = buildFor(profile, plant != nullptr ? *plant : presets().front().parameters);
+    if (preset == "prop12"
+        && build.family == Family::Foc) { // the second sensorless motor compares the observers
+        build.observerCordic = true;
+        build.auxiliarySensor = SpeedSensor::ObserverCordic;
+    }
+    return build;
+}
+
+Build buildFor(std::string_view profile, const PlantParameters &plant)
 {
     Build build;
     if (profile == "six-step") {
         build.family = Family::SixStep;
+        build.mainSensor = SpeedSensor::None; // no number stands for sensing the back-EMF
         build.observerPll = false;
         build.bemfSensing = true;
     } else if (profile == "hso") {
         build.family = Family::Hso;
         build.mainSensor = SpeedSensor::Hso;
         build.observerPll = false;
-    } else if (profile == "mcsdk-6.2") { // as recorded
-        build.hall = true;
-        build.auxiliarySensor = SpeedSensor::Hall;
+    } else {
+        addSensors(build, plant);
+        if (profile == "mcsdk-6.2" && build.mainSensor == SpeedSensor::ObserverPll) {
+            build.hall = true; // as recorded
+            build.auxiliarySensor = SpeedSensor::Hall;
+        }
     }
     return build;
+}
+
+Build driveBehind(const Build &build)
+{
+    if (build.family == Family::Foc)
+        return build;
+    Build drive;
+    drive.motors = build.motors;
+    return drive;
 }
 
 } // namespace simulation

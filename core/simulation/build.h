@@ -8,6 +8,8 @@
 
 namespace simulation {
 
+struct PlantParameters;
+
 /// Which register map and which datalog a board has.
 enum class Family : std::uint8_t { Foc, SixStep, Hso };
 
@@ -63,7 +65,12 @@ struct Build {
     bool operator==(const Build &) const = default;
 };
 
-/// The build of a profile for a motor of the presets ("": the first). Unknown names give the plain observer build.
+/// The build of a profile for a motor of the presets ("": the first): what its sensors and its saliency ask for.
+/// Unknown names give the plain observer build.
 Build buildFor(std::string_view profile, std::string_view preset);
+Build buildFor(std::string_view profile, const PlantParameters &plant);
+
+/// The FOC build that turns the motor behind any family: six-step and HSO boards show its signals as their own.
+Build driveBehind(const Build &build);
 
 } // namespace simulation

@@ -10,6 +10,7 @@
 #include "base/time.h"
 #include "simulation/build.h"
 #include "simulation/liars.h"
+#include "simulation/plant/parameters.h"
 
 #include <cstdint>
 #include <memory>
@@ -22,7 +23,10 @@ namespace simulation {
 
 struct BoardOptions {
     std::string profile = "mcsdk-6.4"; ///< one of profileNames()
-    std::string motor; ///< a preset of plant/parameters.h; empty: the first of them
+    std::string motor; ///< a preset of plant/presets.h; empty: the first of them
+    std::optional<PlantParameters>
+        plant; ///< instead of a preset; makeBoard() refuses impossible ones
+    std::optional<LoadParameters> load; ///< instead of what the motor comes with
     int motors = 1; ///< 1 or 2
     std::optional<Build> build; ///< instead of what profile and motor ask for; `motors` is kept
     std::size_t rxMax = 256, txSyncMax = 256, txAsyncMax = 2048; ///< bytes
@@ -68,7 +72,7 @@ public:
     virtual std::string describe() const = 0;
 };
 
-/// A board of the named profile; nullptr if there is no such profile.
+/// A board of the named profile; nullptr if there is no such profile or motor, or the motor cannot be.
 std::unique_ptr<SimulatedBoard> makeBoard(const BoardOptions &options);
 
 std::vector<std::string> profileNames();

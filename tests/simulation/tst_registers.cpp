@@ -204,14 +204,14 @@ Build everything()
 
 Build everySixStep()
 {
-    Build b = simulation::buildFor("six-step", {});
+    Build b = simulation::buildFor("six-step", "");
     b.openLoopDebug = b.cpuLoad = b.dac = b.ipd = b.currentMonitor = true;
     return b;
 }
 
 Build everyHso()
 {
-    Build b = simulation::buildFor("hso", {});
+    Build b = simulation::buildFor("hso", "");
     b.mainSensor = SpeedSensor::Zest;
     b.profiler = b.cpuLoad = b.dac = b.zest = b.potentiometer = true;
     return b;
@@ -254,7 +254,7 @@ void TestRegisters::everyRegisterAnswersAsListed_data()
         {"mcsdk-6.1", 0x060100}, {"mcsdk-6.2", 0x060200}, {"mcsdk-6.3", 0x060302},
         {"mcsdk-6.4", 0x060400}, {"six-step", 0x060402}, {"hso", 0x060402}};
     for (const auto &[profile, sdk] : profiles) {
-        QTest::addRow("%s", profile) << profile << sdk << simulation::buildFor(profile, {});
+        QTest::addRow("%s", profile) << profile << sdk << simulation::buildFor(profile, "");
         if (std::string_view(profile).starts_with("mcsdk"))
             QTest::addRow("%s, everything", profile) << profile << sdk << everything();
     }
