@@ -18,13 +18,25 @@ struct ObserverConstants {
     int f1Shift = 14, f2Shift = 13; ///< F1 and F2 as exponents of two, 0..15
 };
 
-/// What one step takes: the currents just measured, and the voltage on the motor from now to the next step, with the
-/// bus as the converter reads it (65536: full scale).
+/// What one step takes: the currents just measured, the mean voltage of the period around that moment, and the bus as
+/// the converter reads it (65536: full scale).
+///
+/// On a real board currents are sampled in the middle of a PWM period and new duties wait for the next one, so the
+/// voltage computed last time is that mean, and the estimated back-EMF belongs to the moment of the sample. Where
+/// duties take effect at the sample itself, the same is had from meanVoltage(last, present); `present` alone puts the
+/// estimated angle half a period ahead.
 struct ObserverInput {
     AlphaBeta voltage; ///< 32768: bus / sqrt(3), as modulate() takes it
     AlphaBeta current;
     std::uint16_t bus = 0;
 };
+
+/// Half of both, each digit cut towards minus infinity.
+constexpr AlphaBeta meanVoltage(AlphaBeta last, AlphaBeta present)
+{
+    return {static_cast<std::int16_t>((last.alpha + present.alpha) >> 1),
+        static_cast<std::int16_t>((last.beta + present.beta) >> 1)};
+}
 
 class StateObserver {
 public:
