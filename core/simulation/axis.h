@@ -3,6 +3,7 @@
 #pragma once
 
 #include "simulation/firmware/firmware.h"
+#include "simulation/plant/plant.h"
 
 #include <memory>
 #include <vector>
@@ -10,13 +11,27 @@
 namespace simulation {
 
 struct Axis {
-    Axis(double hfHz, std::uint64_t seed)
-        : firmware(hfHz, seed)
+    Axis(const PlantParameters &parameters, const Build &build, double hfHz, std::uint64_t seed)
+        : Axis(parameters, build, designFor(parameters, hfHz), hfHz, seed)
+    {
+    }
+    Axis(const PlantParameters &parameters, const Build &build, const DriveDesign &design,
+        double hfHz, std::uint64_t seed)
+        : plant(parameters, seed)
+        , firmware(plant, build, design, hfHz)
     {
     }
     Axis(const Axis &) = delete;
     Axis &operator=(const Axis &) = delete;
 
+    /// One control period: the motor moves on, then the firmware looks at it.
+    void hfTask()
+    {
+        plant.advance(1.0 / firmware.hfHz());
+        firmware.hfTask();
+    }
+
+    Plant plant;
     Firmware firmware;
 };
 

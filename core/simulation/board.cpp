@@ -3,6 +3,7 @@
 #include "simulation/axis.h"
 #include "simulation/datalog_recorder.h"
 #include "simulation/performer.h"
+#include "simulation/plant/presets.h"
 #include "simulation/profile.h"
 #include "simulation/register_file.h"
 #include "simulation/server.h"
@@ -80,7 +81,7 @@ BoardOptions linkOf(BoardOptions options, const Build &build)
 
 class Board final : public SimulatedBoard {
 public:
-    Board(const BoardOptions &options, const Traits &traits)
+    Board(const BoardOptions &options, const Traits &traits, const PlantParameters &plant)
         : m_build(buildOf(options))
         , m_options(linkOf(options, m_build))
         , m_traits(traits)
@@ -89,8 +90,8 @@ public:
         , m_transmitter(options.baud, m_liar)
     {
         for (int i = 0; i < m_build.motors; ++i)
-            m_axes.push_back(
-                std::make_unique<Axis>(options.hfHz, options.seed + static_cast<std::uint64_t>(i)));
+            m_axes.push_back(std::make_unique<Axis>(
+                plant, m_build, options.hfHz, options.seed + static_cast<std::uint64_t>(i)));
         for (const auto &axis : m_axes)
             axis->firmware.setWatchdog(options.watchdogMs);
         powerUp();
@@ -120,7 +121,11 @@ public:
     }
     void mute(Duration time) override { m_faults.muteUntil = m_now + time; }
     void corruptAfter(std::uint64_t bytes) override { m_faults.corruptAfter = bytes; }
-    void setLoadTorque(int, double) override { }
+    void setLoadTorque(int motor, double nm) override
+    {
+        if (motor >= 1 && motor <= m_build.motors)
+            m_axes[static_cast<std::size_t>(motor) - 1U]->plant.setLoadTorque(nm);
+    }
     void inject(ByteView bytes) override
     {
         m_output.insert(m_output.end(), bytes.begin(), bytes.end());
@@ -221,7 +226,7 @@ void Board::hfTask()
 {
     Processor &cpu = *m_processor;
     ++cpu.timestamp;
-    m_axes[m_hfTicks % m_axes.size()]->firmware.hfTask();
+    m_axes[m_hfTicks % m_axes.size()]->hfTask();
     if (cpu.datalog.running())
         cpu.datalog.tick(cpu.timestamp);
     ++m_hfTicks;
@@ -287,7 +292,11 @@ std::unique_ptr<SimulatedBoard> makeBoard(const BoardOptions &options)
     const Traits *traits = findTraits(options.profile);
     if (traits == nullptr)
         return nullptr;
-    return std::make_unique<Board>(options, *traits);
+    const PlantParameters *plant =
+        options.motor.empty() ? &presets().front().parameters : findPreset(options.motor);
+    if (plant == nullptr)
+        return nullptr;
+    return std::make_unique<Board>(options, *traits, *plant);
 }
 
 } // namespace simulation

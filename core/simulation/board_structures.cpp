@@ -74,7 +74,7 @@ Bytes globalConfig(const RegisterContext &at)
 
 Bytes motorConfig(const RegisterContext &at)
 {
-    const PmsmParameters &motor = motorOf(at.firmware);
+    const MotorParameters &motor = motorOf(at.firmware);
     const auto f32 = [](double value) { return static_cast<float>(value); };
     ByteWriter out;
     out.f32(f32(motor.polePairs)).f32(1.0F).f32(f32(motor.rs_ohm)).f32(0.0F);

@@ -17,7 +17,10 @@ std::uint32_t fixedPoint(double value, double one)
 
 } // namespace
 
-const PmsmParameters &motorOf(const Firmware &firmware) { return firmware.motor().parameters(); }
+const MotorParameters &motorOf(const Firmware &firmware)
+{
+    return firmware.plant().parameters().motor;
+}
 
 double polePairs(const Firmware &firmware) { return motorOf(firmware).polePairs; }
 

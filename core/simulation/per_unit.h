@@ -28,7 +28,7 @@ double angle_rad(const Firmware &firmware); ///< electrical, as the control sees
 double polePairs(const Firmware &firmware);
 double fluxVoltsPerHertz(const Firmware &firmware); ///< peak, a phase, electrical
 double torquePerAmp_nm(const Firmware &firmware);
-const PmsmParameters &motorOf(const Firmware &firmware);
+const MotorParameters &motorOf(const Firmware &firmware);
 
 /// How long the ramp set in FOC_SPEEDRAMP takes for a step of so many Hz.
 std::uint16_t speedRampTime_ms(const RegisterContext &at, double step_hz);

@@ -12,6 +12,7 @@ using namespace support;
 namespace {
 
 constexpr std::uint16_t kOk = 0;
+constexpr int kSpeedSteps = 12; ///< rpm; the observer counts in 6
 
 Bytes speedRamp(int rpm, unsigned ms)
 {
@@ -65,10 +66,17 @@ void TestBoard::startRunsUpAndStopComesToRest()
     QVERIFY(bench.now - TimePoint{} < 1500ms);
     QCOMPARE(bench.ask(speedRamp(2400, 300)), Bytes{kOk});
     bench.pass(1s);
-    QCOMPARE(bench.get(mcp::reg::kSpeedMeas), 2400);
+    QVERIFY(std::abs(bench.get(mcp::reg::kSpeedMeas) - 2400) <= kSpeedSteps);
+    QCOMPARE(bench.command(4), Bytes{kOk});
+    QVERIFY(bench.waitForState(0));
+    bench.pass(200ms);
+    QCOMPARE(bench.get(mcp::reg::kSpeedMeas), 0);
+    // Backwards from rest: nothing without a sensor runs through zero.
     QCOMPARE(bench.ask(speedRamp(-1500, 600)), Bytes{kOk});
-    bench.pass(2s);
-    QCOMPARE(bench.get(mcp::reg::kSpeedMeas), -1500);
+    QCOMPARE(bench.command(3), Bytes{kOk});
+    QVERIFY(bench.waitForState(6));
+    bench.pass(1500ms);
+    QVERIFY(std::abs(bench.get(mcp::reg::kSpeedMeas) + 1500) <= kSpeedSteps);
     QCOMPARE(bench.command(4), Bytes{kOk});
     QVERIFY(bench.waitForState(0));
     bench.pass(200ms);
@@ -109,14 +117,27 @@ void TestBoard::currentsAreTwoCleanSinusoids120DegreesApart()
         }
     }
     QVERIFY(a.size() > 6000);
-    // 1500 rpm and 4 pole pairs: 100 Hz, 160 samples a period; correlate over whole periods.
-    const std::size_t count = a.size() / 160 * 160;
+    // 1500 rpm and 4 pole pairs are 100 Hz, give and take the 6 rpm that the firmware cannot see: how far the vector of
+    // the currents turned tells the frequency. Correlate over whole periods of it.
+    double turned = 0.0;
+    std::complex<double> before;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const std::complex<double> vector(a[i], (2.0 * b[i] + a[i]) / std::numbers::sqrt3);
+        if (i > 0)
+            turned += std::arg(vector / before);
+        before = vector;
+    }
+    const double step = turned / static_cast<double>(a.size() - 1);
+    const double hertz = step / (2.0 * std::numbers::pi) * 16000.0;
+    QVERIFY2(std::abs(hertz - 100.0) < 0.8, qPrintable(QString::number(hertz)));
+    const double period = 2.0 * std::numbers::pi / step;
+    const auto count =
+        static_cast<std::size_t>(std::floor(static_cast<double>(a.size()) / period) * period);
     const auto phasor = [&](const std::vector<double> &x) {
         std::complex<double> sum;
         for (std::size_t i = 0; i < count; ++i)
-            sum += x[i]
-                * std::polar(2.0 / static_cast<double>(count),
-                    -2.0 * std::numbers::pi * static_cast<double>(i) / 160.0);
+            sum +=
+                x[i] * std::polar(2.0 / static_cast<double>(count), -step * static_cast<double>(i));
         return sum;
     };
     const auto pa = phasor(a), pb = phasor(b);
@@ -126,12 +147,11 @@ void TestBoard::currentsAreTwoCleanSinusoids120DegreesApart()
     QVERIFY2(std::abs(lag - 120.0) < 1.0, qPrintable(QString::number(lag)));
     double rest = 0.0, all = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-        const double fit =
-            (pa * std::polar(1.0, 2.0 * std::numbers::pi * static_cast<double>(i) / 160.0)).real();
+        const double fit = (pa * std::polar(1.0, step * static_cast<double>(i))).real();
         rest += (a[i] - fit) * (a[i] - fit);
         all += a[i] * a[i];
     }
-    QVERIFY2(rest < 0.001 * all, qPrintable(QString::number(rest / all)));
+    QVERIFY2(rest < 0.01 * all, qPrintable(QString::number(rest / all)));
 }
 
 void TestBoard::aPayloadWithoutPauseIsLostWithoutAnError()

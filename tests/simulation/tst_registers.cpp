@@ -292,6 +292,8 @@ void TestRegisters::everyRegisterAnswersAsListed()
             QVERIFY2(answer.size() == size + 1, wrong(reg, "size", read, answer).c_str());
         }
         const bool asymmetric = reg.name == "TORQUE_RAMP";
+        if (reg.name == "OVERVOLTAGETHRESHOLD" && exists)
+            continue; // 0 V would be a fault from now on
         const Status write = expectedWrite(reg, exists, build);
         answer = bench.ask(writeRequest(id, asymmetric ? 6 : structure));
         QVERIFY2(answer == Bytes{static_cast<std::uint8_t>(write)},
@@ -343,7 +345,8 @@ void TestRegisters::whatIsWrittenReadsBack()
         // Commands in the shape of registers: they show a state, not what was written.
         const std::set<std::string> commands{"CONTROL_MODE", "FOC_CONTROLMODE", "SPEED_REF",
             "I_Q_REF", "I_D_REF", "FOC_IDREF", "FOC_IQREF", "FOC_TORQUE_REF_NM",
-            "FOC_SPEEDREF_FREQ_PU", "FOC_SPEEDREF_RAMPED_FREQ_PU"};
+            "FOC_SPEEDREF_FREQ_PU", "FOC_SPEEDREF_RAMPED_FREQ_PU",
+            "OVERVOLTAGETHRESHOLD"}; // and this one, of 3 V, is a fault at once
         int written = 0;
         for (const Listed &reg : listed(options.build->hso() ? "hso" : "std", 0x060402)) {
             if (reg.access != "RW" || mcp::scalarWidth(reg.id.type()) == 0

@@ -1,14 +1,23 @@
-// The motor control firmware of the simulated board: its states, its current and speed loops, its faults, and the
-// motor that it turns. It knows nothing of registers or packets; its two tasks are called at their rates.
+// The motor control firmware of the simulated board: its states, its two tasks, its faults. It reads the converters and
+// timers of a plant and sets its bridge, and knows nothing else of it; it knows nothing of registers or packets.
 //
-//   Idle -start-> ChargeBootCap -> OffsetCalib -> Start (rev-up stages) -> SwitchOver -> Run
+//   Idle -start-> ChargeBootCap -> OffsetCalib -> Start (rev-up stages) -> SwitchOver -> Run      sensorless
+//                                  OffsetCalib -> Alignment (once) -> Start -> Run                encoder
+//                                  OffsetCalib -> Start -> Run                                    Hall, open loop
 //   any of these -stop-> Stop -0.4 s-> Idle;  any -fault-> FaultNow -gone-> FaultOver -acknowledge-> Idle
 //
-// This first version controls with the motor's true angle: no observer that could lose it.
-// Source: mcp-aspep facts 7 to 9; the session start_ramp_stop; gains after features 6.2 and 6.3.
+// Call order: Plant::advance(), then hfTask(), every control period; mfTask() every millisecond between two of them.
+// Source: mcp-aspep facts 7 to 9; features 6.2 to 6.8; the session start_ramp_stop.
 #pragma once
 
-#include "simulation/pmsm.h"
+#include "simulation/build.h"
+#include "simulation/firmware/current_control.h"
+#include "simulation/firmware/design.h"
+#include "simulation/firmware/flux_weakening.h"
+#include "simulation/firmware/sensors.h"
+#include "simulation/firmware/speed_control.h"
+#include "simulation/firmware/virtual_sensor.h"
+#include "simulation/plant/plant.h"
 #include "simulation/signals.h"
 
 #include <array>
@@ -16,39 +25,10 @@
 
 namespace simulation {
 
-enum class MotorState : std::uint8_t {
-    Idle = 0,
-    Start = 4,
-    Run = 6,
-    Stop = 8,
-    FaultNow = 10,
-    FaultOver = 11,
-    ChargeBootCap = 16,
-    OffsetCalib = 17,
-    SwitchOver = 19,
-};
-
-/// What the board's design fixes: how digits relate to amps and volts, what it allows.
-struct Stage {
-    double maxReadable_a = 60.175056458; ///< 32768 digits
-    double nominal_v = 24.0; ///< of the bus
-    double nominal_a = 5.0;
-    int maxSpeed_rpm = 4000;
-
-    double ampsPerDigit() const { return maxReadable_a / 32768.0; }
-    double voltsPerDigit() const { return nominal_v / (1.7320508075688772 * 32767.0); }
-};
-
-struct RevUpStage {
-    std::int32_t rpm;
-    std::int16_t torque; ///< digits
-    std::uint16_t ms;
-};
-
 class Firmware {
 public:
     static constexpr int kMfHz = 1000;
-    static constexpr std::size_t kRevUpStages = 5;
+    static constexpr std::size_t kRevUpStages = RevUp::kStages;
     struct SpeedRamp {
         std::int16_t rpm;
         std::uint16_t ms;
@@ -61,9 +41,9 @@ public:
         float target_rad, duration_s;
     };
 
-    Firmware(double hfHz, std::uint64_t seed);
+    Firmware(Plant &plant, const Build &build, const DriveDesign &design, double hfHz);
 
-    void hfTask(); ///< measures, controls the currents, moves the motor on by one period
+    void hfTask(); ///< measures, controls the currents, sets the bridge
     void mfTask(); ///< states, ramps, speed loop, faults; 1 kHz
 
     bool start(); ///< true if it was accepted: Idle and no fault
@@ -76,9 +56,11 @@ public:
     void rampTorque(TorqueRamp ramp);
     void rampPosition(PositionRamp ramp) { m_lastPositionRamp = ramp; }
     void setCurrentReferences(std::int16_t iq, std::int16_t id);
-    void setControlMode(std::uint8_t mode); ///< 3 speed, 4 torque; others are ignored
-    void setRevUpStage(std::size_t index, RevUpStage stage) { m_revUp[index] = stage; }
-    void setPresentFaults(std::uint16_t bits) { m_presentFaults = bits; }
+    /// 3 speed, 4 torque; 1 and 2, open-loop voltage and current, in builds that have them; others are ignored.
+    void setControlMode(std::uint8_t mode);
+    void setRevUpStage(std::size_t index, RevUpStage stage) { m_stages[index] = stage; }
+    /// Faults that are injected, beside those that are measured.
+    void setPresentFaults(std::uint16_t bits) { m_injectedFaults = bits; }
     /// Stops the motor by itself when it is driven and not fed for that long; 0: never.
     void setWatchdog(int ms) { m_watchdog_ms = ms; }
     void feedWatchdog() { m_hungry_ms = 0; }
@@ -86,19 +68,20 @@ public:
     void restart();
 
     MotorState state() const { return m_state; }
+    /// What is present now in the high half, what has occurred in the low half.
     std::uint32_t faultFlags() const
     {
-        return std::uint32_t{m_presentFaults} << 16 | m_occurredFaults;
+        return std::uint32_t{presentFaults()} << 16 | m_occurredFaults;
     }
     std::uint8_t controlMode() const { return m_modeAsked; }
     SpeedRamp lastSpeedRamp() const { return m_lastSpeedRamp; }
     TorqueRamp lastTorqueRamp() const { return m_lastTorqueRamp; }
     PositionRamp lastPositionRamp() const { return m_lastPositionRamp; }
-    const std::array<RevUpStage, kRevUpStages> &revUp() const { return m_revUp; }
-    std::int32_t speed_rpm() const { return m_speed_rpm; } ///< in steps of 6
+    const std::array<RevUpStage, kRevUpStages> &revUp() const { return m_stages; }
+    std::int32_t speed_rpm() const { return 6 * m_speed_dHz; }
     std::int32_t speedReference_rpm() const;
-    std::int16_t torqueReference() const;
-    double power_w() const;
+    std::int16_t torqueReference() const { return m_wanted.q; }
+    double power_w() const { return static_cast<double>(m_signals.power_w); }
     double hfHz() const { return m_hfHz; }
 
     const Signals &variables() const { return m_signals; }
@@ -108,62 +91,91 @@ public:
     } ///< for what others measure: the load of the processor
     Tuning &tuning() { return m_tuning; }
     Commissioning &commissioning() { return m_commissioning; }
-    const Pmsm &motor() const { return m_motor; }
-    const Stage &stage() const { return m_stage; }
+    const Plant &plant() const { return m_plant; }
+    const DriveDesign &design() const { return m_design; }
+    const Stage &stage() const { return m_design.stage; }
 
 private:
-    enum class Mode : std::uint8_t { Speed, Torque };
-    struct Ramp {
-        double value = 0.0, target = 0.0;
-        int ticksLeft = 0;
-        void start(double to, int ticks);
-        void step();
+    static constexpr int kStopTicks = 400;
+
+    /// Averages of the converters' readings without current.
+    struct Offsets {
+        std::int32_t a = 32768, b = 32768;
+        std::int64_t sumA = 0, sumB = 0;
+        int count = 0;
+        void begin();
+        void add(std::uint16_t readA, std::uint16_t readB);
+        void end();
     };
 
-    bool powered() const;
+    // firmware.cpp: commands and references
     bool driven() const; ///< started and neither stopping nor in a fault
-    void lookAtWatchdog();
-    void enter(MotorState state);
-    void control();
-    void measureAtRest();
-    void publish();
-    void updateFaults();
-    void runStates();
-    void startUp();
-    void speedLoop();
-    void beginRun();
-    double noise(int most); ///< uniform whole digits, -most to most
+    bool openLoop() const { return m_modeAsked == 1 || m_modeAsked == 2; }
+    int direction() const;
+    std::int32_t toSpeed_dHz(std::int16_t rpm) const;
 
+    // firmware_states.cpp: the slow task
+    void enter(MotorState state);
+    void switchOff();
+    void runStates();
+    void beginStart();
+    void startUp();
+    void beginRun();
+    void run();
+    void measureSlowly();
+    void updateFaults();
+    void lookAtWatchdog();
+    void fail(std::uint16_t bit);
+    std::uint16_t presentFaults() const
+    {
+        return static_cast<std::uint16_t>(m_injectedFaults | m_protection.present());
+    }
+
+    // firmware_currents.cpp: the fast task
+    bool powered() const; ///< the current loops run
+    bool virtualAngle() const; ///< the frame is the forced one
+    Ab readCurrents();
+    CurrentControl::Frame frame() const;
+    void control(Ab currents);
+    void observe(AlphaBeta voltage);
+
+    Plant &m_plant;
+    Build m_build;
+    DriveDesign m_design;
     double m_hfHz;
-    Stage m_stage;
-    Pmsm m_motor;
     Signals m_signals;
     Tuning m_tuning;
     Commissioning m_commissioning;
-    std::uint64_t m_random;
+
+    Offsets m_offsets;
+    CurrentControl m_currents;
+    Sensors m_sensors;
+    VirtualSensor m_virtual;
+    FluxWeakening m_fluxWeakening;
+    SpeedControl m_speedControl;
+    RevUp m_revUp;
+    Ramp m_switchOverTorque; ///< in control periods
+    Protection m_protection;
 
     MotorState m_state = MotorState::Idle;
     int m_ticksInState = 0;
-    bool m_rest = true; ///< nothing but noise to be measured
-    std::uint16_t m_presentFaults = 0, m_occurredFaults = 0;
+    bool m_bridgeOn = false;
+    int m_offTicks = 0; ///< since the bridge was switched off, up to kStopTicks
+    int m_bootPeriods = 0; ///< left of the first calibration
+    std::uint16_t m_injectedFaults = 0, m_occurredFaults = 0;
     int m_watchdog_ms = 0, m_hungry_ms = 0;
 
-    Mode m_mode = Mode::Speed; ///< in force
     std::uint8_t m_modeAsked = 3;
     SpeedRamp m_lastSpeedRamp{};
     TorqueRamp m_lastTorqueRamp{};
     PositionRamp m_lastPositionRamp{};
-    Ramp m_speedRamp, m_torqueRamp; ///< rpm; digits
-    double m_idReference = 0.0;
-    std::array<RevUpStage, kRevUpStages> m_revUp{};
-    std::size_t m_stageIndex = 0;
-    int m_stageTicks = 0;
-    double m_stageFrom_rpm = 0.0, m_forced_rpm = 0.0, m_currentLimit = 0.0;
-
-    std::int32_t m_speed_rpm = 0;
-    double m_filteredSpeed_dHz = 0.0; ///< 0.1 Hz
-    double m_iqReference = 0.0, m_speedIntegral = 0.0, m_dIntegral = 0.0, m_qIntegral = 0.0;
-    double m_vd = 0.0, m_vq = 0.0; ///< digits, applied in the next period
+    std::array<RevUpStage, kRevUpStages> m_stages{};
+    std::int16_t m_idWanted = 0;
+    Qd m_wanted; ///< references before flux weakening
+    Qd m_reference; ///< what the current loops follow
+    std::int16_t m_speed_dHz = 0;
+    double m_bus_v = 0.0, m_heatsink_c = 25.0, m_power_w = 0.0;
+    std::uint16_t m_bus = 0; ///< digits of its converter
 };
 
 } // namespace simulation

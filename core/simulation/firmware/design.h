@@ -1,0 +1,46 @@
+// The numbers that this board's project was generated with: what a generated drive_parameters.h holds for a motor and a
+// power stage. Pure functions of the plant's parameters. Source: features 6.2, 6.3, 6.5, 6.6.
+#pragma once
+
+#include "simulation/firmware/protection.h"
+#include "simulation/firmware/rev_up.h"
+#include "simulation/firmware/stage.h"
+#include "simulation/maths/gains.h"
+#include "simulation/maths/sensorless.h"
+#include "simulation/plant/parameters.h"
+#include "simulation/signals.h"
+
+namespace simulation {
+
+struct DriveDesign {
+    Stage stage;
+    Tuning tuning;
+    int polePairs = 1;
+
+    // Start without a sensor.
+    RevUp::Stages revUp{};
+    std::size_t firstAcceleration = 1; ///< the stage from which the observer is believed
+    int transition_ms = 25;
+    std::int16_t defaultSpeed_rpm = 1500;
+
+    // Start with an encoder.
+    int alignment_ms = 400;
+    std::int16_t alignmentTorque = 0; ///< digits, reached at the end
+    int encoderPulses = 0; ///< a turn, each counted four times
+
+    std::uint16_t pwmPeriod = 5312; ///< counts of half a PWM period
+    std::int32_t currentLimit = 0; ///< digits: |iq|
+    std::int32_t demagnetising = 0; ///< digits: how far below zero flux weakening may take id
+
+    ObserverPll::Parameters pll{};
+    ObserverCordic::Parameters cordic{};
+    Protection::Limits protection;
+};
+
+/// A sound project for this motor on this power stage at this control rate.
+DriveDesign designFor(const PlantParameters &plant, double hfHz);
+
+/// The sensing chain of the power stage, in the units of the gain formulas.
+CurrentSensing sensingOf(const PlantParameters &plant);
+
+} // namespace simulation
