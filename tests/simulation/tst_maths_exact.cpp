@@ -114,7 +114,8 @@ void TestMathsExact::everyVectorOfTheExactModelIsMet()
     QVERIFY2(!python.isEmpty(), "python3 was not found when this was configured: run ./dev setup");
     QProcess model;
     model.start(python, {QStringLiteral(ROTORSCOPE_SOURCE "/tests/support/exact_loops.py")});
-    QVERIFY2(model.waitForFinished(kPatience_ms), qPrintable(model.errorString()));
+    QVERIFY2(model.waitForFinished(kPatience_ms),
+        qPrintable(python + QStringLiteral(": ") + model.errorString()));
     const QByteArray complaint = model.readAllStandardError();
     QVERIFY2(
         model.exitStatus() == QProcess::NormalExit && model.exitCode() == 0, complaint.constData());

@@ -32,6 +32,8 @@ private slots:
     void thePllHasTheFrequencyAskedFor();
     void aCurrentStepRisesAsDesigned_data();
     void aCurrentStepRisesAsDesigned();
+    void aSpeedStepOvershootsAsTheSymmetricalOptimumDoes_data();
+    void aSpeedStepOvershootsAsTheSymmetricalOptimumDoes();
 };
 
 void TestMathsGains::theWorkedExampleOfTheCurrentLoopIsMet()
@@ -184,6 +186,49 @@ void TestMathsGains::aCurrentStepRisesAsDesigned()
         QByteArray::number((t90 - t10) * expected).constData());
     QVERIFY2(peak_a < 1.05 * kStep_a, QByteArray::number(peak_a).constData());
     QVERIFY(within(current_a, kStep_a, 0.01));
+}
+
+void TestMathsGains::aSpeedStepOvershootsAsTheSymmetricalOptimumDoes_data()
+{
+    QTest::addColumn<double>("damping");
+    QTest::addColumn<double>("overshoot");
+    QTest::newRow("d = 2") << 2.0 << 0.43;
+    QTest::newRow("d = 2.41") << 2.41 << 0.34;
+    QTest::newRow("d = 3") << 3.0 << 0.25;
+    QTest::newRow("d = 4") << 4.0 << 0.17;
+    QTest::newRow("d = 6") << 6.0 << 0.11;
+}
+
+/// An inertia behind one lag, which stands for all of them but that of the sampling; speeds in whole 0.1 Hz.
+void TestMathsGains::aSpeedStepOvershootsAsTheSymmetricalOptimumDoes()
+{
+    QFETCH(double, damping);
+    QFETCH(double, overshoot);
+    const CurrentSensing sensing;
+    const SpeedLoop loop{.inertia_kgm2 = 5e-5,
+        .torqueConstant_nmPerA = 0.039,
+        .currentBandwidth_radps = 1500.0,
+        .filter_s = 2e-3,
+        .damping = damping};
+    Pi pi(speedGains(loop, sensing));
+    const double lag_s = loop.lag_s() - 0.5 / loop.mfHz;
+    constexpr int kSteps = 100;
+    const double dt = 1.0 / loop.mfHz / kSteps;
+    constexpr int kStep_dHz = 200;
+    double speed_radps = 0.0, current_a = 0.0, peak_dHz = 0.0;
+    for (int tick = 0; tick < 400; ++tick) {
+        const auto measured =
+            static_cast<int>(std::lround(speed_radps * 10.0 / (2.0 * std::numbers::pi)));
+        const double wanted_a = pi.step(kStep_dHz - measured) / sensing.digitsPerAmp();
+        for (int i = 0; i < kSteps; ++i) {
+            current_a += (wanted_a - current_a) * dt / lag_s;
+            speed_radps += loop.torqueConstant_nmPerA * current_a / loop.inertia_kgm2 * dt;
+        }
+        peak_dHz = std::max(peak_dHz, speed_radps * 10.0 / (2.0 * std::numbers::pi));
+    }
+    const double is = peak_dHz / kStep_dHz - 1.0;
+    QVERIFY2(std::abs(is - overshoot) < 0.03, QByteArray::number(is).constData());
+    QVERIFY(within(speed_radps * 10.0 / (2.0 * std::numbers::pi), kStep_dHz, 0.01));
 }
 
 QTEST_APPLESS_MAIN(TestMathsGains)
