@@ -12,7 +12,7 @@ namespace simulation {
 
 struct Axis {
     Axis(const PlantParameters &parameters, const Build &build, double hfHz, std::uint64_t seed)
-        : Axis(parameters, build, designFor(parameters, hfHz), hfHz, seed)
+        : Axis(parameters, build, designFor(parameters, hfHz, build.mainSensor), hfHz, seed)
     {
     }
     Axis(const PlantParameters &parameters, const Build &build, const DriveDesign &design,

@@ -50,7 +50,38 @@ RevUp::Stages revUpFor(const MotorParameters &m, const CurrentSensing &sensing)
         {speed, torque, 100}, {speed, torque, 0}, {speed, torque, 0}}};
 }
 
-void designLoops(const PlantParameters &plant, double hfHz, DriveDesign &design)
+/// How late the averaged speed of the sensor that closes the loop is.
+double speedDelay_s(
+    const PlantParameters &plant, const DriveDesign &design, double hfHz, SpeedSensor main)
+{
+    if (main == SpeedSensor::Encoder)
+        return 0.5 * design.encoder.depth / 1000.0;
+    if (main == SpeedSensor::Hall) // six edges a period; at the speed of a start
+        return 0.5 * design.hall.depth
+            / (6.0 * plant.motor.polePairs * kRevUpSpeedShare * plant.motor.maxSpeed_rpm / 60.0);
+    return 0.5 * design.pll.speed.depth / hfHz;
+}
+
+void designSensors(const PlantParameters &plant, double hfHz, DriveDesign &design)
+{
+    const MotorParameters &m = plant.motor;
+    const auto hf = static_cast<std::uint16_t>(std::lround(hfHz));
+    const SpeedRange range{.max_dHz = design.pll.speed.maxReliable_dHz};
+    if (plant.sensors.encoderPulses > 0)
+        design.encoder = {.countsPerTurn = 4 * plant.sensors.encoderPulses,
+            .counterRange = 4 * plant.sensors.encoderPulses,
+            .polePairs = m.polePairs,
+            .hfHz = hf,
+            .depth = 8,
+            .range = range};
+    const double placement = plant.sensors.hallPlacement_deg / 360.0 * 65536.0;
+    design.hall = {.polePairs = m.polePairs,
+        .phaseShift = wrapAngle(static_cast<std::int32_t>(std::lround(placement))),
+        .hfHz = hf,
+        .range = range};
+}
+
+void designLoops(const PlantParameters &plant, double hfHz, SpeedSensor main, DriveDesign &design)
 {
     const MotorParameters &m = plant.motor;
     const CurrentSensing sensing = sensingOf(plant);
@@ -60,7 +91,7 @@ void designLoops(const PlantParameters &plant, double hfHz, DriveDesign &design)
     const Pi::Gains speed = speedGains({.inertia_kgm2 = m.inertia_kgm2,
                                            .torqueConstant_nmPerA = torqueConstant(m),
                                            .currentBandwidth_radps = bandwidth,
-                                           .filter_s = 0.5 * design.pll.speed.depth / hfHz,
+                                           .filter_s = speedDelay_s(plant, design, hfHz, main),
                                            .hfHz = hfHz,
                                            .damping = kSpeedDamping},
         sensing);
@@ -119,7 +150,7 @@ CurrentSensing sensingOf(const PlantParameters &plant)
         .reference_v = plant.inverter.converterReference_v};
 }
 
-DriveDesign designFor(const PlantParameters &plant, double hfHz)
+DriveDesign designFor(const PlantParameters &plant, double hfHz, SpeedSensor main)
 {
     const MotorParameters &m = plant.motor;
     const CurrentSensing sensing = sensingOf(plant);
@@ -133,7 +164,6 @@ DriveDesign designFor(const PlantParameters &plant, double hfHz)
     design.defaultSpeed_rpm =
         static_cast<std::int16_t>(std::round(0.375 * m.maxSpeed_rpm / 60.0) * 60.0);
     design.alignmentTorque = digits(kStartShare * m.nominal_a, sensing);
-    design.encoderPulses = plant.sensors.encoderPulses;
     design.pwmPeriod =
         static_cast<std::uint16_t>(std::clamp(kTimer_hz / (2.0 * hfHz), 100.0, 65535.0));
     design.currentLimit = digits(m.nominal_a, sensing);
@@ -146,8 +176,17 @@ DriveDesign designFor(const PlantParameters &plant, double hfHz)
         static_cast<std::int16_t>(std::lround(0.5 * plant.inverter.supply_v));
     design.revUp = revUpFor(m, sensing);
     designObservers(plant, hfHz, design);
-    designLoops(plant, hfHz, design);
+    designSensors(plant, hfHz, design);
+    designLoops(plant, hfHz, main, design);
     return design;
+}
+
+DriveDesign designFor(const PlantParameters &plant, double hfHz)
+{
+    if (plant.sensors.encoderPulses > 0)
+        return designFor(plant, hfHz, SpeedSensor::Encoder);
+    return designFor(
+        plant, hfHz, plant.sensors.hall ? SpeedSensor::Hall : SpeedSensor::ObserverPll);
 }
 
 } // namespace simulation

@@ -2,10 +2,13 @@
 // power stage. Pure functions of the plant's parameters. Source: features 6.2, 6.3, 6.5, 6.6.
 #pragma once
 
+#include "simulation/build.h"
 #include "simulation/firmware/protection.h"
 #include "simulation/firmware/rev_up.h"
 #include "simulation/firmware/stage.h"
+#include "simulation/maths/encoder_sensor.h"
 #include "simulation/maths/gains.h"
+#include "simulation/maths/hall_sensor.h"
 #include "simulation/maths/sensorless.h"
 #include "simulation/plant/parameters.h"
 #include "simulation/signals.h"
@@ -24,9 +27,8 @@ struct DriveDesign {
     std::int16_t defaultSpeed_rpm = 1500;
 
     // Start with an encoder.
-    int alignment_ms = 400;
-    std::int16_t alignmentTorque = 0; ///< digits, reached at the end
-    int encoderPulses = 0; ///< a turn, each counted four times
+    int alignment_ms = 500;
+    std::int16_t alignmentTorque = 0; ///< digits, reached after half of it
 
     std::uint16_t pwmPeriod = 5312; ///< counts of half a PWM period
     std::int32_t currentLimit = 0; ///< digits: |iq|
@@ -34,10 +36,14 @@ struct DriveDesign {
 
     ObserverPll::Parameters pll{};
     ObserverCordic::Parameters cordic{};
+    EncoderSensor::Parameters encoder{};
+    HallSensor::Parameters hall{};
     Protection::Limits protection;
 };
 
-/// A sound project for this motor on this power stage at this control rate.
+/// A sound project for this motor on this power stage at this control rate, with `main` in the speed loop; without it,
+/// with the sensor that the motor has.
+DriveDesign designFor(const PlantParameters &plant, double hfHz, SpeedSensor main);
 DriveDesign designFor(const PlantParameters &plant, double hfHz);
 
 /// The sensing chain of the power stage, in the units of the gain formulas.

@@ -19,7 +19,7 @@ Firmware::Firmware(Plant &plant, const Build &build, const DriveDesign &design, 
     , m_design(design)
     , m_hfHz(hfHz)
     , m_currents(design.pwmPeriod)
-    , m_sensors(build, design, hfHz)
+    , m_sensors(build, design)
     , m_virtual(design.polePairs, hfHz)
     , m_protection(design.protection)
 {

@@ -118,8 +118,11 @@ private:
     void enter(MotorState state);
     void switchOff();
     void runStates();
-    void beginStart();
+    void leaveCalibration();
+    void align();
     void startUp();
+    void startOpenLoop();
+    void believeObserver();
     void beginRun();
     void run();
     void measureSlowly();
@@ -154,6 +157,7 @@ private:
     FluxWeakening m_fluxWeakening;
     SpeedControl m_speedControl;
     RevUp m_revUp;
+    Ramp m_alignmentTorque; ///< in milliseconds
     Ramp m_switchOverTorque; ///< in control periods
     Protection m_protection;
 

@@ -80,9 +80,9 @@ void Firmware::control(Ab currents)
     }
     Duties duties;
     if (m_state == MotorState::Run && m_modeAsked == 1) {
-        const auto voltage = static_cast<std::int32_t>(m_tuning.openLoopVq) * kDigitsMax / 100;
-        duties = m_currents.drive(
-            currents, frame(), {saturateSymmetric(direction() * voltage), 0}, m_signals);
+        const std::int16_t voltage =
+            saturateSymmetric(direction() * m_tuning.openLoopVq * kDigitsMax / 100);
+        duties = m_currents.drive(currents, frame(), {voltage, 0}, m_signals);
     } else {
         duties = m_currents.step(currents, frame(), m_reference, {}, m_tuning, m_signals);
     }

@@ -118,8 +118,11 @@ void Firmware::runStates()
     case MotorState::OffsetCalib:
         if (m_ticksInState > kOffsetTicks) {
             m_offsets.end();
-            beginStart();
+            leaveCalibration();
         }
+        break;
+    case MotorState::Alignment:
+        align();
         break;
     case MotorState::Start:
         startUp();
@@ -145,28 +148,58 @@ void Firmware::runStates()
     }
 }
 
-void Firmware::beginStart()
+void Firmware::leaveCalibration()
 {
     m_bridgeOn = true;
     m_virtual.clear(0);
     m_sensors.clearObservers();
     m_sensors.setDirection(direction());
     m_fluxWeakening.clear();
+    if (m_sensors.needsAlignment() && !openLoop()) {
+        m_alignmentTorque.set(0);
+        m_alignmentTorque.start(m_design.alignmentTorque, m_design.alignment_ms / 2);
+        enter(MotorState::Alignment);
+        align();
+        return;
+    }
     m_revUp.begin(direction());
     enter(MotorState::Start);
+}
+
+/// The field comes from a third of a turn away, so that a rotor that happens to stand against it moves too, and ends
+/// where a rotor that follows it stands at angle 0.
+void Firmware::align()
+{
+    constexpr std::int32_t kQuarter = 16384, kThird = 21845;
+    m_alignmentTorque.step();
+    m_reference = {saturate16(m_alignmentTorque.value()), 0};
+    const int sweep = std::max(m_design.alignment_ms / 2, 1);
+    const int left = std::max(sweep - m_ticksInState, 0);
+    m_virtual.clear(wrapAngle(-kQuarter - kThird * left / sweep));
+    if (m_ticksInState <= m_design.alignment_ms)
+        return;
+    m_sensors.align();
+    enter(MotorState::Start);
+}
+
+void Firmware::startOpenLoop()
+{
+    m_virtual.accelerate(toSpeed_dHz(m_lastSpeedRamp.rpm), kOpenLoopRampTicks);
+    m_speedControl.setMode(SpeedControl::Mode::Torque);
+    const int torque = m_lastTorqueRamp.digits != 0 ? m_lastTorqueRamp.digits
+                                                    : direction() * m_design.alignmentTorque;
+    m_speedControl.rampTorque(torque, 0);
+    enter(MotorState::Run);
 }
 
 void Firmware::startUp()
 {
     if (openLoop()) {
-        m_virtual.accelerate(toSpeed_dHz(m_lastSpeedRamp.rpm), kOpenLoopRampTicks);
-        m_speedControl.setMode(SpeedControl::Mode::Torque);
-        const std::int16_t torque = m_lastTorqueRamp.digits;
-        m_speedControl.rampTorque(torque != 0 ? torque : direction() * m_stages[0].torque, 0);
-        enter(MotorState::Run);
+        startOpenLoop();
         return;
     }
-    if (!m_build.sensorless()) {
+    if (m_sensors.seesRotorAtRest()) {
+        m_reference = {};
         beginRun();
         return;
     }
@@ -179,12 +212,15 @@ void Firmware::startUp()
     if (step.begins)
         m_virtual.accelerate(step.speed_dHz, step.ticks);
     m_reference = {step.torque, 0};
-    if (!m_revUp.reached(m_design.firstAcceleration)) {
+    if (!m_revUp.reached(m_design.firstAcceleration))
         m_sensors.clearObservers();
-        return;
-    }
-    if (!m_sensors.converged(m_virtual.speed_dHz()))
-        return;
+    else if (m_sensors.converged(m_virtual.speed_dHz()))
+        believeObserver();
+}
+
+/// The forced current becomes the part of it that turned the rotor, while the angle becomes the observed one.
+void Firmware::believeObserver()
+{
     const int periods = static_cast<int>(m_design.transition_ms * m_hfHz / kMfHz);
     m_virtual.startTransition(periods);
     const Qd seen = park({m_signals.iAlpha, m_signals.iBeta}, trig(m_sensors.angle()));

@@ -1,19 +1,59 @@
 // The observers see the same currents and voltages; which of them exist is a matter of the build.
 #include "simulation/firmware/sensors.h"
 
+#include <numbers>
+
 namespace simulation {
 
-Sensors::Sensors(const Build &build, const DriveDesign &design, double hfHz)
-    : m_main(build.mainSensor)
+namespace {
+
+/// What turns the motor inside. Firmware of other families finds its angle in other ways that are not modelled: what
+/// it shows comes from the observer.
+SpeedSensor mainOf(const Build &build)
 {
-    static_cast<void>(hfHz);
+    switch (build.mainSensor) {
+    case SpeedSensor::ObserverCordic:
+    case SpeedSensor::Encoder:
+    case SpeedSensor::Hall:
+        return build.mainSensor;
+    default:
+        return SpeedSensor::ObserverPll;
+    }
+}
+
+} // namespace
+
+Sensors::Sensors(const Build &build, const DriveDesign &design)
+    : m_main(mainOf(build))
+{
     if (build.observerPll || m_main == SpeedSensor::ObserverPll)
         m_pll.emplace(design.pll);
     if (build.observerCordic || m_main == SpeedSensor::ObserverCordic)
         m_cordic.emplace(design.cordic);
+    if (build.encoder || m_main == SpeedSensor::Encoder)
+        m_encoder.emplace(design.encoder);
+    if (build.hall || m_main == SpeedSensor::Hall)
+        m_hall.emplace(design.hall);
 }
 
-void Sensors::senseRotor(const Plant &, Signals &) { }
+void Sensors::senseRotor(const Plant &plant, Signals &out)
+{
+    if (m_encoder) {
+        out.encoderAngle = m_encoder->step(plant.encoderCount());
+        // The first turn of the shaft is the one in which it was aligned.
+        const std::int16_t now = m_encoder->mechanicalAngle();
+        if (now - m_lastMechanical > 0x8000)
+            --m_turns;
+        else if (m_lastMechanical - now > 0x8000)
+            ++m_turns;
+        m_lastMechanical = now;
+    }
+    if (m_hall) {
+        const HallReading reading = plant.hall();
+        out.hallAngle =
+            m_hall->step({reading.code, reading.edges, reading.sinceEdge_s, reading.lastPeriod_s});
+    }
+}
 
 void Sensors::observe(const ObserverInput &input, const Tuning &t, Signals &out)
 {
@@ -40,6 +80,15 @@ void Sensors::observe(const ObserverInput &input, const Tuning &t, Signals &out)
 
 void Sensors::average(Signals &out)
 {
+    if (m_encoder) {
+        m_encoder->mediumTask();
+        out.encoderSpeed = m_encoder->speed_dHz();
+        out.position_rad = position_rad();
+    }
+    if (m_hall) {
+        m_hall->mediumTask();
+        out.hallSpeed = m_hall->speed_dHz();
+    }
     if (m_pll) {
         m_pll->mediumTask();
         out.pllSpeed = m_pll->speed_dHz();
@@ -54,7 +103,17 @@ void Sensors::average(Signals &out)
     }
 }
 
-void Sensors::restart() { clearObservers(); }
+void Sensors::restart()
+{
+    m_aligned = false;
+    m_turns = 0;
+    m_lastMechanical = 0;
+    if (m_encoder)
+        m_encoder->clear();
+    if (m_hall)
+        m_hall->clear();
+    clearObservers();
+}
 
 void Sensors::clearObservers()
 {
@@ -62,6 +121,16 @@ void Sensors::clearObservers()
         m_pll->clear();
     if (m_cordic)
         m_cordic->clear();
+}
+
+void Sensors::align()
+{
+    m_aligned = true;
+    if (!m_encoder)
+        return;
+    m_encoder->align(0);
+    m_turns = 0;
+    m_lastMechanical = m_encoder->mechanicalAngle();
 }
 
 void Sensors::setDirection(int direction)
@@ -79,24 +148,32 @@ bool Sensors::converged(std::int16_t forced_dHz)
     return m_main != SpeedSensor::ObserverPll || m_pll->converged(forced_dHz);
 }
 
-std::int16_t Sensors::angle() const
+Sensors::Reading Sensors::reading() const
 {
-    return m_main == SpeedSensor::ObserverCordic ? m_cordic->angle() : m_pll->angle();
+    const auto of = [](const auto &sensor) {
+        return Reading{sensor.angle(), sensor.speed_dpp(), sensor.speed_dHz(), sensor.reliable()};
+    };
+    switch (m_main) {
+    case SpeedSensor::ObserverCordic:
+        return of(*m_cordic);
+    case SpeedSensor::Encoder:
+        return of(*m_encoder);
+    case SpeedSensor::Hall:
+        return of(*m_hall);
+    default:
+        return of(*m_pll);
+    }
 }
 
-std::int16_t Sensors::perPeriod() const
-{
-    return m_main == SpeedSensor::ObserverCordic ? m_cordic->speed_dpp() : m_pll->speed_dpp();
-}
+std::int16_t Sensors::angle() const { return reading().angle; }
+std::int16_t Sensors::perPeriod() const { return reading().perPeriod; }
+std::int16_t Sensors::speed_dHz() const { return reading().speed_dHz; }
+bool Sensors::reliable() const { return reading().reliable; }
 
-std::int16_t Sensors::speed_dHz() const
+float Sensors::position_rad() const
 {
-    return m_main == SpeedSensor::ObserverCordic ? m_cordic->speed_dHz() : m_pll->speed_dHz();
-}
-
-bool Sensors::reliable() const
-{
-    return m_main == SpeedSensor::ObserverCordic ? m_cordic->reliable() : m_pll->reliable();
+    constexpr double kPerDigit = 2.0 * std::numbers::pi / 65536.0;
+    return static_cast<float>((m_turns * 65536.0 + m_lastMechanical) * kPerDigit);
 }
 
 } // namespace simulation

@@ -4,6 +4,8 @@
 
 #include "simulation/build.h"
 #include "simulation/firmware/design.h"
+#include "simulation/maths/encoder_sensor.h"
+#include "simulation/maths/hall_sensor.h"
 #include "simulation/maths/sensorless.h"
 #include "simulation/plant/plant.h"
 
@@ -13,7 +15,7 @@ namespace simulation {
 
 class Sensors {
 public:
-    Sensors(const Build &build, const DriveDesign &design, double hfHz);
+    Sensors(const Build &build, const DriveDesign &design);
 
     // Every control period.
     void senseRotor(
@@ -22,8 +24,11 @@ public:
     // Every millisecond.
     void average(Signals &out);
 
-    void restart(); ///< with the processor
+    void restart(); ///< with the processor: an alignment is forgotten
     void clearObservers();
+    /// The rotor stands at electrical angle 0.
+    void align();
+    bool needsAlignment() const { return m_main == SpeedSensor::Encoder && !m_aligned; }
     /// The direction that the main sensor is told; 0: it finds out.
     void setDirection(int direction);
     bool converged(std::int16_t forced_dHz);
@@ -33,10 +38,25 @@ public:
     std::int16_t perPeriod() const; ///< angle a control period
     std::int16_t speed_dHz() const;
     bool reliable() const;
-    bool hasObserver() const { return m_pll.has_value() || m_cordic.has_value(); }
+    bool seesRotorAtRest() const
+    {
+        return m_main == SpeedSensor::Encoder || m_main == SpeedSensor::Hall;
+    }
+    float position_rad() const; ///< mechanical, of the encoder; 0 without one
 
 private:
+    struct Reading {
+        std::int16_t angle = 0, perPeriod = 0, speed_dHz = 0;
+        bool reliable = true;
+    };
+    Reading reading() const;
+
     SpeedSensor m_main;
+    bool m_aligned = false;
+    std::int32_t m_turns = 0; ///< of the shaft
+    std::int16_t m_lastMechanical = 0;
+    std::optional<EncoderSensor> m_encoder;
+    std::optional<HallSensor> m_hall;
     std::optional<ObserverPll> m_pll;
     std::optional<ObserverCordic> m_cordic;
 };
