@@ -1,6 +1,7 @@
 // A simulated board: the parts and their clock. Events happen in the order of time: bytes, SysTick every 0.5 ms with
 // the 1 kHz task in every second one, HF tasks at the control rate.
 #include "simulation/axis.h"
+#include "simulation/cpu_load.h"
 #include "simulation/datalog_recorder.h"
 #include "simulation/performer.h"
 #include "simulation/plant/presets.h"
@@ -53,6 +54,7 @@ struct Processor final : AsyncLine {
     RegisterFile registers;
     DatalogRecorder datalog;
     Server server;
+    CpuLoad load;
     std::uint32_t timestamp;
     TimePoint now{};
 };
@@ -154,6 +156,7 @@ private:
     Bytes execute(ByteView buffer, std::uint16_t length, std::size_t responseMax);
     bool actAsLiar(TimePoint at); ///< true: the board restarted
     void receiverEvent();
+    void measureLoad();
 
     Build m_build;
     BoardOptions m_options;
@@ -279,10 +282,20 @@ void Board::sysTick(TimePoint at)
         }
         if (tripped && m_traits.flushesOnFault)
             m_processor->datalog.flush();
+        if (m_build.cpuLoad)
+            measureLoad();
     }
     // Looked at behind the task: what is complete now is acted upon in the next one.
     if (!m_traits.decodesInInterrupt)
         m_processor->performer.poll();
+}
+
+void Board::measureLoad()
+{
+    const auto driven = std::count_if(m_axes.begin(), m_axes.end(),
+        [](const auto &axis) { return axis->firmware.state() == MotorState::Run; });
+    m_processor->load.measure(m_axes.front()->firmware.variables(), static_cast<int>(driven),
+        m_processor->datalog.running());
 }
 
 } // namespace

@@ -225,8 +225,12 @@ constexpr std::array kRows{
     f32(48, 1000.0F), // FOC_WI_IDQ
     f32(49, 0.01F), // FOC_KP_SPD
     f32(50, 0.1F), // FOC_KI_SPD
-    q(51, [](At &at) { return q30(reference_hz(at) / perUnitBases(at.firmware).frequency_hz); })
-        .settable(setFrequency),
+    q(51,
+        [](At &at) {
+            return q30(electricalHz(at.firmware, at.firmware.lastSpeedRamp().rpm / 6.0)
+                / perUnitBases(at.firmware).frequency_hz);
+        })
+        .settable(setFrequency), // FOC_SPEEDREF_FREQ_PU; the next one follows its ramp
     q(52, [](At &at) { return q30(reference_hz(at) / perUnitBases(at.firmware).frequency_hz); })
         .settable(setFrequency),
     kept(53, Bits32, kSpeedRamp_hzps << 16), // FOC_SPEEDRAMP

@@ -129,10 +129,10 @@ bool isText(mcp::RegisterId id) { return id.type() == 4; }
 bool isDatalog(mcp::RegisterId id) { return isRaw(id) && id.element() >= 20 && id.element() <= 22; }
 
 /// Bytes of a structure in GET; 0: not said here.
-std::size_t structureSize(const Listed &reg, const Build &build, std::uint32_t sdk)
+std::size_t structureSize(const Listed &reg, const Build &build, std::uint32_t sdk, bool asPrinted)
 {
     if (reg.name == "TORQUE_RAMP")
-        return 4;
+        return asPrinted ? 6 : 4;
     if (reg.name == "APPLICATION_CONFIG")
         return sdk < 0x060200 ? 14 : 16;
     if (reg.name == "FOCFW_CONFIG")
@@ -243,6 +243,7 @@ private slots:
     void sensorSpeedsAreFractionsUpTo63();
     void startTogglesAnswerByVersion();
     void commandsCameWithVersionsAndBuilds();
+    void theLoadOfTheProcessorIsShownAndCleared();
 };
 
 void TestRegisters::everyRegisterAnswersAsListed_data()
@@ -252,10 +253,11 @@ void TestRegisters::everyRegisterAnswersAsListed_data()
     QTest::addColumn<Build>("build");
     const std::vector<std::pair<const char *, std::uint32_t>> profiles{{"mcsdk-6.0", 0x060000},
         {"mcsdk-6.1", 0x060100}, {"mcsdk-6.2", 0x060200}, {"mcsdk-6.3", 0x060302},
-        {"mcsdk-6.4", 0x060400}, {"six-step", 0x060402}, {"hso", 0x060402}};
+        {"mcsdk-6.4", 0x060400}, {"six-step", 0x060402}, {"hso", 0x060402}, {"spec", 0x060100}};
     for (const auto &[profile, sdk] : profiles) {
-        QTest::addRow("%s", profile) << profile << sdk << simulation::buildFor(profile, "");
-        if (std::string_view(profile).starts_with("mcsdk"))
+        const Build plain = simulation::buildFor(profile, "");
+        QTest::addRow("%s", profile) << profile << sdk << plain;
+        if (foc(plain))
             QTest::addRow("%s, everything", profile) << profile << sdk << everything();
     }
     QTest::addRow("six-step, everything") << "six-step" << 0x060402U << everySixStep();
@@ -281,7 +283,7 @@ void TestRegisters::everyRegisterAnswersAsListed()
         const bool exists = condition->second(build) && ours;
         const bool board = reg.scope.starts_with("global");
         const mcp::RegisterId id = reg.id.withMotor(board ? 0 : 1);
-        const std::size_t structure = structureSize(reg, build, sdk);
+        const std::size_t structure = structureSize(reg, build, sdk, profile == "spec");
 
         const Status read = expectedRead(reg, exists);
         Bytes answer = bench.ask(readRequest(id));
@@ -486,6 +488,28 @@ void TestRegisters::commandsCameWithVersionsAndBuilds()
         QCOMPARE(bench.command(10), unknown);
         QCOMPARE(bench.command(14), unknown);
     }
+}
+
+void TestRegisters::theLoadOfTheProcessorIsShownAndCleared()
+{
+    BoardOptions options;
+    options.build = everything();
+    BoardBench bench(options);
+    QVERIFY(bench.connect());
+    const auto load = [&](unsigned element) {
+        const Bytes answer =
+            bench.ask(readRequest(mcp::registerId(element, mcp::RegisterType::Bits32, 0)));
+        return ByteReader(answer).f32();
+    };
+    constexpr unsigned kNow = 88, kLeast = 89, kMost = 90;
+    const float idle = load(kMost);
+    QVERIFY(idle > 5.0F && idle < 50.0F);
+    QCOMPARE(bench.command(3), Bytes{0});
+    QVERIFY(bench.waitForState(6));
+    QVERIFY(load(kNow) > idle && load(kMost) > idle);
+    QVERIFY(load(kLeast) < idle);
+    QCOMPARE(bench.command(8), Bytes{0}); // CPULOAD_CLEAR
+    QVERIFY(load(kLeast) > idle);
 }
 
 QTEST_APPLESS_MAIN(TestRegisters)
