@@ -12,6 +12,7 @@
 #include "simulation/uart.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace simulation {
 
@@ -68,9 +69,32 @@ Duration replyTime(const BoardOptions &options)
 
 Build buildOf(const BoardOptions &options)
 {
-    Build build = options.build.value_or(buildFor(options.profile, options.motor));
+    const auto asMade = [&] {
+        return options.plant ? buildFor(options.profile, *options.plant)
+                             : buildFor(options.profile, options.motor);
+    };
+    Build build = options.build ? *options.build : asMade();
     build.motors = std::clamp(options.motors, 1, 2);
     return build;
+}
+
+/// What the options name, with the sensors that the build reads; nothing if there is no such motor or none can be so.
+std::optional<PlantParameters> plantOf(const BoardOptions &options, const Build &build)
+{
+    const PlantParameters *preset =
+        options.motor.empty() ? &presets().front().parameters : findPreset(options.motor);
+    if (!options.plant && preset == nullptr)
+        return std::nullopt;
+    constexpr int kPulses = 1000;
+    PlantParameters plant = options.plant ? *options.plant : *preset;
+    if (options.load)
+        plant.load = *options.load;
+    if (build.encoder && plant.sensors.encoderPulses == 0)
+        plant.sensors.encoderPulses = kPulses;
+    plant.sensors.hall = plant.sensors.hall || build.hall;
+    if (!impossibleParameter(plant).empty())
+        return std::nullopt;
+    return plant;
 }
 
 /// Six-step firmware has no datalog, and its link is told so.
@@ -83,8 +107,9 @@ BoardOptions linkOf(BoardOptions options, const Build &build)
 
 class Board final : public SimulatedBoard {
 public:
-    Board(const BoardOptions &options, const Traits &traits, const PlantParameters &plant)
-        : m_build(buildOf(options))
+    Board(const BoardOptions &options, const Traits &traits, const Build &build,
+        const PlantParameters &plant)
+        : m_build(build)
         , m_options(linkOf(options, m_build))
         , m_traits(traits)
         , m_liar(options.lies, replyTime(options), options.seed)
@@ -92,8 +117,8 @@ public:
         , m_transmitter(options.baud, m_liar)
     {
         for (int i = 0; i < m_build.motors; ++i)
-            m_axes.push_back(std::make_unique<Axis>(
-                plant, m_build, options.hfHz, options.seed + static_cast<std::uint64_t>(i)));
+            m_axes.push_back(std::make_unique<Axis>(plant, driveBehind(m_build), options.hfHz,
+                options.seed + static_cast<std::uint64_t>(i)));
         for (const auto &axis : m_axes)
             axis->firmware.setWatchdog(options.watchdogMs);
         powerUp();
@@ -134,8 +159,10 @@ public:
     }
     std::string describe() const override
     {
-        return "Simulated board, " + std::string(m_traits.profile)
-            + ", 24 V PMSM with 4 pole pairs";
+        const PlantParameters &plant = m_axes.front()->plant.parameters();
+        return "Simulated board, " + std::string(m_traits.profile) + ", "
+            + std::to_string(std::lround(plant.inverter.supply_v)) + " V PMSM with "
+            + std::to_string(plant.motor.polePairs) + " pole pairs";
     }
 
 private:
@@ -305,11 +332,11 @@ std::unique_ptr<SimulatedBoard> makeBoard(const BoardOptions &options)
     const Traits *traits = findTraits(options.profile);
     if (traits == nullptr)
         return nullptr;
-    const PlantParameters *plant =
-        options.motor.empty() ? &presets().front().parameters : findPreset(options.motor);
-    if (plant == nullptr)
+    const Build build = buildOf(options);
+    const auto plant = plantOf(options, build);
+    if (!plant)
         return nullptr;
-    return std::make_unique<Board>(options, *traits, *plant);
+    return std::make_unique<Board>(options, *traits, build, *plant);
 }
 
 } // namespace simulation

@@ -54,7 +54,16 @@ std::string firmwareName(const RegisterContext &at)
     return name;
 }
 
-std::string motorName(const RegisterContext &) { return "Sim PMSM 24V"; }
+std::string powerStageName(const RegisterContext &at)
+{
+    return "Simulated" + std::to_string(std::lround(at.firmware.stage().nominal_v)) + 'V';
+}
+
+std::string motorName(const RegisterContext &at)
+{
+    constexpr std::size_t kNameMax = 23; // MOTOR_CONFIG ends in a zero
+    return motorOf(at.firmware).name.substr(0, kNameMax);
+}
 
 Bytes globalConfig(const RegisterContext &at)
 {
@@ -77,14 +86,15 @@ Bytes motorConfig(const RegisterContext &at)
     const MotorParameters &motor = motorOf(at.firmware);
     const auto f32 = [](double value) { return static_cast<float>(value); };
     ByteWriter out;
-    out.f32(f32(motor.polePairs)).f32(1.0F).f32(f32(motor.rs_ohm)).f32(0.0F);
+    out.f32(f32(motor.polePairs)).f32(f32(fluxVoltsPerHertz(at.firmware)));
+    out.f32(f32(motor.rs_ohm)).f32(0.0F); // skin factor
     out.f32(f32(motor.lq_h))
         .f32(f32(motor.ld_h))
         .f32(f32(at.firmware.stage().nominal_a))
-        .f32(0.0F)
-        .f32(0.0F);
-    constexpr std::size_t kSize = 60, kNameMax = 23;
-    out.text(motorName(at).substr(0, kNameMax));
+        .f32(at.build.hso() ? f32(motor.copperMass_kg) : 0.0F)
+        .f32(at.build.hso() ? f32(motor.coolingTime_s) : 0.0F);
+    constexpr std::size_t kSize = 60;
+    out.text(motorName(at));
     Bytes bytes = out.take();
     bytes.resize(kSize);
     return bytes;

@@ -11,10 +11,10 @@
 namespace simulation {
 
 constexpr std::string_view kControlStageName = "Simulated-G4";
-constexpr std::string_view kPowerStageName = "Simulated24V";
 
 /// FW_NAME. A watchdog shows at its end.
 std::string firmwareName(const RegisterContext &at);
+std::string powerStageName(const RegisterContext &at);
 std::string motorName(const RegisterContext &at);
 
 // Each without the size that goes in front of it on the wire.

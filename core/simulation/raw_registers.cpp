@@ -167,7 +167,7 @@ constexpr std::array kRaws{
 constexpr std::array kTexts{
     TextRow{mcp::reg::kFwName, firmwareName, Board},
     TextRow{mcp::reg::kCtrlStageName, [](At &) { return std::string(kControlStageName); }, Board},
-    TextRow{mcp::reg::kPwrStageName, [](At &) { return std::string(kPowerStageName); }},
+    TextRow{mcp::reg::kPwrStageName, powerStageName},
     TextRow{mcp::reg::kMotorName, motorName},
 };
 
