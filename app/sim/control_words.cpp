@@ -27,6 +27,24 @@ std::optional<std::uint64_t> number(std::string_view text, int base)
     return value;
 }
 
+/// "load 0.05" or "load 0.05 2": the brake of a motor, the first if none is named.
+std::optional<std::string> loadMotor(std::string_view words, simulation::SimulatedBoard &board)
+{
+    constexpr double kMost_nm = 1000.0;
+    const std::size_t space = words.find_first_of(" \t");
+    const std::string_view amount = words.substr(0, space);
+    const std::string_view which =
+        space == std::string_view::npos ? std::string_view("1") : trimmed(words.substr(space));
+    double nm = 0.0;
+    const auto [end, error] = std::from_chars(amount.data(), amount.data() + amount.size(), nm);
+    const bool read = error == std::errc{} && end == amount.data() + amount.size();
+    const auto motor = number(which, 10);
+    if (!read || !(nm >= 0.0 && nm <= kMost_nm) || !motor || *motor < 1 || *motor > 2)
+        return "load takes a torque in Nm, 0 to 1000, and perhaps the number of a motor";
+    board.setLoadTorque(static_cast<int>(*motor), nm);
+    return std::nullopt;
+}
+
 std::optional<Bytes> hexBytes(std::string_view text)
 {
     Bytes bytes;
@@ -67,6 +85,9 @@ Result<Obeyed, std::string> obey(std::string_view line, simulation::SimulatedBoa
         if (!bits || *bits > 0xFFFF)
             return fail(std::string("fault takes up to four hexadecimal digits"));
         board.setFaults(static_cast<std::uint16_t>(*bits));
+    } else if (word == "load") {
+        if (const auto problem = loadMotor(rest, board))
+            return fail(*problem);
     } else if (word == "mute") {
         const auto ms = number(rest, 10);
         if (!ms || *ms > kMuteMost_ms)

@@ -1,8 +1,11 @@
-// rotorscope-sim: a simulated board behind a pseudo-terminal, in real time. One thread waits for the client, for
+// rotorscope-sim: a simulated board behind a pseudo-terminal or a TCP port, in real time. One thread waits for the client, for
 // standard input, for a signal and for the board's next event.
 #include "control_words.h"
+#include "describe.h"
+#include "lists.h"
 #include "options.h"
 #include "pseudo_terminal.h"
+#include "tcp_port.h"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +13,7 @@
 #include <chrono>
 #include <csignal>
 #include <fcntl.h>
+#include <memory>
 #include <poll.h>
 #include <sched.h>
 #include <string>
@@ -20,7 +24,7 @@
 
 namespace {
 
-constexpr int kDone = 0, kUsage = 2, kNoTerminal = 5;
+constexpr int kDone = 0, kUsage = 2, kNoPort = 5;
 constexpr Duration kIdleStep = std::chrono::milliseconds(5); ///< how soon a new client is noticed
 
 int g_signalPipe = -1; ///< written by the signal handler
@@ -90,10 +94,9 @@ void askForPromptness()
 
 class Simulator {
 public:
-    Simulator(
-        simulation::SimulatedBoard &board, sim::PseudoTerminal &terminal, bool control, int signals)
+    Simulator(simulation::SimulatedBoard &board, sim::Port &port, bool control, int signals)
         : m_board(board)
-        , m_terminal(terminal)
+        , m_port(port)
         , m_control(control)
         , m_signals(signals)
     {
@@ -112,7 +115,7 @@ private:
     void readWords();
 
     simulation::SimulatedBoard &m_board;
-    sim::PseudoTerminal &m_terminal;
+    sim::Port &m_port;
     bool m_control;
     int m_signals;
     bool m_ended = false;
@@ -125,7 +128,7 @@ void Simulator::wait(bool present, std::array<pollfd, 3> &sources)
     // poll() passes over negative descriptors.
     sources[0] = {m_signals, POLLIN, 0};
     sources[1] = {m_control ? STDIN_FILENO : -1, POLLIN, 0};
-    sources[2] = {present ? m_terminal.descriptor() : -1, POLLIN, 0};
+    sources[2] = {present ? m_port.descriptor() : -1, POLLIN, 0};
     const TimePoint now = m_clock.now();
     const Duration left =
         std::clamp(present ? m_board.nextWake() - now : kIdleStep, Duration(0), kIdleStep);
@@ -135,20 +138,20 @@ void Simulator::wait(bool present, std::array<pollfd, 3> &sources)
 
 void Simulator::step()
 {
-    const bool present = m_terminal.clientPresent();
+    const bool present = m_port.clientPresent();
     std::array<pollfd, 3> sources{};
     wait(present, sources);
     const TimePoint now = m_clock.now();
     if (sources[0].revents != 0)
         m_ended = true;
-    if (present && (sources[2].revents & POLLIN) != 0)
-        m_board.receive(m_terminal.read(), now);
+    if (present && sources[2].revents != 0)
+        m_board.receive(m_port.read(), now);
     m_board.advance(now);
     if (sources[1].revents != 0)
         readWords();
     const Bytes output = m_board.takeOutput();
     if (present && !output.empty())
-        m_terminal.write(output);
+        m_port.write(output);
 }
 
 void Simulator::readWords()
@@ -174,28 +177,62 @@ void Simulator::readWords()
     }
 }
 
+Result<std::unique_ptr<sim::Port>, std::string> openPort(const sim::Options &options)
+{
+    if (options.tcp) {
+        auto port = sim::TcpPort::open(*options.tcp);
+        if (!port)
+            return fail(port.error());
+        return std::move(*port);
+    }
+    auto terminal = sim::PseudoTerminal::open();
+    if (!terminal)
+        return fail(terminal.error());
+    return std::move(*terminal);
+}
+
 int serve(const sim::Options &options)
 {
-    auto terminal = sim::PseudoTerminal::open();
-    if (!terminal) {
-        say(STDERR_FILENO, "rotorscope-sim: " + terminal.error() + '\n');
-        return kNoTerminal;
+    auto port = openPort(options);
+    if (!port) {
+        say(STDERR_FILENO, "rotorscope-sim: " + port.error() + '\n');
+        return kNoPort;
     }
     sim::Link link;
     if (!options.link.empty()) {
-        auto made = sim::Link::make(options.link, terminal->path());
+        auto made = sim::Link::make(options.link, (*port)->address());
         if (!made) {
             say(STDERR_FILENO, "rotorscope-sim: " + made.error() + '\n');
-            return kNoTerminal;
+            return kNoPort;
         }
         link = std::move(*made);
     }
     const int signals = catchSignals();
     askForPromptness();
     const auto board = simulation::makeBoard(options.board);
-    say(STDOUT_FILENO, "ready " + terminal->path() + '\n');
-    Simulator(*board, *terminal, options.control, signals).run();
+    say(STDOUT_FILENO, "ready " + (*port)->address() + '\n');
+    Simulator(*board, **port, options.control, signals).run();
     return kDone;
+}
+
+/// What is printed instead of serving.
+std::string listing(const sim::Options &options)
+{
+    switch (options.action) {
+    case sim::Action::Help:
+        return std::string(sim::helpText());
+    case sim::Action::ListLiars:
+        return sim::liarList();
+    case sim::Action::ListProfiles:
+        return sim::profileList();
+    case sim::Action::ListMotors:
+        return sim::motorList();
+    case sim::Action::Describe:
+        return sim::describe(options.board);
+    case sim::Action::Serve:
+        break;
+    }
+    return {};
 }
 
 } // namespace
@@ -207,15 +244,8 @@ int main(int argc, char **argv)
         say(STDERR_FILENO, "rotorscope-sim: " + options.error() + '\n');
         return kUsage;
     }
-    switch (options->action) {
-    case sim::Action::Help:
-        say(STDOUT_FILENO, std::string(sim::helpText()));
-        break;
-    case sim::Action::ListLiars:
-        say(STDOUT_FILENO, sim::liarList());
-        break;
-    case sim::Action::Serve:
+    if (options->action == sim::Action::Serve)
         return serve(*options);
-    }
+    say(STDOUT_FILENO, listing(*options));
     return kDone;
 }

@@ -1,9 +1,12 @@
 // Reading the flags: a table from flag to the member it fills and what it may be.
 #include "options.h"
 
+#include "motor_file.h"
+#include "simulation/plant/presets.h"
+
 #include <algorithm>
-#include <array>
 #include <charconv>
+#include <cmath>
 #include <functional>
 #include <optional>
 
@@ -18,8 +21,15 @@ A simulated motor control board behind a pseudo-terminal. The first line it
 prints is "ready PATH"; open PATH as if it were the serial port of a board.
 It serves one client after the other until SIGTERM.
 
-  --profile P       mcsdk-6.4 (default), mcsdk-6.2, spec
+  --profile P       whose firmware; see --list-profiles (mcsdk-6.4)
+  --motor M         a motor of --list-motors, or a JSON file whose name ends in
+                    .json or holds a slash (pm24)
+  --motors N        how many of them, 1 or 2 (1)
+  --load L          a brake of so many Nm, or fan:K for K (rad/s)^2 in Nm, or
+                    drive:NM for a machine that pushes; joined by commas: all
   --link PATH       also make PATH a symbolic link to the pseudo-terminal
+  --tcp PORT        instead of a pseudo-terminal, a TCP port of 127.0.0.1 for one
+                    client at a time; 0: a free one, see the first line
   --baud N          speed of the line in both directions (1843200)
   --hf-hz N         rate of the control task, 1000 to 50000 Hz (16000)
   --rx-max N        largest request, a multiple of 32 up to 2048 bytes (256)
@@ -41,9 +51,12 @@ It serves one client after the other until SIGTERM.
                     and what N is otherwise: --list-liars
   --seed N          of noise and lies; the same seed gives the same run (1)
   --control         obey words on standard input, one a line, and end with it:
-                    reset | fault HEX | nofault | mute MS | corrupt N |
-                    inject HEX | quit
-  --list-liars      what --liar can be, and end
+                    reset | fault HEX | nofault | load NM [MOTOR] | mute MS |
+                    corrupt N | inject HEX | quit
+  --describe        print what this board is, as JSON, and end
+  --list-profiles   what --profile can be, and end; so do
+  --list-motors     what --motor can be, and
+  --list-liars      what --liar can be
   --help            this text
 )";
 
@@ -80,6 +93,11 @@ const std::vector<Flag> &flags()
         {"--user-cb", 0, 2, 1, into(&B::userCallbacks)},
         {"--watchdog", 0, 60'000, 1, into(&B::watchdogMs)},
         {"--seed", 0, UINT64_MAX, 1, into(&B::seed)},
+        {"--motors", 1, 2, 1, into(&B::motors)},
+        {"--tcp", 0, UINT16_MAX, 1,
+            [](Options &options, std::uint64_t value) {
+                options.tcp = static_cast<std::uint16_t>(value);
+            }},
     };
     return table;
 }
@@ -95,12 +113,21 @@ std::optional<std::uint64_t> number(std::string_view text)
 
 std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
 
-std::string profileList()
+std::string profileNames()
 {
     std::string list;
     for (const std::string &name : simulation::profileNames())
         list += (list.empty() ? "" : ", ") + name;
     return list;
+}
+
+std::optional<double> realNumber(std::string_view text)
+{
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+        return std::nullopt;
+    return value;
 }
 
 /// Fills the flag's member; a sentence if the value cannot be had.
@@ -142,6 +169,48 @@ std::optional<std::string> readLies(std::string_view list, std::vector<simulatio
     return std::nullopt;
 }
 
+/// A preset's name, or a file: those have a slash or an ending in their name, presets have neither.
+std::optional<std::string> readMotorOption(std::string_view text, simulation::BoardOptions &board)
+{
+    board.plant.reset();
+    board.motor.clear();
+    if (text.find('/') == std::string_view::npos && !text.ends_with(".json")) {
+        board.motor = text;
+        if (simulation::findPreset(text) != nullptr)
+            return std::nullopt;
+        return "there is no motor " + quoted(text) + "; see --list-motors";
+    }
+    auto machine = readMotorFile(std::string(text));
+    if (!machine)
+        return machine.error();
+    board.plant = std::move(*machine);
+    return std::nullopt;
+}
+
+/// "0.1", "fan:1e-6", "drive:-0.05", or several joined by commas.
+std::optional<std::string> readLoad(std::string_view list, simulation::LoadParameters &load)
+{
+    constexpr double kMost = 1000.0;
+    while (!list.empty()) {
+        const std::string_view item = list.substr(0, list.find(','));
+        list.remove_prefix(std::min(list.size(), item.size() + 1));
+        const std::size_t colon = item.find(':');
+        const bool named = colon != std::string_view::npos;
+        const std::string_view kind = named ? item.substr(0, colon) : std::string_view();
+        const auto value = realNumber(named ? item.substr(colon + 1) : item);
+        double *place = !named ? &load.constant_nm
+            : kind == "fan"    ? &load.fan_nms2
+            : kind == "drive"  ? &load.drive_nm
+                               : nullptr;
+        const double least = kind == "drive" ? -kMost : 0.0;
+        if (place == nullptr || !value || *value < least || *value > kMost)
+            return "--load takes NM, fan:K or drive:NM with numbers up to 1000, not "
+                + quoted(item);
+        *place = *value;
+    }
+    return std::nullopt;
+}
+
 std::optional<std::string> applyNamed(
     std::string_view name, std::string_view value, Options &options)
 {
@@ -151,8 +220,12 @@ std::optional<std::string> applyNamed(
             if (known == value)
                 return std::nullopt;
         }
-        return "there is no profile " + quoted(value) + "; there are " + profileList();
+        return "there is no profile " + quoted(value) + "; there are " + profileNames();
     }
+    if (name == "--motor")
+        return readMotorOption(value, options.board);
+    if (name == "--load")
+        return readLoad(value, options.board.load.emplace());
     if (name == "--liar")
         return readLies(value, options.board.lies);
     if (name == "--link") {
@@ -166,30 +239,21 @@ std::optional<std::string> applyNamed(
     return "there is no option " + quoted(name) + "; see --help";
 }
 
+/// The lists need nothing else.
+std::optional<Action> listingAskedBy(std::string_view word)
+{
+    if (word == "--list-profiles")
+        return Action::ListProfiles;
+    if (word == "--list-motors")
+        return Action::ListMotors;
+    if (word == "--list-liars")
+        return Action::ListLiars;
+    return std::nullopt;
+}
+
 } // namespace
 
 std::string_view helpText() { return kHelp; }
-
-std::string liarList()
-{
-    constexpr std::array<std::string_view, 5> kActs{
-        "The link", "Answers", "Values", "The datalog", "The drive"};
-    constexpr std::size_t kColumn = 26;
-    std::string text =
-        "What --liar can be; in brackets the chance at which it happens, one in so many.\n";
-    std::optional<simulation::LieActs> acts;
-    for (const simulation::LieInfo &info : simulation::lies()) {
-        if (acts != info.acts)
-            text += '\n' + std::string(kActs[static_cast<std::size_t>(info.acts)]) + '\n';
-        acts = info.acts;
-        std::string name = "  " + std::string(info.name);
-        if (info.oneIn > 0)
-            name += " (" + std::to_string(info.oneIn) + ')';
-        name.resize(std::max(name.size() + 1, kColumn), ' ');
-        text += name + std::string(info.help) + '\n';
-    }
-    return text;
-}
 
 Result<Options, std::string> readOptions(const std::vector<std::string_view> &words)
 {
@@ -197,8 +261,8 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
     for (const std::string_view word : words) {
         if (word == "--help" || word == "-h")
             options.action = Action::Help;
-        else if (word == "--list-liars" && options.action == Action::Serve)
-            options.action = Action::ListLiars;
+        else if (const auto asked = listingAskedBy(word); asked && options.action == Action::Serve)
+            options.action = *asked;
     }
     if (options.action != Action::Serve)
         return options;
@@ -209,6 +273,10 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
         const std::string_view word = words[i];
         if (word == "--control") {
             options.control = true;
+            continue;
+        }
+        if (word == "--describe") {
+            options.action = Action::Describe;
             continue;
         }
         const std::size_t equals = word.find('=');
@@ -226,6 +294,8 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
         if (const auto problem = applyNamed(name, value, options))
             return fail(*problem);
     }
+    if (options.tcp && !options.link.empty())
+        return fail(std::string("--link goes with a pseudo-terminal, not with --tcp"));
     return options;
 }
 

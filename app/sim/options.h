@@ -4,18 +4,20 @@
 #include "base/result.h"
 #include "simulation/simulated_board.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace sim {
 
-enum class Action : std::uint8_t { Serve, Help, ListLiars };
+enum class Action : std::uint8_t { Serve, Help, ListProfiles, ListMotors, ListLiars, Describe };
 
 struct Options {
     Action action = Action::Serve;
     simulation::BoardOptions board;
     std::string link; ///< path of a symbolic link to the pseudo-terminal; empty: none
+    std::optional<std::uint16_t> tcp; ///< number of the port; 0: a free one
     bool control = false; ///< obey words on standard input
 };
 
@@ -24,6 +26,5 @@ struct Options {
 Result<Options, std::string> readOptions(const std::vector<std::string_view> &words);
 
 std::string_view helpText();
-std::string liarList();
 
 } // namespace sim

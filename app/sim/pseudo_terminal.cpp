@@ -45,37 +45,20 @@ bool makeRaw(const char *path)
 
 } // namespace
 
-PseudoTerminal::PseudoTerminal(int master, std::string path)
-    : m_master(master)
-    , m_path(std::move(path))
-{
-}
+PseudoTerminal::~PseudoTerminal() { ::close(m_master); }
 
-PseudoTerminal::PseudoTerminal(PseudoTerminal &&other) noexcept
-    : m_master(std::exchange(other.m_master, -1))
-    , m_path(std::move(other.m_path))
-    , m_present(other.m_present)
-{
-}
-
-PseudoTerminal::~PseudoTerminal()
-{
-    if (m_master >= 0)
-        ::close(m_master);
-}
-
-Result<PseudoTerminal, std::string> PseudoTerminal::open()
+Result<std::unique_ptr<PseudoTerminal>, std::string> PseudoTerminal::open()
 {
     const int master = posix_openpt(O_RDWR | O_NOCTTY);
     if (master < 0)
         return fail(reason("no pseudo-terminal"));
-    PseudoTerminal terminal(master, {});
+    std::unique_ptr<PseudoTerminal> terminal(new PseudoTerminal(master));
     if (grantpt(master) != 0 || unlockpt(master) != 0)
         return fail(reason("no pseudo-terminal"));
     const char *path = ptsname(master);
     if (path == nullptr || !makeRaw(path))
         return fail(reason("no raw pseudo-terminal"));
-    terminal.m_path = path;
+    terminal->m_path = path;
     fcntl(master, F_SETFD, FD_CLOEXEC);
     fcntl(master, F_SETFL, O_NONBLOCK);
     return terminal;

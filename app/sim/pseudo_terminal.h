@@ -1,33 +1,32 @@
 // A raw pseudo-terminal: the board's end is ours, clients open the other by its path, come and go.
 #pragma once
 
-#include "base/bytes.h"
 #include "base/result.h"
+#include "port.h"
 
+#include <memory>
 #include <string>
 
 namespace sim {
 
-class PseudoTerminal {
+class PseudoTerminal final : public Port {
 public:
     /// Opens one; a sentence if the system has none.
-    static Result<PseudoTerminal, std::string> open();
+    static Result<std::unique_ptr<PseudoTerminal>, std::string> open();
+    ~PseudoTerminal() override;
 
-    PseudoTerminal(PseudoTerminal &&other) noexcept;
-    PseudoTerminal &operator=(PseudoTerminal &&) = delete;
-    ~PseudoTerminal();
-
-    const std::string &path() const { return m_path; } ///< what clients open
-    int descriptor() const { return m_master; } ///< for poll(); only while clientPresent()
-
-    /// Looks whether anybody has it open. What an earlier client did not read is thrown away when it leaves.
-    bool clientPresent();
-    Bytes read(); ///< what the client wrote; never waits
-    /// As much as fits; a client that does not read loses the rest, as on a UART.
-    void write(ByteView bytes);
+    std::string address() const override { return m_path; }
+    int descriptor() const override { return m_master; }
+    /// What an earlier client did not read is thrown away when it leaves.
+    bool clientPresent() override;
+    Bytes read() override;
+    void write(ByteView bytes) override;
 
 private:
-    PseudoTerminal(int master, std::string path);
+    explicit PseudoTerminal(int master)
+        : m_master(master)
+    {
+    }
 
     int m_master;
     std::string m_path;

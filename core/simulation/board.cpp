@@ -4,7 +4,6 @@
 #include "simulation/cpu_load.h"
 #include "simulation/datalog_recorder.h"
 #include "simulation/performer.h"
-#include "simulation/plant/presets.h"
 #include "simulation/profile.h"
 #include "simulation/register_file.h"
 #include "simulation/server.h"
@@ -65,36 +64,6 @@ Duration replyTime(const BoardOptions &options)
 {
     return 3 * wireTime(options.txAsyncMax + options.txSyncMax + 8, options.baud) / 2
         + std::chrono::milliseconds(22);
-}
-
-Build buildOf(const BoardOptions &options)
-{
-    const auto asMade = [&] {
-        return options.plant ? buildFor(options.profile, *options.plant)
-                             : buildFor(options.profile, options.motor);
-    };
-    Build build = options.build ? *options.build : asMade();
-    build.motors = std::clamp(options.motors, 1, 2);
-    return build;
-}
-
-/// What the options name, with the sensors that the build reads; nothing if there is no such motor or none can be so.
-std::optional<PlantParameters> plantOf(const BoardOptions &options, const Build &build)
-{
-    const PlantParameters *preset =
-        options.motor.empty() ? &presets().front().parameters : findPreset(options.motor);
-    if (!options.plant && preset == nullptr)
-        return std::nullopt;
-    constexpr int kPulses = 1000;
-    PlantParameters plant = options.plant ? *options.plant : *preset;
-    if (options.load)
-        plant.load = *options.load;
-    if (build.encoder && plant.sensors.encoderPulses == 0)
-        plant.sensors.encoderPulses = kPulses;
-    plant.sensors.hall = plant.sensors.hall || build.hall;
-    if (!impossibleParameter(plant).empty())
-        return std::nullopt;
-    return plant;
 }
 
 /// Six-step firmware has no datalog, and its link is told so.
@@ -332,11 +301,10 @@ std::unique_ptr<SimulatedBoard> makeBoard(const BoardOptions &options)
     const Traits *traits = findTraits(options.profile);
     if (traits == nullptr)
         return nullptr;
-    const Build build = buildOf(options);
-    const auto plant = plantOf(options, build);
+    const auto plant = plantOf(options);
     if (!plant)
         return nullptr;
-    return std::make_unique<Board>(options, *traits, build, *plant);
+    return std::make_unique<Board>(options, *traits, buildOf(options), *plant);
 }
 
 } // namespace simulation

@@ -72,6 +72,11 @@ public:
     virtual std::string describe() const = 0;
 };
 
+// What the options come to.
+Build buildOf(const BoardOptions &options);
+/// With the sensors that the build reads; nothing if there is no motor of that name or no machine can be so.
+std::optional<PlantParameters> plantOf(const BoardOptions &options);
+
 /// A board of the named profile; nullptr if there is no such profile or motor, or the motor cannot be.
 std::unique_ptr<SimulatedBoard> makeBoard(const BoardOptions &options);
 

@@ -27,26 +27,33 @@ private slots:
 
 void TestOtherClient::itConnectsReadsDrivesRecordsAndStops_data()
 {
-    QTest::addColumn<QString>("profile");
-    for (const char *profile : {"mcsdk-6.4", "mcsdk-6.2", "spec"})
-        QTest::newRow(profile) << QString::fromLatin1(profile);
+    QTest::addColumn<QString>("options");
+    QTest::newRow("6.4") << QStringLiteral("--profile mcsdk-6.4");
+    QTest::newRow("6.0") << QStringLiteral("--profile mcsdk-6.0");
+    QTest::newRow("the printed text") << QStringLiteral("--profile spec");
+    QTest::newRow("over TCP") << QStringLiteral("--tcp 0");
 }
 
 void TestOtherClient::itConnectsReadsDrivesRecordsAndStops()
 {
-    QFETCH(QString, profile);
+    QFETCH(QString, options);
     constexpr int kPatience_ms = 60'000;
     Simulator simulator;
     simulator.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-sim"),
-        {QStringLiteral("mcp"), QStringLiteral("--profile"), profile, QStringLiteral("--control")});
+        QStringList{QStringLiteral("mcp"), QStringLiteral("--control")}
+            + options.split(QLatin1Char(' ')));
     while (!simulator.canReadLine() && simulator.waitForReadyRead(kPatience_ms)) { }
     const QString line = QString::fromLocal8Bit(simulator.readLine()).trimmed();
     QVERIFY2(line.startsWith(QLatin1String("ready ")), qPrintable(line));
 
+    QString place = line.mid(6);
+    if (!place.startsWith(QLatin1Char('/')))
+        place.prepend(QLatin1String("tcp:"));
+
     QProcess client;
     client.setProcessChannelMode(QProcess::MergedChannels);
     client.start(QStringLiteral("python3"),
-        {QStringLiteral(ROTORSCOPE_SOURCE "/tests/support/other_client.py"), line.mid(6)});
+        {QStringLiteral(ROTORSCOPE_SOURCE "/tests/support/other_client.py"), place});
     QVERIFY2(client.waitForFinished(kPatience_ms), qPrintable(client.errorString()));
     const QString said = QString::fromUtf8(client.readAll());
     QVERIFY2(

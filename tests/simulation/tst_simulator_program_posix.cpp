@@ -1,11 +1,16 @@
 // rotorscope-sim as others script against it: its first line, its link, its end, its complaints.
 #include <QFile>
 #include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <arpa/inet.h>
 #include <fcntl.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -45,6 +50,12 @@ private slots:
     void aWrongCommandLineIsOneSentenceAndStatus2_data();
     void aWrongCommandLineIsOneSentenceAndStatus2();
     void helpNamesEveryFlag();
+    void listsHaveOneThingALine_data();
+    void listsHaveOneThingALine();
+    void itDescribesItselfAndReadsThatBack();
+    void aMotorFileIsNotTakenForMoreThanItSays_data();
+    void aMotorFileIsNotTakenForMoreThanItSays();
+    void overTcpOneClientAtATimeIsServed();
     void itSaysWhereItIsLinksAndEndsOnSigterm();
     void onlyALeftOverLinkIsReplaced();
     void aClientIsAnsweredAndTheNextOneToo();
@@ -71,6 +82,13 @@ void TestSimulatorProgram::aWrongCommandLineIsOneSentenceAndStatus2_data()
     row("unknown lie", "mcp --liar twice,honesty");
     row("no chance", "mcp --liar twice:0");
     row("lie with times of its own", "mcp --liar flood:3");
+    row("unknown motor", "mcp --motor steam");
+    row("no such file", "mcp --motor /nowhere/motor.json");
+    row("no load", "mcp --load heavy");
+    row("unknown load", "mcp --load spring:3");
+    row("three motors", "mcp --motors 3");
+    row("no port", "mcp --tcp 70000");
+    row("link and TCP", "mcp --tcp 0 --link /tmp/x");
 }
 
 void TestSimulatorProgram::aWrongCommandLineIsOneSentenceAndStatus2()
@@ -95,6 +113,157 @@ void TestSimulatorProgram::helpNamesEveryFlag()
             "--liid", "--streams", "--baud", "--hf-hz", "--ts0", "--null-check", "--wide",
             "--user-cb", "--watchdog", "--seed", "--control", "--liar", "--list-liars", "--help"})
         QVERIFY2(text.contains(flag), flag);
+}
+
+void TestSimulatorProgram::listsHaveOneThingALine_data()
+{
+    QTest::addColumn<QString>("option");
+    QTest::addColumn<QByteArrayList>("names");
+    QTest::newRow("profiles") << QStringLiteral("--list-profiles")
+                              << QByteArrayList{
+                                     "mcsdk-6.4 ", "mcsdk-6.0 ", "six-step ", "hso ", "spec "};
+    QTest::newRow("motors") << QStringLiteral(
+        "--list-motors") << QByteArrayList{"pm24 ", "prop12 ", "servo24 ", "blower36 ", "ipm48 "};
+    QTest::newRow("liars") << QStringLiteral("--list-liars")
+                           << QByteArrayList{"  twice (4) ", "  flood ", "  never-stops (1) "};
+}
+
+void TestSimulatorProgram::listsHaveOneThingALine()
+{
+    QFETCH(QString, option);
+    QFETCH(QByteArrayList, names);
+    Program program({option});
+    QVERIFY(program.ended());
+    QCOMPARE(program.process.exitCode(), 0);
+    const QByteArray text = '\n' + program.process.readAllStandardOutput();
+    for (const QByteArray &name : names)
+        QVERIFY2(text.contains('\n' + name), name.constData());
+}
+
+namespace {
+
+QJsonObject described(const QString &options)
+{
+    Program program(QStringList{QStringLiteral("mcp"), QStringLiteral("--describe")}
+        + options.split(QLatin1Char(' '), Qt::SkipEmptyParts));
+    if (!program.ended() || program.process.exitCode() != 0)
+        return {};
+    return QJsonDocument::fromJson(program.process.readAllStandardOutput()).object();
+}
+
+QString fileWith(const QTemporaryDir &folder, const QByteArray &text)
+{
+    QFile file(folder.filePath(QStringLiteral("motor.json")));
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+        return {};
+    return file.fileName();
+}
+
+} // namespace
+
+void TestSimulatorProgram::itDescribesItselfAndReadsThatBack()
+{
+    const QJsonObject first =
+        described(QStringLiteral("--motor ipm48 --load 0.25,fan:1e-6 --liar twice:9"));
+    QCOMPARE(first[QStringLiteral("profile")].toString(), QStringLiteral("mcsdk-6.4"));
+    QCOMPARE(first[QStringLiteral("lies")][0][QStringLiteral("oneIn")].toInt(), 9);
+    const QJsonValue machine = first[QStringLiteral("machine")];
+    QCOMPARE(machine[QStringLiteral("motor")][QStringLiteral("lq_h")].toDouble(), 0.6e-3);
+    QCOMPARE(machine[QStringLiteral("load")][QStringLiteral("constant_nm")].toDouble(), 0.25);
+
+    const QTemporaryDir folder;
+    const QString file = fileWith(folder, QJsonDocument(machine.toObject()).toJson());
+    const QJsonObject second = described(QStringLiteral("--motor ") + file);
+    QCOMPARE(second[QStringLiteral("machine")], machine);
+}
+
+void TestSimulatorProgram::aMotorFileIsNotTakenForMoreThanItSays_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QByteArray>("complaint"); // empty: it is fine
+    const auto row = [](const char *name, const char *text, const char *complaint) {
+        QTest::newRow(name) << QByteArray(text) << QByteArray(complaint);
+    };
+    row("nothing", "{}", "");
+    row("one figure", R"({"motor": {"rs_ohm": 0.5}})", "");
+    row("from a preset", R"({"preset": "servo24", "load": {"drive_nm": -0.1}})", "");
+    row("no JSON", "{\n\"motor\": }", "line 2");
+    row("no object", "[1, 2]", "preset, motor, sensors");
+    row("unknown section", R"({"engine": {}})", "\"engine\"");
+    row("unknown key", R"({"motor": {"rs": 0.5}})", "\"rs\"");
+    row("unknown preset", R"({"preset": "steam"})", "--list-motors");
+    row("too small", R"({"motor": {"ld_h": 0}})", "motor.ld_h: must be a number from 1e-06 to 1");
+    row("a text", R"({"motor": {"ld_h": "0.5e-3"}})", "motor.ld_h: must be a number");
+    row("half a pole", R"({"motor": {"polePairs": 2.5}})", "a whole number from 1 to 64");
+    row("one for true", R"({"sensors": {"hall": 1}})", "true or false");
+    row("too long a name", R"({"motor": {"name": "A motor with a very long name"}})", "at most 23");
+    row("no section", R"({"motor": 3})", "an object of name, polePairs");
+    row("blind to its supply", R"({"inverter": {"supply_v": 48, "busRange_v": 40}})", "busRange_v");
+}
+
+void TestSimulatorProgram::aMotorFileIsNotTakenForMoreThanItSays()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(QByteArray, complaint);
+    const QTemporaryDir folder;
+    const QString file = fileWith(folder, text);
+    Program program(
+        {QStringLiteral("mcp"), QStringLiteral("--describe"), QStringLiteral("--motor"), file});
+    QVERIFY(program.ended());
+    QCOMPARE(program.process.exitCode(), complaint.isEmpty() ? 0 : 2);
+    const QByteArray said = program.process.readAllStandardError();
+    QVERIFY2(said.contains(complaint), said.constData());
+    QCOMPARE(said.contains(file.toLocal8Bit()), !complaint.isEmpty());
+    QCOMPARE(said.count('\n'), complaint.isEmpty() ? 0 : 1);
+}
+
+void TestSimulatorProgram::overTcpOneClientAtATimeIsServed()
+{
+    Program program({QStringLiteral("mcp"), QStringLiteral("--tcp"), QStringLiteral("0")});
+    const QString line = program.firstLine();
+    QVERIFY2(line.startsWith(QLatin1String("ready 127.0.0.1:")), qPrintable(line));
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    address.sin_port = htons(line.mid(line.lastIndexOf(QLatin1Char(':')) + 1).toUShort());
+    const auto client = [&address] {
+        const int fd = ::socket(AF_INET, SOCK_STREAM, 0);
+        if (::connect(fd, reinterpret_cast<sockaddr *>(&address), sizeof address) != 0)
+            return -1;
+        ::fcntl(fd, F_SETFL, O_NONBLOCK);
+        return fd;
+    };
+    const QByteArray offer = QByteArray::fromHex("05ffff0f");
+    QByteArray answer;
+    const auto heard = [&answer](int fd) {
+        char piece[64];
+        const ssize_t count = ::recv(fd, piece, sizeof piece, 0);
+        if (count > 0)
+            answer.append(piece, count);
+        return answer.size() >= 4;
+    };
+    const int first = client();
+    QVERIFY(first >= 0);
+    QCOMPARE(::send(first, offer.constData(), 4, MSG_NOSIGNAL), ssize_t{4});
+    QTRY_VERIFY(heard(first));
+    const int second = client();
+    QVERIFY(second >= 0);
+    char byte = 0;
+    QTRY_COMPARE(::recv(second, &byte, 1, 0), ssize_t{0}); // turned away
+    answer.clear();
+    QCOMPARE(::send(first, offer.constData(), 4, MSG_NOSIGNAL), ssize_t{4});
+    QTRY_VERIFY(heard(first));
+    ::close(first);
+    ::close(second);
+    answer.clear();
+    const auto third = [&] { // until the first is seen to have gone
+        const int fd = client();
+        ::send(fd, offer.constData(), 4, MSG_NOSIGNAL);
+        const bool served = QTest::qWaitFor([&] { return heard(fd); }, 200);
+        ::close(fd);
+        return served;
+    };
+    QTRY_VERIFY(third());
 }
 
 void TestSimulatorProgram::itSaysWhereItIsLinksAndEndsOnSigterm()
@@ -157,7 +326,8 @@ void TestSimulatorProgram::withControlItEndsWithItsInput()
 {
     Program program({QStringLiteral("mcp"), QStringLiteral("--control")});
     QVERIFY(!program.firstLine().isEmpty());
-    program.process.write("fault 0x40\nnofault\nmute 10\ncorrupt 3\ninject 0a0b\nreset\ndance\n");
+    program.process.write("fault 0x40\nnofault\nload 0.05\nload 0 1\nmute 10\ncorrupt 3\ninject "
+                          "0a0b\nreset\ndance\n");
     program.process.closeWriteChannel();
     QVERIFY(program.ended());
     QCOMPARE(program.process.exitCode(), 0);

@@ -10,6 +10,7 @@ import argparse
 import collections
 import os
 import select
+import socket
 import struct
 import sys
 import termios
@@ -61,8 +62,15 @@ class Line:
     """The serial port: whole packets in, whole packets out, and the pause in front of a payload."""
 
     def __init__(self, device, pause_s):
-        self.file = os.open(device, os.O_RDWR | os.O_NOCTTY)
-        tty.setraw(self.file, termios.TCSANOW)
+        self.is_serial = not device.startswith("tcp:")
+        if self.is_serial:
+            self.file = os.open(device, os.O_RDWR | os.O_NOCTTY)
+            tty.setraw(self.file, termios.TCSANOW)
+        else:
+            host, port = device[4:].split(":")
+            self.socket = socket.create_connection((host, int(port)))
+            self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            self.file = self.socket.fileno()
         self.pause_s = pause_s
         self.buffer = bytearray()
 
@@ -74,7 +82,8 @@ class Line:
     def send(self, head, payload=b""):
         os.write(self.file, head)
         if payload:
-            termios.tcdrain(self.file)
+            if self.is_serial:
+                termios.tcdrain(self.file)
             self.pause(self.pause_s)
             os.write(self.file, payload)
 
@@ -257,7 +266,7 @@ def drive(client, options):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("device")
+    parser.add_argument("device", help="a serial port, or tcp:HOST:PORT")
     parser.add_argument("--speed", type=int, default=1800, help="rpm")
     parser.add_argument("--seconds", type=float, default=1.0, help="how long the datalog runs")
     parser.add_argument("--pause", type=float, default=1.5, help="ms between header and payload")
