@@ -78,7 +78,6 @@ template <class Observer>
 struct Bench {
     Winding motor;
     Observer observer;
-    AlphaBeta last;
     double iq_a = 3.0;
     int tick = 0;
 
@@ -96,9 +95,8 @@ struct Bench {
         const double perAmp = kSensing.digitsPerAmp();
         const AlphaBeta current{
             digitsOf(motor.current_a.real() * perAmp), digitsOf(-motor.current_a.imag() * perAmp)};
-        observer.step({meanVoltage(last, voltage), current,
-            static_cast<std::uint16_t>(65536.0 * kBus_v / kFullBus_v)});
-        last = voltage;
+        observer.step(
+            {voltage, current, static_cast<std::uint16_t>(65536.0 * kBus_v / kFullBus_v)});
         motor.advance(std::complex<double>(voltage.alpha, -voltage.beta) / perVolt, 1.0 / kHf);
         if (++tick % 16 == 0)
             observer.mediumTask();
@@ -364,7 +362,6 @@ void TestMathsObserver::clearingForgetsAllButTheParameters()
     Bench<ObserverPll> fresh(pllParameters());
     bench.motor = fresh.motor;
     bench.tick = fresh.tick;
-    bench.last = fresh.last;
     for (int i = 0; i < 1000; ++i) {
         bench.step();
         fresh.step();

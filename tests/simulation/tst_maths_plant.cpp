@@ -106,9 +106,8 @@ public:
         const Duties duties = dutiesOf(modulate(voltage, kTimerPeriod), kTimerPeriod);
         plant.setBridge({.on = true, .a = duties.a, .b = duties.b, .c = duties.c});
         const double range = plant.parameters().inverter.busRange_v;
-        observer.step({meanVoltage(m_voltage, voltage), current,
+        observer.step({voltage, current,
             static_cast<std::uint16_t>(std::lround(plant.bus_v() / range * 65536.0))});
-        m_voltage = voltage;
     }
 
     Plant plant;
@@ -136,7 +135,6 @@ private:
     double m_speed_radps;
     double m_sum_a = 0.0;
     std::int32_t m_reference = 0;
-    AlphaBeta m_voltage;
     int m_tick = 0;
 };
 

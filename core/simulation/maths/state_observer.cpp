@@ -29,6 +29,7 @@ void StateObserver::clear()
     m_beta = {};
     m_current = {};
     m_bemf = {};
+    m_voltage = {};
 }
 
 void StateObserver::setGains(std::int16_t gain1, std::int16_t gain2)
@@ -59,15 +60,19 @@ void StateObserver::step(const ObserverInput &input, std::int16_t speed_dpp)
 {
     m_bemf = {
         unscaled(m_alpha.bemf, m_constants.f2Shift), unscaled(m_beta.bemf, m_constants.f2Shift)};
-    const auto volts = [&](std::int16_t share) {
-        return static_cast<std::int16_t>((std::int64_t{input.bus} * share) >> 16);
+    const auto volts = [&](std::int16_t last, std::int16_t now) {
+        const std::int32_t mean = (last + now) >> 1;
+        return static_cast<std::int16_t>((std::int64_t{input.bus} * mean) >> 16);
     };
+    const std::int16_t alpha_v = volts(m_voltage.alpha, input.voltage.alpha);
+    const std::int16_t beta_v = volts(m_voltage.beta, input.voltage.beta);
+    m_voltage = input.voltage;
     // (E cos, -E sin) turns by: alpha' = speed beta, beta' = -speed alpha
     const auto turned = [&](std::int16_t other) {
         return std::int64_t{other >> m_turnShift} * m_turnGain * speed_dpp;
     };
-    stepAxis(m_alpha, input.current.alpha, volts(input.voltage.alpha), turned(m_bemf.beta));
-    stepAxis(m_beta, input.current.beta, volts(input.voltage.beta), -turned(m_bemf.alpha));
+    stepAxis(m_alpha, input.current.alpha, alpha_v, turned(m_bemf.beta));
+    stepAxis(m_beta, input.current.beta, beta_v, -turned(m_bemf.alpha));
     m_current = {saturate16(m_alpha.current >> m_constants.f1Shift),
         saturate16(m_beta.current >> m_constants.f1Shift)};
 }

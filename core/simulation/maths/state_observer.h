@@ -4,6 +4,11 @@
 //   i+ = i - C1 i/F1 + C2 (i/F1 - measured) + C5 voltage - C3 e/F2          (scaled by F1)
 //   e+ = e + C4 (i/F1 - measured) +- e/F2 * speed                           (scaled by F2)
 // All as 32-bit integers; i/F1 and e/F2 are arithmetic shifts, cut to -32767..32767 before.
+//
+// `voltage` is the mean of the period around the measurement: half of what was set last time and half of what is set
+// now, cut towards minus infinity. On a real board currents are sampled in the middle of a PWM period and new duties
+// wait for its end, so what the firmware computed last is that mean. Here duties take effect at the sample; fed with
+// them alone, the angle would be half a period ahead.
 // Source: features 6.6; the turning of e by the averaged speed as ST's library does it.
 #pragma once
 
@@ -18,25 +23,13 @@ struct ObserverConstants {
     int f1Shift = 14, f2Shift = 13; ///< F1 and F2 as exponents of two, 0..15
 };
 
-/// What one step takes: the currents just measured, the mean voltage of the period around that moment, and the bus as
-/// the converter reads it (65536: full scale).
-///
-/// On a real board currents are sampled in the middle of a PWM period and new duties wait for the next one, so the
-/// voltage computed last time is that mean, and the estimated back-EMF belongs to the moment of the sample. Where
-/// duties take effect at the sample itself, the same is had from meanVoltage(last, present); `present` alone puts the
-/// estimated angle half a period ahead.
+/// What one step takes: the currents just measured, the voltage set at the same moment, and the bus as the converter
+/// reads it (65536: full scale).
 struct ObserverInput {
     AlphaBeta voltage; ///< 32768: bus / sqrt(3), as modulate() takes it
     AlphaBeta current;
     std::uint16_t bus = 0;
 };
-
-/// Half of both, each digit cut towards minus infinity.
-constexpr AlphaBeta meanVoltage(AlphaBeta last, AlphaBeta present)
-{
-    return {static_cast<std::int16_t>((last.alpha + present.alpha) >> 1),
-        static_cast<std::int16_t>((last.beta + present.beta) >> 1)};
-}
 
 class StateObserver {
 public:
@@ -66,7 +59,7 @@ private:
     int m_turnShift; ///< F3: keeps bemf * C6 * speed in 32 bits
     std::int32_t m_turnGain; ///< C6 = F2 F3 / (65536 / 2 pi)
     Axis m_alpha, m_beta;
-    AlphaBeta m_current, m_bemf;
+    AlphaBeta m_current, m_bemf, m_voltage;
 };
 
 } // namespace simulation
