@@ -276,7 +276,7 @@ void Board::sysTick(TimePoint at)
             tripped |=
                 axis->firmware.state() == MotorState::FaultNow && before != MotorState::FaultNow;
         }
-        if (tripped && m_traits.flushesOnFault)
+        if (tripped && (m_traits.flushesOnFault || m_build.profiler))
             m_processor->datalog.flush();
         if (m_build.cpuLoad)
             measureLoad();

@@ -14,6 +14,8 @@ Build buildOf(const BoardOptions &options)
                              : buildFor(options.profile, options.motor);
     };
     Build build = options.build ? *options.build : asMade();
+    for (const BuildOption *option : options.with)
+        addOption(build, *option);
     build.motors = std::clamp(options.motors, 1, 2);
     return build;
 }

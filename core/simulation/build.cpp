@@ -3,6 +3,8 @@
 
 #include "simulation/plant/presets.h"
 
+#include <array>
+
 namespace simulation {
 
 namespace {
@@ -58,6 +60,38 @@ Build buildFor(std::string_view profile, const PlantParameters &plant)
         }
     }
     return build;
+}
+
+std::span<const BuildOption> buildOptions()
+{
+    static constexpr std::array kOptions{
+        BuildOption{"cordic", &Build::observerCordic, "the observer with CORDIC, STOCORDIC_*"},
+        BuildOption{"encoder", &Build::encoder, "an encoder of 1000 pulses, ENCODER_*"},
+        BuildOption{"hall", &Build::hall, "Hall sensors, HALL_*"},
+        BuildOption{"flux-weakening", &Build::fluxWeakening, "FLUXWK_*"},
+        BuildOption{"feed-forward", &Build::feedForward, "FF_*"},
+        BuildOption{"position", &Build::positionControl, "POSITION_* (kept, does not move)"},
+        BuildOption{"open-loop", &Build::openLoopDebug, "open-loop modes of CONTROL_MODE"},
+        BuildOption{"profiler", &Build::profiler, "SC_* (kept, does not run), bus thresholds"},
+        BuildOption{"cpu-load", &Build::cpuLoad, "PERF_*"},
+        BuildOption{"dac", &Build::dac, "DAC_OUT1 and DAC_OUT2"},
+        BuildOption{"pfc", &Build::pfc, "PFC_*, which never work"},
+    };
+    return kOptions;
+}
+
+void addOption(Build &build, const BuildOption &option)
+{
+    build.*option.member = true;
+    if (build.auxiliarySensor != SpeedSensor::None)
+        return;
+    const auto become = [&](bool Build::*member, SpeedSensor sensor) {
+        if (option.member == member && build.mainSensor != sensor)
+            build.auxiliarySensor = sensor;
+    };
+    become(&Build::observerCordic, SpeedSensor::ObserverCordic);
+    become(&Build::encoder, SpeedSensor::Encoder);
+    become(&Build::hall, SpeedSensor::Hall);
 }
 
 Build driveBehind(const Build &build)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace simulation {
@@ -69,6 +70,16 @@ struct Build {
 /// Unknown names give the plain observer build.
 Build buildFor(std::string_view profile, std::string_view preset);
 Build buildFor(std::string_view profile, const PlantParameters &plant);
+
+/// What can be switched on in a FOC build beside that; the names are for command lines.
+struct BuildOption {
+    std::string_view name;
+    bool Build::*member;
+    std::string_view help; ///< what it brings, without a full stop
+};
+std::span<const BuildOption> buildOptions();
+/// Switches one on; a sensor becomes the auxiliary one if there is none.
+void addOption(Build &build, const BuildOption &option);
 
 /// The FOC build that turns the motor behind any family: six-step and HSO boards show its signals as their own.
 Build driveBehind(const Build &build);

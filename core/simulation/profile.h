@@ -28,7 +28,8 @@ struct Traits {
     bool hasScaleConfig = false;
     bool nominalCurrentInDigits = false; ///< APPLICATION_CONFIG of 14 bytes
     bool swapsPositionRamp = false; ///< in GET: duration first
-    bool flushesOnFault = false; ///< a fault sends the unfinished datalog packet
+    bool flushesOnFault =
+        false; ///< a fault sends the unfinished datalog packet; profiler builds always
     bool scalesReadSpeeds = false; ///< GET of sensors' speeds: a fraction of the full scale
     bool asPrinted =
         false; ///< the printed text wherever a Controller for shipped firmware survives it

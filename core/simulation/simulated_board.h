@@ -28,6 +28,7 @@ struct BoardOptions {
         plant; ///< instead of a preset; makeBoard() refuses impossible ones
     std::optional<LoadParameters> load; ///< instead of what the motor comes with
     int motors = 1; ///< 1 or 2
+    std::vector<const BuildOption *> with; ///< options beside what profile and motor ask for
     std::optional<Build> build; ///< instead of what profile and motor ask for; `motors` is kept
     std::size_t rxMax = 256, txSyncMax = 256, txAsyncMax = 2048; ///< bytes
     bool dataCrc = false; ///< forced builds only: payloads end in CA FE

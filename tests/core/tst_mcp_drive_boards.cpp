@@ -137,9 +137,6 @@ void TestMcpDriveBoards::everyMotorIsDescribedAndTurns_data()
     for (const simulation::Preset &preset : simulation::presets()) {
         for (const char *profile : {"mcsdk-6.4", "six-step", "hso"}) {
             const std::string name(preset.name);
-            const auto &sensors = preset.parameters.sensors;
-            if (sensors.encoderPulses > 0 || sensors.hall)
-                continue;
             QTest::addRow("%s, %s", name.c_str(), profile)
                 << QString::fromStdString(name) << profile;
         }

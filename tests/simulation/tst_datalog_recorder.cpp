@@ -28,6 +28,11 @@ private slots:
     void whatTheLineCannotCarryIsAJumpInTime();
     void theTimestampWraps();
     void aFaultFlushesInOlderFirmware();
+    void aFaultFlushesInProfilerBuilds();
+    void theTasksOfTwoMotorsCountTogether();
+    void bothMotorsCanBeLogged();
+    void anHsoBuildKeepsTheSignalBeforeAnUnknownOne();
+    void sixStepHasNone();
 };
 
 void TestDatalogRecorder::aFullPacketHasThePrintedSize()
@@ -159,6 +164,97 @@ void TestDatalogRecorder::aFaultFlushesInOlderFirmware()
         bench.board->setFaults(0x0040);
         QCOMPARE(bench.packets(50ms).size(), std::size_t{older ? 1U : 0U});
     }
+}
+
+void TestDatalogRecorder::aFaultFlushesInProfilerBuilds()
+{
+    BoardOptions options;
+    options.build.emplace();
+    options.build->profiler = true;
+    BoardBench bench(options);
+    QVERIFY(bench.connect());
+    QCOMPARE(bench.ask(bench.datalog(2048, 9, {kIa}, 255, {}, 1)), Bytes{0});
+    bench.board->setFaults(0x0040);
+    QCOMPARE(bench.packets(50ms).size(), std::size_t{1});
+}
+
+void TestDatalogRecorder::theTasksOfTwoMotorsCountTogether()
+{
+    for (const int motors : {1, 2}) {
+        BoardOptions options;
+        options.motors = motors;
+        BoardBench bench(options);
+        QVERIFY(bench.connect());
+        QCOMPARE(bench.ask(bench.datalog(256, 3, {kIa}, 255, {}, 1)), Bytes{0});
+        const auto packets = bench.packets(500ms);
+        QVERIFY(packets.size() > 3);
+        // 125 blocks a packet, every fourth tick of 16000 or 32000 a second
+        QCOMPARE(stamp(packets[1]) - stamp(packets[0]), 500U);
+        QVERIFY(std::abs(static_cast<int>(packets.size()) - 16 * motors) <= 1);
+    }
+}
+
+void TestDatalogRecorder::bothMotorsCanBeLogged()
+{
+    BoardOptions options;
+    options.motors = 2;
+    BoardBench bench(options);
+    QVERIFY(bench.connect());
+    QCOMPARE(bench.ask(ByteWriter().u16(3U << 3 | 2U).take()), Bytes{0}); // START_MOTOR of motor 2
+    bench.pass(1500ms);
+    constexpr unsigned kSpeed1 = 0x0B91, kSpeed2 = 0x0B92, kSpeed3 = 0x0B93;
+    QCOMPARE(bench.ask(bench.datalog(64, 0, {kSpeed1, kSpeed2, kSpeed3}, 255, {}, 1)), Bytes{0});
+    const auto packets = bench.packets(20ms);
+    QVERIFY(!packets.empty());
+    ByteReader reader(packets[0].payload);
+    reader.u32();
+    QCOMPARE(reader.s16(), std::int16_t{0});
+    QVERIFY(reader.s16() > 200); // 0.1 Hz
+    QCOMPARE(reader.s16(), std::int16_t{0}); // there is no third
+}
+
+void TestDatalogRecorder::anHsoBuildKeepsTheSignalBeforeAnUnknownOne()
+{
+    constexpr unsigned kBetaCurrent = 0x0219, kAngle = 0x1119, kUnknown = 0x0279,
+                       kStateHso = 0x0049;
+    for (const char *profile : {"hso", "mcsdk-6.4"}) {
+        BoardOptions options;
+        options.profile = profile;
+        const bool hso = options.profile == "hso";
+        const std::vector<unsigned> known = hso ? std::vector<unsigned>{kBetaCurrent, kAngle}
+                                                : std::vector<unsigned>{0x0B51, 0x0B51};
+        BoardBench bench(options);
+        QVERIFY(bench.connect());
+        QCOMPARE(bench.command(3), Bytes{0});
+        bench.pass(2s);
+        QCOMPARE(bench.ask(bench.datalog(64, 0, known, 255, {}, 1)), Bytes{0});
+        bench.packets(20ms);
+        QCOMPARE(
+            bench.ask(bench.datalog(64, 0, {known[1], hso ? kStateHso : kUnknown}, 255, {}, 2)),
+            Bytes{0});
+        bool turned = false;
+        for (const auto &packet : bench.packets(50ms)) {
+            if (mark(packet) != 2)
+                continue;
+            ByteReader reader(packet.payload);
+            reader.u32();
+            const auto first = reader.s16(), second = reader.s16();
+            QCOMPARE(
+                second, hso ? first : std::int16_t{0}); // the angle is still in the second slot
+            turned = turned || first != 0;
+        }
+        QVERIFY(turned);
+    }
+}
+
+void TestDatalogRecorder::sixStepHasNone()
+{
+    BoardOptions options;
+    options.profile = "six-step";
+    BoardBench bench(options);
+    QVERIFY(bench.connect());
+    QCOMPARE(bench.ask(bench.datalog(64, 0, {kIa}, 255, {}, 1)), Bytes{5});
+    QCOMPARE(bench.packets(50ms).size(), std::size_t{0});
 }
 
 QTEST_APPLESS_MAIN(TestDatalogRecorder)

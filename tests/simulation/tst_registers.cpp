@@ -244,6 +244,7 @@ private slots:
     void startTogglesAnswerByVersion();
     void commandsCameWithVersionsAndBuilds();
     void theLoadOfTheProcessorIsShownAndCleared();
+    void eachOptionBringsItsRegister();
 };
 
 void TestRegisters::everyRegisterAnswersAsListed_data()
@@ -510,6 +511,31 @@ void TestRegisters::theLoadOfTheProcessorIsShownAndCleared()
     QVERIFY(load(kLeast) < idle);
     QCOMPARE(bench.command(8), Bytes{0}); // CPULOAD_CLEAR
     QVERIFY(load(kLeast) > idle);
+}
+
+void TestRegisters::eachOptionBringsItsRegister()
+{
+    const std::map<std::string_view, std::string_view> registers{{"cordic", "STOCORDIC_EL_ANGLE"},
+        {"encoder", "ENCODER_SPEED"}, {"hall", "HALL_SPEED"}, {"flux-weakening", "FLUXWK_KP"},
+        {"feed-forward", "FF_VQ"}, {"position", "POSITION_KP"}, {"open-loop", "FOC_VQREF"},
+        {"profiler", "SC_CHECK"}, {"cpu-load", "PERF_CPU_LOAD"}, {"dac", "DAC_OUT1"},
+        {"pfc", "PFC_STATUS"}};
+    const auto list = listed("std", 0x060400);
+    QCOMPARE(registers.size(), simulation::buildOptions().size());
+    for (const simulation::BuildOption &option : simulation::buildOptions()) {
+        const auto reg = std::find_if(list.begin(), list.end(),
+            [&](const Listed &row) { return row.name == registers.at(option.name); });
+        QVERIFY(reg != list.end());
+        const auto id = reg->id.withMotor(reg->scope.starts_with("global") ? 0 : 1);
+        for (const bool with : {false, true}) {
+            BoardOptions options;
+            if (with)
+                options.with.push_back(&option);
+            BoardBench bench(options);
+            QVERIFY(bench.connect());
+            QCOMPARE(bench.ask(readRequest(id)).back(), with ? 0 : 5);
+        }
+    }
 }
 
 QTEST_APPLESS_MAIN(TestRegisters)
