@@ -16,6 +16,9 @@ public:
     void prepare(double step_s); ///< before the steps of a period
     void step(double bridge_a);
 
+    /// What that current into the bus adds to its voltage in a step, if nothing else takes it.
+    double rise_v(double into_a) const { return into_a * m_step_s / m_capacitance_f; }
+
     double voltage_v() const { return m_v; }
     double meanVoltage_v() const { return m_mean_v; } ///< over the last step
     double capacitor_j() const { return 0.5 * m_capacitance_f * m_v * m_v; }

@@ -112,7 +112,7 @@ constexpr std::array kTable{
         at<&PlantParameters::inverter, &InverterParameters::ambient_c>, -60.0, 150.0,
         "ambient temperature"},
     ParameterInfo{"inverter", "heatsinkResistance_kpw",
-        at<&PlantParameters::inverter, &InverterParameters::heatsinkResistance_kpw>, 0.0, 1e3,
+        at<&PlantParameters::inverter, &InverterParameters::heatsinkResistance_kpw>, 1e-3, 1e3,
         "to the ambient, K/W"},
     ParameterInfo{"inverter", "heatsinkCapacity_jpk",
         at<&PlantParameters::inverter, &InverterParameters::heatsinkCapacity_jpk>, 0.0, 1e6,

@@ -39,6 +39,7 @@ Plant::Plant(const PlantParameters &parameters, std::uint64_t seed)
     m_sensing.noise().bits(); // the first number of a small seed is not random yet
     m_rotor.place(restingAngle(parameters.motor, m_sensing.noise().share()), 0.0);
     m_encoder.powerUp(m_rotor.angle_rad());
+    m_hall.place(angle_rad());
     faceAngle();
     sample();
 }
@@ -55,6 +56,7 @@ void Plant::place(double electrical_rad, double speed_radps)
     m_rotor.place(electrical_rad / m_parameters.motor.polePairs, speed_radps);
     m_windings.open();
     m_phases = {};
+    m_hall.place(angle_rad());
     faceAngle();
     sample();
 }
@@ -68,9 +70,7 @@ double Plant::angle_rad() const
 void Plant::faceAngle()
 {
     m_rotor.beginPeriod();
-    const double electrical_rad = angle_rad();
-    m_frame = Rotation::of(electrical_rad);
-    m_hall.place(electrical_rad);
+    m_frame = Rotation::of(angle_rad());
 }
 
 void Plant::advance(double dt_s)
@@ -126,7 +126,11 @@ void Plant::freewheel(double h_s)
         book({}, h_s);
         return;
     }
-    const Legs::Freewheel end = m_legs.freewheel(m_windings.imply(), m_frame, m_bus.voltage_v());
+    // The diodes meet the bus as it will be, or it would gain what the motor did not lose.
+    const double most_a =
+        std::max({std::abs(m_phases.a), std::abs(m_phases.b), std::abs(m_phases.c)});
+    const double bus_v = m_bus.voltage_v() + m_bus.rise_v(most_a);
+    const Legs::Freewheel end = m_legs.freewheel(m_windings.imply(), m_frame, bus_v);
     m_windings.settle(end.current);
     m_phases = Phases::from(Stationary::from(m_windings.current(), m_frame));
     book(end.flow, h_s);

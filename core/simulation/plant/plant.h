@@ -83,7 +83,7 @@ private:
     void drive(double h_s);
     void freewheel(double h_s);
     void book(Legs::Flow flow, double h_s); ///< heat, speed, bus: the end of every step
-    void faceAngle();
+    void faceAngle(); ///< anew from the rotor's angle, so that no rounding adds up
     void sample();
 
     PlantParameters m_parameters;

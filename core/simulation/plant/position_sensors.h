@@ -33,7 +33,7 @@ class Hall {
 public:
     explicit Hall(const SensorParameters &sensors);
 
-    void place(double electrical_rad);
+    void place(double electrical_rad); ///< no edge
     /// The rotor turned on by `by_rad`, evenly, in `step_s`.
     void turn(double by_rad, double step_s);
     HallReading reading() const;
