@@ -10,7 +10,7 @@ namespace simulation {
 namespace {
 
 constexpr int kMostSweeps = 60;
-constexpr double kCloseEnough = 1e-9; ///< of the bus voltage
+constexpr double kCloseEnough = 1e-8; ///< of the bus voltage
 
 double duty(double value) { return std::isnan(value) ? 0.5 : std::clamp(value, 0.0, 1.0); }
 
