@@ -13,7 +13,7 @@ namespace {
 void addSensors(Build &build, const PlantParameters &plant)
 {
     if (plant.sensors.encoderPulses > 0) {
-        build.encoder = build.positionControl = true;
+        build.encoder = true;
         build.mainSensor = SpeedSensor::Encoder;
         build.auxiliarySensor = SpeedSensor::ObserverPll;
     } else if (plant.sensors.hall) {
@@ -23,7 +23,7 @@ void addSensors(Build &build, const PlantParameters &plant)
     }
     constexpr double kSalient = 1.2; // Lq over Ld from which magnets are called buried
     if (plant.motor.lq_h > kSalient * plant.motor.ld_h)
-        build.fluxWeakening = build.feedForward = true;
+        build.fluxWeakening = true;
 }
 
 } // namespace
@@ -69,7 +69,7 @@ std::span<const BuildOption> buildOptions()
         BuildOption{"encoder", &Build::encoder, "an encoder of 1000 pulses, ENCODER_*"},
         BuildOption{"hall", &Build::hall, "Hall sensors, HALL_*"},
         BuildOption{"flux-weakening", &Build::fluxWeakening, "FLUXWK_*"},
-        BuildOption{"feed-forward", &Build::feedForward, "FF_*"},
+        BuildOption{"feed-forward", &Build::feedForward, "FF_* (kept, without effect)"},
         BuildOption{"position", &Build::positionControl, "POSITION_* (kept, does not move)"},
         BuildOption{"open-loop", &Build::openLoopDebug, "open-loop modes of CONTROL_MODE"},
         BuildOption{"profiler", &Build::profiler, "SC_* (kept, does not run), bus thresholds"},

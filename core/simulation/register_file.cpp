@@ -2,6 +2,7 @@
 #include "simulation/register_file.h"
 
 #include "simulation/board_structures.h"
+#include "simulation/per_unit.h"
 #include "simulation/raw_registers.h"
 #include "simulation/simulated_board.h"
 
@@ -54,6 +55,24 @@ std::uint32_t valueOf(const RegisterRow &row, const RegisterContext &at)
     return row.get != nullptr ? row.get(at) : row.initial;
 }
 
+/// What the self-commissioning of a profiler build shows before it has run, which here it never does.
+Commissioning beforeProfiling(const Firmware &firmware)
+{
+    constexpr std::uint8_t kStates = 23; // of self-commissioning and one-touch tuning together
+    constexpr float kSpeedBandwidth_radps = 6.0F, kCurrentBandwidth_radps = 3000.0F;
+    const MotorParameters &motor = motorOf(firmware);
+    Commissioning c;
+    c.steps = kStates;
+    c.polePairs = static_cast<std::uint8_t>(motor.polePairs);
+    c.pwm_hz = static_cast<std::int16_t>(std::lround(firmware.hfHz()));
+    c.bus_v = static_cast<float>(firmware.stage().nominal_v);
+    c.current_a = c.startUp_a = static_cast<float>(motor.nominal_a);
+    c.speedBandwidth_radps = kSpeedBandwidth_radps;
+    c.currentBandwidth_radps = kCurrentBandwidth_radps;
+    c.nominalSpeed_rpm = static_cast<std::int32_t>(motor.maxSpeed_rpm);
+    return c;
+}
+
 /// Up to 6.3 a read gives 0.1 Hz as a fraction of the full scale.
 std::uint32_t asFraction(std::uint32_t value, const Firmware &firmware)
 {
@@ -71,8 +90,10 @@ RegisterFile::RegisterFile(
     , m_options(options)
     , m_build(build)
 {
-    for (const auto &axis : axes)
+    for (const auto &axis : axes) {
         m_motors.push_back({traits, options, build, axis->firmware, {}, false});
+        axis->firmware.commissioning() = beforeProfiling(axis->firmware);
+    }
 }
 
 bool RegisterFile::ignoresMotor() const

@@ -5,6 +5,7 @@
 #include "simulation/simulated_board.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace simulation {
@@ -19,6 +20,20 @@ constexpr int kHeartbeat = 1; ///< user command that feeds the watchdog
 constexpr std::size_t kUserAnswerMax = 64;
 constexpr std::size_t kAnswerMax =
     aspep::kMaxPayload - 128; ///< behind it there is room for any one value
+
+std::int16_t angleOf(SpeedSensor sensor, const Signals &signals)
+{
+    switch (sensor) {
+    case SpeedSensor::ObserverCordic:
+        return signals.cordicAngle;
+    case SpeedSensor::Encoder:
+        return signals.encoderAngle;
+    case SpeedSensor::Hall:
+        return signals.hallAngle;
+    default:
+        return signals.pllAngle;
+    }
+}
 
 } // namespace
 
@@ -185,7 +200,7 @@ Status Server::motorCommand(const Request &request, Firmware &firmware)
     case CommandId::ProfilerCmd:
         return profilerCommand(request);
     case CommandId::SensorSwitch:
-        return switchSensor(firmware);
+        return switchSensor(request, firmware);
     default:
         return Status::CommandUnknown;
     }
@@ -209,13 +224,16 @@ Status Server::profilerCommand(const Request &request) const
     return request.data.u8(0) <= kLastCommand ? Status::Ok : Status::Nok;
 }
 
-/// The two sensors are looked at, the loops stay with the main one.
-Status Server::switchSensor(const Firmware &firmware) const
+/// The margin is looked at, the loops stay with the main sensor.
+Status Server::switchSensor(const Request &request, const Firmware &firmware) const
 {
     if (!m_traits.hasSensorSwitch || m_build.family != Family::Foc
         || m_build.auxiliarySensor == SpeedSensor::None)
         return Status::CommandUnknown;
-    return firmware.state() == MotorState::Run ? Status::Ok : Status::Nok;
+    const auto apart = static_cast<std::int16_t>(angleOf(m_build.mainSensor, firmware.variables())
+        - angleOf(m_build.auxiliarySensor, firmware.variables()));
+    const bool close = std::abs(apart) <= request.data.u16(0);
+    return firmware.state() == MotorState::Run && close ? Status::Ok : Status::Nok;
 }
 
 Status Server::heartbeat(const Request &request)

@@ -40,7 +40,7 @@ private:
     bool start(unsigned motor);
     mcp::Status clearCpuLoad();
     mcp::Status profilerCommand(const Request &request) const;
-    mcp::Status switchSensor(const Firmware &firmware) const;
+    mcp::Status switchSensor(const Request &request, const Firmware &firmware) const;
     mcp::Status userCommand(const Request &request);
     mcp::Status heartbeat(const Request &request);
 

@@ -245,6 +245,8 @@ private slots:
     void commandsCameWithVersionsAndBuilds();
     void theLoadOfTheProcessorIsShownAndCleared();
     void eachOptionBringsItsRegister();
+    void sensorsAreSwitchedWithinTheMarginOnly();
+    void profilerBuildsShowWhatTheyWereGiven();
 };
 
 void TestRegisters::everyRegisterAnswersAsListed_data()
@@ -536,6 +538,39 @@ void TestRegisters::eachOptionBringsItsRegister()
             QCOMPARE(bench.ask(readRequest(id)).back(), with ? 0 : 5);
         }
     }
+}
+
+void TestRegisters::sensorsAreSwitchedWithinTheMarginOnly()
+{
+    BoardOptions options;
+    options.motor = "prop12"; // two observers
+    BoardBench bench(options);
+    QVERIFY(bench.connect());
+    const auto ask = [&](unsigned margin) {
+        return bench.ask(ByteWriter().u16(16U << 3 | 1U).u16(margin).take());
+    };
+    QCOMPARE(ask(65535), Bytes{1}); // not running
+    QCOMPARE(bench.command(3), Bytes{0});
+    QVERIFY(bench.waitForState(6));
+    bench.pass(1s);
+    QCOMPARE(ask(16384), Bytes{0}); // within 90 degrees
+    QCOMPARE(ask(0), Bytes{1});
+}
+
+void TestRegisters::profilerBuildsShowWhatTheyWereGiven()
+{
+    BoardOptions options;
+    options.build = everything();
+    BoardBench bench(options);
+    QVERIFY(bench.connect());
+    QCOMPARE(bench.get(mcp::registerId(18, mcp::RegisterType::Bits8, 0)), 4); // SC_PP
+    QCOMPARE(bench.get(mcp::registerId(77, mcp::RegisterType::Bits16, 0)), 16000);
+    const auto current = mcp::registerId(96, mcp::RegisterType::Bits32, 1); // SC_CURRENT
+    const Bytes write = ByteWriter().u16(1U << 3).u16(current.bits).f32(2.5F).take();
+    QCOMPARE(bench.ask(write), Bytes{0});
+    QCOMPARE(ByteReader(bench.ask(readRequest(current))).f32(), 2.5F);
+    QCOMPARE(bench.command(3), Bytes{0});
+    QCOMPARE(bench.ask(write), Bytes{4}); // only while nothing runs
 }
 
 QTEST_APPLESS_MAIN(TestRegisters)
