@@ -113,6 +113,9 @@ void addCommandOptions(QCommandLineParser &parser, const QString &command)
         {QStringLiteral("ramp"),
             QStringLiteral("Ramps to RPM within MS milliseconds before recording."),
             QStringLiteral("RPM,MS")},
+        {QStringLiteral("from-start"),
+            QStringLiteral(
+                "Begins to record before --start and --ramp; --seconds count from then.")},
         {QStringLiteral("keep-running"), QStringLiteral("Leaves the motor running at the end.")},
     });
 }
@@ -174,6 +177,7 @@ Outcome<CaptureArguments> captureOf(const QCommandLineParser &parser)
     if (capture.file.isEmpty())
         return usage(QStringLiteral("Name the file to write with -o FILE.csv."));
     capture.start = parser.isSet(QStringLiteral("start"));
+    capture.fromStart = parser.isSet(QStringLiteral("from-start"));
     capture.keepRunning = parser.isSet(QStringLiteral("keep-running"));
     if (parser.isSet(QStringLiteral("ramp"))) {
         const QStringList parts = parser.value(QStringLiteral("ramp")).split(QLatin1Char(','));

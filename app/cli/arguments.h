@@ -22,6 +22,7 @@ struct CaptureArguments {
     double seconds = 0.0;
     QString file;
     bool start = false;
+    bool fromStart = false; ///< the recording begins before the start and the ramp
     bool keepRunning = false;
     std::optional<RampArguments> ramp;
 };

@@ -48,6 +48,8 @@ private:
     Outcome<int> prepare();
     Outcome<int> startMotor();
     Outcome<int> ramp();
+    Outcome<int> begin(const drive::Stream &stream);
+    Outcome<int> finish();
     Outcome<int> record(const drive::Stream &stream);
     Outcome<int> stopMotor();
     Failure abandon(Failure why);
@@ -74,9 +76,7 @@ Outcome<int> CaptureRun::run()
         return possible;
     if (const auto possible = rehearse(*wanted); !possible)
         return possible;
-    Outcome<int> done = prepare();
-    if (done)
-        done = record(*wanted);
+    const Outcome<int> done = record(*wanted);
     if (!done)
         return tl::make_unexpected(salvage(abandon(done.error())));
     const auto stopped = stopMotor();
@@ -132,7 +132,7 @@ Outcome<drive::Stream> CaptureRun::stream() const
 /// No motor turns for a recording that the board then refuses: it is asked for the recording beforehand.
 Outcome<int> CaptureRun::rehearse(const drive::Stream &stream)
 {
-    if (!m_wanted.start && !m_wanted.ramp)
+    if ((!m_wanted.start && !m_wanted.ramp) || m_wanted.fromStart)
         return kDone;
     const auto agreed =
         m_desk.talk.command(stream, QStringLiteral("The recording"), recordingAdvice());
@@ -225,6 +225,14 @@ Outcome<int> CaptureRun::ramp()
 
 Outcome<int> CaptureRun::record(const drive::Stream &stream)
 {
+    auto done = m_wanted.fromStart ? begin(stream) : prepare();
+    if (done)
+        done = m_wanted.fromStart ? prepare() : begin(stream);
+    return done ? finish() : done;
+}
+
+Outcome<int> CaptureRun::begin(const drive::Stream &stream)
+{
     Conversation &talk = m_desk.talk;
     talk.listen([this](const drive::Event &event) {
         m_recorder.take(event);
@@ -244,6 +252,12 @@ Outcome<int> CaptureRun::record(const drive::Stream &stream)
             QStringLiteral(
                 "The board sent no samples; record fewer signals or take a larger --hf-rate."));
     qCInfo(lcProgress) << "recording";
+    return kDone;
+}
+
+Outcome<int> CaptureRun::finish()
+{
+    Conversation &talk = m_desk.talk;
     const auto limit =
         std::chrono::milliseconds(static_cast<std::int64_t>(m_wanted.seconds * 1500.0))
         + kFirstSampleWithin;

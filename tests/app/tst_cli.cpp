@@ -26,6 +26,7 @@ private Q_SLOTS:
     void captureOfTooMuchSaysSoWithGaps();
     void captureOfLessThanATickIsOneRow();
     void captureTakesSlowSignalsOnceAPacket();
+    void captureFromTheStartHoldsTheStartUp();
     void captureThatTheBoardRefusesStartsNoMotor();
     void decodePrintsOneObjectALine();
     void decodeOfWhatIsNoPacketIsExitStatus5_data();
@@ -271,6 +272,20 @@ void TestCli::captureTakesSlowSignalsOnceAPacket()
     QCOMPARE(rows.size(), 8001);
     QCOMPARE(rows[1][2], QString()); // not yet known
     QVERIFY(!rows.last()[2].isEmpty());
+}
+
+void TestCli::captureFromTheStartHoldsTheStartUp()
+{
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("x.csv"));
+    const Run result = run(words("--port sim capture --start --from-start --ramp 1500,200 "
+                                 "--hf STOPLL_ROT_SPEED,I_Q_REF --hf-rate 15 --seconds 2 -o")
+        << file);
+    COMPARE_STATUS(result, 0);
+    const auto rows = readCsv(file);
+    QCOMPARE(rows.size() - 1, 2000);
+    QCOMPARE(rows[1][2].toDouble(), 0.0); // no torque is asked for yet
+    QVERIFY2(std::abs(rows.last()[1].toDouble() - 1500) < 100, qPrintable(rows.last()[1]));
 }
 
 void TestCli::captureThatTheBoardRefusesStartsNoMotor()
