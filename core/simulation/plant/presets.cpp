@@ -13,23 +13,23 @@ PlantParameters pm24()
     return {}; // the defaults of parameters.h
 }
 
-/// An outrunner with a propeller: 920 rpm/V, hardly any inductance, 84 cogs, a load that grows with the square.
+/// An outrunner with a propeller: 590 rpm/V, hardly any inductance, 84 cogs, a load that grows with the square.
 PlantParameters prop12()
 {
     PlantParameters p;
     p.motor = {.name = "Sim outrunner 12V",
         .polePairs = 7,
-        .rs_ohm = 0.045,
-        .ld_h = 18e-6,
-        .lq_h = 18e-6,
-        .flux_wb = 8.6e-4,
-        .inertia_kgm2 = 1.2e-5,
-        .viscous_nms = 2e-6,
+        .rs_ohm = 0.06,
+        .ld_h = 30e-6,
+        .lq_h = 30e-6,
+        .flux_wb = 1.34e-3,
+        .inertia_kgm2 = 2e-5,
+        .viscous_nms = 5e-6,
         .coulomb_nm = 2e-3,
         .cogging_nm = 1.5e-3,
         .coggingPerTurn = 84,
         .nominal_a = 12.0,
-        .maxSpeed_rpm = 8000.0,
+        .maxSpeed_rpm = 5000.0,
         .copperMass_kg = 0.02,
         .coolingTime_s = 60.0};
     p.inverter.supply_v = 12.0;
@@ -39,7 +39,7 @@ PlantParameters prop12()
     p.inverter.switchResistance_ohm = 0.005;
     p.inverter.amplifierGain = 16.0;
     p.inverter.busRange_v = 30.0;
-    p.load.fan_nms2 = 8.5e-8;
+    p.load.fan_nms2 = 2.5e-7;
     return p;
 }
 
