@@ -46,6 +46,7 @@ struct Processor final : AsyncLine {
         else
             transmitter.releaseAsync(); // a finished packet without a connection is thrown away
     }
+    void release() override { transmitter.releaseAsync(); }
     std::size_t payloadMax() const override { return performer.asyncMax(); }
 
     UartReceiver &receiver;
@@ -265,6 +266,8 @@ void Board::sysTick(TimePoint at)
             at, [this](ByteView buffer, std::uint16_t length, std::size_t responseMax) {
                 return execute(buffer, length, responseMax);
             });
+        if (m_processor->performer.takeServicesReset())
+            m_processor->datalog.reset();
         if (m_processor->server.takeResetWanted()) {
             reset();
             return;

@@ -2,6 +2,7 @@
 #include "simulation/datalog_recorder.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace simulation {
 
@@ -31,6 +32,7 @@ mcp::Status DatalogRecorder::configure(const StaleBytes &value)
     if (size > m_line.payloadMax())
         return mcp::Status::NoTxAsyncSpace;
     // From here on a refusal leaves the pending fields changed, as in the firmware.
+    m_pending.asPrinted = false;
     m_pending.hfRate = value.u8(2);
     m_pending.hfCount = value.u8(3);
     m_pending.mfRate = value.u8(4);
@@ -63,6 +65,53 @@ mcp::Status DatalogRecorder::configure(const StaleBytes &value)
     return mcp::Status::Ok;
 }
 
+mcp::Status DatalogRecorder::configureAsPrinted(const StaleBytes &value, int size)
+{
+    constexpr std::size_t kFields = 5, kMfWidth = 4;
+    Configuration wanted;
+    wanted.asPrinted = true;
+    wanted.hfRate = value.u8(0);
+    wanted.hfCount = value.u8(1);
+    wanted.mfRate = value.u8(2);
+    wanted.mfCount = value.u8(3);
+    const std::size_t count = std::size_t{wanted.hfCount} + wanted.mfCount;
+    if (size < 0 || static_cast<std::size_t>(size) != kFields + 2 * count)
+        return mcp::Status::BadRawFormat;
+    if (count > m_streams)
+        return mcp::Status::NoTxAsyncSpace;
+    std::size_t block = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Source source = m_find(mcp::RegisterId{value.u16(4 + 2 * i)});
+        if (source.get == nullptr)
+            return mcp::Status::UnknownRegister;
+        const auto width = static_cast<std::uint8_t>(i < wanted.hfCount ? 2 : kMfWidth);
+        wanted.logged[i] = {source, width};
+        block += width;
+    }
+    const std::uint8_t mark = value.u8(4 + 2 * count);
+    if (mark == 0 || count == 0) {
+        stop();
+        return mcp::Status::Ok;
+    }
+    if (m_line.payloadMax() < block + kStampBytes + kTailBytes)
+        return mcp::Status::NoTxAsyncSpace;
+    wanted.trigger = m_line.payloadMax() - block - kTailBytes;
+    m_pending = wanted;
+    m_mark = mark;
+    m_changed = true;
+    return mcp::Status::Ok;
+}
+
+void DatalogRecorder::reset()
+{
+    m_mark = m_activeMark = 0;
+    m_changed = false;
+    if (m_packet.empty())
+        return;
+    m_packet.clear();
+    m_line.release();
+}
+
 void DatalogRecorder::stop()
 {
     m_mark = 0;
@@ -74,8 +123,9 @@ void DatalogRecorder::flush()
 {
     if (m_packet.empty())
         return;
-    m_packet.push_back(m_activeMark);
-    m_packet.push_back(0); // async id: datalog
+    constexpr std::uint8_t kDatalog = 0; // the async id
+    m_packet.push_back(m_active.asPrinted ? kDatalog : m_activeMark);
+    m_packet.push_back(m_active.asPrinted ? m_activeMark : kDatalog);
     m_line.send(m_packet);
     m_packet.clear();
 }
@@ -84,6 +134,8 @@ void DatalogRecorder::tick(std::uint32_t timestamp)
 {
     if (m_mark == 0)
         return;
+    if (m_packet.empty() ? m_pending.asPrinted : m_active.asPrinted)
+        return tickAsPrinted(timestamp);
     if (m_hfIndex < m_active.hfRate) {
         ++m_hfIndex;
         return;
@@ -103,6 +155,38 @@ void DatalogRecorder::tick(std::uint32_t timestamp)
     }
 }
 
+void DatalogRecorder::tickAsPrinted(std::uint32_t timestamp)
+{
+    if (m_packet.empty() && std::exchange(m_changed, false)) {
+        m_active = m_pending;
+        m_activeMark = m_mark;
+        m_hfIndex = m_mfIndex = 0;
+    }
+    const auto due = [](std::uint8_t &counter, std::uint8_t rate) {
+        const bool now = counter >= rate;
+        counter = now ? 0 : static_cast<std::uint8_t>(counter + 1);
+        return now;
+    };
+    const bool fast = due(m_hfIndex, m_active.hfRate);
+    const bool slow = m_active.mfRate < kMfAtEnd && due(m_mfIndex, m_active.mfRate);
+    if (!fast && !slow)
+        return;
+    if (m_packet.empty()) {
+        if (!m_line.acquire())
+            return;
+        appendNumber(timestamp, kStampBytes);
+    }
+    if (fast)
+        appendHf();
+    if (slow)
+        appendMf();
+    if (m_packet.size() > m_active.trigger) {
+        if (m_active.mfRate == kMfAtEnd)
+            appendMf();
+        flush();
+    }
+}
+
 void DatalogRecorder::begin(std::uint32_t timestamp)
 {
     m_mfIndex = 0;
@@ -110,14 +194,18 @@ void DatalogRecorder::begin(std::uint32_t timestamp)
         m_activeMark = m_mark;
         m_active = m_pending;
     }
-    for (unsigned shift = 0; shift < 32; shift += 8)
-        m_packet.push_back(static_cast<std::uint8_t>(timestamp >> shift));
+    appendNumber(timestamp, kStampBytes);
+}
+
+void DatalogRecorder::appendHf()
+{
+    for (std::size_t i = 0; i < m_active.hfCount; ++i)
+        append(m_active.logged[i]);
 }
 
 void DatalogRecorder::appendBlock()
 {
-    for (std::size_t i = 0; i < m_active.hfCount; ++i)
-        append(m_active.logged[i]);
+    appendHf();
     if (m_active.mfRate >= kMfAtEnd)
         return;
     if (m_mfIndex == m_active.mfRate) {
@@ -140,7 +228,12 @@ void DatalogRecorder::append(const Signal &signal)
     std::uint32_t value = source.get != nullptr ? source.get(*source.of) : 0;
     if (source.upperHalf)
         value >>= 16;
-    for (unsigned i = 0; i < signal.width; ++i)
+    appendNumber(value, signal.width);
+}
+
+void DatalogRecorder::appendNumber(std::uint32_t value, std::size_t width)
+{
+    for (std::size_t i = 0; i < width; ++i)
         m_packet.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
 }
 

@@ -36,6 +36,7 @@ Performer::Performer(const Traits &traits, const BoardOptions &options, UartRece
     m_own.rxUnits = units(options.rxMax, 32, 1, 63);
     m_own.txSyncUnits = units(options.txSyncMax, 32, 1, 127);
     m_own.txAsyncUnits = units(options.txAsyncMax, 64, 0, 127);
+    m_reset = m_own;
     armHeader();
 }
 
@@ -134,24 +135,50 @@ void Performer::beacon(TimePoint now)
         .rxUnits = field(8, 0x3F),
         .txSyncUnits = field(14, 0x7F),
         .txAsyncUnits = field(21, 0x7F)};
-    m_own.dataCrc = m_own.dataCrc && theirs.dataCrc;
-    m_own.rxUnits = std::min(m_own.rxUnits, theirs.rxUnits);
-    m_own.txSyncUnits = std::min(m_own.txSyncUnits, theirs.txSyncUnits);
-    m_own.txAsyncUnits = std::min(m_own.txAsyncUnits, theirs.txAsyncUnits);
+    if (m_traits.asPrinted)
+        return beaconAsPrinted(theirs, now);
+    agree(theirs);
     // The firmware lets their rx be smaller than its own; after the minimum that is equality too.
     if (theirs != m_own) {
         m_state = State::Idle;
     } else {
-        if (m_state == State::Idle || m_traits.asPrinted) {
-            m_requestMax = std::min(m_own.rxMax(), m_buffer.size() - kTrailer);
-            m_responseMax = m_own.txSyncMax();
-            m_asyncMax = m_own.txAsyncMax();
-        }
-        if (m_traits.asPrinted)
-            m_requests = 0;
-        m_state = m_traits.asPrinted ? State::Connected : State::Configured;
+        if (m_state == State::Idle)
+            takeLimits();
+        m_state = State::Configured;
     }
     m_transmitter.sendControl(aspep::encodeHeader(m_own), now);
+}
+
+/// Every connection starts from what the board can, and what waits from the one before is dropped.
+void Performer::beaconAsPrinted(const aspep::Beacon &theirs, TimePoint now)
+{
+    m_transmitter.discardWaiting();
+    m_servicesReset = true;
+    m_state = State::Idle;
+    m_own = m_reset;
+    if (theirs.version == m_reset.version)
+        agree(theirs);
+    if (theirs == m_own) {
+        takeLimits();
+        m_requests = 0;
+        m_state = State::Connected;
+    }
+    m_transmitter.sendControl(aspep::encodeHeader(m_own), now);
+}
+
+void Performer::agree(const aspep::Beacon &theirs)
+{
+    m_own.dataCrc = m_own.dataCrc && theirs.dataCrc;
+    m_own.rxUnits = std::min(m_own.rxUnits, theirs.rxUnits);
+    m_own.txSyncUnits = std::min(m_own.txSyncUnits, theirs.txSyncUnits);
+    m_own.txAsyncUnits = std::min(m_own.txAsyncUnits, theirs.txAsyncUnits);
+}
+
+void Performer::takeLimits()
+{
+    m_requestMax = std::min(m_own.rxMax(), m_buffer.size() - kTrailer);
+    m_responseMax = m_own.txSyncMax();
+    m_asyncMax = m_own.txAsyncMax();
 }
 
 void Performer::ping(TimePoint now)

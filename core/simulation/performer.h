@@ -35,6 +35,8 @@ public:
 
     bool connected() const { return m_state == State::Connected; }
     std::size_t asyncMax() const { return m_asyncMax; }
+    /// As printed, a BEACON begins everything anew, the services above too; says so once.
+    bool takeServicesReset() { return std::exchange(m_servicesReset, false); }
     bool payloadCrc() const { return m_own.dataCrc; }
 
     /// A packet of the board's own accord: header, payload and the trailer where one is agreed.
@@ -49,6 +51,9 @@ private:
     void ready(std::uint8_t nack);
     void act(TimePoint now, const Execute &execute);
     void beacon(TimePoint now);
+    void beaconAsPrinted(const aspep::Beacon &theirs, TimePoint now);
+    void agree(const aspep::Beacon &theirs); ///< the field-wise minimum
+    void takeLimits();
     void ping(TimePoint now);
     void request(TimePoint now, const Execute &execute);
 
@@ -58,7 +63,9 @@ private:
     UartReceiver &m_receiver;
     Transmitter &m_transmitter;
 
+    aspep::Beacon m_reset; ///< what it can
     aspep::Beacon m_own; ///< shrinks with every BEACON
+    bool m_servicesReset = false;
     State m_state = State::Idle;
     std::size_t m_requestMax = 0, m_responseMax = 0,
                 m_asyncMax = 0; ///< in use; computed on Idle -> Configured

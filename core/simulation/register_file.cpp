@@ -173,6 +173,8 @@ Status RegisterFile::readText(RegisterId id, int room, Bytes &out) const
 
 Status RegisterFile::readRaw(RegisterId id, int room, Bytes &out) const
 {
+    if (isPrintedDatalog(id))
+        return appendRaw(out, room, m_printedDatalog);
     const RawRow *row = findRaw(id, m_traits, m_build);
     const RegisterContext *at = row != nullptr ? addressed(id, row->scope) : nullptr;
     if (at == nullptr || row->get == nullptr)
@@ -228,7 +230,13 @@ bool RegisterFile::isDatalog(RegisterId id) const
     if (m_build.sixStep())
         return false;
     const RegisterId mine = m_options.linkId == 1 ? mcp::reg::kAsyncUartB : mcp::reg::kAsyncUartA;
-    return id.withMotor(0) == mine && (id.motor() != 0 || ignoresMotor() || m_traits.asPrinted);
+    return id.withMotor(0) == mine && (id.motor() != 0 || ignoresMotor());
+}
+
+bool RegisterFile::isPrintedDatalog(RegisterId id) const
+{
+    const RegisterId mine = m_options.linkId == 1 ? mcp::reg::kAsyncUartB : mcp::reg::kAsyncUartA;
+    return m_traits.asPrinted && id == mine;
 }
 
 Status RegisterFile::writeRaw(
@@ -236,6 +244,15 @@ Status RegisterFile::writeRaw(
 {
     if (isDatalog(id))
         return datalog.configure(value);
+    if (isPrintedDatalog(id)) {
+        const Status status = datalog.configureAsPrinted(value, size);
+        if (status == Status::Ok) {
+            m_printedDatalog.clear();
+            for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i)
+                m_printedDatalog.push_back(value.u8(i));
+        }
+        return status;
+    }
     const RawRow *row = findRaw(id, m_traits, m_build);
     RegisterContext *at = row != nullptr ? addressed(id, row->scope) : nullptr;
     if (at == nullptr)

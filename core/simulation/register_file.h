@@ -56,10 +56,12 @@ private:
     mcp::Status writeRaw(
         mcp::RegisterId id, const StaleBytes &value, int size, DatalogRecorder &datalog);
     bool isDatalog(mcp::RegisterId id) const;
+    bool isPrintedDatalog(mcp::RegisterId id) const; ///< global, read and written
 
     const Traits &m_traits;
     const BoardOptions &m_options;
     const Build &m_build;
+    Bytes m_printedDatalog{0, 0, 255, 0, 0}; ///< the datalog's structure as the text has it
     std::deque<RegisterContext> m_motors; ///< the datalog points at them
 };
 

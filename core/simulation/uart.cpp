@@ -142,6 +142,14 @@ void Transmitter::sendAsync(Bytes packet, TimePoint now)
     start(now);
 }
 
+void Transmitter::discardWaiting()
+{
+    m_response.reset();
+    m_control.reset();
+    m_asyncBusy -= static_cast<int>(m_async.size());
+    m_async.clear();
+}
+
 void Transmitter::start(TimePoint now)
 {
     if (m_kind != Kind::None)

@@ -87,6 +87,8 @@ public:
     std::optional<TimePoint> nextEvent() const; ///< when the packet on the line has left
     void step(); ///< lets that happen
 
+    void discardWaiting(); ///< what is not on the line yet never leaves
+
     /// Appends what has left by `now`, as it looks behind the line.
     void collect(TimePoint now, LineFaults &faults, Bytes &out);
     void reset();

@@ -33,6 +33,7 @@ private slots:
     void bothMotorsCanBeLogged();
     void anHsoBuildKeepsTheSignalBeforeAnUnknownOne();
     void sixStepHasNone();
+    void thePrintedStructureRecordsAsPrinted();
 };
 
 void TestDatalogRecorder::aFullPacketHasThePrintedSize()
@@ -255,6 +256,53 @@ void TestDatalogRecorder::sixStepHasNone()
     QVERIFY(bench.connect());
     QCOMPARE(bench.ask(bench.datalog(64, 0, {kIa}, 255, {}, 1)), Bytes{5});
     QCOMPARE(bench.packets(50ms).size(), std::size_t{0});
+}
+
+void TestDatalogRecorder::thePrintedStructureRecordsAsPrinted()
+{
+    BoardOptions options;
+    options.profile = "spec";
+    options.txAsyncMax = 64;
+    options.wide = true;
+    BoardBench bench(options);
+    QVERIFY(bench.connect());
+    const auto configure = [&](unsigned hfRate, const std::vector<unsigned> &hf, unsigned mfRate,
+                               const std::vector<unsigned> &mf, unsigned more = 0) {
+        ByteWriter out;
+        out.u16(1U << 3).u16(0x0528).u16(
+            static_cast<unsigned>(5 + 2 * (hf.size() + mf.size()) + more));
+        out.u8(hfRate).u8(static_cast<unsigned>(hf.size()));
+        out.u8(mfRate).u8(static_cast<unsigned>(mf.size()));
+        for (const auto &list : {hf, mf}) {
+            for (const unsigned id : list)
+                out.u16(id);
+        }
+        out.u8(7);
+        for (unsigned i = 0; i < more; ++i)
+            out.u8(0);
+        return bench.ask(out.take());
+    };
+    QCOMPARE(configure(0, std::vector<unsigned>(11, kIa), 255, {}), Bytes{9});
+    QCOMPARE(configure(0, {kIa}, 255, {}, 1), Bytes{10});
+    QCOMPARE(configure(0, {0x0591}, 255, {}), Bytes{5}); // BUS_VOLTAGE cannot be logged
+
+    // The state as 32 bits every third task, the current every second: in six tasks 3 x 2 + 2 x 4 bytes.
+    QCOMPARE(configure(1, {kIa}, 2, {kStatus}), Bytes{0});
+    const auto packets = bench.packets(50ms);
+    QVERIFY(packets.size() > 3);
+    const Bytes &payload = packets[2].payload;
+    QCOMPARE(payload.back(), 7); // Mark
+    QCOMPARE(payload[payload.size() - 2], 0); // async id
+    // Full when not another block of six fits: 24 tasks of 14 bytes in six are 56, and the next is full.
+    QVERIFY(payload.size() > 64 - 6 && payload.size() <= 64);
+    const std::uint32_t step = stamp(packets[3]) - stamp(packets[2]);
+    QVERIFY2(step >= 21 && step <= 27, qPrintable(QString::number(step)));
+
+    QCOMPARE(configure(0, {kIa}, 254, {kSpeed}), Bytes{0}); // the same mark, and it is applied
+    const auto once = bench.packets(50ms);
+    QVERIFY(once.size() > 3);
+    QCOMPARE(once.back().payload.size(), std::size_t{64});
+    QCOMPARE(stamp(once[3]) - stamp(once[2]), 27U); // 27 currents, then the speed
 }
 
 QTEST_APPLESS_MAIN(TestDatalogRecorder)

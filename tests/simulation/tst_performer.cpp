@@ -48,6 +48,8 @@ private slots:
     void afterAnErrorOneBurstIsSwallowed();
     void anUnfinishedStreamGoesOnAfterRecovery();
     void theTextIsConnectedByItsBeacon();
+    void theTextNegotiatesFromWhatTheBoardCan();
+    void theTextStopsTheDatalogWithItsBeacon();
 };
 
 void TestPerformer::aForcedPayloadCrcIsTwoConstantBytes()
@@ -204,6 +206,38 @@ void TestPerformer::theTextIsConnectedByItsBeacon()
     bench.send(sizes(7, 7, 32));
     bench.packets(3ms);
     QCOMPARE(bench.ask(get({0x0049})), (Bytes{0, 0}));
+}
+
+void TestPerformer::theTextNegotiatesFromWhatTheBoardCan()
+{
+    BoardOptions options;
+    options.profile = "spec";
+    BoardBench bench(options);
+    const auto answer = [&](const aspep::Beacon &offer) {
+        bench.send(offer);
+        const auto packets = bench.packets(5ms);
+        return packets.empty() ? aspep::Beacon{} : std::get<aspep::Beacon>(packets[0].header);
+    };
+    QVERIFY(answer(sizes(1, 1, 0)) == sizes(1, 1, 0));
+    QVERIFY(answer(sizes(7, 7, 32)) == sizes(7, 7, 32)); // nothing was lost for good
+    aspep::Beacon other = sizes(3, 3, 3);
+    other.version = 5;
+    QVERIFY(answer(other) == sizes(7, 7, 32));
+    bench.send(aspep::Ping{});
+    QVERIFY(!std::get<aspep::Ping>(bench.packets(5ms).at(0).header).configured);
+}
+
+void TestPerformer::theTextStopsTheDatalogWithItsBeacon()
+{
+    BoardOptions options;
+    options.profile = "spec";
+    BoardBench bench(options);
+    QVERIFY(bench.connect());
+    QCOMPARE(bench.ask(bench.datalog(256, 0, {0x07D1}, 255, {}, 3)), Bytes{0});
+    QVERIFY(bench.packets(50ms).size() > 3);
+    QVERIFY(bench.connect() || bench.connect()); // the first answer may stand behind a packet
+    bench.packets(50ms);
+    QCOMPARE(bench.packets(200ms).size(), std::size_t{0});
 }
 
 QTEST_APPLESS_MAIN(TestPerformer)

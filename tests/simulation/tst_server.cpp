@@ -195,8 +195,9 @@ void TestServer::theTextIsFollowedWhereItCanBe()
     QCOMPARE(bench.ask(get().u16(0x01A9).u16(0x01A9).u16(0x01A9).u16(0x01A9).take()).size(),
         std::size_t{25});
     QCOMPARE(bench.ask(ByteWriter().u16(0).take()), (Bytes{1, 0, 0, 0, 0}));
-    for (const unsigned id : {0x0528U, 0x0529U})
-        QCOMPARE(bench.ask(set().u16(id).u16(2).u16(0).take()), Bytes{0});
+    QCOMPARE(bench.ask(set().u16(0x0529).u16(2).u16(0).take()), Bytes{0}); // as shipped
+    QCOMPARE(bench.ask(set().u16(0x0528).u16(5).u32(0).u8(0).take()), Bytes{0}); // as printed
+    QCOMPARE(bench.ask(get().u16(0x0528).take()), (Bytes{5, 0, 0, 0, 0, 0, 0, 0}));
 }
 
 QTEST_APPLESS_MAIN(TestServer)
