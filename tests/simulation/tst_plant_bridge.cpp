@@ -43,6 +43,7 @@ private slots:
     void brakingRaisesABusThatCannotGiveBack();
     void brakingIntoAnAbsorbingSupplyReturnsEnergy();
     void aRaisedBusSinksThroughTheBoard();
+    void theSuppliesDiodeNeverTakesBack();
     void theBusSagsByTheSourcesResistance();
     void shortedPhasesBrake();
 };
@@ -265,6 +266,23 @@ void TestPlantBridge::aRaisedBusSinksThroughTheBoard()
     QVERIFY(std::abs(plant.trueBus_v() - from_v * std::exp(-0.2)) < 0.01);
     coast(plant, 1.0);
     QVERIFY(std::abs(plant.trueBus_v() - 24.0) < 0.01);
+}
+
+void TestPlantBridge::theSuppliesDiodeNeverTakesBack()
+{
+    PlantParameters p;
+    p.inverter.supplyResistance_ohm = 0.01;
+    p.inverter.busCapacitance_f = 1e-4;
+    simulation::Bus bus(p.inverter);
+    bus.prepare(Plant::kMaxStep_s);
+    simulation::Noise noise(3);
+    double supplied_j = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+        bus.step(110.0 * noise.share() - 50.0);
+        QVERIFY(bus.work().supply_j >= supplied_j);
+        supplied_j = bus.work().supply_j;
+    }
+    QVERIFY(supplied_j > 0.1);
 }
 
 void TestPlantBridge::theBusSagsByTheSourcesResistance()
