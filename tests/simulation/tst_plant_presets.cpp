@@ -64,7 +64,7 @@ void TestPlantPresets::namesAreShortAndFound()
         QVERIFY(preset.name.size() <= 8 && !preset.summary.empty());
         QVERIFY(std::all_of(preset.name.begin(), preset.name.end(),
             [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); }));
-        QVERIFY(preset.parameters.motor.name.size() <= 24);
+        QVERIFY(preset.parameters.motor.name.size() <= 23);
     }
     QVERIFY(findPreset("pm2") == nullptr);
     QVERIFY(findPreset("") == nullptr);

@@ -10,7 +10,7 @@ namespace simulation {
 
 /// A permanent magnet synchronous motor.
 struct MotorParameters {
-    std::string name = "Sim PMSM 24V"; ///< as the board tells it, 24 characters at most
+    std::string name = "Sim PMSM 24V"; ///< as the board tells it, 23 bytes at most
     int polePairs = 4;
     double rs_ohm = 0.35; ///< a phase, at 20 C
     double ld_h = 0.6e-3; ///< along the magnets
