@@ -104,18 +104,8 @@ void putFirmware(JsonWriter &json, const simulation::Traits &traits, const Build
     json.put("auxiliarySensor", sensorName(build.auxiliarySensor));
     json.put("motors", build.motors);
     json.open("builtIn");
-    json.put("observerPll", build.observerPll);
-    json.put("observerCordic", build.observerCordic);
-    json.put("encoder", build.encoder);
-    json.put("hall", build.hall);
-    json.put("fluxWeakening", build.fluxWeakening);
-    json.put("feedForward", build.feedForward);
-    json.put("mtpa", build.mtpa);
-    json.put("positionControl", build.positionControl);
-    json.put("openLoopDebug", build.openLoopDebug);
-    json.put("profiler", build.profiler);
-    json.put("cpuLoad", build.cpuLoad);
-    json.put("dac", build.dac);
+    for (const simulation::BuildOption &option : simulation::buildOptions())
+        json.put(option.name, build.*option.member);
     json.close();
     json.open("quirks");
     json.put("decodesHeadersInInterrupt", traits.decodesInInterrupt);

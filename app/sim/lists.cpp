@@ -51,6 +51,14 @@ std::string profileList()
     return text;
 }
 
+std::string optionList()
+{
+    std::string text;
+    for (const simulation::BuildOption &option : simulation::buildOptions())
+        text += row(std::string(option.name), option.help);
+    return text;
+}
+
 std::string motorList()
 {
     std::string text;

@@ -6,6 +6,7 @@
 namespace sim {
 
 std::string profileList();
+std::string optionList();
 std::string motorList();
 std::string liarList();
 

@@ -225,6 +225,8 @@ std::string listing(const sim::Options &options)
         return sim::liarList();
     case sim::Action::ListProfiles:
         return sim::profileList();
+    case sim::Action::ListOptions:
+        return sim::optionList();
     case sim::Action::ListMotors:
         return sim::motorList();
     case sim::Action::Describe:

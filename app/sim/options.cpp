@@ -22,6 +22,7 @@ prints is "ready PATH"; open PATH as if it were the serial port of a board.
 It serves one client after the other until SIGTERM.
 
   --profile P       whose firmware; see --list-profiles (mcsdk-6.4)
+  --with NAME,...   what the firmware is built with besides; see --list-options
   --motor M         a motor of --list-motors, or a JSON file whose name ends in
                     .json or holds a slash (pm24)
   --motors N        how many of them, 1 or 2 (1)
@@ -55,6 +56,7 @@ It serves one client after the other until SIGTERM.
                     corrupt N | inject HEX | quit
   --describe        print what this board is, as JSON, and end
   --list-profiles   what --profile can be, and end; so do
+  --list-options    what --with can be,
   --list-motors     what --motor can be, and
   --list-liars      what --liar can be
   --help            this text
@@ -169,6 +171,23 @@ std::optional<std::string> readLies(std::string_view list, std::vector<simulatio
     return std::nullopt;
 }
 
+/// Adds the build options of a list like "cordic,profiler".
+std::optional<std::string> readBuildOptions(
+    std::string_view list, std::vector<const simulation::BuildOption *> &with)
+{
+    while (!list.empty()) {
+        const std::string_view item = list.substr(0, list.find(','));
+        list.remove_prefix(std::min(list.size(), item.size() + 1));
+        const auto all = simulation::buildOptions();
+        const auto row = std::find_if(all.begin(), all.end(),
+            [&](const simulation::BuildOption &option) { return option.name == item; });
+        if (row == all.end())
+            return "there is no option " + quoted(item) + " to build with; see --list-options";
+        with.push_back(&*row);
+    }
+    return std::nullopt;
+}
+
 /// A preset's name, or a file: those have a slash or an ending in their name, presets have neither.
 std::optional<std::string> readMotorOption(std::string_view text, simulation::BoardOptions &board)
 {
@@ -222,6 +241,8 @@ std::optional<std::string> applyNamed(
         }
         return "there is no profile " + quoted(value) + "; there are " + profileNames();
     }
+    if (name == "--with")
+        return readBuildOptions(value, options.board.with);
     if (name == "--motor")
         return readMotorOption(value, options.board);
     if (name == "--load")
@@ -244,6 +265,8 @@ std::optional<Action> listingAskedBy(std::string_view word)
 {
     if (word == "--list-profiles")
         return Action::ListProfiles;
+    if (word == "--list-options")
+        return Action::ListOptions;
     if (word == "--list-motors")
         return Action::ListMotors;
     if (word == "--list-liars")

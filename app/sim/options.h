@@ -11,7 +11,15 @@
 
 namespace sim {
 
-enum class Action : std::uint8_t { Serve, Help, ListProfiles, ListMotors, ListLiars, Describe };
+enum class Action : std::uint8_t {
+    Serve,
+    Help,
+    ListProfiles,
+    ListOptions,
+    ListMotors,
+    ListLiars,
+    Describe
+};
 
 struct Options {
     Action action = Action::Serve;

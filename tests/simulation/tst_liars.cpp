@@ -282,7 +282,7 @@ private:
     std::string m_wrong;
 };
 
-int seeds() { return qEnvironmentVariableIntValue("ROTORSCOPE_LONG") != 0 ? 200 : 2; }
+int seeds() { return qEnvironmentVariableIntValue("ROTORSCOPE_LONG") != 0 ? 100 : 1; }
 
 std::string nameOf(Lie lie)
 {

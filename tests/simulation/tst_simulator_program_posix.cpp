@@ -82,6 +82,7 @@ void TestSimulatorProgram::aWrongCommandLineIsOneSentenceAndStatus2_data()
     row("unknown lie", "mcp --liar twice,honesty");
     row("no chance", "mcp --liar twice:0");
     row("lie with times of its own", "mcp --liar flood:3");
+    row("unknown build option", "mcp --with profiler,steam");
     row("unknown motor", "mcp --motor steam");
     row("no such file", "mcp --motor /nowhere/motor.json");
     row("no load", "mcp --load heavy");
@@ -122,6 +123,7 @@ void TestSimulatorProgram::listsHaveOneThingALine_data()
     QTest::newRow("profiles") << QStringLiteral("--list-profiles")
                               << QByteArrayList{
                                      "mcsdk-6.4 ", "mcsdk-6.0 ", "six-step ", "hso ", "spec "};
+    QTest::newRow("options") << QStringLiteral("--list-options") << QByteArrayList{"profiler "};
     QTest::newRow("motors") << QStringLiteral(
         "--list-motors") << QByteArrayList{"pm24 ", "prop12 ", "servo24 ", "blower36 ", "ipm48 "};
     QTest::newRow("liars") << QStringLiteral("--list-liars")
