@@ -46,7 +46,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         return 0;
     simulation::BoardOptions options;
     const auto profiles = simulation::profileNames();
-    options.profile = profiles[data[0] % profiles.size()];
+    options.profile = profiles[(data[0] & 0x07U) % profiles.size()];
+    options.motors = data[0] & 0x08 ? 2 : 1;
+    if (data[0] & 0x10) {
+        for (const simulation::BuildOption &option : simulation::buildOptions())
+            options.with.push_back(&option);
+    }
     options.nullCheck = data[0] & 0x40;
     options.userCallbacks = data[0] & 0x80 ? 2 : 0;
     Board machine{simulation::makeBoard(options)};
