@@ -124,6 +124,8 @@ void designObservers(const PlantParameters &plant, double hfHz, DriveDesign &des
     speed.polePairs = m.polePairs;
     speed.maxReliable_dHz = static_cast<std::uint16_t>(1.15 * max_dHz);
     speed.startUpMinimum_dHz = static_cast<std::uint16_t>(kStartMinimumShare * max_dHz);
+    // Half the back-EMF must be seen, or the rotor is not where it seems: ST's default of 64 looks at nothing.
+    speed.bemfTolerance = 48;
     // At half the maximum speed the PLL is critically damped.
     const double half_digits = 32767.0 * 0.5 / 1.2;
     const double follow_radps = std::min(400.0, 0.025 * hfHz);
