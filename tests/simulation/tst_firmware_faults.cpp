@@ -203,7 +203,8 @@ void TestFirmwareFaults::stopComesToRest()
         bench.ms(5000);
         QVERIFY2(bench.axis.plant.atRest(), preset.name.data());
         QCOMPARE(bench.firmware.speed_rpm(), 0);
-        QVERIFY(bench.runs());
+        QVERIFY2(bench.runs(),
+            (std::string(preset.name) + " " + std::to_string(bench.firmware.faultFlags())).c_str());
     }
 }
 

@@ -210,8 +210,8 @@ void TestFirmwareStartup::tooFastARevUpFailsToStart()
 {
     support::AxisBench bench;
     auto stages = bench.firmware.revUp();
-    stages[1].ms = 30; // 1200 rpm within 30 ms are twice what 2.5 A can do
-    stages[2].ms = 300;
+    stages[2].ms = 30; // 1200 rpm within 30 ms are twice what 2.5 A can do
+    stages[3].ms = 300;
     for (std::size_t i = 0; i < stages.size(); ++i)
         bench.firmware.setRevUpStage(i, stages[i]);
     QVERIFY(isFailedStart(faultsOfStart(bench)));

@@ -27,27 +27,37 @@ std::int16_t digits(double amps, const CurrentSensing &sensing)
 
 double torqueConstant(const MotorParameters &m) { return 1.5 * m.polePairs * m.flux_wb; }
 
-/// The closed current loop as fast as features 6.2 advises, slower where the control rate is low.
-double currentBandwidth(double hfHz) { return std::min(1500.0, 0.1 * hfHz); }
+/// The closed current loop as fast as features 6.2 advises, slower where the control rate is low. Buried magnets want
+/// more: at little current dead time acts as a resistance that the observer does not know, and a slow loop lets angle
+/// and currents hunt each other.
+double currentBandwidth(const MotorParameters &motor, double hfHz)
+{
+    const bool salient = motor.lq_h > 1.2 * motor.ld_h;
+    return salient ? std::min(4000.0, 0.3 * hfHz) : std::min(1500.0, 0.1 * hfHz);
+}
 
 RevUp::Stages revUpFor(const MotorParameters &m, const CurrentSensing &sensing)
 {
     const double amps = kStartShare * m.nominal_a, kt = torqueConstant(m);
-    const double swing_radps = std::sqrt(m.polePairs * kt * amps / m.inertia_kgm2);
-    const double align_s = 2.0 * 2.0 * std::numbers::pi / swing_radps;
+    // A rotor that is let go swings around the field; this is one swing to and fro.
+    const double swing_s =
+        2.0 * std::numbers::pi / std::sqrt(m.polePairs * kt * amps / m.inertia_kgm2);
     const double rpm = std::round(kRevUpSpeedShare * m.maxSpeed_rpm / 60.0) * 60.0;
     const double left_nm = kt * amps - m.coulomb_nm - m.cogging_nm - m.viscous_nms * radps(rpm);
     const double alpha = kAccelerationShare * std::max(left_nm, 0.1 * kt * amps) / m.inertia_kgm2;
     const auto ms = [](double seconds) {
         return static_cast<std::uint16_t>(
-            std::clamp(std::ceil(seconds * 100.0) * 10.0, 50.0, 5000.0));
+            std::clamp(std::ceil(seconds * 100.0) * 10.0, 30.0, 5000.0));
     };
-    // During the alignment the field turns by a third of a turn: a rotor that happens to stand against it moves too.
-    const auto first = 6 * static_cast<std::int32_t>(40.0 / (m.polePairs * align_s) / 6.0);
+    // First the current comes, then the field creeps by a third of a turn, so that a rotor that happens to stand
+    // against it moves too; only then it runs.
+    const double creep_s = std::max(1.5 * swing_s, 0.12);
+    const auto creep = 6 * static_cast<std::int32_t>(40.0 / (m.polePairs * creep_s) / 6.0);
     const auto speed = static_cast<std::int32_t>(rpm);
     const std::int16_t torque = digits(amps, sensing);
-    return {{{first, torque, ms(align_s)}, {speed, torque, ms(radps(rpm) / alpha)},
-        {speed, torque, 100}, {speed, torque, 0}, {speed, torque, 0}}};
+    return {{{0, torque, ms(0.75 * swing_s)}, {creep, torque, ms(creep_s)},
+        {speed, torque, ms(std::max(radps(rpm) / alpha, 5.0 * swing_s))}, {speed, torque, 100},
+        {speed, torque, 0}}};
 }
 
 /// How late the averaged speed of the sensor that closes the loop is.
@@ -85,7 +95,7 @@ void designLoops(const PlantParameters &plant, double hfHz, SpeedSensor main, Dr
 {
     const MotorParameters &m = plant.motor;
     const CurrentSensing sensing = sensingOf(plant);
-    const double bandwidth = currentBandwidth(hfHz);
+    const double bandwidth = currentBandwidth(m, hfHz);
     const Pi::Gains q = currentGains(m.lq_h, m.rs_ohm, bandwidth, sensing, hfHz);
     const Pi::Gains d = currentGains(m.ld_h, m.rs_ohm, bandwidth, sensing, hfHz);
     const Pi::Gains speed = speedGains({.inertia_kgm2 = m.inertia_kgm2,

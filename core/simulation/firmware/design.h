@@ -22,7 +22,7 @@ struct DriveDesign {
 
     // Start without a sensor.
     RevUp::Stages revUp{};
-    std::size_t firstAcceleration = 1; ///< the stage from which the observer is believed
+    std::size_t firstAcceleration = 2; ///< the stage from which the observer is believed
     int transition_ms = 25;
     std::int16_t defaultSpeed_rpm = 1500;
 

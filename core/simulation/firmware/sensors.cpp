@@ -7,13 +7,6 @@ namespace simulation {
 
 namespace {
 
-/// An observer explains the change of the current over a period by the back-EMF in its middle: its angle for the
-/// beginning of the next period is that of half a period later.
-std::int16_t midPeriod(std::int16_t angle, std::int16_t perPeriod)
-{
-    return wrapAngle(angle - perPeriod / 2);
-}
-
 /// What turns the motor inside. Firmware of other families finds its angle in other ways that are not modelled: what
 /// it shows comes from the observer.
 SpeedSensor mainOf(const Build &build)
@@ -68,7 +61,7 @@ void Sensors::observe(const ObserverInput &input, const Tuning &t, Signals &out)
         m_pll->setObserverGains(t.pllC1, t.pllC2);
         m_pll->setPllGains({t.pllKp, t.pllKi, t.pllKpDiv, t.pllKiDiv});
         m_pll->step(input);
-        out.pllAngle = midPeriod(m_pll->angle(), m_pll->speed_dpp());
+        out.pllAngle = m_pll->angle();
         out.pllBemfAlpha = m_pll->estimatedBemf().alpha;
         out.pllBemfBeta = m_pll->estimatedBemf().beta;
         out.pllIAlpha = m_pll->estimatedCurrent().alpha;
@@ -77,7 +70,7 @@ void Sensors::observe(const ObserverInput &input, const Tuning &t, Signals &out)
     if (m_cordic) {
         m_cordic->setObserverGains(t.cordicC1, t.cordicC2);
         m_cordic->step(input);
-        out.cordicAngle = midPeriod(m_cordic->angle(), m_cordic->speed_dpp());
+        out.cordicAngle = m_cordic->angle();
         out.cordicBemfAlpha = m_cordic->estimatedBemf().alpha;
         out.cordicBemfBeta = m_cordic->estimatedBemf().beta;
         out.cordicIAlpha = m_cordic->estimatedCurrent().alpha;
@@ -160,20 +153,15 @@ Sensors::Reading Sensors::reading() const
     const auto of = [](const auto &sensor) {
         return Reading{sensor.angle(), sensor.speed_dpp(), sensor.speed_dHz(), sensor.reliable()};
     };
-    const auto observed = [&of](const auto &sensor) {
-        Reading out = of(sensor);
-        out.angle = midPeriod(out.angle, out.perPeriod);
-        return out;
-    };
     switch (m_main) {
     case SpeedSensor::ObserverCordic:
-        return observed(*m_cordic);
+        return of(*m_cordic);
     case SpeedSensor::Encoder:
         return of(*m_encoder);
     case SpeedSensor::Hall:
         return of(*m_hall);
     default:
-        return observed(*m_pll);
+        return of(*m_pll);
     }
 }
 

@@ -35,6 +35,7 @@ PlantParameters prop12()
     p.inverter.supply_v = 12.0;
     p.inverter.supplyResistance_ohm = 0.03;
     p.inverter.busCapacitance_f = 470e-6;
+    p.inverter.supplyAbsorbs = true; // a battery
     p.inverter.deadTime_s = 400e-9;
     p.inverter.switchResistance_ohm = 0.005;
     p.inverter.amplifierGain = 16.0;
