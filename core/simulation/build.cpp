@@ -64,25 +64,36 @@ Build buildFor(std::string_view profile, const PlantParameters &plant)
 
 std::span<const BuildOption> buildOptions()
 {
+    constexpr unsigned kFoc = BuildOption::kFoc, kSix = BuildOption::kSixStep,
+                       kHso = BuildOption::kHso;
+    using B = Build;
     static constexpr std::array kOptions{
-        BuildOption{"cordic", &Build::observerCordic, "the observer with CORDIC, STOCORDIC_*"},
-        BuildOption{"encoder", &Build::encoder, "an encoder of 1000 pulses, ENCODER_*"},
-        BuildOption{"hall", &Build::hall, "Hall sensors, HALL_*"},
-        BuildOption{"flux-weakening", &Build::fluxWeakening, "FLUXWK_*"},
-        BuildOption{"feed-forward", &Build::feedForward, "FF_* (kept, without effect)"},
-        BuildOption{"position", &Build::positionControl, "POSITION_* (kept, does not move)"},
-        BuildOption{"open-loop", &Build::openLoopDebug, "open-loop modes of CONTROL_MODE"},
-        BuildOption{"profiler", &Build::profiler, "SC_* (kept, does not run), bus thresholds"},
-        BuildOption{"cpu-load", &Build::cpuLoad, "PERF_*"},
-        BuildOption{"dac", &Build::dac, "DAC_OUT1 and DAC_OUT2"},
-        BuildOption{"pfc", &Build::pfc, "PFC_*, which never work"},
+        BuildOption{"cordic", &B::observerCordic, kFoc, "the observer with CORDIC, STOCORDIC_*"},
+        BuildOption{"encoder", &B::encoder, kFoc, "an encoder of 1000 pulses, ENCODER_*"},
+        BuildOption{"hall", &B::hall, kFoc, "Hall sensors, HALL_*"},
+        BuildOption{"flux-weakening", &B::fluxWeakening, kFoc, "FLUXWK_*"},
+        BuildOption{"feed-forward", &B::feedForward, kFoc, "FF_* (kept, without effect)"},
+        BuildOption{"position", &B::positionControl, kFoc, "POSITION_* (kept, does not move)"},
+        BuildOption{"open-loop", &B::openLoopDebug, kFoc | kSix, "open-loop modes, OPENLOOP_*"},
+        BuildOption{"profiler", &B::profiler, kFoc | kHso, "SC_* (kept, does not run)"},
+        BuildOption{"cpu-load", &B::cpuLoad, kFoc | kSix | kHso, "PERF_*"},
+        BuildOption{"dac", &B::dac, kFoc | kSix | kHso, "DAC_OUT1 and DAC_OUT2"},
+        BuildOption{"pfc", &B::pfc, kFoc | kSix, "PFC_*, which never work"},
+        BuildOption{"ipd", &B::ipd, kSix, "initial position detection, IPD_* (kept)"},
+        BuildOption{"current-monitor", &B::currentMonitor, kSix, "CURR_MONITOR* (kept)"},
+        BuildOption{"zest", &B::zest, kHso, "the registers of ZeST (kept)"},
+        BuildOption{"potentiometer", &B::potentiometer, kHso, "THROTTLE_* (at rest)"},
     };
     return kOptions;
 }
 
 void addOption(Build &build, const BuildOption &option)
 {
+    if (!option.fits(build.family))
+        return;
     build.*option.member = true;
+    if (build.zest)
+        build.mainSensor = SpeedSensor::Zest;
     if (build.auxiliarySensor != SpeedSensor::None)
         return;
     const auto become = [&](bool Build::*member, SpeedSensor sensor) {

@@ -71,14 +71,21 @@ struct Build {
 Build buildFor(std::string_view profile, std::string_view preset);
 Build buildFor(std::string_view profile, const PlantParameters &plant);
 
-/// What can be switched on in a FOC build beside that; the names are for command lines.
+/// What can be switched on beside that; the names are for command lines.
 struct BuildOption {
+    static constexpr unsigned kFoc = 1, kSixStep = 2, kHso = 4;
     std::string_view name;
     bool Build::*member;
+    unsigned families; ///< that know it: the bits above
     std::string_view help; ///< what it brings, without a full stop
+
+    constexpr bool fits(Family family) const
+    {
+        return (families >> static_cast<unsigned>(family) & 1U) != 0;
+    }
 };
 std::span<const BuildOption> buildOptions();
-/// Switches one on; a sensor becomes the auxiliary one if there is none.
+/// Switches one on that the family knows; a sensor becomes the auxiliary one if there is none.
 void addOption(Build &build, const BuildOption &option);
 
 /// The FOC build that turns the motor behind any family: six-step and HSO boards show its signals as their own.

@@ -521,21 +521,30 @@ void TestRegisters::eachOptionBringsItsRegister()
         {"encoder", "ENCODER_SPEED"}, {"hall", "HALL_SPEED"}, {"flux-weakening", "FLUXWK_KP"},
         {"feed-forward", "FF_VQ"}, {"position", "POSITION_KP"}, {"open-loop", "FOC_VQREF"},
         {"profiler", "SC_CHECK"}, {"cpu-load", "PERF_CPU_LOAD"}, {"dac", "DAC_OUT1"},
-        {"pfc", "PFC_STATUS"}};
-    const auto list = listed("std", 0x060400);
+        {"pfc", "PFC_STATUS"}, {"ipd", "IPD_ENABLE"}, {"current-monitor", "CURR_MONITOR"},
+        {"zest", "FOC_ZEST_OUTD"}, {"potentiometer", "THROTTLE_POS"}};
     QCOMPARE(registers.size(), simulation::buildOptions().size());
     for (const simulation::BuildOption &option : simulation::buildOptions()) {
+        BoardOptions options;
+        options.profile = option.fits(Family::Foc) ? "mcsdk-6.4"
+            : option.fits(Family::SixStep)         ? "six-step"
+                                                   : "hso";
+        const auto list = listed(options.profile == "hso" ? "hso" : "std", 0x060400);
         const auto reg = std::find_if(list.begin(), list.end(),
             [&](const Listed &row) { return row.name == registers.at(option.name); });
         QVERIFY(reg != list.end());
         const auto id = reg->id.withMotor(reg->scope.starts_with("global") ? 0 : 1);
         for (const bool with : {false, true}) {
-            BoardOptions options;
             if (with)
                 options.with.push_back(&option);
             BoardBench bench(options);
             QVERIFY(bench.connect());
             QCOMPARE(bench.ask(readRequest(id)).back(), with ? 0 : 5);
+        }
+        // Another family does not know it.
+        if (!option.fits(Family::SixStep)) {
+            options.profile = "six-step";
+            QVERIFY(simulation::buildOf(options) == simulation::buildFor("six-step", ""));
         }
     }
 }
