@@ -72,7 +72,7 @@ std::span<const BuildOption> buildOptions()
         BuildOption{"encoder", &B::encoder, kFoc, "an encoder of 1000 pulses, ENCODER_*"},
         BuildOption{"hall", &B::hall, kFoc, "Hall sensors, HALL_*"},
         BuildOption{"flux-weakening", &B::fluxWeakening, kFoc, "FLUXWK_*"},
-        BuildOption{"feed-forward", &B::feedForward, kFoc, "FF_* (kept, without effect)"},
+        BuildOption{"feed-forward", &B::feedForward, kFoc, "FF_*"},
         BuildOption{"position", &B::positionControl, kFoc, "POSITION_* (kept, does not move)"},
         BuildOption{"open-loop", &B::openLoopDebug, kFoc | kSix, "open-loop modes, OPENLOOP_*"},
         BuildOption{"profiler", &B::profiler, kFoc | kHso, "SC_* (kept, does not run)"},

@@ -2,6 +2,8 @@
 // as light rotors allow.
 #include "simulation/firmware/design.h"
 
+#include "simulation/firmware/feed_forward.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -132,13 +134,16 @@ void designObservers(const PlantParameters &plant, double hfHz, DriveDesign &des
     SpeedEstimateParameters speed;
     speed.hfHz = static_cast<std::uint16_t>(std::lround(hfHz));
     speed.polePairs = m.polePairs;
+    // Four milliseconds, as with 64 periods of 16 kHz.
+    speed.depth = std::clamp(static_cast<int>(std::lround(0.004 * hfHz)), 8, 64);
+    speed.depthDpp = speed.depth;
     speed.maxReliable_dHz = static_cast<std::uint16_t>(1.15 * max_dHz);
     speed.startUpMinimum_dHz = static_cast<std::uint16_t>(kStartMinimumShare * max_dHz);
     // Half the back-EMF must be seen, or the rotor is not where it seems: ST's default of 64 looks at nothing.
     speed.bemfTolerance = 48;
     // At half the maximum speed the PLL is critically damped.
     const double half_digits = 32767.0 * 0.5 / 1.2;
-    const double follow_radps = std::min(400.0, 0.025 * hfHz);
+    const double follow_radps = std::min(400.0, 0.1 * hfHz);
     const Pi::Gains pll = pllGains(follow_radps, 1.0, half_digits, hfHz);
     design.pll = {.observer = observer, .speed = speed, .pll = pll};
     Tuning &t = design.tuning;
@@ -190,6 +195,7 @@ DriveDesign designFor(const PlantParameters &plant, double hfHz, SpeedSensor mai
     designObservers(plant, hfHz, design);
     designSensors(plant, hfHz, design);
     designLoops(plant, hfHz, main, design);
+    FeedForward::design(plant, hfHz, design.tuning);
     return design;
 }
 

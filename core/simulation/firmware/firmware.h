@@ -13,6 +13,7 @@
 #include "simulation/build.h"
 #include "simulation/firmware/current_control.h"
 #include "simulation/firmware/design.h"
+#include "simulation/firmware/feed_forward.h"
 #include "simulation/firmware/flux_weakening.h"
 #include "simulation/firmware/sensors.h"
 #include "simulation/firmware/speed_control.h"
@@ -125,6 +126,7 @@ private:
     void believeObserver();
     void beginRun();
     void run();
+    void forgetRotor();
     void measureSlowly();
     void updateFaults();
     void lookAtWatchdog();
@@ -155,6 +157,7 @@ private:
     Sensors m_sensors;
     VirtualSensor m_virtual;
     FluxWeakening m_fluxWeakening;
+    FeedForward m_feedForward; ///< nothing in builds without it
     SpeedControl m_speedControl;
     RevUp m_revUp;
     Ramp m_alignmentTorque; ///< in milliseconds

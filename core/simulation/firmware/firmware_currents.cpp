@@ -84,9 +84,11 @@ void Firmware::control(Ab currents)
             saturateSymmetric(direction() * m_tuning.openLoopVq * kDigitsMax / 100);
         duties = m_currents.drive(currents, frame(), {voltage, 0}, m_signals);
     } else {
-        duties = m_currents.step(currents, frame(), m_reference, {}, m_tuning, m_signals);
+        duties = m_currents.step(
+            currents, frame(), m_reference, m_feedForward.voltage(), m_tuning, m_signals);
     }
     m_fluxWeakening.watch({m_signals.vQ, m_signals.vD});
+    m_feedForward.watch({m_signals.vQ, m_signals.vD});
     m_signals.openLoopAngle = m_virtual.angle();
     m_plant.setBridge({true, duties.a, duties.b, duties.c});
 }

@@ -45,10 +45,22 @@ void Firmware::switchOff()
     m_plant.setBridge({});
     m_currents.clear();
     m_speedControl.clear();
+    m_feedForward.clear();
     m_wanted = m_reference = {};
     m_idWanted = 0;
     m_signals.iQRef = m_signals.iDRef = 0;
     m_signals.vQ = m_signals.vD = m_signals.vAlpha = m_signals.vBeta = 0;
+    m_signals.ffVq = m_signals.ffVd = m_signals.ffVqPi = m_signals.ffVdPi = 0;
+    m_signals.fluxWeakeningBus = 0;
+}
+
+/// A rotor that turns on is not seen without voltages.
+void Firmware::forgetRotor()
+{
+    m_sensors.clearObservers();
+    Signals &s = m_signals;
+    s.pllBemfAlpha = s.pllBemfBeta = s.pllIAlpha = s.pllIBeta = 0;
+    s.cordicBemfAlpha = s.cordicBemfBeta = s.cordicIAlpha = s.cordicIBeta = 0;
 }
 
 void Firmware::measureSlowly()
@@ -74,7 +86,7 @@ void Firmware::measureSlowly()
     else
         m_speed_dHz = m_sensors.speed_dHz();
     if (!m_bridgeOn && m_offTicks < kStopTicks && ++m_offTicks == kStopTicks)
-        m_sensors.clearObservers(); // a rotor that turns on is not seen without voltages
+        forgetRotor();
 }
 
 void Firmware::updateFaults()
@@ -254,6 +266,8 @@ void Firmware::run()
     if (m_build.fluxWeakening)
         m_reference =
             m_fluxWeakening.step(m_wanted, limit, m_design.demagnetising, m_tuning, m_signals);
+    if (m_build.feedForward && !openLoop())
+        m_feedForward.step(m_reference, m_sensors.perPeriod(), m_bus, m_tuning, m_signals);
 }
 
 } // namespace simulation
