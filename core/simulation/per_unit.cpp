@@ -61,6 +61,13 @@ double fluxVoltsPerHertz(const Firmware &firmware)
     return motorOf(firmware).flux_wb * 2.0 * std::numbers::pi;
 }
 
+double voltsPerKrpm(const Firmware &firmware)
+{
+    constexpr double kHertzPerKrpm = 1000.0 / 60.0;
+    const double peak_v = fluxVoltsPerHertz(firmware) * polePairs(firmware) * kHertzPerKrpm;
+    return peak_v * std::sqrt(3.0 / 2.0);
+}
+
 double torquePerAmp_nm(const Firmware &firmware)
 {
     return 1.5 * polePairs(firmware) * motorOf(firmware).flux_wb;

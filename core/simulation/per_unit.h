@@ -27,6 +27,8 @@ double electricalHz(const Firmware &firmware, double speed_dHz);
 double angle_rad(const Firmware &firmware); ///< electrical, as the control sees it; -pi to pi
 double polePairs(const Firmware &firmware);
 double fluxVoltsPerHertz(const Firmware &firmware); ///< peak, a phase, electrical
+/// The usual constant of a data sheet: rms between two terminals at 1000 rpm.
+double voltsPerKrpm(const Firmware &firmware);
 double torquePerAmp_nm(const Firmware &firmware);
 const MotorParameters &motorOf(const Firmware &firmware);
 

@@ -2,6 +2,8 @@
 // is the one that the Controller uses, resources/registers/mcp.csv; what its words mean on the wire stands here.
 #include "catalog/csv.h"
 #include "catalog/tables.h"
+#include "mcp/structures.h"
+#include "simulation/plant/presets.h"
 #include "support/board_bench.h"
 
 #include <QTest>
@@ -247,6 +249,7 @@ private slots:
     void eachOptionBringsItsRegister();
     void sensorsAreSwitchedWithinTheMarginOnly();
     void profilerBuildsShowWhatTheyWereGiven();
+    void theStructuresTellTheMotor();
 };
 
 void TestRegisters::everyRegisterAnswersAsListed_data()
@@ -580,6 +583,31 @@ void TestRegisters::profilerBuildsShowWhatTheyWereGiven()
     QCOMPARE(ByteReader(bench.ask(readRequest(current))).f32(), 2.5F);
     QCOMPARE(bench.command(3), Bytes{0});
     QCOMPARE(bench.ask(write), Bytes{4}); // only while nothing runs
+}
+
+void TestRegisters::theStructuresTellTheMotor()
+{
+    for (const char *profile : {"mcsdk-6.4", "hso"}) {
+        BoardOptions options;
+        options.profile = profile;
+        options.motor = "ipm48";
+        BoardBench bench(options);
+        QVERIFY(bench.connect());
+        const Bytes answer = bench.ask(readRequest(mcp::reg::kMotorConfig.withMotor(1)));
+        QCOMPARE(answer.size(), std::size_t{63});
+        const auto motor = mcp::decodeMotorConfig(ByteView(answer).subspan(2, 60));
+        QVERIFY(motor.has_value());
+        const bool hso = options.profile == "hso";
+        const auto &figures = simulation::findPreset("ipm48")->motor;
+        QCOMPARE(motor->polePairs, 4.0F);
+        QCOMPARE(motor->rs, static_cast<float>(figures.rs_ohm));
+        QCOMPARE(motor->lq, static_cast<float>(figures.lq_h));
+        QCOMPARE(motor->ld, static_cast<float>(figures.ld_h));
+        QCOMPARE(motor->name, figures.name);
+        // 14 mWb and 4 pole pairs: 88 mV/Hz of a phase, 7.18 V rms between terminals at 1000 rpm.
+        QVERIFY(std::abs(motor->ratedFlux - (hso ? 0.08796F : 7.182F)) < 0.001F);
+        QCOMPARE(motor->copperMass, hso ? static_cast<float>(figures.copperMass_kg) : 0.0F);
+    }
 }
 
 QTEST_APPLESS_MAIN(TestRegisters)
