@@ -73,7 +73,7 @@ std::span<const BuildOption> buildOptions()
         BuildOption{"hall", &B::hall, kFoc, "Hall sensors, HALL_*"},
         BuildOption{"flux-weakening", &B::fluxWeakening, kFoc, "FLUXWK_*"},
         BuildOption{"feed-forward", &B::feedForward, kFoc, "FF_*"},
-        BuildOption{"position", &B::positionControl, kFoc, "POSITION_* (kept, does not move)"},
+        BuildOption{"position", &B::positionControl, kFoc, "POSITION_*, with an encoder"},
         BuildOption{"open-loop", &B::openLoopDebug, kFoc | kSix, "open-loop modes, OPENLOOP_*"},
         BuildOption{"profiler", &B::profiler, kFoc | kHso, "SC_* (kept, does not run)"},
         BuildOption{"cpu-load", &B::cpuLoad, kFoc | kSix | kHso, "PERF_*"},

@@ -35,6 +35,7 @@ private slots:
     void feedForwardLeavesLittleToTheLoops();
     void theCordicObserverRunsTheMotorToo();
     void twoObserversAgree();
+    void aPositionIsReachedInItsTime();
     void torqueModeFromTheStart();
     void otherControlRatesWork_data();
     void otherControlRatesWork();
@@ -123,6 +124,38 @@ void TestFirmwareOptions::twoObserversAgree()
     }
     const double apart = mean(bench, [](const Signals &s) { return s.pllSpeed - s.cordicSpeed; });
     QVERIFY2(std::abs(apart) < 2.0, std::to_string(apart).c_str());
+}
+
+void TestFirmwareOptions::aPositionIsReachedInItsTime()
+{
+    Build build = buildFor("mcsdk-6.4", "servo24");
+    build.positionControl = true;
+    AxisBench bench(*findPreset("servo24"), build);
+    const Signals &s = bench.firmware.variables();
+    QCOMPARE(s.alignState, std::uint8_t{0});
+    bench.firmware.rampPosition({20.0F, 1.0F}); // kept until it runs
+    QCOMPARE(bench.firmware.controlMode(), std::uint8_t{7});
+    QVERIFY(bench.runs());
+    QCOMPARE(s.alignState, std::uint8_t{2});
+    bench.ms(500);
+    QCOMPARE(s.positionState, std::uint8_t{1});
+    QVERIFY2(std::abs(s.position_rad - 10.0F) < 1.0F, std::to_string(s.position_rad).c_str());
+    bench.ms(700);
+    QVERIFY2(std::abs(s.position_rad - 20.0F) < 0.05F, std::to_string(s.position_rad).c_str());
+    QCOMPARE(s.positionState, std::uint8_t{2});
+    bench.firmware.rampPosition({-5.0F, 1.0F});
+    bench.ms(1300);
+    QVERIFY2(std::abs(s.position_rad + 5.0F) < 0.05F, std::to_string(s.position_rad).c_str());
+    bench.firmware.rampPosition({-4.0F, 0.0F});
+    bench.ms(600);
+    QCOMPARE(s.positionState, std::uint8_t{3});
+    QVERIFY2(std::abs(s.position_rad + 4.0F) < 0.05F, std::to_string(s.position_rad).c_str());
+    bench.firmware.rampSpeed({600, 200}); // and back to speed
+    bench.ms(800);
+    QVERIFY2(std::abs(bench.speed_rpm() - 600.0) < 12.0, std::to_string(bench.speed_rpm()).c_str());
+    bench.firmware.stop();
+    bench.ms(500);
+    QCOMPARE(s.positionState, std::uint8_t{0});
 }
 
 void TestFirmwareOptions::torqueModeFromTheStart()

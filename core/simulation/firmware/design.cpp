@@ -93,6 +93,23 @@ void designSensors(const PlantParameters &plant, double hfHz, DriveDesign &desig
         .range = range};
 }
 
+/// A position loop of 80 rad/s, critically damped by the inertia that is known.
+void designPosition(const PlantParameters &plant, Tuning &t)
+{
+    constexpr double kOwn_radps = 80.0, kMf_hz = 1000.0;
+    const MotorParameters &m = plant.motor;
+    const double each = sensingOf(plant).digitsPerAmp() * 2.0 * std::numbers::pi / 65536.0;
+    const double kp = m.inertia_kgm2 * kOwn_radps * kOwn_radps / torqueConstant(m) * each;
+    const auto put = [](double gain, std::int16_t &numerator, std::int16_t &divisor) {
+        const Fraction f = fractionOf(gain, divisor);
+        numerator = f.numerator;
+        divisor = static_cast<std::int16_t>(f.shift);
+    };
+    put(kp, t.positionKp, t.positionKpDiv);
+    put(kp * 0.2 * kOwn_radps / kMf_hz, t.positionKi, t.positionKiDiv);
+    put(kp * 2.0 / kOwn_radps * kMf_hz, t.positionKd, t.positionKdDiv);
+}
+
 void designLoops(const PlantParameters &plant, double hfHz, SpeedSensor main, DriveDesign &design)
 {
     const MotorParameters &m = plant.motor;
@@ -195,6 +212,7 @@ DriveDesign designFor(const PlantParameters &plant, double hfHz, SpeedSensor mai
     designObservers(plant, hfHz, design);
     designSensors(plant, hfHz, design);
     designLoops(plant, hfHz, main, design);
+    designPosition(plant, design.tuning);
     FeedForward::design(plant, hfHz, design.tuning);
     return design;
 }

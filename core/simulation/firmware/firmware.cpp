@@ -3,6 +3,7 @@
 #include "simulation/firmware/firmware.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace simulation {
@@ -40,6 +41,7 @@ void Firmware::restart()
     m_stages = m_design.revUp;
     m_tuning = m_design.tuning;
     m_signals = {};
+    m_positionControl.clear();
     m_speedControl.clear();
     m_speedControl.setMode(SpeedControl::Mode::Speed);
     m_speedControl.rampSpeed(toSpeed_dHz(m_design.defaultSpeed_rpm), 0);
@@ -113,10 +115,11 @@ void Firmware::rampSpeed(SpeedRamp ramp)
         m_virtual.accelerate(toSpeed_dHz(ramp.rpm), ramp.ms);
         return;
     }
+    const bool fromPosition = positions();
     m_modeAsked = 3;
     if (m_state != MotorState::Run)
         return; // kept until Run is reached
-    if (m_speedControl.mode() == SpeedControl::Mode::Torque)
+    if (m_speedControl.mode() == SpeedControl::Mode::Torque || fromPosition)
         m_speedControl.takeOver(m_speed_dHz, m_wanted.q, m_tuning);
     m_speedControl.rampSpeed(toSpeed_dHz(ramp.rpm), ramp.ms);
 }
@@ -128,13 +131,35 @@ void Firmware::rampTorque(TorqueRamp ramp)
         m_speedControl.rampTorque(ramp.digits, ramp.ms);
         return;
     }
+    const bool fromPosition = positions();
     m_modeAsked = 4;
     if (m_state != MotorState::Run)
         return;
-    if (m_speedControl.mode() == SpeedControl::Mode::Speed)
+    if (m_speedControl.mode() == SpeedControl::Mode::Speed || fromPosition)
         m_speedControl.rampTorque(m_wanted.q, 0);
     m_speedControl.setMode(SpeedControl::Mode::Torque);
     m_speedControl.rampTorque(ramp.digits, ramp.ms);
+}
+
+void Firmware::rampPosition(PositionRamp ramp)
+{
+    m_lastPositionRamp = ramp;
+    if (!m_build.positionControl || m_build.mainSensor != SpeedSensor::Encoder)
+        return;
+    if (!positions())
+        m_positionControl.clear();
+    m_modeAsked = 7;
+    if (m_state == MotorState::Run)
+        beginMove();
+}
+
+void Firmware::beginMove()
+{
+    const double duration_s =
+        std::isfinite(m_lastPositionRamp.duration_s) ? m_lastPositionRamp.duration_s : 0.0;
+    m_positionControl.move(m_sensors.position(),
+        PositionControl::digitsOf(m_lastPositionRamp.target_rad),
+        static_cast<int>(std::clamp(duration_s, 0.0, 1e5) * kMfHz));
 }
 
 void Firmware::setCurrentReferences(std::int16_t iq, std::int16_t id)

@@ -15,6 +15,7 @@
 #include "simulation/firmware/design.h"
 #include "simulation/firmware/feed_forward.h"
 #include "simulation/firmware/flux_weakening.h"
+#include "simulation/firmware/position_control.h"
 #include "simulation/firmware/sensors.h"
 #include "simulation/firmware/speed_control.h"
 #include "simulation/firmware/virtual_sensor.h"
@@ -55,7 +56,8 @@ public:
 
     void rampSpeed(SpeedRamp ramp);
     void rampTorque(TorqueRamp ramp);
-    void rampPosition(PositionRamp ramp) { m_lastPositionRamp = ramp; }
+    /// To an angle of the shaft, in builds with position control and an encoder; else only kept.
+    void rampPosition(PositionRamp ramp);
     void setCurrentReferences(std::int16_t iq, std::int16_t id);
     /// 3 speed, 4 torque; 1 and 2, open-loop voltage and current, in builds that have them; others are ignored.
     void setControlMode(std::uint8_t mode);
@@ -112,6 +114,8 @@ private:
     // firmware.cpp: commands and references
     bool driven() const; ///< started and neither stopping nor in a fault
     bool openLoop() const { return m_modeAsked == 1 || m_modeAsked == 2; }
+    bool positions() const { return m_modeAsked == 7; }
+    void beginMove();
     int direction() const;
     std::int32_t toSpeed_dHz(std::int16_t rpm) const;
 
@@ -159,6 +163,7 @@ private:
     FluxWeakening m_fluxWeakening;
     FeedForward m_feedForward; ///< nothing in builds without it
     SpeedControl m_speedControl;
+    PositionControl m_positionControl;
     RevUp m_revUp;
     Ramp m_alignmentTorque; ///< in milliseconds
     Ramp m_switchOverTorque; ///< in control periods

@@ -45,6 +45,7 @@ void Firmware::switchOff()
     m_plant.setBridge({});
     m_currents.clear();
     m_speedControl.clear();
+    m_positionControl.clear();
     m_feedForward.clear();
     m_wanted = m_reference = {};
     m_idWanted = 0;
@@ -72,6 +73,8 @@ void Firmware::measureSlowly()
     m_signals.busVoltage_v = static_cast<std::int16_t>(m_bus_v);
     m_signals.temperature_c = static_cast<std::int16_t>(m_heatsink_c);
     m_sensors.average(m_signals);
+    m_signals.positionState = static_cast<std::uint8_t>(m_positionControl.state());
+    m_signals.alignState = m_state == MotorState::Alignment ? 1 : m_sensors.aligned() ? 2 : 0;
 
     const double volts = m_bus_v / (1.7320508075688772 * 32767.0);
     const double amps = m_design.stage.ampsPerDigit();
@@ -247,7 +250,9 @@ void Firmware::beginRun()
     m_speed_dHz = m_sensors.speed_dHz();
     m_wanted = {m_reference.q, m_idWanted};
     m_speedControl.takeOver(m_speed_dHz, m_reference.q, m_tuning);
-    if (m_modeAsked == 4)
+    if (positions())
+        beginMove();
+    else if (m_modeAsked == 4)
         rampTorque(m_lastTorqueRamp);
     else
         rampSpeed(m_lastSpeedRamp);
@@ -261,7 +266,9 @@ void Firmware::run()
         return;
     }
     const std::int32_t limit = m_design.currentLimit;
-    m_wanted = {m_speedControl.step(m_speed_dHz, limit, m_tuning), m_idWanted};
+    m_wanted.d = m_idWanted;
+    m_wanted.q = positions() ? m_positionControl.step(m_sensors.position(), limit, m_tuning)
+                             : m_speedControl.step(m_speed_dHz, limit, m_tuning);
     m_reference = m_wanted;
     if (m_build.fluxWeakening)
         m_reference =

@@ -83,7 +83,8 @@ void Sensors::average(Signals &out)
     if (m_encoder) {
         m_encoder->mediumTask();
         out.encoderSpeed = m_encoder->speed_dHz();
-        out.position_rad = position_rad();
+        constexpr double kPerDigit = 2.0 * std::numbers::pi / 65536.0;
+        out.position_rad = static_cast<float>(static_cast<double>(position()) * kPerDigit);
     }
     if (m_hall) {
         m_hall->mediumTask();
@@ -169,11 +170,5 @@ std::int16_t Sensors::angle() const { return reading().angle; }
 std::int16_t Sensors::perPeriod() const { return reading().perPeriod; }
 std::int16_t Sensors::speed_dHz() const { return reading().speed_dHz; }
 bool Sensors::reliable() const { return reading().reliable; }
-
-float Sensors::position_rad() const
-{
-    constexpr double kPerDigit = 2.0 * std::numbers::pi / 65536.0;
-    return static_cast<float>((m_turns * 65536.0 + m_lastMechanical) * kPerDigit);
-}
 
 } // namespace simulation

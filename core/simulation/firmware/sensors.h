@@ -42,7 +42,9 @@ public:
     {
         return m_main == SpeedSensor::Encoder || m_main == SpeedSensor::Hall;
     }
-    float position_rad() const; ///< mechanical, of the encoder; 0 without one
+    bool aligned() const { return m_aligned; }
+    /// Of the shaft by the encoder, 1/65536 turn, 0 where it was aligned; 0 without one.
+    std::int64_t position() const { return std::int64_t{m_turns} * 65536 + m_lastMechanical; }
 
 private:
     struct Reading {
