@@ -175,6 +175,7 @@ private:
     {
         const bool anotherText = std::holds_alternative<std::string>(reading.value);
         return m_lie.lie == Lie::WrongAnswer || m_lie.lie == Lie::Unsolicited
+            || m_lie.lie == Lie::TornPackets // the next packet makes up for what is missing
             || (m_lie.lie == Lie::LateAnswer && anotherText) || m_lie.acts == LieActs::OnValues;
     }
     /// Nor can a datalog packet whose end is that of another one, or whose mark is a lie.
