@@ -1,0 +1,85 @@
+#include "analysis/current_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace analysis {
+
+namespace {
+
+constexpr double kBusDigits = 65536.0; // the bus voltage in ST's rule
+constexpr double kPhaseDigits = 32767.0; // the largest phase voltage, Vbus / sqrt(3)
+constexpr int kMostSamples = 100'000;
+
+/// When the samples first reach `level`, in samples; negative if they do not.
+double crossing(const std::vector<double> &samples, double level)
+{
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        if (samples[i] >= level)
+            return static_cast<double>(i - 1)
+                + (level - samples[i - 1]) / (samples[i] - samples[i - 1]);
+    }
+    return -1.0;
+}
+
+} // namespace
+
+double PowerStage::ruleOhms() const { return bus_v / kBusDigits * digitsPerAmp; }
+
+double PowerStage::realOhms() const
+{
+    return bus_v / (std::numbers::sqrt3 * kPhaseDigits) * digitsPerAmp;
+}
+
+PiGains currentGains(const CurrentPlant &plant, double bandwidth_radps)
+{
+    return {plant.inductance_h * bandwidth_radps, plant.rs_ohm * bandwidth_radps};
+}
+
+PiGains currentDigits(const PiGains &gains, const PowerStage &stage)
+{
+    return {gains.kp / stage.ruleOhms(), gains.ki * stage.controlPeriod_s / stage.ruleOhms()};
+}
+
+double ruleBandwidth_radps(double kpDigits, const CurrentPlant &plant, const PowerStage &stage)
+{
+    return kpDigits * stage.ruleOhms() / plant.inductance_h;
+}
+
+double realBandwidth_radps(double kpDigits, const CurrentPlant &plant, const PowerStage &stage)
+{
+    return kpDigits * stage.realOhms() / plant.inductance_h;
+}
+
+double bandwidthLimit_radps(double controlRate_hz) { return 0.6 * controlRate_hz; }
+
+double firstOrderRise_s(double bandwidth_radps) { return std::log(9.0) / bandwidth_radps; }
+
+StepPrediction predictCurrentStep(
+    const PiGains &digits, const CurrentPlant &plant, const PowerStage &stage, int samples)
+{
+    // Within a period the voltage stands still, and the current runs towards voltage / Rs.
+    const double keep = std::exp(-stage.controlPeriod_s * plant.rs_ohm / plant.inductance_h);
+    const double perVolt = plant.rs_ohm > 0.0 ? (1.0 - keep) / plant.rs_ohm
+                                              : stage.controlPeriod_s / plant.inductance_h;
+    const double ohms = stage.realOhms();
+
+    StepPrediction step;
+    step.period_s = stage.controlPeriod_s;
+    double current = 0.0, integral = 0.0, volts = 0.0;
+    for (int i = 0; i < std::clamp(samples, 2, kMostSamples); ++i) {
+        step.current.push_back(current);
+        const double error = 1.0 - current;
+        integral += digits.ki * error;
+        current = keep * current + perVolt * volts; // with what the period before decided
+        volts = ohms * (digits.kp * error + integral);
+    }
+    const double low = crossing(step.current, 0.1), high = crossing(step.current, 0.9);
+    if (low >= 0.0 && high >= 0.0)
+        step.rise_s = (high - low) * step.period_s;
+    step.overshoot = std::max(0.0, *std::max_element(step.current.begin(), step.current.end()) - 1);
+    return step;
+}
+
+} // namespace analysis

@@ -1,0 +1,46 @@
+#include "analysis/ramp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace analysis {
+
+double quantisedSpeed_rpm(double rpm)
+{
+    constexpr double kLargest = std::numeric_limits<std::int16_t>::max();
+    if (!std::isfinite(rpm))
+        return 0.0;
+    const double whole = std::trunc(std::clamp(rpm, -kLargest, kLargest));
+    return std::trunc(whole / kSpeedStep_rpm) * kSpeedStep_rpm + 0.0;
+}
+
+std::vector<RampPoint> rampPreview(
+    double from_rpm, double to_rpm, double duration_s, std::size_t mostPoints)
+{
+    const double from = quantisedSpeed_rpm(from_rpm), to = quantisedSpeed_rpm(to_rpm);
+    const double duration = std::isfinite(duration_s) ? std::max(0.0, duration_s) : 0.0;
+    std::vector<RampPoint> points{{0.0, from}};
+    const double stairs = std::abs(to - from) / kSpeedStep_rpm;
+    if (duration > 0.0 && stairs > 0.0) {
+        const double room = static_cast<double>(std::max<std::size_t>(mostPoints, 2)) - 2.0;
+        const double shown = std::min(stairs - 1.0, room);
+        for (double i = 1.0; i <= shown; ++i) {
+            const double stair = std::round(i * stairs / (shown + 1.0));
+            const double share = stair / stairs;
+            points.push_back(
+                {share * duration, from + std::copysign(stair, to - from) * kSpeedStep_rpm});
+        }
+    }
+    points.push_back({duration, to});
+    return points;
+}
+
+double rampAcceleration_rpmps(double from_rpm, double to_rpm, double duration_s)
+{
+    const double change = quantisedSpeed_rpm(to_rpm) - quantisedSpeed_rpm(from_rpm);
+    return change == 0.0 ? 0.0 : change / std::max(0.0, duration_s);
+}
+
+} // namespace analysis

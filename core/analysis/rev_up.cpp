@@ -1,0 +1,224 @@
+#include "analysis/rev_up.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace analysis {
+
+namespace {
+
+constexpr std::size_t kStageBytes = 8;
+constexpr double kRadpsPerRpm = 2.0 * std::numbers::pi / 60.0;
+constexpr double kSecondsPerMs = 1e-3;
+
+} // namespace
+
+Result<RevUp, RevUpError> revUpOfBytes(ByteView bytes)
+{
+    if (bytes.size() % kStageBytes != 0 || bytes.size() > kStageBytes * kRevUpStages)
+        return fail(RevUpError::WrongSize);
+    RevUp stages;
+    for (ByteReader reader(bytes); reader.left() > 0;) {
+        RevUpStage stage;
+        stage.speed_rpm = reader.s32();
+        stage.current_digits = reader.s16();
+        stage.duration_ms = reader.u16();
+        stages.push_back(stage);
+    }
+    return stages;
+}
+
+Bytes bytesOf(const RevUp &stages)
+{
+    ByteWriter writer;
+    for (std::size_t i = 0; i < std::min(stages.size(), kRevUpStages); ++i)
+        writer.s32(stages[i].speed_rpm).s16(stages[i].current_digits).u16(stages[i].duration_ms);
+    return writer.take();
+}
+
+RevUp completed(RevUp stages)
+{
+    RevUpStage filler = stages.empty() ? RevUpStage{} : stages.back();
+    filler.duration_ms = 0;
+    stages.resize(kRevUpStages, filler);
+    return stages;
+}
+
+std::size_t usedStages(const RevUp &stages)
+{
+    std::size_t used = stages.size();
+    while (used > 0 && stages[used - 1].duration_ms == 0)
+        --used;
+    return used;
+}
+
+std::vector<RevUpPoint> revUpCurve(const RevUp &stages, double ampsPerDigit)
+{
+    std::vector<RevUpPoint> curve{{}};
+    for (std::size_t i = 0; i < usedStages(stages); ++i) {
+        const RevUpPoint &before = curve.back();
+        const RevUpPoint end{before.time_s + stages[i].duration_ms * kSecondsPerMs,
+            static_cast<double>(stages[i].speed_rpm), stages[i].current_digits * ampsPerDigit};
+        if (!(end == before))
+            curve.push_back(end);
+    }
+    return curve;
+}
+
+RevUpPoint revUpAt(const std::vector<RevUpPoint> &curve, double time_s)
+{
+    if (curve.empty())
+        return {};
+    const auto after = std::upper_bound(curve.begin(), curve.end(), time_s,
+        [](double time, const RevUpPoint &point) { return time < point.time_s; });
+    if (after == curve.begin())
+        return curve.front();
+    const RevUpPoint &from = *std::prev(after);
+    if (after == curve.end())
+        return from;
+    const double share = (time_s - from.time_s) / (after->time_s - from.time_s);
+    return {time_s, from.speed_rpm + share * (after->speed_rpm - from.speed_rpm),
+        from.current_a + share * (after->current_a - from.current_a)};
+}
+
+double revUpDuration_s(const RevUp &stages)
+{
+    double sum = 0.0;
+    for (const RevUpStage &stage : stages)
+        sum += stage.duration_ms * kSecondsPerMs;
+    return sum;
+}
+
+double neededTorque_nm(const RevUpStage &stage, double from_rpm, const MechanicalLoad &load)
+{
+    const double change_radps = (stage.speed_rpm - from_rpm) * kRadpsPerRpm;
+    const double faster_radps =
+        std::max(std::abs(from_rpm), std::abs(static_cast<double>(stage.speed_rpm))) * kRadpsPerRpm;
+    if (change_radps == 0.0 && faster_radps == 0.0)
+        return 0.0; // stands
+    const double friction = load.coulomb_nm + load.viscous_nms * faster_radps;
+    if (change_radps == 0.0)
+        return friction;
+    if (stage.duration_ms == 0)
+        return std::numeric_limits<double>::infinity();
+    const double speedingUp =
+        std::abs(static_cast<double>(stage.speed_rpm)) >= std::abs(from_rpm) ? 1.0 : -1.0;
+    const double inertial =
+        load.inertia_kgm2 * std::abs(change_radps) / (stage.duration_ms * kSecondsPerMs);
+    return std::max(0.0, speedingUp * inertial + friction);
+}
+
+double minimumStartSpeed_rpm(double maxSpeed_rpm) { return 0.15 * maxSpeed_rpm; }
+
+namespace {
+
+/// Looks at one stage after the other; `m_from` is where the one before ended.
+class Inspection {
+public:
+    Inspection(const RevUp &stages, double ampsPerDigit, const RevUpLimits &limits)
+        : m_stages(stages)
+        , m_ampsPerDigit(ampsPerDigit)
+        , m_limits(limits)
+        , m_used(usedStages(stages))
+    {
+    }
+
+    std::vector<RevUpFinding> run()
+    {
+        if (m_used == 0)
+            add(RevUpMistake::NoStage, 0, 0.0, 0.0);
+        for (std::size_t i = 0; i < m_used; ++i) {
+            torque(i);
+            current(i);
+            time(i);
+            speed(i);
+            m_from = m_stages[i];
+        }
+        if (m_used > 0)
+            finalSpeed();
+        return m_findings;
+    }
+
+private:
+    void add(RevUpMistake mistake, std::size_t stage, double is, double limit)
+    {
+        m_findings.push_back({mistake, stage, is, limit});
+    }
+    double amps(const RevUpStage &stage) const
+    {
+        return std::abs(stage.current_digits * m_ampsPerDigit);
+    }
+
+    void torque(std::size_t i)
+    {
+        const MechanicalLoad &load = m_limits.load;
+        if (!(load.kt_nmpa > 0.0) || !(load.inertia_kgm2 > 0.0) || m_stages[i].duration_ms == 0)
+            return;
+        const double needed = neededTorque_nm(m_stages[i], m_from.speed_rpm, load);
+        // The current ramps too: what is there at the weaker end has to do.
+        const double weaker = i == 0 && m_stages[i].speed_rpm == 0
+            ? amps(m_stages[i])
+            : std::min(amps(m_from), amps(m_stages[i]));
+        const double given = load.kt_nmpa * weaker;
+        if (needed > given)
+            add(RevUpMistake::TooLittleTorque, i, given, needed);
+    }
+
+    void current(std::size_t i)
+    {
+        double limit = m_limits.maxCurrent_a;
+        const double nominal = m_limits.nominalCurrent_a;
+        if (nominal > 0.0 && (!(limit > 0.0) || nominal < limit))
+            limit = nominal;
+        constexpr double kHalfDigit = 0.5; // a limit has no digits of its own
+        if (limit > 0.0 && amps(m_stages[i]) > limit + kHalfDigit * m_ampsPerDigit)
+            add(RevUpMistake::TooMuchCurrent, i, amps(m_stages[i]), limit);
+    }
+
+    void time(std::size_t i)
+    {
+        const RevUpStage &stage = m_stages[i];
+        const bool jumps =
+            stage.speed_rpm != m_from.speed_rpm || stage.current_digits != m_from.current_digits;
+        if (stage.duration_ms == 0 && jumps)
+            add(RevUpMistake::StageWithoutTime, i, 0.0, 1.0);
+    }
+
+    void speed(std::size_t i)
+    {
+        const double rpm = m_stages[i].speed_rpm;
+        const double largest = std::numeric_limits<std::int16_t>::max();
+        if (std::abs(rpm) > largest)
+            add(RevUpMistake::SpeedDoesNotFit, i, rpm, largest);
+        else if (m_limits.maxSpeed_rpm > 0.0 && std::abs(rpm) > m_limits.maxSpeed_rpm)
+            add(RevUpMistake::SpeedBeyondLimit, i, rpm, m_limits.maxSpeed_rpm);
+        if (rpm * m_from.speed_rpm < 0.0)
+            add(RevUpMistake::TurnsBack, i, rpm, 0.0);
+    }
+
+    void finalSpeed()
+    {
+        const double rpm = std::abs(static_cast<double>(m_stages[m_used - 1].speed_rpm));
+        if (m_limits.minimumSpeed_rpm > 0.0 && rpm <= m_limits.minimumSpeed_rpm)
+            add(RevUpMistake::EndsTooSlow, m_used - 1, rpm, m_limits.minimumSpeed_rpm);
+    }
+
+    const RevUp &m_stages;
+    double m_ampsPerDigit;
+    const RevUpLimits &m_limits;
+    std::size_t m_used;
+    RevUpStage m_from;
+    std::vector<RevUpFinding> m_findings;
+};
+
+} // namespace
+
+std::vector<RevUpFinding> checkRevUp(
+    const RevUp &stages, double ampsPerDigit, const RevUpLimits &limits)
+{
+    return Inspection(stages, ampsPerDigit, limits).run();
+}
+
+} // namespace analysis

@@ -1,0 +1,40 @@
+// The speed loop by the symmetrical optimum: gains from torque constant, inertia, the loop's small lags and one damping
+// factor. Pure functions.
+//
+// Plant K / s with K = Kt / J, behind a lag tau. With the damping factor d the crossover lies at 1 / (d tau), the
+// regulator's zero at 1 / (d^2 tau); d = 2 is quick and rings, d = 4 is calm.
+// Source: TI, "Teaching your PI controller to behave", parts III and IV; derived again. Digits as in features 6.3.
+#pragma once
+
+#include "analysis/current_loop.h"
+
+namespace analysis {
+
+struct SpeedPlant {
+    double kt_nmpa = 0.0; ///< torque per peak ampere of Iq
+    double inertia_kgm2 = 0.0; ///< rotor and load
+};
+
+/// Everything between the current reference and the measured speed that is too quick to be a state of its own [s]:
+/// current loop, filter of the speed, the current loop's delay and half a period of the speed loop.
+double speedLoopLag_s(
+    double currentBandwidth_radps, double filter_s, double controlPeriod_s, double speedPeriod_s);
+
+/// Kp = 1 / (d K tau) in A/(rad/s), Ki = Kp / (d^2 tau) in A/rad. @param damping  d, > 1
+PiGains speedGains(const SpeedPlant &plant, double lag_s, double damping);
+
+/// As the firmware counts them: error in 0.1 Hz, output in digits of the current.
+PiGains speedDigits(const PiGains &gains, double digitsPerAmp, double speedPeriod_s);
+/// The other way round: A/(rad/s) and A/rad of gains in digits.
+PiGains speedGainsOf(const PiGains &digits, double digitsPerAmp, double speedPeriod_s);
+
+double speedCrossover_radps(double lag_s, double damping);
+double phaseMargin_deg(double damping); ///< atan d - atan 1/d
+double poleDamping(double damping); ///< (d - 1) / 2
+
+/// Overshoot of a step of the reference, as a fraction.
+double stepOvershoot(double damping);
+/// The same behind a prefilter 1 / (1 + s d^2 tau), which a ramp of the set-point resembles.
+double filteredStepOvershoot(double damping);
+
+} // namespace analysis
