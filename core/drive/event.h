@@ -120,6 +120,8 @@ struct WriteResult {
     std::string reason; ///< the board's word for its refusal, e.g. "RO_REG"
     std::optional<Value> before; ///< value known before the write
     std::optional<Value> readBack; ///< value after it
+    /// Written, and what was read back is what was written. Empty: not written, or not read back.
+    std::optional<bool> verified;
 };
 struct Ended {
     WishId id = 0;

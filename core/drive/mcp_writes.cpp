@@ -134,18 +134,48 @@ void WriteTask::check(Item &item) const
     }
 }
 
-WriteTask::Item *WriteTask::waiting()
+/// Whether it has a SET of its own.
+bool WriteTask::alone(const Item &item) const
 {
-    const auto at = std::find_if(m_items.begin(), m_items.end(),
-        [](const Item &item) { return item.state == State::Waiting; });
-    return at == m_items.end() ? nullptr : &*at;
+    const auto *info = m_board.catalog->find(item.write.id);
+    return wireWidth(item.write.id) == 0 || info == nullptr || info->dangerous;
 }
 
-WriteTask::Item *WriteTask::open()
+/// Whether it may follow in a SET of this size that has so many registers already.
+bool WriteTask::joins(const Item &item, std::size_t size, std::size_t count) const
 {
-    const auto at = std::find_if(
-        m_items.begin(), m_items.end(), [](const Item &item) { return item.state == State::Open; });
-    return at == m_items.end() ? nullptr : &*at;
+    const std::size_t width = item.encoded.size(), at = size + sizeof(std::uint16_t);
+    return !alone(item) && at + width <= m_board.requestBytes && at % width == 0
+        && count + 2 <= m_board.responseBytes; // a status each and one for all
+}
+
+/// The next SET; its items are open then. Empty when nothing waits.
+Bytes WriteTask::nextSet()
+{
+    ByteWriter request;
+    request.u16(static_cast<unsigned>(mcp::CommandId::SetRegister) << 3);
+    std::size_t count = 0;
+    for (Item &item : m_items) {
+        if (item.state != State::Waiting)
+            continue;
+        if (count > 0 && !joins(item, request.size(), count))
+            break;
+        request.u16(item.write.id).bytes(item.encoded);
+        item.state = State::Open;
+        ++count;
+        if (alone(item) || item.encoded.size() == 1) // behind a byte the next id would be unaligned
+            break;
+    }
+    return count > 0 ? request.take() : Bytes{};
+}
+
+std::vector<WriteTask::Item *> WriteTask::open()
+{
+    std::vector<Item *> items;
+    for (Item &item : m_items)
+        if (item.state == State::Open)
+            items.push_back(&item);
+    return items;
 }
 
 std::vector<RegisterId> WriteTask::idsToRead(bool after) const
@@ -192,14 +222,9 @@ std::optional<Bytes> WriteTask::nextRequest(TimePoint)
         enter(Phase::Setting);
     }
     if (m_phase == Phase::Setting) {
-        if (Item *item = waiting()) {
-            item->state = State::Open;
+        if (Bytes set = nextSet(); !set.empty()) {
             markSent();
-            return ByteWriter()
-                .u16(static_cast<unsigned>(mcp::CommandId::SetRegister) << 3)
-                .u16(item->write.id)
-                .bytes(item->encoded)
-                .take();
+            return set;
         }
         enter(Phase::After);
     }
@@ -229,35 +254,61 @@ void WriteTask::takeResponse(ByteView response, TimePoint now)
         takeReadingsInto(&WriteResult::readBack, response, now);
         if (m_reader.finished())
             finish();
-    } else if (Item *item = open()) {
-        // One status, or two where a value was not parsed to its end; the first is the register's.
-        if (response.empty() || response.size() > 2)
-            item->state = State::Doubtful;
-        else if (response.front() == static_cast<std::uint8_t>(mcp::Status::Ok))
-            finishItem(*item, Outcome::Ok, {});
+    } else {
+        takeStatuses(open(), response);
+    }
+}
+
+void WriteTask::settle(Item &item, std::uint8_t status)
+{
+    if (status == static_cast<std::uint8_t>(mcp::Status::Ok))
+        finishItem(item, Outcome::Ok, {});
+    else
+        finishItem(item, Outcome::Refused, statusWord(status));
+}
+
+/// One register: its status, or two where a value was not parsed to its end; the first is the register's.
+/// Several: one OK for all, or a status for each that was looked at and a NOK at the end. What comes behind a value
+/// that cannot be parsed is not looked at. A NOK inside the list is a good one as the protocol is printed.
+void WriteTask::takeStatuses(const std::vector<Item *> &items, ByteView response)
+{
+    constexpr auto kOk = static_cast<std::uint8_t>(mcp::Status::Ok);
+    constexpr auto kNok = static_cast<std::uint8_t>(mcp::Status::Nok);
+    const std::size_t count = items.size(), size = response.size();
+    const bool ofOne = count == 1 && (size == 1 || size == 2);
+    const bool allOk = count > 1 && size == 1 && response.front() == kOk;
+    const bool ofEach = count > 1 && size > 1 && size <= count + 1 && response.back() == kNok;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (ofOne || allOk)
+            settle(*items[i], response.front());
+        else if (ofEach && i + 1 >= size)
+            items[i]->state = State::Waiting;
+        else if (ofEach && response[i] != kNok)
+            settle(*items[i], response[i]);
         else
-            finishItem(*item, Outcome::Refused, statusWord(response.front()));
+            items[i]->state = State::Doubtful;
     }
 }
 
 void WriteTask::takeNoResponse(std::optional<bool> executed, TimePoint)
 {
-    Item *item = m_phase == Phase::Setting ? open() : nullptr;
-    if (item == nullptr) {
+    if (m_phase != Phase::Setting) {
         m_reader.takeNoResponse();
         if (m_phase == Phase::After && m_reader.finished())
             finish();
         return;
     }
     const bool notExecuted = executed.has_value() && !*executed;
-    const bool raw =
-        wireWidth(item->write.id) == 0; // raw registers may be ramps, which are never repeated
-    if (!notExecuted)
-        item->state = State::Doubtful;
-    else if (!raw && !std::exchange(item->repeated, true))
-        item->state = State::Waiting;
-    else
-        finishItem(*item, Outcome::NotSent, "no answer");
+    for (Item *item : open()) {
+        const bool raw =
+            wireWidth(item->write.id) == 0; // raw registers may be ramps, which are never repeated
+        if (!notExecuted)
+            item->state = State::Doubtful;
+        else if (!raw && !std::exchange(item->repeated, true))
+            item->state = State::Waiting;
+        else
+            finishItem(*item, Outcome::NotSent, "no answer");
+    }
 }
 
 void WriteTask::finishItem(Item &item, Outcome outcome, const std::string &reason)
@@ -280,6 +331,9 @@ void WriteTask::finish()
             else
                 finishItem(item, Outcome::Refused, "no answer, and another value is read back");
         }
+        if (item.result.readBack && item.result.outcome == Outcome::Ok)
+            item.result.verified =
+                sameValue(item.write.id, item.write.value, *item.result.readBack);
         // Unknown tells the most, then Refused, then NotSent.
         const auto weight = [](Outcome o) {
             return o == Outcome::Unknown ? 3

@@ -1,5 +1,8 @@
-// Read and write wishes. A write goes out as one SET a register (safe on every board), surrounded by reading: the
+// Read and write wishes. A list of writes goes out in its order, in as few SETs as fit, surrounded by reading: the
 // value before, for undo, and the value after it, because an OK is not a proof.
+//
+// What shares a SET: scalars whose values stay aligned as in a SET of their own (small controllers fault otherwise),
+// an 8-bit one last. Structures and whatever can move something go alone, so that a lost answer is about them only.
 #pragma once
 
 #include "drive/mcp_reader.h"
@@ -52,8 +55,12 @@ private:
     };
 
     void check(Item &item) const;
-    Item *waiting();
-    Item *open();
+    Bytes nextSet();
+    bool joins(const Item &item, std::size_t size, std::size_t count) const;
+    bool alone(const Item &item) const;
+    std::vector<Item *> open();
+    void settle(Item &item, std::uint8_t status);
+    void takeStatuses(const std::vector<Item *> &items, ByteView response);
     std::vector<RegisterId> idsToRead(bool after) const;
     void startReading(Phase phase);
     void enter(Phase phase);

@@ -25,7 +25,7 @@ struct RegisterWrite {
     Value value;
     bool operator==(const RegisterWrite &) const = default;
 };
-/// Written as few at a time as the link's rules ask for, then read back.
+/// Written in this order, in as few requests as the link's rules allow, then read back.
 struct Write {
     std::vector<RegisterWrite> writes;
 };

@@ -13,7 +13,13 @@ class TestMcpDriveWrites : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void aWriteTellsBeforeAndAfter();
-    void aListIsWrittenOneByOneAndEachHasItsOwnEnd();
+    void everyRegisterOfAListHasItsOwnEnd();
+    void aListGoesOutInAsFewRequestsAsFit();
+    void whatSharesARequestStaysAligned();
+    void aListIsReadBackWhereItsAnswerIsNotClear();
+    void aListWhoseAnswerWasLostIsSettledByReadingBack();
+    void aListThatNeverArrivedIsWrittenAgainOnce();
+    void anUnplugTellsWhatWasWrittenAndWhatIsNotKnown();
     void valuesThatDoNotFitNeverLeave();
     void setPointsBeyondTheLimitsAreRefused();
     void rampRegistersReadBackInTheirOwnForm();
@@ -40,7 +46,7 @@ void TestMcpDriveWrites::aWriteTellsBeforeAndAfter()
     QVERIFY(session.values[kp].value == Value(std::int64_t{-1234}));
 }
 
-void TestMcpDriveWrites::aListIsWrittenOneByOneAndEachHasItsOwnEnd()
+void TestMcpDriveWrites::everyRegisterOfAListHasItsOwnEnd()
 {
     Session session;
     const WishId write = session.submit(Write{{
@@ -62,6 +68,151 @@ void TestMcpDriveWrites::aListIsWrittenOneByOneAndEachHasItsOwnEnd()
     QCOMPARE(end.writes[4].reason, "no such register");
     QVERIFY(end.writes[5].outcome == Outcome::Ok);
     QVERIFY(end.writes[5].readBack == Value(std::int64_t{12}));
+}
+
+namespace {
+
+const std::vector<const char *> kGains{"SPEED_KP", "SPEED_KI", "SPEED_KD", "I_Q_KP", "I_Q_KI",
+    "I_Q_KD", "I_D_KP", "I_D_KI", "I_D_KD", "STOPLL_C1", "STOPLL_C2", "STOPLL_KI", "STOPLL_KP",
+    "SPEED_KP_DIV", "SPEED_KI_DIV", "I_Q_KP_DIV", "I_Q_KI_DIV", "I_D_KP_DIV", "I_D_KI_DIV",
+    "STOPLL_KP_DIV"};
+
+Write gains(const Session &session, std::int64_t first)
+{
+    Write write;
+    for (const char *name : kGains)
+        write.writes.push_back({session.id(name), first++});
+    return write;
+}
+
+std::vector<Bytes> setsIn(const Session &session)
+{
+    std::vector<Bytes> sets;
+    for (const Bytes &request : session.requests)
+        if (support::changesSomething(request))
+            sets.push_back(request);
+    return sets;
+}
+
+bool allAre(const Ended &end, Outcome outcome)
+{
+    return std::all_of(end.writes.begin(), end.writes.end(),
+        [outcome](const WriteResult &result) { return result.outcome == outcome; });
+}
+
+bool allVerified(const Ended &end)
+{
+    return std::all_of(end.writes.begin(), end.writes.end(),
+        [](const WriteResult &result) { return result.verified == true; });
+}
+
+} // namespace
+
+void TestMcpDriveWrites::aListGoesOutInAsFewRequestsAsFit()
+{
+    for (const std::size_t rxMax : {256U, 32U}) {
+        simulation::BoardOptions options;
+        options.rxMax = rxMax;
+        Session session(true, options);
+        const WishId write = session.submit(gains(session, 3));
+        QVERIFY(session.runUntilEnded(write));
+        const Ended &end = session.ended[write].front();
+        QVERIFY(end.outcome == Outcome::Ok && allAre(end, Outcome::Ok) && allVerified(end));
+        QCOMPARE(end.writes.size(), kGains.size());
+        // A command word and four bytes a register: 20, or 7 + 7 + 6.
+        QCOMPARE(setsIn(session).size(), rxMax == 256U ? 1U : 3U);
+        for (const Bytes &set : setsIn(session))
+            QVERIFY(set.size() <= rxMax);
+    }
+}
+
+void TestMcpDriveWrites::whatSharesARequestStaysAligned()
+{
+    Session session;
+    const WishId write = session.submit(Write{{
+        {session.id("SPEED_KP"), std::int64_t{11}},
+        {session.id("FF_1Q"), std::int64_t{1}}, // 32 bits, at 8
+        {session.id("FF_1D"), std::int64_t{1}}, // would be at 14
+        {session.id("QUASI_SYNCH"), std::int64_t{1}}, // 8 bits: nothing behind it
+        {session.id("SPEED_KI"), std::int64_t{12}},
+        {session.id("SPEED_REF"), std::int64_t{600}}, // can move something: alone
+        {session.id("SPEED_KD"), std::int64_t{13}},
+    }});
+    QVERIFY(session.runUntilEnded(write));
+    std::vector<std::size_t> sizes;
+    for (const Bytes &set : setsIn(session))
+        sizes.push_back(set.size());
+    QVERIFY((sizes == std::vector<std::size_t>{2 + 4 + 6, 2 + 6 + 3, 2 + 4, 2 + 6, 2 + 4}));
+    const Ended &end = session.ended[write].front();
+    QVERIFY(end.writes[0].outcome == Outcome::Ok); // its neighbour was refused
+    for (const std::size_t absent : {1U, 2U, 3U})
+        QCOMPARE(end.writes[absent].reason, "UNKNOWN_REG");
+    for (const std::size_t written : {4U, 6U})
+        QVERIFY(end.writes[written].verified == true);
+}
+
+void TestMcpDriveWrites::aListIsReadBackWhereItsAnswerIsNotClear()
+{
+    // As printed, the good ones of a list with a failure report CMD_NOK too.
+    simulation::BoardOptions options;
+    options.profile = "spec";
+    Session session(true, options);
+    const WishId write = session.submit(Write{{{session.id("SPEED_KP"), std::int64_t{11}},
+        {session.id("FLUXWK_KP"), std::int64_t{11}}, {session.id("SPEED_KI"), std::int64_t{12}}}});
+    QVERIFY(session.runUntilEnded(write));
+    const Ended &end = session.ended[write].front();
+    QVERIFY(end.writes[0].outcome == Outcome::Ok && end.writes[0].verified == true);
+    QVERIFY(end.writes[1].outcome == Outcome::Refused && !end.writes[1].verified);
+    QVERIFY(end.writes[2].outcome == Outcome::Ok && end.writes[2].verified == true);
+}
+
+void TestMcpDriveWrites::aListWhoseAnswerWasLostIsSettledByReadingBack()
+{
+    Session session;
+    const WishId write = session.submit(gains(session, 5));
+    QVERIFY(session.runUntil([&] { return setsIn(session).size() == 1; }, 1s));
+    session.toDrive.cut = true; // the SET arrives, its answer does not
+    session.runFor(30ms);
+    session.toDrive.cut = false;
+    QVERIFY(session.runUntilEnded(write));
+    const Ended &end = session.ended[write].front();
+    QVERIFY(end.outcome == Outcome::Ok && allAre(end, Outcome::Ok) && allVerified(end));
+    QCOMPARE(setsIn(session).size(), 1U);
+}
+
+void TestMcpDriveWrites::aListThatNeverArrivedIsWrittenAgainOnce()
+{
+    Session session;
+    session.loses = [&](const Bytes &output) {
+        return setsIn(session).size() == 1 && output == setsIn(session).front();
+    };
+    const WishId write = session.submit(gains(session, 5));
+    QVERIFY(session.runUntil([&] { return setsIn(session).size() == 2; }, 5s));
+    session.loses = nullptr;
+    QVERIFY(session.runUntilEnded(write));
+    const Ended &end = session.ended[write].front();
+    QVERIFY(end.outcome == Outcome::Ok && allVerified(end));
+    QCOMPARE(setsIn(session).size(), 2U);
+}
+
+void TestMcpDriveWrites::anUnplugTellsWhatWasWrittenAndWhatIsNotKnown()
+{
+    simulation::BoardOptions options;
+    options.rxMax = 32;
+    Session session(true, options);
+    const WishId write = session.submit(gains(session, 3));
+    QVERIFY(session.runUntil([&] { return setsIn(session).size() == 2; }, 1s));
+    session.drive->disconnect(session.now); // as when the port is gone
+    session.toDrive.cut = session.toBoard.cut = true;
+    QVERIFY(session.runUntilEnded(write));
+    const Ended &end = session.ended[write].front();
+    QVERIFY(end.outcome == Outcome::Unknown);
+    QCOMPARE(end.writes.size(), kGains.size());
+    for (std::size_t i = 0; i < end.writes.size(); ++i)
+        QVERIFY(end.writes[i].outcome
+            == (i < 7        ? Outcome::Ok
+                    : i < 14 ? Outcome::Unknown
+                             : Outcome::NotSent));
 }
 
 void TestMcpDriveWrites::valuesThatDoNotFitNeverLeave()
