@@ -5,6 +5,7 @@
 #include "base/bytes.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -31,6 +32,12 @@ enum class Quantity : std::uint8_t {
     Frequency, ///< digits of the frequency scale -> Hz (electrical)
 };
 
+/// Part of a regulator's gain: value / 2^exponent.
+enum class Gain : std::uint8_t { None, Numerator, Exponent };
+
+/// A reference that the board's own limits of speed or current bound.
+enum class SetPoint : std::uint8_t { None, Speed, Current };
+
 enum class Access : std::uint8_t { None, Read, Write, ReadWrite };
 
 /// How a register can reach the scope.
@@ -50,6 +57,9 @@ struct RegisterInfo {
     Quantity quantity = Quantity::Plain;
     Access access = Access::Read;
     Streaming streaming = Streaming::Polled;
+    Gain gain = Gain::None;
+    SetPoint setPoint = SetPoint::None;
+    std::optional<double> least, greatest; ///< of the raw number of a write; empty: the type's
     int fractionBits = 0; ///< fixed point: the number is raw / 2^fractionBits; 0 for whole digits
     bool streamsUpperHalf =
         false; ///< a 32-bit register of which the stream carries the upper 16 bits

@@ -28,6 +28,8 @@ constexpr Word<Meaning> kMeanings[] = {{"number", Meaning::Number},
 constexpr Word<Quantity> kQuantities[] = {{"plain", Quantity::Plain},
     {"current", Quantity::Current}, {"voltage", Quantity::Voltage}, {"angle", Quantity::Angle},
     {"speed", Quantity::SpeedTenthHz}, {"frequency", Quantity::Frequency}};
+constexpr Word<Gain> kGains[] = {
+    {"", Gain::None}, {"numerator", Gain::Numerator}, {"exponent", Gain::Exponent}};
 constexpr Word<bool> kScopes[] = {{"motor", true}, {"global", false}};
 
 struct AccessWord {
@@ -107,11 +109,14 @@ enum Column : std::size_t {
     Since,
     Until,
     Description,
+    GainColumn, // this and what follows may be missing: empty then
+    LimitsColumn,
     ColumnCount
 };
+constexpr std::size_t kMissing = std::string_view::npos;
 constexpr std::array<std::string_view, ColumnCount> kColumns{"family", "name", "aliases", "id_hex",
     "format", "scope", "access", "unit", "quantity", "meaning", "group", "dangerous", "datalog",
-    "since", "until", "description"};
+    "since", "until", "description", "gain", "limits"};
 
 class TableReader {
 public:
@@ -119,6 +124,10 @@ public:
     {
         for (std::size_t column = 0; column < ColumnCount; ++column) {
             const auto at = std::find(header.fields.begin(), header.fields.end(), kColumns[column]);
+            if (at == header.fields.end() && column >= GainColumn) {
+                m_places[column] = kMissing;
+                continue;
+            }
             if (at == header.fields.end())
                 return fail(TableError{header.line,
                     "The column \"" + std::string(kColumns[column]) + "\" is missing."});
@@ -171,9 +180,14 @@ public:
         const auto *access = findWord(kAccesses, field(row, AccessColumn));
         const auto *meaning = findWord(kMeanings, field(row, MeaningColumn));
         const auto *quantity = findWord(kQuantities, field(row, QuantityColumn));
+        const auto *gain = findWord(kGains, field(row, GainColumn));
         const auto *perMotor = findWord(kScopes, field(row, Scope));
-        if (access == nullptr || meaning == nullptr || quantity == nullptr || perMotor == nullptr)
-            return error(row, "has an unknown word in access, meaning, quantity or scope");
+        if (access == nullptr || meaning == nullptr || quantity == nullptr || perMotor == nullptr
+            || gain == nullptr)
+            return error(row, "has an unknown word in access, meaning, quantity, gain or scope");
+        if (!readLimits(field(row, LimitsColumn), info))
+            return error(row, "has no valid range in \"limits\"");
+        info.gain = *gain;
         info.access = access->access;
         info.stub = access->stub;
         info.meaning = *meaning;
@@ -204,9 +218,36 @@ private:
         return typed && info.fractionBits >= 0 && info.fractionBits < 32;
     }
 
+    /// "0..15", "0..", "max speed".
+    static bool readLimits(std::string_view text, RegisterInfo &info)
+    {
+        if (text == "max speed")
+            info.setPoint = SetPoint::Speed;
+        else if (text == "max current")
+            info.setPoint = SetPoint::Current;
+        if (text.empty() || info.setPoint != SetPoint::None)
+            return true;
+        const std::size_t dots = text.find("..");
+        if (dots == std::string_view::npos)
+            return false;
+        const std::string_view above = text.substr(dots + 2);
+        const auto least = number<std::int32_t>(text.substr(0, dots));
+        if (!least)
+            return false;
+        info.least = *least;
+        if (above.empty())
+            return true;
+        const auto greatest = number<std::int32_t>(above);
+        if (!greatest)
+            return false;
+        info.greatest = *greatest;
+        return *greatest >= *least;
+    }
+
     std::string_view field(const CsvRow &row, Column column) const
     {
-        return row.fields[m_places[column]];
+        return m_places[column] == kMissing ? std::string_view()
+                                            : std::string_view(row.fields[m_places[column]]);
     }
 
     tl::unexpected<TableError> error(const CsvRow &row, const std::string &what) const

@@ -84,10 +84,14 @@ std::string refuseSetPoint(const McpBoard &board, const RegisterWrite &write)
     const auto value = asNumber(write.value);
     if (!value)
         return {};
-    if (info->name == "SPEED_REF")
+    switch (info->setPoint) {
+    case catalog::SetPoint::Speed:
         return refuseSpeed(board, motor, *value);
-    if (info->name == "I_Q_REF" || info->name == "I_D_REF")
+    case catalog::SetPoint::Current:
         return refuseDigits(board, motor, *value);
+    case catalog::SetPoint::None:
+        break;
+    }
     return {};
 }
 

@@ -1,5 +1,6 @@
 #include "drive/mcp_writes.h"
 
+#include "catalog/limits.h"
 #include "drive/mcp_limits.h"
 #include "drive/mcp_values.h"
 #include "mcp/protocol.h"
@@ -124,6 +125,8 @@ void WriteTask::check(Item &item) const
         item.result.reason = encoded.error();
     } else if (encoded->size() + 4 > m_board.requestBytes) {
         item.result.reason = "is longer than a request";
+    } else if (auto meaning = catalog::refuseValue(*info, item.write.value); !meaning.empty()) {
+        item.result.reason = meaning;
     } else {
         item.result.reason = refuseSetPoint(m_board, item.write);
         item.encoded = std::move(*encoded);

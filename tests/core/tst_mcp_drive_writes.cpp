@@ -72,10 +72,10 @@ void TestMcpDriveWrites::everyRegisterOfAListHasItsOwnEnd()
 
 namespace {
 
-const std::vector<const char *> kGains{"SPEED_KP", "SPEED_KI", "SPEED_KD", "I_Q_KP", "I_Q_KI",
-    "I_Q_KD", "I_D_KP", "I_D_KI", "I_D_KD", "STOPLL_C1", "STOPLL_C2", "STOPLL_KI", "STOPLL_KP",
-    "SPEED_KP_DIV", "SPEED_KI_DIV", "I_Q_KP_DIV", "I_Q_KI_DIV", "I_D_KP_DIV", "I_D_KI_DIV",
-    "STOPLL_KP_DIV"};
+const std::vector<const char *> kGains{"SPEED_KP_DIV", "SPEED_KI_DIV", "I_Q_KP_DIV", "I_Q_KI_DIV",
+    "I_D_KP_DIV", "I_D_KI_DIV", "STOPLL_KP_DIV", "SPEED_KP", "SPEED_KI", "SPEED_KD", "I_Q_KP",
+    "I_Q_KI", "I_Q_KD", "I_D_KP", "I_D_KI", "I_D_KD", "STOPLL_C1", "STOPLL_C2", "STOPLL_KI",
+    "STOPLL_KP"};
 
 Write gains(const Session &session, std::int64_t first)
 {
