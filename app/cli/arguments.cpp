@@ -37,6 +37,14 @@ const CommandText kCommands[] = {
     {"ramp", "RPM MS", "Ramps the speed set-point to RPM within MS milliseconds.", 2, 2},
     {"capture", "--hf A,B --seconds S -o FILE.csv",
         "Records signals into a CSV file, which appears whole or not at all.", 0, 0},
+    {"snapshot", "-o FILE.json",
+        "Saves every register that can be read, with the name of board and firmware.", 0, 0},
+    {"diff", "A.json B.json|device",
+        "Lists the registers that differ between two snapshots, or a snapshot and the board.", 2, 2,
+        false},
+    {"restore", "FILE.json",
+        "Writes back what differs from a snapshot, in as few requests as fit, and reads it back.",
+        1, 1},
     {"decode", "TRACE.jsonl", "Decodes a recorded session and prints one JSON object per packet.",
         1, 1, false},
 };
@@ -90,6 +98,7 @@ void addCommandOptions(QCommandLineParser &parser, const QString &command)
         || command == QLatin1String("ramp") || command == QLatin1String("capture"))
         parser.addOption({QStringLiteral("motor"),
             QStringLiteral("Number of the motor, 1 if not given."), QStringLiteral("N")});
+    addTuningOptions(parser, command);
     if (command != QLatin1String("capture"))
         return;
     parser.addOptions({
@@ -259,13 +268,17 @@ Outcome<bool> takeCommand(const CommandText &command, const QStringList &line, A
             return tl::make_unexpected(ramp.error());
         arguments.ramp = *ramp;
     }
+    auto tuning = tuningOf(parser, arguments.command, arguments.words);
+    if (!tuning)
+        return tl::make_unexpected(tuning.error());
+    arguments.tuning = std::move(*tuning);
     if (arguments.command == QLatin1String("capture")) {
         auto capture = captureOf(parser);
         if (!capture)
             return tl::make_unexpected(capture.error());
         arguments.capture = std::move(*capture);
     }
-    if (command.needsPort && arguments.port.isEmpty())
+    if ((command.needsPort || arguments.tuning.device) && arguments.port.isEmpty())
         return usage(QStringLiteral(
             "Say where the board is with --port PORT, or --port sim for a simulated one; "
             "rotorscope-cli ports lists them."));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "failure.h"
+#include "tuning_arguments.h"
 
 #include <QStringList>
 
@@ -37,6 +38,7 @@ struct Arguments {
     QStringList words; ///< the command's own, without options
     RampArguments ramp; ///< of the command `ramp`
     CaptureArguments capture;
+    TuningArguments tuning; ///< of snapshot, diff, restore, revup, torque, gains, header
     std::optional<QString> text; ///< help or version: to be printed instead of doing anything
 };
 

@@ -20,6 +20,7 @@ struct Desk {
 
 Outcome<int> runPorts(Output &out);
 Outcome<int> runDecode(const Arguments &arguments, Output &out);
+Outcome<int> runDiffOfFiles(const Arguments &arguments, Output &out);
 
 Outcome<int> runInfo(Desk &desk);
 Outcome<int> runRegisters(Desk &desk);
@@ -30,6 +31,9 @@ Outcome<int> runStop(Desk &desk);
 Outcome<int> runAcknowledge(Desk &desk);
 Outcome<int> runRamp(Desk &desk);
 Outcome<int> runCapture(Desk &desk);
+Outcome<int> runSnapshot(Desk &desk);
+Outcome<int> runDiff(Desk &desk);
+Outcome<int> runRestore(Desk &desk);
 
 /// Prints a motor's state.
 void printStatus(Output &out, const drive::MotorStatus &status);

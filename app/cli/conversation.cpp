@@ -76,6 +76,15 @@ Outcome<drive::Ended> Conversation::ask(decltype(drive::Wish::what) what)
     return *m_ended;
 }
 
+Conversation::Asked Conversation::askToTheEnd(decltype(drive::Wish::what) what)
+{
+    const auto ended = ask(std::move(what));
+    if (ended)
+        return {*ended, m_broken};
+    close(); // ends the wish, and tells how far it came
+    return {m_ended, ended.error()};
+}
+
 Outcome<drive::Ended> Conversation::command(
     decltype(drive::Wish::what) wish, const QString &what, const QString &advice)
 {

@@ -33,12 +33,18 @@ public:
 
     /// Asks for something and waits for its end. Not armed: what writes or moves ends NotSent.
     Outcome<drive::Ended> ask(decltype(drive::Wish::what) what);
+    /// ask() for what changes something: whatever ends it, also what is known until then. At least one is there.
+    struct Asked {
+        std::optional<drive::Ended> ended;
+        std::optional<Failure> broken; ///< the connection is closed then
+    };
+    Asked askToTheEnd(decltype(drive::Wish::what) what);
     /// ask() for what must succeed: any other outcome is a failure that begins with `what`. `advice` ends the sentence
     /// about a refusal.
     Outcome<drive::Ended> command(decltype(drive::Wish::what) wish, const QString &what,
         const QString &advice = QStringLiteral(
             "look at the board's state and faults with rotorscope-cli info"));
-    /// Readings in the order of the ids; a register that did not answer is NotSupported.
+    /// Readings in the order of the ids; a register that never answered is NotSupported at no time.
     Outcome<std::vector<drive::Reading>> read(const std::vector<drive::RegisterId> &ids);
     /// The newest status of a motor; waits for the first one.
     Outcome<drive::MotorStatus> status(int motor);

@@ -23,6 +23,9 @@ const LinkCommand kLinkCommands[] = {
     {"ack", runAcknowledge},
     {"ramp", runRamp},
     {"capture", runCapture},
+    {"snapshot", runSnapshot},
+    {"diff", runDiff},
+    {"restore", runRestore},
 };
 
 Outcome<int> runLinkCommand(const Arguments &arguments, Output &out)
@@ -53,6 +56,8 @@ Outcome<int> run(const QStringList &line)
         status = runPorts(out);
     else if (arguments->command == QLatin1String("decode"))
         status = runDecode(*arguments, out);
+    else if (arguments->command == QLatin1String("diff") && !arguments->tuning.device)
+        status = runDiffOfFiles(*arguments, out);
     else
         status = runLinkCommand(*arguments, out);
     if (!out.flush() && status && *status == kDone)

@@ -1,0 +1,95 @@
+#include "snapshot_work.h"
+#include "tuning/restore.h"
+#include "write_report.h"
+
+#include <QJsonArray>
+
+namespace cli {
+
+namespace {
+
+const char *wordOf(tuning::NotRestored why)
+{
+    switch (why) {
+    case tuning::NotRestored::NotOnBoard:
+        return "not on this board";
+    case tuning::NotRestored::OtherType:
+        return "something else in this firmware";
+    case tuning::NotRestored::MotorMoves:
+        return "the motor is not idle";
+    case tuning::NotRestored::ReadsDifferently:
+        return "firmware reads it in another form than it writes";
+    }
+    return "";
+}
+
+Outcome<int> checkHardware(const Desk &desk, const tuning::Snapshot &snapshot)
+{
+    const auto others = tuning::otherHardware(snapshot.board, desk.board.identity);
+    if (others.empty() || desk.arguments.tuning.force)
+        return kDone;
+    QStringList names;
+    for (const std::string &name : others)
+        names.append(QString::fromStdString(name).simplified());
+    return failure(kRefused,
+        QStringLiteral("%1 was taken of other hardware (%2); restore it all the same with --force.")
+            .arg(desk.arguments.words[0], names.join(QStringLiteral(", "))));
+}
+
+Outcome<std::vector<int>> movingMotors(Desk &desk)
+{
+    std::vector<int> moving;
+    for (int motor = 1; motor <= desk.board.identity.motors; ++motor) {
+        const auto status = desk.talk.status(motor);
+        if (!status)
+            return tl::make_unexpected(status.error());
+        using drive::MotorState;
+        if (status->state != MotorState::Idle && status->state != MotorState::FaultNow
+            && status->state != MotorState::FaultOver)
+            moving.push_back(motor);
+    }
+    return moving;
+}
+
+} // namespace
+
+Outcome<int> runRestore(Desk &desk)
+{
+    const auto wanted = loadSnapshot(desk.arguments.words[0]);
+    if (!wanted)
+        return tl::make_unexpected(wanted.error());
+    const auto sameHardware = checkHardware(desk, *wanted);
+    if (!sameHardware)
+        return sameHardware;
+    const auto board = readBoard(desk, tuning::Scope::Tunable);
+    if (!board)
+        return tl::make_unexpected(board.error());
+    const auto selection = selectionOf(desk.arguments, *wanted, board->snapshot);
+    if (!selection)
+        return tl::make_unexpected(selection.error());
+    const auto moving = movingMotors(desk);
+    if (!moving)
+        return tl::make_unexpected(moving.error());
+    const tuning::RestorePlan plan =
+        tuning::planRestore(*wanted, board->snapshot, desk.catalog(), *selection, *moving);
+
+    Outcome<int> done = kDone;
+    if (!plan.writes.empty())
+        done = writeAndReport(
+            desk, drive::Write{plan.writes}, Digits::Shown, QStringLiteral("The restore"));
+    else if (desk.out.json())
+        desk.out.line(QJsonArray());
+    else if (plan.left.empty())
+        desk.out.line(QStringLiteral("The board holds these values already."));
+    if (!done || plan.left.empty())
+        return done;
+    QStringList left;
+    for (const auto &[name, why] : plan.left)
+        left.append(QStringLiteral("%1 (%2)").arg(
+            QString::fromStdString(name), QLatin1String(wordOf(why))));
+    return failure(kRefused,
+        QStringLiteral("Not restored: %1; everything else is.")
+            .arg(left.join(QStringLiteral(", "))));
+}
+
+} // namespace cli

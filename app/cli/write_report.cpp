@@ -1,0 +1,144 @@
+#include "write_report.h"
+
+#include "sentences.h"
+
+#include <QJsonArray>
+
+namespace cli {
+
+namespace {
+
+const char *wordOf(drive::Outcome outcome)
+{
+    switch (outcome) {
+    case drive::Outcome::Ok:
+        return "ok";
+    case drive::Outcome::Refused:
+        return "refused";
+    case drive::Outcome::NotSent:
+        return "not sent";
+    case drive::Outcome::Unknown:
+        return "unknown";
+    }
+    return "unknown";
+}
+
+QString nameOf(const Desk &desk, drive::RegisterId id)
+{
+    return QString::fromStdString(desk.catalog().nameOf(id));
+}
+
+QString sideText(
+    const Desk &desk, drive::RegisterId id, const std::optional<drive::Value> &value, Digits digits)
+{
+    return value ? valueText(desk.catalog(), id, *value, digits) : QStringLiteral("?");
+}
+
+QString reasonText(const std::string &reason)
+{
+    return reason.empty() ? QString() : QStringLiteral(" (%1)").arg(plainText(reason));
+}
+
+QJsonObject jsonOf(const Desk &desk, const drive::WriteResult &result, Digits digits)
+{
+    QJsonObject object{{QStringLiteral("name"), nameOf(desk, result.id)},
+        {QStringLiteral("id"), idText(result.id)},
+        {QStringLiteral("outcome"), QLatin1String(wordOf(result.outcome))},
+        {QStringLiteral("reason"), plainText(result.reason)},
+        {QStringLiteral("verified"),
+            result.verified ? QJsonValue(*result.verified) : QJsonValue()}};
+    const auto put = [&](const char *side, const std::optional<drive::Value> &value) {
+        if (value)
+            object[QLatin1String(side)] =
+                valueJson(desk.catalog(), result.id, *value, digits)[QStringLiteral("value")];
+    };
+    put("old", result.before);
+    put("new", result.readBack);
+    return object;
+}
+
+QString lineOf(const Desk &desk, const drive::WriteResult &result, Digits digits)
+{
+    const QString line =
+        QStringLiteral("%1: %2 -> %3")
+            .arg(nameOf(desk, result.id), sideText(desk, result.id, result.before, digits),
+                sideText(desk, result.id, result.readBack, digits));
+    const bool sent =
+        result.outcome == drive::Outcome::Ok || result.outcome == drive::Outcome::Refused;
+    if (result.readBack || result.outcome == drive::Outcome::Refused)
+        return line;
+    return line
+        + QStringLiteral(" (%1)").arg(sent ? QStringLiteral("written, not read back")
+                                           : QLatin1String(wordOf(result.outcome)));
+}
+
+/// One sentence about a list that came to no good end because nobody answered any more.
+QString brokenSentence(const std::vector<drive::WriteResult> &writes, const QString &what)
+{
+    int counts[4] = {};
+    for (const drive::WriteResult &result : writes)
+        ++counts[static_cast<std::size_t>(result.outcome)];
+    const auto count = [&](drive::Outcome outcome) {
+        return QString::number(counts[static_cast<std::size_t>(outcome)]);
+    };
+    return QStringLiteral(
+        "%1 broke off: of %2 registers %3 were written, %4 may have been, %5 were "
+        "not; connect again and look with rotorscope-cli get or diff.")
+        .arg(what, QString::number(writes.size()), count(drive::Outcome::Ok),
+            count(drive::Outcome::Unknown),
+            QString::number(counts[static_cast<std::size_t>(drive::Outcome::NotSent)]
+                + counts[static_cast<std::size_t>(drive::Outcome::Refused)]));
+}
+
+Outcome<int> verdict(const Desk &desk, const drive::Ended &ended)
+{
+    QStringList failed, other;
+    for (const drive::WriteResult &result : ended.writes) {
+        if (result.outcome != drive::Outcome::Ok)
+            failed.append(nameOf(desk, result.id) + reasonText(result.reason));
+        else if (result.verified == false)
+            other.append(nameOf(desk, result.id));
+    }
+    const auto sentence = [](const char *begin, const QStringList &names) {
+        return QStringLiteral("%1: %2; the values above are what the board has now.")
+            .arg(QLatin1String(begin), names.join(QStringLiteral(", ")));
+    };
+    if (!failed.isEmpty())
+        return failure(kRefused, sentence("Not written", failed));
+    if (!other.isEmpty())
+        return failure(kRefused, sentence("The board made another value of", other));
+    if (ended.outcome != drive::Outcome::Ok)
+        return failure(
+            kRefused, QStringLiteral("Nothing was written%1.").arg(reasonText(ended.reason)));
+    return kDone;
+}
+
+} // namespace
+
+Outcome<int> writeAndReport(
+    Desk &desk, const drive::Write &write, Digits digits, const QString &what)
+{
+    desk.talk.arm();
+    const Conversation::Asked asked = desk.talk.askToTheEnd(write);
+    QJsonArray list;
+    if (asked.ended) {
+        for (const drive::WriteResult &result : asked.ended->writes) {
+            if (desk.out.json())
+                list.append(jsonOf(desk, result, digits));
+            else
+                desk.out.line(lineOf(desk, result, digits));
+        }
+    }
+    if (desk.out.json())
+        desk.out.line(list);
+    const bool broken = asked.broken || asked.ended->outcome == drive::Outcome::Unknown;
+    if (!broken)
+        return verdict(desk, *asked.ended);
+    const int status = asked.broken ? asked.broken->status : kNoConnection;
+    if (asked.ended && !asked.ended->writes.empty())
+        return failure(status, brokenSentence(asked.ended->writes, what));
+    return asked.broken ? tl::make_unexpected(*asked.broken)
+                        : failure(status, QStringLiteral("%1 broke off.").arg(what));
+}
+
+} // namespace cli

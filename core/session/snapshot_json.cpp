@@ -1,0 +1,281 @@
+#include "session/snapshot_json.h"
+
+#include "mcp/structure_fields.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace session {
+
+namespace {
+
+using catalog::Value;
+using catalog::ValueType;
+using tuning::Entry;
+using tuning::Snapshot;
+
+constexpr int kVersion = 1;
+constexpr qsizetype kMostRegisters = 10'000;
+constexpr char kFormat[] = "rotorscope-snapshot";
+constexpr std::array kTypes{"u8", "s8", "u16", "s16", "u32", "s32", "f32", "text", "raw"};
+
+QString key(const char *name) { return QString::fromLatin1(name); }
+
+QString textOf(const std::string &text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+QString hexOf(const char *data, std::size_t size)
+{
+    return QString::fromLatin1(QByteArray(data, static_cast<qsizetype>(size)).toHex(' '));
+}
+
+/// JSON has no word for NaN.
+QJsonValue finite(double number)
+{
+    return std::isfinite(number) ? QJsonValue(number) : QJsonValue();
+}
+
+QJsonObject fieldsJson(const Entry &entry, const Bytes &bytes)
+{
+    QJsonObject object;
+    for (const mcp::Field &field : mcp::fieldsOf({static_cast<std::uint16_t>(entry.id)}, bytes)) {
+        const auto put = [&](const QJsonValue &value) { object[textOf(field.name)] = value; };
+        if (const auto *whole = std::get_if<std::int64_t>(&field.value))
+            put(static_cast<qint64>(*whole));
+        else if (const auto *number = std::get_if<double>(&field.value))
+            put(finite(*number));
+        else
+            put(textOf(std::get<std::string>(field.value)));
+    }
+    return object;
+}
+
+void putValue(QJsonObject &object, const Entry &entry)
+{
+    const QString raw = key("raw");
+    if (const auto *whole = std::get_if<std::int64_t>(&entry.value)) {
+        object[raw] = static_cast<qint64>(*whole);
+    } else if (const auto *number = std::get_if<double>(&entry.value)) {
+        object[raw] = finite(*number);
+        const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(*number));
+        object[key("bits")] = QStringLiteral("%1").arg(bits, 8, 16, QLatin1Char('0')).toUpper();
+    } else if (const auto *text = std::get_if<std::string>(&entry.value)) {
+        object[raw] = textOf(*text);
+        if (textOf(*text).toStdString() != *text)
+            object[key("bytes")] = hexOf(text->data(), text->size());
+    } else {
+        const auto &bytes = std::get<Bytes>(entry.value);
+        object[raw] = hexOf(reinterpret_cast<const char *>(bytes.data()), bytes.size());
+        if (const QJsonObject fields = fieldsJson(entry, bytes); !fields.isEmpty())
+            object[key("fields")] = fields;
+    }
+}
+
+QJsonObject jsonOf(const Entry &entry)
+{
+    QJsonObject object{{key("name"), textOf(entry.name)}, {key("motor"), entry.motor},
+        {key("id"),
+            QStringLiteral("0x")
+                + QString::number(entry.id, 16).toUpper().rightJustified(4, QLatin1Char('0'))},
+        {key("group"), textOf(entry.group)},
+        {key("type"), key(kTypes[static_cast<std::size_t>(entry.type)])},
+        {key("tunable"), entry.tunable}};
+    putValue(object, entry);
+    if (entry.shown) {
+        object[key("value")] = finite(*entry.shown);
+        object[key("unit")] = textOf(entry.unit);
+    }
+    return object;
+}
+
+QJsonArray listOf(const std::vector<std::string> &texts)
+{
+    QJsonArray list;
+    for (const std::string &text : texts)
+        list.append(textOf(text));
+    return list;
+}
+
+QJsonObject jsonOf(const drive::Identity &board)
+{
+    return {{key("protocol"), textOf(board.protocol)}, {key("firmware"), textOf(board.firmware)},
+        {key("version"), textOf(board.version)}, {key("control_board"), textOf(board.controlBoard)},
+        {key("power_boards"), listOf(board.powerBoards)},
+        {key("motor_names"), listOf(board.motorNames)}, {key("motors"), board.motors}};
+}
+
+QByteArray compact(const QJsonObject &object)
+{
+    return QJsonDocument(object).toJson(QJsonDocument::Compact);
+}
+
+// ---- reading ----
+
+using Read = Result<Value, QString>;
+
+auto wrong(const char *what) { return fail(key(what)); }
+
+std::optional<Bytes> bytesOfHex(const QString &text)
+{
+    QByteArray digits = text.toLatin1();
+    digits.replace(' ', "");
+    const QByteArray bytes = QByteArray::fromHex(digits);
+    if (bytes.size() * 2 != digits.size())
+        return std::nullopt;
+    return Bytes(bytes.begin(), bytes.end());
+}
+
+std::pair<double, double> rangeOf(ValueType type)
+{
+    const double span = std::ldexp(1.0, static_cast<int>(8 * catalog::widthOf(type)));
+    const bool isSigned = type == ValueType::S8 || type == ValueType::S16 || type == ValueType::S32;
+    return isSigned ? std::pair{-span / 2, span / 2 - 1} : std::pair{0.0, span - 1};
+}
+
+Read wholeOf(const QJsonValue &raw, ValueType type)
+{
+    const double number = raw.toDouble(std::numeric_limits<double>::quiet_NaN());
+    const auto [least, most] = rangeOf(type);
+    if (!(number >= least && number <= most) || number != std::nearbyint(number))
+        return wrong("has a raw number that does not fit its type");
+    return Value(static_cast<std::int64_t>(number));
+}
+
+Read floatOf(const QJsonObject &object)
+{
+    bool ok = false;
+    const QString bits = object[key("bits")].toString();
+    const std::uint32_t number = bits.toUInt(&ok, 16);
+    if (ok && bits.size() == 8)
+        return Value(static_cast<double>(std::bit_cast<float>(number)));
+    if (!object[key("raw")].isDouble())
+        return wrong("has neither bits nor a raw number");
+    return Value(static_cast<double>(static_cast<float>(object[key("raw")].toDouble())));
+}
+
+Read valueOf(const QJsonObject &object, ValueType type)
+{
+    const QJsonValue raw = object[key("raw")];
+    if (type == ValueType::F32)
+        return floatOf(object);
+    if (catalog::isInteger(type))
+        return wholeOf(raw, type);
+    if (!raw.isString())
+        return wrong("has no raw text");
+    if (type == ValueType::Text && !object.contains(key("bytes")))
+        return Value(raw.toString().toStdString());
+    const auto bytes =
+        bytesOfHex(type == ValueType::Text ? object[key("bytes")].toString() : raw.toString());
+    if (!bytes)
+        return wrong("has bytes that are no hexadecimal digits");
+    if (type == ValueType::Text)
+        return Value(std::string(bytes->begin(), bytes->end()));
+    return Value(*bytes);
+}
+
+Result<Entry, QString> entryOf(const QJsonObject &object)
+{
+    Entry entry;
+    entry.name = object[key("name")].toString().toStdString();
+    if (entry.name.empty())
+        return wrong("has no name");
+    entry.motor = object[key("motor")].toInt(-1);
+    if (entry.motor < 0 || entry.motor > 7)
+        return wrong("has no motor from 0 to 7");
+    bool ok = false;
+    entry.id = object[key("id")].toString().toUInt(&ok, 16);
+    if (!ok || entry.id > 0xFFFF)
+        return wrong("has no id");
+    entry.group = object[key("group")].toString().toStdString();
+    const QByteArray type = object[key("type")].toString().toLatin1();
+    const auto at = std::find(kTypes.begin(), kTypes.end(), std::string_view(type.constData()));
+    if (at == kTypes.end())
+        return wrong("has no known type");
+    entry.type = static_cast<ValueType>(at - kTypes.begin());
+    entry.tunable = object[key("tunable")].toBool();
+    auto value = valueOf(object, entry.type);
+    if (!value)
+        return fail(value.error());
+    entry.value = std::move(*value);
+    if (object.contains(key("value")))
+        entry.shown = object[key("value")].toDouble(std::numeric_limits<double>::quiet_NaN());
+    entry.unit = object[key("unit")].toString().toStdString();
+    return entry;
+}
+
+std::vector<std::string> textsOf(const QJsonValue &list)
+{
+    std::vector<std::string> texts;
+    const QJsonArray array = list.toArray();
+    for (const auto &text : array)
+        texts.push_back(text.toString().toStdString());
+    return texts;
+}
+
+drive::Identity identityOf(const QJsonObject &object)
+{
+    const auto text = [&](const char *name) { return object[key(name)].toString().toStdString(); };
+    drive::Identity board;
+    board.protocol = text("protocol");
+    board.firmware = text("firmware");
+    board.version = text("version");
+    board.controlBoard = text("control_board");
+    board.powerBoards = textsOf(object[key("power_boards")]);
+    board.motorNames = textsOf(object[key("motor_names")]);
+    board.motors = object[key("motors")].toInt(1);
+    return board;
+}
+
+} // namespace
+
+QByteArray snapshotJson(const Snapshot &snapshot)
+{
+    QByteArray text = "{\"format\":\"" + QByteArray(kFormat)
+        + "\",\"version\":" + QByteArray::number(kVersion)
+        + ",\n\"board\":" + compact(jsonOf(snapshot.board)) + ",\n\"registers\":[";
+    const char *separator = "\n";
+    for (const Entry &entry : snapshot.entries) {
+        text += separator + compact(jsonOf(entry));
+        separator = ",\n";
+    }
+    return text + "\n]}\n";
+}
+
+Result<Snapshot, QString> readSnapshotJson(const QByteArray &text)
+{
+    QJsonParseError error;
+    const QJsonObject root = QJsonDocument::fromJson(text, &error).object();
+    if (error.error != QJsonParseError::NoError)
+        return fail(QStringLiteral("it is no JSON (%1)").arg(error.errorString()));
+    if (root[key("format")].toString() != key(kFormat))
+        return fail(QStringLiteral("it is no snapshot"));
+    if (root[key("version")].toInt() != kVersion)
+        return fail(QStringLiteral("it is of a newer version than this program knows"));
+    const QJsonArray registers = root[key("registers")].toArray();
+    if (registers.size() > kMostRegisters)
+        return fail(QStringLiteral("it has more registers than any board"));
+    Snapshot snapshot;
+    snapshot.board = identityOf(root[key("board")].toObject());
+    std::set<std::pair<std::string, int>> seen;
+    for (qsizetype i = 0; i < registers.size(); ++i) {
+        auto entry = entryOf(registers[i].toObject());
+        if (!entry)
+            return fail(
+                QStringLiteral("its register %1 %2").arg(QString::number(i + 1), entry.error()));
+        if (!seen.emplace(entry->name, entry->motor).second)
+            return fail(QStringLiteral("its register %1 is there twice").arg(textOf(entry->name)));
+        snapshot.entries.push_back(std::move(*entry));
+    }
+    return snapshot;
+}
+
+} // namespace session

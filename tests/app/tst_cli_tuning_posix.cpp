@@ -1,0 +1,265 @@
+// Snapshot, diff and restore of the command line, against a simulated board that outlives each run: what was saved
+// comes back, and a cable that is pulled in between leaves no doubt about what was written.
+#include "support/board_on_terminal.h"
+#include "support/programs_posix.h"
+
+#include <QtTest>
+
+using support::CliRun;
+using support::runCli;
+using support::Simulator;
+
+class TestCliTuning : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void twentyChangedRegistersAreFoundAndRestored();
+    void aSnapshotOfTheSameStateIsTheSameFile();
+    void onlyTheGroupThatWasNamedIsRestored();
+    void setPointsAreNotRestoredOnARunningMotor();
+    void anUnplugInTheMiddleTellsExactlyWhatWasWritten();
+    void otherHardwareIsRefusedUnlessForced();
+    void filesThatAreNoneAreExitStatus5_data();
+    void filesThatAreNoneAreExitStatus5();
+    void wrongUsageIsExitStatus2_data();
+    void wrongUsageIsExitStatus2();
+};
+
+namespace {
+
+#define COMPARE_STATUS(result, expected)                                                           \
+    QVERIFY2((result).status == (expected),                                                        \
+        qPrintable(QStringLiteral("status %1, stderr: %2")                                         \
+                       .arg(QString::number((result).status), (result).err)))
+
+const QStringList kTwenty = QStringLiteral("SPEED_KP SPEED_KI SPEED_KD I_Q_KP I_Q_KI I_Q_KD I_D_KP "
+                                           "I_D_KI I_D_KD STOPLL_C1 STOPLL_C2 STOPLL_KI STOPLL_KP "
+                                           "SPEED_KP_DIV SPEED_KI_DIV I_D_KP_DIV I_D_KI_DIV "
+                                           "I_Q_KP_DIV I_Q_KI_DIV STOPLL_KP_DIV")
+                                .split(QLatin1Char(' '));
+
+/// NAME=its value + 1 for each, as one SET would get them.
+QStringList changedBy1(const QJsonArray &values)
+{
+    QStringList words;
+    for (const QJsonValue &value : values)
+        words.append(QStringLiteral("%1=%2").arg(value[QLatin1String("name")].toString(),
+            QString::number(value[QLatin1String("raw")].toInteger() + 1)));
+    return words;
+}
+
+QStringList namesOf(const QJsonArray &list, const char *outcome = nullptr)
+{
+    QStringList names;
+    for (const QJsonValue &one : list)
+        if (outcome == nullptr
+            || one[QLatin1String("outcome")].toString() == QLatin1String(outcome))
+            names.append(one[QLatin1String("name")].toString());
+    return names;
+}
+
+} // namespace
+
+void TestCliTuning::twentyChangedRegistersAreFoundAndRestored()
+{
+    const Simulator board;
+    QVERIFY(board.ready());
+    const QString file = board.file("s.json");
+    COMPARE_STATUS(board.cli("snapshot -o", {file}), 0);
+    QCOMPARE(
+        board.cli("--json diff", {file, QStringLiteral("device")}).out, QStringLiteral("[]\n"));
+
+    const QJsonArray old = board.cli("--json get", kTwenty).list();
+    COMPARE_STATUS(board.cli("set --raw", changedBy1(old)), 0);
+    const QJsonArray found = board.cli("--json diff", {file, QStringLiteral("device")}).list();
+    QStringList names = namesOf(found), wanted = kTwenty;
+    names.sort();
+    wanted.sort();
+    QCOMPARE(names, wanted);
+    for (const QJsonValue &one : found)
+        QCOMPARE(
+            one[QLatin1String("b_raw")].toInteger(), one[QLatin1String("a_raw")].toInteger() + 1);
+    QCOMPARE(board.cli("diff", {file, QStringLiteral("device")}).lines().size(), 20);
+
+    const CliRun restored = board.cli("--json restore", {file});
+    COMPARE_STATUS(restored, 0);
+    QCOMPARE(restored.list().size(), 20);
+    for (const QJsonValue &one : restored.list())
+        QVERIFY(one[QLatin1String("verified")].toBool());
+    QCOMPARE(
+        board.cli("--json diff", {file, QStringLiteral("device")}).out, QStringLiteral("[]\n"));
+    QCOMPARE(board.cli("--json restore", {file}).out, QStringLiteral("[]\n"));
+    QCOMPARE(board.cli("--json get", kTwenty).list(), old);
+}
+
+void TestCliTuning::aSnapshotOfTheSameStateIsTheSameFile()
+{
+    const Simulator board;
+    QVERIFY(board.ready());
+    const CliRun saved = board.cli("--json snapshot -o", {board.file("a.json")});
+    COMPARE_STATUS(saved, 0);
+    QVERIFY(saved.object()[QLatin1String("tunable")].toInt() >= 20);
+    QVERIFY(saved.object()[QLatin1String("registers")].toInt()
+        > saved.object()[QLatin1String("tunable")].toInt());
+    COMPARE_STATUS(board.cli("set SPEED_KP=77"), 0);
+    COMPARE_STATUS(board.cli("snapshot -o", {board.file("b.json")}), 0);
+    // Two files need no board.
+    const CliRun diff = runCli({QStringLiteral("diff"), QStringLiteral("--json"),
+        board.file("a.json"), board.file("b.json")});
+    COMPARE_STATUS(diff, 0);
+    QCOMPARE(namesOf(diff.list()), QStringList{QStringLiteral("SPEED_KP")});
+    COMPARE_STATUS(board.cli("restore", {board.file("a.json")}), 0);
+    COMPARE_STATUS(board.cli("snapshot -o", {board.file("b.json")}), 0);
+    QFile a(board.file("a.json")), b(board.file("b.json"));
+    QVERIFY(a.open(QIODevice::ReadOnly) && b.open(QIODevice::ReadOnly));
+    // Measured currents are never twice the same; what is tunable is.
+    const auto tunable = [](QFile &file) {
+        QByteArrayList lines = file.readAll().split('\n');
+        lines.removeIf([](const QByteArray &line) { return line.contains("\"tunable\":false"); });
+        return lines;
+    };
+    QCOMPARE(tunable(a), tunable(b));
+}
+
+void TestCliTuning::onlyTheGroupThatWasNamedIsRestored()
+{
+    const Simulator board;
+    QVERIFY(board.ready());
+    const QString file = board.file("s.json");
+    COMPARE_STATUS(board.cli("snapshot -o", {file}), 0);
+    COMPARE_STATUS(board.cli("set SPEED_KP=5 SPEED_KI=6 I_Q_KP=7 I_D_KP=8"), 0);
+    COMPARE_STATUS(board.cli("restore --only", {QStringLiteral("speed loop,I_D_KP"), file}), 0);
+    QCOMPARE(namesOf(board.cli("--json diff", {file, QStringLiteral("device")}).list()),
+        QStringList{QStringLiteral("I_Q_KP")});
+}
+
+void TestCliTuning::setPointsAreNotRestoredOnARunningMotor()
+{
+    const Simulator board;
+    QVERIFY(board.ready());
+    const QString file = board.file("s.json");
+    COMPARE_STATUS(board.cli("snapshot -o", {file}), 0);
+    COMPARE_STATUS(board.cli("start"), 0);
+    COMPARE_STATUS(board.cli("set SPEED_KP=5"), 0);
+    COMPARE_STATUS(board.cli("ramp 1500 10"), 0);
+    const CliRun restored = board.cli("--json restore", {file});
+    COMPARE_STATUS(restored, 1);
+    QVERIFY2(restored.err.contains(QLatin1String("SPEED_RAMP (the motor is not idle)")),
+        qPrintable(restored.err));
+    QCOMPARE(namesOf(restored.list()), QStringList{QStringLiteral("SPEED_KP")});
+    COMPARE_STATUS(board.cli("stop"), 0);
+}
+
+void TestCliTuning::anUnplugInTheMiddleTellsExactlyWhatWasWritten()
+{
+    simulation::BoardOptions options;
+    options.rxMax = 32; // seven registers a request
+    support::BoardOnTerminal board(options);
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("s.json"));
+    const auto cli = [&](const QStringList &words) {
+        return support::runCliBeside(
+            QStringList{QStringLiteral("--json"), QStringLiteral("--port"), board.path()} + words);
+    };
+    const QStringList save{QStringLiteral("snapshot"), QStringLiteral("-o"), file};
+    COMPARE_STATUS(cli(save), 0);
+    const QJsonArray old = cli(QStringList{QStringLiteral("get")} + kTwenty).list();
+    const QStringList set{QStringLiteral("set"), QStringLiteral("--raw")};
+    COMPARE_STATUS(cli(set + changedBy1(old)), 0);
+
+    // The cable goes while the board answers the second SET, which begins with I_D_KI.
+    const Bytes second{0x08, 0x00, 0xD1, 0x02};
+    Bytes heard;
+    board.onHeard = [&](const Bytes &bytes) {
+        heard.insert(heard.end(), bytes.begin(), bytes.end());
+        if (std::search(heard.begin(), heard.end(), second.begin(), second.end()) != heard.end())
+            board.unplugInTheMiddle();
+    };
+    const CliRun broken = cli({QStringLiteral("restore"), file});
+    QVERIFY(board.unplugged());
+    COMPARE_STATUS(broken, 3);
+    QVERIFY(broken.oneLineOfError());
+    QVERIFY2(broken.err.contains(
+                 QLatin1String("of 20 registers 7 were written, 7 may have been, 6 were not")),
+        qPrintable(broken.err));
+    const QStringList written = namesOf(broken.list(), "ok");
+    const QStringList open = namesOf(broken.list(), "unknown");
+    const QStringList waiting = namesOf(broken.list(), "not sent");
+    QCOMPARE(written.size(), 7);
+    QCOMPARE(open.size(), 7);
+    QCOMPARE(waiting.size(), 6);
+
+    board.onHeard = nullptr;
+    board.plugIn();
+    const QStringList differ =
+        namesOf(cli({QStringLiteral("diff"), file, QStringLiteral("device")}).list());
+    for (const QString &name : written)
+        QVERIFY2(!differ.contains(name), qPrintable(name));
+    for (const QString &name : waiting)
+        QVERIFY2(differ.contains(name), qPrintable(name));
+    const QStringList restore{QStringLiteral("restore"), file};
+    COMPARE_STATUS(cli(restore), 0);
+    const CliRun same = cli({QStringLiteral("diff"), file, QStringLiteral("device")});
+    QCOMPARE(same.list(), QJsonArray());
+}
+
+void TestCliTuning::otherHardwareIsRefusedUnlessForced()
+{
+    const Simulator board;
+    QVERIFY(board.ready());
+    const QString file = board.file("s.json");
+    COMPARE_STATUS(board.cli("snapshot -o", {file}), 0);
+    QFile edited(file);
+    QVERIFY(edited.open(QIODevice::ReadOnly));
+    const QByteArray text = edited.readAll();
+    edited.close();
+    QVERIFY(text.contains("Sim PMSM 24V"));
+    QVERIFY(edited.open(QIODevice::WriteOnly));
+    edited.write(QByteArray(text).replace("Sim PMSM 24V", "Another one"));
+    edited.close();
+    COMPARE_STATUS(board.cli("set SPEED_KP=5"), 0);
+    const CliRun refused = board.cli("restore", {file});
+    COMPARE_STATUS(refused, 1);
+    QVERIFY(refused.oneLineOfError() && refused.err.contains(QLatin1String("Another one")));
+    QCOMPARE(board.cli("get SPEED_KP").out, QStringLiteral("SPEED_KP = 5\n"));
+    COMPARE_STATUS(board.cli("restore --force", {file}), 0);
+}
+
+void TestCliTuning::filesThatAreNoneAreExitStatus5_data()
+{
+    QTest::addColumn<QString>("line");
+    for (const char *line : {"snapshot -o /no/such/folder/s.json", "snapshot -o /dev/null",
+             "diff /no/such.json device", "diff /dev/null /dev/null", "restore /no/such.json",
+             "restore /etc/passwd", "diff /etc/passwd device"})
+        QTest::newRow(line) << QString::fromLatin1(line);
+}
+
+void TestCliTuning::filesThatAreNoneAreExitStatus5()
+{
+    QFETCH(QString, line);
+    const CliRun result = runCli(QStringList{QStringLiteral("--port"), QStringLiteral("sim")}
+        + line.split(QLatin1Char(' ')));
+    COMPARE_STATUS(result, 5);
+    QCOMPARE(result.out, QString());
+    QVERIFY(result.oneLineOfError());
+}
+
+void TestCliTuning::wrongUsageIsExitStatus2_data()
+{
+    QTest::addColumn<QString>("line");
+    for (const char *line : {"snapshot", "--port sim snapshot", "diff a.json", "diff a.json device",
+             "--port sim restore", "--port sim restore a.json b.json",
+             "--port sim restore --only , a.json", "--port sim snapshot -o a.json b.json"})
+        QTest::newRow(line) << QString::fromLatin1(line);
+}
+
+void TestCliTuning::wrongUsageIsExitStatus2()
+{
+    QFETCH(QString, line);
+    const CliRun result = runCli(line.split(QLatin1Char(' ')));
+    COMPARE_STATUS(result, 2);
+    QCOMPARE(result.out, QString());
+    QVERIFY(result.oneLineOfError());
+}
+
+QTEST_GUILESS_MAIN(TestCliTuning)
+#include "tst_cli_tuning_posix.moc"

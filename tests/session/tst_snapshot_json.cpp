@@ -1,0 +1,192 @@
+// Snapshots as files: the same values give the same bytes, what is read is what was written, and nonsense is refused.
+#include "session/snapshot_json.h"
+#include "session/whole_file.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <cmath>
+#include <limits>
+
+using tuning::Entry;
+using tuning::Snapshot;
+
+class TestSnapshotJson : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void whatIsWrittenIsReadAgain();
+    void theSameValuesGiveTheSameBytes();
+    void oneRegisterIsOneLine();
+    void nonsenseIsRefusedInOneSentence_data();
+    void nonsenseIsRefusedInOneSentence();
+    void brokenBytesNeverCrashTheReader();
+    void aFileIsReplacedWholeOrNotAtAll();
+};
+
+namespace {
+
+using catalog::ValueType;
+
+Entry entry(const char *name, ValueType type, catalog::Value value)
+{
+    Entry made;
+    made.name = name;
+    made.motor = 1;
+    made.id = 0x0091;
+    made.group = "Speed loop";
+    made.type = type;
+    made.tunable = true;
+    if (const auto *whole = std::get_if<std::int64_t>(&value))
+        made.shown = 0.1 * static_cast<double>(*whole);
+    else if (const auto *number = std::get_if<double>(&value))
+        made.shown = *number;
+    made.value = std::move(value);
+    made.unit = "°C";
+    return made;
+}
+
+Snapshot sample()
+{
+    Snapshot snapshot;
+    snapshot.board.firmware = "ST MC SDK\t\"6.4\"";
+    snapshot.board.version = "6.4.0";
+    snapshot.board.controlBoard = "G4";
+    snapshot.board.powerBoards = {"24V"};
+    snapshot.board.motorNames = {"Fan \xC3\xA4"};
+    const double infinite = std::numeric_limits<double>::infinity();
+    snapshot.entries = {entry("BYTE", ValueType::U8, std::int64_t{255}),
+        entry("WORD", ValueType::S16, std::int64_t{-32768}),
+        entry("LONG", ValueType::U32, std::int64_t{4294967295}),
+        entry("THIRD", ValueType::F32, static_cast<double>(1.0F / 3.0F)),
+        entry("NAN", ValueType::F32, std::nan("")), entry("INF", ValueType::F32, -infinite),
+        entry("TEXT", ValueType::Text, std::string("a \"b\"\n\x01")),
+        entry("LATIN", ValueType::Text, std::string("\xE4\xF6")),
+        entry("BYTES", ValueType::Raw, Bytes{0x00, 0xFF, 0x7F}),
+        entry("EMPTY", ValueType::Raw, Bytes{})};
+    snapshot.entries[7].id = 0x0229;
+    return snapshot;
+}
+
+} // namespace
+
+void TestSnapshotJson::whatIsWrittenIsReadAgain()
+{
+    const Snapshot snapshot = sample();
+    const auto read = session::readSnapshotJson(session::snapshotJson(snapshot));
+    QVERIFY2(read.has_value(), read ? "" : qPrintable(read.error()));
+    QCOMPARE(read->board.firmware, snapshot.board.firmware);
+    QVERIFY(read->board.powerBoards == snapshot.board.powerBoards);
+    QVERIFY(read->board.motorNames == snapshot.board.motorNames);
+    QCOMPARE(read->entries.size(), snapshot.entries.size());
+    for (std::size_t i = 0; i < read->entries.size(); ++i) {
+        const Entry &is = read->entries[i], &was = snapshot.entries[i];
+        QVERIFY(is.isSame(was) && is.id == was.id && is.group == was.group && is.type == was.type);
+        QVERIFY2(tuning::sameValue(is.value, was.value), was.name.c_str());
+        QVERIFY(is.tunable);
+        QCOMPARE(is.shown.has_value(), was.shown.has_value());
+        if (was.shown && std::isfinite(*was.shown)) {
+            QCOMPARE(*is.shown, *was.shown);
+            QCOMPARE(is.unit, was.unit);
+        }
+    }
+    QVERIFY(tuning::differences(*read, snapshot, tuning::Scope::All).empty());
+}
+
+void TestSnapshotJson::theSameValuesGiveTheSameBytes()
+{
+    const QByteArray text = session::snapshotJson(sample());
+    QCOMPARE(session::snapshotJson(sample()), text);
+    QCOMPARE(session::snapshotJson(*session::readSnapshotJson(text)), text);
+    QVERIFY(!text.toLower().contains("nan,") && !text.toLower().contains(":inf"));
+}
+
+void TestSnapshotJson::oneRegisterIsOneLine()
+{
+    const QByteArray text = session::snapshotJson(sample());
+    QCOMPARE(text.count('\n'), static_cast<qsizetype>(sample().entries.size()) + 4);
+    QVERIFY(text.endsWith("\n]}\n"));
+    QVERIFY(session::readSnapshotJson(session::snapshotJson({}))->entries.empty());
+}
+
+void TestSnapshotJson::nonsenseIsRefusedInOneSentence_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    const auto file = [](const char *name, const QByteArray &oneRegister) {
+        QTest::newRow(name) << "{\"format\":\"rotorscope-snapshot\",\"version\":1,\"registers\":["
+                + oneRegister + "]}";
+    };
+    const auto changed = [&](const char *name, const char *from, const char *to) {
+        QByteArray text =
+            R"({"name":"A","motor":1,"id":"0x0091","type":"s16","tunable":true,"raw":5})";
+        text.replace(from, to);
+        file(name, text);
+    };
+    QTest::newRow("nothing") << QByteArray();
+    QTest::newRow("no JSON") << QByteArray("{\"format\"");
+    QTest::newRow("a list") << QByteArray("[]");
+    QTest::newRow("something else") << QByteArray("{\"format\":\"x\"}");
+    QTest::newRow("newer") << QByteArray(R"({"format":"rotorscope-snapshot","version":2})");
+    QTest::newRow("deep") << QByteArray(100'000, '[');
+    file("no object", "5");
+    changed("no name", "\"A\"", "\"\"");
+    changed("motor 8", "\"motor\":1", "\"motor\":8");
+    changed("no id", "0x0091", "0xZZ");
+    changed("another type", "s16", "s17");
+    changed("too large", ":5}", ":32768}");
+    changed("half", ":5}", ":0.5}");
+    changed("a text for a number", ":5}", ":\"5\"}");
+    changed("a number for bytes", "s16", "raw");
+    changed("half a byte", R"(s16","tunable":true,"raw":5)", R"(raw","tunable":true,"raw":"123")");
+    changed("a float without a number", "s16\",\"tunable\":true,\"raw\":5", "f32\"");
+    file("twice",
+        R"({"name":"A","motor":1,"id":"0x91","type":"s16","raw":5},)"
+        R"({"name":"A","motor":1,"id":"0x91","type":"s16","raw":6})");
+}
+
+void TestSnapshotJson::nonsenseIsRefusedInOneSentence()
+{
+    QFETCH(QByteArray, text);
+    const auto read = session::readSnapshotJson(text);
+    QVERIFY(!read.has_value());
+    QVERIFY(!read.error().isEmpty() && !read.error().contains(QLatin1Char('\n')));
+}
+
+void TestSnapshotJson::brokenBytesNeverCrashTheReader()
+{
+    const QByteArray text = session::snapshotJson(sample());
+    quint32 random = 1;
+    int accepted = 0;
+    for (int round = 0; round < 3000; ++round) {
+        QByteArray broken = text;
+        for (int flips = 0; flips < 3; ++flips) {
+            random = random * 1664525U + 1013904223U;
+            broken[static_cast<qsizetype>((random >> 8) % static_cast<quint32>(text.size()))] =
+                static_cast<char>(random >> 24);
+        }
+        if (const auto read = session::readSnapshotJson(broken)) {
+            ++accepted;
+            for (const Entry &one : read->entries)
+                QVERIFY(!one.name.empty());
+        }
+    }
+    QVERIFY(accepted < 3000);
+}
+
+void TestSnapshotJson::aFileIsReplacedWholeOrNotAtAll()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("s.json"));
+    QCOMPARE(session::writeWholeFile(path, "old"), QString());
+    QCOMPARE(session::writeWholeFile(path, "new"), QString());
+    QCOMPARE(*session::readWholeFile(path), QByteArray("new"));
+    QVERIFY(!session::writeWholeFile(folder.path(), "x").isEmpty());
+    QVERIFY(
+        !session::writeWholeFile(folder.filePath(QStringLiteral("no/such.json")), "x").isEmpty());
+    QVERIFY(!session::writeWholeFile(QStringLiteral("/dev/null"), "x").isEmpty());
+    QVERIFY(!session::readWholeFile(path, 2).has_value());
+    QVERIFY(!session::readWholeFile(folder.path()).has_value());
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
+}
+
+QTEST_GUILESS_MAIN(TestSnapshotJson)
+#include "tst_snapshot_json.moc"

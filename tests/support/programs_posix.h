@@ -1,0 +1,96 @@
+// The command line and the simulated board as programs, for tests that run them. POSIX only.
+#pragma once
+
+#include <QEventLoop>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTimer>
+
+namespace support {
+
+constexpr int kProgramTime_ms = 60'000;
+
+struct CliRun {
+    int status = -1;
+    QString out, err;
+
+    QStringList lines() const { return out.split(QLatin1Char('\n'), Qt::SkipEmptyParts); }
+    QJsonArray list() const { return QJsonDocument::fromJson(out.toUtf8()).array(); }
+    QJsonObject object() const { return QJsonDocument::fromJson(out.toUtf8()).object(); }
+    bool oneLineOfError() const { return err.count(QLatin1Char('\n')) == 1; }
+};
+
+inline CliRun resultOf(QProcess &process)
+{
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+        QString::fromUtf8(process.readAllStandardOutput()),
+        QString::fromUtf8(process.readAllStandardError())};
+}
+
+inline void startCli(QProcess &process, const QStringList &words)
+{
+    process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-cli"), words);
+}
+
+inline CliRun runCli(const QStringList &words)
+{
+    QProcess process;
+    startCli(process, words);
+    if (!process.waitForFinished(kProgramTime_ms))
+        process.kill();
+    return resultOf(process);
+}
+
+/// The same while this thread's event loop runs, so that a board can live there.
+inline CliRun runCliBeside(const QStringList &words)
+{
+    QProcess process;
+    QEventLoop loop;
+    QObject::connect(&process, &QProcess::finished, &loop, &QEventLoop::quit);
+    QTimer::singleShot(kProgramTime_ms, &loop, &QEventLoop::quit);
+    startCli(process, words);
+    loop.exec();
+    if (process.state() != QProcess::NotRunning)
+        process.kill();
+    return resultOf(process);
+}
+
+/// rotorscope-sim with its port in a folder of its own: a board that several runs of the command line meet in turn.
+class Simulator {
+public:
+    explicit Simulator(const QStringList &options = {})
+    {
+        m_process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-sim"),
+            QStringList{QStringLiteral("mcp"), QStringLiteral("--link"), port()} + options);
+        while (!m_process.canReadLine() && m_process.waitForReadyRead(kProgramTime_ms)) { }
+        m_ready = m_process.readLine().startsWith("ready ");
+    }
+    Simulator(const Simulator &) = delete;
+    Simulator &operator=(const Simulator &) = delete;
+    ~Simulator()
+    {
+        m_process.terminate();
+        m_process.waitForFinished(kProgramTime_ms);
+    }
+
+    bool ready() const { return m_ready; }
+    QString port() const { return m_folder.filePath(QStringLiteral("port")); }
+    QString file(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
+
+    /// A command in one string, then words that may hold spaces.
+    CliRun cli(const char *line, const QStringList &more = {}) const
+    {
+        return runCli(QStringList{QStringLiteral("--port"), port()}
+            + QString::fromUtf8(line).split(QLatin1Char(' '), Qt::SkipEmptyParts) + more);
+    }
+
+private:
+    QTemporaryDir m_folder;
+    QProcess m_process;
+    bool m_ready = false;
+};
+
+} // namespace support
