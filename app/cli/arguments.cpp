@@ -45,6 +45,14 @@ const CommandText kCommands[] = {
     {"restore", "FILE.json",
         "Writes back what differs from a snapshot, in as few requests as fit, and reads it back.",
         1, 1},
+    {"revup", "[--set FILE|RPM,A,MS...]",
+        "Shows the stages of the start-up and what is wrong with them, or writes others.", 0, 5},
+    {"torque", "AMPS MS", "Ramps the torque set-point to AMPS of Iq within MS milliseconds.", 2, 2},
+    {"gains", "--bandwidth W",
+        "Computes gains of the current and speed loops from the motor's values, and applies them.",
+        0, 0},
+    {"header", "-o drive_parameters.h",
+        "Writes the tuned values as a C header in the names of ST's drive_parameters.h.", 0, 0},
     {"decode", "TRACE.jsonl", "Decodes a recorded session and prints one JSON object per packet.",
         1, 1, false},
 };
@@ -95,7 +103,9 @@ void addCommandOptions(QCommandLineParser &parser, const QString &command)
         parser.addOption(
             {QStringLiteral("raw"), QStringLiteral("Numbers as they are on the wire.")});
     if (command == QLatin1String("start") || command == QLatin1String("ack")
-        || command == QLatin1String("ramp") || command == QLatin1String("capture"))
+        || command == QLatin1String("ramp") || command == QLatin1String("capture")
+        || command == QLatin1String("revup") || command == QLatin1String("torque")
+        || command == QLatin1String("gains") || command == QLatin1String("header"))
         parser.addOption({QStringLiteral("motor"),
             QStringLiteral("Number of the motor, 1 if not given."), QStringLiteral("N")});
     addTuningOptions(parser, command);
@@ -223,6 +233,12 @@ Outcome<bool> takeCommon(const QCommandLineParser &parser, Arguments &arguments)
     return arguments.text.has_value();
 }
 
+bool takesNegativeNumbers(const QString &command)
+{
+    return command == QLatin1String("ramp") || command == QLatin1String("torque")
+        || command == QLatin1String("revup");
+}
+
 /// A speed may be negative and is no option then. (indexOf() wants the whole word to match.)
 QStringList protectNegativeNumbers(QStringList line)
 {
@@ -243,7 +259,7 @@ Outcome<bool> takeCommand(const CommandText &command, const QStringList &line, A
         arguments.command, {}, arguments.command + QLatin1Char(' ') + QLatin1String(command.words));
     const QString seeHelp = QStringLiteral("see rotorscope-cli %1 --help.").arg(arguments.command);
     if (!parser.parse(
-            arguments.command == QLatin1String("ramp") ? protectNegativeNumbers(line) : line))
+            takesNegativeNumbers(arguments.command) ? protectNegativeNumbers(line) : line))
         return usage(parser.errorText().remove(QRegularExpression(QStringLiteral("\\.$")))
             + QStringLiteral("; ") + seeHelp);
     const auto common = takeCommon(parser, arguments);

@@ -1,4 +1,4 @@
-// start, stop, ack and ramp.
+// start, stop, ack, ramp and torque.
 #include "commands.h"
 #include "sentences.h"
 
@@ -93,6 +93,19 @@ Outcome<int> runRamp(Desk &desk)
         drive::SpeedRamp{.motor = *motor,
             .rpm = ramp.rpm,
             .duration = std::chrono::milliseconds(ramp.milliseconds)},
+        QStringLiteral("The ramp"));
+}
+
+Outcome<int> runTorque(Desk &desk)
+{
+    const auto motor = desk.checkMotor();
+    if (!motor)
+        return motor;
+    const TuningArguments &torque = desk.arguments.tuning;
+    return commandMotor(desk,
+        drive::TorqueRamp{.motor = *motor,
+            .amps = torque.amps,
+            .duration = std::chrono::milliseconds(torque.milliseconds)},
         QStringLiteral("The ramp"));
 }
 

@@ -34,6 +34,10 @@ Outcome<int> runCapture(Desk &desk);
 Outcome<int> runSnapshot(Desk &desk);
 Outcome<int> runDiff(Desk &desk);
 Outcome<int> runRestore(Desk &desk);
+Outcome<int> runRevUp(Desk &desk);
+Outcome<int> runTorque(Desk &desk);
+Outcome<int> runGains(Desk &desk);
+Outcome<int> runHeader(Desk &desk);
 
 /// Prints a motor's state.
 void printStatus(Output &out, const drive::MotorStatus &status);

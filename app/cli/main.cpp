@@ -26,6 +26,10 @@ const LinkCommand kLinkCommands[] = {
     {"snapshot", runSnapshot},
     {"diff", runDiff},
     {"restore", runRestore},
+    {"revup", runRevUp},
+    {"torque", runTorque},
+    {"gains", runGains},
+    {"header", runHeader},
 };
 
 Outcome<int> runLinkCommand(const Arguments &arguments, Output &out)

@@ -59,6 +59,15 @@ double kvOfFlux_rpmpv(double flux_wb, double polePairs)
 
 double ktOfFlux_nmpa(double flux_wb, double polePairs) { return 1.5 * polePairs * flux_wb; }
 
+double fluxOfConfiguration_wb(double ratedFlux, double polePairs)
+{
+    if (!known(ratedFlux) || !known(polePairs))
+        return 0.0;
+    constexpr double kSmallest_wb = 0.3e-3; // of a motor that a drive of this kind turns
+    const double asKe = fluxOfKe_wb(ratedFlux, polePairs), perHertz = ratedFlux / (2.0 * pi);
+    return asKe < kSmallest_wb && perHertz >= kSmallest_wb ? perHertz : asKe;
+}
+
 double torque_nm(const MotorParameters &m, double iq_a, double id_a)
 {
     return 1.5 * m.polePairs * (m.flux_wb + (m.ld_h - m.lq_h) * id_a) * iq_a;

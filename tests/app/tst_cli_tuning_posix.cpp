@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include <cmath>
+
 using support::CliRun;
 using support::runCli;
 using support::Simulator;
@@ -18,6 +20,12 @@ private Q_SLOTS:
     void setPointsAreNotRestoredOnARunningMotor();
     void anUnplugInTheMiddleTellsExactlyWhatWasWritten();
     void otherHardwareIsRefusedUnlessForced();
+    void gainsAreTheGeneratorsAndAreAppliedTogether();
+    void theSpeedLoopNeedsAnInertia();
+    void revUpStagesComeBackFromTheirFile();
+    void revUpBeyondALimitIsNotWritten();
+    void torqueIsBoundedLikeACommand();
+    void theHeaderHasTheNamesOfTheSdk();
     void filesThatAreNoneAreExitStatus5_data();
     void filesThatAreNoneAreExitStatus5();
     void wrongUsageIsExitStatus2_data();
@@ -224,6 +232,118 @@ void TestCliTuning::otherHardwareIsRefusedUnlessForced()
     COMPARE_STATUS(board.cli("restore --force", {file}), 0);
 }
 
+void TestCliTuning::gainsAreTheGeneratorsAndAreAppliedTogether()
+{
+    const Simulator board;
+    QVERIFY(board.ready());
+    const CliRun shown = board.cli("--json gains --bandwidth 1500");
+    COMPARE_STATUS(shown, 0);
+    const QJsonArray gains = shown.object()[QLatin1String("gains")].toArray();
+    QCOMPARE(namesOf(gains).join(QLatin1Char(' ')), QStringLiteral("I_Q_KP I_Q_KI I_D_KP I_D_KI"));
+    // 0.35 Ohm, 0.6 mH, 24 V, 60.2 A: the worked example of the SDK's documentation.
+    QCOMPARE(gains[0][QLatin1String("numerator")].toInt(), 4621);
+    QCOMPARE(gains[0][QLatin1String("exponent")].toInt(), 10);
+    QCOMPARE(gains[1][QLatin1String("numerator")].toInt(), 2696);
+    QCOMPARE(gains[1][QLatin1String("exponent")].toInt(), 14);
+    QVERIFY(shown.object()[QLatin1String("rise_s")].toDouble() > 0.5e-3);
+    QVERIFY(board.cli("get I_Q_KP").out != QLatin1String("I_Q_KP = 4621\n")); // only shown
+
+    const CliRun applied = board.cli("--json gains --bandwidth 1500 --apply");
+    COMPARE_STATUS(applied, 0);
+    QCOMPARE(applied.list().size(), 4);
+    QCOMPARE(board.cli("get I_Q_KP I_D_KI").out, QStringLiteral("I_Q_KP = 4621\nI_D_KI = 2696\n"));
+    QCOMPARE(board.cli("--json gains --bandwidth 1500 --apply").out, QStringLiteral("[]\n"));
+    COMPARE_STATUS(board.cli("gains --bandwidth 20000"), 1); // beyond the control rate
+}
+
+void TestCliTuning::theSpeedLoopNeedsAnInertia()
+{
+    const Simulator board;
+    QVERIFY(board.ready());
+    const CliRun without = board.cli("--json gains --bandwidth 1500 --damping 3");
+    COMPARE_STATUS(without, 0);
+    QCOMPARE(
+        without.object()[QLatin1String("speed_missing")].toString(), QStringLiteral("inertia"));
+    QCOMPARE(without.object()[QLatin1String("gains")].toArray().size(), 4);
+    const CliRun with =
+        board.cli("--json gains --bandwidth 1500 --damping 3 --inertia 5e-5 --ke 3.3346");
+    COMPARE_STATUS(with, 0);
+    const QJsonArray gains = with.object()[QLatin1String("gains")].toArray();
+    QCOMPARE(namesOf(gains).mid(4).join(QLatin1Char(' ')), QStringLiteral("SPEED_KP SPEED_KI"));
+    // 1 / (d K tau) with K = 0.039 / 5e-5 and tau = 1/1732 + 1.5/16000 + 0.5e-3
+    QVERIFY(std::abs(gains[4][QLatin1String("gain")].toDouble() - 0.3649) < 2e-4);
+    QVERIFY(
+        std::abs(with.object()[QLatin1String("speed_phase_margin_deg")].toDouble() - 53.13) < 0.01);
+}
+
+void TestCliTuning::revUpStagesComeBackFromTheirFile()
+{
+    const Simulator board;
+    QVERIFY(board.ready());
+    const CliRun before = board.cli("--json revup");
+    COMPARE_STATUS(before, 0);
+    QCOMPARE(before.object()[QLatin1String("stages")].toArray().size(), 5);
+    QFile file(board.file("revup.json"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(before.out.toUtf8());
+    file.close();
+    COMPARE_STATUS(board.cli("revup --set 0,2.5,800 1200,2.5,1500"), 0);
+    const QJsonArray stages = board.cli("--json revup").object()[QLatin1String("stages")].toArray();
+    QCOMPARE(stages[1][QLatin1String("speed_rpm")].toInt(), 1200);
+    QVERIFY(std::abs(stages[1][QLatin1String("current_a")].toDouble() - 2.5) < 1e-3);
+    QCOMPARE(stages[4][QLatin1String("duration_ms")].toInt(-1), 0);
+    COMPARE_STATUS(board.cli("revup --set", {file.fileName()}), 0);
+    QCOMPARE(board.cli("--json revup").out, before.out);
+    COMPARE_STATUS(board.cli("revup --set 0,1,200 -900,1,2000"), 0); // backwards
+    COMPARE_STATUS(board.cli("revup --set 300,1,500"), 0);
+    QVERIFY(board.cli("revup").out.contains(QLatin1String("Note: stage 1: ends too slow")));
+}
+
+void TestCliTuning::revUpBeyondALimitIsNotWritten()
+{
+    const Simulator board;
+    QVERIFY(board.ready());
+    const QString before = board.cli("revup").out;
+    for (const char *line : {"revup --set 0,2,100 1200,50,1000", "revup --set 9000,2,1000"})
+        COMPARE_STATUS(board.cli(line), 1);
+    for (const char *line : {"revup --set 1,2", "revup --set a,b,c", "revup --set 1.5,2,100",
+             "revup --set 1,nan,100", "revup --set 1,2,70000", "revup --set", "revup 1,2,3"})
+        COMPARE_STATUS(board.cli(line), 2);
+    COMPARE_STATUS(board.cli("revup --set /etc/passwd"), 5);
+    QCOMPARE(board.cli("revup").out, before);
+}
+
+void TestCliTuning::torqueIsBoundedLikeACommand()
+{
+    const Simulator board;
+    QVERIFY(board.ready());
+    COMPARE_STATUS(board.cli("torque -1.5 100"), 0);
+    COMPARE_STATUS(board.cli("torque 99 100"), 1);
+    for (const char *line : {"torque 1", "torque 1,5 100", "torque nan 100", "torque 1 -1"})
+        COMPARE_STATUS(board.cli(line), 2);
+}
+
+void TestCliTuning::theHeaderHasTheNamesOfTheSdk()
+{
+    const Simulator board;
+    QVERIFY(board.ready());
+    const QString path = board.file("drive_parameters.h");
+    COMPARE_STATUS(board.cli("set SPEED_KP=4321 SPEED_KP_DIV=9 I_D_KP=1000 I_D_KP_DIV=9"), 0);
+    COMPARE_STATUS(board.cli("header -o", {path}), 0);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QString text =
+        QString::fromUtf8(file.readAll())
+            .replace(QRegularExpression(QStringLiteral(" +")), QStringLiteral(" "));
+    for (const char *line : {"#define PID_SPEED_KP_DEFAULT 4321/(SPEED_UNIT/10)\n",
+             "#define SP_KPDIV 512\n", "#define SP_KPDIV_LOG LOG2((512))\n",
+             "#define PID_FLUX_KP_DEFAULT 2000\n", // over torque's divisor, 1024
+             "#define PHASE2_FINAL_SPEED_UNIT (900*SPEED_UNIT/U_RPM)\n",
+             "#define PHASE2_FINAL_CURRENT_A 2.4975\n"})
+        QVERIFY2(text.contains(QLatin1String(line)), line);
+    COMPARE_STATUS(board.cli("header -o /no/such/folder/x.h"), 5);
+}
+
 void TestCliTuning::filesThatAreNoneAreExitStatus5_data()
 {
     QTest::addColumn<QString>("line");
@@ -248,7 +368,9 @@ void TestCliTuning::wrongUsageIsExitStatus2_data()
     QTest::addColumn<QString>("line");
     for (const char *line : {"snapshot", "--port sim snapshot", "diff a.json", "diff a.json device",
              "--port sim restore", "--port sim restore a.json b.json",
-             "--port sim restore --only , a.json", "--port sim snapshot -o a.json b.json"})
+             "--port sim restore --only , a.json", "--port sim gains", "--port sim header",
+             "--port sim gains --bandwidth -1", "--port sim gains --bandwidth 1500 --damping 1",
+             "--port sim snapshot -o a.json b.json"})
         QTest::newRow(line) << QString::fromLatin1(line);
 }
 

@@ -13,6 +13,7 @@ class TestMotorConstants : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void fluxKeAndKvAreOneMotor();
+    void ratedFluxIsKeUnlessThatMakesNoMotor();
     void constantsOfAKnownMotor();
     void baseSpeedIsWhereTheVoltageIsUsedUp();
     void whatIsMissingIsEmptyAndNeverNan();
@@ -44,6 +45,16 @@ void TestMotorConstants::fluxKeAndKvAreOneMotor()
     QVERIFY(near(kv * ke * std::sqrt(2.0), 1000.0, 1e-12));
     // Kt in N m per peak ampere and Ke in V s per rad of a phase: 3/2.
     QVERIFY(near(ktOfFlux_nmpa(6.5e-3, 4), 0.039, 1e-12));
+}
+
+void TestMotorConstants::ratedFluxIsKeUnlessThatMakesNoMotor()
+{
+    QVERIFY(near(fluxOfConfiguration_wb(3.3346, 4), 6.5e-3, 1e-4));
+    QVERIFY(near(fluxOfConfiguration_wb(6.5e-3 * 2 * M_PI, 4), 6.5e-3, 1e-9)); // V/Hz
+    QVERIFY(near(fluxOfConfiguration_wb(0.9, 1), fluxOfKe_wb(0.9, 1), 1e-12));
+    for (const double none : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
+        QCOMPARE(fluxOfConfiguration_wb(none, 4), 0.0);
+    QCOMPARE(fluxOfConfiguration_wb(3.3, 0), 0.0);
 }
 
 void TestMotorConstants::constantsOfAKnownMotor()

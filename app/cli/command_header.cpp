@@ -1,0 +1,39 @@
+#include "motor_facts.h"
+#include "snapshot_work.h"
+#include "tuning/drive_parameters.h"
+
+#include <QJsonObject>
+
+namespace cli {
+
+Outcome<int> runHeader(Desk &desk)
+{
+    const auto motor = desk.checkMotor();
+    if (!motor)
+        return motor;
+    const auto board = readBoard(desk, tuning::Scope::Tunable);
+    if (!board)
+        return tl::make_unexpected(board.error());
+    if (!board->unanswered.isEmpty())
+        return failure(kDataLost,
+            QStringLiteral("The board never answered for %1, so nothing was written; try again.")
+                .arg(board->unanswered.join(QStringLiteral(", "))));
+    const auto facts = readMotorFacts(desk, *motor);
+    if (!facts)
+        return tl::make_unexpected(facts.error());
+    const QByteArray text = QByteArray::fromStdString(
+        tuning::driveParametersHeader(board->snapshot, *motor, facts->ampsPerDigit));
+    const QString &path = desk.arguments.tuning.file;
+    const auto saved = saveFile(path, text);
+    if (!saved)
+        return saved;
+    const auto macros = text.count("\n#define ") - 1; // without the guard
+    if (desk.out.json())
+        desk.out.line(QJsonObject{{QStringLiteral("file"), path},
+            {QStringLiteral("macros"), static_cast<qint64>(macros)}});
+    else
+        desk.out.line(QStringLiteral("%1: %2 macros.").arg(path, QString::number(macros)));
+    return kDone;
+}
+
+} // namespace cli

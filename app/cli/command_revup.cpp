@@ -1,0 +1,193 @@
+// revup: the stages of the start-up, what is wrong with them, and others in their place.
+#include "analysis/rev_up.h"
+#include "motor_facts.h"
+#include "snapshot_work.h"
+#include "write_report.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include <cmath>
+
+namespace cli {
+
+namespace {
+
+using analysis::RevUp;
+using analysis::RevUpFinding;
+using analysis::RevUpMistake;
+
+const char *wordOf(RevUpMistake mistake)
+{
+    static const char *const words[] = {"too little torque", "ends too slow", "too much current",
+        "stage without time", "speed beyond limit", "speed does not fit", "turns back", "no stage"};
+    return words[static_cast<std::size_t>(mistake)];
+}
+
+auto badStage(const QString &word)
+{
+    return failure(kUsage,
+        QStringLiteral("\"%1\" is no stage; write RPM,A,MS, such as 1200,2.5,1500.").arg(word));
+}
+
+/// @param digits  of the current, where they are known better than the amperes
+Outcome<analysis::RevUpStage> stageOf(double rpm, double digits, double ms, const QString &word)
+{
+    const auto whole = [](double value, double least, double most) {
+        return value >= least && value <= most && value == std::nearbyint(value);
+    };
+    if (!whole(rpm, -32767, 32767) || !whole(digits, -32768, 32767) || !whole(ms, 0, 65535))
+        return badStage(word);
+    return analysis::RevUpStage{static_cast<std::int32_t>(rpm), static_cast<std::int16_t>(digits),
+        static_cast<std::uint16_t>(ms)};
+}
+
+Outcome<RevUp> stagesOfWords(const QStringList &words, double ampsPerDigit)
+{
+    RevUp stages;
+    for (const QString &word : words) {
+        const QStringList parts = word.split(QLatin1Char(','));
+        if (parts.size() != 3)
+            return badStage(word);
+        const auto rpm = plainNumber(parts[0]), amps = plainNumber(parts[1]),
+                   ms = plainNumber(parts[2]);
+        if (!rpm || !amps || !ms)
+            return badStage(word);
+        const auto stage = stageOf(*rpm, std::round(*amps / ampsPerDigit), *ms, word);
+        if (!stage)
+            return tl::make_unexpected(stage.error());
+        stages.push_back(*stage);
+    }
+    return stages;
+}
+
+Outcome<RevUp> stagesOfFile(const QString &path, double ampsPerDigit)
+{
+    const auto content = loadFile(path);
+    if (!content)
+        return tl::make_unexpected(content.error());
+    const QJsonValue list = QJsonDocument::fromJson(*content).object()[QStringLiteral("stages")];
+    const QJsonArray array = list.toArray();
+    if (array.isEmpty() || array.size() > static_cast<qsizetype>(analysis::kRevUpStages))
+        return failure(kFileError,
+            QStringLiteral(
+                "%1 has no stages, or more than five; rotorscope-cli revup --json prints "
+                "such a file.")
+                .arg(path));
+    RevUp stages;
+    const double nan = std::nan("");
+    for (const auto &one : array) {
+        const QJsonObject object = one.toObject();
+        const double amps = object[QStringLiteral("current_a")].toDouble(nan);
+        const double digits =
+            object[QStringLiteral("current_digits")].toDouble(std::round(amps / ampsPerDigit));
+        const auto stage = stageOf(object[QStringLiteral("speed_rpm")].toDouble(nan), digits,
+            object[QStringLiteral("duration_ms")].toDouble(nan), path);
+        if (!stage)
+            return failure(kFileError,
+                QStringLiteral(
+                    "%1 has a stage whose numbers do not fit; check speed_rpm, current_a "
+                    "and duration_ms.")
+                    .arg(path));
+        stages.push_back(*stage);
+    }
+    return stages;
+}
+
+std::vector<RevUpFinding> findingsOf(const RevUp &stages, const MotorFacts &facts)
+{
+    analysis::RevUpLimits limits;
+    limits.minimumSpeed_rpm = analysis::minimumStartSpeed_rpm(facts.limits.maxSpeedRpm);
+    limits.nominalCurrent_a = facts.limits.nominalCurrentAmps;
+    limits.maxCurrent_a = facts.limits.maxCurrentAmps;
+    limits.maxSpeed_rpm = facts.limits.maxSpeedRpm;
+    return analysis::checkRevUp(stages, facts.ampsPerDigit, limits);
+}
+
+void print(Output &out, const RevUp &stages, const MotorFacts &facts)
+{
+    QJsonArray stageList, findingList;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        const analysis::RevUpStage &stage = stages[i];
+        const double amps = stage.current_digits * facts.ampsPerDigit;
+        stageList.append(QJsonObject{{QStringLiteral("speed_rpm"), stage.speed_rpm},
+            {QStringLiteral("current_a"), amps},
+            {QStringLiteral("current_digits"), stage.current_digits},
+            {QStringLiteral("duration_ms"), stage.duration_ms}});
+        if (!out.json())
+            out.line(QStringLiteral("Stage %1: %2 rpm, %3 A, %4 ms")
+                         .arg(QString::number(i + 1), QString::number(stage.speed_rpm),
+                             QString::number(amps, 'g', 5), QString::number(stage.duration_ms)));
+    }
+    for (const RevUpFinding &finding : findingsOf(stages, facts)) {
+        const auto stage = static_cast<int>(finding.stage) + 1;
+        findingList.append(
+            QJsonObject{{QStringLiteral("mistake"), QLatin1String(wordOf(finding.mistake))},
+                {QStringLiteral("stage"), stage}, {QStringLiteral("is"), finding.is},
+                {QStringLiteral("limit"), finding.limit}});
+        if (!out.json())
+            out.line(QStringLiteral("Note: stage %1: %2 (%3, limit %4)")
+                         .arg(QString::number(stage), QLatin1String(wordOf(finding.mistake)),
+                             QString::number(finding.is, 'g', 5),
+                             QString::number(finding.limit, 'g', 5)));
+    }
+    if (out.json())
+        out.line(QJsonObject{{QStringLiteral("stages"), stageList},
+            {QStringLiteral("duration_s"), analysis::revUpDuration_s(stages)},
+            {QStringLiteral("findings"), findingList}});
+    else
+        out.line(
+            QStringLiteral("Total: %1 s").arg(QString::number(analysis::revUpDuration_s(stages))));
+}
+
+Outcome<int> writeStages(
+    Desk &desk, drive::RegisterId id, const RevUp &stages, const MotorFacts &facts)
+{
+    for (const RevUpFinding &finding : findingsOf(stages, facts))
+        if (finding.mistake == RevUpMistake::TooMuchCurrent
+            || finding.mistake == RevUpMistake::SpeedBeyondLimit)
+            return failure(kRefused,
+                QStringLiteral("Stage %1 is beyond the limit of %2; nothing was written.")
+                    .arg(QString::number(finding.stage + 1), QString::number(finding.limit)));
+    const drive::Write write{{{id, analysis::bytesOf(analysis::completed(stages))}}};
+    return writeAndReport(desk, write, Digits::Shown, QStringLiteral("The writing"));
+}
+
+} // namespace
+
+Outcome<int> runRevUp(Desk &desk)
+{
+    const auto motor = desk.checkMotor();
+    if (!motor)
+        return motor;
+    const auto facts = readMotorFacts(desk, *motor);
+    if (!facts)
+        return tl::make_unexpected(facts.error());
+    const auto id = registerOf(desk, "REVUP_DATA", *motor);
+    if (!id || !(facts->ampsPerDigit > 0.0))
+        return failure(kRefused,
+            QStringLiteral(
+                "This board has no rev-up stages in amperes; see rotorscope-cli registers."));
+    const QStringList &words = desk.arguments.words;
+    if (desk.arguments.tuning.set) {
+        const bool isFile = words.size() == 1 && !words[0].contains(QLatin1Char(','));
+        const auto stages = isFile ? stagesOfFile(words[0], facts->ampsPerDigit)
+                                   : stagesOfWords(words, facts->ampsPerDigit);
+        if (!stages)
+            return tl::make_unexpected(stages.error());
+        return writeStages(desk, *id, *stages, *facts);
+    }
+    const auto readings = desk.talk.read({*id});
+    if (!readings)
+        return tl::make_unexpected(readings.error());
+    const auto *bytes = std::get_if<Bytes>(&readings->front().value);
+    const auto stages = analysis::revUpOfBytes(bytes != nullptr ? *bytes : Bytes{});
+    if (bytes == nullptr || !stages)
+        return failure(kRefused,
+            QStringLiteral("The board does not give REVUP_DATA; it starts with a sensor, or its "
+                           "firmware is a small one."));
+    print(desk.out, *stages, *facts);
+    return kDone;
+}
+
+} // namespace cli
