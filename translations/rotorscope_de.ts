@@ -87,6 +87,18 @@
         <source>Full screen</source>
         <translation>Vollbild</translation>
     </message>
+    <message>
+        <source>Edit a register&apos;s value</source>
+        <translation>Wert eines Registers bearbeiten</translation>
+    </message>
+    <message>
+        <source>Write the edited registers (after Arm)</source>
+        <translation>Bearbeitete Register schreiben (nach Freigabe)</translation>
+    </message>
+    <message>
+        <source>Undo and redo what was written</source>
+        <translation>Geschriebenes zurücknehmen und wiederholen</translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -116,6 +128,48 @@
     <message>
         <source>The link is too slow to record it: it is read one by one.</source>
         <translation>Die Verbindung ist zu langsam, um es aufzuzeichnen: Es wird einzeln gelesen.</translation>
+    </message>
+</context>
+<context>
+    <name>Entry</name>
+    <message>
+        <source>none</source>
+        <comment>no flag is set</comment>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>The unit here is %1.</source>
+        <translation>Die Einheit ist hier %1.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>no unit</comment>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Not less than %1.</source>
+        <translation>Nicht kleiner als %1.</translation>
+    </message>
+    <message>
+        <source>Too large a number.</source>
+        <translation>Die Zahl ist zu groß.</translation>
+    </message>
+    <message>
+        <source>From %1 to %2.</source>
+        <comment>the range of a value</comment>
+        <translation>Von %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>It has no such value.</source>
+        <translation>Diesen Wert hat es nicht.</translation>
+    </message>
+    <message>
+        <source>Write pairs of hexadecimal digits, one pair for each byte.</source>
+        <translation>Schreiben Sie Paare hexadezimaler Ziffern, eines für jedes Byte.</translation>
+    </message>
+    <message>
+        <source>It cannot be edited here.</source>
+        <translation>Es kann hier nicht bearbeitet werden.</translation>
     </message>
 </context>
 <context>
@@ -336,6 +390,21 @@
         <source>yes</source>
         <translation>ja</translation>
     </message>
+    <message>
+        <source>none</source>
+        <comment>no flag is set</comment>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>now: %1</source>
+        <comment>faults that are present</comment>
+        <translation>jetzt: %1</translation>
+    </message>
+    <message>
+        <source>past: %1</source>
+        <comment>faults that occurred</comment>
+        <translation>früher: %1</translation>
+    </message>
 </context>
 <context>
     <name>RegisterGroups</name>
@@ -449,6 +518,47 @@
     <message>
         <source>Too many digits.</source>
         <translation>Zu viele Ziffern.</translation>
+    </message>
+</context>
+<context>
+    <name>WriteQuestion</name>
+    <message>
+        <source>not known</source>
+        <comment>the old value</comment>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Motor %1, %2</source>
+        <comment>number, change</comment>
+        <translation>Motor %1, %2</translation>
+    </message>
+    <message>
+        <source>Board, %1</source>
+        <comment>change</comment>
+        <translation>Board, %1</translation>
+    </message>
+    <message>
+        <source>%1 (a gain, by more than 2 while the motor runs)</source>
+        <translation>%1 (eine Verstärkung, um mehr als das Doppelte bei laufendem Motor)</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weiteres</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Write registers</source>
+        <translation>Register schreiben</translation>
+    </message>
+    <message>
+        <source>This can move or harm a motor at once.</source>
+        <translation>Das kann einen Motor sofort bewegen oder beschädigen.</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
     </message>
 </context>
 <context>
@@ -1133,6 +1243,85 @@
         <comment>state of the link, e.g. board silent</comment>
         <translation>Nicht aktuell: %1</translation>
     </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RegisterEdits</name>
+    <message>
+        <source>No board is answering.</source>
+        <translation>Kein Board antwortet.</translation>
+    </message>
+    <message>
+        <source>Arm first: nothing is written to a board that is not armed.</source>
+        <translation>Zuerst freigeben: Auf ein nicht freigegebenes Board wird nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>The last write is still under way.</source>
+        <translation>Das letzte Schreiben läuft noch.</translation>
+    </message>
+    <message>
+        <source>A question is open.</source>
+        <translation>Eine Frage ist noch offen.</translation>
+    </message>
+    <message>
+        <source>Nothing was edited.</source>
+        <translation>Nichts wurde bearbeitet.</translation>
+    </message>
+    <message>
+        <source>Nothing was written that could be taken back.</source>
+        <translation>Nichts wurde geschrieben, was sich zurücknehmen ließe.</translation>
+    </message>
+    <message>
+        <source>Nothing was taken back.</source>
+        <translation>Nichts wurde zurückgenommen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s)</source>
+        <comment>how many were written</comment>
+        <translation>
+            <numerusform>%n Register</numerusform>
+            <numerusform>%n Register</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>another value is read back</source>
+        <translation>ein anderer Wert wird zurückgelesen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>register: reason</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) taken back and read back.</source>
+        <translation>
+            <numerusform>%n Register zurückgenommen und zurückgelesen.</numerusform>
+            <numerusform>%n Register zurückgenommen und zurückgelesen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) written and read back.</source>
+        <translation>
+            <numerusform>%n Register geschrieben und zurückgelesen.</numerusform>
+            <numerusform>%n Register geschrieben und zurückgelesen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not written: %1</source>
+        <comment>list of registers with reasons</comment>
+        <translation>Nicht geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>The board may have been reset: what was written before cannot be taken back.</source>
+        <translation>Das Board wurde vielleicht zurückgesetzt: Früher Geschriebenes lässt sich nicht zurücknehmen.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterModel</name>
@@ -1187,6 +1376,49 @@
         <comment>the number as it is on the wire</comment>
         <translation>Roh</translation>
     </message>
+    <message>
+        <source>write only</source>
+        <comment>a register that cannot be read, only written</comment>
+        <translation>nur schreibbar</translation>
+    </message>
+    <message>
+        <source>Not sent: %1</source>
+        <comment>the reason</comment>
+        <translation>Nicht gesendet: %1</translation>
+    </message>
+    <message>
+        <source>Written, but the board holds %1.</source>
+        <translation>Geschrieben, aber das Board hält %1.</translation>
+    </message>
+    <message>
+        <source>Sent, but nobody knows whether it was written: %1</source>
+        <translation>Gesendet, aber niemand weiß, ob es geschrieben wurde: %1</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <comment>the board&apos;s reason</comment>
+        <translation>Abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>Double-click its value or press F2 to edit it.</source>
+        <translation>Zum Bearbeiten den Wert doppelt anklicken oder F2 drücken.</translation>
+    </message>
+    <message>
+        <source>The board holds %1.</source>
+        <translation>Das Board hält %1.</translation>
+    </message>
+    <message>
+        <source>Not written yet.</source>
+        <translation>Noch nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>On its way to the board.</source>
+        <translation>Auf dem Weg zum Board.</translation>
+    </message>
+    <message>
+        <source>Written and read back.</source>
+        <translation>Geschrieben und zurückgelesen.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterPanel</name>
@@ -1210,6 +1442,78 @@
         <source>Pinned</source>
         <comment>menu entry of a register</comment>
         <translation>Angeheftet</translation>
+    </message>
+    <message>
+        <source>Not taken over: %1</source>
+        <comment>what is wrong with a typed value</comment>
+        <translation>Nicht übernommen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo the last write</source>
+        <translation>Letztes Schreiben &amp;zurücknehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Redo the write</source>
+        <translation>Schreiben &amp;wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Apply edits</source>
+        <translation>Änderungen &amp;anwenden</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert edits</source>
+        <translation>Änderungen &amp;verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Edit the register&apos;s value</source>
+        <translation>Wert des Registers &amp;bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Copy registers as text</source>
+        <translation>Register als Text &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Writes what was edited and reads it back (Ctrl+Shift+A)</source>
+        <translation>Schreibt die Änderungen und liest sie zurück (Strg+Umschalt+A)</translation>
+    </message>
+    <message>
+        <source>Writes the old value of: %1</source>
+        <translation>Schreibt den alten Wert von: %1</translation>
+    </message>
+    <message>
+        <source>Writes again: %1</source>
+        <translation>Schreibt noch einmal: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was edited.</source>
+        <translation>Nichts wurde bearbeitet.</translation>
+    </message>
+    <message>
+        <source>Forgets the edits that were not written</source>
+        <translation>Vergisst die Änderungen, die nicht geschrieben wurden</translation>
+    </message>
+    <message numerus="yes">
+        <source>Apply %n edit(s)</source>
+        <translation>
+            <numerusform>%n Änderung anwenden</numerusform>
+            <numerusform>%n Änderungen anwenden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Edit value</source>
+        <translation>Wert bearbeiten</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
     </message>
 </context>
 <context>

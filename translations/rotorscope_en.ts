@@ -87,6 +87,18 @@
         <source>Full screen</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Edit a register&apos;s value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the edited registers (after Arm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo and redo what was written</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -115,6 +127,48 @@
     </message>
     <message>
         <source>The link is too slow to record it: it is read one by one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Entry</name>
+    <message>
+        <source>none</source>
+        <comment>no flag is set</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The unit here is %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>no unit</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not less than %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too large a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From %1 to %2.</source>
+        <comment>the range of a value</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It has no such value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write pairs of hexadecimal digits, one pair for each byte.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It cannot be edited here.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -336,6 +390,21 @@
         <source>yes</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>none</source>
+        <comment>no flag is set</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>now: %1</source>
+        <comment>faults that are present</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>past: %1</source>
+        <comment>faults that occurred</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RegisterGroups</name>
@@ -448,6 +517,47 @@
     </message>
     <message>
         <source>Too many digits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>WriteQuestion</name>
+    <message>
+        <source>not known</source>
+        <comment>the old value</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1, %2</source>
+        <comment>number, change</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Board, %1</source>
+        <comment>change</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (a gain, by more than 2 while the motor runs)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Write registers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This can move or harm a motor at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1133,6 +1243,85 @@
         <comment>state of the link, e.g. board silent</comment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RegisterEdits</name>
+    <message>
+        <source>No board is answering.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm first: nothing is written to a board that is not armed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last write is still under way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A question is open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was edited.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was written that could be taken back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was taken back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s)</source>
+        <comment>how many were written</comment>
+        <translation>
+            <numerusform>%n register</numerusform>
+            <numerusform>%n registers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>another value is read back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>register: reason</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) taken back and read back.</source>
+        <translation>
+            <numerusform>%n register taken back and read back.</numerusform>
+            <numerusform>%n registers taken back and read back.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) written and read back.</source>
+        <translation>
+            <numerusform>%n register written and read back.</numerusform>
+            <numerusform>%n registers written and read back.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not written: %1</source>
+        <comment>list of registers with reasons</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board may have been reset: what was written before cannot be taken back.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterModel</name>
@@ -1187,6 +1376,49 @@
         <comment>the number as it is on the wire</comment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>write only</source>
+        <comment>a register that cannot be read, only written</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not sent: %1</source>
+        <comment>the reason</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written, but the board holds %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sent, but nobody knows whether it was written: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <comment>the board&apos;s reason</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double-click its value or press F2 to edit it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board holds %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not written yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On its way to the board.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written and read back.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterPanel</name>
@@ -1209,6 +1441,78 @@
     <message>
         <source>Pinned</source>
         <comment>menu entry of a register</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not taken over: %1</source>
+        <comment>what is wrong with a typed value</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Undo the last write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Redo the write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Apply edits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;vert edits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Edit the register&apos;s value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy registers as text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes what was edited and reads it back (Ctrl+Shift+A)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes the old value of: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes again: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was edited.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forgets the edits that were not written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Apply %n edit(s)</source>
+        <translation>
+            <numerusform>Apply %n edit</numerusform>
+            <numerusform>Apply %n edits</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

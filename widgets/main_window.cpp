@@ -252,7 +252,7 @@ QWidget *MainWindow::makeCentre()
 
 void MainWindow::makeDocks()
 {
-    m_registerPanel = new RegisterPanel(m_workbench.registers(), this);
+    m_registerPanel = new RegisterPanel(m_workbench.registers(), m_workbench.edits(), this);
     m_registerPanel->setMinimumWidth(kRegisterMinimum);
     m_control = new ControlPanel(m_device, m_workbench.registers(), this);
     auto *scroll = new QScrollArea(this);

@@ -60,6 +60,7 @@ private:
     void makeDocks();
     void makeScopeActions();
     void makeMenus(QMenuBar &bar);
+    void fillEditMenu(QMenu *menu);
     void fillViewMenu(QMenu *menu);
     void fillMotorMenu(QMenu *menu);
     void connectParts();

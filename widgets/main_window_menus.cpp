@@ -31,6 +31,7 @@ void MainWindow::makeMenus(QMenuBar &bar)
     connect(addAction(file, tr("&Quit"), Qt::CTRL | Qt::Key_Q), &QAction::triggered, this,
         &QWidget::close);
 
+    fillEditMenu(bar.addMenu(tr("&Edit")));
     fillViewMenu(bar.addMenu(tr("&View")));
 
     QMenu *device = bar.addMenu(tr("&Device"));
@@ -60,6 +61,20 @@ void MainWindow::makeMenus(QMenuBar &bar)
         [this] { showKeys(this); });
     connect(addAction(help, tr("&About Rotorscope")), &QAction::triggered, this,
         [this] { showAbout(this); });
+}
+
+void MainWindow::fillEditMenu(QMenu *menu)
+{
+    const RegisterPanel::Actions &actions = m_registerPanel->actions();
+    const QList<QAction *> groups[] = {{actions.undo, actions.redo},
+        {actions.apply, actions.revert}, {actions.edit, actions.copy}};
+    for (const QList<QAction *> &group : groups) {
+        menu->addActions(group);
+        menu->addSeparator();
+        for (QAction *action : group)
+            QMainWindow::addAction(action);
+    }
+    menu->setToolTipsVisible(true);
 }
 
 void MainWindow::fillViewMenu(QMenu *menu)

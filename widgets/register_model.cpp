@@ -24,7 +24,9 @@ QString fromCore(const std::string &text)
 
 bool shown(const catalog::RegisterInfo &info)
 {
-    return !info.stub && (info.readable() || info.streaming != catalog::Streaming::Polled);
+    return !info.stub
+        && (info.readable() || info.streaming != catalog::Streaming::Polled
+            || (info.writable() && info.type != catalog::ValueType::Raw));
 }
 
 } // namespace
@@ -53,8 +55,10 @@ void RegisterModel::setCatalog(std::shared_ptr<const catalog::Catalog> catalog, 
             m_rows.push_back(std::move(row));
         }
     }
+    keepEdits();
     rebuildGroups();
     endResetModel();
+    Q_EMIT editsChanged();
 }
 
 void RegisterModel::rebuildGroups()
@@ -113,6 +117,7 @@ bool RegisterModel::outdated(const Row &row, Milliseconds now) const
 
 void RegisterModel::refresh(Milliseconds now)
 {
+    endFlashes(now);
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         Row &row = m_rows[i];
         if (row.known != Known::Value || row.stale || !outdated(row, now))
@@ -203,6 +208,12 @@ void RegisterModel::rowChanged(std::size_t row)
     }
 }
 
+void RegisterModel::rowChanged(catalog::RegisterId id)
+{
+    if (const auto found = m_byId.find(id); found != m_byId.end())
+        rowChanged(found->second);
+}
+
 QModelIndex RegisterModel::indexOf(catalog::RegisterId id, Column column) const
 {
     const auto found = m_byId.find(id);
@@ -271,12 +282,20 @@ QVariant RegisterModel::data(const QModelIndex &index, int role) const
     switch (role) {
     case Qt::DisplayRole:
         return display(*row, index.column());
+    case Qt::EditRole:
+        return editText(*row, index.column());
+    case Qt::BackgroundRole:
+        return index.column() == NameColumn ? QVariant() : editBackground(*row);
+    case EditStateRole:
+        return static_cast<int>(editState(row->id));
     case Qt::ToolTipRole:
         return toolTip(*row);
     case Qt::TextAlignmentRole:
         return index.column() == NameColumn ? QVariant()
                                             : QVariant(Qt::AlignRight | Qt::AlignVCenter);
     case Qt::ForegroundRole:
+        if (index.column() != NameColumn && editBackground(*row).isValid())
+            return QColor(Qt::black);
         if (index.column() != NameColumn && (row->stale || row->known != Known::Value))
             return QApplication::palette().brush(QPalette::Disabled, QPalette::Text);
         return {};
@@ -301,6 +320,14 @@ QVariant RegisterModel::display(const Row &row, int column) const
 {
     if (column == NameColumn)
         return deviceText(m_catalog->nameOf(row.id));
+    const Edit *edit = editOf(row.id);
+    if (edit && edit->state != EditState::Verified)
+        return column == ValueColumn ? shownText(*row.info, edit->wanted, row.scale)
+                                     : rawText(edit->wanted);
+    if (!row.info->readable() && row.info->writable())
+        return column == ValueColumn
+            ? tr("write only", "a register that cannot be read, only written")
+            : QString();
     if (!row.info->readable())
         return column == ValueColumn
             ? tr("scope only", "a register that cannot be read, only recorded")
@@ -319,6 +346,17 @@ QVariant RegisterModel::display(const Row &row, int column) const
     return column == ValueColumn ? shownText(*row.info, row.value, row.scale) : rawText(row.value);
 }
 
+QVariant RegisterModel::editText(const Row &row, int column) const
+{
+    const Edit *edit = editOf(row.id);
+    const auto rules = rulesOf(row.id);
+    const bool wanted = edit && edit->state != EditState::Verified;
+    if (column == NameColumn || !rules || (!wanted && row.known != Known::Value))
+        return QString();
+    const catalog::Value &value = wanted ? edit->wanted : row.value;
+    return column == RawColumn ? rawEntryText(value) : shownEntryText(value, *rules);
+}
+
 QString RegisterModel::toolTip(const Row &row) const
 {
     const QString name = deviceToolTip(m_catalog->nameOf(row.id));
@@ -328,11 +366,17 @@ QString RegisterModel::toolTip(const Row &row) const
         state = tr("This value is old: it is not being read.");
     else if (row.known == Known::NotSupported)
         state = tr("This board does not have it.");
-    const QString drag = row.info->streaming == catalog::Streaming::Polled
+    const bool drawable = row.info->readable() || row.info->streaming != catalog::Streaming::Polled;
+    const QString drag = !drawable ? QString()
+        : row.info->streaming == catalog::Streaming::Polled
         ? tr(
             "Drag it to the scope or press Enter: it is drawn at the rate at which it can be read.")
         : tr("Drag it to the scope or press Enter: it is recorded at the full control rate.");
-    QStringList lines{QStringLiteral("<b>%1</b>").arg(name), help, drag, state};
+    QString all;
+    if (row.info->meaning == catalog::Meaning::Flags && row.known == Known::Value)
+        all = shownText(*row.info, row.value, row.scale).toHtmlEscaped();
+    QStringList lines{
+        QStringLiteral("<b>%1</b>").arg(name), help, editToolTip(row), all, drag, state};
     lines.removeAll(QString());
     return lines.join(QStringLiteral("<br>"));
 }
@@ -365,8 +409,11 @@ Qt::ItemFlags RegisterModel::flags(const QModelIndex &index) const
         return base;
     const bool scalar =
         row->info->type != catalog::ValueType::Text && row->info->type != catalog::ValueType::Raw;
-    return scalar ? base | Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren
-                  : base | Qt::ItemNeverHasChildren;
+    Qt::ItemFlags flags = base | Qt::ItemNeverHasChildren;
+    flags.setFlag(Qt::ItemIsDragEnabled,
+        scalar && (row->info->readable() || row->info->streaming != catalog::Streaming::Polled));
+    flags.setFlag(Qt::ItemIsEditable, editable(row->id, index.column()));
+    return flags;
 }
 
 QStringList RegisterModel::mimeTypes() const { return {QString::fromLatin1(kRegisterMimeType)}; }

@@ -1,10 +1,11 @@
 // RegisterModel: the window's only truth about the registers of a board: what exists, its newest value, how old that
-// is. A tree of groups, the pinned registers first; tables, forms and read-outs are views of it. It asks for nothing
+// is, what a person wants it to be and how a write of it ended. A tree of groups, the pinned registers first; tables, forms and read-outs are views of it. It asks for nothing
 // by itself: which registers are polled is decided by what is visible.
 #pragma once
 
 #include "drive/event.h"
 #include "widgets/device.h"
+#include "widgets/register_entry.h"
 
 #include <QAbstractItemModel>
 #include <QSet>
@@ -24,6 +25,14 @@ public:
         SearchRole, ///< name, aliases and help in one text
         StaleRole, ///< bool
         PinnedRole, ///< bool
+        EditStateRole, ///< EditState as int
+    };
+    enum class EditState : std::uint8_t {
+        None, ///< shows what the board holds
+        Pending, ///< typed, not written
+        Sending,
+        Verified, ///< written and read back, a moment ago
+        Refused, ///< was not written; the reason is in the tool tip
     };
 
     explicit RegisterModel(QObject *parent = nullptr);
@@ -47,6 +56,28 @@ public:
     bool supported(catalog::RegisterId id) const; ///< false once the board has said it is not
     bool pollable(catalog::RegisterId id) const;
 
+    // Edits. They belong to the board, not to the motor that is shown, and go with the board.
+
+    /// What bounds the set-points of each motor.
+    void setMotorLimits(std::vector<drive::MotorLimits> limits) { m_limits = std::move(limits); }
+    /// How text for this register is read; empty if it cannot be written.
+    std::optional<EntryRules> rulesOf(catalog::RegisterId id) const;
+    bool editable(catalog::RegisterId id, int column) const;
+    Result<catalog::Value, EntryError> readEntry(
+        catalog::RegisterId id, int column, const QString &text) const;
+    /// Wants a value; the one that the board holds takes the wish back. False if it must not be written.
+    bool setPending(catalog::RegisterId id, const catalog::Value &value);
+    std::vector<drive::RegisterWrite> pending() const; ///< in the order of the first edit of each
+    void forgetEdits(); ///< all that are not on their way
+    void markSending();
+    void markNotSent(); ///< what was on its way is pending again
+    void takeResults(const std::vector<drive::WriteResult> &results);
+    bool hasEdits() const; ///< of any state but a flash
+    EditState editState(catalog::RegisterId id) const;
+    std::optional<catalog::Value> known(catalog::RegisterId id) const; ///< newest, however old
+    QString describe(catalog::RegisterId id, const catalog::Value &value) const; ///< with unit
+    QString copyText(catalog::RegisterId id) const; ///< name, value, raw: tabs between
+
     void setPinned(const QStringList &names); ///< before setCatalog(), or any time
     QStringList pinned() const { return m_pinned; }
     void togglePinned(catalog::RegisterId id);
@@ -62,11 +93,22 @@ public:
     QVariant headerData(
         int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
     Qt::ItemFlags flags(const QModelIndex &index) const override;
+    bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
     QStringList mimeTypes() const override;
     QMimeData *mimeData(const QModelIndexList &indexes) const override;
     Qt::DropActions supportedDragActions() const override { return Qt::CopyAction; }
 
+Q_SIGNALS:
+    void editsChanged();
+
 private:
+    struct Edit {
+        catalog::RegisterId id = 0;
+        catalog::Value wanted;
+        EditState state = EditState::Pending;
+        QString reason;
+        std::optional<Milliseconds> until; ///< of the flash; set at the first refresh
+    };
     enum class Known : std::uint8_t { Nothing, Value, NotSupported, Refused };
     struct Row {
         catalog::RegisterId id = 0;
@@ -88,12 +130,22 @@ private:
     const Row *rowAt(const QModelIndex &index) const;
     const Row *find(catalog::RegisterId id) const;
     void rowChanged(std::size_t row);
+    void rowChanged(catalog::RegisterId id);
+    const Edit *editOf(catalog::RegisterId id) const;
+    Edit &edit(catalog::RegisterId id);
+    void keepEdits();
+    void endFlashes(Milliseconds now);
+    QVariant editBackground(const Row &row) const;
+    QString editToolTip(const Row &row) const;
     QVariant display(const Row &row, int column) const;
+    QVariant editText(const Row &row, int column) const;
     QString toolTip(const Row &row) const;
 
     std::shared_ptr<const catalog::Catalog> m_catalog;
     std::vector<Row> m_rows;
     std::vector<Group> m_groups;
+    std::vector<Edit> m_edits;
+    std::vector<drive::MotorLimits> m_limits;
     std::unordered_map<catalog::RegisterId, std::size_t> m_byId;
     QStringList m_pinned;
     Milliseconds m_period{100};

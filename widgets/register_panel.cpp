@@ -1,9 +1,19 @@
 #include "widgets/register_panel.h"
 
+#include "widgets/device_text.h"
+#include "widgets/register_delegate.h"
+#include "widgets/write_question.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QGridLayout>
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QSortFilterProxyModel>
 #include <QVBoxLayout>
@@ -15,12 +25,14 @@ constexpr int kSettleMs = 80;
 
 } // namespace
 
-RegisterPanel::RegisterPanel(RegisterModel &model, QWidget *parent)
+RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget *parent)
     : QWidget(parent)
     , m_model(model)
+    , m_edits(edits)
     , m_proxy(new QSortFilterProxyModel(this))
     , m_search(new QLineEdit(this))
     , m_tree(new QTreeView(this))
+    , m_told(new QLabel(this))
 {
     m_proxy->setSourceModel(&model);
     m_proxy->setRecursiveFilteringEnabled(true);
@@ -32,12 +44,48 @@ RegisterPanel::RegisterPanel(RegisterModel &model, QWidget *parent)
     m_search->setAccessibleName(tr("Search registers"));
     m_search->setObjectName(QStringLiteral("registerSearch"));
     m_search->installEventFilter(this);
+    makeTree();
+    makeActions();
 
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->setSpacing(6);
+    layout->addWidget(m_search);
+    layout->addWidget(m_tree, 1);
+    layout->addWidget(makeEditBar());
+
+    m_settled.setSingleShot(true);
+    m_settled.setInterval(kSettleMs);
+    connect(&m_settled, &QTimer::timeout, this, &RegisterPanel::visibleRegistersChanged);
+    const auto moved = [this] { m_settled.start(); };
+    connect(m_tree->verticalScrollBar(), &QScrollBar::valueChanged, this, moved);
+    connect(m_tree, &QTreeView::expanded, this, moved);
+    connect(m_tree, &QTreeView::collapsed, this, moved);
+    connect(m_search, &QLineEdit::textChanged, this, &RegisterPanel::search);
+    connect(m_tree, &QTreeView::doubleClicked, this, &RegisterPanel::activate);
+    connect(m_tree, &QTreeView::customContextMenuRequested, this, &RegisterPanel::showMenu);
+    connect(&model, &QAbstractItemModel::modelReset, this, &RegisterPanel::expandDefaults);
+    connect(&edits, &RegisterEdits::changed, this, &RegisterPanel::updateEdits);
+    connect(&edits, &RegisterEdits::told, this, &RegisterPanel::tell);
+    connect(&edits, &RegisterEdits::asked, this,
+        [this](const QList<WriteLine> &lines) { askBeforeWriting(window(), m_edits, lines); });
+    updateEdits();
+}
+
+RegisterPanel::~RegisterPanel()
+{
+    delete m_tree; // an open editor hands its text over while there is still somebody to take it
+}
+
+void RegisterPanel::makeTree()
+{
     m_tree->setObjectName(QStringLiteral("registerTree"));
     m_tree->setAccessibleName(tr("Registers"));
     m_tree->setModel(m_proxy);
     m_tree->setUniformRowHeights(true);
     m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_tree->setEditTriggers(
+        QAbstractItemView::NoEditTriggers); // F2 and a double click go through here
     m_tree->setDragEnabled(true);
     m_tree->setDragDropMode(QAbstractItemView::DragOnly);
     m_tree->setIndentation(10);
@@ -49,24 +97,94 @@ RegisterPanel::RegisterPanel(RegisterModel &model, QWidget *parent)
     m_tree->header()->resizeSection(RegisterModel::RawColumn, 52);
     m_tree->header()->setMinimumSectionSize(40);
     m_tree->installEventFilter(this);
+    auto *delegate = new RegisterDelegate(m_model, this);
+    m_tree->setItemDelegate(delegate);
+    connect(delegate, &RegisterDelegate::entryRefused, this, [this](const QString &sentence) {
+        tell(tr("Not taken over: %1", "what is wrong with a typed value").arg(sentence), false);
+    });
+}
 
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(6, 6, 6, 6);
-    layout->setSpacing(6);
-    layout->addWidget(m_search);
-    layout->addWidget(m_tree);
+void RegisterPanel::makeActions()
+{
+    const auto make = [this](
+                          const QString &text, const QKeySequence &keys, auto *target, auto slot) {
+        auto *action = new QAction(text, this);
+        action->setShortcut(keys);
+        action->setAutoRepeat(false);
+        connect(action, &QAction::triggered, target, slot);
+        return action;
+    };
+    m_actions.undo =
+        make(tr("&Undo the last write"), Qt::CTRL | Qt::Key_Z, &m_edits, &RegisterEdits::undo);
+    m_actions.redo = make(
+        tr("&Redo the write"), Qt::CTRL | Qt::SHIFT | Qt::Key_Z, &m_edits, &RegisterEdits::redo);
+    m_actions.apply =
+        make(tr("&Apply edits"), Qt::CTRL | Qt::SHIFT | Qt::Key_A, &m_edits, &RegisterEdits::apply);
+    m_actions.revert = make(tr("Re&vert edits"), {}, &m_edits, &RegisterEdits::revert);
+    m_actions.edit =
+        make(tr("&Edit the register's value"), Qt::Key_F2, this, &RegisterPanel::editCurrent);
+    m_actions.copy = make(tr("&Copy registers as text"), {}, this, &RegisterPanel::copySelected);
+}
 
-    m_settled.setSingleShot(true);
-    m_settled.setInterval(kSettleMs);
-    connect(&m_settled, &QTimer::timeout, this, &RegisterPanel::visibleRegistersChanged);
-    const auto moved = [this] { m_settled.start(); };
-    connect(m_tree->verticalScrollBar(), &QScrollBar::valueChanged, this, moved);
-    connect(m_tree, &QTreeView::expanded, this, moved);
-    connect(m_tree, &QTreeView::collapsed, this, moved);
-    connect(m_search, &QLineEdit::textChanged, this, &RegisterPanel::search);
-    connect(m_tree, &QTreeView::doubleClicked, this, [this] { chooseSelected(); });
-    connect(m_tree, &QTreeView::customContextMenuRequested, this, &RegisterPanel::showMenu);
-    connect(&model, &QAbstractItemModel::modelReset, this, &RegisterPanel::expandDefaults);
+QWidget *RegisterPanel::makeEditBar()
+{
+    m_editBar = new QWidget(this);
+    m_told->setTextFormat(Qt::PlainText);
+    m_told->setWordWrap(true);
+    m_told->setObjectName(QStringLiteral("editsTold"));
+    auto *revert = new QPushButton(tr("Revert"), m_editBar);
+    auto *apply = new QPushButton(m_editBar);
+    revert->setObjectName(QStringLiteral("revertEdits"));
+    apply->setObjectName(QStringLiteral("applyEdits"));
+    connect(revert, &QPushButton::clicked, m_actions.revert, &QAction::trigger);
+    connect(apply, &QPushButton::clicked, m_actions.apply, &QAction::trigger);
+    auto *layout = new QGridLayout(m_editBar);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_told, 0, 0, 1, 2);
+    layout->addWidget(revert, 1, 0);
+    layout->addWidget(apply, 1, 1);
+    return m_editBar;
+}
+
+void RegisterPanel::updateEdits()
+{
+    const auto show = [](QAction *action, const QString &hint, const QString &does) {
+        action->setEnabled(hint.isEmpty());
+        action->setToolTip(plainToolTip(hint.isEmpty() ? does : hint));
+    };
+    const int count = m_edits.pendingCount();
+    const auto &steps = m_edits.steps();
+    show(m_actions.apply, m_edits.applyHint(),
+        tr("Writes what was edited and reads it back (Ctrl+Shift+A)"));
+    show(m_actions.undo, m_edits.undoHint(),
+        tr("Writes the old value of: %1").arg(steps.undoText()));
+    show(m_actions.redo, m_edits.redoHint(), tr("Writes again: %1").arg(steps.redoText()));
+    show(m_actions.revert, m_model.hasEdits() ? QString() : tr("Nothing was edited."),
+        tr("Forgets the edits that were not written"));
+    auto *apply = m_editBar->findChild<QPushButton *>(QStringLiteral("applyEdits"));
+    auto *revert = m_editBar->findChild<QPushButton *>(QStringLiteral("revertEdits"));
+    apply->setText(count > 0 ? tr("Apply %n edit(s)", nullptr, count) : tr("Apply"));
+    for (const auto &[button, action] :
+        {std::pair(apply, m_actions.apply), std::pair(revert, m_actions.revert)}) {
+        button->setEnabled(action->isEnabled());
+        button->setToolTip(action->toolTip());
+    }
+    // Why a waiting edit cannot be written is said where people look, too.
+    const QString why = count > 0 ? m_edits.applyHint() : QString();
+    const QString shown = why.isEmpty() || m_edits.underWay() ? m_sentence : why;
+    m_told->setText(shown);
+    m_told->setVisible(!shown.isEmpty());
+    m_editBar->setVisible(m_model.hasEdits() || !shown.isEmpty());
+}
+
+void RegisterPanel::tell(const QString &sentence, bool good)
+{
+    m_sentence = sentence;
+    m_told->setForegroundRole(good ? QPalette::PlaceholderText : QPalette::WindowText);
+    QFont font = this->font();
+    font.setBold(!good);
+    m_told->setFont(font);
+    updateEdits();
 }
 
 std::vector<catalog::RegisterId> RegisterPanel::visibleRegisters() const
@@ -101,7 +219,11 @@ bool RegisterPanel::eventFilter(QObject *watched, QEvent *event)
         const auto *key = static_cast<QKeyEvent *>(event);
         const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
         if (watched == m_tree && enter && key->modifiers() == Qt::NoModifier) {
-            chooseSelected();
+            activate(m_tree->currentIndex());
+            return true;
+        }
+        if (watched == m_tree && key->matches(QKeySequence::Copy)) {
+            copySelected();
             return true;
         }
         if (watched == m_search && key->key() == Qt::Key_Down) {
@@ -112,14 +234,54 @@ bool RegisterPanel::eventFilter(QObject *watched, QEvent *event)
     return QWidget::eventFilter(watched, event);
 }
 
+std::vector<catalog::RegisterId> RegisterPanel::selected() const
+{
+    std::vector<catalog::RegisterId> ids;
+    for (const QModelIndex &index : m_tree->selectionModel()->selectedRows()) {
+        const QVariant id = index.data(RegisterModel::IdRole);
+        if (id.isValid() && std::find(ids.begin(), ids.end(), id.toUInt()) == ids.end())
+            ids.push_back(id.toUInt());
+    }
+    return ids;
+}
+
+/// A double click or Enter: edits a value that can be edited, puts a name on the scope.
+void RegisterPanel::activate(const QModelIndex &index)
+{
+    if (index.column() != RegisterModel::NameColumn && index.flags().testFlag(Qt::ItemIsEditable))
+        m_tree->edit(index);
+    else
+        chooseSelected();
+}
+
+void RegisterPanel::editCurrent()
+{
+    const QModelIndex current = m_tree->currentIndex();
+    for (const int column :
+        {current.column(), int(RegisterModel::ValueColumn), int(RegisterModel::RawColumn)}) {
+        const QModelIndex cell = current.siblingAtColumn(column);
+        if (!cell.flags().testFlag(Qt::ItemIsEditable))
+            continue;
+        m_tree->setCurrentIndex(cell);
+        m_tree->edit(cell);
+        return;
+    }
+}
+
+void RegisterPanel::copySelected()
+{
+    QStringList lines;
+    for (const catalog::RegisterId id : selected())
+        lines.append(m_model.copyText(id));
+    if (!lines.isEmpty())
+        QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+}
+
 void RegisterPanel::chooseSelected()
 {
     QList<quint32> ids;
-    for (const QModelIndex &index : m_tree->selectionModel()->selectedRows()) {
-        const QVariant id = index.data(RegisterModel::IdRole);
-        if (id.isValid() && !ids.contains(id.toUInt()))
-            ids.append(id.toUInt());
-    }
+    for (const catalog::RegisterId id : selected())
+        ids.append(id);
     if (!ids.isEmpty())
         Q_EMIT registersChosen(ids);
 }
@@ -134,6 +296,10 @@ void RegisterPanel::showMenu(const QPoint &at)
     menu->setAttribute(Qt::WA_DeleteOnClose);
     connect(menu->addAction(tr("Add to scope")), &QAction::triggered, this,
         &RegisterPanel::chooseSelected);
+    if (index.siblingAtColumn(RegisterModel::RawColumn).flags().testFlag(Qt::ItemIsEditable))
+        connect(menu->addAction(tr("Edit value")), &QAction::triggered, this,
+            &RegisterPanel::editCurrent);
+    connect(menu->addAction(tr("Copy")), &QAction::triggered, this, &RegisterPanel::copySelected);
     QAction *pin = menu->addAction(tr("Pinned", "menu entry of a register"));
     pin->setCheckable(true);
     pin->setChecked(index.data(RegisterModel::PinnedRole).toBool());

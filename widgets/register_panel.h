@@ -1,13 +1,16 @@
-// RegisterPanel: the tree of registers with its search box. Tells which registers can be seen, so that only those are
-// polled, and which ones the person wants on the scope.
+// RegisterPanel: the tree of registers with its search box and what is done with edits. Tells which registers can be
+// seen, so that only those are polled, and which ones the person wants on the scope.
 #pragma once
 
+#include "widgets/register_edits.h"
 #include "widgets/register_model.h"
 
 #include <QTimer>
 #include <QTreeView>
 #include <QWidget>
 
+class QAction;
+class QLabel;
 class QLineEdit;
 class QSortFilterProxyModel;
 
@@ -16,14 +19,24 @@ namespace widgets {
 class RegisterPanel : public QWidget {
     Q_OBJECT
 public:
-    explicit RegisterPanel(RegisterModel &model, QWidget *parent = nullptr);
+    RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget *parent = nullptr);
+    ~RegisterPanel() override;
 
     QTreeView *tree() const { return m_tree; }
     /// Registers whose rows are expanded and on screen.
     std::vector<catalog::RegisterId> visibleRegisters() const;
 
+    /// For the menu; each carries its key and says in its tool tip why it cannot be used.
+    struct Actions {
+        QAction *undo = nullptr, *redo = nullptr, *apply = nullptr, *revert = nullptr;
+        QAction *edit = nullptr, *copy = nullptr;
+    };
+    const Actions &actions() const { return m_actions; }
+
 public Q_SLOTS:
     void focusSearch();
+    void editCurrent(); ///< the value of the selected register
+    void copySelected(); ///< a line each: name, value, raw
 
 Q_SIGNALS:
     void visibleRegistersChanged();
@@ -33,15 +46,27 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    void makeTree();
+    void makeActions();
+    QWidget *makeEditBar();
+    void updateEdits();
+    void tell(const QString &sentence, bool good);
+    void activate(const QModelIndex &index);
+    std::vector<catalog::RegisterId> selected() const;
     void chooseSelected();
     void showMenu(const QPoint &at);
     void search(const QString &text);
     void expandDefaults();
 
     RegisterModel &m_model;
+    RegisterEdits &m_edits;
+    Actions m_actions;
     QSortFilterProxyModel *m_proxy;
     QLineEdit *m_search;
     QTreeView *m_tree;
+    QLabel *m_told;
+    QWidget *m_editBar = nullptr;
+    QString m_sentence; ///< how the last write ended
     QTimer m_settled; ///< scrolling tells once, not at every pixel
 };
 

@@ -18,10 +18,15 @@ struct Setpoint {
 
 Result<double, SetpointError> readSetpoint(const QString &text)
 {
+    return readPlainNumber(text, kLongest);
+}
+
+Result<double, SetpointError> readPlainNumber(const QString &text, qsizetype longest)
+{
     const QString trimmed = text.trimmed();
     if (trimmed.isEmpty())
         return fail(SetpointError::Empty);
-    if (trimmed.size() > kLongest)
+    if (trimmed.size() > longest)
         return fail(SetpointError::TooLong);
 
     std::string plain;

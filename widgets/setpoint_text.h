@@ -18,6 +18,9 @@ enum class SetpointError : std::uint8_t {
 /// The number in `text`, e.g. "-1500", "1,5", "+ 3.25" is refused (space inside). At most 12 characters.
 Result<double, SetpointError> readSetpoint(const QString &text);
 
+/// The same for a text of any length up to `longest` characters.
+Result<double, SetpointError> readPlainNumber(const QString &text, qsizetype longest);
+
 /// The sentence for an error.
 QString setpointErrorText(SetpointError error);
 

@@ -1,5 +1,6 @@
 #include "widgets/value_text.h"
 
+#include "catalog/names.h"
 #include "widgets/device_text.h"
 
 #include <QLocale>
@@ -36,6 +37,34 @@ QString withUnit(const QString &number, const std::string &unit)
     return text.isEmpty() || text == QLatin1String("-") ? number : number + QChar(0x202f) + text;
 }
 
+QString joined(const std::vector<std::string> &names)
+{
+    QStringList words;
+    for (const std::string &name : names)
+        words.append(QString::fromStdString(name));
+    return words.join(QLatin1String(" | "));
+}
+
+/// By name; in hexadecimal digits where no bit has one.
+QString flagsText(const catalog::RegisterInfo &info, std::int64_t bits)
+{
+    if (catalog::namedFlags(info.name).empty())
+        return hexText(bits, catalog::widthOf(info.type));
+    if (bits == 0)
+        return QObject::tr("none", "no flag is set");
+    const auto all = static_cast<std::uint32_t>(bits);
+    if (!catalog::holdsPastFaults(info.name))
+        return joined(catalog::flagNames(info.name, all));
+    QStringList parts;
+    if (const QString now = joined(catalog::faultNames(static_cast<std::uint16_t>(all >> 16)));
+        !now.isEmpty())
+        parts.append(QObject::tr("now: %1", "faults that are present").arg(now));
+    if (const QString past = joined(catalog::faultNames(static_cast<std::uint16_t>(all)));
+        !past.isEmpty())
+        parts.append(QObject::tr("past: %1", "faults that occurred").arg(past));
+    return parts.join(QLatin1String("; "));
+}
+
 QString floatText(double value)
 {
     QLocale locale;
@@ -44,6 +73,8 @@ QString floatText(double value)
 }
 
 } // namespace
+
+QString booleanText(bool yes) { return yes ? QObject::tr("yes") : QObject::tr("no"); }
 
 int decimalsFor(double factor)
 {
@@ -83,11 +114,11 @@ QString shownText(
     const auto integer = std::get<std::int64_t>(value);
     switch (info.meaning) {
     case catalog::Meaning::Flags:
-        return hexText(integer, catalog::widthOf(info.type));
+        return flagsText(info, integer);
     case catalog::Meaning::Boolean:
-        return integer == 0 ? QObject::tr("no") : QObject::tr("yes");
+        return booleanText(integer != 0);
     case catalog::Meaning::Enumeration:
-        return QString::number(integer);
+        return QString::fromStdString(catalog::valueName(info.name, integer));
     case catalog::Meaning::Number:
         break;
     }

@@ -18,6 +18,9 @@ QString numberText(double value, int decimals);
 QString shownText(
     const catalog::RegisterInfo &info, const catalog::Value &value, const catalog::Scale &scale);
 
+/// A boolean register's value in words.
+QString booleanText(bool yes);
+
 /// The same value as the wire has it: digits, hexadecimal bytes for structures.
 QString rawText(const catalog::Value &value);
 

@@ -44,6 +44,8 @@ void Workbench::connectSession()
 void Workbench::connectModels()
 {
     const auto showBoard = [this] {
+        m_registers.setMotorLimits(m_device.identified() ? m_device.identified()->limits
+                                                         : std::vector<drive::MotorLimits>());
         m_registers.setCatalog(m_device.catalog(), m_device.motor());
         m_watchList.forget();
     };

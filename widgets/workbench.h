@@ -7,6 +7,7 @@
 #include "capture/capture.h"
 #include "session/session_thread.h"
 #include "widgets/device.h"
+#include "widgets/register_edits.h"
 #include "widgets/register_model.h"
 #include "widgets/stop_filter.h"
 #include "widgets/watch_list.h"
@@ -25,6 +26,7 @@ public:
 
     Device &device() { return m_device; }
     RegisterModel &registers() { return m_registers; }
+    RegisterEdits &edits() { return m_edits; }
     capture::Capture &capture() { return m_capture; }
     WatchList &watchList() { return m_watchList; }
     Milliseconds now() const
@@ -42,6 +44,7 @@ private:
     QElapsedTimer m_clock;
     Device m_device;
     RegisterModel m_registers;
+    RegisterEdits m_edits{m_device, m_registers};
     capture::Capture m_capture;
     WatchList m_watchList;
     StopFilter m_stopFilter;

@@ -120,6 +120,8 @@ std::span<const NamedValue> namedFlags(std::string_view registerName)
     return findTable(kFlagRegisters, registerName);
 }
 
+bool holdsPastFaults(std::string_view registerName) { return registerName == "FAULTS_FLAGS"; }
+
 std::string driveTypeName(std::uint8_t driveType) { return nameIn(kDriveTypes, driveType); }
 
 std::string speedSensorName(std::uint8_t sensor) { return nameIn(kSensors, sensor); }

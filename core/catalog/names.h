@@ -25,6 +25,8 @@ std::string valueName(std::string_view registerName, std::int64_t value);
 /// START_CONFIGURATION, ...); a bit without a name is shown as "bit 11".
 std::vector<std::string> faultNames(std::uint16_t bits);
 std::vector<std::string> flagNames(std::string_view registerName, std::uint32_t bits);
+/// Whether a flags register holds the present faults in its upper and the past ones in its lower half.
+bool holdsPastFaults(std::string_view registerName);
 /// Every bit of a flags register that has a name; `value` is the mask.
 std::span<const NamedValue> namedFlags(std::string_view registerName);
 

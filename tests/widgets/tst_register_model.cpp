@@ -54,10 +54,13 @@ private Q_SLOTS:
         QCOMPARE(m_model->shownValue(facts::kCurrentA), std::optional(1.0));
     }
 
-    void flagsAreHexadecimal()
+    void flagsAreShownByName()
     {
-        m_model->take({facts::reading(facts::kFlags, std::int64_t{0x41})}, 0ms);
-        QCOMPARE(shown(facts::kFlags), QStringLiteral("0x41"));
+        m_model->take({facts::reading(facts::kFlags, std::int64_t{0x00020041})}, 0ms);
+        QCOMPARE(
+            shown(facts::kFlags), QStringLiteral("now: OVER_VOLT; past: DURATION | OVER_CURR"));
+        m_model->take({facts::reading(facts::kFlags, std::int64_t{0})}, 0ms);
+        QCOMPARE(shown(facts::kFlags), QStringLiteral("none"));
     }
 
     void aPinnedRegisterChangesInBothPlaces()

@@ -1,0 +1,304 @@
+#include "widgets/register_edits.h"
+
+#include "widgets/device_text.h"
+#include "widgets/messages.h"
+
+#include <QUndoCommand>
+
+#include <algorithm>
+
+namespace widgets {
+namespace {
+
+constexpr int kMostSteps = 500;
+
+struct Change {
+    catalog::RegisterId id = 0;
+    catalog::Value before, after;
+};
+
+/// One applied step. It does nothing by itself: the list moves only when the board has taken the write.
+class EditStep : public QUndoCommand {
+public:
+    EditStep(std::vector<Change> changes, const QString &text)
+        : QUndoCommand(text)
+        , m_changes(std::make_unique<std::vector<Change>>(std::move(changes)))
+    {
+    }
+    std::vector<Change> &changes() const { return *m_changes; }
+
+private:
+    std::unique_ptr<std::vector<Change>> m_changes; // what is left of a step that half went back
+};
+
+const EditStep *stepAt(const QUndoStack &stack, int index)
+{
+    return static_cast<const EditStep *>(stack.command(index));
+}
+
+bool atRest(drive::MotorState state)
+{
+    using drive::MotorState;
+    return state == MotorState::Idle || state == MotorState::FaultNow
+        || state == MotorState::FaultOver;
+}
+
+bool took(const drive::Ended &ended, catalog::RegisterId id)
+{
+    return std::any_of(ended.writes.begin(), ended.writes.end(), [id](const auto &result) {
+        return result.id == id && result.outcome == drive::Outcome::Ok && result.verified != false;
+    });
+}
+
+} // namespace
+
+RegisterEdits::RegisterEdits(Device &device, RegisterModel &model, QObject *parent)
+    : QObject(parent)
+    , m_device(device)
+    , m_model(model)
+{
+    m_steps.setUndoLimit(kMostSteps);
+    connect(&device, &Device::wishEnded, this, &RegisterEdits::end);
+    connect(&device, &Device::linkStateChanged, this, &RegisterEdits::linkChanged);
+    connect(&device, &Device::identityChanged, this, &RegisterEdits::linkChanged);
+    connect(&device, &Device::portStateChanged, this, &RegisterEdits::linkChanged);
+    connect(&device, &Device::armedStateChanged, this, &RegisterEdits::changed);
+    connect(&model, &RegisterModel::editsChanged, this, &RegisterEdits::changed);
+    connect(&m_steps, &QUndoStack::indexChanged, this, &RegisterEdits::changed);
+}
+
+QString RegisterEdits::writeHint() const
+{
+    if (!m_device.answering() || !m_device.identified())
+        return tr("No board is answering.");
+    if (const auto write = m_device.capability(drive::Feature::WriteRegisters); !write.available)
+        return deviceText(write.reason);
+    if (!m_device.armed())
+        return tr("Arm first: nothing is written to a board that is not armed.");
+    if (m_stage == Stage::Sending)
+        return tr("The last write is still under way.");
+    if (m_stage == Stage::Asking)
+        return tr("A question is open.");
+    return {};
+}
+
+QString RegisterEdits::applyHint() const
+{
+    return pendingCount() == 0 ? tr("Nothing was edited.") : writeHint();
+}
+
+QString RegisterEdits::undoHint() const
+{
+    return m_steps.canUndo() ? writeHint() : tr("Nothing was written that could be taken back.");
+}
+
+QString RegisterEdits::redoHint() const
+{
+    return m_steps.canRedo() ? writeHint() : tr("Nothing was taken back.");
+}
+
+void RegisterEdits::apply()
+{
+    if (applyHint().isEmpty())
+        begin(Verb::Apply, m_model.pending());
+}
+
+void RegisterEdits::undo()
+{
+    if (undoHint().isEmpty())
+        begin(Verb::Undo, stepWrites(Verb::Undo));
+}
+
+void RegisterEdits::redo()
+{
+    if (redoHint().isEmpty())
+        begin(Verb::Redo, stepWrites(Verb::Redo));
+}
+
+void RegisterEdits::revert() { m_model.forgetEdits(); }
+
+/// What takes a step back, in the opposite order, or writes it again.
+std::vector<drive::RegisterWrite> RegisterEdits::stepWrites(Verb verb) const
+{
+    const bool back = verb == Verb::Undo;
+    const auto &changes = stepAt(m_steps, m_steps.index() - (back ? 1 : 0))->changes();
+    std::vector<drive::RegisterWrite> writes;
+    writes.reserve(changes.size());
+    for (const Change &change : changes)
+        writes.push_back({change.id, back ? change.before : change.after});
+    if (back)
+        std::reverse(writes.begin(), writes.end());
+    return writes;
+}
+
+QList<WriteLine> RegisterEdits::cautious(const std::vector<drive::RegisterWrite> &writes) const
+{
+    QList<WriteLine> lines;
+    const auto catalog = m_device.catalog();
+    for (const drive::RegisterWrite &write : writes) {
+        const catalog::RegisterInfo *info = catalog ? catalog->find(write.id) : nullptr;
+        if (info == nullptr)
+            continue;
+        const int motor = info->perMotor ? catalog->motorOf(write.id) : 0;
+        const auto old = m_model.known(write.id);
+        const bool running =
+            motor > 0 ? !atRest(m_device.status(motor).state) : !m_device.allIdle();
+        const auto caution = catalog::cautionOf(*info, old, write.value, running);
+        if (caution != catalog::Caution::None)
+            lines.append(
+                {deviceText(info->name), old ? m_model.describe(write.id, *old) : QString(),
+                    m_model.describe(write.id, write.value), motor, caution});
+    }
+    return lines;
+}
+
+void RegisterEdits::begin(Verb verb, std::vector<drive::RegisterWrite> writes)
+{
+    if (writes.empty())
+        return;
+    m_verb = verb;
+    m_writes = std::move(writes);
+    const QList<WriteLine> lines = cautious(m_writes);
+    if (lines.isEmpty())
+        return send();
+    m_stage = Stage::Asking;
+    Q_EMIT changed();
+    Q_EMIT asked(lines);
+}
+
+void RegisterEdits::confirm()
+{
+    if (m_stage != Stage::Asking)
+        return;
+    m_stage = Stage::Idle;
+    if (const QString hint = writeHint(); !hint.isEmpty()) {
+        Q_EMIT changed();
+        Q_EMIT told(hint, false);
+    } else {
+        send();
+    }
+}
+
+void RegisterEdits::decline()
+{
+    if (m_stage != Stage::Asking)
+        return;
+    m_stage = Stage::Idle;
+    Q_EMIT changed();
+}
+
+void RegisterEdits::send()
+{
+    m_stage = Stage::Sending;
+    if (m_verb == Verb::Apply)
+        m_model.markSending();
+    m_wish = m_device.submit(drive::Write{m_writes});
+    Q_EMIT changed();
+}
+
+void RegisterEdits::end(const drive::Ended &ended)
+{
+    if (m_stage != Stage::Sending || ended.id != m_wish)
+        return;
+    m_stage = Stage::Idle;
+    m_wish = 0;
+    m_model.takeResults(ended.writes);
+    m_model.markNotSent(); // what the answer does not name
+    if (m_device.answering())
+        keep(ended);
+    Q_EMIT changed();
+    tell(ended);
+}
+
+/// Brings the list of steps to what the board has taken.
+void RegisterEdits::keep(const drive::Ended &ended)
+{
+    if (m_verb == Verb::Apply) {
+        std::vector<Change> changes;
+        for (const drive::WriteResult &result : ended.writes)
+            if (result.outcome == drive::Outcome::Ok && result.before && result.readBack
+                && *result.before != *result.readBack)
+                changes.push_back({result.id, *result.before, *result.readBack});
+        if (changes.empty())
+            return;
+        const QString name = deviceText(m_device.catalog()->nameOf(changes.front().id));
+        const QString text = changes.size() == 1
+            ? name
+            : tr("%n register(s)", "how many were written", static_cast<int>(changes.size()));
+        m_steps.push(new EditStep(std::move(changes), text));
+        return;
+    }
+    const bool back = m_verb == Verb::Undo;
+    auto &changes = stepAt(m_steps, m_steps.index() - (back ? 1 : 0))->changes();
+    const auto isTaken = [&](const Change &change) { return took(ended, change.id); };
+    const auto taken = std::count_if(changes.begin(), changes.end(), isTaken);
+    if (taken == 0)
+        return;
+    const bool all = taken == static_cast<std::ptrdiff_t>(changes.size());
+    // A step that went half way stays in the list with the half that the board still holds as applied.
+    if (!all && back)
+        std::erase_if(changes, isTaken);
+    else if (!all)
+        std::erase_if(changes, [&](const Change &change) { return !isTaken(change); });
+    if (back && all)
+        m_steps.undo();
+    else if (!back)
+        m_steps.redo();
+}
+
+void RegisterEdits::tell(const drive::Ended &ended)
+{
+    int written = 0;
+    QStringList bad;
+    for (const drive::WriteResult &result : ended.writes) {
+        if (took(ended, result.id)) {
+            ++written;
+            continue;
+        }
+        const QString name = m_device.catalog() ? deviceText(m_device.catalog()->nameOf(result.id))
+                                                : QString::number(result.id);
+        const QString why = result.outcome == drive::Outcome::Ok ? tr("another value is read back")
+            : result.reason.empty()                              ? outcomeText(result.outcome)
+                                                                 : deviceText(result.reason);
+        bad.append(tr("%1: %2", "register: reason").arg(name, why));
+    }
+    if (ended.writes.empty()) {
+        Q_EMIT told(failureText(tr("Write"), ended), false);
+        return;
+    }
+    QString sentence;
+    if (written > 0)
+        sentence = m_verb == Verb::Undo
+            ? tr("%n register(s) taken back and read back.", nullptr, written)
+            : tr("%n register(s) written and read back.", nullptr, written);
+    if (!bad.isEmpty())
+        sentence += (sentence.isEmpty() ? QString() : QStringLiteral(" "))
+            + tr("Not written: %1", "list of registers with reasons")
+                  .arg(bad.join(QLatin1String("; ")));
+    Q_EMIT told(sentence, bad.isEmpty());
+}
+
+void RegisterEdits::linkChanged()
+{
+    using drive::LinkState;
+    const drive::LinkChanged link = m_device.link();
+    if (!m_device.portOpen() || !m_device.identified() || link.state == LinkState::Lost
+        || link.state == LinkState::Closed || link.reason == drive::LinkReason::BoardReset)
+        forget();
+    Q_EMIT changed();
+}
+
+void RegisterEdits::forget()
+{
+    if (m_stage == Stage::Sending && !m_device.portOpen()) {
+        m_stage = Stage::Idle; // whose end nobody will tell
+        m_model.markNotSent();
+    }
+    if (m_steps.count() == 0)
+        return;
+    m_steps.clear();
+    Q_EMIT told(
+        tr("The board may have been reset: what was written before cannot be taken back."), false);
+}
+
+} // namespace widgets
