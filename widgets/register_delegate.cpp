@@ -158,6 +158,16 @@ QWidget *RegisterDelegate::createEditor(
     return editor;
 }
 
+void RegisterDelegate::initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const
+{
+    QStyledItemDelegate::initStyleOption(option, index);
+    // The colour of an edit is also seen in a selected row.
+    const auto none = static_cast<int>(RegisterModel::EditState::None);
+    if (index.column() != RegisterModel::NameColumn
+        && index.data(RegisterModel::EditStateRole).toInt() != none)
+        option->state.setFlag(QStyle::State_Selected, false);
+}
+
 void RegisterDelegate::setEditorData(QWidget *editor, const QModelIndex &index) const
 {
     // Values that arrive while a person types must not replace the text.

@@ -60,6 +60,9 @@ public:
     void updateEditorGeometry(QWidget *editor, const QStyleOptionViewItem &option,
         const QModelIndex &index) const override;
 
+protected:
+    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override;
+
 Q_SIGNALS:
     void entryRefused(
         const QString &sentence) const; ///< an editor closed on a text that is not good

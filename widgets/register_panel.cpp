@@ -169,6 +169,8 @@ void RegisterPanel::updateEdits()
         button->setEnabled(action->isEnabled());
         button->setToolTip(action->toolTip());
     }
+    if (count > 0 && m_good)
+        m_sentence.clear();
     // Why a waiting edit cannot be written is said where people look, too.
     const QString why = count > 0 ? m_edits.applyHint() : QString();
     const QString shown = why.isEmpty() || m_edits.underWay() ? m_sentence : why;
@@ -180,6 +182,7 @@ void RegisterPanel::updateEdits()
 void RegisterPanel::tell(const QString &sentence, bool good)
 {
     m_sentence = sentence;
+    m_good = good;
     m_told->setForegroundRole(good ? QPalette::PlaceholderText : QPalette::WindowText);
     QFont font = this->font();
     font.setBold(!good);

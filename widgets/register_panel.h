@@ -67,6 +67,7 @@ private:
     QLabel *m_told;
     QWidget *m_editBar = nullptr;
     QString m_sentence; ///< how the last write ended
+    bool m_good = true; ///< it ended well: not worth saying once the next edit waits
     QTimer m_settled; ///< scrolling tells once, not at every pixel
 };
 

@@ -2,6 +2,8 @@
 #include "support/edit_bench.h"
 
 #include <QAbstractItemModelTester>
+#include <QAbstractProxyModel>
+#include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTest>
@@ -312,6 +314,41 @@ private Q_SLOTS:
         QCOMPARE(bench.writes.size(), 1U);
         QVERIFY(stateOf(bench, "SPEED_KP") == State::Pending);
         QVERIFY(bench.told.last().contains(QStringLiteral("Arm")));
+    }
+
+    void anEditIsSeenInASelectedRow()
+    {
+        EditBench bench;
+        bench.panel.resize(420, 600);
+        bench.panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&bench.panel));
+        bench.type("SPEED_KP", QStringLiteral("77"));
+        QTreeView *tree = bench.panel.tree();
+        const auto *proxy = qobject_cast<const QAbstractProxyModel *>(tree->model());
+        const QModelIndex cell = proxy->mapFromSource(
+            bench.model.indexOf(bench.id("SPEED_KP"), RegisterModel::ValueColumn));
+        tree->expand(cell.parent());
+        tree->scrollTo(cell);
+        tree->setCurrentIndex(cell);
+        QVERIFY(tree->selectionModel()->isSelected(cell));
+        const QRect place = tree->visualRect(cell);
+        const QImage picture = tree->viewport()->grab().toImage();
+        QCOMPARE(picture.pixelColor(place.topLeft() + QPoint(3, 3)),
+            cell.data(Qt::BackgroundRole).value<QColor>());
+    }
+
+    void goodNewsEndWithTheNextEdit()
+    {
+        EditBench bench;
+        const auto *told = bench.panel.findChild<QLabel *>(QStringLiteral("editsTold"));
+        bench.arm();
+        bench.type("SPEED_KP", QStringLiteral("77"));
+        QVERIFY(bench.apply());
+        QVERIFY(told->text().contains(QStringLiteral("written")));
+        bench.type("SPEED_KP", QStringLiteral("78"));
+        QVERIFY(told->text().isEmpty());
+        bench.device.setArmed(false);
+        QVERIFY(told->text().contains(QStringLiteral("Arm")));
     }
 
     void setPointsEndAtTheBoardsOwnLimits()
