@@ -298,12 +298,12 @@ private Q_SLOTS:
     {
         EditBench bench;
         bench.arm();
-        const auto kp = std::get<std::int64_t>(bench.held("SPEED_KP"));
-        bench.type("SPEED_KP", QString::number(3 * kp));
+        const auto kp = std::get<std::int64_t>(bench.held("SPEED_KP")) / 10;
+        bench.type("SPEED_KP", QString::number(kp));
         QVERIFY(bench.apply());
         QCOMPARE(bench.questions, 0);
         facts::feed(bench.device, {facts::status(drive::MotorState::Running)});
-        bench.type("SPEED_KP", QString::number(7 * kp));
+        bench.type("SPEED_KP", QString::number(3 * kp));
         bench.edits.apply();
         QVERIFY(bench.edits.underWay());
         QCoreApplication::processEvents();
