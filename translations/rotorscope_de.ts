@@ -859,6 +859,24 @@
     </message>
 </context>
 <context>
+    <name>widgets::EditBar</name>
+    <message>
+        <source>Revert</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Apply %n edit(s)</source>
+        <translation>
+            <numerusform>%n Änderung anwenden</numerusform>
+            <numerusform>%n Änderungen anwenden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+</context>
+<context>
     <name>widgets::ExportDialog</name>
     <message>
         <source>Export CSV</source>
@@ -1247,6 +1265,10 @@
         <source>&amp;Edit</source>
         <translation>&amp;Bearbeiten</translation>
     </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterEdits</name>
@@ -1473,10 +1495,6 @@
         <translation>Register als Text &amp;kopieren</translation>
     </message>
     <message>
-        <source>Revert</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
         <source>Writes what was edited and reads it back (Ctrl+Shift+A)</source>
         <translation>Schreibt die Änderungen und liest sie zurück (Strg+Umschalt+A)</translation>
     </message>
@@ -1495,17 +1513,6 @@
     <message>
         <source>Forgets the edits that were not written</source>
         <translation>Vergisst die Änderungen, die nicht geschrieben wurden</translation>
-    </message>
-    <message numerus="yes">
-        <source>Apply %n edit(s)</source>
-        <translation>
-            <numerusform>%n Änderung anwenden</numerusform>
-            <numerusform>%n Änderungen anwenden</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>Anwenden</translation>
     </message>
     <message>
         <source>Edit value</source>

@@ -859,6 +859,24 @@
     </message>
 </context>
 <context>
+    <name>widgets::EditBar</name>
+    <message>
+        <source>Revert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Apply %n edit(s)</source>
+        <translation>
+            <numerusform>Apply %n edit</numerusform>
+            <numerusform>Apply %n edits</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::ExportDialog</name>
     <message>
         <source>Export CSV</source>
@@ -1247,6 +1265,10 @@
         <source>&amp;Edit</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterEdits</name>
@@ -1473,10 +1495,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Revert</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Writes what was edited and reads it back (Ctrl+Shift+A)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1494,17 +1512,6 @@
     </message>
     <message>
         <source>Forgets the edits that were not written</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>Apply %n edit(s)</source>
-        <translation>
-            <numerusform>Apply %n edit</numerusform>
-            <numerusform>Apply %n edits</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Apply</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -91,6 +91,7 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     makeScopeActions();
     setCentralWidget(makeCentre());
     makeDocks();
+    makeTools();
     setStatusBar(m_status = new StatusStrip(m_device, this));
     setMenuWidget(makeTop());
     connectParts();

@@ -20,6 +20,7 @@ class ConnectBar;
 class ControlPanel;
 class FilePrompt;
 class FirstSteps;
+class Form;
 class RegisterPanel;
 class ScopeView;
 class Shutdown;
@@ -58,11 +59,14 @@ private:
     QWidget *makeScopeBar();
     void showRunning(bool running);
     void makeDocks();
+    void makeTools();
+    void addTool(Form *form, const QString &title, const char *name, const QKeySequence &keys);
     void makeScopeActions();
     void makeMenus(QMenuBar &bar);
     void fillEditMenu(QMenu *menu);
     void fillViewMenu(QMenu *menu);
     void fillMotorMenu(QMenu *menu);
+    void fillToolsMenu(QMenu *menu);
     void connectParts();
     /// What the banner was last used for.
     enum class Told : std::uint8_t {
@@ -112,6 +116,8 @@ private:
     QAction *m_zoomOut = nullptr;
     QAction *m_export = nullptr;
     QList<QAction *> m_dockActions;
+    QList<QAction *> m_toolActions;
+    QList<QDockWidget *> m_tools; ///< tabs beside one another, as long as nobody moves them
     Told m_told = Told::Other;
 };
 

@@ -54,6 +54,8 @@ void MainWindow::makeMenus(QMenuBar &bar)
     connect(addAction(scope, tr("&Clear what was recorded")), &QAction::triggered, m_selection,
         &SignalSelection::clearRecorded);
 
+    fillToolsMenu(bar.addMenu(tr("&Tools")));
+
     QMenu *help = bar.addMenu(tr("&Help"));
     connect(addAction(help, tr("&First steps")), &QAction::triggered, m_firstSteps,
         &FirstSteps::restart);

@@ -134,18 +134,17 @@ RegisterDelegate::RegisterDelegate(const RegisterModel &model, QObject *parent)
 {
 }
 
-QWidget *RegisterDelegate::createEditor(
-    QWidget *parent, const QStyleOptionViewItem &, const QModelIndex &index) const
+QWidget *makeRegisterEditor(
+    const RegisterModel &model, catalog::RegisterId id, int column, QWidget *parent)
 {
-    const auto rules = m_model.rulesOf(idOf(index));
+    const auto rules = model.rulesOf(id);
     if (!rules)
         return nullptr;
-    const auto choices = index.column() == RegisterModel::ValueColumn
-        ? choicesOf(*rules->info)
-        : QList<std::pair<QString, qint64>>();
+    const auto choices = column == RegisterModel::ValueColumn ? choicesOf(*rules->info)
+                                                              : QList<std::pair<QString, qint64>>();
     QWidget *editor = nullptr;
     if (choices.isEmpty()) {
-        editor = new EntryEdit(m_model, idOf(index), index.column(), parent);
+        editor = new EntryEdit(model, id, column, parent);
     } else {
         auto *box = new QComboBox(parent);
         box->setObjectName(QStringLiteral("registerChoice"));
@@ -154,8 +153,14 @@ QWidget *RegisterDelegate::createEditor(
         new WheelGuard(box);
         editor = box;
     }
-    editor->setAccessibleName(index.siblingAtColumn(RegisterModel::NameColumn).data().toString());
+    editor->setAccessibleName(model.indexOf(id).data().toString());
     return editor;
+}
+
+QWidget *RegisterDelegate::createEditor(
+    QWidget *parent, const QStyleOptionViewItem &, const QModelIndex &index) const
+{
+    return makeRegisterEditor(m_model, idOf(index), index.column(), parent);
 }
 
 void RegisterDelegate::initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const

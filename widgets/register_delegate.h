@@ -47,6 +47,10 @@ private:
     EntryValidator *m_validator;
 };
 
+/// An EntryEdit, or a QComboBox of names where the register has them; nullptr if it cannot be written.
+QWidget *makeRegisterEditor(
+    const RegisterModel &model, catalog::RegisterId id, int column, QWidget *parent);
+
 class RegisterDelegate : public QStyledItemDelegate {
     Q_OBJECT
 public:

@@ -83,6 +83,15 @@ void RegisterModel::rebuildGroups()
     }
 }
 
+std::optional<catalog::RegisterId> RegisterModel::idOf(std::string_view name) const
+{
+    const catalog::RegisterInfo *info = m_catalog ? m_catalog->find(name) : nullptr;
+    if (info == nullptr)
+        return {};
+    const catalog::RegisterId id = info->perMotor ? m_catalog->withMotor(*info, m_motor) : info->id;
+    return find(id) ? std::optional(id) : std::nullopt;
+}
+
 void RegisterModel::take(const std::vector<drive::Reading> &readings, Milliseconds now)
 {
     for (const drive::Reading &reading : readings) {

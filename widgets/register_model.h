@@ -40,6 +40,8 @@ public:
     /// Replaces the contents. Registers that can neither be read nor be streamed are left out.
     void setCatalog(std::shared_ptr<const catalog::Catalog> catalog, int motor);
     std::shared_ptr<const catalog::Catalog> catalog() const { return m_catalog; }
+    /// By name or alias, of the motor that is shown; empty if the board has no such register.
+    std::optional<catalog::RegisterId> idOf(std::string_view name) const;
 
     /// Takes values in; `now` is any monotonic clock, the same as refresh() gets.
     void take(const std::vector<drive::Reading> &readings, Milliseconds now);
@@ -75,6 +77,8 @@ public:
     bool hasEdits() const; ///< of any state but a flash
     EditState editState(catalog::RegisterId id) const;
     std::optional<catalog::Value> known(catalog::RegisterId id) const; ///< newest, however old
+    /// The value of the edit if there is one that is not yet written, known() otherwise.
+    std::optional<catalog::Value> wanted(catalog::RegisterId id) const;
     QString describe(catalog::RegisterId id, const catalog::Value &value) const; ///< with unit
     QString copyText(catalog::RegisterId id) const; ///< name, value, raw: tabs between
 

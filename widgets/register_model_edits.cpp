@@ -219,6 +219,12 @@ std::optional<catalog::Value> RegisterModel::known(catalog::RegisterId id) const
     return row && row->known == Known::Value ? std::optional(row->value) : std::nullopt;
 }
 
+std::optional<catalog::Value> RegisterModel::wanted(catalog::RegisterId id) const
+{
+    const Edit *edit = editOf(id);
+    return edit && edit->state != EditState::Verified ? std::optional(edit->wanted) : known(id);
+}
+
 QString RegisterModel::describe(catalog::RegisterId id, const catalog::Value &value) const
 {
     const catalog::RegisterInfo *info = m_catalog ? m_catalog->find(id) : nullptr;

@@ -1,19 +1,17 @@
 #include "widgets/register_panel.h"
 
 #include "widgets/device_text.h"
+#include "widgets/edit_bar.h"
 #include "widgets/register_delegate.h"
 #include "widgets/write_question.h"
 
 #include <QAction>
 #include <QClipboard>
-#include <QGridLayout>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QPushButton>
 #include <QScrollBar>
 #include <QSortFilterProxyModel>
 #include <QVBoxLayout>
@@ -32,7 +30,6 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
     , m_proxy(new QSortFilterProxyModel(this))
     , m_search(new QLineEdit(this))
     , m_tree(new QTreeView(this))
-    , m_told(new QLabel(this))
 {
     m_proxy->setSourceModel(&model);
     m_proxy->setRecursiveFilteringEnabled(true);
@@ -46,13 +43,16 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
     m_search->installEventFilter(this);
     makeTree();
     makeActions();
+    // Before every edit bar: they show the actions as they are.
+    connect(&edits, &RegisterEdits::changed, this, &RegisterPanel::updateEdits);
 
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->setSpacing(6);
     layout->addWidget(m_search);
     layout->addWidget(m_tree, 1);
-    layout->addWidget(makeEditBar());
+    layout->addWidget(
+        m_editBar = new EditBar(edits, model, m_actions.apply, m_actions.revert, false, this));
 
     m_settled.setSingleShot(true);
     m_settled.setInterval(kSettleMs);
@@ -65,8 +65,6 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
     connect(m_tree, &QTreeView::doubleClicked, this, &RegisterPanel::activate);
     connect(m_tree, &QTreeView::customContextMenuRequested, this, &RegisterPanel::showMenu);
     connect(&model, &QAbstractItemModel::modelReset, this, &RegisterPanel::expandDefaults);
-    connect(&edits, &RegisterEdits::changed, this, &RegisterPanel::updateEdits);
-    connect(&edits, &RegisterEdits::told, this, &RegisterPanel::tell);
     connect(&edits, &RegisterEdits::asked, this,
         [this](const QList<WriteLine> &lines) { askBeforeWriting(window(), m_edits, lines); });
     updateEdits();
@@ -100,7 +98,8 @@ void RegisterPanel::makeTree()
     auto *delegate = new RegisterDelegate(m_model, this);
     m_tree->setItemDelegate(delegate);
     connect(delegate, &RegisterDelegate::entryRefused, this, [this](const QString &sentence) {
-        tell(tr("Not taken over: %1", "what is wrong with a typed value").arg(sentence), false);
+        m_editBar->tell(
+            tr("Not taken over: %1", "what is wrong with a typed value").arg(sentence), false);
     });
 }
 
@@ -126,33 +125,12 @@ void RegisterPanel::makeActions()
     m_actions.copy = make(tr("&Copy registers as text"), {}, this, &RegisterPanel::copySelected);
 }
 
-QWidget *RegisterPanel::makeEditBar()
-{
-    m_editBar = new QWidget(this);
-    m_told->setTextFormat(Qt::PlainText);
-    m_told->setWordWrap(true);
-    m_told->setObjectName(QStringLiteral("editsTold"));
-    auto *revert = new QPushButton(tr("Revert"), m_editBar);
-    auto *apply = new QPushButton(m_editBar);
-    revert->setObjectName(QStringLiteral("revertEdits"));
-    apply->setObjectName(QStringLiteral("applyEdits"));
-    connect(revert, &QPushButton::clicked, m_actions.revert, &QAction::trigger);
-    connect(apply, &QPushButton::clicked, m_actions.apply, &QAction::trigger);
-    auto *layout = new QGridLayout(m_editBar);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_told, 0, 0, 1, 2);
-    layout->addWidget(revert, 1, 0);
-    layout->addWidget(apply, 1, 1);
-    return m_editBar;
-}
-
 void RegisterPanel::updateEdits()
 {
     const auto show = [](QAction *action, const QString &hint, const QString &does) {
         action->setEnabled(hint.isEmpty());
         action->setToolTip(plainToolTip(hint.isEmpty() ? does : hint));
     };
-    const int count = m_edits.pendingCount();
     const auto &steps = m_edits.steps();
     show(m_actions.apply, m_edits.applyHint(),
         tr("Writes what was edited and reads it back (Ctrl+Shift+A)"));
@@ -161,33 +139,6 @@ void RegisterPanel::updateEdits()
     show(m_actions.redo, m_edits.redoHint(), tr("Writes again: %1").arg(steps.redoText()));
     show(m_actions.revert, m_model.hasEdits() ? QString() : tr("Nothing was edited."),
         tr("Forgets the edits that were not written"));
-    auto *apply = m_editBar->findChild<QPushButton *>(QStringLiteral("applyEdits"));
-    auto *revert = m_editBar->findChild<QPushButton *>(QStringLiteral("revertEdits"));
-    apply->setText(count > 0 ? tr("Apply %n edit(s)", nullptr, count) : tr("Apply"));
-    for (const auto &[button, action] :
-        {std::pair(apply, m_actions.apply), std::pair(revert, m_actions.revert)}) {
-        button->setEnabled(action->isEnabled());
-        button->setToolTip(action->toolTip());
-    }
-    if (count > 0 && m_good)
-        m_sentence.clear();
-    // Why a waiting edit cannot be written is said where people look, too.
-    const QString why = count > 0 ? m_edits.applyHint() : QString();
-    const QString shown = why.isEmpty() || m_edits.underWay() ? m_sentence : why;
-    m_told->setText(shown);
-    m_told->setVisible(!shown.isEmpty());
-    m_editBar->setVisible(m_model.hasEdits() || !shown.isEmpty());
-}
-
-void RegisterPanel::tell(const QString &sentence, bool good)
-{
-    m_sentence = sentence;
-    m_good = good;
-    m_told->setForegroundRole(good ? QPalette::PlaceholderText : QPalette::WindowText);
-    QFont font = this->font();
-    font.setBold(!good);
-    m_told->setFont(font);
-    updateEdits();
 }
 
 std::vector<catalog::RegisterId> RegisterPanel::visibleRegisters() const

@@ -10,11 +10,12 @@
 #include <QWidget>
 
 class QAction;
-class QLabel;
 class QLineEdit;
 class QSortFilterProxyModel;
 
 namespace widgets {
+
+class EditBar;
 
 class RegisterPanel : public QWidget {
     Q_OBJECT
@@ -48,9 +49,7 @@ protected:
 private:
     void makeTree();
     void makeActions();
-    QWidget *makeEditBar();
     void updateEdits();
-    void tell(const QString &sentence, bool good);
     void activate(const QModelIndex &index);
     std::vector<catalog::RegisterId> selected() const;
     void chooseSelected();
@@ -64,10 +63,7 @@ private:
     QSortFilterProxyModel *m_proxy;
     QLineEdit *m_search;
     QTreeView *m_tree;
-    QLabel *m_told;
-    QWidget *m_editBar = nullptr;
-    QString m_sentence; ///< how the last write ended
-    bool m_good = true; ///< it ended well: not worth saying once the next edit waits
+    EditBar *m_editBar = nullptr;
     QTimer m_settled; ///< scrolling tells once, not at every pixel
 };
 

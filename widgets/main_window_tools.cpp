@@ -1,0 +1,81 @@
+// The tools of the main window: forms in docks below the scope, as tabs of one another, hidden until somebody asks.
+#include "widgets/forms/form.h"
+#include "widgets/main_window.h"
+
+#include <QDockWidget>
+#include <QMenu>
+#include <QScrollArea>
+
+#include <algorithm>
+
+namespace widgets {
+namespace {
+
+constexpr double kToolShare = 0.48; ///< of the window's height, when the first tool is opened
+
+} // namespace
+
+void MainWindow::makeTools()
+{
+    // The control panel keeps its height: state and commands stay in view while something is tuned.
+    setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+}
+
+void MainWindow::addTool(
+    Form *form, const QString &title, const char *name, const QKeySequence &keys)
+{
+    auto *scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(form);
+    auto *dock = new QDockWidget(title, this);
+    dock->setObjectName(QLatin1String(name));
+    // Not floating: a window of its own would have to carry a stop button of its own.
+    dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+    dock->setWidget(scroll);
+    addDockWidget(Qt::BottomDockWidgetArea, dock);
+    if (!m_tools.isEmpty())
+        tabifyDockWidget(m_tools.first(), dock);
+    m_tools.append(dock);
+    dock->hide();
+
+    auto *open = new QAction(title, this);
+    open->setShortcut(keys);
+    open->setObjectName(QLatin1String(name) + QStringLiteral("Open"));
+    m_toolActions.append(open);
+    connect(open, &QAction::triggered, this, [this, dock, form] {
+        const bool noneOpen = std::none_of(
+            m_tools.begin(), m_tools.end(), [](const auto *tool) { return !tool->isHidden(); });
+        dock->show();
+        dock->raise();
+        if (noneOpen)
+            resizeDocks({dock}, {int(height() * kToolShare)}, Qt::Vertical);
+        form->focusFirst();
+    });
+
+    WatchList &watch = m_workbench.watchList();
+    watch.addSource([form] {
+        return form->isVisible() ? form->watchedRegisters() : std::vector<catalog::RegisterId>();
+    });
+    connect(form, &Form::watchedRegistersChanged, &watch, &WatchList::changed);
+    connect(dock, &QDockWidget::visibilityChanged, &watch, &WatchList::changed);
+    connect(&m_workbench, &Workbench::heartbeat, form, [form](Milliseconds now) {
+        if (form->isVisible())
+            form->refresh(now);
+    });
+    connect(form, &Form::failed, this, [this](const QString &sentence) {
+        m_told = Told::Other;
+        m_banner->say(Banner::Kind::Warning, sentence);
+    });
+}
+
+void MainWindow::fillToolsMenu(QMenu *menu)
+{
+    for (QAction *action : m_toolActions)
+        QMainWindow::addAction(action);
+    menu->addActions(m_toolActions);
+}
+
+} // namespace widgets
