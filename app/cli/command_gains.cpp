@@ -68,8 +68,8 @@ Outcome<bool> addLoop(Plan &plan, const Present &present, const std::string &loo
     return true;
 }
 
-Outcome<bool> addSpeedLoop(
-    Plan &plan, const Present &present, const TuningArguments &wanted, const MotorFacts &facts)
+Outcome<bool> addSpeedLoop(Plan &plan, const Present &present, const TuningArguments &wanted,
+    const drive::MotorFacts &facts)
 {
     const double flux_wb = wanted.ke_vrmsPerKrpm > 0.0
         ? analysis::fluxOfKe_wb(wanted.ke_vrmsPerKrpm, facts.motor.polePairs)
@@ -90,7 +90,8 @@ Outcome<bool> addSpeedLoop(
     return addLoop(plan, present, "SPEED", digits, gains, {"A/(rad/s)", "A/rad"});
 }
 
-Outcome<Plan> planOf(const TuningArguments &wanted, const MotorFacts &facts, const Present &present)
+Outcome<Plan> planOf(
+    const TuningArguments &wanted, const drive::MotorFacts &facts, const Present &present)
 {
     const analysis::MotorParameters &motor = facts.motor;
     if (!(motor.rs_ohm > 0.0) || !(motor.lq_h > 0.0) || !(motor.ld_h > 0.0) || !(facts.bus_v > 0.0)

@@ -94,7 +94,7 @@ Outcome<RevUp> stagesOfFile(const QString &path, double ampsPerDigit)
     return stages;
 }
 
-std::vector<RevUpFinding> findingsOf(const RevUp &stages, const MotorFacts &facts)
+std::vector<RevUpFinding> findingsOf(const RevUp &stages, const drive::MotorFacts &facts)
 {
     analysis::RevUpLimits limits;
     limits.minimumSpeed_rpm = analysis::minimumStartSpeed_rpm(facts.limits.maxSpeedRpm);
@@ -104,7 +104,7 @@ std::vector<RevUpFinding> findingsOf(const RevUp &stages, const MotorFacts &fact
     return analysis::checkRevUp(stages, facts.ampsPerDigit, limits);
 }
 
-void print(Output &out, const RevUp &stages, const MotorFacts &facts)
+void print(Output &out, const RevUp &stages, const drive::MotorFacts &facts)
 {
     QJsonArray stageList, findingList;
     for (std::size_t i = 0; i < stages.size(); ++i) {
@@ -141,7 +141,7 @@ void print(Output &out, const RevUp &stages, const MotorFacts &facts)
 }
 
 Outcome<int> writeStages(
-    Desk &desk, drive::RegisterId id, const RevUp &stages, const MotorFacts &facts)
+    Desk &desk, drive::RegisterId id, const RevUp &stages, const drive::MotorFacts &facts)
 {
     for (const RevUpFinding &finding : findingsOf(stages, facts))
         if (finding.mistake == RevUpMistake::TooMuchCurrent

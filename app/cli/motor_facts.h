@@ -1,22 +1,13 @@
-// What the board says about a motor and about itself, as far as gains and start-ups depend on it.
+// What the board says about a motor and about itself, asked for by a command.
 #pragma once
 
-#include "analysis/motor_constants.h"
 #include "commands.h"
+#include "drive/motor_view.h"
 
 namespace cli {
 
-struct MotorFacts {
-    analysis::MotorParameters motor; ///< 0: the board does not say
-    drive::MotorLimits limits;
-    double bus_v = 0.0; ///< nominal
-    double ampsPerDigit = 0.0;
-    double controlPeriod_s = 0.0, speedPeriod_s = 0.0;
-    double inertia_kgm2 = 0.0; ///< as a profiler found it
-};
-
 /// What it does not say is 0.
-Outcome<MotorFacts> readMotorFacts(Desk &desk, int motor);
+Outcome<drive::MotorFacts> readMotorFacts(Desk &desk, int motor);
 
 /// NAME@MOTOR; empty if this firmware has no such register.
 std::optional<drive::RegisterId> registerOf(const Desk &desk, const std::string &name, int motor);

@@ -41,6 +41,8 @@ constexpr NamedValue kSensors[] = {{0, "none"}, {1, "observer + PLL"}, {2, "obse
     {3, "encoder"}, {4, "Hall"}, {5, "HSO"}, {6, "ZeST"}};
 constexpr NamedValue kTopologies[] = {{0, "three shunts"}, {1, "single shunt, active window"},
     {2, "single shunt, phase shift"}, {3, "isolated sensors"}, {4, "none"}};
+constexpr NamedValue kDriveModes[] = {{0, "voltage"}, {1, "current"}};
+constexpr NamedValue kTransports[] = {{0x01, "ST-LINK"}, {0x02, "UART A"}, {0x04, "UART B"}};
 constexpr NamedValue kFlags1[] = {{0x0001, "flux weakening"}, {0x0002, "feed forward"},
     {0x0004, "MTPA"}, {0x0008, "PFC"}, {0x0010, "inrush limiter"}, {0x0020, "resistive brake"},
     {0x0040, "over-current protection disable"}, {0x0080, "STGAP drivers"},
@@ -127,6 +129,10 @@ std::string driveTypeName(std::uint8_t driveType) { return nameIn(kDriveTypes, d
 std::string speedSensorName(std::uint8_t sensor) { return nameIn(kSensors, sensor); }
 
 std::string currentSensingName(std::uint8_t topology) { return nameIn(kTopologies, topology); }
+
+std::string driveModeName(std::uint8_t mode) { return nameIn(kDriveModes, mode); }
+
+std::vector<std::string> transportNames(std::uint8_t flags) { return bitsIn(kTransports, flags); }
 
 std::vector<std::string> configurationFlag1Names(std::uint16_t flags)
 {

@@ -34,6 +34,8 @@ std::span<const NamedValue> namedFlags(std::string_view registerName);
 std::string driveTypeName(std::uint8_t driveType);
 std::string speedSensorName(std::uint8_t sensor);
 std::string currentSensingName(std::uint8_t topology);
+std::string driveModeName(std::uint8_t mode); ///< of a six-step build
+std::vector<std::string> transportNames(std::uint8_t flags);
 std::vector<std::string> configurationFlag1Names(std::uint16_t flags);
 std::vector<std::string> configurationFlag2Names(std::uint16_t flags);
 

@@ -1,0 +1,61 @@
+// What a board says of one motor and of how it drives it: the structures it describes itself with, as named members with
+// units, and the few facts that tuning starts from. Neutral: which bytes hold what is known behind this header only.
+// Pure functions; they ask for nothing.
+#pragma once
+
+#include "analysis/motor_constants.h"
+#include "drive/event.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drive {
+
+/// What tuning starts from. 0: the board does not say, or was not asked yet.
+struct MotorFacts {
+    analysis::MotorParameters motor; ///< its nominal current is the motor's own
+    std::string name;
+    double bus_v = 0.0; ///< nominal
+    MotorLimits limits; ///< of the drive, and what its set-points stay within
+    double ampsPerDigit = 0.0;
+    double controlPeriod_s = 0.0, speedPeriod_s = 0.0;
+    double inertia_kgm2 = 0.0; ///< as a profiler found it
+    bool sixStep = false;
+    /// The strength of the magnets was given per hertz instead of per 1000 rpm.
+    bool fluxPerHertz = false;
+};
+
+/// One member of a structure.
+struct StructureField {
+    std::string key; ///< core's own word, unique in its structure, e.g. "pole pairs"
+    std::string unit; ///< empty: a count, a name, flags
+    Value value; ///< a whole number, a floating-point one or a text, in that unit
+    bool flags = false;
+    std::vector<std::string>
+        names; ///< of the bits that are set, or the one of an enumeration's value
+};
+
+/// One structure; without members where it was not read or has a length that nobody knows.
+struct StructureView {
+    RegisterId id = 0; ///< of this motor
+    std::string name; ///< of the register
+    bool writable = false;
+    std::optional<std::size_t> bytes; ///< how many were read
+    std::vector<StructureField> fields;
+};
+
+/// The newest value of a register, if there is one.
+using ValueSource = std::function<std::optional<Value>(RegisterId)>;
+
+/// What has to be read for the two functions below; only what this board has.
+std::vector<RegisterId> motorRegisters(const catalog::Catalog &catalog, int motor);
+
+MotorFacts motorFacts(const catalog::Catalog &catalog, int motor, const ValueSource &known);
+
+/// In the order motor, application, firmware, scales, board.
+std::vector<StructureView> motorStructures(
+    const catalog::Catalog &catalog, int motor, const ValueSource &known);
+
+} // namespace drive
