@@ -1,11 +1,11 @@
 // revup: the stages of the start-up, what is wrong with them, and others in their place.
 #include "analysis/rev_up.h"
 #include "motor_facts.h"
+#include "session/rev_up_json.h"
 #include "snapshot_work.h"
 #include "write_report.h"
 
 #include <QJsonArray>
-#include <QJsonDocument>
 
 #include <cmath>
 
@@ -66,32 +66,12 @@ Outcome<RevUp> stagesOfFile(const QString &path, double ampsPerDigit)
     const auto content = loadFile(path);
     if (!content)
         return tl::make_unexpected(content.error());
-    const QJsonValue list = QJsonDocument::fromJson(*content).object()[QStringLiteral("stages")];
-    const QJsonArray array = list.toArray();
-    if (array.isEmpty() || array.size() > static_cast<qsizetype>(analysis::kRevUpStages))
+    const auto stages = session::readRevUpJson(*content, ampsPerDigit);
+    if (!stages)
         return failure(kFileError,
-            QStringLiteral(
-                "%1 has no stages, or more than five; rotorscope-cli revup --json prints "
-                "such a file.")
-                .arg(path));
-    RevUp stages;
-    const double nan = std::nan("");
-    for (const auto &one : array) {
-        const QJsonObject object = one.toObject();
-        const double amps = object[QStringLiteral("current_a")].toDouble(nan);
-        const double digits =
-            object[QStringLiteral("current_digits")].toDouble(std::round(amps / ampsPerDigit));
-        const auto stage = stageOf(object[QStringLiteral("speed_rpm")].toDouble(nan), digits,
-            object[QStringLiteral("duration_ms")].toDouble(nan), path);
-        if (!stage)
-            return failure(kFileError,
-                QStringLiteral(
-                    "%1 has a stage whose numbers do not fit; check speed_rpm, current_a "
-                    "and duration_ms.")
-                    .arg(path));
-        stages.push_back(*stage);
-    }
-    return stages;
+            QStringLiteral("%1 is no rev-up: %2; rotorscope-cli revup --json prints such a file.")
+                .arg(path, stages.error()));
+    return *stages;
 }
 
 std::vector<RevUpFinding> findingsOf(const RevUp &stages, const drive::MotorFacts &facts)
@@ -106,14 +86,10 @@ std::vector<RevUpFinding> findingsOf(const RevUp &stages, const drive::MotorFact
 
 void print(Output &out, const RevUp &stages, const drive::MotorFacts &facts)
 {
-    QJsonArray stageList, findingList;
+    QJsonArray findingList;
     for (std::size_t i = 0; i < stages.size(); ++i) {
         const analysis::RevUpStage &stage = stages[i];
         const double amps = stage.current_digits * facts.ampsPerDigit;
-        stageList.append(QJsonObject{{QStringLiteral("speed_rpm"), stage.speed_rpm},
-            {QStringLiteral("current_a"), amps},
-            {QStringLiteral("current_digits"), stage.current_digits},
-            {QStringLiteral("duration_ms"), stage.duration_ms}});
         if (!out.json())
             out.line(QStringLiteral("Stage %1: %2 rpm, %3 A, %4 ms")
                          .arg(QString::number(i + 1), QString::number(stage.speed_rpm),
@@ -132,7 +108,8 @@ void print(Output &out, const RevUp &stages, const drive::MotorFacts &facts)
                              QString::number(finding.limit, 'g', 5)));
     }
     if (out.json())
-        out.line(QJsonObject{{QStringLiteral("stages"), stageList},
+        out.line(QJsonObject{
+            {QStringLiteral("stages"), session::revUpStagesJson(stages, facts.ampsPerDigit)},
             {QStringLiteral("duration_s"), analysis::revUpDuration_s(stages)},
             {QStringLiteral("findings"), findingList}});
     else

@@ -1,5 +1,7 @@
 #include "analysis/rev_up.h"
 
+#include "analysis/ramp.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -52,6 +54,99 @@ std::size_t usedStages(const RevUp &stages)
     while (used > 0 && stages[used - 1].duration_ms == 0)
         --used;
     return used;
+}
+
+RevUp withStage(const RevUp &stages, std::size_t index, const RevUpStage &stage)
+{
+    RevUp all = completed(stages);
+    if (index >= all.size())
+        return all;
+    const RevUpStage old = all[index];
+    all[index] = stage;
+    RevUpStage repeat = old, repeated = stage;
+    repeat.duration_ms = repeated.duration_ms = 0;
+    for (std::size_t i = index + 1; i < all.size() && all[i] == repeat; ++i)
+        all[i] = repeated;
+    return all;
+}
+
+RevUp withStageAfter(const RevUp &stages, std::size_t index)
+{
+    RevUp all = completed(stages);
+    const std::size_t used = usedStages(all);
+    if (used >= kRevUpStages)
+        return all;
+    constexpr std::uint16_t kFirstStage_ms = 1000;
+    RevUpStage added = all[std::min(index, std::max<std::size_t>(used, 1) - 1)];
+    if (added.duration_ms == 0)
+        added.duration_ms = kFirstStage_ms;
+    all.resize(used);
+    const std::size_t at = std::min(index + 1, used);
+    all.insert(all.begin() + static_cast<std::ptrdiff_t>(at), added);
+    return completed(all);
+}
+
+RevUp withoutStage(const RevUp &stages, std::size_t index)
+{
+    RevUp all = completed(stages);
+    const std::size_t used = usedStages(all);
+    if (index >= used)
+        return all;
+    all.resize(used);
+    all.erase(all.begin() + static_cast<std::ptrdiff_t>(index));
+    return completed(all);
+}
+
+RevUp withSwapped(const RevUp &stages, std::size_t a, std::size_t b)
+{
+    RevUp all = completed(stages);
+    const std::size_t used = usedStages(all);
+    if (a >= used || b >= used)
+        return all;
+    std::swap(all[a], all[b]);
+    all.resize(used); // behind the last one only its repeats
+    return completed(all);
+}
+
+RevUpBounds revUpBounds(double maxSpeed_rpm, double maxCurrent_a, double ampsPerDigit)
+{
+    RevUpBounds bounds;
+    if (maxSpeed_rpm > 0.0 && maxSpeed_rpm < bounds.speed_rpm)
+        bounds.speed_rpm = static_cast<std::int32_t>(quantisedSpeed_rpm(maxSpeed_rpm));
+    constexpr double kRounding = 1e-6; // 5 A of 5 A / 2723 are 2723 digits
+    const double digits = std::floor(maxCurrent_a / ampsPerDigit + kRounding);
+    if (maxCurrent_a > 0.0 && ampsPerDigit > 0.0 && digits < bounds.digits)
+        bounds.digits = static_cast<std::int16_t>(digits);
+    return bounds;
+}
+
+RevUpStage fittedStage(const RevUpStage &old, double speed_rpm, double digits, double duration_ms,
+    const RevUpBounds &bounds)
+{
+    const auto fitted = [](double value, double least, double most, double otherwise) {
+        return std::isfinite(value) ? std::clamp(std::round(value), least, most) : otherwise;
+    };
+    const double steps = std::floor(bounds.speed_rpm / kSpeedStep_rpm), digitsMost = bounds.digits;
+    RevUpStage stage = old;
+    if (std::isfinite(speed_rpm))
+        stage.speed_rpm = static_cast<std::int32_t>(
+            kSpeedStep_rpm * fitted(speed_rpm / kSpeedStep_rpm, -steps, steps, 0.0));
+    stage.current_digits = static_cast<std::int16_t>(
+        fitted(digits, bounds.pulse ? 0.0 : -digitsMost, digitsMost, old.current_digits));
+    stage.duration_ms = static_cast<std::uint16_t>(
+        fitted(duration_ms, 0.0, std::numeric_limits<std::uint16_t>::max(), old.duration_ms));
+    return stage;
+}
+
+RevUp usualRevUp(double nominalCurrent_a, double maxSpeed_rpm, double ampsPerDigit)
+{
+    if (!(nominalCurrent_a > 0.0) || !(maxSpeed_rpm > 0.0) || !(ampsPerDigit > 0.0))
+        return {};
+    const RevUpBounds bounds = revUpBounds(maxSpeed_rpm, nominalCurrent_a, ampsPerDigit);
+    constexpr double kCurrentShare = 0.5, kSpeedShare = 0.3;
+    const double digits = kCurrentShare * nominalCurrent_a / ampsPerDigit;
+    return completed({fittedStage({}, 0.0, digits, 2000.0, bounds),
+        fittedStage({}, kSpeedShare * maxSpeed_rpm, digits, 3000.0, bounds)});
 }
 
 std::vector<RevUpPoint> revUpCurve(const RevUp &stages, double ampsPerDigit)
@@ -110,6 +205,18 @@ double neededTorque_nm(const RevUpStage &stage, double from_rpm, const Mechanica
     return std::max(0.0, speedingUp * inertial + friction);
 }
 
+double availableTorque_nm(
+    const RevUp &stages, std::size_t index, double ampsPerDigit, const MechanicalLoad &load)
+{
+    const auto amps = [&](std::size_t i) {
+        return std::abs(stages[i].current_digits * ampsPerDigit);
+    };
+    // From nothing the current first aligns the rotor, which need not turn yet.
+    const bool aligns = index == 0 && stages[0].speed_rpm == 0;
+    const double before = index > 0 ? amps(index - 1) : 0.0;
+    return load.kt_nmpa * (aligns ? amps(index) : std::min(before, amps(index)));
+}
+
 double minimumStartSpeed_rpm(double maxSpeed_rpm) { return 0.15 * maxSpeed_rpm; }
 
 namespace {
@@ -157,11 +264,7 @@ private:
         if (!(load.kt_nmpa > 0.0) || !(load.inertia_kgm2 > 0.0) || m_stages[i].duration_ms == 0)
             return;
         const double needed = neededTorque_nm(m_stages[i], m_from.speed_rpm, load);
-        // The current ramps too: what is there at the weaker end has to do.
-        const double weaker = i == 0 && m_stages[i].speed_rpm == 0
-            ? amps(m_stages[i])
-            : std::min(amps(m_from), amps(m_stages[i]));
-        const double given = load.kt_nmpa * weaker;
+        const double given = availableTorque_nm(m_stages, i, m_ampsPerDigit, load);
         if (needed > given)
             add(RevUpMistake::TooLittleTorque, i, given, needed);
     }

@@ -37,6 +37,34 @@ RevUp completed(RevUp stages);
 /// Without the stages at the end that take no time.
 std::size_t usedStages(const RevUp &stages);
 
+// Edits. Stages given are completed to five first; the result always has five.
+
+/// Another stage in place of one; those after it that repeat the old one without time go on repeating it.
+RevUp withStage(const RevUp &stages, std::size_t index, const RevUpStage &stage);
+/// One more after `index`: it lasts as long and ends where that one ends, to be moved from there. Unchanged if all are used.
+RevUp withStageAfter(const RevUp &stages, std::size_t index);
+/// The ones after it move up.
+RevUp withoutStage(const RevUp &stages, std::size_t index);
+/// Two used stages change places; unchanged if one of them is not used.
+RevUp withSwapped(const RevUp &stages, std::size_t a, std::size_t b);
+
+/// What a stage can be set to by hand: what the register holds and what the board's limits allow.
+struct RevUpBounds {
+    std::int32_t speed_rpm = 32766; ///< largest magnitude
+    std::int16_t digits = 32767; ///< largest magnitude
+    bool pulse = false; ///< six-step: no negative currents
+};
+/// @param maxSpeed_rpm, maxCurrent_a  0: not known, only the register bounds
+RevUpBounds revUpBounds(double maxSpeed_rpm, double maxCurrent_a, double ampsPerDigit);
+
+/// The nearest that the register holds, speeds in whole steps of 0.1 Hz, within the bounds; what is not a number leaves
+/// `old`'s.
+RevUpStage fittedStage(const RevUpStage &old, double speed_rpm, double digits, double duration_ms,
+    const RevUpBounds &bounds);
+
+/// ST's start values: 2 s of half the nominal current at rest, then 3 s to 30 % of the highest speed.
+RevUp usualRevUp(double nominalCurrent_a, double maxSpeed_rpm, double ampsPerDigit);
+
 struct RevUpPoint {
     double time_s = 0.0;
     double speed_rpm = 0.0;
@@ -63,6 +91,10 @@ struct MechanicalLoad {
 /// Largest torque that a stage asks for: J alpha plus friction at its faster end [N m].
 /// @param from_rpm  speed at its beginning. A stage without time and with another speed: infinite.
 double neededTorque_nm(const RevUpStage &stage, double from_rpm, const MechanicalLoad &load);
+
+/// The torque that a stage's current gives at its weaker end, the current being linear in time [N m].
+double availableTorque_nm(
+    const RevUp &stages, std::size_t index, double ampsPerDigit, const MechanicalLoad &load);
 
 enum class RevUpMistake : std::uint8_t {
     // The four classic ones.

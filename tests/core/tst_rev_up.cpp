@@ -22,6 +22,10 @@ private Q_SLOTS:
     void aSoundStartHasNoFinding();
     void theFourClassicMistakesAreMarked();
     void whatTheFirmwareWouldCutIsMarked();
+    void unusedStagesRepeatTheLastThroughEveryEdit();
+    void aStageIsAddedRemovedAndMoved();
+    void noInputGivesAStageOutsideTheBounds();
+    void startValuesAreThoseOfTheBook();
     void speedsComeInStepsOfSix();
     void aRampIsAStaircaseThatEndsOnItsTarget();
     void aLongStaircaseIsThinnedOut();
@@ -169,6 +173,75 @@ void TestRevUp::whatTheFirmwareWouldCutIsMarked()
     QVERIFY(mistakesOf({{900, 1361, 0}, {-900, 1361, 9000}}).back() == Mistake::TurnsBack);
     QVERIFY(mistakesOf(RevUp(5)) == std::vector{Mistake::NoStage});
     QVERIFY(mistakesOf({}) == std::vector{Mistake::NoStage});
+}
+
+void TestRevUp::unusedStagesRepeatTheLastThroughEveryEdit()
+{
+    const RevUp edited = withStage(kSound, 1, {1500, 1400, 2000});
+    QVERIFY((edited
+        == RevUp{{0, 1361, 1000}, {1500, 1400, 2000}, {1500, 1400, 0}, {1500, 1400, 0},
+            {1500, 1400, 0}}));
+    // One that was set on purpose stays, and those before the edited one always do.
+    const RevUp other{{0, 1361, 1000}, {1200, 1361, 1500}, {600, 1361, 0}, {600, 1361, 0}, {}};
+    RevUp wanted = other;
+    wanted[1] = {1500, 1400, 2000};
+    QVERIFY(withStage(other, 1, {1500, 1400, 2000}) == wanted);
+    QVERIFY(withStage(kSound, 9, {}) == completed(kSound));
+    QVERIFY(withStage({}, 2, {60, 5, 7})[4] == (RevUpStage{60, 5, 0}));
+}
+
+void TestRevUp::aStageIsAddedRemovedAndMoved()
+{
+    const RevUp three = withStageAfter(kSound, 0);
+    QCOMPARE(usedStages(three), 3U);
+    QVERIFY(three[1] == kSound[0]);
+    QVERIFY(three[2] == kSound[1]);
+    QVERIFY(three[4] == (RevUpStage{1200, 1361, 0}));
+    QVERIFY(withoutStage(three, 1) == completed(kSound));
+    const RevUp swapped = withSwapped(kSound, 0, 1);
+    QVERIFY(swapped[0] == kSound[1]);
+    QVERIFY(swapped[4] == (RevUpStage{0, 1361, 0}));
+    QVERIFY(withSwapped(kSound, 1, 2) == completed(kSound)); // the third is not used
+    RevUp full = kSound;
+    for (int i = 0; i < 9; ++i)
+        full = withStageAfter(full, 4);
+    QCOMPARE(usedStages(full), kRevUpStages);
+    QVERIFY(withStageAfter(full, 0) == full);
+    RevUp none = full;
+    for (int i = 0; i < 9; ++i)
+        none = withoutStage(none, 0);
+    QCOMPARE(usedStages(none), 0U);
+    QCOMPARE(usedStages(withStageAfter(none, 0)), 1U);
+}
+
+void TestRevUp::noInputGivesAStageOutsideTheBounds()
+{
+    const RevUpBounds bounds = revUpBounds(1600.0, 5.0, kAmps);
+    QCOMPARE(bounds.speed_rpm, 1596);
+    QCOMPARE(bounds.digits, 2722);
+    QCOMPARE(revUpBounds(1600.0, 10.0, 10.0 / 2723).digits, 2723);
+    QVERIFY((revUpBounds(0.0, 5.0, 0.0).digits == 32767));
+    const RevUpStage old{600, 100, 500};
+    QVERIFY((fittedStage(old, 1003.1, 99.6, 12.4, bounds) == RevUpStage{1002, 100, 12}));
+    QVERIFY((fittedStage(old, 9e9, -9e9, 9e9, bounds) == RevUpStage{1596, -2722, 65535}));
+    QVERIFY(fittedStage(old, std::nan(""), HUGE_VAL, -HUGE_VAL, bounds) == old);
+    RevUpBounds pulse;
+    pulse.pulse = true;
+    QVERIFY((fittedStage(old, -9e9, -4.0, -4.0, pulse) == RevUpStage{-32766, 0, 0}));
+}
+
+void TestRevUp::startValuesAreThoseOfTheBook()
+{
+    const RevUp start = usualRevUp(5.0, 4000.0, kAmps);
+    QCOMPARE(usedStages(start), 2U);
+    QVERIFY((start[0] == RevUpStage{0, 1361, 2000}));
+    QVERIFY((start[1] == RevUpStage{1200, 1361, 3000}));
+    QVERIFY(usualRevUp(0.0, 4000.0, kAmps).empty()); // not known: no start values
+    QVERIFY(usualRevUp(5.0, 0.0, kAmps).empty());
+    const MechanicalLoad slow{0.039, 5e-5, 0.0, 0.0};
+    QVERIFY(near(availableTorque_nm(start, 1, kAmps, slow), 0.039 * 1361 * kAmps));
+    QVERIFY(near(availableTorque_nm(start, 0, kAmps, slow), 0.039 * 1361 * kAmps));
+    QVERIFY(near(availableTorque_nm({{600, 1361, 50}}, 0, kAmps, slow), 0.0)); // from nothing
 }
 
 void TestRevUp::speedsComeInStepsOfSix()
