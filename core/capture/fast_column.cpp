@@ -113,6 +113,15 @@ std::span<const std::int16_t> FastColumn::codes(Index index, std::size_t limit) 
     return {&m_chunks[offset / kChunkSamples]->samples[inChunk], count};
 }
 
+CodeRange FastColumn::blockExtremes(Index index) const
+{
+    static_assert(kBlockSamples == kFanOut * kFanOut, "an entry of the second level");
+    assert(index % kBlockSamples == 0 && index >= m_begin && index + kBlockSamples <= m_end);
+    const auto offset = static_cast<std::size_t>(index - m_chunkBase);
+    return m_chunks[offset / kChunkSamples]
+        ->ranges[kLevelStart[1] + offset % kChunkSamples / kBlockSamples];
+}
+
 CodeRange FastColumn::extremes(Index from, Index to) const
 {
     from = std::max(from, m_begin);

@@ -47,6 +47,7 @@ struct Segment {
 class FastColumn {
 public:
     static constexpr std::size_t kChunkSamples = 65536;
+    static constexpr std::size_t kBlockSamples = 256;
 
     bool empty() const { return m_begin == m_end; }
     Index begin() const { return m_begin; } ///< the oldest sample still kept
@@ -66,6 +67,10 @@ public:
 
     /// Extremes of [from, to), clipped to what is kept; exact. Cost: O(log) reads a chunk touched.
     CodeRange extremes(Index from, Index to) const;
+
+    /// Extremes of the whole block of kBlockSamples that starts at `index`, a multiple of it; all of it must be
+    /// there. One read: for searches that pass over what cannot matter.
+    CodeRange blockExtremes(Index index) const;
 
     /// As many consecutive codes from `index` as lie in one chunk, at most `limit`; for fast
     /// sequential reading.

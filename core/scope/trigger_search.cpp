@@ -1,0 +1,359 @@
+#include "scope/trigger_search.h"
+
+#include "scope/trigger_machines.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scope {
+
+using capture::Channel;
+using capture::FastColumn;
+
+namespace {
+
+/// Times and neighbours of samples of one unbroken piece of a channel.
+class Reader {
+public:
+    Reader(const Channel &channel, Between between)
+        : m_channel(channel)
+        , m_between(between)
+    {
+    }
+
+    /// A piece of a fast channel: its samples are timed without a search for each.
+    void enter(const capture::Segment &segment, Nanos notBefore)
+    {
+        m_segment = segment;
+        m_segment.count = Index(1) << 40; // as far as it may ever grow
+        m_dueTime.reset();
+        m_countsFrom = m_segment.atOrAfter(notBefore);
+    }
+
+    /// False if a hit of this sample is certainly too early: then nobody need know its time.
+    bool counts(Index index) const { return index >= m_countsFrom; }
+
+    Nanos timeOf(Index index) const
+    {
+        return m_channel.fast() ? m_segment.timeOf(index) : m_channel.timeOf(index);
+    }
+
+    bool reached(Index index, Nanos when)
+    {
+        if (!m_channel.fast())
+            return timeOf(index) >= when;
+        if (m_dueTime != when) {
+            m_dueTime = when;
+            m_dueIndex = m_segment.atOrAfter(when);
+        }
+        return index >= m_dueIndex;
+    }
+
+    TriggerHit crossing(Index index, double level) const
+    {
+        const Nanos there = timeOf(index);
+        if (m_between == Between::Hold)
+            return {there, index, 1.0};
+        const double before = m_channel.at(index - 1);
+        const double step = m_channel.at(index) - before;
+        const double share = step != 0.0 ? (level - before) / step : 1.0;
+        const double fraction = std::clamp(share, 0.0, 1.0);
+        const Nanos here = timeOf(index - 1);
+        return {here + std::llround(fraction * static_cast<double>(there - here)), index, fraction};
+    }
+
+    TriggerHit between(Index index, Nanos when) const
+    {
+        const auto step = static_cast<double>(timeOf(index) - timeOf(index - 1));
+        const auto part = static_cast<double>(when - timeOf(index - 1));
+        return {when, index, std::clamp(part / step, 0.0, 1.0)};
+    }
+
+private:
+    const Channel &m_channel;
+    Between m_between;
+    capture::Segment m_segment;
+    Index m_countsFrom = 0;
+    std::optional<Nanos> m_dueTime;
+    Index m_dueIndex = 0;
+};
+
+/// A stretch of neighbouring samples, and how to read them.
+struct Codes {
+    using Value = std::int32_t;
+    std::span<const std::int16_t> codes;
+    Index first;
+    Value operator[](Index index) const { return codes[static_cast<std::size_t>(index - first)]; }
+};
+struct Shown {
+    using Value = double;
+    const Channel &channel;
+    Value operator[](Index index) const { return channel.at(index); }
+};
+
+/// Steps `machine` through [from, to) until it hits.
+template <class Values, class AnyMachine>
+MaybeHit scan(const Values &values, AnyMachine &machine, Reader &reader, Index &from, Index to)
+{
+    while (from < to) {
+        const At<Reader> at{reader, from};
+        const MaybeHit hit = machine.step(at, values[from]);
+        ++from;
+        if (hit)
+            return hit;
+    }
+    return std::nullopt;
+}
+
+/// The first code from `from` on that is in the half-line; `to` if there is none.
+template <bool kUp>
+const std::int16_t *find(const std::int16_t *from, const std::int16_t *to, std::int32_t bound)
+{
+    while (from != to && (kUp ? *from < bound : *from > bound))
+        ++from;
+    return from;
+}
+const std::int16_t *find(
+    const std::int16_t *from, const std::int16_t *to, const Half<std::int32_t> &half)
+{
+    return half.up ? find<true>(from, to, half.bound) : find<false>(from, to, half.bound);
+}
+
+/// The same for a single edge of codes, which is what most searches are: two tight loops.
+MaybeHit scan(
+    const Codes &values, EdgeMachine<std::int32_t> &machine, Reader &reader, Index &from, Index to)
+{
+    Edges<std::int32_t> &edges = machine.edges;
+    if (edges.slope == Slope::Either)
+        return scan<Codes, EdgeMachine<std::int32_t>>(values, machine, reader, from, to);
+    Crossing<std::int32_t> &crossing = edges.slope == Slope::Rising ? edges.rising : edges.falling;
+    const std::int16_t *const base = values.codes.data();
+    const std::int16_t *const stop = base + (to - values.first);
+    const std::int16_t *at = base + (from - values.first);
+    while (at != stop) {
+        if (!crossing.armed) {
+            at = find(at, stop, crossing.arm);
+            crossing.armed = at != stop;
+        }
+        at = find(at, stop, crossing.fire);
+        if (at == stop)
+            break;
+        crossing.armed = false;
+        const Index index = values.first + static_cast<Index>(at++ - base);
+        if (reader.counts(index)) {
+            from = index + 1;
+            return reader.crossing(index, edges.level());
+        }
+    }
+    from = to;
+    return std::nullopt;
+}
+
+/// The same where a step of more than half a turn is the angle's end and no edge.
+template <class Values, class AnyMachine>
+MaybeHit scanAngle(const Values &values, AnyMachine &machine, Reader &reader, Index &from, Index to,
+    double halfTurn, double &before)
+{
+    while (from < to) {
+        const auto value = values[from];
+        if (std::abs(static_cast<double>(value) - before) > halfTurn)
+            machine.wrapped();
+        before = static_cast<double>(value);
+        const At<Reader> at{reader, from};
+        const MaybeHit hit = machine.step(at, value);
+        ++from;
+        if (hit)
+            return hit;
+    }
+    return std::nullopt;
+}
+
+/// Where a search is in a channel, with its machine.
+struct Work {
+    const TriggerCondition condition;
+    Index next;
+    Index known =
+        std::numeric_limits<Index>::max(); ///< the machine saw the samples before this one
+    double before = 0.0; ///< value of the last sample, kept for angles only
+
+    Work(const TriggerCondition &what, Index from)
+        : condition(what)
+        , next(from)
+    {
+    }
+    Work(const Work &) = delete;
+    Work &operator=(const Work &) = delete;
+    virtual ~Work() = default;
+    virtual MaybeHit search(const Channel &channel, Nanos notBefore) = 0;
+};
+
+/// In the codes of a fast channel, block by block.
+template <class AnyMachine>
+struct CodeWork final : Work {
+    AnyMachine machine;
+
+    template <class Trigger>
+    CodeWork(
+        const TriggerCondition &what, Index from, const Channel &channel, const Trigger &trigger)
+        : Work(what, from)
+        , machine(Halves<std::int32_t>{channel}, trigger)
+    {
+    }
+
+    MaybeHit search(const Channel &channel, Nanos notBefore) override
+    {
+        const FastColumn &column = *channel.fast();
+        Reader reader(channel, condition.between);
+        next = std::max(next, column.begin());
+        while (next < column.end()) {
+            const capture::Segment &segment = column.segments()[column.segmentOf(next)];
+            reader.enter(segment, notBefore);
+            if (next != known || next == segment.first) {
+                machine.begin(reader.timeOf(next));
+                before = column.at(next);
+            }
+            if (const MaybeHit hit = searchSegment(channel, segment, reader, notBefore))
+                return hit;
+        }
+        return std::nullopt;
+    }
+
+    MaybeHit searchSegment(
+        const Channel &channel, const capture::Segment &segment, Reader &reader, Nanos notBefore)
+    {
+        constexpr Index kBlock = FastColumn::kBlockSamples;
+        const FastColumn &column = *channel.fast();
+        const double halfTurn = condition.turn / 2 / std::abs(channel.info().factor);
+        while (next < segment.end()) {
+            if constexpr (AnyMachine::kForgetful) {
+                next = known = std::max(next, segment.atOrAfter(notBefore));
+                if (next == segment.end())
+                    return std::nullopt;
+            }
+            const Index stop = std::min(segment.end(), (next / kBlock + 1) * kBlock);
+            if (stop - next == kBlock && passesOver(column, reader, stop, halfTurn)) {
+                next = known = stop;
+                if (condition.turn > 0)
+                    before = column.at(stop - 1);
+                continue;
+            }
+            const Codes codes{column.codes(next, static_cast<std::size_t>(stop - next)), next};
+            const MaybeHit hit = condition.turn > 0
+                ? scanAngle(codes, machine, reader, next, stop, halfTurn, before)
+                : scan(codes, machine, reader, next, stop);
+            known = next;
+            if (hit && hit->time >= notBefore)
+                return hit;
+        }
+        return std::nullopt;
+    }
+
+    /// Nothing can happen in the block from `next` to `stop`.
+    bool passesOver(const FastColumn &column, Reader &reader, Index stop, double halfTurn) const
+    {
+        const capture::CodeRange range = column.blockExtremes(next);
+        if (!machine.quiet(range.min, range.max))
+            return false;
+        if (condition.turn > 0
+            && std::max<double>(range.max, before) - std::min<double>(range.min, before) > halfTurn)
+            return false;
+        const auto due = machine.due();
+        return !due || !reader.reached(stop - 1, *due);
+    }
+};
+
+/// In the values of a slow, polled or computed channel.
+template <class AnyMachine>
+struct ValueWork final : Work {
+    AnyMachine machine;
+
+    template <class Trigger>
+    ValueWork(
+        const TriggerCondition &what, Index from, const Channel &channel, const Trigger &trigger)
+        : Work(what, from)
+        , machine(Halves<double>{channel}, trigger)
+    {
+    }
+
+    MaybeHit search(const Channel &channel, Nanos notBefore) override
+    {
+        const capture::ValueColumn &column = *channel.values();
+        Reader reader(channel, condition.between);
+        const Shown shown{channel};
+        next = std::max(next, column.begin());
+        while (next < column.end()) {
+            const capture::Run &run = column.runs()[column.runOf(next)];
+            if (next != known || next == run.first) {
+                machine.begin(reader.timeOf(next));
+                before = channel.at(next);
+            }
+            const MaybeHit hit = condition.turn > 0
+                ? scanAngle(shown, machine, reader, next, run.end(), condition.turn / 2, before)
+                : scan(shown, machine, reader, next, run.end());
+            known = next;
+            if (hit && hit->time >= notBefore)
+                return hit;
+        }
+        return std::nullopt;
+    }
+};
+
+/// The work that fits the trigger and the channel; nullptr for what is no matter of samples.
+struct MakeWork {
+    const TriggerCondition &condition;
+    Index from;
+    const Channel &channel;
+
+    template <template <class> class AnyMachine, class Trigger>
+    std::unique_ptr<Work> make(const Trigger &trigger) const
+    {
+        if (channel.fast())
+            return std::make_unique<CodeWork<AnyMachine<std::int32_t>>>(
+                condition, from, channel, trigger);
+        return std::make_unique<ValueWork<AnyMachine<double>>>(condition, from, channel, trigger);
+    }
+    using Made = std::unique_ptr<Work>;
+    Made operator()(const EdgeTrigger &t) const { return make<EdgeMachine>(t); }
+    Made operator()(const LevelTrigger &t) const { return make<LevelMachine>(t); }
+    Made operator()(const WindowTrigger &t) const
+    {
+        return t.when == WindowTrigger::When::Leaves ? make<LeavingMachine>(t)
+                                                     : make<EnteringMachine>(t);
+    }
+    Made operator()(const PulseTrigger &t) const { return make<PulseMachine>(t); }
+    Made operator()(const SlewTrigger &t) const { return make<SlewMachine>(t); }
+    Made operator()(const DropoutTrigger &t) const { return make<DropoutMachine>(t); }
+    Made operator()(const NthEdgeTrigger &t) const { return make<NthEdgeMachine>(t); }
+    Made operator()(const EventTrigger & /*event*/) const { return nullptr; }
+};
+
+} // namespace
+
+struct TriggerSearch::State {
+    TriggerCondition condition;
+    Index from;
+    std::unique_ptr<Work> work; ///< made when the channel is first seen
+};
+
+TriggerSearch::TriggerSearch(TriggerCondition condition, Index from)
+    : m_state(std::make_unique<State>(State{condition, from, nullptr}))
+{
+}
+TriggerSearch::TriggerSearch(TriggerSearch &&) noexcept = default;
+TriggerSearch &TriggerSearch::operator=(TriggerSearch &&) noexcept = default;
+TriggerSearch::~TriggerSearch() = default;
+
+Index TriggerSearch::position() const
+{
+    return m_state->work ? m_state->work->next : m_state->from;
+}
+
+std::optional<TriggerHit> TriggerSearch::next(const Channel &channel, Nanos notBefore)
+{
+    if (!m_state->work)
+        m_state->work = std::visit(
+            MakeWork{m_state->condition, m_state->from, channel}, m_state->condition.what);
+    return m_state->work ? m_state->work->search(channel, notBefore) : std::nullopt;
+}
+
+} // namespace scope
