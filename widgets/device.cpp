@@ -170,6 +170,7 @@ void Device::take(const drive::Event &event)
             [this](const drive::StreamStarted &started) { Q_EMIT streamStarted(started.layout); },
             [this](const capture::SampleBlock &block) { Q_EMIT samplesArrived(block); },
             [this](const drive::StopProgress &progress) { Q_EMIT stopAdvanced(progress); },
+            [this](const drive::MotionRecord &record) { Q_EMIT motionLogged(record); },
             [this](const drive::LinkCounters &counters) {
                 m_counters = counters;
                 Q_EMIT countersChanged();

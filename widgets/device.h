@@ -82,6 +82,7 @@ Q_SIGNALS:
     void streamStarted(const capture::StreamLayout &layout);
     void samplesArrived(const capture::SampleBlock &block);
     void stopAdvanced(const drive::StopProgress &progress);
+    void motionLogged(const drive::MotionRecord &record);
     void countersChanged();
     void batchApplied();
 

@@ -1,6 +1,7 @@
 #include "widgets/register_entry.h"
 
 #include "catalog/names.h"
+#include "drive/motion_limits.h"
 #include "widgets/device_text.h"
 #include "widgets/setpoint_text.h"
 #include "widgets/value_text.h"
@@ -193,17 +194,12 @@ EntryRules entryRules(
     const catalog::RegisterInfo &info, const catalog::Scale &scale, const drive::MotorLimits &motor)
 {
     EntryRules rules{&info, scale, catalog::writeLimits(info)};
-    double greatest = 0.0;
-    if (info.setPoint == catalog::SetPoint::Speed) {
-        greatest = motor.maxSpeedRpm;
-    } else if (info.setPoint == catalog::SetPoint::Current) {
-        greatest = motor.maxCurrentAmps;
-        if (motor.nominalCurrentAmps > 0.0
-            && (!(greatest > 0.0) || motor.nominalCurrentAmps < greatest))
-            greatest = motor.nominalCurrentAmps;
-    }
-    if (greatest > 0.0 && std::isfinite(greatest) && scale.factor > 0.0) {
-        const double raw = std::floor(greatest / scale.factor);
+    if (const double perDigit = drive::setPointPerDigit(info, scale, motor); perDigit > 0.0) {
+        // What the board does not tell does not bound an entry: whether it may be sent is decided below.
+        const drive::MotionBounds bounds = drive::boundsOf(motor, {}, true);
+        const double greatest =
+            info.setPoint == catalog::SetPoint::Speed ? bounds.rpm : bounds.amps;
+        const double raw = std::floor(greatest / perDigit);
         rules.limits.least = std::max(rules.limits.least, -raw);
         rules.limits.greatest = std::min(rules.limits.greatest, raw);
     }

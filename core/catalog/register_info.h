@@ -35,8 +35,8 @@ enum class Quantity : std::uint8_t {
 /// Part of a regulator's gain: value / 2^exponent.
 enum class Gain : std::uint8_t { None, Numerator, Exponent };
 
-/// A reference that the board's own limits of speed or current bound.
-enum class SetPoint : std::uint8_t { None, Speed, Current };
+/// A reference that the board's own limits of speed or current bound; a torque by the current it takes.
+enum class SetPoint : std::uint8_t { None, Speed, Current, Torque };
 
 enum class Access : std::uint8_t { None, Read, Write, ReadWrite };
 

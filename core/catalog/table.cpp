@@ -218,13 +218,15 @@ private:
         return typed && info.fractionBits >= 0 && info.fractionBits < 32;
     }
 
-    /// "0..15", "0..", "max speed".
+    /// "0..15", "0..", "max speed", "max current", "max torque".
     static bool readLimits(std::string_view text, RegisterInfo &info)
     {
         if (text == "max speed")
             info.setPoint = SetPoint::Speed;
         else if (text == "max current")
             info.setPoint = SetPoint::Current;
+        else if (text == "max torque")
+            info.setPoint = SetPoint::Torque;
         if (text.empty() || info.setPoint != SetPoint::None)
             return true;
         const std::size_t dots = text.find("..");

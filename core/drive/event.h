@@ -4,6 +4,7 @@
 #include "base/time.h"
 #include "capture/sample_block.h"
 #include "catalog/catalog.h"
+#include "drive/motion_record.h"
 #include "drive/wish.h"
 
 #include <cstdint>
@@ -61,6 +62,7 @@ struct MotorLimits {
     double maxCurrentAmps = 0.0;
     double nominalCurrentAmps = 0.0;
     double polePairs = 0.0;
+    double torquePerAmp = 0.0; ///< N m for each A of Iq
 };
 
 /// What can be streamed, and what the link can carry.
@@ -178,6 +180,6 @@ struct LinkCounters {
 };
 
 using Event = std::variant<LinkChanged, Identified, RegistersRead, Ended, MotorStatus,
-    StreamStarted, capture::SampleBlock, StopProgress, LinkCounters>;
+    StreamStarted, capture::SampleBlock, StopProgress, LinkCounters, MotionRecord>;
 
 } // namespace drive

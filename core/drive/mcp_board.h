@@ -4,9 +4,11 @@
 
 #include "catalog/catalog.h"
 #include "drive/event.h"
+#include "drive/motion_limits.h"
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace drive {
@@ -24,6 +26,9 @@ struct McpBoard {
     std::vector<Capability> capabilities;
     std::optional<std::chrono::milliseconds> watchdog; ///< what its name promises
 
+    UserLimits user; ///< a person's; outlives the connection
+    std::set<int> expert; ///< motors that a person moves without all limits known
+
     std::uint32_t baud = 1843200;
     std::uint8_t linkId = 0; ///< decides which datalog register is ours
     std::size_t requestBytes = 32, responseBytes = 32,
@@ -35,6 +40,11 @@ struct McpBoard {
     {
         const auto at = static_cast<std::size_t>(motor - 1);
         return hasMotor(motor) && at < limits.size() ? limits[at] : MotorLimits{};
+    }
+
+    MotionBounds boundsOf(int motor) const
+    {
+        return drive::boundsOf(limitsOf(motor), user, expert.contains(motor));
     }
 
     double ampsPerDigit(int motor) const

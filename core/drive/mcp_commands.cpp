@@ -19,6 +19,8 @@ mcp::CommandId commandOf(MotorAction action)
     switch (action) {
     case MotorAction::Start:
         return mcp::CommandId::StartMotor;
+    case MotorAction::StopMotor:
+        return mcp::CommandId::StopMotor;
     case MotorAction::StopRamp:
         return mcp::CommandId::StopRamp;
     case MotorAction::AcknowledgeFaults:
@@ -48,10 +50,29 @@ std::string noSuchMotor(int motor) { return "there is no motor " + std::to_strin
 } // namespace
 
 CommandTask::CommandTask(WishId id, const Command &command, const McpBoard &board)
-    : WishTask(id, Permission::Armed)
+    : WishTask(
+        id, command.action == MotorAction::StopMotor ? Permission::Always : Permission::Armed)
     , m_board(board)
     , m_command(command)
+    , m_check(board, command.motor)
 {
+}
+
+/// Whether a start has still to be looked into; ends the wish if it must not be.
+bool CommandTask::checking(std::optional<Bytes> &request)
+{
+    if (auto why = refuseStart(m_board, m_command.motor); !why.empty()) {
+        end(Outcome::Refused, std::move(why));
+        return false;
+    }
+    request = m_check.nextRequest();
+    if (request)
+        return true;
+    if (m_check.gaveUp())
+        end(Outcome::NotSent, "no answer about what it would start to");
+    else if (auto why = m_check.refusal(); !why.empty())
+        end(Outcome::Refused, std::move(why));
+    return false;
 }
 
 std::optional<Bytes> CommandTask::nextRequest(TimePoint)
@@ -64,6 +85,9 @@ std::optional<Bytes> CommandTask::nextRequest(TimePoint)
         end(Outcome::Refused, noSuchMotor(m_command.motor));
         return std::nullopt;
     }
+    if (std::optional<Bytes> question;
+        m_command.action == MotorAction::Start && (checking(question) || finished()))
+        return question;
     markSent();
     const auto word = static_cast<unsigned>(commandOf(m_command.action)) << 3
         | static_cast<unsigned>(m_command.motor);
@@ -72,6 +96,8 @@ std::optional<Bytes> CommandTask::nextRequest(TimePoint)
 
 void CommandTask::takeResponse(ByteView response, TimePoint now)
 {
+    if (!sent())
+        return m_check.takeResponse(response, now);
     if (!m_refusal.empty()) {
         for (const Reading &reading : m_reader.takeResponse(response, m_board, now)) {
             const auto *value = std::get_if<std::int64_t>(&reading.value);
@@ -102,6 +128,8 @@ void CommandTask::takeResponse(ByteView response, TimePoint now)
 
 void CommandTask::takeNoResponse(std::optional<bool> executed, TimePoint)
 {
+    if (!sent())
+        return m_check.takeNoResponse();
     if (!m_refusal.empty()) {
         m_reader.takeNoResponse();
         if (m_reader.finished())

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "drive/mcp_reader.h"
+#include "drive/mcp_start_check.h"
 #include "drive/mcp_task.h"
 
 namespace drive {
@@ -16,8 +17,11 @@ public:
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
+    bool checking(std::optional<Bytes> &request);
+
     const McpBoard &m_board;
     Command m_command;
+    StartCheck m_check;
     std::string m_refusal; ///< the board's word, while the state that explains it is read
     RegisterReader m_reader;
     std::string m_state, m_faults;

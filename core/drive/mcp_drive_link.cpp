@@ -57,7 +57,7 @@ void McpDrive::on(const Link::Lost &event, TimePoint now)
 {
     if (!m_lost || event.reason != Link::LostReason::NoAnswer)
         m_lost = reasonOf(event.reason); // "no answer" while trying again is no news
-    m_armed = false;
+    setArmed(false);
     cutAllWishes("link lost");
     m_task = nullptr;
     m_stopUnderWay = false;

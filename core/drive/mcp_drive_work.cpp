@@ -1,5 +1,6 @@
 // What an MCP drive sends, most urgent first, and what it tells its owner.
 #include "drive/mcp_machine.h"
+#include "drive/mcp_motion.h"
 #include "mcp/protocol.h"
 
 #include <algorithm>
@@ -54,7 +55,9 @@ bool McpDrive::sendStop(TimePoint now)
     m_stop.stopSent(*motor, now);
     const auto word =
         static_cast<unsigned>(mcp::CommandId::StopMotor) << 3 | static_cast<unsigned>(*motor);
-    m_link.sendUrgent(ByteWriter().u16(word).take(), now);
+    const Bytes request = ByteWriter().u16(word).take();
+    noteSent(m_stopsSent[*motor], request);
+    m_link.sendUrgent(request, now);
     onLinkEvents(now);
     return true;
 }
@@ -74,7 +77,7 @@ void McpDrive::sendNext(TimePoint now)
             return;
         if (!wish->finished())
             break; // waits for something else; nothing overtakes it
-        m_wishes.collect(m_events);
+        m_wishes.collect(m_events, m_workedAt);
     }
     if (m_mode == Mode::Open)
         give(m_watch, now);
@@ -106,6 +109,8 @@ bool McpDrive::give(Task &task, TimePoint now)
     if (!request)
         return false;
     m_task = &task;
+    if (auto *wish = dynamic_cast<WishTask *>(&task); wish != nullptr && wish->motion())
+        noteSent(*wish->motion(), *request);
     m_link.sendRequest(*request, now);
     return true;
 }
@@ -130,14 +135,30 @@ void McpDrive::close(TimePoint now)
 
 void McpDrive::collect()
 {
-    m_wishes.collect(m_events);
+    m_wishes.collect(m_events, m_workedAt);
     m_watch.setStreamLoad(m_stream.load());
     if (auto readings = m_watch.takeReadings(); !readings.empty())
         m_events.emplace_back(RegistersRead{std::move(readings)});
     for (Event &event : m_stream.takeEvents())
         m_events.push_back(std::move(event));
-    for (const StopProgress &progress : m_stop.takeProgress())
+    for (const StopProgress &progress : m_stop.takeProgress()) {
+        m_events.emplace_back(logged(progress, std::exchange(m_stopsSent[progress.motor], {})));
         m_events.emplace_back(progress);
+    }
+}
+
+/// The word of a stop as the motion log has it, with the STOPs that left since the word before.
+MotionRecord McpDrive::logged(const StopProgress &progress, MotionRecord record) const
+{
+    record.act = MotionAct::Stop;
+    record.motor = progress.motor;
+    record.asked = m_stopAsked;
+    record.ended = std::max(m_stopAsked, progress.at);
+    record.stop = progress.word;
+    const bool sure =
+        progress.word != StopWord::Requested && progress.word != StopWord::NotConfirmed;
+    record.outcome = sure ? Outcome::Ok : Outcome::Unknown;
+    return record;
 }
 
 void McpDrive::tellVitals()

@@ -56,6 +56,7 @@ void Identification::restart()
     m_board.catalog = std::make_shared<const catalog::Catalog>();
     m_board.scales.clear();
     m_board.limits.clear();
+    m_board.expert.clear(); // another board may be there now
     m_board.capabilities.clear();
     m_board.watchdog.reset();
     m_board.streaming = {};

@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <string_view>
 
 namespace drive {
 
@@ -16,6 +17,31 @@ std::string number(double value)
     const auto end =
         std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr;
     return {text, end};
+}
+
+std::string_view nameOf(LimitGap gap)
+{
+    switch (gap) {
+    case LimitGap::MaxSpeed:
+        return "greatest speed";
+    case LimitGap::MaxCurrent:
+        return "greatest current";
+    case LimitGap::NominalCurrent:
+        break;
+    }
+    return "nominal current";
+}
+
+std::string unknown(const std::string &what, int motor)
+{
+    return "the board does not tell the " + what + " of motor " + std::to_string(motor)
+        + "; to move it all the same takes expert mode";
+}
+
+std::string beyond(double bound, std::string_view unit, bool own)
+{
+    return "beyond " + std::string(own ? "your own limit of " : "the limit of ") + number(bound)
+        + std::string(unit);
 }
 
 std::string refuseDigits(const McpBoard &board, int motor, double digits)
@@ -46,53 +72,59 @@ std::string refuseRaw(const McpBoard &board, std::uint16_t bare, int motor, cons
 
 } // namespace
 
+std::string refuseStart(const McpBoard &board, int motor)
+{
+    if (board.expert.contains(motor))
+        return {};
+    std::string names;
+    for (const LimitGap gap : gapsIn(board.limitsOf(motor)))
+        names += (names.empty() ? "" : ", ") + std::string(nameOf(gap));
+    return names.empty() ? names : unknown(names, motor);
+}
+
 std::string refuseSpeed(const McpBoard &board, int motor, double rpm)
 {
-    const double limit = board.limitsOf(motor).maxSpeedRpm;
+    const double bound = board.boundsOf(motor).rpm;
     if (!std::isfinite(rpm))
         return "not a finite number";
-    if (!(limit > 0.0))
-        return "the speed limit of motor " + std::to_string(motor) + " is not known";
-    if (std::abs(rpm) > limit)
-        return "beyond the limit of " + number(limit) + " rpm";
+    if (!(bound > 0.0))
+        return unknown("speed limit", motor);
+    if (std::abs(rpm) > bound)
+        return beyond(bound, " rpm", bound == board.user.maxSpeedRpm);
     return {};
 }
 
 std::string refuseCurrent(const McpBoard &board, int motor, double amps)
 {
-    const MotorLimits limits = board.limitsOf(motor);
-    double limit = limits.maxCurrentAmps;
-    if (limits.nominalCurrentAmps > 0.0 && (!(limit > 0.0) || limits.nominalCurrentAmps < limit))
-        limit = limits.nominalCurrentAmps;
+    const double bound = board.boundsOf(motor).amps;
     if (!std::isfinite(amps))
         return "not a finite number";
-    if (!(limit > 0.0))
-        return "the current limit of motor " + std::to_string(motor) + " is not known";
-    if (std::abs(amps) > limit)
-        return "beyond the limit of " + number(limit) + " A";
+    if (!(bound > 0.0))
+        return unknown("current limit", motor);
+    if (std::abs(amps) > bound)
+        return beyond(bound, " A", bound == board.user.maxCurrentAmps);
     return {};
 }
 
 std::string refuseSetPoint(const McpBoard &board, const RegisterWrite &write)
 {
     const auto *info = board.catalog->find(write.id);
-    if (info == nullptr || board.hso)
+    if (info == nullptr)
         return {};
     const int motor = board.catalog->motorOf(write.id);
     if (const auto *bytes = std::get_if<Bytes>(&write.value))
-        return refuseRaw(board, static_cast<std::uint16_t>(info->id), motor, *bytes);
+        return board.hso ? std::string()
+                         : refuseRaw(board, static_cast<std::uint16_t>(info->id), motor, *bytes);
     const auto value = asNumber(write.value);
-    if (!value)
+    if (!value || info->setPoint == catalog::SetPoint::None)
         return {};
-    switch (info->setPoint) {
-    case catalog::SetPoint::Speed:
-        return refuseSpeed(board, motor, *value);
-    case catalog::SetPoint::Current:
-        return refuseDigits(board, motor, *value);
-    case catalog::SetPoint::None:
-        break;
-    }
-    return {};
+    const double perDigit =
+        setPointPerDigit(*info, board.catalog->readScale(write.id), board.limitsOf(motor));
+    if (!(perDigit > 0.0))
+        return "the scale of motor " + std::to_string(motor) + " is not known";
+    return info->setPoint == catalog::SetPoint::Speed
+        ? refuseSpeed(board, motor, *value * perDigit)
+        : refuseCurrent(board, motor, *value * perDigit);
 }
 
 } // namespace drive

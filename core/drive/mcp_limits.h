@@ -1,5 +1,6 @@
-// The clamps of set-points: no speed or current beyond what the board says it stands is ever sent. They live here,
-// below every window and script. Nothing is clipped silently: a set-point beyond the limit is refused with the reason.
+// The clamps of motion: no speed or current beyond what the board says it stands, or beyond what a person allows, is
+// ever sent, and nothing is started whose limits are not known (drive/motion_limits.h). They live here, below every
+// window and script. Nothing is clipped silently: a set-point beyond the limit is refused with the reason.
 #pragma once
 
 #include "drive/mcp_board.h"
@@ -8,6 +9,9 @@
 #include <string>
 
 namespace drive {
+
+/// Why this motor must not be started: a limit that is not known, named; empty if it may.
+std::string refuseStart(const McpBoard &board, int motor);
 
 /// Why this set-point must not be sent; empty if it may. A limit that is not known refuses too.
 std::string refuseSpeed(const McpBoard &board, int motor, double rpm);

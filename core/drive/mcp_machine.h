@@ -13,6 +13,9 @@
 #include "drive/mcp_stream.h"
 #include "drive/mcp_vitals.h"
 #include "drive/mcp_wishes.h"
+#include "drive/motion_record.h"
+
+#include <map>
 
 namespace drive {
 
@@ -58,6 +61,13 @@ private:
         return link;
     }
 
+    // what is asked of it
+    void setArmed(bool armed);
+    bool takeAtOnce(const Wish &wish, TimePoint now); ///< false: it takes a task
+    void takeLimits(const Wish &wish, const UserLimits &limits, TimePoint now);
+    void takeExpert(const Wish &wish, const ExpertMode &expert, TimePoint now);
+    std::unique_ptr<WishTask> taskFor(const Wish &wish) const;
+
     /// What the owner wants of the link.
     enum class Mode : std::uint8_t { Closed, Open, Closing };
 
@@ -91,7 +101,8 @@ private:
     void tellCounters(TimePoint now);
     void collect();
     void cutAllWishes(const std::string &reason);
-    void endNow(WishId id, Outcome outcome, std::string reason);
+    void endNow(const Wish &wish, Outcome outcome, std::string reason, TimePoint now);
+    MotionRecord logged(const StopProgress &progress, MotionRecord record) const;
     bool connected() const { return m_link.state() == Link::State::Connected; }
 
     McpDriveConfig m_config;
@@ -112,6 +123,8 @@ private:
     bool m_stopUnderWay =
         false; ///< handed to the link, not answered; may wait behind m_task's answer
     TimePoint m_stopSince;
+    TimePoint m_stopAsked; ///< by a person
+    std::map<int, MotionRecord> m_stopsSent; ///< by motor: the STOPs since the log was last told
     bool m_cutAfterAnswer = false;
     bool m_armed = false;
     bool m_suspect = false;

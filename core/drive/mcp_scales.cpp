@@ -1,5 +1,8 @@
 #include "drive/mcp_scales.h"
 
+#include "analysis/motor_constants.h"
+#include "drive/motion_limits.h"
+
 #include <cmath>
 
 namespace drive {
@@ -7,8 +10,7 @@ namespace drive {
 namespace {
 
 // Beyond these a number is a misread structure, not a motor.
-constexpr double kMaxRpm = 500000.0, kMaxAmps = 5000.0, kMaxPolePairs = 200.0,
-                 kMaxTickHz = 500000.0;
+constexpr double kMaxPolePairs = 200.0, kMaxTickHz = 500000.0, kMaxTorquePerAmp = 1000.0;
 
 constexpr double kFullScaleDigits = 32768.0;
 constexpr double kRpmPerTenthHz = 6.0;
@@ -43,11 +45,11 @@ catalog::Scales scalesOf(const MotorDescription &motor, std::uint32_t version)
                 scales.hertzPerDigit > 0.0 ? scales.hertzPerDigit : kRpmPerTenthHz;
     } else if (motor.application) {
         scales.ampsPerDigit =
-            plausible(motor.application->maxReadableAmps, kMaxAmps) / kFullScaleDigits;
+            plausible(motor.application->maxReadableAmps, kHighestAmps) / kFullScaleDigits;
         scales.voltsPerDigit =
             motor.application->nominalVolts / (std::sqrt(3.0) * (kFullScaleDigits - 1.0));
         // 6.0 and 6.1 do not say the scale of the speeds they read out; it is the one that 6.2 says.
-        const double maxRpm = plausible(motor.application->maxSpeedRpm, kMaxRpm);
+        const double maxRpm = plausible(motor.application->maxSpeedRpm, kHighestRpm);
         if (version < kVersion64 && maxRpm > 0.0)
             scales.rpmPerReadDigit = 1.15 * maxRpm / kFullScaleDigits;
     }
@@ -58,12 +60,17 @@ MotorLimits limitsOf(const MotorDescription &motor)
 {
     MotorLimits limits;
     if (motor.application) {
-        limits.maxSpeedRpm = plausible(motor.application->maxSpeedRpm, kMaxRpm);
-        limits.maxCurrentAmps = plausible(motor.application->maxReadableAmps, kMaxAmps);
-        limits.nominalCurrentAmps = plausible(motor.application->nominalAmps, kMaxAmps);
+        limits.maxSpeedRpm = plausible(motor.application->maxSpeedRpm, kHighestRpm);
+        limits.maxCurrentAmps = plausible(motor.application->maxReadableAmps, kHighestAmps);
+        limits.nominalCurrentAmps = plausible(motor.application->nominalAmps, kHighestAmps);
     }
-    if (motor.motor)
+    if (motor.motor) {
         limits.polePairs = plausible(motor.motor->polePairs, kMaxPolePairs);
+        const double flux =
+            analysis::fluxOfConfiguration_wb(motor.motor->ratedFlux, limits.polePairs);
+        limits.torquePerAmp =
+            plausible(analysis::ktOfFlux_nmpa(flux, limits.polePairs), kMaxTorquePerAmp);
+    }
     return limits;
 }
 

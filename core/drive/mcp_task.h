@@ -5,6 +5,7 @@
 #include "base/bytes.h"
 #include "base/time.h"
 #include "drive/event.h"
+#include "drive/motion_record.h"
 
 #include <optional>
 #include <string>
@@ -42,6 +43,9 @@ public:
     bool finished() const { return m_finished; }
     const Ended &ended() const { return m_ended; }
 
+    /// The act that the motion log is told of when this ends; empty: it is none.
+    std::optional<MotionRecord> &motion() { return m_motion; }
+
     /// Nothing more will be sent for it (stop, link lost, disarmed): ends with what is known until now.
     virtual void cut(const std::string &reason)
     {
@@ -62,6 +66,7 @@ protected:
 
 private:
     Ended m_ended;
+    std::optional<MotionRecord> m_motion;
     Permission m_permission;
     bool m_finished = false;
     bool m_sent = false; ///< something that can change the board has left

@@ -50,13 +50,13 @@ void WishQueue::cutArmed(const std::string &reason, const WishTask *except)
             task->cut(reason);
 }
 
-void WishQueue::collect(std::vector<Event> &events)
+void WishQueue::collect(std::vector<Event> &events, TimePoint now)
 {
-    collectFrom(m_acting, events);
-    collectFrom(m_reading, events);
+    collectFrom(m_acting, events, now);
+    collectFrom(m_reading, events, now);
 }
 
-void WishQueue::collectFrom(Queue &queue, std::vector<Event> &events)
+void WishQueue::collectFrom(Queue &queue, std::vector<Event> &events, TimePoint now)
 {
     for (const auto &task : queue) {
         std::vector<Reading> readings;
@@ -66,6 +66,12 @@ void WishQueue::collectFrom(Queue &queue, std::vector<Event> &events)
             readings = write->takeReadings();
         if (!readings.empty())
             events.emplace_back(RegistersRead{std::move(readings)});
+        if (auto &motion = task->motion(); task->finished() && motion) {
+            motion->ended = std::max(motion->asked, now);
+            motion->outcome = task->ended().outcome;
+            motion->reason = task->ended().reason;
+            events.emplace_back(std::move(*motion));
+        }
         if (task->finished() && task->ended().id != 0)
             events.emplace_back(task->ended());
     }

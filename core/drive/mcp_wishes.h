@@ -31,13 +31,13 @@ public:
     void cutAll(const std::string &reason, const WishTask *except);
     void cutArmed(const std::string &reason, const WishTask *except);
 
-    /// Ends and removes what has finished, reading its results out.
-    void collect(std::vector<Event> &events);
+    /// Ends and removes what has finished, reading its results out. @param now  when that was, for the motion log
+    void collect(std::vector<Event> &events, TimePoint now);
     bool contains(const Task *task) const;
 
 private:
     using Queue = std::deque<std::unique_ptr<WishTask>>;
-    void collectFrom(Queue &queue, std::vector<Event> &events);
+    void collectFrom(Queue &queue, std::vector<Event> &events, TimePoint now);
 
     Queue m_acting, m_reading;
 };

@@ -17,6 +17,13 @@ using catalog::Value;
 /// Chosen by whoever asks; the matching Ended event carries it back. 0: nobody waits for the end.
 using WishId = std::uint64_t;
 
+/// Who wants something; kept in the motion log.
+enum class Source : std::uint8_t {
+    Person, ///< at a window
+    CommandLine,
+    Script,
+};
+
 struct Read {
     std::vector<RegisterId> registers;
 };
@@ -30,7 +37,14 @@ struct Write {
     std::vector<RegisterWrite> writes;
 };
 
-enum class MotorAction : std::uint8_t { Start, StopRamp, AcknowledgeFaults };
+enum class MotorAction : std::uint8_t {
+    Start,
+    /// Of this motor alone, once, as the end of an act that began it (a jog). Not the Stop of a person, which is
+    /// Drive::stop(): it is not repeated, and disarms nothing.
+    StopMotor,
+    StopRamp,
+    AcknowledgeFaults
+};
 struct Command {
     MotorAction action = MotorAction::Start;
     int motor = 1;
@@ -51,6 +65,19 @@ struct CurrentReference {
     double idAmps = 0.0;
 };
 
+/// What a person allows, whatever a board says its motors stand: the lower of the two counts, for every motor and until
+/// the next such wish. Zero: no limit of one's own. Needs neither a connection nor arming.
+struct UserLimits {
+    double maxSpeedRpm = 0.0;
+    double maxCurrentAmps = 0.0; ///< peak
+    bool operator==(const UserLimits &) const = default;
+};
+/// A person's word that a motor is to be moved although its board does not tell its limits (drive/motion_limits.h).
+/// Ends with the connection; refused where nothing is unknown.
+struct ExpertMode {
+    int motor = 1;
+};
+
 /// Signals that the board records by itself at its control rate. Replaces what was streamed before; empty stops.
 struct Stream {
     std::vector<RegisterId> fast; ///< in the order wanted
@@ -69,7 +96,10 @@ struct Watch {
 
 struct Wish {
     WishId id = 0;
-    std::variant<Read, Write, Command, SpeedRamp, TorqueRamp, CurrentReference, Stream, Watch> what;
+    std::variant<Read, Write, Command, SpeedRamp, TorqueRamp, CurrentReference, Stream, Watch,
+        UserLimits, ExpertMode>
+        what;
+    Source source = Source::Person;
 };
 
 } // namespace drive

@@ -110,6 +110,8 @@ PortError Session::tryOpen(TimePoint now)
     m_failure.reset();
     m_stopRequested = false;
     m_phase = Phase::Open;
+    if (m_limits)
+        m_drive->submit({.id = 0, .what = *m_limits}, now); // before anything else can be asked
     m_drive->connect(now);
     return {};
 }
@@ -143,12 +145,17 @@ void Session::submit(const drive::Wish &wish)
         m_stream = *stream;
     else if (const auto *watch = std::get_if<drive::Watch>(&wish.what))
         m_watch = *watch;
+    else if (const auto *limits = std::get_if<drive::UserLimits>(&wish.what))
+        m_limits = *limits;
     const TimePoint now = m_parts.clock();
+    const bool kept = std::holds_alternative<drive::UserLimits>(wish.what);
     if (m_phase == Phase::Open)
         m_drive->submit(wish, now);
     else if (wish.id != 0)
-        m_batcher.add(drive::Ended{
-            .id = wish.id, .outcome = drive::Outcome::NotSent, .reason = {}, .writes = {}});
+        m_batcher.add(drive::Ended{.id = wish.id,
+            .outcome = kept ? drive::Outcome::Ok : drive::Outcome::NotSent,
+            .reason = {},
+            .writes = {}});
     step(now);
 }
 

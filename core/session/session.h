@@ -10,7 +10,8 @@
 // A port that is unplugged is told once, with portChanged(Closed, why), and all wishes end. Then
 // the session tries to open it again every 500 ms until it succeeds or close() is called
 // (Endpoint::reopen). The board is met read-only again; only streaming and watching are taken up by
-// themselves, never a set-point, a start or an acknowledgement.
+// themselves, never a set-point, a start or an acknowledgement. A person's limits are given to each
+// drive before it connects, also if they were set while no port was open.
 #pragma once
 
 #include "drive/drive.h"
@@ -119,6 +120,7 @@ private:
     std::optional<PortError> m_failure; ///< reported by the transport, not yet acted upon
     std::optional<drive::Stream> m_stream; ///< last asked for; taken up again after a reopening
     std::optional<drive::Watch> m_watch;
+    std::optional<drive::UserLimits> m_limits; ///< a person's; for every drive from then on
     std::atomic<bool> m_stopRequested = false;
     bool m_stepping = false;
     bool m_saidFarewell = false; ///< Closing: the drive has told that its link is closed

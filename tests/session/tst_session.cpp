@@ -28,6 +28,7 @@ private Q_SLOTS:
     void anUnpluggedPortIsToldOnceAndTheDriveIsToldToo();
     void anUnpluggedPortIsTriedAgainEveryHalfSecond();
     void reopeningTakesUpStreamingAndNothingElse();
+    void ownLimitsAreGivenToEveryDriveFirst();
     void closingEndsTheAttemptsToReopen();
     void aStalledReceiverGetsNoThirdBatch();
     void theSessionCanBeClosedFromWithinABatch();
@@ -246,6 +247,21 @@ void TestSession::reopeningTakesUpStreamingAndNothingElse()
     QVERIFY(std::holds_alternative<drive::Stream>(bench.board.wishes[0].what));
     QVERIFY(std::holds_alternative<drive::Watch>(bench.board.wishes[1].what));
     QCOMPARE(bench.board.wishes[0].id, 0U);
+}
+
+void TestSession::ownLimitsAreGivenToEveryDriveFirst()
+{
+    Bench bench;
+    const drive::UserLimits limits{.maxSpeedRpm = 1000.0, .maxCurrentAmps = 2.0};
+    bench.session.submit({.id = 1, .what = limits});
+    bench.session.open(Bench::serial());
+    for (int connection = 0; connection < 2; ++connection) {
+        QCOMPARE(bench.board.wishes.size(), 1U);
+        QVERIFY(std::get<drive::UserLimits>(bench.board.wishes.front().what) == limits);
+        bench.board.wishes.clear();
+        bench.port.alive->fail();
+        bench.runUntil(bench.now + 600ms);
+    }
 }
 
 void TestSession::closingEndsTheAttemptsToReopen()

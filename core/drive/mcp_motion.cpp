@@ -1,0 +1,156 @@
+#include "drive/mcp_motion.h"
+
+#include "drive/mcp_values.h"
+#include "mcp/protocol.h"
+#include "mcp/request.h"
+
+#include <charconv>
+
+namespace drive {
+
+namespace {
+
+constexpr std::size_t kMostNamed = 8; ///< registers in the detail of a write
+
+std::string number(double value)
+{
+    char text[32];
+    const auto end =
+        std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr;
+    return {text, end};
+}
+
+std::string inTime(std::chrono::milliseconds duration)
+{
+    return " in " + std::to_string(duration.count()) + " ms";
+}
+
+std::string hexOf(const Bytes &bytes)
+{
+    static constexpr char kDigits[] = "0123456789ABCDEF";
+    std::string text = "0x";
+    for (const std::uint8_t byte : bytes) {
+        text.push_back(kDigits[byte >> 4]);
+        text.push_back(kDigits[byte & 0xF]);
+    }
+    return text;
+}
+
+std::string valueText(const McpBoard &board, const RegisterWrite &write)
+{
+    if (const auto *bytes = std::get_if<Bytes>(&write.value))
+        return hexOf(*bytes);
+    const auto value = asNumber(write.value);
+    if (!value)
+        return "?";
+    const catalog::Scale scale = board.catalog->readScale(write.id);
+    return number(*value * scale.factor) + (scale.unit.empty() ? "" : " " + scale.unit);
+}
+
+struct Begin {
+    const McpBoard &board;
+    MotionRecord record;
+
+    bool operator()(const Command &command)
+    {
+        record.motor = command.motor;
+        switch (command.action) {
+        case MotorAction::Start:
+            record.act = MotionAct::Start;
+            break;
+        case MotorAction::StopMotor:
+            record.act = MotionAct::StopMotor;
+            break;
+        case MotorAction::StopRamp:
+            record.act = MotionAct::StopRamp;
+            break;
+        case MotorAction::AcknowledgeFaults:
+            record.act = MotionAct::AcknowledgeFaults;
+            break;
+        }
+        return true;
+    }
+    bool operator()(const SpeedRamp &ramp)
+    {
+        record.act = MotionAct::SpeedRamp;
+        record.motor = ramp.motor;
+        record.detail = std::to_string(ramp.rpm) + " rpm" + inTime(ramp.duration);
+        return true;
+    }
+    bool operator()(const TorqueRamp &ramp)
+    {
+        record.act = MotionAct::TorqueRamp;
+        record.motor = ramp.motor;
+        record.detail = number(ramp.amps) + " A" + inTime(ramp.duration);
+        return true;
+    }
+    bool operator()(const CurrentReference &reference)
+    {
+        record.act = MotionAct::CurrentReference;
+        record.motor = reference.motor;
+        record.detail =
+            "Iq " + number(reference.iqAmps) + " A, Id " + number(reference.idAmps) + " A";
+        return true;
+    }
+    bool operator()(const UserLimits &limits)
+    {
+        const auto text = [](double limit, const char *unit) {
+            return limit > 0.0 ? number(limit) + unit : std::string("none");
+        };
+        record.act = MotionAct::Limits;
+        record.detail = text(limits.maxSpeedRpm, " rpm") + ", " + text(limits.maxCurrentAmps, " A");
+        return true;
+    }
+    bool operator()(const ExpertMode &expert)
+    {
+        record.act = MotionAct::Expert;
+        record.motor = expert.motor;
+        return true;
+    }
+    bool operator()(const Write &write)
+    {
+        record.act = MotionAct::Write;
+        std::size_t named = 0;
+        for (const RegisterWrite &one : write.writes) {
+            const auto *info = board.catalog->find(one.id);
+            if (info == nullptr || (!info->dangerous && info->setPoint == catalog::SetPoint::None))
+                continue;
+            if (++named > kMostNamed)
+                continue;
+            if (named == 1 && info->perMotor)
+                record.motor = board.catalog->motorOf(one.id);
+            record.detail += (named > 1 ? "; " : "") + board.catalog->nameOf(one.id) + " = "
+                + valueText(board, one);
+        }
+        if (named > kMostNamed)
+            record.detail += "; and " + std::to_string(named - kMostNamed) + " more";
+        return named > 0;
+    }
+    bool operator()(const Read &) { return false; }
+    bool operator()(const Stream &) { return false; }
+    bool operator()(const Watch &) { return false; }
+};
+
+} // namespace
+
+std::optional<MotionRecord> motionOf(const Wish &wish, const McpBoard &board, TimePoint now)
+{
+    Begin begin{board, {}};
+    begin.record.asked = begin.record.ended = now;
+    begin.record.source = wish.source;
+    if (!std::visit(begin, wish.what))
+        return std::nullopt;
+    return std::move(begin.record);
+}
+
+void noteSent(MotionRecord &record, ByteView request)
+{
+    const auto decoded = mcp::decodeRequest(request);
+    if (decoded && decoded->command == static_cast<std::uint16_t>(mcp::CommandId::GetRegister))
+        return;
+    ++record.requests;
+    if (record.sent.size() < MotionRecord::kMostSent)
+        record.sent.emplace_back(request.begin(), request.end());
+}
+
+} // namespace drive

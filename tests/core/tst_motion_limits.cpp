@@ -1,0 +1,325 @@
+// What bounds the motion of a motor: the board's limits, a person's own, and expert mode where the board is silent.
+#include "drive/mcp_limits.h"
+#include "drive/mcp_scales.h"
+#include "support/link_pair.h"
+
+#include <QTest>
+
+#include <limits>
+
+using namespace drive;
+using simulation::Lie;
+using support::Session;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+simulation::BoardOptions lying(Lie lie)
+{
+    simulation::BoardOptions options;
+    options.lies = {{lie, 1}};
+    return options;
+}
+
+std::string reasonOf(Session &session, WishId wish)
+{
+    return session.runUntilEnded(wish) ? session.ended[wish].front().reason : "never ended";
+}
+
+bool changedSomething(const Session &session, std::size_t since)
+{
+    return std::any_of(session.requests.begin() + static_cast<std::ptrdiff_t>(since),
+        session.requests.end(), support::changesSomething);
+}
+
+} // namespace
+
+class TestMotionLimits : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void anyStructureGivesBoundsThatBound();
+    void everyGapIsNamed();
+    void whatTheBoardDoesNotTellMovesNothing_data();
+    void whatTheBoardDoesNotTellMovesNothing();
+    void anExpertMovesItAllTheSame();
+    void expertModeEndsWithTheConnection();
+    void expertModeIsForWhatIsUnknownOnly();
+    void theLowerLimitWins();
+    void limitsOfNoUseAreRefused();
+    void ownLimitsOutliveTheConnection();
+    void aStartThatWouldGoBeyondOnesOwnLimitIsRefused_data();
+    void aStartThatWouldGoBeyondOnesOwnLimitIsRefused();
+    void setPointsOfEveryFamilyAreBounded_data();
+    void setPointsOfEveryFamilyAreBounded();
+    void everyProfileTellsItsLimits();
+};
+
+void TestMotionLimits::anyStructureGivesBoundsThatBound()
+{
+    support::Random random(5);
+    int known = 0;
+    for (int round = 0; round < 20000; ++round) {
+        Bytes raw(16);
+        for (std::uint8_t &byte : raw)
+            byte = static_cast<std::uint8_t>(random.next());
+        if (round % 2 == 0) { // plausible numbers among the noise
+            raw = ByteWriter().u32(4000).f32(32.0F).f32(5.0F).u16(24).u8(0).u8(0).take();
+            raw[random.below(12)] = static_cast<std::uint8_t>(random.next());
+        }
+        MotorDescription description;
+        description.application = *mcp::decodeApplicationConfig(raw);
+        McpBoard board;
+        board.limits = {limitsOf(description)};
+        if (random.chance(0.3))
+            board.user = {1000.0, 2.0};
+        if (random.chance(0.3))
+            board.expert = {1};
+        const MotionBounds bounds = board.boundsOf(1);
+        QVERIFY(bounds.rpm >= 0.0 && bounds.rpm <= kHighestRpm);
+        QVERIFY(bounds.amps >= 0.0 && bounds.amps <= kHighestAmps);
+        known += bounds.rpm > 0.0 && bounds.amps > 0.0 ? 1 : 0;
+        const auto bits = random.next();
+        double value = 0.0;
+        std::memcpy(&value, &bits, sizeof value);
+        for (const double asked : {value, kNan, kInfinity, -kInfinity, 1e300, 0.0, 1000.0, -3.0}) {
+            const bool inside = std::isfinite(asked);
+            const auto &own = board.user;
+            const auto may = [&](double bound, double limit) {
+                return inside && bound > 0.0 && std::abs(asked) <= bound
+                    && (limit == 0.0 || std::abs(asked) <= limit);
+            };
+            QCOMPARE(refuseSpeed(board, 1, asked).empty(), may(bounds.rpm, own.maxSpeedRpm));
+            QCOMPARE(refuseCurrent(board, 1, asked).empty(), may(bounds.amps, own.maxCurrentAmps));
+        }
+    }
+    QVERIFY(known > 1000);
+}
+
+void TestMotionLimits::everyGapIsNamed()
+{
+    for (const double odd : {0.0, -1.0, kNan, kInfinity, 1e9}) {
+        MotorLimits limits{4000.0, 32.0, 5.0, 4.0, 0.1};
+        QVERIFY(gapsIn(limits).empty());
+        limits.maxSpeedRpm = odd;
+        QVERIFY(gapsIn(limits) == std::vector{LimitGap::MaxSpeed});
+        QCOMPARE(boundsOf(limits, {}, false).rpm, 0.0);
+        QCOMPARE(boundsOf(limits, {}, false).amps, 5.0);
+        limits.nominalCurrentAmps = odd;
+        QVERIFY(gapsIn(limits) == (std::vector{LimitGap::MaxSpeed, LimitGap::NominalCurrent}));
+        QCOMPARE(boundsOf(limits, {}, false).amps, 0.0);
+        QCOMPARE(boundsOf(limits, {}, true).amps, 32.0); // what is known still bounds
+        QCOMPARE(boundsOf(limits, {1500.0, 0.0}, true).rpm, 1500.0);
+    }
+}
+
+void TestMotionLimits::whatTheBoardDoesNotTellMovesNothing_data()
+{
+    QTest::addColumn<int>("lie");
+    QTest::newRow("nan") << int(Lie::NotANumber);
+    QTest::newRow("infinite") << int(Lie::Infinite);
+    QTest::newRow("zeros") << int(Lie::Zeros);
+    QTest::newRow("huge") << int(Lie::Huge);
+}
+
+void TestMotionLimits::whatTheBoardDoesNotTellMovesNothing()
+{
+    QFETCH(int, lie);
+    Session session(true, lying(Lie(lie)));
+    QVERIFY(session.ready);
+    const std::size_t before = session.requests.size();
+    for (const std::string &reason :
+        {reasonOf(session, session.submit(Command{MotorAction::Start, 1})),
+            reasonOf(session, session.submit(TorqueRamp{1, 0.1, 100ms}))}) {
+        QVERIFY2(reason.find("current") != std::string::npos, reason.c_str());
+    }
+    const std::string why = reasonOf(session, session.submit(Command{MotorAction::Start, 1}));
+    QVERIFY2(why.find("expert mode") != std::string::npos, why.c_str());
+    QVERIFY(!changedSomething(session, before));
+}
+
+void TestMotionLimits::anExpertMovesItAllTheSame()
+{
+    Session session(true, lying(Lie::NotANumber));
+    const WishId expert = session.submit(ExpertMode{1});
+    QVERIFY(session.runUntilEnded(expert));
+    QVERIFY(session.outcome(expert) == Outcome::Ok);
+    QVERIFY(session.startMotor());
+    // What is known bounds an expert, too.
+    const WishId tooFast = session.submit(
+        SpeedRamp{1, std::int32_t(session.identified->limits[0].maxSpeedRpm) + 1, 100ms});
+    QVERIFY(session.runUntilEnded(tooFast));
+    QVERIFY(session.outcome(tooFast) == Outcome::Refused);
+}
+
+void TestMotionLimits::expertModeEndsWithTheConnection()
+{
+    Session session(true, lying(Lie::NotANumber));
+    QVERIFY(session.runUntilEnded(session.submit(ExpertMode{1})));
+    session.toDrive.cut = true;
+    QVERIFY(session.runUntil([&] { return session.link == LinkState::Lost; }, 10s));
+    session.toDrive.cut = false;
+    session.identified.reset();
+    QVERIFY(session.runUntilIdentified(10s));
+    session.drive->arm();
+    const WishId start = session.submit(Command{MotorAction::Start, 1});
+    QVERIFY(reasonOf(session, start).find("expert mode") != std::string::npos);
+}
+
+void TestMotionLimits::expertModeIsForWhatIsUnknownOnly()
+{
+    Session session;
+    for (const int motor : {0, 1, 2, 8}) {
+        const WishId wish = session.submit(ExpertMode{motor});
+        QVERIFY(session.runUntilEnded(wish));
+        QVERIFY(session.outcome(wish) == Outcome::Refused);
+    }
+}
+
+void TestMotionLimits::theLowerLimitWins()
+{
+    Session session;
+    const MotorLimits board = session.identified->limits.at(0);
+    const auto ends = [&](auto what) {
+        const WishId wish = session.submit(what);
+        return session.runUntilEnded(wish) ? session.outcome(wish) : Outcome::Unknown;
+    };
+    QVERIFY(ends(UserLimits{1000.0, 1.0}) == Outcome::Ok);
+    QVERIFY(ends(SpeedRamp{1, 1001, 0ms}) == Outcome::Refused);
+    QVERIFY(ends(SpeedRamp{1, -1001, 0ms}) == Outcome::Refused);
+    QVERIFY(ends(SpeedRamp{1, 1000, 0ms}) == Outcome::Ok);
+    QVERIFY(ends(Write{{{session.id("SPEED_REF"), std::int64_t{1001}}}}) == Outcome::Refused);
+    QVERIFY(ends(TorqueRamp{1, 1.01, 0ms}) == Outcome::Refused);
+    QVERIFY(ends(CurrentReference{1, 0.8, 0.8}) == Outcome::Refused);
+    QVERIFY(ends(CurrentReference{1, 0.6, 0.6}) == Outcome::Ok);
+    const WishId beyond = session.submit(SpeedRamp{1, 2000, 0ms});
+    QVERIFY(reasonOf(session, beyond).find("your own limit of 1000 rpm") != std::string::npos);
+
+    QVERIFY(ends(UserLimits{1e6, 1e6}) == Outcome::Ok);
+    QVERIFY(ends(SpeedRamp{1, std::int32_t(board.maxSpeedRpm) + 1, 0ms}) == Outcome::Refused);
+    QVERIFY(ends(TorqueRamp{1, board.nominalCurrentAmps * 1.01, 0ms}) == Outcome::Refused);
+    QVERIFY(ends(SpeedRamp{1, std::int32_t(board.maxSpeedRpm), 0ms}) == Outcome::Ok);
+}
+
+void TestMotionLimits::limitsOfNoUseAreRefused()
+{
+    Session session;
+    QVERIFY(session.runUntilEnded(session.submit(UserLimits{1000.0, 1.0})));
+    for (const double odd : {-1.0, kNan, kInfinity}) {
+        for (const UserLimits &limits : {UserLimits{odd, 1.0}, UserLimits{1000.0, odd}}) {
+            const WishId wish = session.submit(limits);
+            QVERIFY(session.runUntilEnded(wish));
+            QVERIFY(session.outcome(wish) == Outcome::Refused);
+        }
+    }
+    const WishId beyond = session.submit(SpeedRamp{1, 1001, 0ms});
+    QVERIFY(session.runUntilEnded(beyond)); // the limits before are still there
+    QVERIFY(session.outcome(beyond) == Outcome::Refused);
+}
+
+void TestMotionLimits::ownLimitsOutliveTheConnection()
+{
+    support::LinkPair pair;
+    pair.submit(UserLimits{1000.0, 1.0}); // even before there is one
+    for (int round = 0; round < 2; ++round) {
+        pair.identified.reset();
+        pair.connect();
+        QVERIFY(pair.runUntilIdentified());
+        pair.drive->arm();
+        const WishId beyond = pair.submit(SpeedRamp{1, 1001, 0ms});
+        QVERIFY(pair.runUntilEnded(beyond));
+        QVERIFY(pair.outcome(beyond) == Outcome::Refused);
+    }
+}
+
+void TestMotionLimits::aStartThatWouldGoBeyondOnesOwnLimitIsRefused_data()
+{
+    QTest::addColumn<double>("rpm");
+    QTest::addColumn<double>("amps");
+    QTest::addColumn<bool>("starts");
+    QTest::newRow("reference too fast") << 100.0 << 0.0 << false;
+    QTest::newRow("start-up too strong") << 0.0 << 0.1 << false;
+    QTest::newRow("within") << 3900.0 << 4.9 << true;
+}
+
+void TestMotionLimits::aStartThatWouldGoBeyondOnesOwnLimitIsRefused()
+{
+    QFETCH(double, rpm);
+    QFETCH(double, amps);
+    QFETCH(bool, starts);
+    Session session;
+    QVERIFY(session.runUntilEnded(session.submit(UserLimits{rpm, amps})));
+    const WishId start = session.submit(Command{MotorAction::Start, 1});
+    QVERIFY(session.runUntilEnded(start));
+    QCOMPARE(session.outcome(start) == Outcome::Ok, starts);
+    QCOMPARE(support::count(session.requests, mcp::CommandId::StartMotor), starts ? 1U : 0U);
+    if (!starts) {
+        const std::string why = session.ended[start].front().reason;
+        QVERIFY2(why.find("your own limit") != std::string::npos, why.c_str());
+    }
+}
+
+void TestMotionLimits::setPointsOfEveryFamilyAreBounded_data()
+{
+    QTest::addColumn<QString>("profile");
+    QTest::addColumn<QString>("name");
+    const auto row = [](const char *profile, const char *name) {
+        QTest::addRow("%s %s", profile, name) << profile << name;
+    };
+    row("mcsdk-6.4", "SPEED_REF");
+    row("mcsdk-6.4", "I_Q_REF");
+    row("mcsdk-6.4", "I_D_REF");
+    row("six-step", "SPEED_REF");
+    row("hso", "FOC_SPEEDREF_FREQ_PU");
+    row("hso", "FOC_SPEEDREF_RAMPED_FREQ_PU");
+    row("hso", "FOC_IQREF");
+    row("hso", "FOC_IDREF");
+    row("hso", "FOC_TORQUE_REF_NM");
+}
+
+void TestMotionLimits::setPointsOfEveryFamilyAreBounded()
+{
+    QFETCH(QString, profile);
+    QFETCH(QString, name);
+    simulation::BoardOptions options;
+    options.profile = profile.toStdString();
+    Session session(true, options);
+    QVERIFY(session.ready);
+    const RegisterId id = session.id(name.toStdString());
+    const auto *info = session.identified->catalog->find(id);
+    QVERIFY(info != nullptr);
+    const MotorLimits limits = session.identified->limits.at(0);
+    const double perDigit =
+        setPointPerDigit(*info, session.identified->catalog->readScale(id), limits);
+    QVERIFY(perDigit > 0.0);
+    const MotionBounds bounds = boundsOf(limits, {}, false);
+    const double bound = info->setPoint == catalog::SetPoint::Speed ? bounds.rpm : bounds.amps;
+    QVERIFY(bound > 0.0);
+    const auto ends = [&](double digits) {
+        const WishId wish = session.submit(Write{{{id, static_cast<std::int64_t>(digits)}}});
+        return session.runUntilEnded(wish) ? session.outcome(wish) : Outcome::Unknown;
+    };
+    const std::size_t before = session.requests.size();
+    for (const double sign : {1.0, -1.0})
+        for (const double share : {1.001, 1.5})
+            QVERIFY(ends(sign * std::ceil(bound / perDigit * share + 1.0)) == Outcome::Refused);
+    QVERIFY(!changedSomething(session, before));
+    QVERIFY(ends(std::floor(bound / perDigit * 0.5)) == Outcome::Ok);
+}
+
+void TestMotionLimits::everyProfileTellsItsLimits()
+{
+    for (const std::string &profile : simulation::profileNames()) {
+        simulation::BoardOptions options;
+        options.profile = profile;
+        Session session(false, options);
+        QVERIFY(session.ready);
+        QVERIFY2(gapsIn(session.identified->limits.at(0)).empty(), profile.c_str());
+    }
+}
+
+QTEST_GUILESS_MAIN(TestMotionLimits)
+#include "tst_motion_limits.moc"
