@@ -1,129 +1,122 @@
 // gains: what the regulators need for a bandwidth and a damping, and how well their digits can say it.
-#include "analysis/fixed_point.h"
-#include "analysis/speed_loop.h"
+#include "analysis/gain_plan.h"
 #include "motor_facts.h"
+#include "tuning/gain_plant.h"
 #include "write_report.h"
 
 #include <QJsonArray>
+
+#include <algorithm>
 
 namespace cli {
 
 namespace {
 
-using analysis::PiGains;
-using analysis::Quantised;
+using analysis::GainId;
+using analysis::GainPlan;
+using analysis::GainWarning;
+using analysis::PlannedGain;
 
-struct Row {
-    std::string name; ///< of the numerator
-    double physical = 0.0;
-    const char *unit = "";
-    Quantised quantised;
-    Digits16 numerator, exponent; ///< as they are on the board
+/// A gain as this board names it.
+struct Name {
+    const char *name; ///< of the numerator; the exponent's ends in _DIV
+    const char *unit;
 };
+constexpr analysis::PerGain<Name> kNames{{{"I_Q_KP", "V/A"}, {"I_Q_KI", "V/(A s)"},
+    {"I_D_KP", "V/A"}, {"I_D_KI", "V/(A s)"}, {"SPEED_KP", "A/(rad/s)"}, {"SPEED_KI", "A/rad"}}};
 
-struct Plan {
-    std::vector<Row> rows;
-    double realBandwidth_radps = 0.0;
-    analysis::StepPrediction step;
-    std::optional<double> margin_deg, overshoot; ///< of the speed loop
-    QString missing; ///< what the speed loop was left alone for
-};
+const Name &nameOf(GainId id) { return kNames[analysis::indexOf(id)]; }
+QString textOf(GainId id) { return QLatin1String(nameOf(id).name); }
 
 using Present = std::map<std::string, Digits16>;
 
-/// With the divisor that is there, if the gain fits it: fewer registers change, and ST's numbers come out.
-std::optional<Row> rowOf(const Present &present, const std::string &name, double digits,
-    double physical, const char *unit)
+const Digits16 &numeratorOf(const Present &present, GainId id)
 {
-    const auto numerator = present.find(name), exponent = present.find(name + "_DIV");
-    if (numerator == present.end() || exponent == present.end())
-        return std::nullopt;
-    Row row{name, physical, unit,
-        analysis::quantise(digits, static_cast<int>(exponent->second.value)), numerator->second,
-        exponent->second};
-    if (row.quantised.problem != analysis::FixedPointProblem::None)
-        row.quantised = analysis::quantiseFinely(digits);
-    return row;
+    return present.at(nameOf(id).name);
+}
+const Digits16 &exponentOf(const Present &present, GainId id)
+{
+    return present.at(std::string(nameOf(id).name) + "_DIV");
 }
 
-Outcome<bool> addLoop(Plan &plan, const Present &present, const std::string &loop,
-    const PiGains &digits, const PiGains &physical, const char *const (&units)[2])
+Outcome<bool> checkPresent(const Present &present, const GainPlan &plan)
 {
-    const auto kp = rowOf(present, loop + "_KP", digits.kp, physical.kp, units[0]);
-    const auto ki = rowOf(present, loop + "_KI", digits.ki, physical.ki, units[1]);
-    for (const auto &row : {kp, ki}) {
-        if (!row)
+    for (const PlannedGain &gain : plan.gains) {
+        const std::string name = nameOf(gain.id).name;
+        if (!present.contains(name) || !present.contains(name + "_DIV"))
             return failure(kRefused,
-                QStringLiteral(
-                    "This board does not give the gains and divisors of %1; its firmware "
-                    "is a small one.")
-                    .arg(QString::fromStdString(loop)));
-        if (row->quantised.problem != analysis::FixedPointProblem::None)
-            return failure(kRefused,
-                QStringLiteral("%1 would be %2 and has no place in 16 bits; choose another "
-                               "bandwidth or damping.")
-                    .arg(QString::fromStdString(row->name), QString::number(row->physical)));
-        plan.rows.push_back(*row);
+                QStringLiteral("This board does not give %1 and its divisor; its firmware is a "
+                               "small one.")
+                    .arg(textOf(gain.id)));
     }
     return true;
 }
 
-Outcome<bool> addSpeedLoop(Plan &plan, const Present &present, const TuningArguments &wanted,
-    const drive::MotorFacts &facts)
+/// Why these gains must not be written.
+QString sentenceOf(const GainPlan &plan, const analysis::GainFinding &finding)
 {
-    const double flux_wb = wanted.ke_vrmsPerKrpm > 0.0
-        ? analysis::fluxOfKe_wb(wanted.ke_vrmsPerKrpm, facts.motor.polePairs)
-        : facts.motor.flux_wb;
-    const double kt = analysis::ktOfFlux_nmpa(flux_wb, facts.motor.polePairs);
-    const double inertia = wanted.inertia_kgm2 > 0.0 ? wanted.inertia_kgm2 : facts.inertia_kgm2;
-    if (!(inertia > 0.0) || !(kt > 0.0)) {
-        plan.missing = inertia > 0.0 ? QStringLiteral("ke") : QStringLiteral("inertia");
-        return true;
+    switch (finding.warning) {
+    case GainWarning::BandwidthBeyondLimit:
+        return QStringLiteral("--bandwidth is beyond %1 rad/s, what the control rate allows.")
+            .arg(finding.limit);
+    case GainWarning::DoesNotFit:
+    case GainWarning::RoundsToZero:
+    case GainWarning::ProductTooLarge:
+        return QStringLiteral("%1 would be %2 and has no place in 16 bits; choose another "
+                              "bandwidth or damping.")
+            .arg(textOf(*finding.gain), QString::number(plan.find(*finding.gain)->asked));
+    default:
+        return QStringLiteral("The board does not tell its motor's resistance and inductance or "
+                              "its own scales; see rotorscope-cli get MOTOR_CONFIG.");
     }
-    const double lag = analysis::speedLoopLag_s(
-        plan.realBandwidth_radps, 0.0, facts.controlPeriod_s, facts.speedPeriod_s);
-    const PiGains gains = analysis::speedGains({kt, inertia}, lag, wanted.damping);
-    const PiGains digits =
-        analysis::speedDigits(gains, 1.0 / facts.ampsPerDigit, facts.speedPeriod_s);
-    plan.margin_deg = analysis::phaseMargin_deg(wanted.damping);
-    plan.overshoot = analysis::stepOvershoot(wanted.damping);
-    return addLoop(plan, present, "SPEED", digits, gains, {"A/(rad/s)", "A/rad"});
 }
 
-Outcome<Plan> planOf(
+/// What the speed loop was left alone for; empty if it was not.
+QString missingOf(const GainPlan &plan)
+{
+    for (const analysis::GainFinding &finding : plan.findings) {
+        if (finding.warning == GainWarning::SpeedNeedsInertia)
+            return QStringLiteral("inertia");
+        if (finding.warning == GainWarning::SpeedNeedsFlux)
+            return QStringLiteral("ke");
+        if (finding.warning == GainWarning::SpeedNeedsPeriod)
+            return QStringLiteral("speed period");
+    }
+    return {};
+}
+
+bool swapped(const GainPlan &plan)
+{
+    return std::any_of(plan.findings.begin(), plan.findings.end(),
+        [](const auto &finding) { return finding.warning == GainWarning::LdAboveLq; });
+}
+
+analysis::GainPlant plantOf(const drive::MotorFacts &facts, const TuningArguments &wanted)
+{
+    analysis::GainPlant plant = tuning::gainPlant(facts);
+    if (wanted.ke_vrmsPerKrpm > 0.0)
+        plant.motor.flux_wb = analysis::fluxOfKe_wb(wanted.ke_vrmsPerKrpm, facts.motor.polePairs);
+    if (wanted.inertia_kgm2 > 0.0)
+        plant.inertia_kgm2 = wanted.inertia_kgm2;
+    if (wanted.speedDelay_s)
+        plant.speedDelay_s = *wanted.speedDelay_s;
+    return plant;
+}
+
+Outcome<GainPlan> planOf(
     const TuningArguments &wanted, const drive::MotorFacts &facts, const Present &present)
 {
-    const analysis::MotorParameters &motor = facts.motor;
-    if (!(motor.rs_ohm > 0.0) || !(motor.lq_h > 0.0) || !(motor.ld_h > 0.0) || !(facts.bus_v > 0.0)
-        || !(facts.ampsPerDigit > 0.0) || !(facts.controlPeriod_s > 0.0))
-        return failure(kRefused,
-            QStringLiteral(
-                "The board does not tell its motor's resistance and inductance or its own "
-                "scales; see rotorscope-cli get MOTOR_CONFIG."));
-    const analysis::PowerStage stage{facts.bus_v, 1.0 / facts.ampsPerDigit, facts.controlPeriod_s};
-    if (wanted.bandwidth_radps > analysis::bandwidthLimit_radps(1.0 / facts.controlPeriod_s))
-        return failure(kRefused,
-            QStringLiteral("--bandwidth is beyond %1 rad/s, what the control rate allows.")
-                .arg(analysis::bandwidthLimit_radps(1.0 / facts.controlPeriod_s)));
-    const analysis::CurrentPlant q{motor.rs_ohm, motor.lq_h}, d{motor.rs_ohm, motor.ld_h};
-    Plan plan;
-    const auto loop = [&](const char *name, const analysis::CurrentPlant &plant) {
-        const PiGains gains = analysis::currentGains(plant, wanted.bandwidth_radps);
-        return addLoop(
-            plan, present, name, analysis::currentDigits(gains, stage), gains, {"V/A", "V/(A s)"});
-    };
-    if (const auto done = loop("I_Q", q); !done)
-        return tl::make_unexpected(done.error());
-    if (const auto done = loop("I_D", d); !done)
-        return tl::make_unexpected(done.error());
-    const PiGains kept{plan.rows[0].quantised.gain.value(), plan.rows[1].quantised.gain.value()};
-    plan.realBandwidth_radps = analysis::realBandwidth_radps(kept.kp, q, stage);
-    constexpr double kTimeConstants = 10.0;
-    const double samples = kTimeConstants / (plan.realBandwidth_radps * facts.controlPeriod_s);
-    plan.step = analysis::predictCurrentStep(kept, q, stage, static_cast<int>(samples) + 20);
-    if (wanted.damping > 0.0)
-        if (const auto done = addSpeedLoop(plan, present, wanted, facts); !done)
-            return tl::make_unexpected(done.error());
+    analysis::PerGain<std::optional<int>> divisors;
+    for (std::size_t i = 0; i < divisors.size(); ++i)
+        if (const auto found = present.find(std::string(kNames[i].name) + "_DIV");
+            found != present.end())
+            divisors[i] = static_cast<int>(found->second.value);
+    GainPlan plan = analysis::planGains(
+        plantOf(facts, wanted), {wanted.bandwidth_radps, wanted.damping}, divisors);
+    if (const auto complete = checkPresent(present, plan); !complete)
+        return tl::make_unexpected(complete.error());
+    if (plan.blocked())
+        return failure(kRefused, sentenceOf(plan, plan.findings.front()));
     return plan;
 }
 
@@ -132,64 +125,82 @@ QJsonValue orNull(const std::optional<double> &value)
     return value ? QJsonValue(*value) : QJsonValue();
 }
 
-void printJson(Output &out, const Plan &plan, const TuningArguments &wanted, bool swapped)
+void printJson(
+    Output &out, const GainPlan &plan, const Present &present, const TuningArguments &wanted)
 {
     QJsonArray list;
-    for (const Row &row : plan.rows)
-        list.append(QJsonObject{{QStringLiteral("name"), QString::fromStdString(row.name)},
-            {QStringLiteral("gain"), row.physical},
-            {QStringLiteral("unit"), QLatin1String(row.unit)},
-            {QStringLiteral("numerator"), row.quantised.gain.numerator},
-            {QStringLiteral("exponent"), row.quantised.gain.exponent},
-            {QStringLiteral("error"), row.quantised.error},
-            {QStringLiteral("numerator_margin"), row.quantised.numeratorMargin},
-            {QStringLiteral("product_margin"), row.quantised.productMargin},
-            {QStringLiteral("old_numerator"), static_cast<qint64>(row.numerator.value)},
-            {QStringLiteral("old_exponent"), static_cast<qint64>(row.exponent.value)}});
+    for (const PlannedGain &gain : plan.gains)
+        list.append(QJsonObject{{QStringLiteral("name"), textOf(gain.id)},
+            {QStringLiteral("gain"), gain.asked}, {QStringLiteral("real_gain"), gain.real},
+            {QStringLiteral("unit"), QLatin1String(nameOf(gain.id).unit)},
+            {QStringLiteral("numerator"), gain.quantised.gain.numerator},
+            {QStringLiteral("exponent"), gain.quantised.gain.exponent},
+            {QStringLiteral("error"), gain.quantised.error},
+            {QStringLiteral("numerator_margin"), gain.quantised.numeratorMargin},
+            {QStringLiteral("product_margin"), gain.quantised.productMargin},
+            {QStringLiteral("old_numerator"),
+                static_cast<qint64>(numeratorOf(present, gain.id).value)},
+            {QStringLiteral("old_exponent"),
+                static_cast<qint64>(exponentOf(present, gain.id).value)}});
+    const auto speed = [&plan](auto member) {
+        return orNull(plan.speed ? std::optional(member(*plan.speed)) : std::nullopt);
+    };
+    const QString missing = missingOf(plan);
     out.line(QJsonObject{{QStringLiteral("bandwidth_radps"), wanted.bandwidth_radps},
-        {QStringLiteral("real_bandwidth_radps"), plan.realBandwidth_radps},
-        {QStringLiteral("rise_s"), plan.step.rise_s},
-        {QStringLiteral("overshoot"), plan.step.overshoot},
-        {QStringLiteral("speed_phase_margin_deg"), orNull(plan.margin_deg)},
-        {QStringLiteral("speed_overshoot"), orNull(plan.overshoot)},
-        {QStringLiteral("speed_missing"),
-            plan.missing.isEmpty() ? QJsonValue() : QJsonValue(plan.missing)},
-        {QStringLiteral("ld_above_lq"), swapped}, {QStringLiteral("gains"), list}});
+        {QStringLiteral("real_bandwidth_radps"), plan.current->realBandwidth_radps},
+        {QStringLiteral("phase_margin_deg"), plan.current->phaseMargin_deg},
+        {QStringLiteral("rise_s"), plan.current->step.rise_s},
+        {QStringLiteral("overshoot"), plan.current->step.overshoot},
+        {QStringLiteral("speed_phase_margin_deg"),
+            speed([](const auto &loop) { return loop.margin.phase_deg; })},
+        {QStringLiteral("speed_rise_s"), speed([](const auto &loop) { return loop.step.rise_s; })},
+        {QStringLiteral("speed_overshoot"),
+            speed([](const auto &loop) { return loop.step.overshoot; })},
+        {QStringLiteral("speed_lag_s"), speed([](const auto &loop) { return loop.lag_s; })},
+        {QStringLiteral("speed_missing"), missing.isEmpty() ? QJsonValue() : QJsonValue(missing)},
+        {QStringLiteral("ld_above_lq"), swapped(plan)}, {QStringLiteral("gains"), list}});
 }
 
-void printText(Output &out, const Plan &plan, bool swapped)
+void printText(Output &out, const GainPlan &plan, const Present &present)
 {
     const auto number = [](double value) { return QString::number(value, 'g', 4); };
-    for (const Row &row : plan.rows)
+    for (const PlannedGain &gain : plan.gains)
         out.line(QStringLiteral("%1 %2 %3 = %4 / 2^%5 (was %6 / 2^%7), rounding %8 %")
-                     .arg(QString::fromStdString(row.name).leftJustified(8), number(row.physical),
-                         QLatin1String(row.unit), QString::number(row.quantised.gain.numerator),
-                         QString::number(row.quantised.gain.exponent),
-                         QString::number(row.numerator.value), QString::number(row.exponent.value),
-                         number(100.0 * row.quantised.error)));
-    out.line(QStringLiteral("Current loop: %1 rad/s at the motor, rise %2 ms, overshoot %3 %")
-                 .arg(number(plan.realBandwidth_radps), number(1e3 * plan.step.rise_s),
-                     number(100.0 * plan.step.overshoot)));
-    if (plan.margin_deg)
-        out.line(QStringLiteral("Speed loop: phase margin %1 degrees, overshoot of a step %2 %")
-                     .arg(number(*plan.margin_deg), number(100.0 * *plan.overshoot)));
-    if (!plan.missing.isEmpty())
+                     .arg(textOf(gain.id).leftJustified(8), number(gain.asked),
+                         QLatin1String(nameOf(gain.id).unit),
+                         QString::number(gain.quantised.gain.numerator),
+                         QString::number(gain.quantised.gain.exponent),
+                         QString::number(numeratorOf(present, gain.id).value),
+                         QString::number(exponentOf(present, gain.id).value),
+                         number(100.0 * gain.quantised.error)));
+    out.line(
+        QStringLiteral("Current loop: %1 rad/s at the motor, rise %2 ms, overshoot %3 %, "
+                       "phase margin %4 degrees")
+            .arg(number(plan.current->realBandwidth_radps), number(1e3 * plan.current->step.rise_s),
+                number(100.0 * plan.current->step.overshoot),
+                number(plan.current->phaseMargin_deg)));
+    if (plan.speed)
         out.line(
-            QStringLiteral("Note: the speed loop stays as it is; say its --%1.").arg(plan.missing));
-    if (swapped)
+            QStringLiteral("Speed loop: phase margin %1 degrees, rise %2 ms, overshoot of a "
+                           "step %3 %, with a lag of %4 ms")
+                .arg(number(plan.speed->margin.phase_deg), number(1e3 * plan.speed->step.rise_s),
+                    number(100.0 * plan.speed->step.overshoot), number(1e3 * plan.speed->lag_s)));
+    if (const QString missing = missingOf(plan); !missing.isEmpty())
+        out.line(QStringLiteral("Note: the speed loop stays as it is; say its --%1.").arg(missing));
+    if (swapped(plan))
         out.line(QStringLiteral("Note: the board says that Ld is above Lq; they may be swapped."));
 }
 
-drive::Write writeOf(const Plan &plan)
+drive::Write writeOf(const GainPlan &plan, const Present &present)
 {
     drive::Write write;
     const auto put = [&write](const Digits16 &old, std::int64_t value) {
         if (old.value != value)
             write.writes.push_back({old.id, value});
     };
-    for (const Row &row : plan.rows) {
-        put(row.numerator, row.quantised.gain.numerator);
-        put(row.exponent, row.quantised.gain.exponent);
+    for (const PlannedGain &gain : plan.gains) {
+        put(numeratorOf(present, gain.id), gain.quantised.gain.numerator);
+        put(exponentOf(present, gain.id), gain.quantised.gain.exponent);
     }
     return write;
 }
@@ -205,9 +216,10 @@ Outcome<int> runGains(Desk &desk)
     if (!facts)
         return tl::make_unexpected(facts.error());
     std::vector<std::string> names;
-    for (const char *loop : {"I_Q", "I_D", "SPEED"})
-        for (const char *gain : {"_KP", "_KI", "_KP_DIV", "_KI_DIV"})
-            names.push_back(std::string(loop) + gain);
+    for (const Name &gain : kNames) {
+        names.emplace_back(gain.name);
+        names.push_back(std::string(gain.name) + "_DIV");
+    }
     const auto present = readDigits(desk, names, *motor);
     if (!present)
         return tl::make_unexpected(present.error());
@@ -215,16 +227,15 @@ Outcome<int> runGains(Desk &desk)
     const auto plan = planOf(wanted, *facts, *present);
     if (!plan)
         return tl::make_unexpected(plan.error());
-    const bool swapped = facts->motor.ld_h > 1.001 * facts->motor.lq_h;
     if (!wanted.apply || !desk.out.json()) {
         if (desk.out.json())
-            printJson(desk.out, *plan, wanted, swapped);
+            printJson(desk.out, *plan, *present, wanted);
         else
-            printText(desk.out, *plan, swapped);
+            printText(desk.out, *plan, *present);
     }
     if (!wanted.apply)
         return kDone;
-    const drive::Write write = writeOf(*plan);
+    const drive::Write write = writeOf(*plan, *present);
     if (!write.writes.empty())
         return writeAndReport(desk, write, Digits::Shown, QStringLiteral("The writing"));
     if (desk.out.json())

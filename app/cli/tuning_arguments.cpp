@@ -47,6 +47,16 @@ Outcome<bool> takeGains(const QCommandLineParser &parser, TuningArguments &argum
             return tl::make_unexpected(number.error());
         arguments.*member = *number;
     }
+    if (isSet(parser, "delay")) {
+        constexpr double kLongest_ms = 1000.0;
+        const auto delay_ms = plainNumber(parser.value(QStringLiteral("delay")));
+        if (!delay_ms || *delay_ms < 0.0 || *delay_ms > kLongest_ms)
+            return failure(kUsage,
+                QStringLiteral(
+                    "--delay must be a number of milliseconds from 0 to 1000, not \"%1\".")
+                    .arg(parser.value(QStringLiteral("delay"))));
+        arguments.speedDelay_s = *delay_ms / 1e3;
+    }
     if (arguments.bandwidth_radps == 0.0)
         return failure(kUsage,
             QStringLiteral("Say how fast the current loop is to be with --bandwidth W in rad/s, "
@@ -113,6 +123,10 @@ void addTuningOptions(QCommandLineParser &parser, const QString &command)
             {QStringLiteral("ke"),
                 QStringLiteral("V rms per 1000 rpm, if the board's own is wrong."),
                 QStringLiteral("K")},
+            {QStringLiteral("delay"),
+                QStringLiteral("Of the measured speed in ms. Left out: half the average that ST's "
+                               "generator takes for the board's sensor."),
+                QStringLiteral("MS")},
             {QStringLiteral("apply"), QStringLiteral("Writes them and reads them back.")},
         });
 }

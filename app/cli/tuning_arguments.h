@@ -23,6 +23,7 @@ struct TuningArguments {
     double damping = 0.0; ///< gains: of the speed loop; 0: leave it alone
     double inertia_kgm2 = 0.0; ///< gains; 0: the board has to say
     double ke_vrmsPerKrpm = 0.0; ///< gains; 0: the board has to say
+    std::optional<double> speedDelay_s; ///< gains; empty: what the board's sensor usually has
     double amps = 0.0; ///< torque
     int milliseconds = 0; ///< torque
 };

@@ -56,6 +56,21 @@ double bandwidthLimit_radps(double controlRate_hz) { return 0.6 * controlRate_hz
 
 double firstOrderRise_s(double bandwidth_radps) { return std::log(9.0) / bandwidth_radps; }
 
+double currentPhaseMargin_deg(double realBandwidth_radps, double controlPeriod_s)
+{
+    return 90.0 - 1.5 * controlPeriod_s * realBandwidth_radps * 180.0 / std::numbers::pi;
+}
+
+void measureStep(StepPrediction &step)
+{
+    const double low = crossing(step.response, 0.1), high = crossing(step.response, 0.9);
+    step.rise_s = low >= 0.0 && high >= 0.0 ? (high - low) * step.period_s : 0.0;
+    double top = 1.0;
+    for (const double value : step.response)
+        top = std::max(top, value);
+    step.overshoot = top - 1.0;
+}
+
 StepPrediction predictCurrentStep(
     const PiGains &digits, const CurrentPlant &plant, const PowerStage &stage, int samples)
 {
@@ -69,16 +84,13 @@ StepPrediction predictCurrentStep(
     step.period_s = stage.controlPeriod_s;
     double current = 0.0, integral = 0.0, volts = 0.0;
     for (int i = 0; i < std::clamp(samples, 2, kMostSamples); ++i) {
-        step.current.push_back(current);
+        step.response.push_back(current);
         const double error = 1.0 - current;
         integral += digits.ki * error;
         current = keep * current + perVolt * volts; // with what the period before decided
         volts = ohms * (digits.kp * error + integral);
     }
-    const double low = crossing(step.current, 0.1), high = crossing(step.current, 0.9);
-    if (low >= 0.0 && high >= 0.0)
-        step.rise_s = (high - low) * step.period_s;
-    step.overshoot = std::max(0.0, *std::max_element(step.current.begin(), step.current.end()) - 1);
+    measureStep(step);
     return step;
 }
 

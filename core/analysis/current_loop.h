@@ -54,12 +54,18 @@ double bandwidthLimit_radps(double controlRate_hz);
 /// 10 to 90 % of a first-order loop without delay: 2.2 / w.
 double firstOrderRise_s(double bandwidth_radps);
 
+/// Phase margin [degrees] of a loop of that real bandwidth, the motor's pole cancelled: 90 less what 1.5 control periods take.
+double currentPhaseMargin_deg(double realBandwidth_radps, double controlPeriod_s);
+
 struct StepPrediction {
     double period_s = 0.0;
-    std::vector<double> current; ///< at the samples 0, T, 2 T, ...; the step goes from 0 to 1 at 0
+    std::vector<double> response; ///< at the samples 0, T, 2 T, ...; the step goes from 0 to 1 at 0
     double rise_s = 0.0; ///< 10 to 90 %, interpolated between samples; 0: not reached
     double overshoot = 0.0; ///< beyond 1, as a fraction
 };
+
+/// Fills in rise and overshoot from the response.
+void measureStep(StepPrediction &step);
 
 /// The step of the current as the samples will show it, with the delay of one period between measuring and acting,
 /// and the motor at rest (no back-EMF). Voltage limits are not in it: it holds for small steps.

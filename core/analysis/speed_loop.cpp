@@ -11,14 +11,23 @@ namespace {
 
 constexpr double kRadpsPerDigit = 2.0 * std::numbers::pi / 10.0; // 0.1 Hz
 
-/// The closed loop in units of its lag: with tau = 1 only the damping is left.
+constexpr double kStep = 0.02; // of the integration, in units of the lag
+
+/// Kp K tau and Ki K tau^2: what is left of the gains when the lag is the unit of time.
+PiGains normalised(const PiGains &gains, const SpeedPlant &plant, double lag_s)
+{
+    const double perLag = plant.kt_nmpa / plant.inertia_kgm2 * lag_s;
+    return {gains.kp * perLag, gains.ki * perLag * lag_s};
+}
+
+/// The closed loop in units of its lag, tau = 1.
 class NormalLoop {
 public:
-    NormalLoop(double damping, bool filtered)
-        : m_kp(1.0 / damping)
-        , m_ki(1.0 / (damping * damping * damping))
-        , m_filterRate(filtered ? 1.0 / (damping * damping) : 0.0)
-        , m_state{filtered ? 0.0 : 1.0, 0.0, 0.0, 0.0}
+    /// @param filterRate  of the prefilter of the reference; 0: there is none
+    NormalLoop(const PiGains &gains, double filterRate)
+        : m_gains(gains)
+        , m_filterRate(filterRate)
+        , m_state{filterRate > 0.0 ? 0.0 : 1.0, 0.0, 0.0, 0.0}
     {
     }
 
@@ -37,7 +46,8 @@ private:
     State slope(const State &at) const
     {
         const double error = at[0] - at[3];
-        return {m_filterRate * (1.0 - at[0]), m_ki * error, m_kp * error + at[1] - at[2], at[2]};
+        return {m_filterRate * (1.0 - at[0]), m_gains.ki * error,
+            m_gains.kp * error + at[1] - at[2], at[2]};
     }
     State moved(const State &slope, double h) const
     {
@@ -47,15 +57,16 @@ private:
         return to;
     }
 
-    double m_kp, m_ki, m_filterRate;
+    PiGains m_gains;
+    double m_filterRate;
     State m_state;
 };
 
 double overshoot(double damping, bool filtered)
 {
-    constexpr double kStep = 0.02;
     const double end = 12.0 * damping * damping; // the peak comes before
-    NormalLoop loop(damping, filtered);
+    NormalLoop loop({1.0 / damping, 1.0 / (damping * damping * damping)},
+        filtered ? 1.0 / (damping * damping) : 0.0);
     double peak = 0.0;
     for (double t = 0.0; t < end; t += kStep) {
         loop.step(kStep);
@@ -92,6 +103,43 @@ PiGains speedGainsOf(const PiGains &digits, double digitsPerAmp, double speedPer
 }
 
 double speedCrossover_radps(double lag_s, double damping) { return 1.0 / (damping * lag_s); }
+
+LoopMargin speedMargin(const PiGains &gains, const SpeedPlant &plant, double lag_s)
+{
+    const PiGains normal = normalised(gains, plant, lag_s);
+    const auto magnitude = [&normal](double w) {
+        return std::hypot(normal.kp, normal.ki / w) / (w * std::hypot(1.0, w));
+    };
+    // It falls with w everywhere: halve the interval, as a ratio.
+    double low = 1e-6, high = 1e6;
+    constexpr int kHalvings = 100;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = std::sqrt(low * high);
+        (magnitude(middle) > 1.0 ? low : high) = middle;
+    }
+    const double phase = std::atan2(normal.kp * low, normal.ki) - std::atan(low);
+    return {low / lag_s, phase * 180.0 / std::numbers::pi};
+}
+
+StepPrediction predictSpeedStep(
+    const PiGains &gains, const SpeedPlant &plant, double lag_s, double duration_s, int samples)
+{
+    constexpr int kMostSamples = 10'000, kMostSteps = 200;
+    const int count = std::clamp(samples, 2, kMostSamples);
+    StepPrediction step;
+    step.period_s = duration_s / (count - 1);
+    const double length = step.period_s / lag_s;
+    const int between =
+        static_cast<int>(std::clamp(std::ceil(length / kStep), 1.0, double{kMostSteps}));
+    NormalLoop loop(normalised(gains, plant, lag_s), 0.0);
+    for (int i = 0; i < count; ++i) {
+        step.response.push_back(loop.speed());
+        for (int k = 0; k < between; ++k)
+            loop.step(length / between);
+    }
+    measureStep(step);
+    return step;
+}
 
 double phaseMargin_deg(double damping)
 {

@@ -29,6 +29,22 @@ PiGains speedDigits(const PiGains &gains, double digitsPerAmp, double speedPerio
 PiGains speedGainsOf(const PiGains &digits, double digitsPerAmp, double speedPeriod_s);
 
 double speedCrossover_radps(double lag_s, double damping);
+/// Where the open loop with these gains has magnitude 1, and its phase margin there.
+struct LoopMargin {
+    double crossover_radps = 0.0;
+    double phase_deg = 0.0;
+};
+/// @param gains  physical, Kp > 0, Ki >= 0; everything else > 0
+LoopMargin speedMargin(const PiGains &gains, const SpeedPlant &plant, double lag_s);
+
+/// The step of the speed as it is measured, the current having room. It holds while Kp times the step stays below the
+/// current limit. Friction and load are not in it.
+/// @param gains  physical
+/// @param duration_s  of the prediction, > 0
+/// @param samples  how many, 2 to 10000; the steps in between are as fine as they need to be
+StepPrediction predictSpeedStep(
+    const PiGains &gains, const SpeedPlant &plant, double lag_s, double duration_s, int samples);
+
 double phaseMargin_deg(double damping); ///< atan d - atan 1/d
 double poleDamping(double damping); ///< (d - 1) / 2
 

@@ -18,6 +18,10 @@ constexpr std::array kStructures{
     "MOTOR_CONFIG", "APPLICATION_CONFIG", "FOCFW_CONFIG", "SCALE_CONFIG", "GLOBAL_CONFIG"};
 constexpr const char *kInertia = "SC_J";
 
+// Primary sensors and topologies as FOCFW_CONFIG numbers them.
+constexpr std::uint8_t kObserverPll = 1, kObserverCordic = 2, kEncoder = 3, kHall = 4;
+constexpr std::uint8_t kThreeShunts = 0, kOneShunt = 1, kOneShuntShifted = 2;
+
 struct FieldUnit {
     std::string_view structure, key, unit;
 };
@@ -80,6 +84,35 @@ std::string unitOf(std::string_view structure, const mcp::Field &field, const Mo
     const auto unit = std::find_if(kUnits.begin(), kUnits.end(),
         [&](const FieldUnit &row) { return row.structure == structure && row.key == field.name; });
     return unit == kUnits.end() ? "" : std::string(unit->unit);
+}
+
+/// With the averages that ST's generator writes if nobody says otherwise.
+double speedDelay_s(std::uint8_t sensor, const MotorFacts &facts)
+{
+    constexpr double kObserverPeriods = 64.0; // control periods
+    constexpr double kEncoderPeriods = 16.0; // periods of the speed loop
+    constexpr double kHallEdges = 6.0; // an electrical turn
+    switch (sensor) {
+    case kObserverPll:
+    case kObserverCordic:
+        return kObserverPeriods / 2.0 * facts.controlPeriod_s;
+    case kEncoder:
+        return kEncoderPeriods / 2.0 * facts.speedPeriod_s;
+    case kHall: { // edges come with the speed: at a third of the highest
+        const double turns_hz = facts.motor.polePairs * facts.limits.maxSpeedRpm / 3.0 / 60.0;
+        return turns_hz > 0.0 ? kHallEdges / 2.0 / (6.0 * turns_hz) : 0.0;
+    }
+    default:
+        return 0.0;
+    }
+}
+
+double bandwidthGuide_radps(std::uint8_t topology)
+{
+    constexpr double kWithThree = 9000.0, kWithOne = 4500.0; // features 6.2, ST's FAQ
+    if (topology == kThreeShunts)
+        return kWithThree;
+    return topology == kOneShunt || topology == kOneShuntShifted ? kWithOne : 0.0;
 }
 
 void nameValue(StructureField &field)
@@ -148,14 +181,16 @@ MotorFacts motorFacts(const catalog::Catalog &catalog, int motor, const ValueSou
         facts.bus_v = config->nominalVolts;
         facts.sixStep = config->driveType == 1;
     }
+    facts.limits = limitsOf(board);
     if (const auto config = mcp::decodeFirmwareConfig(structure("FOCFW_CONFIG"))) {
         facts.sixStep = facts.sixStep || config->sixStep;
         if (!config->sixStep && config->pwmHz > 0 && config->mediumHz > 0) {
             facts.controlPeriod_s = static_cast<double>(config->focRate) / config->pwmHz;
             facts.speedPeriod_s = 1.0 / config->mediumHz;
+            facts.speedDelay_s = speedDelay_s(config->primarySensor, facts);
+            facts.bandwidthGuide_radps = bandwidthGuide_radps(config->topology);
         }
     }
-    facts.limits = limitsOf(board);
     if (const auto *current = catalog.find("I_Q_REF"))
         if (const auto scale = catalog.readScale(idFor(catalog, *current, motor));
             scale.unit == "A")

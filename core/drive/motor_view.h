@@ -22,6 +22,11 @@ struct MotorFacts {
     double ampsPerDigit = 0.0;
     double controlPeriod_s = 0.0, speedPeriod_s = 0.0;
     double inertia_kgm2 = 0.0; ///< as a profiler found it
+    /// How late the measured speed is with the average that ST's generator takes for the board's sensor: half its
+    /// length. No board tells the one that it was built with.
+    double speedDelay_s = 0.0;
+    double bandwidthGuide_radps =
+        0.0; ///< of the current loop: ST's advice for how the board measures currents
     bool sixStep = false;
     /// The strength of the magnets was given per hertz instead of per 1000 rpm.
     bool fluxPerHertz = false;

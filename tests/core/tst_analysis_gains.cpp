@@ -135,8 +135,8 @@ void TestAnalysisGains::aSlowLoopRisesLikeAFirstOrderOne()
     QVERIFY(near(step.rise_s, firstOrderRise_s(real), 0.03));
     QVERIFY(near(firstOrderRise_s(real), 2.2 / real, 0.002));
     QVERIFY(step.overshoot < 1e-6);
-    QVERIFY(near(step.current.back(), 1.0, 1e-6));
-    QCOMPARE(step.current.front(), 0.0);
+    QVERIFY(near(step.response.back(), 1.0, 1e-6));
+    QCOMPARE(step.response.front(), 0.0);
 }
 
 void TestAnalysisGains::delayShortensTheRiseAndThenOvershoots()

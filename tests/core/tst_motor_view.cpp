@@ -99,6 +99,17 @@ private Q_SLOTS:
             std::string(facts.fluxPerHertz ? "V/Hz" : "V/krpm"));
     }
 
+    void theSensorSaysHowLateTheSpeedUsuallyIs()
+    {
+        QVERIFY(near(Board().facts().speedDelay_s, 2e-3F)); // half of 64 control periods
+        simulation::BoardOptions options;
+        options.motor = "servo24";
+        QVERIFY(near(Board(options).facts().speedDelay_s, 8e-3F)); // half of 16 periods of 1 kHz
+        options.motor = "blower36"; // three edges at a third of 4500 rpm, four pole pairs
+        QVERIFY(near(Board(options).facts().speedDelay_s, float(3.0 / (6.0 * 4.0 * 25.0))));
+        QCOMPARE(Board().facts().bandwidthGuide_radps, 9000.0); // three shunts
+    }
+
     void membersHaveUnitsAndNames()
     {
         const Board board;
