@@ -562,6 +562,54 @@
     </message>
 </context>
 <context>
+    <name>WriteReport</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weiteres</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) taken back and read back.</source>
+        <translation>
+            <numerusform>%n Register zurückgenommen und zurückgelesen.</numerusform>
+            <numerusform>%n Register zurückgenommen und zurückgelesen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) written and read back.</source>
+        <translation>
+            <numerusform>%n Register geschrieben und zurückgelesen.</numerusform>
+            <numerusform>%n Register geschrieben und zurückgelesen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The board made another value of: %1.</source>
+        <comment>list of registers</comment>
+        <translation>Das Board machte einen anderen Wert aus: %1.</translation>
+    </message>
+    <message>
+        <source>Sent, but nobody knows whether they were written: %1.</source>
+        <comment>list of registers</comment>
+        <translation>Gesendet, aber niemand weiß, ob sie geschrieben wurden: %1.</translation>
+    </message>
+    <message>
+        <source>Not written: %1</source>
+        <comment>list of registers with reasons</comment>
+        <translation>Nicht geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>register: reason</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
+    </message>
+</context>
+<context>
     <name>widgets::Banner</name>
     <message>
         <source>Close this message</source>
@@ -1307,38 +1355,6 @@
             <numerusform>%n Register</numerusform>
             <numerusform>%n Register</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>another value is read back</source>
-        <translation>ein anderer Wert wird zurückgelesen</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>register: reason</comment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Write</source>
-        <translation>Schreiben</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n register(s) taken back and read back.</source>
-        <translation>
-            <numerusform>%n Register zurückgenommen und zurückgelesen.</numerusform>
-            <numerusform>%n Register zurückgenommen und zurückgelesen.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n register(s) written and read back.</source>
-        <translation>
-            <numerusform>%n Register geschrieben und zurückgelesen.</numerusform>
-            <numerusform>%n Register geschrieben und zurückgelesen.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Not written: %1</source>
-        <comment>list of registers with reasons</comment>
-        <translation>Nicht geschrieben: %1</translation>
     </message>
     <message>
         <source>The board may have been reset: what was written before cannot be taken back.</source>

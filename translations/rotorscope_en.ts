@@ -562,6 +562,54 @@
     </message>
 </context>
 <context>
+    <name>WriteReport</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) taken back and read back.</source>
+        <translation>
+            <numerusform>%n register taken back and read back.</numerusform>
+            <numerusform>%n registers taken back and read back.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) written and read back.</source>
+        <translation>
+            <numerusform>%n register written and read back.</numerusform>
+            <numerusform>%n registers written and read back.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The board made another value of: %1.</source>
+        <comment>list of registers</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sent, but nobody knows whether they were written: %1.</source>
+        <comment>list of registers</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not written: %1</source>
+        <comment>list of registers with reasons</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>register: reason</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::Banner</name>
     <message>
         <source>Close this message</source>
@@ -1307,38 +1355,6 @@
             <numerusform>%n register</numerusform>
             <numerusform>%n registers</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>another value is read back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>register: reason</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Write</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n register(s) taken back and read back.</source>
-        <translation>
-            <numerusform>%n register taken back and read back.</numerusform>
-            <numerusform>%n registers taken back and read back.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n register(s) written and read back.</source>
-        <translation>
-            <numerusform>%n register written and read back.</numerusform>
-            <numerusform>%n registers written and read back.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Not written: %1</source>
-        <comment>list of registers with reasons</comment>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The board may have been reset: what was written before cannot be taken back.</source>

@@ -1,7 +1,6 @@
 #include "widgets/register_edits.h"
 
 #include "widgets/device_text.h"
-#include "widgets/messages.h"
 
 #include <QUndoCommand>
 
@@ -103,6 +102,14 @@ void RegisterEdits::apply()
         begin(Verb::Apply, m_model.pending());
 }
 
+void RegisterEdits::write(const QString &text, std::vector<drive::RegisterWrite> writes)
+{
+    if (!writeHint().isEmpty())
+        return;
+    m_text = text;
+    begin(Verb::Write, std::move(writes));
+}
+
 void RegisterEdits::undo()
 {
     if (undoHint().isEmpty())
@@ -131,23 +138,30 @@ std::vector<drive::RegisterWrite> RegisterEdits::stepWrites(Verb verb) const
     return writes;
 }
 
+tuning::BoardFacts RegisterEdits::facts() const
+{
+    return {[this](catalog::RegisterId id) { return m_model.known(id); },
+        [this](int motor) {
+            return motor > 0 ? !atRest(m_device.status(motor).state) : !m_device.allIdle();
+        }};
+}
+
 QList<WriteLine> RegisterEdits::cautious(const std::vector<drive::RegisterWrite> &writes) const
 {
     QList<WriteLine> lines;
     const auto catalog = m_device.catalog();
-    for (const drive::RegisterWrite &write : writes) {
-        const catalog::RegisterInfo *info = catalog ? catalog->find(write.id) : nullptr;
-        if (info == nullptr)
+    if (!catalog)
+        return lines;
+    const auto cautions = tuning::cautionsOf(writes, *catalog, facts());
+    for (std::size_t i = 0; i < writes.size(); ++i) {
+        if (cautions[i] == catalog::Caution::None)
             continue;
-        const int motor = info->perMotor ? catalog->motorOf(write.id) : 0;
-        const auto old = m_model.known(write.id);
-        const bool running =
-            motor > 0 ? !atRest(m_device.status(motor).state) : !m_device.allIdle();
-        const auto caution = catalog::cautionOf(*info, old, write.value, running);
-        if (caution != catalog::Caution::None)
-            lines.append(
-                {deviceText(info->name), old ? m_model.describe(write.id, *old) : QString(),
-                    m_model.describe(write.id, write.value), motor, caution});
+        const catalog::RegisterId id = writes[i].id;
+        const catalog::RegisterInfo &info = *catalog->find(id);
+        const auto old = m_model.known(id);
+        lines.append({deviceText(info.name), old ? m_model.describe(id, *old) : QString(),
+            m_model.describe(id, writes[i].value), info.perMotor ? catalog->motorOf(id) : 0,
+            cautions[i]});
     }
     return lines;
 }
@@ -157,7 +171,9 @@ void RegisterEdits::begin(Verb verb, std::vector<drive::RegisterWrite> writes)
     if (writes.empty())
         return;
     m_verb = verb;
-    m_writes = std::move(writes);
+    const auto catalog = m_device.catalog();
+    m_writes =
+        catalog ? tuning::pairsTogether(std::move(writes), *catalog, facts()) : std::move(writes);
     const QList<WriteLine> lines = cautious(m_writes);
     if (lines.isEmpty())
         return send();
@@ -191,7 +207,7 @@ void RegisterEdits::send()
 {
     m_stage = Stage::Sending;
     if (m_verb == Verb::Apply)
-        m_model.markSending();
+        m_model.markSending(m_writes);
     m_wish = m_device.submit(drive::Write{m_writes});
     Q_EMIT changed();
 }
@@ -213,7 +229,7 @@ void RegisterEdits::end(const drive::Ended &ended)
 /// Brings the list of steps to what the board has taken.
 void RegisterEdits::keep(const drive::Ended &ended)
 {
-    if (m_verb == Verb::Apply) {
+    if (m_verb == Verb::Apply || m_verb == Verb::Write) {
         std::vector<Change> changes;
         for (const drive::WriteResult &result : ended.writes)
             if (result.outcome == drive::Outcome::Ok && result.before && result.readBack
@@ -222,7 +238,8 @@ void RegisterEdits::keep(const drive::Ended &ended)
         if (changes.empty())
             return;
         const QString name = deviceText(m_device.catalog()->nameOf(changes.front().id));
-        const QString text = changes.size() == 1
+        const QString text = m_verb == Verb::Write && !m_text.isEmpty() ? m_text
+            : changes.size() == 1
             ? name
             : tr("%n register(s)", "how many were written", static_cast<int>(changes.size()));
         m_steps.push(new EditStep(std::move(changes), text));
@@ -248,34 +265,11 @@ void RegisterEdits::keep(const drive::Ended &ended)
 
 void RegisterEdits::tell(const drive::Ended &ended)
 {
-    int written = 0;
-    QStringList bad;
-    for (const drive::WriteResult &result : ended.writes) {
-        if (took(ended, result.id)) {
-            ++written;
-            continue;
-        }
-        const QString name = m_device.catalog() ? deviceText(m_device.catalog()->nameOf(result.id))
-                                                : QString::number(result.id);
-        const QString why = result.outcome == drive::Outcome::Ok ? tr("another value is read back")
-            : result.reason.empty()                              ? outcomeText(result.outcome)
-                                                                 : deviceText(result.reason);
-        bad.append(tr("%1: %2", "register: reason").arg(name, why));
-    }
-    if (ended.writes.empty()) {
-        Q_EMIT told(failureText(tr("Write"), ended), false);
-        return;
-    }
-    QString sentence;
-    if (written > 0)
-        sentence = m_verb == Verb::Undo
-            ? tr("%n register(s) taken back and read back.", nullptr, written)
-            : tr("%n register(s) written and read back.", nullptr, written);
-    if (!bad.isEmpty())
-        sentence += (sentence.isEmpty() ? QString() : QStringLiteral(" "))
-            + tr("Not written: %1", "list of registers with reasons")
-                  .arg(bad.join(QLatin1String("; ")));
-    Q_EMIT told(sentence, bad.isEmpty());
+    const auto catalog = m_device.catalog();
+    const WriteReport report = writeReport(ended, m_writes, catalog.get(),
+        m_verb == Verb::Undo ? WriteSense::Back : WriteSense::Forward);
+    Q_EMIT told(report.sentence, report.good());
+    Q_EMIT reported(report);
 }
 
 void RegisterEdits::linkChanged()
@@ -293,6 +287,7 @@ void RegisterEdits::forget()
     if (m_stage == Stage::Sending && !m_device.portOpen()) {
         m_stage = Stage::Idle; // whose end nobody will tell
         m_model.markNotSent();
+        tell({.id = m_wish, .outcome = drive::Outcome::Unknown, .reason = {}, .writes = {}});
     }
     if (m_steps.count() == 0)
         return;

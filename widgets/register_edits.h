@@ -1,12 +1,14 @@
 // RegisterEdits: carries out what was edited in a RegisterModel, as one step that can be taken back. It asks before what
 // can move or harm something, writes only while armed, and keeps in its list only what the board is known to have taken.
 //
-// apply(), undo() and redo() are refused while another one is under way. Each may emit asked(); then confirm() or
+// apply(), write(), undo() and redo() are refused while another one is under way. Each may emit asked(); then confirm() or
 // decline() has to follow. The list ends with the connection: a board that was away may have been reset.
 #pragma once
 
+#include "tuning/write_caution.h"
 #include "widgets/device.h"
 #include "widgets/register_model.h"
+#include "widgets/write_report.h"
 
 #include <QObject>
 #include <QUndoStack>
@@ -35,6 +37,10 @@ public:
     QString undoHint() const;
     QString redoHint() const;
 
+    /// Writes these in this order, as one step of the list that is named `text`: for forms and files whose values belong
+    /// together. Asks like apply(); does nothing while writeHint() says why. Edits that wait stay as they are.
+    void write(const QString &text, std::vector<drive::RegisterWrite> writes);
+
 public Q_SLOTS:
     void apply();
     void undo();
@@ -47,10 +53,12 @@ Q_SIGNALS:
     void asked(const QList<widgets::WriteLine> &lines);
     void changed(); ///< one of the hints or counts may be another
     void told(const QString &sentence, bool good); ///< how it ended
+    void reported(
+        const widgets::WriteReport &report); ///< the same of a write, register by register
 
 private:
     enum class Stage : std::uint8_t { Idle, Asking, Sending };
-    enum class Verb : std::uint8_t { Apply, Undo, Redo };
+    enum class Verb : std::uint8_t { Apply, Write, Undo, Redo };
 
     void begin(Verb verb, std::vector<drive::RegisterWrite> writes);
     QList<WriteLine> cautious(const std::vector<drive::RegisterWrite> &writes) const;
@@ -59,6 +67,7 @@ private:
     void end(const drive::Ended &ended);
     void keep(const drive::Ended &ended);
     void tell(const drive::Ended &ended);
+    tuning::BoardFacts facts() const;
     void linkChanged();
     void forget();
 
@@ -68,6 +77,7 @@ private:
     Stage m_stage = Stage::Idle;
     Verb m_verb = Verb::Apply;
     std::vector<drive::RegisterWrite> m_writes;
+    QString m_text; ///< of the step; empty: what was written
     drive::WishId m_wish = 0;
 };
 

@@ -71,8 +71,9 @@ public:
     bool setPending(catalog::RegisterId id, const catalog::Value &value);
     std::vector<drive::RegisterWrite> pending() const; ///< in the order of the first edit of each
     void forgetEdits(); ///< all that are not on their way
-    void markSending();
+    void markSending(const std::vector<drive::RegisterWrite> &writes); ///< the edits among them
     void markNotSent(); ///< what was on its way is pending again
+    /// How writes ended. An edit that was not among them waits on, unless the board now holds what it wants.
     void takeResults(const std::vector<drive::WriteResult> &results);
     bool hasEdits() const; ///< of any state but a flash
     EditState editState(catalog::RegisterId id) const;

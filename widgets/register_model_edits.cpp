@@ -139,10 +139,12 @@ void RegisterModel::forgetEdits()
     Q_EMIT editsChanged();
 }
 
-void RegisterModel::markSending()
+void RegisterModel::markSending(const std::vector<drive::RegisterWrite> &writes)
 {
     for (Edit &edit : m_edits)
-        if (edit.state == EditState::Pending) {
+        if (edit.state == EditState::Pending
+            && std::find(writes.begin(), writes.end(), drive::RegisterWrite{edit.id, edit.wanted})
+                != writes.end()) {
             edit.state = EditState::Sending;
             rowChanged(edit.id);
         }
@@ -162,7 +164,12 @@ void RegisterModel::markNotSent()
 void RegisterModel::takeResults(const std::vector<drive::WriteResult> &results)
 {
     for (const drive::WriteResult &result : results) {
-        const bool typed = editOf(result.id) != nullptr;
+        const Edit *before = editOf(result.id);
+        const bool typed = before != nullptr;
+        if (typed && before->state == EditState::Pending && result.readBack != before->wanted) {
+            rowChanged(result.id);
+            continue;
+        }
         const bool wrong = result.verified == false;
         const QString reason = deviceText(result.reason);
         if (result.outcome == drive::Outcome::NotSent && typed) {
