@@ -1,7 +1,7 @@
 // Reading the flags: a table from flag to the member it fills and what it may be.
 #include "options.h"
 
-#include "motor_file.h"
+#include "session/motor_file.h"
 #include "simulation/plant/presets.h"
 
 #include <algorithm>
@@ -199,10 +199,11 @@ std::optional<std::string> readMotorOption(std::string_view text, simulation::Bo
             return std::nullopt;
         return "there is no motor " + quoted(text) + "; see --list-motors";
     }
-    auto machine = readMotorFile(std::string(text));
-    if (!machine)
-        return machine.error();
-    board.plant = std::move(*machine);
+    const std::string path(text);
+    auto file = session::readMotorFile(QString::fromStdString(path));
+    if (!file)
+        return session::motorFileErrorText(path, file.error());
+    board.plant = std::move(file->machine);
     return std::nullopt;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 namespace drive {
@@ -202,6 +203,25 @@ MotorFacts motorFacts(const catalog::Catalog &catalog, int motor, const ValueSou
             facts.inertia_kgm2 = *found;
     }
     return facts;
+}
+
+analysis::MotorSheet sheetOf(const MotorFacts &facts)
+{
+    const auto said = [](double value) {
+        return std::isfinite(value) && value > 0.0 ? std::optional(value) : std::nullopt;
+    };
+    analysis::MotorSheet sheet;
+    sheet.name = facts.name;
+    sheet.polePairs = said(facts.motor.polePairs);
+    sheet.rs_ohm = said(facts.motor.rs_ohm);
+    sheet.ld_h = said(facts.motor.ld_h);
+    sheet.lq_h = said(facts.motor.lq_h);
+    sheet.flux_wb = said(facts.motor.flux_wb);
+    sheet.nominalCurrent_a = said(facts.motor.nominalCurrent_a);
+    sheet.maxSpeed_rpm = said(facts.limits.maxSpeedRpm);
+    sheet.bus_v = said(facts.bus_v);
+    sheet.inertia_kgm2 = said(facts.inertia_kgm2);
+    return sheet;
 }
 
 std::vector<StructureView> motorStructures(

@@ -3,7 +3,7 @@
 // Pure functions; they ask for nothing.
 #pragma once
 
-#include "analysis/motor_constants.h"
+#include "analysis/motor_sheet.h"
 #include "drive/event.h"
 
 #include <functional>
@@ -58,6 +58,9 @@ using ValueSource = std::function<std::optional<Value>(RegisterId)>;
 std::vector<RegisterId> motorRegisters(const catalog::Catalog &catalog, int motor);
 
 MotorFacts motorFacts(const catalog::Catalog &catalog, int motor, const ValueSource &known);
+
+/// The same as a description that files can be compared with; what the board does not say is not in it.
+analysis::MotorSheet sheetOf(const MotorFacts &facts);
 
 /// In the order motor, application, firmware, scales, board.
 std::vector<StructureView> motorStructures(
