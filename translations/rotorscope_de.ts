@@ -99,6 +99,14 @@
         <source>Undo and redo what was written</source>
         <translation>Geschriebenes zurücknehmen und wiederholen</translation>
     </message>
+    <message>
+        <source>Cursors; 1 and 2 give one to the mouse</source>
+        <translation>Cursor; 1 und 2 geben einen an die Maus</translation>
+    </message>
+    <message>
+        <source>Move the cursor by a sample, else the picture</source>
+        <translation>Den Cursor um einen Messwert bewegen, sonst das Bild</translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -404,6 +412,13 @@
         <source>past: %1</source>
         <comment>faults that occurred</comment>
         <translation>früher: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Readings</name>
+    <message>
+        <source>no sample</source>
+        <translation>kein Messwert</translation>
     </message>
 </context>
 <context>
@@ -904,6 +919,56 @@
     <message>
         <source>Faults are not known</source>
         <translation>Fehler sind nicht bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::CursorPanel</name>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Werte an den Cursorn</translation>
+    </message>
+    <message>
+        <source>Pair of cursors</source>
+        <translation>Cursorpaar</translation>
+    </message>
+    <message>
+        <source>The pair that is read out; type to give it a name</source>
+        <translation>Das Paar, das abgelesen wird; zum Umbenennen tippen</translation>
+    </message>
+    <message>
+        <source>Another pair of cursors</source>
+        <translation>Weiteres Cursorpaar</translation>
+    </message>
+    <message>
+        <source>Remove this pair</source>
+        <translation>Dieses Paar entfernen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the values as text</source>
+        <translation>Die Werte als Text kopieren</translation>
+    </message>
+    <message>
+        <source>Hide the cursors (C)</source>
+        <translation>Cursor ausblenden (C)</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::CursorTable</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Cursors</name>
+    <message>
+        <source>Pair %1</source>
+        <comment>of cursors</comment>
+        <translation>Paar %1</translation>
     </message>
 </context>
 <context>
@@ -1540,6 +1605,25 @@
     </message>
 </context>
 <context>
+    <name>widgets::ScopeTools</name>
+    <message>
+        <source>Cursors</source>
+        <translation>Cursor</translation>
+    </message>
+    <message>
+        <source>Two times, their distance and the values there (C). 1 and 2 give a cursor to the mouse, arrows move it by a sample.</source>
+        <translation>Zwei Zeitpunkte, ihr Abstand und die Werte dort (C). 1 und 2 geben einen Cursor an die Maus, die Pfeiltasten bewegen ihn um einen Messwert.</translation>
+    </message>
+    <message>
+        <source>Take cursor &amp;A</source>
+        <translation>Cursor &amp;A nehmen</translation>
+    </message>
+    <message>
+        <source>Take cursor &amp;B</source>
+        <translation>Cursor &amp;B nehmen</translation>
+    </message>
+</context>
+<context>
     <name>widgets::ScopeView</name>
     <message>
         <source>Scope</source>
@@ -1576,6 +1660,10 @@
     <message>
         <source>Shows %1</source>
         <translation>Zeigt %1</translation>
+    </message>
+    <message>
+        <source>Cursors	C</source>
+        <translation>Cursor	C</translation>
     </message>
 </context>
 <context>

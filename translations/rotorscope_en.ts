@@ -99,6 +99,14 @@
         <source>Undo and redo what was written</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Cursors; 1 and 2 give one to the mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the cursor by a sample, else the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -403,6 +411,13 @@
     <message>
         <source>past: %1</source>
         <comment>faults that occurred</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Readings</name>
+    <message>
+        <source>no sample</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -903,6 +918,56 @@
     </message>
     <message>
         <source>Faults are not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::CursorPanel</name>
+    <message>
+        <source>Values at the cursors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pair of cursors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pair that is read out; type to give it a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another pair of cursors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove this pair</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the values as text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide the cursors (C)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::CursorTable</name>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Cursors</name>
+    <message>
+        <source>Pair %1</source>
+        <comment>of cursors</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1540,6 +1605,25 @@
     </message>
 </context>
 <context>
+    <name>widgets::ScopeTools</name>
+    <message>
+        <source>Cursors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two times, their distance and the values there (C). 1 and 2 give a cursor to the mouse, arrows move it by a sample.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take cursor &amp;A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take cursor &amp;B</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::ScopeView</name>
     <message>
         <source>Scope</source>
@@ -1575,6 +1659,10 @@
     </message>
     <message>
         <source>Shows %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cursors	C</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

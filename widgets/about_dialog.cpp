@@ -96,6 +96,9 @@ void showKeys(QWidget *parent)
         {QStringLiteral("+ \u2212"), About::tr("Zoom in, out; also the wheel")},
         {QStringLiteral("Ctrl+\u2190 Ctrl+\u2192"), About::tr("Earlier, later")},
         {About::tr("End"), About::tr("Follow the newest samples")},
+        {QStringLiteral("C, 1, 2"), About::tr("Cursors; 1 and 2 give one to the mouse")},
+        {QStringLiteral("\u2190 \u2192"),
+            About::tr("Move the cursor by a sample, else the picture")},
         {QStringLiteral("Ctrl+Shift+E"), About::tr("Export CSV")},
         {QStringLiteral("F11"), About::tr("Full screen")},
     };

@@ -4,6 +4,7 @@
 #include "widgets/channel_strip.h"
 #include "widgets/connect_bar.h"
 #include "widgets/control_panel.h"
+#include "widgets/cursor_panel.h"
 #include "widgets/device_text.h"
 #include "widgets/export_dialog.h"
 #include "widgets/file_prompt.h"
@@ -13,6 +14,7 @@
 #include "widgets/motor_button.h"
 #include "widgets/register_panel.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/scope_tools.h"
 #include "widgets/shortcut_guard.h"
 #include "widgets/shutdown.h"
 #include "widgets/status_strip.h"
@@ -183,6 +185,7 @@ void MainWindow::makeScopeActions()
     connect(m_scope, &ScopeView::runningChanged, this, &MainWindow::showRunning);
     showRunning(m_scope->running());
     connect(m_scope, &ScopeView::followingChanged, m_follow, &QAction::setChecked);
+    m_scopeTools = new ScopeTools(*m_scope, *this);
 }
 
 void MainWindow::showRunning(bool running)
@@ -211,7 +214,8 @@ QWidget *MainWindow::makeScopeBar()
     auto *layout = new QHBoxLayout(bar);
     layout->setContentsMargins(8, 4, 8, 4);
     layout->setSpacing(4);
-    for (QAction *action : {m_run, m_follow, m_fit, m_fitValues, m_zoomIn, m_zoomOut}) {
+    for (QAction *action :
+        {m_run, m_follow, m_fit, m_fitValues, m_zoomIn, m_zoomOut, m_scopeTools->cursors()}) {
         auto *button = new QToolButton(bar);
         button->setDefaultAction(action);
         button->setToolButtonStyle(
@@ -246,6 +250,7 @@ QWidget *MainWindow::makeCentre()
     layout->addWidget(m_firstSteps);
     layout->addWidget(makeScopeBar());
     layout->addWidget(m_scope, 1);
+    layout->addWidget(new CursorPanel(*m_scope, m_workbench.capture(), centre));
     layout->addWidget(new ChannelStrip(*m_selection, m_device, centre));
     m_scope->setMinimumSize(320, 160);
     return centre;

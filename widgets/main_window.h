@@ -22,6 +22,7 @@ class FilePrompt;
 class FirstSteps;
 class Form;
 class RegisterPanel;
+class ScopeTools;
 class ScopeView;
 class Shutdown;
 class StatusStrip;
@@ -96,6 +97,7 @@ private:
     Settings m_settings;
     ScopeView *m_scope;
     SignalSelection *m_selection;
+    ScopeTools *m_scopeTools = nullptr;
     ConnectBar *m_connectBar = nullptr;
     ControlPanel *m_control = nullptr;
     RegisterPanel *m_registerPanel = nullptr;

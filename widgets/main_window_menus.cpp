@@ -7,6 +7,7 @@
 #include "widgets/main_window.h"
 #include "widgets/register_panel.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/scope_tools.h"
 #include "widgets/theme.h"
 
 #include <QActionGroup>
@@ -50,6 +51,10 @@ void MainWindow::makeMenus(QMenuBar &bar)
         [this] { m_scope->pan(-0.25); });
     connect(addAction(scope, tr("&Later"), Qt::CTRL | Qt::Key_Right), &QAction::triggered, m_scope,
         [this] { m_scope->pan(0.25); });
+    for (const QList<QAction *> &group : m_scopeTools->groups()) {
+        scope->addSeparator();
+        scope->addActions(group);
+    }
     scope->addSeparator();
     connect(addAction(scope, tr("&Clear what was recorded")), &QAction::triggered, m_selection,
         &SignalSelection::clearRecorded);

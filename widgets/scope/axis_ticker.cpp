@@ -8,16 +8,20 @@ void AxisTicker::generate(const QCPRange &range, const QLocale &locale, QChar, i
     QVector<double> &ticks, QVector<double> *subTicks, QVector<QString> *labels)
 {
     const double step = tickStep(range.size(), m_most);
-    ticks = ticksIn(range.lower, range.upper, step);
+    const double from = range.lower - m_origin;
+    const double to = range.upper - m_origin;
+    const QVector<double> shown = ticksIn(from, to, step);
+    const double largest = std::max(std::abs(from), std::abs(to));
+    ticks.clear();
+    if (labels)
+        labels->clear();
     if (subTicks)
         subTicks->clear();
-    if (!labels)
-        return;
-    labels->clear();
-    const double largest = std::max(std::abs(range.lower), std::abs(range.upper));
-    for (const double tick : std::as_const(ticks)) {
-        labels->append(m_labels == Labels::Times ? timeLabel(tick, step, largest, locale)
-                                                 : valueLabel(tick, step, locale));
+    for (const double tick : shown) {
+        ticks.append(tick + m_origin);
+        if (labels)
+            labels->append(m_labels == Labels::Times ? timeLabel(tick, step, largest, locale)
+                                                     : valueLabel(tick, step, locale));
     }
 }
 

@@ -13,6 +13,7 @@ public:
     {
     }
     void setMost(int count) { m_most = count; } ///< ticks, at most
+    void setOrigin(double origin) { m_origin = origin; } ///< what the labels call zero
 
     void generate(const QCPRange &range, const QLocale &locale, QChar format, int precision,
         QVector<double> &ticks, QVector<double> *subTicks, QVector<QString> *labels) override;
@@ -20,6 +21,7 @@ public:
 private:
     Labels m_labels;
     int m_most = 10;
+    double m_origin = 0.0;
 };
 
 } // namespace widgets

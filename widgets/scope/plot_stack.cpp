@@ -53,7 +53,9 @@ ScopePlot &PlotStack::append()
     plot->rect->setMarginGroup(QCP::msLeft | QCP::msRight, m_margins);
     plot->dark = isDark(m_palette);
     QCPAxis *time = plot->rect->addAxis(QCPAxis::atBottom);
-    time->setTicker(QSharedPointer<AxisTicker>::create(AxisTicker::Labels::Times));
+    auto ticker = QSharedPointer<AxisTicker>::create(AxisTicker::Labels::Times);
+    ticker->setOrigin(m_origin);
+    time->setTicker(ticker);
     styleAxis(*time);
     m_plot.plotLayout()->addElement(m_plot.plotLayout()->rowCount(), 0, plot->rect);
     axisFor(*plot, QString());
@@ -308,6 +310,13 @@ void PlotStack::setTimeRange(double from, double to)
 {
     for (const auto &plot : m_plots)
         plot->timeAxis()->setRange(from, to);
+}
+
+void PlotStack::setTimeOrigin(double seconds)
+{
+    m_origin = seconds;
+    for (const auto &plot : m_plots)
+        plot->timeAxis()->ticker().dynamicCast<AxisTicker>()->setOrigin(seconds);
 }
 
 capture::MinMax PlotStack::extremes(const ScopePlot &plot, const QCPAxis *axis) const

@@ -40,6 +40,7 @@ public:
     std::optional<capture::ChannelId> selected() const;
 
     void setTimeRange(double from, double to);
+    void setTimeOrigin(double seconds); ///< what the labels of the time axis call zero
     /// Fits automatic axes to what is visible: they grow, and never shrink by themselves.
     void growAxes();
     void fitValues(); ///< all axes, exactly what is visible
@@ -69,6 +70,7 @@ private:
         m_slots; ///< a register keeps its colour, even while it is not shown
     QCPMarginGroup *m_margins = nullptr;
     QPalette m_palette;
+    double m_origin = 0.0;
     bool m_grid = true;
 };
 

@@ -28,6 +28,7 @@ ScopeMouse::ScopeMouse(ScopeView &view, QCustomPlot &plot, PlotStack &stack)
     , m_view(view)
     , m_plot(plot)
     , m_stack(stack)
+    , m_handles(view, stack)
     , m_box(new QRubberBand(QRubberBand::Rectangle, &plot))
 {
     plot.installEventFilter(this);
@@ -45,6 +46,9 @@ bool ScopeMouse::eventFilter(QObject *, QEvent *event)
         return release(*static_cast<QMouseEvent *>(event));
     case QEvent::Wheel:
         return wheel(*static_cast<QWheelEvent *>(event));
+    case QEvent::Leave:
+        m_position.reset();
+        return false;
     default:
         return false;
     }
@@ -73,21 +77,56 @@ bool ScopeMouse::press(const QMouseEvent &event)
         m_to = axis->axis->range().upper;
         axis->automatic = false;
     } else if (event.button() == Qt::LeftButton) {
-        const auto channel = m_stack.plot(m_plotIndex).legend->channelAt(m_start);
-        m_stack.select(channel);
-        m_view.redraw();
-        if (!channel) {
-            m_gesture = Gesture::Pan;
-            m_from = m_view.visibleRange().from;
-            m_to = m_view.visibleRange().to;
-        }
+        pressLeft();
     }
     return true;
+}
+
+void ScopeMouse::pressLeft()
+{
+    if (m_attached) { // the click that lets the cursor stay where it is
+        m_attached.reset();
+        return;
+    }
+    m_handle = m_handles.at(m_start);
+    if (m_handle) {
+        m_gesture = Gesture::MoveHandle;
+        m_handles.take(*m_handle);
+        return;
+    }
+    const auto channel = m_stack.plot(m_plotIndex).legend->channelAt(m_start);
+    m_stack.select(channel);
+    m_view.redraw();
+    if (channel)
+        return;
+    m_view.cursors().setActive({});
+    m_gesture = Gesture::Pan;
+    m_from = m_view.visibleRange().from;
+    m_to = m_view.visibleRange().to;
+}
+
+/// Nothing is pressed: an attached cursor comes along, and the pointer says what could be taken.
+void ScopeMouse::hover(const QPointF &position)
+{
+    if (m_attached) {
+        m_view.cursors().move(*m_attached, m_view.timeAt(position.x()));
+        return;
+    }
+    const auto handle = m_handles.at(position);
+    if (handle)
+        m_plot.setCursor(m_handles.shape(*handle));
+    else
+        m_plot.unsetCursor();
 }
 
 bool ScopeMouse::move(const QMouseEvent &event)
 {
     const QPointF moved = event.position() - m_start;
+    m_position = event.position();
+    if (m_gesture == Gesture::None)
+        hover(event.position());
+    else if (m_gesture == Gesture::MoveHandle)
+        m_handles.move(*m_handle, event.position());
     if (m_gesture == Gesture::Pan && std::abs(moved.x()) >= 1) {
         const double width = m_stack.plot(0).rect->width();
         const double shift = moved.x() / std::max(width, 1.0) * (m_to - m_from);

@@ -2,6 +2,9 @@
 // the menu, and on a value axis the same gestures move, stretch and fit that axis.
 #pragma once
 
+#include "widgets/scope/cursors.h"
+#include "widgets/scope/scope_handles.h"
+
 #include <QObject>
 #include <QPoint>
 #include <QPointF>
@@ -24,22 +27,34 @@ public:
 
     bool eventFilter(QObject *watched, QEvent *event) override;
 
+    /// Of the mouse on the plots, in pixels of the plot widget; empty while it is elsewhere.
+    std::optional<QPointF> position() const { return m_position; }
+    /// The mouse takes a cursor along until the next click; empty: it lets go.
+    void attach(std::optional<CursorEnd> end) { m_attached = end; }
+    std::optional<CursorEnd> attached() const { return m_attached; }
+
 Q_SIGNALS:
     void menuRequested(const QPoint &globalPosition, int plot);
 
 private:
-    enum class Gesture { None, Pan, MoveAxis, Box };
+    enum class Gesture { None, Pan, MoveAxis, Box, MoveHandle };
 
     bool press(const QMouseEvent &event);
     bool move(const QMouseEvent &event);
     bool release(const QMouseEvent &event);
     bool wheel(const QWheelEvent &event);
+    void pressLeft();
+    void hover(const QPointF &position);
     void zoomIntoBox(const QRect &box);
 
     ScopeView &m_view;
     QCustomPlot &m_plot;
     PlotStack &m_stack;
+    ScopeHandles m_handles;
     QRubberBand *m_box;
+    std::optional<QPointF> m_position;
+    std::optional<CursorEnd> m_attached;
+    std::optional<Handle> m_handle; ///< being moved
     Gesture m_gesture = Gesture::None;
     QPointF m_start;
     int m_plotIndex = -1;

@@ -2,11 +2,11 @@
 
 #include "widgets/scope/plot_stack.h"
 #include "widgets/scope/scope_mouse.h"
+#include "widgets/scope/scope_overlay.h"
 #include "widgets/scope/stale_mark.h"
 
-#include <QKeyEvent>
+#include <QEvent>
 #include <QLabel>
-#include <QMenu>
 #include <QRubberBand>
 #include <QVBoxLayout>
 
@@ -21,8 +21,6 @@ constexpr double kLeastSpan = 1e-6; ///< seconds
 constexpr double kMostSpan = 1e7;
 constexpr double kFarthest =
     1e9; ///< from the session's start; the axis loses its resolution beyond
-constexpr double kKeyZoom = 1.5;
-constexpr double kKeyPan = 0.1;
 } // namespace
 
 ScopeView::ScopeView(capture::Capture &capture, QWidget *parent)
@@ -33,12 +31,16 @@ ScopeView::ScopeView(capture::Capture &capture, QWidget *parent)
     , m_dropMark(new QRubberBand(QRubberBand::Rectangle, this))
     , m_stale(new StaleMark(*this, this))
     , m_stack(std::make_unique<PlotStack>(*m_plot, capture))
+    , m_overlay(new ScopeOverlay(*m_plot, *m_stack, capture, m_cursors))
     , m_mouse(new ScopeMouse(*this, *m_plot, *m_stack))
 {
     setObjectName(QStringLiteral("scope"));
     m_plot->setObjectName(QStringLiteral("scopePlot"));
     m_hint->setObjectName(QStringLiteral("scopeHint"));
     setAccessibleName(tr("Scope"));
+    QLocale plain = locale();
+    plain.setNumberOptions(QLocale::OmitGroupSeparator); // as on the axes
+    setLocale(plain);
     setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(true);
     setMinimumSize(200, 120);
@@ -134,6 +136,41 @@ int ScopeView::axisCount(int plot) const
     return there ? static_cast<int>(m_stack->plot(plot).axes.size()) : 0;
 }
 
+double ScopeView::readingStepOf(capture::ChannelId channel) const
+{
+    const Trace *trace = m_stack->trace(channel);
+    return trace ? readingStep(*trace) : 0.0;
+}
+
+double ScopeView::timeAt(double x) const
+{
+    const QRect area = m_stack->plot(0).rect->rect();
+    const double share = (x - area.left()) / std::max(1, area.width());
+    return m_range.from + share * (m_range.to - m_range.from);
+}
+
+double ScopeView::xOf(double seconds) const
+{
+    const QRect area = m_stack->plot(0).rect->rect();
+    return area.left() + (seconds - m_range.from) / (m_range.to - m_range.from) * area.width();
+}
+
+std::optional<double> ScopeView::timeUnderMouse() const
+{
+    const auto at = m_mouse->position();
+    return at ? std::optional(timeAt(at->x())) : std::nullopt;
+}
+
+void ScopeView::setTimeOrigin(double seconds)
+{
+    if (seconds == m_origin || !std::isfinite(seconds))
+        return;
+    m_origin = seconds;
+    m_stack->setTimeOrigin(seconds);
+    Q_EMIT timeOriginChanged(seconds);
+    redraw();
+}
+
 void ScopeView::captureChanged()
 {
     if (m_capture.revision() != m_drawnRevision && m_stack->adoptChannels())
@@ -159,6 +196,8 @@ void ScopeView::drawFrame()
     m_stack->growAxes();
     ++m_redraws;
     m_plot->replot(QCustomPlot::rpQueuedRefresh);
+    m_overlay->follow();
+    Q_EMIT drawn();
 }
 
 void ScopeView::setRunning(bool running)
@@ -278,91 +317,6 @@ void ScopeView::removeSelected()
         return;
     removeChannel(*channel);
     Q_EMIT removeRequested(*channel);
-}
-
-void ScopeView::keyPressEvent(QKeyEvent *event)
-{
-    const Qt::KeyboardModifiers held = event->modifiers() & ~Qt::KeypadModifier;
-    const bool shift = held == Qt::ShiftModifier;
-    if (held != Qt::NoModifier && !shift) {
-        QWidget::keyPressEvent(event);
-        return;
-    }
-    switch (event->key()) {
-    case Qt::Key_Space:
-        setRunning(!m_running);
-        return;
-    case Qt::Key_F:
-        shift ? fitValues() : fitAll();
-        return;
-    case Qt::Key_Plus:
-    case Qt::Key_Equal: // the same key without Shift on many keyboards
-    case Qt::Key_Up:
-        zoom(kKeyZoom);
-        return;
-    case Qt::Key_Minus:
-    case Qt::Key_Down:
-        zoom(1.0 / kKeyZoom);
-        return;
-    case Qt::Key_Left:
-        pan(-kKeyPan);
-        return;
-    case Qt::Key_Right:
-        pan(kKeyPan);
-        return;
-    case Qt::Key_End:
-        setFollowing(true);
-        return;
-    case Qt::Key_G:
-        setGridVisible(!gridVisible());
-        return;
-    case Qt::Key_Delete:
-        removeSelected();
-        return;
-    case Qt::Key_Menu:
-        showContextMenu(mapToGlobal(rect().center()), 0);
-        return;
-    default:
-        QWidget::keyPressEvent(event);
-    }
-}
-
-void ScopeView::showContextMenu(const QPoint &globalPosition, int plot)
-{
-    auto *menu = new QMenu(this);
-    menu->setObjectName(QStringLiteral("scopeMenu"));
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    fillContextMenu(*menu, plot);
-    menu->popup(globalPosition);
-}
-
-void ScopeView::fillContextMenu(QMenu &menu, int plot)
-{
-    const auto toggle = [&menu](const QString &text, bool on, auto &&action) {
-        QAction *entry = menu.addAction(text);
-        entry->setCheckable(true);
-        entry->setChecked(on);
-        connect(entry, &QAction::toggled, std::forward<decltype(action)>(action));
-    };
-    toggle(tr("Run\tSpace"), m_running, [this](bool on) { setRunning(on); });
-    toggle(tr("Follow the newest sample\tEnd"), m_following, [this](bool on) { setFollowing(on); });
-    toggle(tr("Grid\tG"), gridVisible(), [this](bool on) { setGridVisible(on); });
-    menu.addSeparator();
-    menu.addAction(tr("Fit everything\tF"), this, &ScopeView::fitAll);
-    menu.addAction(tr("Fit values\tShift+F"), this, &ScopeView::fitValues);
-    if (plot < 0 || plot >= plotCount() || m_stack->plot(plot).traces.empty())
-        return;
-    menu.addSeparator();
-    for (const Trace &trace : m_stack->plot(plot).traces) {
-        // A device's name is text, not a menu's shortcut mark.
-        QString name = QString::fromStdString(trace.info.name);
-        name.replace(QLatin1Char('&'), QLatin1String("&&"));
-        const capture::ChannelId channel = trace.channel;
-        menu.addAction(tr("Remove %1").arg(name), this, [this, channel] {
-            removeChannel(channel);
-            Q_EMIT removeRequested(channel);
-        });
-    }
 }
 
 void ScopeView::updateDescription()

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "capture/capture.h"
+#include "widgets/scope/cursors.h"
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -19,6 +20,7 @@ namespace widgets {
 
 class PlotStack;
 class ScopeMouse;
+class ScopeOverlay;
 class StaleMark;
 
 class ScopeView : public QWidget {
@@ -41,6 +43,12 @@ public:
         double from = 0.0, to = 1.0; ///< seconds on the session's axis
     };
     TimeRange visibleRange() const;
+    /// What the time axis and the cursors call zero, in seconds on the session's axis.
+    double timeOrigin() const { return m_origin; }
+    double timeAt(double x) const; ///< seconds; `x` in this widget's pixels
+    double xOf(double seconds) const;
+    /// Where the mouse is on the plots; empty if it is not.
+    std::optional<double> timeUnderMouse() const;
     bool running() const; ///< false: the picture stands still, recording goes on
     bool following() const; ///< the right edge stays at the newest sample
     bool gridVisible() const;
@@ -54,6 +62,10 @@ public:
     };
     ValueRange valueRangeOf(capture::ChannelId channel) const; ///< of the axis it is drawn on
     int axisCount(int plot) const; ///< value axes of a plot
+    /// The step in which a channel's values are written out; 0 if it is not shown.
+    double readingStepOf(capture::ChannelId channel) const;
+    Cursors &cursors() { return m_cursors; }
+    const Cursors &cursors() const { return m_cursors; }
 
     /// For the status bar and for tests: redraws since the view was made.
     quint64 redraws() const { return m_redraws; }
@@ -72,6 +84,14 @@ public Q_SLOTS:
     void setGridVisible(bool visible); ///< G
     void removeSelected(); ///< Delete: takes the trace that was clicked in the legend off the scope
     void redraw(); ///< something that is drawn changed: redraws at the next frame
+    void setTimeOrigin(double seconds);
+    /// C: shows the cursors, inside the picture, or hides them.
+    void toggleCursors();
+    /// 1 and 2: the mouse takes this cursor along until the next click or the same key; without a mouse on the
+    /// plots it comes into view. Either way arrow keys move it.
+    void takeCursor(widgets::CursorEnd end);
+    /// Moves the active cursor by so many samples of the selected trace, or of the first one.
+    void nudgeCursor(int samples);
 
 Q_SIGNALS:
     /// A register was dropped from the tree: onto a plot (-1: beside all of them).
@@ -79,6 +99,8 @@ Q_SIGNALS:
     void runningChanged(bool running);
     void followingChanged(bool following);
     void visibleRangeChanged(double from, double to);
+    void drawn(); ///< after each redraw
+    void timeOriginChanged(double seconds);
     void removeRequested(
         quint32 channel); ///< the person took a signal off the scope; it is gone already
 
@@ -94,6 +116,12 @@ protected:
 private:
     void drawFrame();
     void applyRange(TimeRange range);
+    void placeInView(CursorEnd end, double share);
+    bool inView(double seconds) const;
+    void showTime(double seconds);
+    const capture::Channel *nudgeChannel() const;
+    bool scopeKey(int key, bool shift);
+    bool cursorKey(int key, bool shift);
     void jumpToNewest();
     std::optional<capture::TimeSpan> shownSpan() const;
     void showContextMenu(const QPoint &globalPosition, int plot);
@@ -107,13 +135,16 @@ private:
     QLabel *m_hint;
     QRubberBand *m_dropMark;
     StaleMark *m_stale;
+    Cursors m_cursors;
     std::unique_ptr<PlotStack> m_stack;
+    ScopeOverlay *m_overlay;
     ScopeMouse *m_mouse;
     QTimer m_frame;
     QElapsedTimer m_lastFrame;
     quint64 m_redraws = 0;
     std::uint64_t m_drawnRevision = 0;
     TimeRange m_range{0.0, 5.0};
+    double m_origin = 0.0;
     bool m_running = true;
     bool m_following = true;
 };

@@ -1,0 +1,47 @@
+// The read-out of the scope's cursors: which pair, its distance and its inverse, and what every trace is at A and B.
+// Shown only while the cursors are. It copies itself as text; it moves nothing.
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QTableView;
+class QToolButton;
+
+namespace capture {
+class Capture;
+}
+
+namespace widgets {
+
+class CursorTable;
+class ScopeView;
+
+class CursorPanel : public QWidget {
+    Q_OBJECT
+public:
+    /// Both outlive it.
+    CursorPanel(ScopeView &scope, const capture::Capture &capture, QWidget *parent = nullptr);
+
+public Q_SLOTS:
+    void copy(); ///< the table as text, into the clipboard
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    QWidget *makeSide();
+    void follow();
+    void fitHeight();
+
+    ScopeView &m_scope;
+    CursorTable *m_model;
+    QComboBox *m_pairs;
+    QToolButton *m_add;
+    QToolButton *m_remove;
+    QLabel *m_distance;
+    QTableView *m_table;
+};
+
+} // namespace widgets

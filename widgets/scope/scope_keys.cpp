@@ -1,0 +1,134 @@
+// The scope's keys and its context menu: which wish each one is. What the wishes do is in the other parts of ScopeView.
+#include "widgets/scope/plot_stack.h"
+#include "widgets/scope/scope_view.h"
+
+#include <QKeyEvent>
+#include <QMenu>
+
+namespace widgets {
+
+namespace {
+constexpr double kKeyZoom = 1.5;
+constexpr double kKeyPan = 0.1;
+constexpr int kShiftedNudge = 10; ///< samples
+} // namespace
+
+void ScopeView::keyPressEvent(QKeyEvent *event)
+{
+    const Qt::KeyboardModifiers held = event->modifiers() & ~Qt::KeypadModifier;
+    const bool shift = held == Qt::ShiftModifier;
+    if (held != Qt::NoModifier && !shift) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    if (cursorKey(event->key(), shift) || scopeKey(event->key(), shift))
+        return;
+    QWidget::keyPressEvent(event);
+}
+
+/// Keys of the cursors; the arrows only while one of them is active.
+bool ScopeView::cursorKey(int key, bool shift)
+{
+    const int step = shift ? kShiftedNudge : 1;
+    switch (key) {
+    case Qt::Key_C:
+        toggleCursors();
+        return true;
+    case Qt::Key_1:
+        takeCursor(CursorEnd::A);
+        return true;
+    case Qt::Key_2:
+        takeCursor(CursorEnd::B);
+        return true;
+    case Qt::Key_Left:
+        nudgeCursor(-step);
+        return m_cursors.active().has_value();
+    case Qt::Key_Right:
+        nudgeCursor(step);
+        return m_cursors.active().has_value();
+    default:
+        return false;
+    }
+}
+
+bool ScopeView::scopeKey(int key, bool shift)
+{
+    switch (key) {
+    case Qt::Key_Space:
+        setRunning(!m_running);
+        return true;
+    case Qt::Key_F:
+        shift ? fitValues() : fitAll();
+        return true;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: // the same key without Shift on many keyboards
+    case Qt::Key_Up:
+        zoom(kKeyZoom);
+        return true;
+    case Qt::Key_Minus:
+    case Qt::Key_Down:
+        zoom(1.0 / kKeyZoom);
+        return true;
+    case Qt::Key_Left:
+        pan(-kKeyPan);
+        return true;
+    case Qt::Key_Right:
+        pan(kKeyPan);
+        return true;
+    case Qt::Key_End:
+        setFollowing(true);
+        return true;
+    case Qt::Key_G:
+        setGridVisible(!gridVisible());
+        return true;
+    case Qt::Key_Delete:
+        removeSelected();
+        return true;
+    case Qt::Key_Menu:
+        showContextMenu(mapToGlobal(rect().center()), 0);
+        return true;
+    default:
+        return false;
+    }
+}
+
+void ScopeView::showContextMenu(const QPoint &globalPosition, int plot)
+{
+    auto *menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("scopeMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    fillContextMenu(*menu, plot);
+    menu->popup(globalPosition);
+}
+
+void ScopeView::fillContextMenu(QMenu &menu, int plot)
+{
+    const auto toggle = [&menu](const QString &text, bool on, auto &&action) {
+        QAction *entry = menu.addAction(text);
+        entry->setCheckable(true);
+        entry->setChecked(on);
+        connect(entry, &QAction::toggled, std::forward<decltype(action)>(action));
+    };
+    toggle(tr("Run\tSpace"), m_running, [this](bool on) { setRunning(on); });
+    toggle(tr("Follow the newest sample\tEnd"), m_following, [this](bool on) { setFollowing(on); });
+    toggle(tr("Grid\tG"), gridVisible(), [this](bool on) { setGridVisible(on); });
+    toggle(tr("Cursors\tC"), m_cursors.visible(), [this] { toggleCursors(); });
+    menu.addSeparator();
+    menu.addAction(tr("Fit everything\tF"), this, &ScopeView::fitAll);
+    menu.addAction(tr("Fit values\tShift+F"), this, &ScopeView::fitValues);
+    if (plot < 0 || plot >= plotCount() || m_stack->plot(plot).traces.empty())
+        return;
+    menu.addSeparator();
+    for (const Trace &trace : m_stack->plot(plot).traces) {
+        // A device's name is text, not a menu's shortcut mark.
+        QString name = QString::fromStdString(trace.info.name);
+        name.replace(QLatin1Char('&'), QLatin1String("&&"));
+        const capture::ChannelId channel = trace.channel;
+        menu.addAction(tr("Remove %1").arg(name), this, [this, channel] {
+            removeChannel(channel);
+            Q_EMIT removeRequested(channel);
+        });
+    }
+}
+
+} // namespace widgets

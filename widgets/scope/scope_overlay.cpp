@@ -1,0 +1,167 @@
+#include "widgets/scope/scope_overlay.h"
+
+#include "widgets/scope/cursors.h"
+#include "widgets/scope/plot_stack.h"
+#include "widgets/scope/reading_text.h"
+#include "widgets/scope/trace_colors.h"
+
+#include <QEvent>
+#include <QPainter>
+
+namespace widgets {
+
+namespace {
+constexpr int kFlagRoom = 3; ///< pixels around a flag's letter
+constexpr double kDot = 3.0; ///< radius
+
+QColor faded(QColor color, int alpha)
+{
+    color.setAlpha(alpha);
+    return color;
+}
+} // namespace
+
+ScopeOverlay::ScopeOverlay(QCustomPlot &plot, const PlotStack &stack,
+    const capture::Capture &capture, const Cursors &cursors)
+    : QWidget(&plot)
+    , m_stack(stack)
+    , m_capture(capture)
+    , m_cursors(cursors)
+{
+    setObjectName(QStringLiteral("scopeOverlay"));
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setVisible(false);
+    plot.installEventFilter(this);
+    connect(&cursors, &Cursors::changed, this, &ScopeOverlay::follow);
+}
+
+bool ScopeOverlay::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Resize)
+        setGeometry(parentWidget()->rect());
+    return QWidget::eventFilter(watched, event);
+}
+
+void ScopeOverlay::follow()
+{
+    setVisible(m_cursors.visible());
+    update();
+}
+
+QRect ScopeOverlay::area() const
+{
+    const QRect first = m_stack.plot(0).rect->rect();
+    const QRect last = m_stack.plot(m_stack.count() - 1).rect->rect();
+    return first.united(last);
+}
+
+double ScopeOverlay::xOf(double seconds) const
+{
+    return m_stack.plot(0).timeAxis()->coordToPixel(seconds);
+}
+
+void ScopeOverlay::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    paintOn(painter);
+}
+
+void ScopeOverlay::paintOn(QPainter &painter) const
+{
+    if (!m_cursors.visible())
+        return;
+    for (const CursorPair &pair : m_cursors.pairs()) {
+        if (&pair != &m_cursors.pair())
+            paintPair(painter, pair, false);
+    }
+    paintDistance(painter, m_cursors.pair());
+    paintPair(painter, m_cursors.pair(), true);
+}
+
+void ScopeOverlay::paintPair(QPainter &painter, const CursorPair &pair, bool current) const
+{
+    const QRect box = area();
+    for (const CursorEnd end : {CursorEnd::A, CursorEnd::B}) {
+        const double x = xOf(pair.at(end));
+        if (x < box.left() || x > box.right() + 1)
+            continue;
+        // A is a whole line, B a dashed one: they can be told apart without their letters.
+        QPen pen(faded(palette().color(QPalette::Text), current ? 255 : 110), 1);
+        pen.setCosmetic(true);
+        if (end == CursorEnd::B)
+            pen.setDashPattern({6, 4});
+        painter.setPen(pen);
+        painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
+        if (current)
+            paintDots(painter, pair.at(end));
+        const QString letter = QString(QLatin1Char(end == CursorEnd::A ? 'A' : 'B'));
+        const QString text = current ? letter : pair.name + QChar(QChar::Nbsp) + letter;
+        paintFlag(painter, x, text, current, current && m_cursors.active() == end);
+    }
+}
+
+void ScopeOverlay::paintFlag(
+    QPainter &painter, double x, const QString &text, bool strong, bool active) const
+{
+    QFont bold = font();
+    bold.setBold(strong);
+    painter.setFont(bold);
+    const QFontMetricsF metrics(bold);
+    const double width = metrics.horizontalAdvance(text) + 2.0 * kFlagRoom;
+    const QRect box = area();
+    // Inside the picture, on the line's right side where there is room.
+    const double left = x + 1 + width <= box.right() ? x + 1 : x - width;
+    const QRectF flag(left, box.bottom() - metrics.height(), width, metrics.height());
+    const QPalette::ColorRole ground = active ? QPalette::Highlight : QPalette::Text;
+    const QPalette::ColorRole ink = active ? QPalette::HighlightedText : QPalette::Base;
+    painter.fillRect(flag, faded(palette().color(ground), strong ? 255 : 110));
+    painter.setPen(palette().color(ink));
+    painter.drawText(flag, Qt::AlignCenter | Qt::TextSingleLine, text);
+}
+
+/// A dot where a cursor meets each trace: on the value that is read out, so never on a slope between samples.
+void ScopeOverlay::paintDots(QPainter &painter, double seconds) const
+{
+    const double x = xOf(seconds);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(palette().color(QPalette::Base), 1));
+    for (int i = 0; i < m_stack.count(); ++i) {
+        const ScopePlot &plot = m_stack.plot(i);
+        for (const Trace &trace : plot.traces) {
+            const auto value = m_capture.valueAt(trace.channel, seconds);
+            if (!value)
+                continue;
+            const double y = trace.valueAxis->coordToPixel(*value);
+            if (y < plot.rect->top() || y > plot.rect->bottom())
+                continue;
+            painter.setBrush(traceColor(trace.colorSlot, plot.dark));
+            painter.drawEllipse(QPointF(x, y), kDot, kDot);
+        }
+    }
+    painter.restore();
+}
+
+void ScopeOverlay::paintDistance(QPainter &painter, const CursorPair &pair) const
+{
+    const QRect box = area();
+    const double from = std::max(xOf(std::min(pair.a, pair.b)), double(box.left()));
+    const double to = std::min(xOf(std::max(pair.a, pair.b)), double(box.right()));
+    if (!(to > from))
+        return;
+    painter.fillRect(QRectF(from, box.top(), to - from, box.height()),
+        faded(palette().color(QPalette::Text), 12));
+    const QString text = QStringLiteral("\u0394 ") + exactTime(pair.b - pair.a, locale());
+    const QFontMetricsF metrics(font());
+    const double width = metrics.horizontalAdvance(text) + 2.0 * kFlagRoom;
+    if (width + 40 > to - from)
+        return;
+    const QRectF place(
+        (from + to - width) / 2, box.bottom() - metrics.height(), width, metrics.height());
+    painter.fillRect(place, faded(palette().color(QPalette::Base), 200));
+    painter.setFont(font());
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(place, Qt::AlignCenter | Qt::TextSingleLine, text);
+}
+
+} // namespace widgets

@@ -1,0 +1,50 @@
+// What stands over the traces and moves without them: the cursors. A transparent child of the plot, so that moving a
+// cursor repaints some lines and no trace. Takes no mouse; scope_handles.h knows where its parts can be taken.
+#pragma once
+
+#include <QWidget>
+
+class QCustomPlot;
+
+namespace capture {
+class Capture;
+}
+
+namespace widgets {
+
+class Cursors;
+class PlotStack;
+struct CursorPair;
+
+class ScopeOverlay : public QWidget {
+    Q_OBJECT
+public:
+    /// All outlive it; covers `plot`.
+    ScopeOverlay(QCustomPlot &plot, const PlotStack &stack, const capture::Capture &capture,
+        const Cursors &cursors);
+
+    /// On a printer or in a file: the same over a plot drawn with `painter` in this widget's pixels.
+    void paintOn(QPainter &painter) const;
+
+public Q_SLOTS:
+    void follow(); ///< shows or hides itself, and repaints
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    void paintPair(QPainter &painter, const CursorPair &pair, bool current) const;
+    void paintFlag(
+        QPainter &painter, double x, const QString &text, bool strong, bool active) const;
+    void paintDots(QPainter &painter, double seconds) const;
+    void paintDistance(QPainter &painter, const CursorPair &pair) const;
+    QRect area() const; ///< from the top of the first plot to the bottom of the last
+    double xOf(double seconds) const;
+
+    const PlotStack &m_stack;
+    const capture::Capture &m_capture;
+    const Cursors &m_cursors;
+};
+
+} // namespace widgets

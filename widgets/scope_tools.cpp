@@ -1,0 +1,43 @@
+#include "widgets/scope_tools.h"
+
+#include "widgets/scope/scope_view.h"
+
+namespace widgets {
+
+template <class Slot>
+QAction *ScopeTools::make(
+    const QString &text, const QKeySequence &keys, const QString &says, Slot slot)
+{
+    auto *action = new QAction(text, this);
+    action->setShortcut(keys);
+    if (!says.isEmpty())
+        action->setToolTip(says);
+    m_window.addAction(action);
+    connect(action, &QAction::triggered, &m_scope, slot);
+    return action;
+}
+
+ScopeTools::ScopeTools(ScopeView &scope, QWidget &window)
+    : QObject(&window)
+    , m_scope(scope)
+    , m_window(window)
+{
+    m_cursors = make(tr("Cursors"), Qt::Key_C,
+        tr("Two times, their distance and the values there (C). "
+           "1 and 2 give a cursor to the mouse, arrows move it by a sample."),
+        &ScopeView::toggleCursors);
+    m_cursors->setCheckable(true);
+    QAction *takeA = make(tr("Take cursor &A"), Qt::Key_1, {}, [this] {
+        m_scope.takeCursor(CursorEnd::A);
+        m_scope.setFocus(Qt::ShortcutFocusReason);
+    });
+    QAction *takeB = make(tr("Take cursor &B"), Qt::Key_2, {}, [this] {
+        m_scope.takeCursor(CursorEnd::B);
+        m_scope.setFocus(Qt::ShortcutFocusReason);
+    });
+    m_groups.append({m_cursors, takeA, takeB});
+    connect(&scope.cursors(), &Cursors::changed, m_cursors,
+        [this] { m_cursors->setChecked(m_scope.cursors().visible()); });
+}
+
+} // namespace widgets

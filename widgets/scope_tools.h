@@ -1,0 +1,32 @@
+// What a person does on the scope besides looking at it: the actions for cursors and markers, with their keys, for menu
+// and bar. The window places them; what they do is the scope's own.
+#pragma once
+
+#include <QAction>
+#include <QObject>
+
+namespace widgets {
+
+class ScopeView;
+
+class ScopeTools : public QObject {
+    Q_OBJECT
+public:
+    /// @param window  gets the actions, so that their keys work wherever no text is typed
+    ScopeTools(ScopeView &scope, QWidget &window);
+
+    QAction *cursors() const { return m_cursors; } ///< for the bar, too
+    /// For a menu, in groups.
+    QList<QList<QAction *>> groups() const { return m_groups; }
+
+private:
+    template <class Slot>
+    QAction *make(const QString &text, const QKeySequence &keys, const QString &says, Slot slot);
+
+    ScopeView &m_scope;
+    QWidget &m_window;
+    QAction *m_cursors;
+    QList<QList<QAction *>> m_groups;
+};
+
+} // namespace widgets
