@@ -8,7 +8,7 @@ namespace cli {
 
 namespace {
 
-const char *wordOf(drive::Outcome outcome)
+const char *outcomeWord(drive::Outcome outcome)
 {
     switch (outcome) {
     case drive::Outcome::Ok:
@@ -43,7 +43,7 @@ QJsonObject jsonOf(const Desk &desk, const drive::WriteResult &result, Digits di
 {
     QJsonObject object{{QStringLiteral("name"), nameOf(desk, result.id)},
         {QStringLiteral("id"), idText(result.id)},
-        {QStringLiteral("outcome"), QLatin1String(wordOf(result.outcome))},
+        {QStringLiteral("outcome"), QLatin1String(outcomeWord(result.outcome))},
         {QStringLiteral("reason"), plainText(result.reason)},
         {QStringLiteral("verified"),
             result.verified ? QJsonValue(*result.verified) : QJsonValue()}};
@@ -69,7 +69,7 @@ QString lineOf(const Desk &desk, const drive::WriteResult &result, Digits digits
         return line;
     return line
         + QStringLiteral(" (%1)").arg(sent ? QStringLiteral("written, not read back")
-                                           : QLatin1String(wordOf(result.outcome)));
+                                           : QLatin1String(outcomeWord(result.outcome)));
 }
 
 /// One sentence about a list that came to no good end because nobody answered any more.
