@@ -30,7 +30,10 @@ public:
     std::int8_t s8() { return static_cast<std::int8_t>(u8()); }
     std::int16_t s16() { return static_cast<std::int16_t>(u16()); }
     std::int32_t s32() { return static_cast<std::int32_t>(u32()); }
+    std::uint64_t u64() { return number(8); }
+    std::int64_t s64() { return static_cast<std::int64_t>(u64()); }
     float f32() { return std::bit_cast<float>(u32()); }
+    double f64() { return std::bit_cast<double>(u64()); }
 
     /// The next `count` bytes, empty (and failed) if there are fewer.
     ByteView take(std::size_t count)
@@ -82,9 +85,12 @@ public:
     ByteWriter &u8(std::uint32_t value) { return number(value, 1); }
     ByteWriter &u16(std::uint32_t value) { return number(value, 2); }
     ByteWriter &u32(std::uint32_t value) { return number(value, 4); }
+    ByteWriter &u64(std::uint64_t value) { return number(value, 8); }
     ByteWriter &s16(std::int32_t value) { return number(static_cast<std::uint32_t>(value), 2); }
     ByteWriter &s32(std::int32_t value) { return number(static_cast<std::uint32_t>(value), 4); }
+    ByteWriter &s64(std::int64_t value) { return u64(static_cast<std::uint64_t>(value)); }
     ByteWriter &f32(float value) { return u32(std::bit_cast<std::uint32_t>(value)); }
+    ByteWriter &f64(double value) { return u64(std::bit_cast<std::uint64_t>(value)); }
     ByteWriter &bytes(ByteView part)
     {
         m_bytes.insert(m_bytes.end(), part.begin(), part.end());
@@ -100,7 +106,7 @@ public:
     Bytes take() { return std::move(m_bytes); }
 
 private:
-    ByteWriter &number(std::uint32_t value, int width)
+    ByteWriter &number(std::uint64_t value, int width)
     {
         for (int i = 0; i < width; ++i)
             m_bytes.push_back(static_cast<std::uint8_t>(value >> (8 * i)));

@@ -12,6 +12,9 @@ using Kind = ChannelInfo::Kind;
 /// channels.
 constexpr std::uint64_t kSamplesBetweenChecks = 65536;
 
+/// How far new streams may be moved in all: far from where 64 bits end.
+constexpr Nanos kMostShift = Nanos{4'000'000'000} * 1'000'000'000;
+
 bool fits(const SampleBlock &block, const StreamLayout &layout)
 {
     if (block.fast.size() != std::size_t(block.count) * layout.fast.size())
@@ -86,6 +89,8 @@ bool Capture::follows(const SampleBlock &block)
         // A new stream that would overlap what is recorded: its clock restarted, its origin is only
         // known roughly.
         const Nanos behind = m_streamEnd - start;
+        if (m_shift > kMostShift - behind)
+            return false; // only a file that was made to do so gets there
         m_shift += behind;
         base.origin += behind;
     } else if (start > m_streamEnd && !m_layout.fast.empty()) {

@@ -17,6 +17,9 @@
 #define LLVMFuzzerTestOneInput fuzzTrace
 #include "fuzz/fuzz_trace.cpp"
 #undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput fuzzRecording
+#include "fuzz/fuzz_recording.cpp"
+#undef LLVMFuzzerTestOneInput
 
 class TestCorpus : public QObject {
     Q_OBJECT
@@ -37,6 +40,7 @@ Target targetOf(const QString &name)
         : name == "fuzz_mcp"         ? fuzzMcp
         : name == "fuzz_datalog"     ? fuzzDatalog
         : name == "fuzz_trace"       ? fuzzTrace
+        : name == "fuzz_recording"   ? fuzzRecording
                                      : nullptr;
 }
 

@@ -1,0 +1,255 @@
+#include "record/encoder.h"
+
+#include "record/block.h"
+#include "record/entry_codec.h"
+
+#include <algorithm>
+
+namespace record {
+
+namespace {
+
+using capture::SampleBlock;
+using capture::StreamLayout;
+using capture::Tick;
+
+constexpr std::size_t kReserve = 256; ///< bytes of data in the place kept for the end
+constexpr std::size_t kMostSampleBytes = kMostPayload / 2; ///< of one block that is added
+constexpr std::size_t kMostPolled = 4096; ///< registers that are described again
+const Bytes kPadding{'R', 'S', 1, 0};
+
+std::size_t slowWidth(const SampleBlock &block)
+{
+    return block.slow.empty() ? 0 : block.slow.front().values.size();
+}
+
+/// Bytes of the block in the file.
+std::size_t bytesOf(const SampleBlock &block)
+{
+    return block.fast.size() * 2 + block.slow.size() * (8 + 4 * slowWidth(block));
+}
+
+/// Sizes agree, so that columns can be cut out of it.
+bool isWhole(const SampleBlock &block)
+{
+    const bool fast = block.count > 0 ? block.fast.size() % block.count == 0 : block.fast.empty();
+    return fast && (block.count == 0 || block.fast.size() / block.count <= kMostSignals)
+        && slowWidth(block) <= kMostSignals
+        && std::all_of(
+            block.slow.begin(), block.slow.end(), [&block](const capture::SlowGroup &group) {
+                return group.values.size() == slowWidth(block);
+            });
+}
+
+} // namespace
+
+Encoder::Encoder(Begin begin, Config config)
+    : m_begin(std::move(begin))
+    , m_config(config)
+{
+}
+
+Block Encoder::head()
+{
+    Bytes head = fileHead(m_begin.startSeconds, m_begin.program);
+    m_reserveAt = head.size();
+    Bytes padding = kPadding;
+    padding.resize(kReserve);
+    emitPayload(0, padding, 0);
+    emitEntry(0, m_begin);
+    for (const Block &block : takeBlocks())
+        head.insert(head.end(), block.bytes.begin(), block.bytes.end());
+    m_sinceRepeat = 0;
+    return {std::move(head), 0};
+}
+
+bool Encoder::add(Nanos at, Entry entry)
+{
+    if (auto *block = std::get_if<SampleBlock>(&entry)) {
+        if (bytesOf(*block) > kMostSampleBytes || !isWhole(*block))
+            return false;
+        addSamples(at, std::move(*block));
+        return true;
+    }
+    if (auto *link = std::get_if<LinkBytes>(&entry)) {
+        addLink(at, std::move(*link));
+        return true;
+    }
+    if (std::holds_alternative<StreamLayout>(entry))
+        flushSamples(); // they belong to the layout before
+    if (!emitEntry(at, entry))
+        return false;
+    remember(entry);
+    return true;
+}
+
+void Encoder::remember(const Entry &entry)
+{
+    if (const auto *layout = std::get_if<StreamLayout>(&entry))
+        m_layout = *layout;
+    const auto *polled = std::get_if<PolledRegister>(&entry);
+    if (polled && m_polled.size() < kMostPolled)
+        m_polled[polled->id] = *polled;
+}
+
+/// Without a gap behind what was gathered, so that both are one column.
+bool Encoder::continues(const SampleBlock &block) const
+{
+    if (!m_gathered || !m_layout || block.stream != m_gathered->stream || block.lostTicks != 0
+        || block.count == 0 || block.fast.size() / block.count != m_columns.size()
+        || (!block.slow.empty() && !m_gathered->slow.empty()
+            && slowWidth(block) != slowWidth(*m_gathered)))
+        return false;
+    const Tick step = m_layout->fastStep;
+    return block.firstTick == m_gathered->firstTick + Tick{m_gathered->count} * step;
+}
+
+void Encoder::addSamples(Nanos at, SampleBlock block)
+{
+    if (!continues(block))
+        flushSamples();
+    if (!m_gathered) {
+        m_gathered = SampleBlock{};
+        m_gathered->stream = block.stream;
+        m_gathered->firstTick = block.firstTick;
+        m_gathered->lostTicks = block.lostTicks;
+        m_columns.resize(block.count > 0 ? block.fast.size() / block.count : 0);
+        m_gatheredSince = at;
+    }
+    m_gatheredBytes += bytesOf(block);
+    for (std::size_t s = 0; s < m_columns.size(); ++s) {
+        const auto begin = block.fast.begin() + static_cast<std::ptrdiff_t>(s * block.count);
+        m_columns[s].insert(m_columns[s].end(), begin, begin + block.count);
+    }
+    m_gathered->count += block.count;
+    std::move(block.slow.begin(), block.slow.end(), std::back_inserter(m_gathered->slow));
+    if (m_gatheredBytes >= m_config.blockBytes || block.count == 0)
+        flushSamples();
+}
+
+void Encoder::flushSamples()
+{
+    if (!m_gathered)
+        return;
+    SampleBlock block = std::move(*m_gathered);
+    block.fast.reserve(m_columns.size() * block.count);
+    for (std::vector<std::int16_t> &column : m_columns) {
+        block.fast.insert(block.fast.end(), column.begin(), column.end());
+        column.clear();
+    }
+    m_gathered.reset();
+    m_gatheredBytes = 0;
+    emitEntry(m_gatheredSince, block);
+}
+
+void Encoder::addLink(Nanos at, LinkBytes link)
+{
+    if (m_link && m_link->what.direction != link.direction)
+        flushLink();
+    for (ByteView rest(link.bytes); !rest.empty();) {
+        if (!m_link)
+            m_link = GatheredLink{at, {link.direction, {}}};
+        Bytes &bytes = m_link->what.bytes;
+        const std::size_t count = std::min(m_config.linkBytes - bytes.size(), rest.size());
+        bytes.insert(bytes.end(), rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(count));
+        rest = rest.subspan(count);
+        if (bytes.size() >= m_config.linkBytes)
+            flushLink();
+    }
+}
+
+void Encoder::flushLink()
+{
+    if (!m_link)
+        return;
+    const GatheredLink link = std::move(*m_link);
+    m_link.reset();
+    const BlockHead head{
+        Interface::Link, link.since, static_cast<std::uint32_t>(link.what.direction), m_number, 0};
+    push(packetBlock(head, link.what.bytes), 0);
+}
+
+void Encoder::flush(Nanos now)
+{
+    if (m_gathered && now - m_gatheredSince >= m_config.gatherSamples)
+        flushSamples();
+    if (m_link && now - m_link->since >= m_config.gatherLink)
+        flushLink();
+}
+
+void Encoder::flushAll()
+{
+    flushSamples();
+    flushLink();
+}
+
+std::optional<Nanos> Encoder::due() const
+{
+    std::optional<Nanos> due;
+    if (m_gathered)
+        due = m_gatheredSince + m_config.gatherSamples;
+    if (m_link)
+        due = std::min(
+            due.value_or(m_link->since + m_config.gatherLink), m_link->since + m_config.gatherLink);
+    return due;
+}
+
+void Encoder::end(Nanos at, End end)
+{
+    flushAll();
+    end.blocks = m_number;
+    end.samples = m_samples;
+    emitEntry(at, end);
+}
+
+Encoder::Overwrite Encoder::endInReserve(Nanos at, End end) const
+{
+    end.blocks = m_number;
+    end.samples = m_samples;
+    constexpr std::size_t kLongestText = 200;
+    end.text.resize(std::min(end.text.size(), kLongestText));
+    Bytes payload = encodeEntry(end).value_or(kPadding);
+    payload.resize(kReserve);
+    return {m_reserveAt, packetBlock({Interface::Entries, at, 0, 0, 0}, payload)};
+}
+
+bool Encoder::emitEntry(Nanos at, const Entry &entry)
+{
+    const auto payload = encodeEntry(entry);
+    if (!payload)
+        return false;
+    const auto *block = std::get_if<SampleBlock>(&entry);
+    if (block && m_sinceRepeat >= m_config.repeatBytes)
+        repeatDescriptions(at);
+    emitPayload(at, *payload, block ? samplesOf(*block) : 0);
+    return true;
+}
+
+/// For readers that come in behind damage.
+void Encoder::repeatDescriptions(Nanos at)
+{
+    m_sinceRepeat = 0;
+    if (m_layout) {
+        if (const auto payload = encodeEntry(*m_layout, Repeat::Yes))
+            emitPayload(at, *payload, 0);
+    }
+    for (const auto &[id, polled] : m_polled) {
+        if (const auto payload = encodeEntry(polled, Repeat::Yes))
+            emitPayload(at, *payload, 0);
+    }
+}
+
+void Encoder::emitPayload(Nanos at, ByteView payload, std::uint64_t samples)
+{
+    push(packetBlock({Interface::Entries, at, 0, m_number, 0}, payload), samples);
+}
+
+void Encoder::push(Bytes bytes, std::uint64_t samples)
+{
+    ++m_number;
+    m_samples += samples;
+    m_sinceRepeat += bytes.size();
+    m_blocks.push_back({std::move(bytes), samples});
+}
+
+} // namespace record

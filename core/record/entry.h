@@ -1,0 +1,104 @@
+// What a recording holds, entry by entry: plain values, without any of the file's framing. Times are on the session's
+// axis, the one of the scope.
+#pragma once
+
+#include "base/bytes.h"
+#include "capture/sample_block.h"
+#include "capture/tick_time.h"
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace record {
+
+using capture::Nanos;
+using catalog::RegisterId;
+
+/// The first entry of every recording, and the one that says when and by whom.
+struct Begin {
+    std::int64_t startSeconds = 0; ///< UTC since 1970 of the session's 0 s, whole seconds
+    std::string program; ///< that wrote it, with its version
+    std::string source; ///< what was recorded: port, or the file it was taken from
+    bool operator==(const Begin &) const = default;
+};
+
+/// Bytes of the line as the port handed them over, cut anywhere.
+struct LinkBytes {
+    enum class Direction : std::uint8_t { Received = 1, Sent = 2 } direction = Direction::Received;
+    Bytes bytes;
+    bool operator==(const LinkBytes &) const = default;
+};
+
+/// What a polled register is called. Comes before its first value.
+struct PolledRegister {
+    RegisterId id = 0;
+    std::string name;
+    std::string unit; ///< of PolledValue::value
+    bool operator==(const PolledRegister &) const = default;
+};
+struct PolledValue {
+    RegisterId id = 0;
+    Nanos at = 0; ///< when the answer came
+    double value = 0.0;
+    bool operator==(const PolledValue &) const = default;
+};
+struct PolledValues {
+    std::vector<PolledValue> values;
+    bool operator==(const PolledValues &) const = default;
+};
+
+/// Something that happened once, in words: a command, a change of state, a fault, a lost link.
+struct Happening {
+    std::string name; ///< e.g. "motor state"
+    std::vector<std::pair<std::string, std::string>> fields; ///< e.g. {"state", "RUN"}
+    bool operator==(const Happening &) const = default;
+};
+
+/// The registers of the board at one time, as the snapshot file has them (docs/snapshot.md).
+struct RegisterSnapshot {
+    std::string title;
+    std::string json;
+    bool operator==(const RegisterSnapshot &) const = default;
+};
+
+/// Words of the user about [from, to].
+struct Note {
+    Nanos from = 0;
+    Nanos to = 0;
+    std::string text;
+    bool operator==(const Note &) const = default;
+};
+
+/// What did not get into the recording, because the disk could not follow, since the entry of this kind before it.
+struct Lost {
+    std::uint64_t samples = 0;
+    std::uint64_t linkBytes = 0;
+    std::uint64_t others = 0; ///< entries of any other kind
+    bool operator==(const Lost &) const = default;
+};
+
+/// Why nothing follows. A recording without it was interrupted.
+struct End {
+    enum class Reason : std::uint8_t { Stopped, DiskFull, WriteFailed } reason = Reason::Stopped;
+    std::string text; ///< the system's words for it
+    std::uint64_t blocks = 0; ///< before it
+    std::uint64_t samples = 0; ///< of all signals
+    bool operator==(const End &) const = default;
+};
+
+/// A layout: every block of samples that follows belongs to it until the next one; empty: the stream ended.
+using Entry = std::variant<Begin, LinkBytes, capture::StreamLayout, capture::SampleBlock,
+    PolledRegister, PolledValues, Happening, RegisterSnapshot, Note, Lost, End>;
+
+/// Numbers in a block, fast and slow.
+inline std::uint64_t samplesOf(const capture::SampleBlock &block)
+{
+    std::uint64_t count = block.fast.size();
+    for (const capture::SlowGroup &group : block.slow)
+        count += group.values.size();
+    return count;
+}
+
+} // namespace record

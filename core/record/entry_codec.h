@@ -1,0 +1,36 @@
+// Entries to the payload of a block and back. docs/recording-format.md has the layout of every kind.
+//
+//   "RS" | u8 version 1 | u8 kind | body     little-endian; a text is a u16 length and UTF-8
+// Link bytes have no payload header: the block holds the bytes of the line and nothing else.
+#pragma once
+
+#include "base/result.h"
+#include "record/entry.h"
+
+namespace record {
+
+constexpr std::size_t kMostPayload = std::size_t{1} << 20; ///< bytes of one block
+constexpr std::size_t kMostSignals = 1024; ///< of a layout, fast or slow; boards have a handful
+
+enum class PayloadError : std::uint8_t {
+    TooLong, ///< more than kMostPayload, or a text of more than 65535 bytes
+    NotOurs, ///< no "RS", or a version that is not known
+    UnknownKind, ///< of a later version: to be passed over
+    Malformed, ///< a length that does not fit, or a number that makes no sense
+};
+
+/// A Layout or PolledRegister that was written before, once more, for readers that lost the first one.
+enum class Repeat : bool { No, Yes };
+
+/// Not for LinkBytes. Fails with TooLong only.
+Result<Bytes, PayloadError> encodeEntry(const Entry &entry, Repeat repeat = Repeat::No);
+
+struct Decoded {
+    Entry entry;
+    Repeat repeat = Repeat::No;
+};
+/// Every length is checked against what is there before anything is allocated. Bytes behind the body are passed over.
+/// A payload that only keeps a place (kind 0) is UnknownKind.
+Result<Decoded, PayloadError> decodeEntry(ByteView payload);
+
+} // namespace record
