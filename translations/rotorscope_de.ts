@@ -625,6 +625,27 @@
     </message>
 </context>
 <context>
+    <name>widgets::AutoSnapshots</name>
+    <message>
+        <source>What the board held before is kept in memory only: %1 was not written (%2). Save a snapshot to another place before you leave.</source>
+        <comment>file, the system&apos;s words</comment>
+        <translation>Was das Board vorher hielt, steht nur im Arbeitsspeicher: %1 wurde nicht geschrieben (%2). Sichern Sie vor dem Beenden einen Schnappschuss an anderer Stelle.</translation>
+    </message>
+    <message>
+        <source>Nothing was written: the board did not tell what it holds first.</source>
+        <translation>Nichts wurde geschrieben: Das Board sagte nicht, was es vorher hält.</translation>
+    </message>
+    <message>
+        <source>Nothing was written: the board did not tell what it holds first (%1).</source>
+        <translation>Nichts wurde geschrieben: Das Board sagte nicht, was es vorher hält (%1).</translation>
+    </message>
+    <message>
+        <source>The snapshot before the write is without: %1.</source>
+        <comment>list of registers</comment>
+        <translation>Dem Schnappschuss vor dem Schreiben fehlt: %1.</translation>
+    </message>
+</context>
+<context>
     <name>widgets::Banner</name>
     <message>
         <source>Close this message</source>

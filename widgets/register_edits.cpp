@@ -1,6 +1,7 @@
 #include "widgets/register_edits.h"
 
 #include "widgets/device_text.h"
+#include "widgets/snapshot_auto.h"
 
 #include <QUndoCommand>
 
@@ -66,6 +67,15 @@ RegisterEdits::RegisterEdits(Device &device, RegisterModel &model, QObject *pare
     connect(&m_steps, &QUndoStack::indexChanged, this, &RegisterEdits::changed);
 }
 
+void RegisterEdits::keepBeforeWriting(AutoSnapshots &snapshots)
+{
+    m_snapshots = &snapshots;
+    connect(&snapshots, &AutoSnapshots::taken, this, &RegisterEdits::kept);
+    connect(&snapshots, &AutoSnapshots::broken, this, &RegisterEdits::notKept);
+    connect(&snapshots, &AutoSnapshots::told, this,
+        [this](const QString &sentence) { Q_EMIT told(sentence, false); });
+}
+
 QString RegisterEdits::writeHint() const
 {
     if (!m_device.answering() || !m_device.identified())
@@ -74,7 +84,7 @@ QString RegisterEdits::writeHint() const
         return deviceText(write.reason);
     if (!m_device.armed())
         return tr("Arm first: nothing is written to a board that is not armed.");
-    if (m_stage == Stage::Sending)
+    if (m_stage == Stage::Sending || m_stage == Stage::Keeping)
         return tr("The last write is still under way.");
     if (m_stage == Stage::Asking)
         return tr("A question is open.");
@@ -174,9 +184,10 @@ void RegisterEdits::begin(Verb verb, std::vector<drive::RegisterWrite> writes)
     const auto catalog = m_device.catalog();
     m_writes =
         catalog ? tuning::pairsTogether(std::move(writes), *catalog, facts()) : std::move(writes);
+    m_confirmed = false;
     const QList<WriteLine> lines = cautious(m_writes);
     if (lines.isEmpty())
-        return send();
+        return keepOrSend();
     m_stage = Stage::Asking;
     Q_EMIT changed();
     Q_EMIT asked(lines);
@@ -188,10 +199,10 @@ void RegisterEdits::confirm()
         return;
     m_stage = Stage::Idle;
     if (const QString hint = writeHint(); !hint.isEmpty()) {
-        Q_EMIT changed();
-        Q_EMIT told(hint, false);
+        notSent(hint);
     } else {
-        send();
+        m_confirmed = true;
+        keepOrSend();
     }
 }
 
@@ -201,6 +212,52 @@ void RegisterEdits::decline()
         return;
     m_stage = Stage::Idle;
     Q_EMIT changed();
+}
+
+void RegisterEdits::keepOrSend()
+{
+    if (m_snapshots == nullptr || m_writes.size() < 2)
+        return send();
+    m_stage = Stage::Keeping;
+    Q_EMIT changed();
+    m_snapshots->take();
+}
+
+void RegisterEdits::kept()
+{
+    if (m_stage != Stage::Keeping)
+        return;
+    m_stage = Stage::Idle;
+    if (const QString hint = writeHint(); !hint.isEmpty())
+        return notSent(hint);
+    // The motor may have started meanwhile.
+    const QList<WriteLine> lines = m_confirmed ? QList<WriteLine>() : cautious(m_writes);
+    if (lines.isEmpty())
+        return send();
+    m_stage = Stage::Asking;
+    Q_EMIT changed();
+    Q_EMIT asked(lines);
+}
+
+void RegisterEdits::notKept(const QString &sentence)
+{
+    if (m_stage != Stage::Keeping)
+        return;
+    m_stage = Stage::Idle;
+    notSent(sentence);
+}
+
+/// The end of a list of which nothing has left.
+void RegisterEdits::notSent(const QString &why)
+{
+    drive::Ended ended;
+    ended.outcome = drive::Outcome::NotSent;
+    WriteReport report =
+        writeReport(ended, m_writes, m_device.catalog().get(), WriteSense::Forward);
+    report.sentence = why;
+    Q_EMIT changed();
+    Q_EMIT told(why, false);
+    Q_EMIT reported(report);
 }
 
 void RegisterEdits::send()

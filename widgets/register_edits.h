@@ -15,6 +15,8 @@
 
 namespace widgets {
 
+class AutoSnapshots;
+
 /// One register of a write that a person is asked about.
 struct WriteLine {
     QString name, was, becomes; ///< values with units; `was` may be empty: not known
@@ -26,6 +28,10 @@ class RegisterEdits : public QObject {
     Q_OBJECT
 public:
     RegisterEdits(Device &device, RegisterModel &model, QObject *parent = nullptr);
+
+    /// From now on what the board holds is read and kept before more than one register is written, in whatever way. It
+    /// outlives this.
+    void keepBeforeWriting(AutoSnapshots &snapshots);
 
     const QUndoStack &steps() const { return m_steps; }
     int pendingCount() const { return static_cast<int>(m_model.pending().size()); }
@@ -57,12 +63,16 @@ Q_SIGNALS:
         const widgets::WriteReport &report); ///< the same of a write, register by register
 
 private:
-    enum class Stage : std::uint8_t { Idle, Asking, Sending };
+    enum class Stage : std::uint8_t { Idle, Asking, Keeping, Sending };
     enum class Verb : std::uint8_t { Apply, Write, Undo, Redo };
 
     void begin(Verb verb, std::vector<drive::RegisterWrite> writes);
     QList<WriteLine> cautious(const std::vector<drive::RegisterWrite> &writes) const;
     std::vector<drive::RegisterWrite> stepWrites(Verb verb) const;
+    void keepOrSend();
+    void kept();
+    void notKept(const QString &sentence);
+    void notSent(const QString &why);
     void send();
     void end(const drive::Ended &ended);
     void keep(const drive::Ended &ended);
@@ -73,9 +83,11 @@ private:
 
     Device &m_device;
     RegisterModel &m_model;
+    AutoSnapshots *m_snapshots = nullptr;
     QUndoStack m_steps;
     Stage m_stage = Stage::Idle;
     Verb m_verb = Verb::Apply;
+    bool m_confirmed = false; ///< a person has said yes to this very list
     std::vector<drive::RegisterWrite> m_writes;
     QString m_text; ///< of the step; empty: what was written
     drive::WishId m_wish = 0;

@@ -14,6 +14,7 @@ Workbench::Workbench(QObject *parent)
     m_clock.start();
     connectSession();
     connectModels();
+    m_edits.keepBeforeWriting(m_snapshots);
     connect(&m_stopFilter, &StopFilter::stopPressed, &m_device, &Device::stop);
     connect(&m_heart, &QTimer::timeout, this, [this] {
         m_registers.refresh(now());

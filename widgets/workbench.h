@@ -9,6 +9,7 @@
 #include "widgets/device.h"
 #include "widgets/register_edits.h"
 #include "widgets/register_model.h"
+#include "widgets/snapshot_auto.h"
 #include "widgets/stop_filter.h"
 #include "widgets/watch_list.h"
 
@@ -27,6 +28,7 @@ public:
     Device &device() { return m_device; }
     RegisterModel &registers() { return m_registers; }
     RegisterEdits &edits() { return m_edits; }
+    AutoSnapshots &snapshots() { return m_snapshots; }
     capture::Capture &capture() { return m_capture; }
     WatchList &watchList() { return m_watchList; }
     Milliseconds now() const
@@ -44,6 +46,7 @@ private:
     QElapsedTimer m_clock;
     Device m_device;
     RegisterModel m_registers;
+    AutoSnapshots m_snapshots{m_device, autoSnapshotFolder()};
     RegisterEdits m_edits{m_device, m_registers};
     capture::Capture m_capture;
     WatchList m_watchList;
