@@ -1,0 +1,45 @@
+// What a drive tells and is told, as entries of a recording: samples and values as they are, everything that happens
+// once in words. The words are English and part of the format, like those of a protocol; nothing here is shown as it is.
+//
+// What comes over and over without news, such as the state of a motor that stays the same, becomes no entry.
+#pragma once
+
+#include "drive/event.h"
+#include "drive/wish.h"
+#include "record/entry.h"
+
+#include <map>
+#include <set>
+#include <vector>
+
+namespace record {
+
+class DriveEntries {
+public:
+    /// The entries of an event; most have one, many none.
+    std::vector<Entry> take(const drive::Event &event);
+    /// A wish on its way to the drive. Reading is none of anybody's business.
+    std::vector<Entry> take(const drive::Wish &wish);
+    static Entry stop(); ///< somebody wants every motor to stop
+
+    /// What holds now, for a recording that begins in the middle. Polled registers are described again.
+    std::vector<Entry> state();
+
+private:
+    std::vector<Entry> readings(const drive::RegistersRead &read);
+    std::vector<Entry> status(const drive::MotorStatus &status);
+    std::vector<Entry> counters(const drive::LinkCounters &counters);
+    std::vector<Entry> ended(const drive::Ended &ended);
+    Happening identity() const;
+    std::string nameOf(RegisterId id) const;
+
+    std::optional<drive::Identified> m_identified;
+    std::optional<drive::LinkChanged> m_link;
+    std::optional<capture::StreamLayout> m_layout;
+    std::map<int, drive::MotorStatus> m_status;
+    drive::LinkCounters m_counters;
+    std::set<RegisterId> m_described;
+    std::set<drive::WishId> m_waiting; ///< wishes whose end is worth an entry
+};
+
+} // namespace record

@@ -1,0 +1,208 @@
+// A recording on a disk that fails at any block: what was counted stays, the file says how it ended, and nothing more
+// is asked of the disk.
+#include "session/recording_file.h"
+#include "support/recording_facts.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace session;
+
+class TestRecordingFile : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void whatIsCountedIsInTheFile();
+    void anOldFileIsLeftAlone();
+    void whereverTheDiskFailsTheRecordingEndsWithAMark();
+    void aDiskWithoutRoomForAMarkGetsItInItsPlace();
+    void hardlyAnyRoomLeftEndsItCleanly();
+    void aFailedSyncEndsIt();
+    void anEntryThatFitsNoBlockIsLeftOutAndCounted();
+};
+
+namespace {
+
+/// A file in memory, and a disk that takes so many blocks.
+struct FakeDisk {
+    Bytes file;
+    int appends = 1'000'000; ///< that succeed from now on
+    bool takesMark = true; ///< after the first failure
+    bool syncs = true;
+    int calls = 0;
+};
+
+class FakeSink : public BlockSink {
+public:
+    explicit FakeSink(FakeDisk &disk)
+        : m_disk(disk)
+    {
+    }
+    bool append(ByteView bytes) override
+    {
+        ++m_disk.calls;
+        if (m_disk.appends-- <= 0 && !(m_disk.takesMark && m_failed))
+            return !(m_failed = true);
+        m_disk.file.insert(m_disk.file.end(), bytes.begin(), bytes.end());
+        return true;
+    }
+    bool overwrite(std::size_t offset, ByteView bytes) override
+    {
+        if (offset + bytes.size() > m_disk.file.size())
+            return false;
+        std::copy(
+            bytes.begin(), bytes.end(), m_disk.file.begin() + static_cast<std::ptrdiff_t>(offset));
+        return true;
+    }
+    bool sync() override { return m_disk.syncs; }
+    qint64 freeBytes() const override { return 1'000'000'000; }
+    bool isFull() const override { return true; }
+    QString systemText() const override { return QStringLiteral("no room"); }
+
+private:
+    FakeDisk &m_disk;
+    bool m_failed = false;
+};
+
+capture::StreamLayout layout() { return {1, 16000.0, 0.0, 1, {{1, "A", "A", 0.1, 0.0}}, {}}; }
+
+capture::SampleBlock block(capture::Tick tick)
+{
+    return {1, tick, 40'000, std::vector<std::int16_t>(40'000, std::int16_t(tick / 40'000)), {}, 0};
+}
+
+support::RecordingFacts read(const Bytes &bytes)
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("r.pcapng"));
+    QFile file(path);
+    if (file.open(QIODevice::WriteOnly))
+        file.write(reinterpret_cast<const char *>(bytes.data()), qint64(bytes.size()));
+    file.close();
+    return support::readRecording(path);
+}
+
+/// Ten blocks of samples, or as many as the disk takes. @return samples that were counted as written
+std::uint64_t record10(RecordingFile &file)
+{
+    if (!file.open())
+        return 0;
+    file.add(0, layout());
+    for (capture::Tick i = 0; i < 10; ++i)
+        file.add(i, block(i * 40'000));
+    file.end();
+    return file.counts().samples;
+}
+
+} // namespace
+
+void TestRecordingFile::whatIsCountedIsInTheFile()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("r.pcapng"));
+    QString text;
+    RecordingFile file(makeDiskSink(path, text), {0, "test", "here"});
+    QVERIFY(file.open());
+    QVERIFY(file.add(0, layout()));
+    QVERIFY(file.add(0, block(0)));
+    // Counted means that another program can read it, though nothing was closed.
+    QCOMPARE(qint64(file.counts().bytes), QFileInfo(path).size());
+    QCOMPARE(support::readRecording(path).samples(), file.counts().samples);
+    QCOMPARE(file.counts().safeBytes, 0U);
+    QVERIFY(file.add(1, record::Note{0, 1, "x"}));
+    QVERIFY(file.end());
+    QCOMPARE(file.counts().safeBytes, file.counts().bytes);
+    const auto facts = support::readRecording(path);
+    QCOMPARE(qint64(file.counts().bytes), QFileInfo(path).size());
+    QVERIFY(facts.damage.empty());
+    QCOMPARE(facts.ending->reason, record::End::Reason::Stopped);
+    QCOMPARE(facts.ending->samples, 40'000U);
+    QCOMPARE(facts.all<record::Begin>().at(0).source, std::string("here"));
+    QVERIFY(!file.add(2, record::Note{0, 1, "late"}));
+}
+
+void TestRecordingFile::anOldFileIsLeftAlone()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("r.pcapng"));
+    QFile old(path);
+    QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
+    old.close();
+    QString text;
+    QVERIFY(!makeDiskSink(path, text));
+    QVERIFY(!text.isEmpty());
+    QCOMPARE(QFileInfo(path).size(), 3);
+    QVERIFY(!makeDiskSink(folder.filePath(QStringLiteral("no/folder.pcapng")), text));
+}
+
+void TestRecordingFile::whereverTheDiskFailsTheRecordingEndsWithAMark()
+{
+    for (int k = 1; k < 12; ++k) {
+        FakeDisk disk;
+        disk.appends = k;
+        RecordingFile file(std::make_unique<FakeSink>(disk), {});
+        const std::uint64_t counted = record10(file);
+        QVERIFY(file.isOver());
+        const auto facts = read(disk.file);
+        QCOMPARE(facts.samples(), counted);
+        QVERIFY(facts.ending.has_value());
+        QCOMPARE(facts.ending->reason, record::End::Reason::DiskFull);
+        QCOMPARE(facts.ending->text, std::string("no room"));
+        // Two attempts more than succeeded, and never again.
+        QCOMPARE(disk.calls, k + 2);
+        QVERIFY(!file.add(9, block(400'000)));
+        QCOMPARE(disk.calls, k + 2);
+    }
+}
+
+void TestRecordingFile::aDiskWithoutRoomForAMarkGetsItInItsPlace()
+{
+    FakeDisk disk;
+    disk.appends = 5;
+    disk.takesMark = false;
+    RecordingFile file(std::make_unique<FakeSink>(disk), {});
+    const std::uint64_t counted = record10(file);
+    const auto facts = read(disk.file);
+    QVERIFY(facts.damage.empty());
+    QCOMPARE(facts.samples(), counted);
+    QCOMPARE(facts.ending->reason, record::End::Reason::DiskFull);
+    QCOMPARE(quint64(disk.file.size()), file.counts().bytes);
+}
+
+void TestRecordingFile::hardlyAnyRoomLeftEndsItCleanly()
+{
+    FakeDisk disk;
+    RecordingFile file(std::make_unique<FakeSink>(disk), {});
+    QVERIFY(file.open() && file.add(0, layout()) && file.add(0, capture::SampleBlock(block(0))));
+    file.endForWantOfRoom();
+    QVERIFY(file.isOver());
+    const auto facts = read(disk.file);
+    QVERIFY(facts.damage.empty());
+    QCOMPARE(facts.samples(), 40'000U);
+    QCOMPARE(facts.ending->reason, record::End::Reason::DiskFull);
+}
+
+void TestRecordingFile::aFailedSyncEndsIt()
+{
+    FakeDisk disk;
+    disk.syncs = false;
+    RecordingFile file(std::make_unique<FakeSink>(disk), {});
+    QVERIFY(file.open());
+    QVERIFY(!file.sync());
+    QVERIFY(file.isOver());
+    QCOMPARE(file.counts().safeBytes, 0U);
+    QVERIFY(read(disk.file).ending.has_value());
+}
+
+void TestRecordingFile::anEntryThatFitsNoBlockIsLeftOutAndCounted()
+{
+    FakeDisk disk;
+    RecordingFile file(std::make_unique<FakeSink>(disk), {});
+    QVERIFY(file.open());
+    QVERIFY(file.add(0, record::Note{0, 0, std::string(100'000, 'x')}));
+    QCOMPARE(file.leftOut(), 1U);
+    QVERIFY(file.end());
+    QVERIFY(read(disk.file).all<record::Note>().empty());
+}
+
+QTEST_APPLESS_MAIN(TestRecordingFile)
+#include "tst_recording_file.moc"

@@ -1,0 +1,311 @@
+// A recording of a session that runs: everything the drive tells is in the file, and whatever the disk does, the session
+// goes on.
+#include "fakes.h"
+#include "session/recording.h"
+#include "support/recording_facts.h"
+
+#include <QSemaphore>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace session;
+using namespace std::chrono_literals;
+
+class TestRecordingLive : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void everythingThatIsToldIsInTheFile();
+    void aRecordingThatBeginsLateKnowsWhatHolds();
+    void theBytesOfTheLineAreThereIfAskedFor();
+    void aSlowDiskStallsNobodyAndItsLossIsTold();
+    void aFullDiskEndsTheRecordingAndNotTheSession();
+    void aFileThatIsThereAlreadyIsAnError();
+    void leavingWithoutAStopEndsTheFile();
+    void aSecondRecordingIsAWholeOne();
+};
+
+namespace {
+
+capture::StreamLayout layout()
+{
+    return {1, 16000.0, 0.0, 1, {{1, "A", "A", 0.1, 0.0}, {2, "B", "A", 0.1, 0.0}}, {}};
+}
+
+capture::SampleBlock block(capture::Tick tick)
+{
+    return {1, tick, 100, std::vector<std::int16_t>(200, std::int16_t(tick)), {}, 0};
+}
+
+/// A session with fakes behind it, a tap, and a recording.
+struct Bench {
+    TimePoint now{100s};
+    fakes::FakeTransport::Log port;
+    fakes::FakeDrive::Log board;
+    std::shared_ptr<RecordingTap> tap;
+    Session session;
+    Recording recording;
+    QTemporaryDir folder;
+    QString path = folder.filePath(QStringLiteral("r.pcapng"));
+    QList<RecordingResult> results;
+    int starts = 0;
+    std::size_t batches = 0;
+
+    explicit Bench(MakeSink sink = makeDiskSink, std::size_t bound = std::size_t{64} << 20)
+        : tap(std::make_shared<RecordingTap>(bound))
+        , session(tapped({.clock = [this] { return now; },
+                             .transport =
+                                 [this](const Endpoint &) {
+                                     return std::make_unique<fakes::FakeTransport>(port);
+                                 },
+                             .drive =
+                                 [this](const Endpoint &) {
+                                     return std::make_unique<fakes::FakeDrive>(board);
+                                 }},
+              tap))
+        , recording(tap, {0, 0}, std::move(sink))
+    {
+        QObject::connect(&session, &Session::batch, [this](const BatchPtr &) {
+            ++batches;
+            session.acknowledge();
+        });
+        QObject::connect(&recording, &Recording::started, [this] { ++starts; });
+        QObject::connect(&recording, &Recording::finished,
+            [this](const RecordingResult &result) { results.append(result); });
+        session.open({});
+    }
+    void start(RecordingTap::Content content = RecordingTap::Content::Samples)
+    {
+        const int before = starts;
+        recording.start(path, content, QStringLiteral("test"), QStringLiteral("fake"));
+        QTRY_COMPARE(starts, before + 1);
+    }
+    void stop()
+    {
+        recording.stop();
+        QTRY_VERIFY(!recording.running());
+    }
+    void tell(drive::Event event)
+    {
+        board.alive->events.push_back(std::move(event));
+        now += 20ms;
+        session.step(now);
+    }
+};
+
+/// A sink whose disk is slow until it is let go, or takes so many blocks.
+struct Gate {
+    QSemaphore open;
+    std::atomic<int> blocks = 1'000'000;
+};
+class GatedSink : public BlockSink {
+public:
+    GatedSink(Gate &gate, std::unique_ptr<BlockSink> inner)
+        : m_gate(gate)
+        , m_inner(std::move(inner))
+    {
+    }
+    bool append(ByteView bytes) override
+    {
+        m_gate.open.acquire();
+        m_gate.open.release();
+        return m_gate.blocks-- > 0 && m_inner->append(bytes);
+    }
+    bool overwrite(std::size_t offset, ByteView bytes) override
+    {
+        return m_inner->overwrite(offset, bytes);
+    }
+    bool sync() override { return m_inner->sync(); }
+    qint64 freeBytes() const override { return 1'000'000'000; }
+    bool isFull() const override { return true; }
+    QString systemText() const override { return QStringLiteral("no room"); }
+
+private:
+    Gate &m_gate;
+    std::unique_ptr<BlockSink> m_inner;
+};
+
+MakeSink gated(Gate &gate)
+{
+    return [&gate](const QString &path, QString &text) -> std::unique_ptr<BlockSink> {
+        return std::make_unique<GatedSink>(gate, makeDiskSink(path, text));
+    };
+}
+
+} // namespace
+
+void TestRecordingLive::everythingThatIsToldIsInTheFile()
+{
+    Bench bench;
+    bench.start();
+    bench.tell(drive::LinkChanged{drive::LinkState::Connected, drive::LinkReason::None});
+    bench.tell(drive::StreamStarted{layout()});
+    for (capture::Tick tick = 0; tick < 1000; tick += 100)
+        bench.tell(block(tick));
+    drive::MotorStatus status;
+    status.stateName = "RUN";
+    status.state = drive::MotorState::Running;
+    bench.tell(status);
+    bench.tell(status); // no news
+    bench.session.submit({7, drive::SpeedRamp{1, 1500, 500ms}});
+    bench.tell(drive::Ended{7, drive::Outcome::Ok, {}, {}});
+    bench.session.stop();
+    bench.recording.add(5, record::Note{1, 2, "look here"});
+    bench.stop();
+    QCOMPARE(bench.results.size(), 1);
+    QCOMPARE(bench.results[0].outcome, RecordingOutcome::Stopped);
+
+    const auto facts = support::readRecording(bench.path);
+    QVERIFY(facts.damage.empty());
+    QCOMPARE(facts.ending->reason, record::End::Reason::Stopped);
+    QCOMPARE(facts.samples(), 2000U);
+    QCOMPARE(facts.capture.size(*facts.capture.find(2)), 1000U);
+    const std::vector<std::string> names{"link", "motor state", "speed ramp", "ended", "stop"};
+    QCOMPARE(facts.happenings(), names);
+    QCOMPARE(facts.all<record::Note>().size(), std::size_t(1));
+    QVERIFY(facts.all<record::LinkBytes>().empty());
+    QCOMPARE(bench.results[0].last.counts.samples, 2000U);
+    QCOMPARE(qint64(bench.results[0].last.counts.bytes), QFileInfo(bench.path).size());
+    QCOMPARE(bench.tap->waiting(), std::size_t(0));
+}
+
+void TestRecordingLive::aRecordingThatBeginsLateKnowsWhatHolds()
+{
+    Bench bench;
+    bench.tell(drive::LinkChanged{drive::LinkState::Connected, drive::LinkReason::None});
+    bench.tell(drive::StreamStarted{layout()});
+    bench.tell(block(0));
+    bench.start();
+    bench.tell(block(100));
+    bench.tell(block(200));
+    bench.stop();
+    const auto facts = support::readRecording(bench.path);
+    QCOMPARE(facts.happenings(), std::vector<std::string>{"link"});
+    QCOMPARE(facts.all<capture::StreamLayout>().size(), std::size_t(1));
+    QCOMPARE(facts.capture.size(*facts.capture.find(1)), 200U);
+}
+
+void TestRecordingLive::theBytesOfTheLineAreThereIfAskedFor()
+{
+    Bench bench;
+    bench.start(RecordingTap::Content::SamplesAndLink);
+    bench.port.alive->hear("abc");
+    bench.port.alive->hear("def");
+    bench.board.alive->outputs.push_back({Bytes{1, 2}, {}});
+    bench.now += 1ms;
+    bench.session.step(bench.now);
+    bench.stop();
+    const auto facts = support::readRecording(bench.path);
+    const auto link = facts.all<record::LinkBytes>();
+    QCOMPARE(link.size(), std::size_t(2));
+    QCOMPARE(link[0].direction, record::LinkBytes::Direction::Received);
+    QCOMPARE(
+        QByteArray(reinterpret_cast<const char *>(link[0].bytes.data()), 6), QByteArray("abcdef"));
+    QCOMPARE(link[1].direction, record::LinkBytes::Direction::Sent);
+    QCOMPARE(bench.board.received.size(), std::size_t(6)); // and the drive heard them all the same
+}
+
+void TestRecordingLive::aSlowDiskStallsNobodyAndItsLossIsTold()
+{
+    Gate gate;
+    gate.open.release();
+    Bench bench(gated(gate), 200'000);
+    bench.start();
+    bench.tell(drive::StreamStarted{layout()});
+    gate.open.acquire(); // from now on each write takes for ever
+    const std::size_t before = bench.batches;
+    for (capture::Tick tick = 0; tick < 100'000; tick += 100)
+        bench.tell(block(tick)); // comes back at once each time
+    QCOMPARE(bench.batches, before + 1000);
+    QVERIFY(bench.tap->waiting() <= 200'000);
+    gate.open.release();
+    QTRY_COMPARE(bench.tap->waiting(), std::size_t(0));
+    bench.tell(block(100'000));
+    bench.stop();
+    const RecordingProgress &last = bench.results[0].last;
+    QVERIFY(last.lost.samples > 0);
+    const auto facts = support::readRecording(bench.path);
+    QVERIFY(facts.damage.empty());
+    QCOMPARE(facts.samples() + last.lost.samples, 1001U * 200U);
+    QCOMPARE(facts.all<record::Lost>().at(0).samples, last.lost.samples);
+    const auto blocks = facts.all<capture::SampleBlock>();
+    QCOMPARE(blocks.back().firstTick, capture::Tick(100'000));
+    QCOMPARE(blocks.back().lostTicks, capture::Tick(last.lost.samples / 2));
+}
+
+void TestRecordingLive::aFullDiskEndsTheRecordingAndNotTheSession()
+{
+    Gate gate;
+    gate.open.release();
+    gate.blocks = 3; // the head, the layout and one of samples
+    Bench bench(gated(gate));
+    bench.start();
+    bench.tell(drive::StreamStarted{layout()});
+    for (capture::Tick tick = 0; bench.results.isEmpty() && tick < 10'000'000; tick += 100) {
+        bench.tell(block(tick));
+        QCoreApplication::processEvents();
+    }
+    QTRY_COMPARE(bench.results.size(), 1);
+    QCOMPARE(bench.results[0].outcome, RecordingOutcome::DiskFull);
+    QCOMPARE(bench.results[0].systemText, QStringLiteral("no room"));
+    QVERIFY(!bench.recording.running());
+    const std::size_t before = bench.batches;
+    bench.tell(block(20'000'000));
+    QCOMPARE(bench.batches, before + 1);
+    QVERIFY(!bench.session.closed());
+    QTRY_COMPARE(bench.tap->waiting(), std::size_t(0));
+    const auto facts = support::readRecording(bench.path);
+    QCOMPARE(facts.ending->reason, record::End::Reason::DiskFull);
+    QCOMPARE(facts.samples(), bench.results[0].last.counts.samples);
+}
+
+void TestRecordingLive::aFileThatIsThereAlreadyIsAnError()
+{
+    Bench bench;
+    QFile old(bench.path);
+    QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
+    old.close();
+    bench.recording.start(bench.path, RecordingTap::Content::Samples, {}, {});
+    QTRY_COMPARE(bench.results.size(), 1);
+    QCOMPARE(bench.results[0].outcome, RecordingOutcome::CannotOpen);
+    QVERIFY(!bench.results[0].systemText.isEmpty());
+    QCOMPARE(bench.starts, 0);
+    QCOMPARE(QFileInfo(bench.path).size(), 3);
+}
+
+void TestRecordingLive::leavingWithoutAStopEndsTheFile()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("r.pcapng"));
+    {
+        Bench bench;
+        bench.path = path;
+        bench.start();
+        bench.tell(drive::StreamStarted{layout()});
+        bench.tell(block(0));
+    }
+    const auto facts = support::readRecording(path);
+    QCOMPARE(facts.samples(), 200U);
+    QVERIFY(facts.ending.has_value());
+}
+
+void TestRecordingLive::aSecondRecordingIsAWholeOne()
+{
+    Bench bench;
+    bench.start();
+    bench.tell(drive::StreamStarted{layout()});
+    bench.tell(block(0));
+    bench.stop();
+    bench.tell(block(100)); // recorded by nobody
+    bench.path = bench.folder.filePath(QStringLiteral("second.pcapng"));
+    bench.start();
+    bench.tell(block(200));
+    bench.stop();
+    const auto facts = support::readRecording(bench.path);
+    QCOMPARE(facts.samples(), 200U);
+    QCOMPARE(facts.all<capture::SampleBlock>().at(0).firstTick, capture::Tick(200));
+    QVERIFY(facts.damage.empty());
+}
+
+QTEST_GUILESS_MAIN(TestRecordingLive)
+#include "tst_recording_live.moc"
