@@ -1,0 +1,88 @@
+// What an automatic measurement says: a number or the reason why there is none, its kind of unit, and the levels and
+// points to draw, so that a person sees what was measured. Definitions: measurer.h, step_response.h, phase.h.
+#pragma once
+
+#include "base/result.h"
+#include "capture/tick_time.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace scope {
+
+using capture::Nanos;
+
+enum class Quantity : std::uint8_t {
+    Min,
+    Max,
+    PeakToPeak,
+    Mean,
+    Rms,
+    CycleMean, ///< over whole periods
+    CycleRms,
+    Frequency,
+    Period,
+    Duty, ///< share of a period above the middle level
+    Rise, ///< 10 to 90 %
+    Fall,
+    Overshoot, ///< past the final value, of the step
+    Undershoot, ///< to the wrong side of the initial value, of the step
+    PeakTime, ///< from the step to the largest deviation from the initial value in its direction
+    Settling,
+    DeadTime, ///< to 5 % of the step
+    SteadyStateError, ///< set-point minus final value
+    Ripple, ///< peak to peak once settled
+    RippleRms,
+    AbsoluteError, ///< integral of |set-point - value|
+    TimedError, ///< integral of time * |set-point - value|
+    Phase
+};
+
+/// Of the number; the channel's own unit is in its ChannelInfo.
+enum class UnitKind : std::uint8_t {
+    Channel,
+    Seconds,
+    Hertz,
+    Percent,
+    Degrees,
+    ChannelSeconds, ///< channel's unit times s
+    ChannelSecondsSquared
+};
+
+enum class WhyNot : std::uint8_t {
+    NoSamples,
+    GapInside, ///< times cannot be measured across what is missing
+    NoFullPeriod, ///< or the signal is flat
+    NoEdge, ///< no complete one in that direction
+    NoStep, ///< start and end are the same as far as the noise lets see
+    NotSettled, ///< does not stay in the band for long enough
+    NoSetPoint, ///< it was not said what the value should be
+    OtherFrequency ///< the two channels do not share one
+};
+
+/// A level over a stretch of time; two with the roles BandLow and BandHigh are a band.
+struct LevelMark {
+    enum class Role : std::uint8_t { Measured, Reference, BandLow, BandHigh } role = Role::Measured;
+    double level = 0.0; ///< in the channel's unit
+    Nanos from = 0;
+    Nanos to = 0;
+};
+
+/// An instant at a value; two of them are the ends of what was measured.
+struct PointMark {
+    Nanos time = 0;
+    double level = 0.0;
+};
+
+struct Measurement {
+    Quantity quantity = Quantity::Mean;
+    UnitKind unit = UnitKind::Channel;
+    Result<double, WhyNot> value = fail(WhyNot::NoSamples);
+    bool partial = false; ///< something is missing inside; the number is about what is there
+    std::vector<LevelMark> levels;
+    std::vector<PointMark> points;
+};
+
+UnitKind unitOf(Quantity quantity);
+
+} // namespace scope
