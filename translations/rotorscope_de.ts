@@ -107,6 +107,10 @@
         <source>Move the cursor by a sample, else the picture</source>
         <translation>Den Cursor um einen Messwert bewegen, sonst das Bild</translation>
     </message>
+    <message>
+        <source>Set a marker</source>
+        <translation>Markierung setzen</translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -1011,6 +1015,171 @@
     </message>
 </context>
 <context>
+    <name>widgets::EventLane</name>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <comment>events</comment>
+        <translation>
+            <numerusform>und %n weiteres</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1  %2: %3</source>
+        <comment>time, kind of event, what happened</comment>
+        <translation>%1  %2: %3</translation>
+    </message>
+    <message>
+        <source>What happened, on the clock of the traces. Double-click sets a marker.</source>
+        <translation>Was geschah, auf der Uhr der Kurven. Ein Doppelklick setzt eine Markierung.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::EventLog</name>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <comment>an event: a register was written</comment>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Markierung</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Erholung</translation>
+    </message>
+    <message>
+        <source>Loss</source>
+        <translation>Verlust</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Marker %1</source>
+        <translation>Markierung %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <comment>heading of a column: the kind of an event</comment>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Event or note</source>
+        <translation>Ereignis oder Notiz</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::EventPanel</name>
+    <message>
+        <source>&amp;Markers only</source>
+        <translation>Nur &amp;Markierungen</translation>
+    </message>
+    <message>
+        <source>Events and markers</source>
+        <translation>Ereignisse und Markierungen</translation>
+    </message>
+    <message>
+        <source>Enter shows an event on the scope, F2 edits a marker&apos;s note, Delete removes a marker</source>
+        <translation>Enter zeigt ein Ereignis im Oszilloskop, F2 ändert die Notiz einer Markierung, Entf löscht eine Markierung</translation>
+    </message>
+    <message>
+        <source>&amp;Set a marker</source>
+        <translation>Markierung &amp;setzen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete markers</source>
+        <translation>Markierungen &amp;löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::EventRecorder</name>
+    <message>
+        <source>Stop motors</source>
+        <translation>Motoren stoppen</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Freigegeben</translation>
+    </message>
+    <message>
+        <source>Disarmed</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>Motor %1: %2</source>
+        <translation>Motor %1: %2</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Stop ramp</source>
+        <translation>Rampe anhalten</translation>
+    </message>
+    <message>
+        <source>Acknowledge faults</source>
+        <translation>Fehler quittieren</translation>
+    </message>
+    <message>
+        <source>Ramp to %1 rpm in %2 ms</source>
+        <translation>Rampe auf %1 rpm in %2 ms</translation>
+    </message>
+    <message>
+        <source>Ramp to %1 A in %2 ms</source>
+        <translation>Rampe auf %1 A in %2 ms</translation>
+    </message>
+    <message>
+        <source>Currents Iq %1 A, Id %2 A</source>
+        <translation>Ströme Iq %1 A, Id %2 A</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a command and how it ended</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3</source>
+        <comment>a register, its value before and after</comment>
+        <translation>%1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>Disconnected</source>
+        <translation>Getrennt</translation>
+    </message>
+    <message>
+        <source>%1 of samples lost</source>
+        <translation>%1 an Messwerten verloren</translation>
+    </message>
+</context>
+<context>
     <name>widgets::ExportDialog</name>
     <message>
         <source>Export CSV</source>
@@ -1403,6 +1572,10 @@
         <source>&amp;Tools</source>
         <translation>&amp;Werkzeuge</translation>
     </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterEdits</name>
@@ -1642,6 +1815,14 @@
     <message>
         <source>Take cursor &amp;B</source>
         <translation>Cursor &amp;B nehmen</translation>
+    </message>
+    <message>
+        <source>Set a &amp;marker</source>
+        <translation>&amp;Markierung setzen</translation>
+    </message>
+    <message>
+        <source>At the mouse, else at the active cursor, else at the newest sample (M)</source>
+        <translation>An der Maus, sonst am aktiven Cursor, sonst am neuesten Messwert (M)</translation>
     </message>
 </context>
 <context>

@@ -107,6 +107,10 @@
         <source>Move the cursor by a sample, else the picture</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Set a marker</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -1011,6 +1015,171 @@
     </message>
 </context>
 <context>
+    <name>widgets::EventLane</name>
+    <message>
+        <source>Events</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <comment>events</comment>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1  %2: %3</source>
+        <comment>time, kind of event, what happened</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What happened, on the clock of the traces. Double-click sets a marker.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::EventLog</name>
+    <message>
+        <source>Command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <comment>an event: a register was written</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loss</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marker %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What</source>
+        <comment>heading of a column: the kind of an event</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Event or note</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::EventPanel</name>
+    <message>
+        <source>&amp;Markers only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Events and markers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter shows an event on the scope, F2 edits a marker&apos;s note, Delete removes a marker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Set a marker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Delete markers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::EventRecorder</name>
+    <message>
+        <source>Stop motors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disarmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acknowledge faults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ramp to %1 rpm in %2 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ramp to %1 A in %2 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Currents Iq %1 A, Id %2 A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a command and how it ended</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3</source>
+        <comment>a register, its value before and after</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of samples lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::ExportDialog</name>
     <message>
         <source>Export CSV</source>
@@ -1403,6 +1572,10 @@
         <source>&amp;Tools</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Events</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterEdits</name>
@@ -1641,6 +1814,14 @@
     </message>
     <message>
         <source>Take cursor &amp;B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set a &amp;marker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the mouse, else at the active cursor, else at the newest sample (M)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -97,6 +97,7 @@ void showKeys(QWidget *parent)
         {QStringLiteral("Ctrl+\u2190 Ctrl+\u2192"), About::tr("Earlier, later")},
         {About::tr("End"), About::tr("Follow the newest samples")},
         {QStringLiteral("C, 1, 2"), About::tr("Cursors; 1 and 2 give one to the mouse")},
+        {QStringLiteral("M"), About::tr("Set a marker")},
         {QStringLiteral("\u2190 \u2192"),
             About::tr("Move the cursor by a sample, else the picture")},
         {QStringLiteral("Ctrl+Shift+E"), About::tr("Export CSV")},

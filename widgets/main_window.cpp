@@ -6,6 +6,7 @@
 #include "widgets/control_panel.h"
 #include "widgets/cursor_panel.h"
 #include "widgets/device_text.h"
+#include "widgets/event_recorder.h"
 #include "widgets/export_dialog.h"
 #include "widgets/file_prompt.h"
 #include "widgets/first_steps.h"
@@ -79,6 +80,9 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     , m_settings(settings)
     , m_scope(new ScopeView(workbench.capture(), this))
     , m_selection(new SignalSelection(m_device, workbench.capture(), *m_scope, this))
+    , m_recorder(new EventRecorder(
+          m_device, workbench.capture(), m_scope->events(),
+          [&workbench] { return workbench.now(); }, this))
     , m_connectBar(new ConnectBar(m_device, ports, this))
     , m_alarm(new StopAlarm(this))
     , m_shutdown(new Shutdown(m_device, this))

@@ -18,6 +18,7 @@ namespace widgets {
 
 class ConnectBar;
 class ControlPanel;
+class EventRecorder;
 class FilePrompt;
 class FirstSteps;
 class Form;
@@ -61,7 +62,8 @@ private:
     void showRunning(bool running);
     void makeDocks();
     void makeTools();
-    void addTool(Form *form, const QString &title, const char *name, const QKeySequence &keys);
+    void makeScopeTools();
+    QAction *addTool(Form *form, const QString &title, const char *name, const QKeySequence &keys);
     void makeScopeActions();
     void makeMenus(QMenuBar &bar);
     void fillEditMenu(QMenu *menu);
@@ -98,6 +100,7 @@ private:
     ScopeView *m_scope;
     SignalSelection *m_selection;
     ScopeTools *m_scopeTools = nullptr;
+    EventRecorder *m_recorder;
     ConnectBar *m_connectBar = nullptr;
     ControlPanel *m_control = nullptr;
     RegisterPanel *m_registerPanel = nullptr;

@@ -20,9 +20,10 @@ void MainWindow::makeTools()
     // The control panel keeps its height: state and commands stay in view while something is tuned.
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    makeScopeTools();
 }
 
-void MainWindow::addTool(
+QAction *MainWindow::addTool(
     Form *form, const QString &title, const char *name, const QKeySequence &keys)
 {
     auto *scroll = new QScrollArea(this);
@@ -69,6 +70,7 @@ void MainWindow::addTool(
         m_told = Told::Other;
         m_banner->say(Banner::Kind::Warning, sentence);
     });
+    return open;
 }
 
 void MainWindow::fillToolsMenu(QMenu *menu)

@@ -36,6 +36,9 @@ ScopeTools::ScopeTools(ScopeView &scope, QWidget &window)
         m_scope.setFocus(Qt::ShortcutFocusReason);
     });
     m_groups.append({m_cursors, takeA, takeB});
+    m_groups.append({make(tr("Set a &marker"), Qt::Key_M,
+        tr("At the mouse, else at the active cursor, else at the newest sample (M)"),
+        &ScopeView::setMarker)});
     connect(&scope.cursors(), &Cursors::changed, m_cursors,
         [this] { m_cursors->setChecked(m_scope.cursors().visible()); });
 }

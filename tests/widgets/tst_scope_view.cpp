@@ -135,6 +135,13 @@ void sendDrop(QWidget &target, const QPoint &at, const QByteArray &json, bool *e
 
 QWidget &plotOf(ScopeView &view) { return *view.findChild<QWidget *>(QStringLiteral("scopePlot")); }
 
+/// Where a plot's traces are, in pixels of the plot widget, which gets the mouse.
+QRect areaOf(ScopeView &view, int plot)
+{
+    const QRect area = view.plotRect(plot);
+    return {plotOf(view).mapFrom(&view, area.topLeft()), area.size()};
+}
+
 } // namespace
 
 void TestScopeView::anEmptyScopeSaysWhatToDo()
@@ -444,8 +451,8 @@ void TestScopeView::draggingPansAndEndsFollowing()
     QSignalSpy spy(&bench.view, &ScopeView::followingChanged);
     const auto before = bench.view.visibleRange();
     QWidget &plot = plotOf(bench.view);
-    const QPoint center = bench.view.plotRect(0).center();
-    const int distance = bench.view.plotRect(0).width() / 5;
+    const QPoint center = areaOf(bench.view, 0).center();
+    const int distance = areaOf(bench.view, 0).width() / 5;
     QTest::mousePress(&plot, Qt::LeftButton, {}, center);
     QTest::mouseMove(&plot, center + QPoint(distance, 0));
     QTest::mouseRelease(&plot, Qt::LeftButton, {}, center + QPoint(distance, 0));
@@ -465,7 +472,7 @@ void TestScopeView::theWheelZoomsAtTheMouse()
     bench.view.setVisibleRange(0.0, 10.0);
     bench.picture();
     QWidget &plot = plotOf(bench.view);
-    const QRect area = bench.view.plotRect(0);
+    const QRect area = areaOf(bench.view, 0);
     const auto wheel = [&](QPoint at, int delta, Qt::KeyboardModifiers held) {
         QWheelEvent event(
             at, plot.mapToGlobal(at), {}, {0, delta}, Qt::NoButton, held, Qt::NoScrollPhase, false);
@@ -497,7 +504,7 @@ void TestScopeView::aRightDragZoomsIntoTheBox()
     bench.view.fitAll();
     bench.picture();
     QWidget &plot = plotOf(bench.view);
-    const QRect area = bench.view.plotRect(0);
+    const QRect area = areaOf(bench.view, 0);
     const auto values = bench.view.valueRangeOf(bench.id(1));
     const QPoint from(area.left() + area.width() / 2, area.top() + area.height() / 2);
     const QPoint to(area.left() + area.width() * 3 / 4, area.top() + area.height() * 3 / 4);
@@ -520,7 +527,7 @@ void TestScopeView::draggingAnAxisMovesOnlyThatAxis()
     bench.record(10'000, [](int, int tick) { return tick % 100; });
     bench.picture();
     QWidget &plot = plotOf(bench.view);
-    const QRect area = bench.view.plotRect(0);
+    const QRect area = areaOf(bench.view, 0);
     const auto first = bench.view.valueRangeOf(bench.id(1));
     const auto second = bench.view.valueRangeOf(bench.id(2));
     const QPoint axis(area.left() - 15, area.center().y());
@@ -549,7 +556,7 @@ void TestScopeView::clickingTheLegendSelectsAndDeleteRemoves()
     QSignalSpy spy(&bench.view, &ScopeView::removeRequested);
     QTest::keyClick(&bench.view, Qt::Key_Delete); // nothing is selected
     QCOMPARE(spy.size(), 0);
-    const QPoint entry = bench.view.plotRect(0).topLeft() + QPoint(20, 12);
+    const QPoint entry = areaOf(bench.view, 0).topLeft() + QPoint(20, 12);
     QTest::mouseClick(&plotOf(bench.view), Qt::LeftButton, {}, entry);
     QTest::keyClick(&bench.view, Qt::Key_Delete);
     QCOMPARE(spy.size(), 1);

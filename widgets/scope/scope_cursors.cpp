@@ -1,4 +1,5 @@
-// What the scope does with its cursors: brings them into view, hands them to the mouse, moves them sample by sample.
+// What the scope does with its cursors and markers: brings them into view, hands them to the mouse, moves them sample by
+// sample, sets them.
 #include "widgets/scope/plot_stack.h"
 #include "widgets/scope/scope_mouse.h"
 #include "widgets/scope/scope_view.h"
@@ -94,7 +95,6 @@ void ScopeView::nudgeCursor(int samples)
     showTime(m_cursors.pair().at(*end));
 }
 
-/// Moves the picture just so far that it shows this time; a picture that follows is left alone.
 void ScopeView::showTime(double seconds)
 {
     if (inView(seconds) || (m_running && m_following))
@@ -102,6 +102,30 @@ void ScopeView::showTime(double seconds)
     const double span = m_range.to - m_range.from;
     const double from = seconds < m_range.from ? seconds - span * 0.1 : seconds - span * 0.9;
     setVisibleRange(from, from + span);
+}
+
+void ScopeView::centerOn(double seconds)
+{
+    const double half = (m_range.to - m_range.from) / 2;
+    setVisibleRange(seconds - half, seconds + half);
+}
+
+void ScopeView::setMarker()
+{
+    const auto active = m_cursors.active();
+    const auto newest = m_stack->newestSample();
+    const double middle = m_range.from + (m_range.to - m_range.from) / 2;
+    if (const auto time = timeUnderMouse())
+        setMarkerAt(*time);
+    else if (active)
+        setMarkerAt(m_cursors.pair().at(*active));
+    else
+        setMarkerAt(newest && inView(*newest) ? *newest : middle);
+}
+
+void ScopeView::setMarkerAt(double seconds)
+{
+    m_events.add(EventKind::Marker, seconds, m_events.freeMarkerName());
 }
 
 } // namespace widgets

@@ -26,13 +26,16 @@ void ScopeView::keyPressEvent(QKeyEvent *event)
     QWidget::keyPressEvent(event);
 }
 
-/// Keys of the cursors; the arrows only while one of them is active.
+/// Keys of the cursors and markers; the arrows only while one of them is active.
 bool ScopeView::cursorKey(int key, bool shift)
 {
     const int step = shift ? kShiftedNudge : 1;
     switch (key) {
     case Qt::Key_C:
         toggleCursors();
+        return true;
+    case Qt::Key_M:
+        setMarker();
         return true;
     case Qt::Key_1:
         takeCursor(CursorEnd::A);

@@ -37,8 +37,11 @@ ScopeMouse::ScopeMouse(ScopeView &view, QCustomPlot &plot, PlotStack &stack)
 bool ScopeMouse::eventFilter(QObject *, QEvent *event)
 {
     switch (event->type()) {
+    case QEvent::MouseButtonDblClick:
+        if (markTime(*static_cast<QMouseEvent *>(event)))
+            return true;
+        [[fallthrough]]; // two quick clicks are two clicks
     case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonDblClick: // two quick clicks are two clicks
         return press(*static_cast<QMouseEvent *>(event));
     case QEvent::MouseMove:
         return move(*static_cast<QMouseEvent *>(event));
@@ -79,6 +82,18 @@ bool ScopeMouse::press(const QMouseEvent &event)
     } else if (event.button() == Qt::LeftButton) {
         pressLeft();
     }
+    return true;
+}
+
+/// A double click on the time axis sets a marker there.
+bool ScopeMouse::markTime(const QMouseEvent &event)
+{
+    const QRect last = m_stack.plot(m_stack.count() - 1).rect->rect();
+    const QPointF at = event.position();
+    if (event.button() != Qt::LeftButton || at.y() <= last.bottom() || at.x() < last.left()
+        || at.x() > last.right())
+        return false;
+    m_view.setMarkerAt(m_view.timeAt(at.x()));
     return true;
 }
 

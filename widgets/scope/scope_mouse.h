@@ -43,6 +43,7 @@ private:
     bool move(const QMouseEvent &event);
     bool release(const QMouseEvent &event);
     bool wheel(const QWheelEvent &event);
+    bool markTime(const QMouseEvent &event);
     void pressLeft();
     void hover(const QPointF &position);
     void zoomIntoBox(const QRect &box);

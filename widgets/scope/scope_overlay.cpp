@@ -1,12 +1,15 @@
 #include "widgets/scope/scope_overlay.h"
 
 #include "widgets/scope/cursors.h"
+#include "widgets/scope/event_log.h"
 #include "widgets/scope/plot_stack.h"
 #include "widgets/scope/reading_text.h"
 #include "widgets/scope/trace_colors.h"
 
 #include <QEvent>
 #include <QPainter>
+
+#include <algorithm>
 
 namespace widgets {
 
@@ -22,17 +25,19 @@ QColor faded(QColor color, int alpha)
 } // namespace
 
 ScopeOverlay::ScopeOverlay(QCustomPlot &plot, const PlotStack &stack,
-    const capture::Capture &capture, const Cursors &cursors)
+    const capture::Capture &capture, const Cursors &cursors, const EventLog &events)
     : QWidget(&plot)
     , m_stack(stack)
     , m_capture(capture)
     , m_cursors(cursors)
+    , m_events(events)
 {
     setObjectName(QStringLiteral("scopeOverlay"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setVisible(false);
     plot.installEventFilter(this);
     connect(&cursors, &Cursors::changed, this, &ScopeOverlay::follow);
+    connect(&events, &EventLog::changed, this, &ScopeOverlay::follow);
 }
 
 bool ScopeOverlay::eventFilter(QObject *watched, QEvent *event)
@@ -44,7 +49,13 @@ bool ScopeOverlay::eventFilter(QObject *watched, QEvent *event)
 
 void ScopeOverlay::follow()
 {
-    setVisible(m_cursors.visible());
+    const QCPRange seen = m_stack.plot(0).timeAxis()->range();
+    const EventLog::Range there = m_events.in(seen.lower, seen.upper);
+    const auto &events = m_events.events();
+    const bool marked = std::any_of(events.begin() + std::ptrdiff_t(there.first),
+        events.begin() + std::ptrdiff_t(there.last),
+        [](const ScopeEvent &event) { return event.kind == EventKind::Marker; });
+    setVisible(m_cursors.visible() || marked);
     update();
 }
 
@@ -68,6 +79,7 @@ void ScopeOverlay::paintEvent(QPaintEvent *)
 
 void ScopeOverlay::paintOn(QPainter &painter) const
 {
+    paintMarkers(painter);
     if (!m_cursors.visible())
         return;
     for (const CursorPair &pair : m_cursors.pairs()) {
@@ -76,6 +88,22 @@ void ScopeOverlay::paintOn(QPainter &painter) const
     }
     paintDistance(painter, m_cursors.pair());
     paintPair(painter, m_cursors.pair(), true);
+}
+
+/// A dotted line under each marker's flag in the lane.
+void ScopeOverlay::paintMarkers(QPainter &painter) const
+{
+    const QRect box = area();
+    const QCPRange seen = m_stack.plot(0).timeAxis()->range();
+    const EventLog::Range there = m_events.in(seen.lower, seen.upper);
+    painter.setPen(QPen(faded(palette().color(QPalette::Text), 150), 1, Qt::DotLine));
+    for (std::size_t i = there.first; i < there.last; ++i) {
+        const ScopeEvent &event = m_events.events()[i];
+        if (event.kind != EventKind::Marker)
+            continue;
+        const double x = xOf(event.seconds);
+        painter.drawLine(QPointF(x, 0), QPointF(x, box.bottom()));
+    }
 }
 
 void ScopeOverlay::paintPair(QPainter &painter, const CursorPair &pair, bool current) const

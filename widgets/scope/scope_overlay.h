@@ -1,4 +1,5 @@
-// What stands over the traces and moves without them: the cursors. A transparent child of the plot, so that moving a
+// What stands over the traces and moves without them: cursors and markers. A
+// transparent child of the plot, so that moving a
 // cursor repaints some lines and no trace. Takes no mouse; scope_handles.h knows where its parts can be taken.
 #pragma once
 
@@ -13,6 +14,7 @@ class Capture;
 namespace widgets {
 
 class Cursors;
+class EventLog;
 class PlotStack;
 struct CursorPair;
 
@@ -21,7 +23,7 @@ class ScopeOverlay : public QWidget {
 public:
     /// All outlive it; covers `plot`.
     ScopeOverlay(QCustomPlot &plot, const PlotStack &stack, const capture::Capture &capture,
-        const Cursors &cursors);
+        const Cursors &cursors, const EventLog &events);
 
     /// On a printer or in a file: the same over a plot drawn with `painter` in this widget's pixels.
     void paintOn(QPainter &painter) const;
@@ -34,6 +36,7 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
+    void paintMarkers(QPainter &painter) const;
     void paintPair(QPainter &painter, const CursorPair &pair, bool current) const;
     void paintFlag(
         QPainter &painter, double x, const QString &text, bool strong, bool active) const;
@@ -45,6 +48,7 @@ private:
     const PlotStack &m_stack;
     const capture::Capture &m_capture;
     const Cursors &m_cursors;
+    const EventLog &m_events;
 };
 
 } // namespace widgets

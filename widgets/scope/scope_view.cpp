@@ -1,5 +1,6 @@
 #include "widgets/scope/scope_view.h"
 
+#include "widgets/scope/event_lane.h"
 #include "widgets/scope/plot_stack.h"
 #include "widgets/scope/scope_mouse.h"
 #include "widgets/scope/scope_overlay.h"
@@ -30,8 +31,9 @@ ScopeView::ScopeView(capture::Capture &capture, QWidget *parent)
     , m_hint(new QLabel(this))
     , m_dropMark(new QRubberBand(QRubberBand::Rectangle, this))
     , m_stale(new StaleMark(*this, this))
+    , m_lane(new EventLane(*this, m_events, this))
     , m_stack(std::make_unique<PlotStack>(*m_plot, capture))
-    , m_overlay(new ScopeOverlay(*m_plot, *m_stack, capture, m_cursors))
+    , m_overlay(new ScopeOverlay(*m_plot, *m_stack, capture, m_cursors, m_events))
     , m_mouse(new ScopeMouse(*this, *m_plot, *m_stack))
 {
     setObjectName(QStringLiteral("scope"));
@@ -46,7 +48,9 @@ ScopeView::ScopeView(capture::Capture &capture, QWidget *parent)
     setMinimumSize(200, 120);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_plot);
+    layout->setSpacing(0);
+    layout->addWidget(m_lane);
+    layout->addWidget(m_plot, 1);
     m_plot->setFocusProxy(this);
     m_hint->setText(tr("Drag a signal here, or select one in the tree and press Enter"));
     m_hint->setTextFormat(Qt::PlainText);
@@ -58,6 +62,8 @@ ScopeView::ScopeView(capture::Capture &capture, QWidget *parent)
     connect(&m_frame, &QTimer::timeout, this, &ScopeView::drawFrame);
     connect(m_plot, &QCustomPlot::beforeReplot, this, [this] { m_stack->boundTicks(); });
     connect(m_mouse, &ScopeMouse::menuRequested, this, &ScopeView::showContextMenu);
+    connect(m_lane, &EventLane::markerWanted, this, &ScopeView::setMarkerAt);
+    connect(m_lane, &EventLane::noteWanted, this, &ScopeView::noteWanted);
     m_stack->applyPalette(palette());
     applyRange(m_range);
     updateDescription();
@@ -167,6 +173,7 @@ void ScopeView::setTimeOrigin(double seconds)
         return;
     m_origin = seconds;
     m_stack->setTimeOrigin(seconds);
+    m_events.setTimeOrigin(seconds);
     Q_EMIT timeOriginChanged(seconds);
     redraw();
 }

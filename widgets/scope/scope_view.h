@@ -4,6 +4,7 @@
 
 #include "capture/capture.h"
 #include "widgets/scope/cursors.h"
+#include "widgets/scope/event_log.h"
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -18,6 +19,7 @@ class QRubberBand;
 
 namespace widgets {
 
+class EventLane;
 class PlotStack;
 class ScopeMouse;
 class ScopeOverlay;
@@ -66,6 +68,7 @@ public:
     double readingStepOf(capture::ChannelId channel) const;
     Cursors &cursors() { return m_cursors; }
     const Cursors &cursors() const { return m_cursors; }
+    EventLog &events() { return m_events; } ///< what the lane above the traces shows
 
     /// For the status bar and for tests: redraws since the view was made.
     quint64 redraws() const { return m_redraws; }
@@ -85,6 +88,11 @@ public Q_SLOTS:
     void removeSelected(); ///< Delete: takes the trace that was clicked in the legend off the scope
     void redraw(); ///< something that is drawn changed: redraws at the next frame
     void setTimeOrigin(double seconds);
+    void showTime(double seconds); ///< moves the picture just so far; not while it follows
+    void centerOn(double seconds); ///< ends following
+    /// M: sets a marker at the mouse, else at the active cursor, else at the newest sample or in the middle.
+    void setMarker();
+    void setMarkerAt(double seconds);
     /// C: shows the cursors, inside the picture, or hides them.
     void toggleCursors();
     /// 1 and 2: the mouse takes this cursor along until the next click or the same key; without a mouse on the
@@ -101,6 +109,7 @@ Q_SIGNALS:
     void visibleRangeChanged(double from, double to);
     void drawn(); ///< after each redraw
     void timeOriginChanged(double seconds);
+    void noteWanted(quint32 marker); ///< the person wants to write a marker's note
     void removeRequested(
         quint32 channel); ///< the person took a signal off the scope; it is gone already
 
@@ -118,7 +127,6 @@ private:
     void applyRange(TimeRange range);
     void placeInView(CursorEnd end, double share);
     bool inView(double seconds) const;
-    void showTime(double seconds);
     const capture::Channel *nudgeChannel() const;
     bool scopeKey(int key, bool shift);
     bool cursorKey(int key, bool shift);
@@ -136,6 +144,8 @@ private:
     QRubberBand *m_dropMark;
     StaleMark *m_stale;
     Cursors m_cursors;
+    EventLog m_events;
+    EventLane *m_lane;
     std::unique_ptr<PlotStack> m_stack;
     ScopeOverlay *m_overlay;
     ScopeMouse *m_mouse;

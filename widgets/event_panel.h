@@ -1,0 +1,38 @@
+// The list of events and markers, as a tool: jump to one, write a note, delete a marker. The log holds them.
+#pragma once
+
+#include "widgets/forms/form.h"
+
+class QCheckBox;
+class QSortFilterProxyModel;
+class QTreeView;
+
+namespace widgets {
+
+class ScopeView;
+
+class EventPanel : public Form {
+    Q_OBJECT
+public:
+    /// `scope` outlives it.
+    explicit EventPanel(ScopeView &scope, QWidget *parent = nullptr);
+
+    void focusFirst() override;
+    void editNote(quint32 marker); ///< selects it and opens its note
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void jump(const QModelIndex &index);
+    void removeChosen();
+    void copyChosen();
+    void choose(quint32 id);
+
+    ScopeView &m_scope;
+    QSortFilterProxyModel *m_shown;
+    QTreeView *m_list;
+    QCheckBox *m_onlyMarkers;
+};
+
+} // namespace widgets
