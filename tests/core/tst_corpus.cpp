@@ -20,6 +20,9 @@
 #define LLVMFuzzerTestOneInput fuzzRecording
 #include "fuzz/fuzz_recording.cpp"
 #undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput fuzzFormula
+#include "fuzz/fuzz_formula.cpp"
+#undef LLVMFuzzerTestOneInput
 
 class TestCorpus : public QObject {
     Q_OBJECT
@@ -41,6 +44,7 @@ Target targetOf(const QString &name)
         : name == "fuzz_datalog"     ? fuzzDatalog
         : name == "fuzz_trace"       ? fuzzTrace
         : name == "fuzz_recording"   ? fuzzRecording
+        : name == "fuzz_formula"     ? fuzzFormula
                                      : nullptr;
 }
 

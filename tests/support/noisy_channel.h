@@ -94,7 +94,7 @@ private:
         const std::size_t length = 1 + m_random() % (what == 1 ? 4000 : 1500);
         double plateau = 0.0;
         const bool spikes = m_random() % 3 == 0;
-        if (m_random() % 3 == 0 || m_codes.empty())
+        if (m_random() % 3 == 0 && !m_codes.empty())
             m_gaps.push_back(1 + static_cast<capture::Tick>(m_random() % 300));
         for (std::size_t i = 0; i < length; ++i) {
             const double phase = static_cast<double>(m_codes.size()) / period;

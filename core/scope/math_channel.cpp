@@ -1,0 +1,140 @@
+#include "scope/math_channel.h"
+
+#include "scope/acquisition.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scope {
+
+using capture::Channel;
+using capture::ChannelInfo;
+
+namespace {
+ChannelInfo infoOf(ChannelInfo info, const Formula &formula)
+{
+    info.unit = formula.unit();
+    info.factor = 1.0;
+    info.offset = 0.0;
+    info.kind = ChannelInfo::Kind::Slow; // values that hold
+    return info;
+}
+
+/// Nothing is known right before this sample.
+bool beginsPiece(const Channel &channel, Index index)
+{
+    if (const capture::FastColumn *column = channel.fast())
+        return column->segments()[column->segmentOf(index)].first == index;
+    const capture::ValueColumn &column = *channel.values();
+    return column.runs()[column.runOf(index)].first == index;
+}
+
+/// Seconds since the sample before; of a fast channel not rounded to nanoseconds, which a derivative would show.
+double distance(const Channel &channel, Index index, Nanos otherwise)
+{
+    if (const capture::FastColumn *column = channel.fast())
+        return column->segments()[column->segmentOf(index)].stepNanos() / capture::kNanosPerSecond;
+    return capture::toSeconds(otherwise);
+}
+} // namespace
+
+MathChannel::MathChannel(Formula formula, ChannelInfo info, std::uint64_t mostSamples)
+    : m_formula(std::move(formula))
+    , m_channel(infoOf(std::move(info), m_formula))
+    , m_mostSamples(mostSamples)
+    , m_inputs(m_formula.used().size())
+    , m_values(m_formula.used().size())
+{
+}
+
+void MathChannel::chooseClock(std::span<const Channel *const> inputs)
+{
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (!m_clock || inputs[i]->info().kind < inputs[*m_clock]->info().kind)
+            m_clock = i; // Fast is before Slow is before Polled
+    }
+}
+
+/// The values of the inputs at an instant of the clock; false if one of them is not known.
+bool MathChannel::readInputs(std::span<const Channel *const> inputs, Nanos time)
+{
+    bool known = true;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const Channel &channel = *inputs[i];
+        Input &input = m_inputs[i];
+        Index next = input.next;
+        if (next == 0 || next < channel.begin())
+            next = channel.atOrAfter(time + 1);
+        while (next < channel.end() && channel.timeOf(next) <= time)
+            ++next;
+        const bool any = next > channel.begin();
+        // How long the last sample of a channel holds is only known once another has followed.
+        if (any && (next != input.next || input.wasLast)) {
+            input.value = channel.at(next - 1);
+            input.holdUntil = channel.holdUntil(next - 1);
+        }
+        input.next = next;
+        input.wasLast = next == channel.end();
+        known = known && any && time < input.holdUntil;
+        m_values[i] = input.value;
+    }
+    return known;
+}
+
+bool MathChannel::update(std::span<const Channel *const> inputs, Nanos until, std::size_t most)
+{
+    if (inputs.empty() || inputs.size() != m_inputs.size())
+        return false;
+    chooseClock(inputs);
+    const Channel &clock = *inputs[*m_clock];
+    if (m_next < clock.begin()) {
+        m_next = clock.begin();
+        m_joined = false;
+    }
+    bool rest = false;
+    while (m_next < clock.end() && clock.timeOf(m_next) < until && !rest) {
+        rest = most == 0;
+        if (!rest) {
+            compute(inputs, clock);
+            ++m_next;
+            --most;
+        }
+    }
+    while (m_channel.size() > m_mostSamples && m_channel.canRelease())
+        m_channel.releaseOldest();
+    return rest;
+}
+
+/// One instant: the value of the formula, or a gap.
+void MathChannel::compute(std::span<const Channel *const> inputs, const Channel &clock)
+{
+    capture::ValueColumn &result = *m_channel.values();
+    const Nanos time = clock.timeOf(m_next);
+    if (!readInputs(inputs, time)) {
+        m_joined = false;
+        result.breakHere();
+        return;
+    }
+    const bool joined = m_joined && !beginsPiece(clock, m_next);
+    const double value = m_formula.step(m_values, distance(clock, m_next, time - m_before), joined);
+    m_joined = true;
+    m_before = time;
+    if (!joined || !std::isfinite(value))
+        result.breakHere();
+    if (std::isfinite(value))
+        result.append(time, value, std::max(time + 1, clock.holdUntil(m_next)));
+}
+
+std::optional<Nanos> settledUntil(std::span<const Channel *const> channels)
+{
+    std::optional<Nanos> result;
+    for (const Channel *const channel : channels) {
+        if (channel->empty())
+            return std::nullopt;
+        const Nanos held = heldUntil(*channel);
+        result = result ? std::min(*result, held) : held;
+    }
+    return result;
+}
+
+} // namespace scope

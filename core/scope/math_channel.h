@@ -1,0 +1,67 @@
+// A channel that is computed from others by a formula, as they grow. It is a column like any other: drawn, measured,
+// searched for triggers, and an input of further formulas.
+//
+// It has a value at each sample of its clock, the fastest kind among its inputs (the first of them). The other inputs
+// are worth what their sample before says (previous-sample hold). Where one of them is not known, or the result is no
+// finite number, there is a gap; it also restarts the functions with a memory.
+//
+// Call order: update() whenever the inputs have grown. Results do not depend on how often, as long as `until` keeps its
+// word: no input will get a sample before it any more.
+#pragma once
+
+#include "capture/channel.h"
+#include "scope/formula.h"
+
+#include <limits>
+
+namespace scope {
+
+using capture::Index;
+using capture::Nanos;
+
+class MathChannel {
+public:
+    static constexpr std::uint64_t kMostSamples = 20'000'000; ///< 330 MB; older ones are released
+
+    /// @param info  its name and id; unit and kind are set here
+    MathChannel(
+        Formula formula, capture::ChannelInfo info, std::uint64_t mostSamples = kMostSamples);
+
+    const capture::Channel &channel() const { return m_channel; }
+    const Formula &formula() const { return m_formula; }
+
+    /// Computes what has become known.
+    /// @param inputs  the channels of formula().used(), in that order; the same ones at each call
+    /// @param until   nothing before it is missing any more; see settledUntil()
+    /// @param most    instants at most, to come back later for the rest
+    /// @return        true if there is a rest
+    bool update(std::span<const capture::Channel *const> inputs, Nanos until,
+        std::size_t most = std::numeric_limits<std::size_t>::max());
+
+private:
+    struct Input {
+        Index next = 0; ///< first sample after the instant
+        double value = 0.0;
+        Nanos holdUntil = 0;
+        bool wasLast = true; ///< nothing came after it yet
+    };
+    void chooseClock(std::span<const capture::Channel *const> inputs);
+    bool readInputs(std::span<const capture::Channel *const> inputs, Nanos time);
+    void compute(std::span<const capture::Channel *const> inputs, const capture::Channel &clock);
+
+    Formula m_formula;
+    capture::Channel m_channel;
+    std::uint64_t m_mostSamples;
+    std::optional<std::size_t> m_clock;
+    Index m_next = 0; ///< of the clock
+    std::vector<Input> m_inputs;
+    std::vector<double> m_values;
+    bool m_joined = false;
+    Nanos m_before = 0;
+};
+
+/// Up to where all of these are complete, going by the samples alone. A register that nobody asks for any more holds it
+/// back: then `until` has to come from somebody who knows. Nothing if there is no channel or one is empty.
+std::optional<Nanos> settledUntil(std::span<const capture::Channel *const> channels);
+
+} // namespace scope

@@ -1,0 +1,215 @@
+// Math channels: values at the right instants, gaps where something is unknown, and the same result however the samples
+// arrive.
+#include "scope/math_channel.h"
+#include "scope/measurer.h"
+#include "support/analytic_channel.h"
+#include "support/noisy_channel.h"
+
+#include <QtTest>
+
+#include <numbers>
+
+using namespace scope;
+using support::fastChannel;
+using support::kRate;
+using support::kSecond;
+
+class TestScopeMath : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aMathChannelIsAChannelLikeAnyOther();
+    void gapsStayGaps();
+    void theOtherInputsHoldTheirSampleBefore();
+    void whatIsNotFiniteIsAGap();
+    void nothingIsComputedBeforeItIsSettled();
+    void resultsDoNotDependOnHowSamplesArrive_data();
+    void resultsDoNotDependOnHowSamplesArrive();
+    void workCanBeSharedOut();
+    void theOldestSamplesAreReleased();
+};
+
+namespace {
+
+using Inputs = std::vector<const capture::Channel *>;
+
+constexpr Nanos kEver = std::numeric_limits<Nanos>::max();
+
+MathChannel math(std::string_view text, std::uint64_t most = MathChannel::kMostSamples)
+{
+    const std::vector<FormulaName> names{{"X", "A"}, {"Y", "V"}};
+    return MathChannel(*Formula::compile(text, names), {9, 0, "math", "", 1.0, 0.0, {}}, most);
+}
+std::vector<double> values(const capture::Channel &channel)
+{
+    std::vector<double> result;
+    for (Index i = channel.begin(); i < channel.end(); ++i)
+        result.push_back(channel.at(i));
+    return result;
+}
+
+} // namespace
+
+void TestScopeMath::aMathChannelIsAChannelLikeAnyOther()
+{
+    const double turn = 2 * std::numbers::pi;
+    const auto current = fastChannel(16000, [=](double t) { return 5 * std::sin(turn * 50 * t); });
+    const auto voltage =
+        fastChannel(16000, [=](double t) { return 20 * std::sin(turn * 50 * t + 1.0); });
+    MathChannel power = math("X * Y");
+    QVERIFY(!power.update(Inputs{&current, &voltage}, kEver));
+    QCOMPARE(power.channel().size(), 16000U);
+    QCOMPARE(power.channel().info().unit, std::string("W"));
+    QCOMPARE(power.channel().info().name, std::string("math"));
+    Measurer measurer(power.channel(), 0, kSecond);
+    QVERIFY(std::abs(*measurer.measure(Quantity::Mean).value - 50 * std::cos(1.0)) < 0.02);
+    QVERIFY(std::abs(*measurer.measure(Quantity::Frequency).value - 100.0) < 0.1);
+    QCOMPARE(power.channel().timeOf(5), current.timeOf(5));
+    QVERIFY(power.channel().valueAt(Nanos(6 * 62500 - 1)) == power.channel().at(5));
+}
+
+void TestScopeMath::gapsStayGaps()
+{
+    auto channel = fastChannel(100, [](double) { return 1.0; });
+    const std::vector<std::int16_t> more(50, 2000);
+    channel.fast()->append(capture::TickBase::of(kRate, 0), 300, 1, more);
+    MathChannel slope = math("derivative(X)");
+    slope.update(Inputs{&channel}, kEver);
+    // No slope across the gap, and none at the first sample of a piece.
+    QCOMPARE(values(slope.channel()), std::vector<double>(99 + 49, 0.0));
+    QCOMPARE(slope.channel().values()->runs().size(), 2U);
+    QVERIFY(!slope.channel().valueAt(channel.timeOf(100) - 1'000'000));
+    MathChannel twice = math("2 * X");
+    twice.update(Inputs{&channel}, kEver);
+    QCOMPARE(twice.channel().size(), 150U);
+    QCOMPARE(twice.channel().gaps(0.0, 1.0, 0.0).size(), 1U);
+    QCOMPARE(twice.channel().gaps(0.0, 1.0, 0.0)[0].from, 100 / kRate);
+}
+
+void TestScopeMath::theOtherInputsHoldTheirSampleBefore()
+{
+    const auto fast = fastChannel(
+        10, [](double) { return 0.0; }, 0.0, 1, 1000.0);
+    capture::Channel slow({2, 8, "Y", "V", 1.0, 0.0, capture::ChannelInfo::Kind::Slow});
+    slow.values()->append(2'000'000, 5.0, 4'500'000);
+    slow.values()->append(4'500'000, 7.0, 8'000'000);
+    MathChannel sum = math("X + Y");
+    sum.update(Inputs{&fast, &slow}, kEver);
+    QCOMPARE(values(sum.channel()), (std::vector<double>{5, 5, 5, 7, 7, 7}));
+    QCOMPARE(sum.channel().timeOf(sum.channel().begin()), Nanos(2'000'000));
+    // The fastest kind is the clock, wherever it stands.
+    MathChannel other = math("Y + X");
+    other.update(Inputs{&fast, &slow}, kEver);
+    QCOMPARE(other.channel().size(), 6U);
+}
+
+void TestScopeMath::whatIsNotFiniteIsAGap()
+{
+    const auto channel =
+        fastChannel(9, [](double t) { return std::round(t * kRate) - 4.0; }); // passes 0
+    MathChannel inverse = math("1 / X");
+    inverse.update(Inputs{&channel}, kEver);
+    QCOMPARE(inverse.channel().size(), 8U);
+    QCOMPARE(inverse.channel().values()->runs().size(), 2U);
+}
+
+void TestScopeMath::nothingIsComputedBeforeItIsSettled()
+{
+    capture::Capture store;
+    store.appendPolled(8, "Y", "V", 0.0, 1.0);
+    const auto fast = fastChannel(16000, [](double) { return 0.0; });
+    MathChannel sum = math("X + Y");
+    const auto inputs = [&] { return Inputs{&fast, store.channel(*store.find(8))}; };
+    QCOMPARE(settledUntil(inputs()), std::optional<Nanos>(1));
+    sum.update(inputs(), *settledUntil(inputs()));
+    QCOMPARE(sum.channel().size(), 1U);
+    store.appendPolled(8, "Y", "V", 0.5, 3.0);
+    sum.update(inputs(), *settledUntil(inputs()));
+    QCOMPARE(sum.channel().size(), 8001U);
+    QCOMPARE(sum.channel().at(7999), 1.0);
+    QCOMPARE(sum.channel().at(8000), 3.0);
+    const capture::Channel empty({3, 7, "", "", 1.0, 0.0, capture::ChannelInfo::Kind::Fast});
+    QVERIFY(!settledUntil(Inputs{&fast, &empty}));
+}
+
+void TestScopeMath::resultsDoNotDependOnHowSamplesArrive_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    for (const char *text :
+        {"X * 2 + Y", "derivative(X)", "lowpass(X, 200) - Y", "median(X, 5) + average(Y, 7)",
+            "integral(X - Y)", "X > 0 ? X : Y", "sqrt(X) + highpass(derivative(Y), 50)"})
+        QTest::newRow(text) << QByteArray(text);
+}
+
+void TestScopeMath::resultsDoNotDependOnHowSamplesArrive()
+{
+    QFETCH(const QByteArray, text);
+    std::size_t gaps = 0;
+    for (std::uint32_t seed = 1; seed <= 12; ++seed) {
+        using support::NoisyChannel;
+        const auto run = [&](std::size_t most, bool often) {
+            NoisyChannel x(seed, NoisyChannel::Kind::Fast, NoisyChannel::Shape::Wave, 6000);
+            NoisyChannel y(seed + 50,
+                seed % 2 == 0 ? NoisyChannel::Kind::Polled : NoisyChannel::Kind::Fast,
+                NoisyChannel::Shape::Wave, seed % 2 == 0 ? 60 : 6000);
+            MathChannel result = math(text.toStdString());
+            std::mt19937 random(seed);
+            const auto update = [&](bool end) {
+                if (!x.channel() || !y.channel())
+                    return;
+                Inputs inputs;
+                for (const std::size_t used : result.formula().used())
+                    inputs.push_back(used == 0 ? x.channel() : y.channel());
+                if (const auto until = settledUntil(inputs))
+                    result.update(inputs, end ? kEver : *until);
+            };
+            while (!x.done() || !y.done()) {
+                if (!x.done() && (y.done() || random() % 2 == 0))
+                    x.record(1 + random() % most);
+                else
+                    y.record(1 + random() % most);
+                if (often)
+                    update(false);
+            }
+            update(true);
+            return result;
+        };
+        const MathChannel atOnce = run(500, false);
+        const MathChannel often = run(40, true);
+        QVERIFY(atOnce.channel().size() > 100);
+        QVERIFY(values(atOnce.channel()) == values(often.channel()));
+        const auto &runs = atOnce.channel().values()->runs();
+        QCOMPARE(runs.size(), often.channel().values()->runs().size());
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            QCOMPARE(runs[i].first, often.channel().values()->runs()[i].first);
+            QCOMPARE(runs[i].holdUntil, often.channel().values()->runs()[i].holdUntil);
+        }
+        gaps += runs.size();
+    }
+    QVERIFY(gaps > 12);
+}
+
+void TestScopeMath::workCanBeSharedOut()
+{
+    const auto channel = fastChannel(1000, [](double t) { return t; });
+    MathChannel sum = math("integral(X)");
+    int calls = 1;
+    while (sum.update(Inputs{&channel}, kEver, 64))
+        ++calls;
+    QCOMPARE(calls, 16);
+    MathChannel whole = math("integral(X)");
+    QVERIFY(!whole.update(Inputs{&channel}, kEver));
+    QCOMPARE(values(sum.channel()), values(whole.channel()));
+}
+
+void TestScopeMath::theOldestSamplesAreReleased()
+{
+    const auto channel = fastChannel(50000, [](double t) { return t; });
+    MathChannel sum = math("X", 10000);
+    sum.update(Inputs{&channel}, kEver);
+    QVERIFY(sum.channel().size() <= 10000);
+    QVERIFY(sum.channel().size() > 5000);
+    QCOMPARE(sum.channel().end(), Index(50000));
+}
+
+QTEST_APPLESS_MAIN(TestScopeMath)
+#include "tst_scope_math.moc"
