@@ -386,6 +386,333 @@
     </message>
 </context>
 <context>
+    <name>Motor</name>
+    <message>
+        <source>Pole pairs</source>
+        <translation>Polpaare</translation>
+    </message>
+    <message>
+        <source>Electrical turns for each turn of the shaft.</source>
+        <translation>Elektrische Umdrehungen je Umdrehung der Welle.</translation>
+    </message>
+    <message>
+        <source>Rated flux</source>
+        <translation>Nennfluss</translation>
+    </message>
+    <message>
+        <source>Strength of the magnets, as the board has it: Ke (V rms between two terminals at 1000 rpm) in standard firmware, V/Hz in HSO firmware. Which of both is judged by the flux that it makes.</source>
+        <translation>Stärke der Magnete, wie das Board sie hat: Ke (V effektiv zwischen zwei Klemmen bei 1000 U/min) in Standard-Firmware, V/Hz in HSO-Firmware. Welches von beiden, wird am Fluss erkannt, der daraus folgt.</translation>
+    </message>
+    <message>
+        <source>Resistance Rs</source>
+        <translation>Widerstand Rs</translation>
+    </message>
+    <message>
+        <source>Of one phase: half of what is measured between two terminals.</source>
+        <translation>Einer Phase: die Hälfte dessen, was zwischen zwei Klemmen gemessen wird.</translation>
+    </message>
+    <message>
+        <source>Skin factor</source>
+        <translation>Skin-Faktor</translation>
+    </message>
+    <message>
+        <source>0 in standard firmware: not used.</source>
+        <translation>0 in Standard-Firmware: wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Inductance Lq</source>
+        <translation>Induktivität Lq</translation>
+    </message>
+    <message>
+        <source>Across the magnets, of one phase.</source>
+        <translation>Quer zu den Magneten, einer Phase.</translation>
+    </message>
+    <message>
+        <source>Inductance Ld</source>
+        <translation>Induktivität Ld</translation>
+    </message>
+    <message>
+        <source>Along the magnets, of one phase. Smaller than Lq where the magnets are buried.</source>
+        <translation>Längs der Magnete, einer Phase. Kleiner als Lq, wo die Magnete vergraben sind.</translation>
+    </message>
+    <message>
+        <source>Motor current</source>
+        <translation>Motorstrom</translation>
+    </message>
+    <message>
+        <source>The motor&apos;s greatest current, peak.</source>
+        <translation>Größter Strom des Motors, Scheitelwert.</translation>
+    </message>
+    <message>
+        <source>Copper mass</source>
+        <translation>Kupfermasse</translation>
+    </message>
+    <message>
+        <source>Cooling time constant</source>
+        <translation>Abkühl-Zeitkonstante</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Greatest speed</source>
+        <translation>Größte Drehzahl</translation>
+    </message>
+    <message>
+        <source>No speed set-point goes beyond it.</source>
+        <translation>Kein Drehzahl-Sollwert geht darüber hinaus.</translation>
+    </message>
+    <message>
+        <source>Greatest readable current</source>
+        <translation>Größter messbarer Strom</translation>
+    </message>
+    <message>
+        <source>The end of the current converters&apos; range; more is not seen and not controlled.</source>
+        <translation>Das Ende des Messbereichs; mehr wird nicht gesehen und nicht geregelt.</translation>
+    </message>
+    <message>
+        <source>Nominal current</source>
+        <translation>Nennstrom</translation>
+    </message>
+    <message>
+        <source>No current set-point goes beyond it.</source>
+        <translation>Kein Strom-Sollwert geht darüber hinaus.</translation>
+    </message>
+    <message>
+        <source>Nominal bus voltage</source>
+        <translation>Nennspannung</translation>
+    </message>
+    <message>
+        <source>What gains and the voltage scale were made for.</source>
+        <translation>Wofür Verstärkungen und Spannungsskala gemacht sind.</translation>
+    </message>
+    <message>
+        <source>Drive type</source>
+        <translation>Antriebsart</translation>
+    </message>
+    <message>
+        <source>Main speed sensor</source>
+        <translation>Haupt-Drehzahlgeber</translation>
+    </message>
+    <message>
+        <source>Auxiliary speed sensor</source>
+        <translation>Zweiter Drehzahlgeber</translation>
+    </message>
+    <message>
+        <source>Current sensing</source>
+        <translation>Strommessung</translation>
+    </message>
+    <message>
+        <source>PWM periods a control period</source>
+        <translation>PWM-Perioden je Regelperiode</translation>
+    </message>
+    <message>
+        <source>Switching frequency (PWM)</source>
+        <translation>Schaltfrequenz (PWM)</translation>
+    </message>
+    <message>
+        <source>Speed loop rate</source>
+        <translation>Takt des Drehzahlreglers</translation>
+    </message>
+    <message>
+        <source>Built with</source>
+        <translation>Gebaut mit</translation>
+    </message>
+    <message>
+        <source>Built with, too</source>
+        <translation>Auch gebaut mit</translation>
+    </message>
+    <message>
+        <source>Drive mode</source>
+        <translation>Betriebsart</translation>
+    </message>
+    <message>
+        <source>Voltage</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>What one digit of a phase voltage is worth.</source>
+        <translation>Was ein Digit einer Phasenspannung wert ist.</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>What one digit of a current is worth.</source>
+        <translation>Was ein Digit eines Stroms wert ist.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>What one digit of a speed is worth.</source>
+        <translation>Was ein Digit einer Drehzahl wert ist.</translation>
+    </message>
+    <message>
+        <source>Firmware version</source>
+        <translation>Firmware-Version</translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation>Motoren</translation>
+    </message>
+    <message>
+        <source>Streams over</source>
+        <translation>Überträgt über</translation>
+    </message>
+    <message>
+        <source>Signals at once, UART A</source>
+        <translation>Signale zugleich, UART A</translation>
+    </message>
+    <message>
+        <source>Signals at once, UART B</source>
+        <translation>Signale zugleich, UART B</translation>
+    </message>
+    <message>
+        <source>Signals at once, ST-LINK</source>
+        <translation>Signale zugleich, ST-LINK</translation>
+    </message>
+    <message>
+        <source>It takes true or false.</source>
+        <translation>Dort steht true oder false.</translation>
+    </message>
+    <message>
+        <source>It takes a text of at most %1 bytes.</source>
+        <translation>Dort steht ein Text von höchstens %1 Bytes.</translation>
+    </message>
+    <message>
+        <source>It takes a whole number from %1 to %2.</source>
+        <translation>Dort steht eine ganze Zahl von %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>It takes a number from %1 to %2.</source>
+        <translation>Dort steht eine Zahl von %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Limits of the drive</source>
+        <translation>Grenzen des Antriebs</translation>
+    </message>
+    <message>
+        <source>Control firmware</source>
+        <translation>Regelung</translation>
+    </message>
+    <message>
+        <source>Scales</source>
+        <translation>Skalen</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Board</translation>
+    </message>
+    <message>
+        <source>Flux of the magnets</source>
+        <translation>Fluss der Magnete</translation>
+    </message>
+    <message>
+        <source>Inertia</source>
+        <translation>Trägheitsmoment</translation>
+    </message>
+    <message>
+        <source>Viscous friction</source>
+        <translation>Viskose Reibung</translation>
+    </message>
+    <message>
+        <source>The pole pairs are no whole number from 1 to 50: count the magnets and halve, and set them in the firmware&apos;s project.</source>
+        <translation>Die Polpaare sind keine ganze Zahl von 1 bis 50: Magnete zählen und halbieren, und im Projekt der Firmware eintragen.</translation>
+    </message>
+    <message>
+        <source>The resistance is missing or no motor&apos;s: measure between two terminals and take half.</source>
+        <translation>Der Widerstand fehlt oder passt zu keinem Motor: zwischen zwei Klemmen messen und die Hälfte nehmen.</translation>
+    </message>
+    <message>
+        <source>An inductance is missing or no motor&apos;s: check whether millihenry were given as henry.</source>
+        <translation>Eine Induktivität fehlt oder passt zu keinem Motor: prüfen, ob Millihenry als Henry angegeben wurden.</translation>
+    </message>
+    <message>
+        <source>The strength of the magnets is missing or no motor&apos;s: the converter gives Ke from KV or from a measurement.</source>
+        <translation>Die Stärke der Magnete fehlt oder passt zu keinem Motor: der Umrechner macht Ke aus KV oder aus einer Messung.</translation>
+    </message>
+    <message>
+        <source>The motor&apos;s current is missing or no motor&apos;s: take the nominal current of the data sheet, times 1.414 if that is rms.</source>
+        <translation>Der Motorstrom fehlt oder passt zu keinem Motor: den Nennstrom des Datenblatts nehmen, mal 1,414, wenn er ein Effektivwert ist.</translation>
+    </message>
+    <message>
+        <source>Ld is greater than Lq, which no magnet motor is: ST&apos;s generator may have swapped them. Measure both before gains are made of them.</source>
+        <translation>Ld ist größer als Lq, was bei keinem Magnetmotor so ist: STs Generator hat sie vielleicht vertauscht. Beide messen, bevor daraus Verstärkungen werden.</translation>
+    </message>
+    <message>
+        <source>L / R is outside 10 µs to 1 s: one of them has the wrong unit, or one is between terminals and the other of a phase.</source>
+        <translation>L / R liegt außerhalb von 10 µs bis 1 s: eines hat die falsche Einheit, oder eines gilt zwischen Klemmen und das andere für eine Phase.</translation>
+    </message>
+    <message>
+        <source>The motor&apos;s current is more than the drive can measure: keep set-points below, or take another shunt or gain.</source>
+        <translation>Der Motorstrom ist größer, als der Antrieb messen kann: Sollwerte darunter halten, oder anderer Shunt oder andere Verstärkung.</translation>
+    </message>
+    <message>
+        <source>The greatest speed is beyond the base speed: with nominal current and bus voltage it needs flux weakening.</source>
+        <translation>Die größte Drehzahl liegt über der Eckdrehzahl: mit Nennstrom und Nennspannung braucht sie Feldschwächung.</translation>
+    </message>
+    <message>
+        <source>It cannot be read: %1</source>
+        <translation>Sie kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>It is larger than any description of a motor.</source>
+        <translation>Sie ist größer als jede Beschreibung eines Motors.</translation>
+    </message>
+    <message>
+        <source>Line %1 is no JSON: %2</source>
+        <translation>Zeile %1 ist kein JSON: %2</translation>
+    </message>
+    <message>
+        <source>It is no JSON object with %1.</source>
+        <translation>Sie ist kein JSON-Objekt mit %1.</translation>
+    </message>
+    <message>
+        <source>At “%1” there has to be an object with %2.</source>
+        <translation>Bei „%1“ muss ein Objekt mit %2 stehen.</translation>
+    </message>
+    <message>
+        <source>There is no key “%1”; there are %2.</source>
+        <translation>Einen Schlüssel „%1“ gibt es nicht; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>Its preset is none of the simulator&apos;s.</source>
+        <translation>Ihre Vorlage (preset) hat der Simulator nicht.</translation>
+    </message>
+    <message>
+        <source>The value of “%1” cannot be used.</source>
+        <translation>Der Wert von „%1“ ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>“%1” is missing.</source>
+        <translation>„%1“ fehlt.</translation>
+    </message>
+    <message>
+        <source>“%1” is below the supply voltage.</source>
+        <translation>„%1“ liegt unter der Versorgungsspannung.</translation>
+    </message>
+    <message>
+        <source>“ls” was taken as millihenry: as henry it would be no motor.</source>
+        <translation>„ls“ wurde als Millihenry gelesen: als Henry wäre es kein Motor.</translation>
+    </message>
+    <message>
+        <source>Only one inductance was measured: of a motor with buried magnets, measure Ld and Lq.</source>
+        <translation>Nur eine Induktivität wurde gemessen: bei vergrabenen Magneten Ld und Lq messen.</translation>
+    </message>
+    <message>
+        <source>Keys that are not known were passed over.</source>
+        <translation>Unbekannte Schlüssel wurden übergangen.</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message numerus="yes">
         <source>%n byte(s)</source>
@@ -1575,6 +1902,369 @@
     <message>
         <source>Events</source>
         <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Motor and drive</source>
+        <translation>Motor und Antrieb</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MotorConverter</name>
+    <message>
+        <source>Between two terminals, as a meter shows it: twice the phase.</source>
+        <translation>Zwischen zwei Klemmen, wie ein Messgerät es zeigt: das Doppelte der Phase.</translation>
+    </message>
+    <message>
+        <source>Of one phase of the star, as boards and formulas use it.</source>
+        <translation>Einer Phase des Sterns, wie Boards und Formeln es verwenden.</translation>
+    </message>
+    <message>
+        <source>&amp;Pole pairs</source>
+        <translation>&amp;Polpaare</translation>
+    </message>
+    <message>
+        <source>Half the number of magnets. Forgetting them is the usual mistake: λ is wrong by that factor.</source>
+        <translation>Die halbe Zahl der Magnete. Sie zu vergessen ist der übliche Fehler: λ ist um diesen Faktor falsch.</translation>
+    </message>
+    <message>
+        <source>&amp;Ke</source>
+        <translation>&amp;Ke</translation>
+    </message>
+    <message>
+        <source>V rms between two terminals at 1000 rpm, as ST gives it.</source>
+        <translation>V effektiv zwischen zwei Klemmen bei 1000 U/min, wie ST es angibt.</translation>
+    </message>
+    <message>
+        <source>rpm per volt, peak, between two terminals, as model motors are sold.</source>
+        <translation>Umdrehungen je Minute und Volt, Scheitelwert zwischen zwei Klemmen, wie Modellmotoren verkauft werden.</translation>
+    </message>
+    <message>
+        <source>λ (f&amp;lux)</source>
+        <translation>λ (F&amp;luss)</translation>
+    </message>
+    <message>
+        <source>λ = Ke · √2 / √3 / (p · 104.72 rad/s). Peak, of a phase.</source>
+        <translation>λ = Ke · √2 / √3 / (p · 104,72 rad/s). Scheitelwert, einer Phase.</translation>
+    </message>
+    <message>
+        <source>Kt = 3/2 · p · λ, per peak ampere.</source>
+        <translation>Kt = 3/2 · p · λ, je Ampere Scheitelwert.</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>A voltmeter between two terminals while the shaft is turned: gives Ke and decides which of two data sheets is right.</source>
+        <translation>Ein Voltmeter zwischen zwei Klemmen, während die Welle gedreht wird: ergibt Ke und entscheidet, welches von zwei Datenblättern stimmt.</translation>
+    </message>
+    <message>
+        <source>at</source>
+        <translation>bei</translation>
+    </message>
+    <message>
+        <source>Speed of the shaft while the voltage was measured.</source>
+        <translation>Drehzahl der Welle, während die Spannung gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;R, phase</source>
+        <translation>&amp;R, Phase</translation>
+    </message>
+    <message>
+        <source>terminals</source>
+        <translation>Klemmen</translation>
+    </message>
+    <message>
+        <source>L, phase</source>
+        <translation>L, Phase</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <comment>name, unit</comment>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>It has to be greater than 0.</source>
+        <translation>Es muss größer als 0 sein.</translation>
+    </message>
+    <message>
+        <source>Pole pairs are a whole number up to 100.</source>
+        <translation>Polpaare sind eine ganze Zahl bis 100.</translation>
+    </message>
+    <message>
+        <source>λ needs the pole pairs.</source>
+        <translation>λ braucht die Polpaare.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MotorForm</name>
+    <message>
+        <source>Reading the motor&apos;s values</source>
+        <translation>Lesen der Motorwerte</translation>
+    </message>
+    <message>
+        <source>Read a&amp;gain</source>
+        <translation>&amp;Neu lesen</translation>
+    </message>
+    <message>
+        <source>Asks the board for these values anew; they are not polled.</source>
+        <translation>Fragt das Board erneut nach diesen Werten; sie werden nicht laufend gelesen.</translation>
+    </message>
+    <message>
+        <source>&amp;Open file…</source>
+        <translation>Datei ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Lays a motor file beside the board: of Rotorscope, of its simulator, or of ST&apos;s profiler.</source>
+        <translation>Legt eine Motordatei neben das Board: von Rotorscope, von seinem Simulator oder von STs Profiler.</translation>
+    </message>
+    <message>
+        <source>&amp;Close file</source>
+        <translation>Datei s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Ends the comparison with the file.</source>
+        <translation>Beendet den Vergleich mit der Datei.</translation>
+    </message>
+    <message>
+        <source>S&amp;ave…</source>
+        <translation>S&amp;peichern …</translation>
+    </message>
+    <message>
+        <source>Writes what the board says of its motor to a file, which the simulator takes, too.</source>
+        <translation>Schreibt in eine Datei, was das Board von seinem Motor sagt; auch der Simulator nimmt sie.</translation>
+    </message>
+    <message>
+        <source>Motor and drive</source>
+        <translation>Motor und Antrieb</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Converter</source>
+        <translation>Umrechner</translation>
+    </message>
+    <message>
+        <source>From the &amp;board</source>
+        <translation>&amp;Vom Board</translation>
+    </message>
+    <message>
+        <source>Begins again with the board&apos;s values.</source>
+        <translation>Beginnt wieder mit den Werten des Boards.</translation>
+    </message>
+    <message>
+        <source>Not connected: this is what the board said last.</source>
+        <translation>Nicht verbunden: das hat das Board zuletzt gesagt.</translation>
+    </message>
+    <message>
+        <source>Connect to a board to see what it says of its motor. A file can be looked at without.</source>
+        <translation>Mit einem Board verbinden, um zu sehen, was es von seinem Motor sagt. Eine Datei lässt sich auch so ansehen.</translation>
+    </message>
+    <message>
+        <source>This board does not describe its motor.</source>
+        <translation>Dieses Board beschreibt seinen Motor nicht.</translation>
+    </message>
+    <message>
+        <source>The board is asked…</source>
+        <translation>Das Board wird gefragt …</translation>
+    </message>
+    <message>
+        <source>The board&apos;s motor looks plausible.</source>
+        <translation>Der Motor des Boards sieht stimmig aus.</translation>
+    </message>
+    <message>
+        <source>Open a motor file</source>
+        <translation>Motordatei öffnen</translation>
+    </message>
+    <message>
+        <source>Motor files (*.json)</source>
+        <translation>Motordateien (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 was not opened. %2</source>
+        <comment>file, sentence</comment>
+        <translation>%1 wurde nicht geöffnet. %2</translation>
+    </message>
+    <message>
+        <source>%1: a motor from ST&apos;s tools.</source>
+        <translation>%1: ein Motor aus STs Werkzeugen.</translation>
+    </message>
+    <message>
+        <source>%1: a motor file.</source>
+        <translation>%1: eine Motordatei.</translation>
+    </message>
+    <message>
+        <source>Nothing differs from the board.</source>
+        <translation>Nichts weicht vom Board ab.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) differ from the board.</source>
+        <translation>
+            <numerusform>%n Wert weicht vom Board ab.</numerusform>
+            <numerusform>%n Werte weichen vom Board ab.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save the motor</source>
+        <translation>Motor speichern</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: %2</source>
+        <comment>file, reason</comment>
+        <translation>%1 wurde nicht gespeichert: %2</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MotorModel</name>
+    <message>
+        <source>not read yet</source>
+        <translation>noch nicht gelesen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n byte(s) of an unknown form</source>
+        <translation>
+            <numerusform>%n Byte unbekannter Form</numerusform>
+            <numerusform>%n Bytes unbekannter Form</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>can be written</source>
+        <translation>kann geschrieben werden</translation>
+    </message>
+    <message>
+        <source>read-only</source>
+        <translation>nur lesbar</translation>
+    </message>
+    <message>
+        <source>nothing of it</source>
+        <comment>no flag is set</comment>
+        <translation>nichts davon</translation>
+    </message>
+    <message>
+        <source>Flux of the magnets λ</source>
+        <translation>Fluss der Magnete λ</translation>
+    </message>
+    <message>
+        <source>λ = Ke · √2 / √3 / (p · 104.72 rad/s), p: pole pairs. Peak, linked with a phase.</source>
+        <translation>λ = Ke · √2 / √3 / (p · 104,72 rad/s), p: Polpaare. Scheitelwert, mit einer Phase verkettet.</translation>
+    </message>
+    <message>
+        <source>Torque constant Kt</source>
+        <translation>Drehmomentkonstante Kt</translation>
+    </message>
+    <message>
+        <source>Kt = 3/2 · p · λ, per peak ampere.</source>
+        <translation>Kt = 3/2 · p · λ, je Ampere Scheitelwert.</translation>
+    </message>
+    <message>
+        <source>Voltage constant Ke</source>
+        <translation>Spannungskonstante Ke</translation>
+    </message>
+    <message>
+        <source>Ke = λ · p · 104.72 rad/s · √3 / √2: V rms between two terminals at 1000 rpm.</source>
+        <translation>Ke = λ · p · 104,72 rad/s · √3 / √2: V effektiv zwischen zwei Klemmen bei 1000 U/min.</translation>
+    </message>
+    <message>
+        <source>Speed constant KV</source>
+        <translation>Drehzahlkonstante KV</translation>
+    </message>
+    <message>
+        <source>KV = 1 / (√3 · λ · p · 2π / 60): rpm per volt, peak, between two terminals.</source>
+        <translation>KV = 1 / (√3 · λ · p · 2π / 60): Umdrehungen je Minute und Volt, Scheitelwert zwischen zwei Klemmen.</translation>
+    </message>
+    <message>
+        <source>Time constant, q</source>
+        <translation>Zeitkonstante, q</translation>
+    </message>
+    <message>
+        <source>τq = Lq / Rs</source>
+        <translation>τq = Lq / Rs</translation>
+    </message>
+    <message>
+        <source>Time constant, d</source>
+        <translation>Zeitkonstante, d</translation>
+    </message>
+    <message>
+        <source>τd = Ld / Rs</source>
+        <translation>τd = Ld / Rs</translation>
+    </message>
+    <message>
+        <source>Torque at motor current</source>
+        <translation>Drehmoment bei Motorstrom</translation>
+    </message>
+    <message>
+        <source>M = Kt · I</source>
+        <translation>M = Kt · I</translation>
+    </message>
+    <message>
+        <source>Base speed</source>
+        <translation>Eckdrehzahl</translation>
+    </message>
+    <message>
+        <source>Where motor current and nominal bus voltage are used up without flux weakening: (Rs I + ω λ)² + (ω Lq I)² = Vbus² / 3.</source>
+        <translation>Wo Motorstrom und Nennspannung ohne Feldschwächung aufgebraucht sind: (Rs I + ω λ)² + (ω Lq I)² = Vbus² / 3.</translation>
+    </message>
+    <message>
+        <source>Derived values</source>
+        <translation>Abgeleitete Werte</translation>
+    </message>
+    <message>
+        <source>computed from the motor</source>
+        <translation>aus dem Motor berechnet</translation>
+    </message>
+    <message>
+        <source>Board and file</source>
+        <translation>Board und Datei</translation>
+    </message>
+    <message>
+        <source>no board to compare with</source>
+        <translation>kein Board zum Vergleichen</translation>
+    </message>
+    <message>
+        <source>no difference</source>
+        <translation>kein Unterschied</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n difference(s)</source>
+        <translation>
+            <numerusform>%n Unterschied</numerusform>
+            <numerusform>%n Unterschiede</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The file has another value; in %1: %2</source>
+        <comment>unit, number</comment>
+        <translation>Die Datei hat einen anderen Wert; in %1: %2</translation>
+    </message>
+    <message>
+        <source>Built into the firmware: it is changed in the firmware&apos;s project, not over the link.</source>
+        <translation>In die Firmware eingebaut: es wird in ihrem Projekt geändert, nicht über die Verbindung.</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>On the board</source>
+        <translation>Auf dem Board</translation>
+    </message>
+    <message>
+        <source>Raw</source>
+        <translation>Roh</translation>
+    </message>
+    <message>
+        <source>In the file</source>
+        <translation>In der Datei</translation>
     </message>
 </context>
 <context>

@@ -386,6 +386,333 @@
     </message>
 </context>
 <context>
+    <name>Motor</name>
+    <message>
+        <source>Pole pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Electrical turns for each turn of the shaft.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rated flux</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strength of the magnets, as the board has it: Ke (V rms between two terminals at 1000 rpm) in standard firmware, V/Hz in HSO firmware. Which of both is judged by the flux that it makes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resistance Rs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of one phase: half of what is measured between two terminals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skin factor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 in standard firmware: not used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inductance Lq</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Across the magnets, of one phase.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inductance Ld</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the magnets, of one phase. Smaller than Lq where the magnets are buried.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor&apos;s greatest current, peak.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copper mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cooling time constant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No speed set-point goes beyond it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest readable current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The end of the current converters&apos; range; more is not seen and not controlled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nominal current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No current set-point goes beyond it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nominal bus voltage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What gains and the voltage scale were made for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Main speed sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Auxiliary speed sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current sensing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PWM periods a control period</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switching frequency (PWM)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed loop rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Built with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Built with, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Voltage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What one digit of a phase voltage is worth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What one digit of a current is worth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What one digit of a speed is worth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Firmware version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Streams over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signals at once, UART A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signals at once, UART B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signals at once, ST-LINK</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It takes true or false.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It takes a text of at most %1 bytes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It takes a whole number from %1 to %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It takes a number from %1 to %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits of the drive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control firmware</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scales</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flux of the magnets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inertia</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Viscous friction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pole pairs are no whole number from 1 to 50: count the magnets and halve, and set them in the firmware&apos;s project.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The resistance is missing or no motor&apos;s: measure between two terminals and take half.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An inductance is missing or no motor&apos;s: check whether millihenry were given as henry.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The strength of the magnets is missing or no motor&apos;s: the converter gives Ke from KV or from a measurement.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor&apos;s current is missing or no motor&apos;s: take the nominal current of the data sheet, times 1.414 if that is rms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ld is greater than Lq, which no magnet motor is: ST&apos;s generator may have swapped them. Measure both before gains are made of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L / R is outside 10 µs to 1 s: one of them has the wrong unit, or one is between terminals and the other of a phase.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor&apos;s current is more than the drive can measure: keep set-points below, or take another shunt or gain.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The greatest speed is beyond the base speed: with nominal current and bus voltage it needs flux weakening.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It cannot be read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is larger than any description of a motor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line %1 is no JSON: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is no JSON object with %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At “%1” there has to be an object with %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no key “%1”; there are %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its preset is none of the simulator&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The value of “%1” cannot be used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is below the supply voltage.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“ls” was taken as millihenry: as henry it would be no motor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only one inductance was measured: of a motor with buried magnets, measure Ld and Lq.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys that are not known were passed over.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message numerus="yes">
         <source>%n byte(s)</source>
@@ -1574,6 +1901,369 @@
     </message>
     <message>
         <source>Events</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor and drive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MotorConverter</name>
+    <message>
+        <source>Between two terminals, as a meter shows it: twice the phase.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of one phase of the star, as boards and formulas use it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Pole pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half the number of magnets. Forgetting them is the usual mistake: λ is wrong by that factor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Ke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V rms between two terminals at 1000 rpm, as ST gives it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rpm per volt, peak, between two terminals, as model motors are sold.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>λ (f&amp;lux)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>λ = Ke · √2 / √3 / (p · 104.72 rad/s). Peak, of a phase.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kt = 3/2 · p · λ, per peak ampere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A voltmeter between two terminals while the shaft is turned: gives Ke and decides which of two data sheets is right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the shaft while the voltage was measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;R, phase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>terminals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L, phase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <comment>name, unit</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It has to be greater than 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pole pairs are a whole number up to 100.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>λ needs the pole pairs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MotorForm</name>
+    <message>
+        <source>Reading the motor&apos;s values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read a&amp;gain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks the board for these values anew; they are not polled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lays a motor file beside the board: of Rotorscope, of its simulator, or of ST&apos;s profiler.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Close file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends the comparison with the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;ave…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes what the board says of its motor to a file, which the simulator takes, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor and drive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Converter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the &amp;board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begins again with the board&apos;s values.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not connected: this is what the board said last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect to a board to see what it says of its motor. A file can be looked at without.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board does not describe its motor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board is asked…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board&apos;s motor looks plausible.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a motor file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor files (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not opened. %2</source>
+        <comment>file, sentence</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a motor from ST&apos;s tools.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a motor file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing differs from the board.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) differ from the board.</source>
+        <translation>
+            <numerusform>%n value differs from the board.</numerusform>
+            <numerusform>%n values differ from the board.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save the motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not saved: %2</source>
+        <comment>file, reason</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MotorModel</name>
+    <message>
+        <source>not read yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n byte(s) of an unknown form</source>
+        <translation>
+            <numerusform>%n byte of an unknown form</numerusform>
+            <numerusform>%n bytes of an unknown form</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>can be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read-only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing of it</source>
+        <comment>no flag is set</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flux of the magnets λ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>λ = Ke · √2 / √3 / (p · 104.72 rad/s), p: pole pairs. Peak, linked with a phase.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque constant Kt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kt = 3/2 · p · λ, per peak ampere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Voltage constant Ke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ke = λ · p · 104.72 rad/s · √3 / √2: V rms between two terminals at 1000 rpm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed constant KV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>KV = 1 / (√3 · λ · p · 2π / 60): rpm per volt, peak, between two terminals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time constant, q</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>τq = Lq / Rs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time constant, d</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>τd = Ld / Rs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque at motor current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M = Kt · I</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where motor current and nominal bus voltage are used up without flux weakening: (Rs I + ω λ)² + (ω Lq I)² = Vbus² / 3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Derived values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>computed from the motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Board and file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no board to compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n difference(s)</source>
+        <translation>
+            <numerusform>%n difference</numerusform>
+            <numerusform>%n differences</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The file has another value; in %1: %2</source>
+        <comment>unit, number</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Built into the firmware: it is changed in the firmware&apos;s project, not over the link.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Raw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the file</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

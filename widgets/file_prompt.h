@@ -18,6 +18,12 @@ struct SaveQuestion {
     QString suffix; ///< added if the person typed none
 };
 
+struct OpenQuestion {
+    QString title;
+    QString folder;
+    QString filter; ///< as in SaveQuestion
+};
+
 /// Calls back with the path chosen; not at all if the person gave up. Existing files are asked about.
 class FilePrompt {
 public:
@@ -25,6 +31,8 @@ public:
 
     virtual ~FilePrompt() = default;
     virtual void askSave(QWidget *parent, const SaveQuestion &question, Answer answer);
+    virtual void askOpen(
+        QWidget *parent, const OpenQuestion &question, Answer answer); ///< a file that exists
 };
 
 } // namespace widgets

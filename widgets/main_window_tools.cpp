@@ -1,10 +1,13 @@
 // The tools of the main window: forms in docks below the scope, as tabs of one another, hidden until somebody asks.
 #include "widgets/forms/form.h"
+#include "widgets/forms/motor_form.h"
 #include "widgets/main_window.h"
 
+#include <QChildEvent>
 #include <QDockWidget>
 #include <QMenu>
 #include <QScrollArea>
+#include <QTabBar>
 
 #include <algorithm>
 
@@ -21,6 +24,9 @@ void MainWindow::makeTools()
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     makeScopeTools();
+
+    addTool(new MotorForm(m_device, m_workbench.registers(), m_files), tr("Motor and drive"),
+        "motorDock", Qt::CTRL | Qt::Key_4);
 }
 
 QAction *MainWindow::addTool(
@@ -71,6 +77,15 @@ QAction *MainWindow::addTool(
         m_banner->say(Banner::Kind::Warning, sentence);
     });
     return open;
+}
+
+/// Qt makes the tabs of docks when it needs them, and gives them no name.
+void MainWindow::childEvent(QChildEvent *event)
+{
+    QMainWindow::childEvent(event);
+    auto *tabs = qobject_cast<QTabBar *>(event->child());
+    if (event->type() == QEvent::ChildPolished && tabs)
+        tabs->setAccessibleName(tr("Tools"));
 }
 
 void MainWindow::fillToolsMenu(QMenu *menu)

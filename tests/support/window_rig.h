@@ -27,6 +27,11 @@ public:
         if (!answer.isEmpty())
             done(answer);
     }
+    void askOpen(QWidget *, const widgets::OpenQuestion &, Answer done) override
+    {
+        if (!answer.isEmpty())
+            done(answer);
+    }
 };
 
 struct WindowRig {

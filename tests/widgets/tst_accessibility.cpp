@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QScrollArea>
+#include <QTabBar>
 #include <QTranslator>
 
 class TestAccessibility : public QObject {
@@ -42,7 +43,9 @@ private Q_SLOTS:
                 continue;
             QAccessibleInterface *interface = QAccessible::queryAccessibleInterface(widget);
             QVERIFY(interface);
-            QVERIFY2(!interface->text(QAccessible::Name).isEmpty(),
+            const bool tabs = qobject_cast<QTabBar *>(widget); // Qt 6.4 tells the tabs' names only
+            QVERIFY2(
+                !(tabs ? widget->accessibleName() : interface->text(QAccessible::Name)).isEmpty(),
                 qPrintable(QStringLiteral("%1 %2").arg(
                     QLatin1String(widget->metaObject()->className()), widget->objectName())));
             ++checked;

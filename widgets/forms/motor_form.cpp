@@ -1,0 +1,334 @@
+#include "widgets/forms/motor_form.h"
+
+#include "session/motor_file.h"
+#include "session/whole_file.h"
+#include "widgets/device_text.h"
+#include "widgets/file_prompt.h"
+#include "widgets/forms/motor_converter.h"
+#include "widgets/forms/motor_messages.h"
+#include "widgets/messages.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QDir>
+#include <QFileInfo>
+#include <QGroupBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace widgets {
+namespace {
+
+QLabel *makeText(const char *name, QWidget *parent)
+{
+    auto *label = new QLabel(parent);
+    label->setObjectName(QLatin1String(name));
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    return label;
+}
+
+} // namespace
+
+MotorForm::MotorForm(Device &device, RegisterModel &registers, FilePrompt &files, QWidget *parent)
+    : Form(parent)
+    , m_device(device)
+    , m_registers(registers)
+    , m_files(files)
+{
+    setObjectName(QStringLiteral("motorForm"));
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(8, 6, 8, 6);
+    layout->setSpacing(10);
+    layout->addWidget(makeLeft(), 1);
+    layout->addWidget(makeRight());
+
+    connect(&registers, &QAbstractItemModel::modelReset, this, &MotorForm::boardChanged);
+    connect(&device, &Device::linkStateChanged, this, [this] {
+        if (isVisible() && !m_asked)
+            readAgain();
+        showBoard();
+    });
+    connect(&device, &Device::readingsArrived, this,
+        [this](const std::vector<drive::Reading> &readings) {
+            const bool ours = std::any_of(readings.begin(), readings.end(), [&](const auto &one) {
+                return std::find(m_ids.begin(), m_ids.end(), one.id) != m_ids.end();
+            });
+            if (ours)
+                showBoard();
+        });
+    connect(&device, &Device::wishEnded, this, [this](const drive::Ended &ended) {
+        if (ended.id != m_reading || m_reading == 0)
+            return;
+        m_reading = 0;
+        if (ended.outcome != drive::Outcome::Ok) {
+            m_asked = false;
+            Q_EMIT failed(failureText(tr("Reading the motor's values"), ended));
+        }
+        showBoard();
+    });
+    boardChanged();
+}
+
+QPushButton *MotorForm::makeButton(const QString &text, const char *name, const QString &help)
+{
+    auto *button = new QPushButton(text, this);
+    button->setObjectName(QLatin1String(name));
+    button->setToolTip(plainToolTip(help));
+    return button;
+}
+
+QWidget *MotorForm::makeLeft()
+{
+    auto *left = new QWidget(this);
+    m_again = makeButton(tr("Read a&gain"), "motorRead",
+        tr("Asks the board for these values anew; they are not polled."));
+    m_open = makeButton(tr("&Open file\u2026"), "motorOpen",
+        tr("Lays a motor file beside the board: of Rotorscope, of its simulator, or of ST's "
+           "profiler."));
+    m_close = makeButton(tr("&Close file"), "motorClose", tr("Ends the comparison with the file."));
+    m_save = makeButton(tr("S&ave\u2026"), "motorSave",
+        tr("Writes what the board says of its motor to a file, which the simulator takes, too."));
+    connect(m_again, &QPushButton::clicked, this, &MotorForm::readAgain);
+    connect(m_open, &QPushButton::clicked, this, &MotorForm::openFile);
+    connect(m_close, &QPushButton::clicked, this, &MotorForm::closeFile);
+    connect(m_save, &QPushButton::clicked, this, &MotorForm::saveFile);
+    auto *buttons = new QHBoxLayout;
+    buttons->setSpacing(6);
+    for (QPushButton *button : {m_again, m_open, m_close, m_save})
+        buttons->addWidget(button);
+    buttons->addStretch(1);
+
+    m_reason = makeText("motorReason", left);
+    m_tree = new QTreeView(left);
+    m_tree->setObjectName(QStringLiteral("motorTree"));
+    m_tree->setAccessibleName(tr("Motor and drive"));
+    m_tree->setModel(&m_model);
+    m_tree->setAlternatingRowColors(true);
+    m_tree->setUniformRowHeights(true);
+    m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_tree->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_tree->setMinimumHeight(120);
+    QHeaderView *header = m_tree->header();
+    header->setStretchLastSection(false);
+    header->setSectionResizeMode(QHeaderView::ResizeToContents);
+    header->setSectionResizeMode(MotorModel::ValueColumn, QHeaderView::Stretch);
+    auto *copy = new QAction(tr("Copy"), m_tree);
+    copy->setShortcut(QKeySequence::Copy);
+    copy->setShortcutContext(Qt::WidgetShortcut);
+    m_tree->addAction(copy);
+    m_tree->setContextMenuPolicy(Qt::ActionsContextMenu);
+    connect(copy, &QAction::triggered, this, &MotorForm::copySelected);
+    connect(&m_model, &QAbstractItemModel::modelReset, this, &MotorForm::expandGroups);
+    m_told = makeText("motorTold", left);
+    m_told->hide();
+
+    auto *layout = new QVBoxLayout(left);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addLayout(buttons);
+    layout->addWidget(m_reason);
+    layout->addWidget(m_told);
+    layout->addWidget(m_tree, 1);
+    return left;
+}
+
+QWidget *MotorForm::makeRight()
+{
+    auto *right = new QWidget(this);
+    right->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+    m_warnings = makeText("motorWarnings", right);
+    auto *group = new QGroupBox(tr("Converter"), right);
+    m_converter = new MotorConverter(group);
+    auto *board = makeButton(
+        tr("From the &board"), "convertBoard", tr("Begins again with the board's values."));
+    connect(board, &QPushButton::clicked, this,
+        [this] { m_converter->take(m_facts ? drive::sheetOf(*m_facts) : analysis::MotorSheet()); });
+    auto *inner = new QVBoxLayout(group);
+    inner->setContentsMargins(6, 4, 6, 6);
+    inner->setSpacing(4);
+    inner->addWidget(m_converter);
+    inner->addWidget(board, 0, Qt::AlignRight);
+    auto *layout = new QVBoxLayout(right);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(6);
+    layout->addWidget(m_warnings);
+    layout->addWidget(group);
+    layout->addStretch(1);
+    return right;
+}
+
+void MotorForm::focusFirst() { m_tree->setFocus(Qt::ShortcutFocusReason); }
+
+void MotorForm::showEvent(QShowEvent *event)
+{
+    Form::showEvent(event);
+    if (!m_asked)
+        readAgain();
+}
+
+/// Another board or motor, or none: its values come when somebody looks.
+void MotorForm::boardChanged()
+{
+    const auto catalog = m_registers.catalog();
+    m_ids = catalog && m_device.identified() ? drive::motorRegisters(*catalog, m_device.motor())
+                                             : std::vector<catalog::RegisterId>();
+    m_asked = false;
+    m_reading = 0;
+    m_facts.reset();
+    if (isVisible())
+        readAgain();
+    showBoard();
+}
+
+void MotorForm::readAgain()
+{
+    if (!m_device.answering() || m_ids.empty() || m_reading != 0)
+        return;
+    m_asked = true;
+    m_reading = m_device.submit(drive::Read{m_ids});
+    enableButtons();
+}
+
+void MotorForm::showBoard()
+{
+    const auto catalog = m_registers.catalog();
+    const auto known = [this](catalog::RegisterId id) { return m_registers.known(id); };
+    const bool any = catalog
+        && std::any_of(m_ids.begin(), m_ids.end(),
+            [&](catalog::RegisterId id) { return m_registers.known(id).has_value(); });
+    if (any) {
+        m_facts = drive::motorFacts(*catalog, m_device.motor(), known);
+        m_model.showBoard(*m_facts, drive::motorStructures(*catalog, m_device.motor(), known));
+        m_converter->suggest(drive::sheetOf(*m_facts));
+    } else if (m_model.rowCount() > 0) {
+        m_model.clearBoard();
+    }
+    const bool answering = m_device.answering();
+    m_reason->setText(any && answering ? QString()
+            : any                      ? tr("Not connected: this is what the board said last.")
+            : !answering ? tr("Connect to a board to see what it says of its motor. A file can be "
+                              "looked at without.")
+            : m_ids.empty() && m_device.identified() ? tr("This board does not describe its motor.")
+                                                     : tr("The board is asked\u2026"));
+    m_reason->setVisible(!m_reason->text().isEmpty());
+    showWarnings();
+    enableButtons();
+}
+
+void MotorForm::showWarnings()
+{
+    QStringList lines;
+    if (m_facts) {
+        const analysis::DriveLimits drive{
+            m_facts->bus_v, m_facts->limits.maxCurrentAmps, m_facts->limits.maxSpeedRpm};
+        for (const auto warning : analysis::checkMotor(m_facts->motor, drive))
+            lines.append(QStringLiteral("\u26a0 ") + motorWarningText(warning));
+        if (lines.isEmpty())
+            lines.append(QStringLiteral("\u2713 ") + tr("The board's motor looks plausible."));
+    }
+    m_warnings->setText(lines.join(QLatin1Char('\n')));
+    m_warnings->setVisible(!lines.isEmpty());
+}
+
+void MotorForm::expandGroups()
+{
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        const QModelIndex group = m_model.index(row, 0);
+        m_tree->expand(group);
+    }
+    m_tree->setColumnHidden(MotorModel::FileColumn, !m_model.hasFile());
+    m_tree->resizeColumnToContents(MotorModel::ValueColumn);
+    m_tree->setColumnWidth(
+        MotorModel::ValueColumn, std::min(m_tree->columnWidth(MotorModel::ValueColumn) + 12, 260));
+}
+
+void MotorForm::enableButtons()
+{
+    m_again->setEnabled(m_device.answering() && !m_ids.empty() && m_reading == 0);
+    m_save->setEnabled(m_facts.has_value());
+    m_close->setEnabled(m_model.hasFile());
+}
+
+void MotorForm::say(const QString &sentence)
+{
+    m_told->setText(sentence);
+    m_told->setVisible(!sentence.isEmpty());
+}
+
+void MotorForm::openFile()
+{
+    m_files.askOpen(this,
+        {tr("Open a motor file"), m_folder.isEmpty() ? QDir::homePath() : m_folder,
+            tr("Motor files (*.json)")},
+        [this](const QString &path) { take(path); });
+}
+
+void MotorForm::take(const QString &path)
+{
+    m_folder = QFileInfo(path).path();
+    const QString name = deviceText(QFileInfo(path).fileName());
+    const auto file = session::readMotorFile(path);
+    if (!file) {
+        say(tr("%1 was not opened. %2", "file, sentence")
+                .arg(name, motorFileErrorText(file.error())));
+        return;
+    }
+    m_model.showFile(file->sheet());
+    QString sentence = file->origin == session::MotorFile::Origin::St
+        ? tr("%1: a motor from ST's tools.").arg(name)
+        : tr("%1: a motor file.").arg(name);
+    if (m_facts && m_model.compared() > 0)
+        sentence += QLatin1Char(' ')
+            + (m_model.differences() == 0
+                    ? tr("Nothing differs from the board.")
+                    : tr("%n value(s) differ from the board.", nullptr, m_model.differences()));
+    for (const auto note : file->notes)
+        sentence += QLatin1Char(' ') + motorFileNoteText(note);
+    say(sentence);
+    m_tree->scrollToTop();
+    enableButtons();
+}
+
+void MotorForm::closeFile()
+{
+    m_model.showFile(std::nullopt);
+    say({});
+    enableButtons();
+}
+
+void MotorForm::saveFile()
+{
+    if (!m_facts)
+        return;
+    m_files.askSave(this,
+        {tr("Save the motor"), m_folder.isEmpty() ? QDir::homePath() : m_folder,
+            QStringLiteral("motor.json"), tr("Motor files (*.json)"), QStringLiteral("json")},
+        [this](const QString &path) {
+            if (!m_facts)
+                return;
+            m_folder = QFileInfo(path).path();
+            const QString problem =
+                session::writeWholeFile(path, session::motorJson(drive::sheetOf(*m_facts)));
+            const QString name = deviceText(QFileInfo(path).fileName());
+            say(problem.isEmpty() ? tr("Saved as %1.").arg(name)
+                                  : tr("%1 was not saved: %2", "file, reason").arg(name, problem));
+        });
+}
+
+void MotorForm::copySelected()
+{
+    QStringList lines;
+    for (const QModelIndex &index : m_tree->selectionModel()->selectedRows())
+        lines.append(m_model.copyText(index));
+    if (!lines.isEmpty())
+        QApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+}
+
+} // namespace widgets

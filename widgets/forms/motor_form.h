@@ -1,0 +1,66 @@
+// MotorForm: what a board says of its motor and its drive, what follows from it and what is wrong with it; a motor file
+// beside it; a converter between the ways people give a motor's figures. It asks for values once, and writes nothing to
+// the board: these figures are built into the firmware.
+#pragma once
+
+#include "widgets/forms/form.h"
+#include "widgets/forms/motor_model.h"
+#include "widgets/register_model.h"
+
+class QLabel;
+class QPushButton;
+class QTreeView;
+
+namespace widgets {
+
+class FilePrompt;
+class MotorConverter;
+
+class MotorForm : public Form {
+    Q_OBJECT
+public:
+    /// All three outlive it.
+    MotorForm(
+        Device &device, RegisterModel &registers, FilePrompt &files, QWidget *parent = nullptr);
+
+    MotorModel &model() { return m_model; }
+    void focusFirst() override;
+
+public Q_SLOTS:
+    void readAgain(); ///< asks the board
+    void openFile();
+    void saveFile();
+    void closeFile();
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    QWidget *makeLeft();
+    QWidget *makeRight();
+    QPushButton *makeButton(const QString &text, const char *name, const QString &help);
+    void boardChanged();
+    void showBoard();
+    void showWarnings();
+    void take(const QString &path);
+    void say(const QString &sentence);
+    void copySelected();
+    void expandGroups();
+    void enableButtons();
+
+    Device &m_device;
+    RegisterModel &m_registers;
+    FilePrompt &m_files;
+    MotorModel m_model;
+    QTreeView *m_tree = nullptr;
+    QLabel *m_reason = nullptr, *m_told = nullptr, *m_warnings = nullptr;
+    QPushButton *m_again = nullptr, *m_open = nullptr, *m_save = nullptr, *m_close = nullptr;
+    MotorConverter *m_converter = nullptr;
+    std::vector<catalog::RegisterId> m_ids; ///< what the board is asked for
+    std::optional<drive::MotorFacts> m_facts; ///< once something has come
+    drive::WishId m_reading = 0; ///< under way
+    bool m_asked = false; ///< of this board and motor
+    QString m_folder;
+};
+
+} // namespace widgets

@@ -1,0 +1,244 @@
+#include "widgets/forms/motor_messages.h"
+
+#include "widgets/device_text.h"
+#include "widgets/si_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace widgets {
+namespace {
+
+struct Motor {
+    Q_DECLARE_TR_FUNCTIONS(Motor)
+};
+
+struct FieldRow {
+    std::string_view structure, key;
+    const char *name;
+    const char *help;
+};
+
+constexpr std::array kFields{
+    FieldRow{"MOTOR_CONFIG", "pole pairs", QT_TRANSLATE_NOOP("Motor", "Pole pairs"),
+        QT_TRANSLATE_NOOP("Motor", "Electrical turns for each turn of the shaft.")},
+    FieldRow{"MOTOR_CONFIG", "rated flux", QT_TRANSLATE_NOOP("Motor", "Rated flux"),
+        QT_TRANSLATE_NOOP("Motor",
+            "Strength of the magnets, as the board has it: Ke (V rms between two terminals at 1000 "
+            "rpm) in standard firmware, V/Hz in HSO firmware. Which of both is judged by the flux "
+            "that it makes.")},
+    FieldRow{"MOTOR_CONFIG", "Rs", QT_TRANSLATE_NOOP("Motor", "Resistance Rs"),
+        QT_TRANSLATE_NOOP(
+            "Motor", "Of one phase: half of what is measured between two terminals.")},
+    FieldRow{"MOTOR_CONFIG", "skin factor", QT_TRANSLATE_NOOP("Motor", "Skin factor"),
+        QT_TRANSLATE_NOOP("Motor", "0 in standard firmware: not used.")},
+    FieldRow{"MOTOR_CONFIG", "Lq", QT_TRANSLATE_NOOP("Motor", "Inductance Lq"),
+        QT_TRANSLATE_NOOP("Motor", "Across the magnets, of one phase.")},
+    FieldRow{"MOTOR_CONFIG", "Ld", QT_TRANSLATE_NOOP("Motor", "Inductance Ld"),
+        QT_TRANSLATE_NOOP("Motor",
+            "Along the magnets, of one phase. Smaller than Lq where the magnets are buried.")},
+    FieldRow{"MOTOR_CONFIG", "max current", QT_TRANSLATE_NOOP("Motor", "Motor current"),
+        QT_TRANSLATE_NOOP("Motor", "The motor's greatest current, peak.")},
+    FieldRow{"MOTOR_CONFIG", "copper mass", QT_TRANSLATE_NOOP("Motor", "Copper mass"),
+        QT_TRANSLATE_NOOP("Motor", "0 in standard firmware: not used.")},
+    FieldRow{"MOTOR_CONFIG", "cooling tau", QT_TRANSLATE_NOOP("Motor", "Cooling time constant"),
+        QT_TRANSLATE_NOOP("Motor", "0 in standard firmware: not used.")},
+    FieldRow{"MOTOR_CONFIG", "name", QT_TRANSLATE_NOOP("Motor", "Name"), ""},
+    FieldRow{"APPLICATION_CONFIG", "max speed", QT_TRANSLATE_NOOP("Motor", "Greatest speed"),
+        QT_TRANSLATE_NOOP("Motor", "No speed set-point goes beyond it.")},
+    FieldRow{"APPLICATION_CONFIG", "max readable current",
+        QT_TRANSLATE_NOOP("Motor", "Greatest readable current"),
+        QT_TRANSLATE_NOOP("Motor",
+            "The end of the current converters' range; more is not seen and not controlled.")},
+    FieldRow{"APPLICATION_CONFIG", "nominal current", QT_TRANSLATE_NOOP("Motor", "Nominal current"),
+        QT_TRANSLATE_NOOP("Motor", "No current set-point goes beyond it.")},
+    FieldRow{"APPLICATION_CONFIG", "nominal voltage",
+        QT_TRANSLATE_NOOP("Motor", "Nominal bus voltage"),
+        QT_TRANSLATE_NOOP("Motor", "What gains and the voltage scale were made for.")},
+    FieldRow{"APPLICATION_CONFIG", "drive type", QT_TRANSLATE_NOOP("Motor", "Drive type"), ""},
+    FieldRow{"FOCFW_CONFIG", "primary sensor", QT_TRANSLATE_NOOP("Motor", "Main speed sensor"), ""},
+    FieldRow{"FOCFW_CONFIG", "auxiliary sensor",
+        QT_TRANSLATE_NOOP("Motor", "Auxiliary speed sensor"), ""},
+    FieldRow{"FOCFW_CONFIG", "topology", QT_TRANSLATE_NOOP("Motor", "Current sensing"), ""},
+    FieldRow{
+        "FOCFW_CONFIG", "FOC rate", QT_TRANSLATE_NOOP("Motor", "PWM periods a control period"), ""},
+    FieldRow{"FOCFW_CONFIG", "PWM frequency",
+        QT_TRANSLATE_NOOP("Motor", "Switching frequency (PWM)"), ""},
+    FieldRow{"FOCFW_CONFIG", "medium frequency", QT_TRANSLATE_NOOP("Motor", "Speed loop rate"), ""},
+    FieldRow{"FOCFW_CONFIG", "flags 1", QT_TRANSLATE_NOOP("Motor", "Built with"), ""},
+    FieldRow{"FOCFW_CONFIG", "flags 2", QT_TRANSLATE_NOOP("Motor", "Built with, too"), ""},
+    FieldRow{"FOCFW_CONFIG", "drive mode", QT_TRANSLATE_NOOP("Motor", "Drive mode"), ""},
+    FieldRow{"SCALE_CONFIG", "voltage", QT_TRANSLATE_NOOP("Motor", "Voltage"),
+        QT_TRANSLATE_NOOP("Motor", "What one digit of a phase voltage is worth.")},
+    FieldRow{"SCALE_CONFIG", "current", QT_TRANSLATE_NOOP("Motor", "Current"),
+        QT_TRANSLATE_NOOP("Motor", "What one digit of a current is worth.")},
+    FieldRow{"SCALE_CONFIG", "frequency", QT_TRANSLATE_NOOP("Motor", "Speed"),
+        QT_TRANSLATE_NOOP("Motor", "What one digit of a speed is worth.")},
+    FieldRow{"GLOBAL_CONFIG", "version", QT_TRANSLATE_NOOP("Motor", "Firmware version"), ""},
+    FieldRow{"GLOBAL_CONFIG", "motors", QT_TRANSLATE_NOOP("Motor", "Motors"), ""},
+    FieldRow{"GLOBAL_CONFIG", "flags", QT_TRANSLATE_NOOP("Motor", "Streams over"), ""},
+    FieldRow{"GLOBAL_CONFIG", "streams UART A",
+        QT_TRANSLATE_NOOP("Motor", "Signals at once, UART A"), ""},
+    FieldRow{"GLOBAL_CONFIG", "streams UART B",
+        QT_TRANSLATE_NOOP("Motor", "Signals at once, UART B"), ""},
+    FieldRow{"GLOBAL_CONFIG", "streams ST-LINK",
+        QT_TRANSLATE_NOOP("Motor", "Signals at once, ST-LINK"), ""},
+};
+
+QString textOf(const std::string &text) { return QString::fromStdString(text); }
+
+QString wantedText(const session::MotorFileError &error)
+{
+    using Wanted = session::MotorFileError::Wanted;
+    const QString least = plainNumberText(error.least), most = plainNumberText(error.most);
+    switch (error.wanted) {
+    case Wanted::YesOrNo:
+        return Motor::tr("It takes true or false.");
+    case Wanted::Text:
+        return Motor::tr("It takes a text of at most %1 bytes.").arg(most);
+    case Wanted::WholeNumber:
+        return Motor::tr("It takes a whole number from %1 to %2.").arg(least, most);
+    case Wanted::Number:
+        break;
+    }
+    return Motor::tr("It takes a number from %1 to %2.").arg(least, most);
+}
+
+} // namespace
+
+FieldText fieldText(const std::string &structure, const std::string &key)
+{
+    const auto row = std::find_if(kFields.begin(), kFields.end(),
+        [&](const FieldRow &field) { return field.structure == structure && field.key == key; });
+    if (row == kFields.end())
+        return {deviceText(key), {}};
+    return {Motor::tr(row->name), *row->help == '\0' ? QString() : Motor::tr(row->help)};
+}
+
+QString structureText(const std::string &structure)
+{
+    if (structure == "MOTOR_CONFIG")
+        return Motor::tr("Motor");
+    if (structure == "APPLICATION_CONFIG")
+        return Motor::tr("Limits of the drive");
+    if (structure == "FOCFW_CONFIG")
+        return Motor::tr("Control firmware");
+    if (structure == "SCALE_CONFIG")
+        return Motor::tr("Scales");
+    if (structure == "GLOBAL_CONFIG")
+        return Motor::tr("Board");
+    return deviceText(structure);
+}
+
+QString motorQuantityText(analysis::MotorQuantity quantity)
+{
+    using analysis::MotorQuantity;
+    switch (quantity) {
+    case MotorQuantity::PolePairs:
+        return Motor::tr("Pole pairs");
+    case MotorQuantity::Resistance:
+        return Motor::tr("Resistance Rs");
+    case MotorQuantity::InductanceD:
+        return Motor::tr("Inductance Ld");
+    case MotorQuantity::InductanceQ:
+        return Motor::tr("Inductance Lq");
+    case MotorQuantity::Flux:
+        return Motor::tr("Flux of the magnets");
+    case MotorQuantity::NominalCurrent:
+        return Motor::tr("Motor current");
+    case MotorQuantity::MaxSpeed:
+        return Motor::tr("Greatest speed");
+    case MotorQuantity::BusVoltage:
+        return Motor::tr("Nominal bus voltage");
+    case MotorQuantity::Inertia:
+        return Motor::tr("Inertia");
+    case MotorQuantity::ViscousFriction:
+        return Motor::tr("Viscous friction");
+    }
+    return {};
+}
+
+QString motorWarningText(analysis::MotorWarning warning)
+{
+    using analysis::MotorWarning;
+    switch (warning) {
+    case MotorWarning::PolePairsMissing:
+        return Motor::tr("The pole pairs are no whole number from 1 to 50: count the magnets and "
+                         "halve, and set them in the firmware's project.");
+    case MotorWarning::ResistanceImplausible:
+        return Motor::tr("The resistance is missing or no motor's: measure between two terminals "
+                         "and take half.");
+    case MotorWarning::InductanceImplausible:
+        return Motor::tr("An inductance is missing or no motor's: check whether millihenry were "
+                         "given as henry.");
+    case MotorWarning::FluxImplausible:
+        return Motor::tr("The strength of the magnets is missing or no motor's: the converter "
+                         "gives Ke from KV or from a measurement.");
+    case MotorWarning::NominalCurrentImplausible:
+        return Motor::tr("The motor's current is missing or no motor's: take the nominal current "
+                         "of the data sheet, times 1.414 if that is rms.");
+    case MotorWarning::LdAboveLq:
+        return Motor::tr("Ld is greater than Lq, which no magnet motor is: ST's generator may have "
+                         "swapped them. Measure both before gains are made of them.");
+    case MotorWarning::TimeConstantImplausible:
+        return Motor::tr("L / R is outside 10 \u00b5s to 1 s: one of them has the wrong unit, or "
+                         "one is between terminals and the other of a phase.");
+    case MotorWarning::NominalCurrentBeyondDrive:
+        return Motor::tr("The motor's current is more than the drive can measure: keep set-points "
+                         "below, or take another shunt or gain.");
+    case MotorWarning::SpeedBeyondBaseSpeed:
+        return Motor::tr("The greatest speed is beyond the base speed: with nominal current and "
+                         "bus voltage it needs flux weakening.");
+    }
+    return {};
+}
+
+QString motorFileErrorText(const session::MotorFileError &error)
+{
+    using Kind = session::MotorFileError::Kind;
+    const QString place = deviceText(error.place), detail = textOf(error.detail);
+    switch (error.kind) {
+    case Kind::Unreadable:
+        return Motor::tr("It cannot be read: %1").arg(detail);
+    case Kind::TooLarge:
+        return Motor::tr("It is larger than any description of a motor.");
+    case Kind::NotJson:
+        return Motor::tr("Line %1 is no JSON: %2").arg(QString::number(error.line), detail);
+    case Kind::NotAnObject:
+        return place.isEmpty()
+            ? Motor::tr("It is no JSON object with %1.").arg(detail)
+            : Motor::tr("At \u201c%1\u201d there has to be an object with %2.").arg(place, detail);
+    case Kind::UnknownKey:
+        return Motor::tr("There is no key \u201c%1\u201d; there are %2.").arg(place, detail);
+    case Kind::UnknownPreset:
+        return Motor::tr("Its preset is none of the simulator's.");
+    case Kind::WrongValue:
+        return Motor::tr("The value of \u201c%1\u201d cannot be used.").arg(place)
+            + QLatin1Char(' ') + wantedText(error);
+    case Kind::Missing:
+        return Motor::tr("\u201c%1\u201d is missing.").arg(place);
+    case Kind::RangeBelowSupply:
+        break;
+    }
+    return Motor::tr("\u201c%1\u201d is below the supply voltage.").arg(place);
+}
+
+QString motorFileNoteText(session::MotorFile::Note note)
+{
+    using Note = session::MotorFile::Note;
+    switch (note) {
+    case Note::InductanceInMillihenry:
+        return Motor::tr("\u201cls\u201d was taken as millihenry: as henry it would be no motor.");
+    case Note::OneInductanceOnly:
+        return Motor::tr("Only one inductance was measured: of a motor with buried magnets, "
+                         "measure Ld and Lq.");
+    case Note::UnknownKeysLeftOut:
+        break;
+    }
+    return Motor::tr("Keys that are not known were passed over.");
+}
+
+} // namespace widgets

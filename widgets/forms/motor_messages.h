@@ -1,0 +1,29 @@
+// What core says of motors as enums and keys, in the person's language: names of figures, what is wrong with a motor or
+// with a file and what to do about it.
+#pragma once
+
+#include "analysis/motor_sheet.h"
+#include "drive/motor_view.h"
+#include "session/motor_file.h"
+
+#include <QString>
+
+namespace widgets {
+
+struct FieldText {
+    QString name, help;
+};
+/// Of a member of a structure; its own key where this program knows no better.
+FieldText fieldText(const std::string &structure, const std::string &key);
+/// Of a structure as a whole.
+QString structureText(const std::string &structure);
+
+QString motorQuantityText(analysis::MotorQuantity quantity);
+/// What is wrong, and what to do.
+QString motorWarningText(analysis::MotorWarning warning);
+
+/// One sentence without the file's name.
+QString motorFileErrorText(const session::MotorFileError &error);
+QString motorFileNoteText(session::MotorFile::Note note);
+
+} // namespace widgets

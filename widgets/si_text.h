@@ -1,0 +1,16 @@
+// Quantities in SI units as people read them: with the prefix that keeps the number short (600 uH, 6.5 mWb), in the
+// locale's manner. Display only.
+#pragma once
+
+#include <QString>
+
+namespace widgets {
+
+/// @param unit  SI without prefix, e.g. "H"; units that nobody gives a prefix (rpm, V/krpm) keep theirs. Five
+///              significant digits; a dash for what is not finite.
+QString siText(double value, const QString &unit);
+
+/// The number alone, short and in the locale's manner, as an entry field may hold it: no exponent, no group marks.
+QString plainNumberText(double value, int significant = 5);
+
+} // namespace widgets
