@@ -143,6 +143,14 @@
     </message>
 </context>
 <context>
+    <name>Confirmation</name>
+    <message>
+        <source>Type %1 to go on:</source>
+        <comment>a word</comment>
+        <translation>Zum Fortfahren %1 eingeben:</translation>
+    </message>
+</context>
+<context>
     <name>Entry</name>
     <message>
         <source>none</source>
@@ -383,6 +391,108 @@
     <message>
         <source>%1 cannot be replaced (%2). Choose another name.</source>
         <translation>%1 kann nicht ersetzt werden (%2). Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>It is the first start since the board was connected.</source>
+        <translation>Es ist der erste Start, seit das Board verbunden ist.</translation>
+    </message>
+    <message>
+        <source>The set-point moves by more than 20 % of the limit of %1.</source>
+        <translation>Der Sollwert ändert sich um mehr als 20 % der Grenze von %1.</translation>
+    </message>
+    <message>
+        <source>It acts against the way the motor turns now (%1).</source>
+        <comment>speed</comment>
+        <translation>Es wirkt gegen die jetzige Drehrichtung des Motors (%1).</translation>
+    </message>
+    <message>
+        <source>The control changes between speed and torque while the motor runs.</source>
+        <translation>Die Regelung wechselt zwischen Drehzahl und Drehmoment, während der Motor läuft.</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Own limits</source>
+        <translation>Eigene Grenzen</translation>
+    </message>
+    <message>
+        <source>Expert mode</source>
+        <translation>Expertenmodus</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <comment>of a motor</comment>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Stop motors</source>
+        <translation>Motoren stoppen</translation>
+    </message>
+    <message>
+        <source>Stop one motor</source>
+        <translation>Einen Motor stoppen</translation>
+    </message>
+    <message>
+        <source>Stop ramp</source>
+        <translation>Rampe anhalten</translation>
+    </message>
+    <message>
+        <source>Acknowledge faults</source>
+        <translation>Fehler quittieren</translation>
+    </message>
+    <message>
+        <source>Speed ramp</source>
+        <translation>Drehzahlrampe</translation>
+    </message>
+    <message>
+        <source>Torque ramp</source>
+        <translation>Drehmomentrampe</translation>
+    </message>
+    <message>
+        <source>Current reference</source>
+        <translation>Stromsollwert</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <comment>a register that can move something</comment>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>command line</source>
+        <translation>Kommandozeile</translation>
+    </message>
+    <message>
+        <source>script</source>
+        <translation>Skript</translation>
+    </message>
+    <message>
+        <source>greatest speed</source>
+        <translation>höchste Drehzahl</translation>
+    </message>
+    <message>
+        <source>greatest current</source>
+        <translation>höchster Strom</translation>
+    </message>
+    <message>
+        <source>nominal current</source>
+        <translation>Nennstrom</translation>
+    </message>
+</context>
+<context>
+    <name>MotionQuestion</name>
+    <message>
+        <source>This will move motor %1. Go on?</source>
+        <translation>Dies bewegt Motor %1. Fortfahren?</translation>
     </message>
 </context>
 <context>
@@ -956,6 +1066,21 @@
     </message>
 </context>
 <context>
+    <name>widgets</name>
+    <message>
+        <source>Stop motors</source>
+        <translation>Motoren stoppen</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Freigegeben</translation>
+    </message>
+    <message>
+        <source>Disarmed</source>
+        <translation>Gesperrt</translation>
+    </message>
+</context>
+<context>
     <name>widgets::AutoSnapshots</name>
     <message>
         <source>What the board held before is kept in memory only: %1 was not written (%2). Save a snapshot to another place before you leave.</source>
@@ -1444,18 +1569,6 @@
 <context>
     <name>widgets::EventRecorder</name>
     <message>
-        <source>Stop motors</source>
-        <translation>Motoren stoppen</translation>
-    </message>
-    <message>
-        <source>Armed</source>
-        <translation>Freigegeben</translation>
-    </message>
-    <message>
-        <source>Disarmed</source>
-        <translation>Gesperrt</translation>
-    </message>
-    <message>
         <source>Motor %1: %2</source>
         <translation>Motor %1: %2</translation>
     </message>
@@ -1910,6 +2023,118 @@
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>The motion log is in %1.</source>
+        <translation>Das Bewegungsprotokoll liegt in %1.</translation>
+    </message>
+    <message>
+        <source>The motion log %1 could not be written (%2).</source>
+        <translation>Das Bewegungsprotokoll %1 konnte nicht geschrieben werden (%2).</translation>
+    </message>
+    <message>
+        <source>Motion log</source>
+        <translation>Bewegungsprotokoll</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MotionGate</name>
+    <message>
+        <source>rpm</source>
+        <translation>rpm</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <comment>the old value</comment>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 → start, then to %2</source>
+        <comment>state now, speed it will go to</comment>
+        <translation>%1 → Start, dann auf %2</translation>
+    </message>
+    <message>
+        <source>speed %1 → %2 in %3 ms</source>
+        <comment>old, new, time</comment>
+        <translation>Drehzahl %1 → %2 in %3 ms</translation>
+    </message>
+    <message>
+        <source>current Iq %1 → %2 in %3 ms</source>
+        <comment>old, new, time</comment>
+        <translation>Strom Iq %1 → %2 in %3 ms</translation>
+    </message>
+    <message>
+        <source>Iq %1 → %2, Id %3 → %4, at once</source>
+        <comment>old, new, old, new</comment>
+        <translation>Iq %1 → %2, Id %3 → %4, sofort</translation>
+    </message>
+    <message>
+        <source>Motor %1: %2</source>
+        <comment>number, change</comment>
+        <translation>Motor %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MotionLogModel</name>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>outcome, the board&apos;s word</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Act</source>
+        <translation>Handlung</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Bytes sent</source>
+        <translation>Gesendete Bytes</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MotionLogPanel</name>
+    <message>
+        <source>Motion log</source>
+        <translation>Bewegungsprotokoll</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Save the motion log</source>
+        <translation>Bewegungsprotokoll speichern</translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv)</source>
+        <translation>CSV-Dateien (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written (%2). Choose another folder.</source>
+        <translation>%1 kann nicht geschrieben werden (%2). Wählen Sie einen anderen Ordner.</translation>
     </message>
 </context>
 <context>

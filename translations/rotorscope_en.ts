@@ -143,6 +143,14 @@
     </message>
 </context>
 <context>
+    <name>Confirmation</name>
+    <message>
+        <source>Type %1 to go on:</source>
+        <comment>a word</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Entry</name>
     <message>
         <source>none</source>
@@ -382,6 +390,108 @@
     </message>
     <message>
         <source>%1 cannot be replaced (%2). Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is the first start since the board was connected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The set-point moves by more than 20 % of the limit of %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It acts against the way the motor turns now (%1).</source>
+        <comment>speed</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The control changes between speed and torque while the motor runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expert mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <comment>of a motor</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop motors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop one motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acknowledge faults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <comment>a register that can move something</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>person</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>command line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>script</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>greatest speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>greatest current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nominal current</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MotionQuestion</name>
+    <message>
+        <source>This will move motor %1. Go on?</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -956,6 +1066,21 @@
     </message>
 </context>
 <context>
+    <name>widgets</name>
+    <message>
+        <source>Stop motors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disarmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::AutoSnapshots</name>
     <message>
         <source>What the board held before is kept in memory only: %1 was not written (%2). Save a snapshot to another place before you leave.</source>
@@ -1444,18 +1569,6 @@
 <context>
     <name>widgets::EventRecorder</name>
     <message>
-        <source>Stop motors</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Armed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Disarmed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Motor %1: %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1909,6 +2022,118 @@
     </message>
     <message>
         <source>Tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motion log is in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motion log %1 could not be written (%2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion log</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MotionGate</name>
+    <message>
+        <source>rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <comment>the old value</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 → start, then to %2</source>
+        <comment>state now, speed it will go to</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed %1 → %2 in %3 ms</source>
+        <comment>old, new, time</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>current Iq %1 → %2 in %3 ms</source>
+        <comment>old, new, time</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iq %1 → %2, Id %3 → %4, at once</source>
+        <comment>old, new, old, new</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1: %2</source>
+        <comment>number, change</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MotionLogModel</name>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>outcome, the board&apos;s word</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Act</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes sent</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MotionLogPanel</name>
+    <message>
+        <source>Motion log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the motion log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be written (%2). Choose another folder.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -3,6 +3,7 @@
 #include "widgets/device_text.h"
 #include "widgets/lamp.h"
 #include "widgets/messages.h"
+#include "widgets/motion_gate.h"
 #include "widgets/motor_button.h"
 #include "widgets/setpoint_edit.h"
 #include "widgets/stop_words.h"
@@ -50,10 +51,12 @@ QString joined(const std::vector<std::string> &names)
 
 } // namespace
 
-ControlPanel::ControlPanel(Device &device, RegisterModel &registers, QWidget *parent)
+ControlPanel::ControlPanel(
+    Device &device, RegisterModel &registers, MotionGate &motion, QWidget *parent)
     : QWidget(parent)
     , m_device(device)
     , m_registers(registers)
+    , m_motion(motion)
 {
     setObjectName(QStringLiteral("controlPanel"));
     auto *layout = new QVBoxLayout(this);
@@ -83,13 +86,9 @@ ControlPanel::ControlPanel(Device &device, RegisterModel &registers, QWidget *pa
         updateLimits();
         updateState();
     });
+    connect(&device, &Device::boundsChanged, this, &ControlPanel::updateLimits);
     connect(&device, &Device::armedStateChanged, this, &ControlPanel::updateButtons);
     connect(&device, &Device::stopAdvanced, this, &ControlPanel::stopAdvanced);
-    connect(&device, &Device::wishEnded, this, [this](const drive::Ended &ended) {
-        if (const QString action = m_open.take(ended.id);
-            !action.isEmpty() && ended.outcome != drive::Outcome::Ok)
-            Q_EMIT failed(failureText(action, ended));
-    });
     connect(&registers, &QAbstractItemModel::dataChanged, this, &ControlPanel::updateReadouts);
     connect(&registers, &QAbstractItemModel::modelReset, this, &ControlPanel::resolveReadouts);
     updateLimits();
@@ -302,12 +301,9 @@ void ControlPanel::changeEvent(QEvent *event)
 
 void ControlPanel::updateLimits()
 {
-    double limit = kFallbackLimitRpm;
-    if (const auto &identified = m_device.identified()) {
-        const auto i = static_cast<std::size_t>(m_device.motor() - 1);
-        if (i < identified->limits.size() && identified->limits[i].maxSpeedRpm > 0.0)
-            limit = std::min(limit, identified->limits[i].maxSpeedRpm);
-    }
+    // What the board does not tell is refused below, with the reason: the field need not know it.
+    const double bound = m_device.bounds(m_device.motor()).rpm;
+    const double limit = bound > 0.0 ? std::min(bound, kFallbackLimitRpm) : kFallbackLimitRpm;
     m_speed->setLimits(limit, kRpmStep, tr("rpm"));
 }
 
@@ -427,21 +423,16 @@ void ControlPanel::updateButtons()
     apply(m_go, ramp, tr("Sends the set-point as a ramp (Enter in the field does the same)."));
 }
 
-void ControlPanel::submit(const QString &action, decltype(drive::Wish::what) what)
-{
-    m_open.insert(m_device.submit(std::move(what)), action);
-}
-
 void ControlPanel::start()
 {
     if (startAllowed().yes)
-        submit(tr("Start"), drive::Command{drive::MotorAction::Start, m_device.motor()});
+        m_motion.want(tr("Start"), drive::Command{drive::MotorAction::Start, m_device.motor()});
 }
 
 void ControlPanel::acknowledge()
 {
     if (acknowledgeAllowed().yes)
-        submit(tr("Acknowledge"),
+        m_motion.want(tr("Acknowledge"),
             drive::Command{drive::MotorAction::AcknowledgeFaults, m_device.motor()});
 }
 
@@ -451,7 +442,7 @@ void ControlPanel::go()
     if (!rpm || !allowed(drive::Feature::SpeedRamp).yes)
         return;
     m_rampTime->interpretText();
-    submit(tr("Speed ramp"),
+    m_motion.want(tr("Speed ramp"),
         drive::SpeedRamp{m_device.motor(), static_cast<std::int32_t>(*rpm),
             std::chrono::milliseconds(m_rampTime->value())});
 }
@@ -459,7 +450,8 @@ void ControlPanel::go()
 void ControlPanel::stopRamp()
 {
     if (allowed(drive::Feature::SpeedRamp).yes)
-        submit(tr("Stop ramp"), drive::Command{drive::MotorAction::StopRamp, m_device.motor()});
+        m_motion.want(
+            tr("Stop ramp"), drive::Command{drive::MotorAction::StopRamp, m_device.motor()});
 }
 
 void ControlPanel::toggleArmed() { m_device.setArmed(!m_device.armed()); }

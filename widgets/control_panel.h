@@ -5,7 +5,6 @@
 #include "widgets/device.h"
 #include "widgets/register_model.h"
 
-#include <QMap>
 #include <QWidget>
 
 class QCheckBox;
@@ -15,6 +14,7 @@ class QFormLayout;
 
 namespace widgets {
 
+class MotionGate;
 class MotorButton;
 class SetpointEdit;
 class StopButton;
@@ -23,7 +23,8 @@ class StopWords;
 class ControlPanel : public QWidget {
     Q_OBJECT
 public:
-    ControlPanel(Device &device, RegisterModel &registers, QWidget *parent = nullptr);
+    ControlPanel(
+        Device &device, RegisterModel &registers, MotionGate &motion, QWidget *parent = nullptr);
 
     /// Registers whose values the panel shows: they are to be polled as long as it is there.
     std::vector<catalog::RegisterId> watchedRegisters() const;
@@ -42,7 +43,6 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void watchedRegistersChanged();
-    void failed(const QString &sentence); ///< a command that this panel sent did not end well
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -67,10 +67,10 @@ private:
     void resolveReadouts();
     void takeReference();
     void stopAdvanced(const drive::StopProgress &progress);
-    void submit(const QString &action, decltype(drive::Wish::what) what);
 
     Device &m_device;
     RegisterModel &m_registers;
+    MotionGate &m_motion;
 
     QLabel *m_state = nullptr;
     QLabel *m_faultsNow = nullptr;
@@ -92,7 +92,6 @@ private:
         std::optional<catalog::RegisterId> id;
     };
     std::vector<Readout> m_readouts;
-    QMap<drive::WishId, QString> m_open; ///< wishes of this panel that have not ended
     Milliseconds m_now{};
     bool m_takeReference =
         false; ///< the speed field still has to be given the board's own set-point

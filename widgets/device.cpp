@@ -17,6 +17,14 @@ bool atRest(drive::MotorState state)
         || state == MotorState::FaultOver;
 }
 
+/// Expert mode is for one connection to one board that was not reset meanwhile.
+bool forgetsExperts(const drive::LinkChanged &link)
+{
+    using drive::LinkState;
+    return link.state == LinkState::Lost || link.state == LinkState::Closed
+        || link.state == LinkState::Connecting || link.reason == drive::LinkReason::BoardReset;
+}
+
 } // namespace
 
 Device::Device(QObject *parent)
@@ -106,6 +114,39 @@ void Device::setMotor(int motor)
     Q_EMIT motorChanged();
 }
 
+drive::MotorLimits Device::limits(int motor) const
+{
+    const auto at = static_cast<std::size_t>(motor - 1);
+    return m_identified && motor >= 1 && at < m_identified->limits.size() ? m_identified->limits[at]
+                                                                          : drive::MotorLimits{};
+}
+
+drive::MotionBounds Device::bounds(int motor) const
+{
+    return drive::boundsOf(limits(motor), m_userLimits, expert(motor));
+}
+
+void Device::setUserLimits(const drive::UserLimits &limits)
+{
+    if (!drive::isPlausible(limits) || limits == m_userLimits)
+        return;
+    m_userLimits = limits;
+    submit(limits);
+    Q_EMIT boundsChanged();
+}
+
+void Device::becomeExpert(int motor) { m_expertWished[submit(drive::ExpertMode{motor})] = motor; }
+
+void Device::takeEnd(const drive::Ended &ended)
+{
+    const auto wished = m_expertWished.extract(ended.id);
+    if (!wished.empty() && ended.outcome == drive::Outcome::Ok) {
+        m_expert.insert(wished.mapped());
+        Q_EMIT boundsChanged();
+    }
+    Q_EMIT wishEnded(ended);
+}
+
 void Device::apply(const session::BatchPtr &batch)
 {
     if (!batch)
@@ -151,6 +192,8 @@ void Device::take(const drive::Event &event)
         Overloaded{
             [this](const drive::LinkChanged &link) {
                 m_link = link;
+                if (forgetsExperts(link))
+                    m_expert.clear();
                 if (link.state == drive::LinkState::Lost || link.state == drive::LinkState::Closed
                     || link.reason == drive::LinkReason::BoardReset)
                     disarm();
@@ -162,7 +205,7 @@ void Device::take(const drive::Event &event)
                 Q_EMIT identityChanged();
             },
             [this](const drive::RegistersRead &read) { Q_EMIT readingsArrived(read.readings); },
-            [this](const drive::Ended &ended) { Q_EMIT wishEnded(ended); },
+            [this](const drive::Ended &ended) { takeEnd(ended); },
             [this](const drive::MotorStatus &status) {
                 m_status[status.motor] = status;
                 Q_EMIT statusChanged(status.motor);
@@ -184,6 +227,8 @@ void Device::forgetBoard()
     m_link = {};
     m_identified.reset();
     m_status.clear();
+    m_expert.clear();
+    m_expertWished.clear();
     m_motor = 1;
     m_dropped = 0;
     Q_EMIT identityChanged();

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "drive/event.h"
+#include "drive/motion_limits.h"
 #include "drive/wish.h"
 #include "session/session.h"
 
@@ -14,6 +15,7 @@
 #include <chrono>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace widgets {
 
@@ -42,6 +44,11 @@ public:
     drive::MotorStatus status(int motor) const; ///< Unknown if nothing was heard
     bool allIdle() const; ///< true if no motor is known to be anywhere but idle or in a fault
     bool armed() const { return m_armed; }
+    /// A person's own limits, and what may be asked of a motor under them: what the drive enforces.
+    const drive::UserLimits &userLimits() const { return m_userLimits; }
+    drive::MotionBounds bounds(int motor) const;
+    drive::MotorLimits limits(int motor) const; ///< as the board tells them; zeros if not known
+    bool expert(int motor) const { return m_expert.contains(motor); }
     const drive::LinkCounters &counters() const { return m_counters; }
     /// Samples that only the display did not get, since the port was opened.
     std::uint64_t droppedForDisplay() const { return m_dropped; }
@@ -56,6 +63,9 @@ public Q_SLOTS:
     void stop();
     void setArmed(bool armed);
     void setMotor(int motor);
+    void setUserLimits(const drive::UserLimits &limits); ///< ignored if they bound nothing sensibly
+    /// A person has agreed to move a motor whose board does not tell its limits.
+    void becomeExpert(int motor);
 
     void apply(const session::BatchPtr &batch);
     void portChanged(session::PortState state, const session::PortError &why);
@@ -76,6 +86,7 @@ Q_SIGNALS:
     void identityChanged();
     void statusChanged(int motor);
     void motorChanged();
+    void boundsChanged(); ///< the person's limits, or expert mode
     void armedStateChanged(bool armed);
     void readingsArrived(const std::vector<drive::Reading> &readings);
     void wishEnded(const drive::Ended &ended);
@@ -88,6 +99,7 @@ Q_SIGNALS:
 
 private:
     void take(const drive::Event &event);
+    void takeEnd(const drive::Ended &ended);
     void forgetBoard();
     void disarm();
 
@@ -97,6 +109,9 @@ private:
     drive::LinkChanged m_link;
     std::optional<drive::Identified> m_identified;
     std::map<int, drive::MotorStatus> m_status;
+    drive::UserLimits m_userLimits;
+    std::set<int> m_expert;
+    std::map<drive::WishId, int> m_expertWished; ///< motor by wish, not ended
     drive::LinkCounters m_counters;
     std::uint64_t m_dropped = 0;
     drive::WishId m_lastWish = 0;

@@ -1,5 +1,6 @@
 #include "widgets/main_window.h"
 
+#include "session/whole_file.h"
 #include "widgets/banner.h"
 #include "widgets/channel_strip.h"
 #include "widgets/connect_bar.h"
@@ -12,6 +13,7 @@
 #include "widgets/first_steps.h"
 #include "widgets/lamp.h"
 #include "widgets/messages.h"
+#include "widgets/motion_question.h"
 #include "widgets/motor_button.h"
 #include "widgets/register_panel.h"
 #include "widgets/scope/scope_view.h"
@@ -264,7 +266,7 @@ void MainWindow::makeDocks()
 {
     m_registerPanel = new RegisterPanel(m_workbench.registers(), m_workbench.edits(), this);
     m_registerPanel->setMinimumWidth(kRegisterMinimum);
-    m_control = new ControlPanel(m_device, m_workbench.registers(), this);
+    m_control = new ControlPanel(m_device, m_workbench.registers(), m_workbench.motion(), this);
     auto *scroll = new QScrollArea(this);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
@@ -299,7 +301,8 @@ void MainWindow::connectParts()
         m_banner->say(Banner::Kind::Warning, sentence);
     };
     connect(m_connectBar, &ConnectBar::refused, this, note);
-    connect(m_control, &ControlPanel::failed, this, note);
+    connect(&m_workbench.motion(), &MotionGate::failed, this, note);
+    showMotionQuestions(m_workbench.motion(), this);
     connect(m_selection, &SignalSelection::failed, this, note);
     connect(m_registerPanel, &RegisterPanel::registersChosen, m_selection,
         [this](const QList<quint32> &ids) {
@@ -421,15 +424,31 @@ void MainWindow::exportCsv()
     auto *dialog =
         new ExportDialog(m_workbench.capture(), *m_scope, m_files, m_settings.exportFolder, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &ExportDialog::exported, this, [this](const QString &path) {
-        const QFileInfo file(path);
-        m_settings.exportFolder = file.path();
-        m_told = Told::Other;
-        m_banner->say(Banner::Kind::Note, tr("Exported to %1.").arg(deviceText(file.filePath())));
-        if (m_firstSteps->step() == FirstSteps::Step::Save)
-            m_firstSteps->finish();
-    });
+    connect(dialog, &ExportDialog::exported, this, &MainWindow::exported);
     dialog->open();
+}
+
+void MainWindow::exported(const QString &path)
+{
+    const QFileInfo file(path);
+    m_settings.exportFolder = file.path();
+    m_told = Told::Other;
+    QString sentence = tr("Exported to %1.").arg(deviceText(file.filePath()));
+    Banner::Kind kind = Banner::Kind::Note;
+    if (MotionLogModel &log = m_workbench.motionLog(); log.rowCount() > 0) {
+        const QString beside = session::motionLogPath(path);
+        const QString wrong = session::writeWholeFile(beside, log.text());
+        const QString name = deviceText(QFileInfo(beside).fileName());
+        if (!wrong.isEmpty())
+            kind = Banner::Kind::Warning;
+        sentence += QLatin1Char(' ')
+            + (wrong.isEmpty()
+                    ? tr("The motion log is in %1.").arg(name)
+                    : tr("The motion log %1 could not be written (%2).").arg(name, wrong));
+    }
+    m_banner->say(kind, sentence);
+    if (m_firstSteps->step() == FirstSteps::Step::Save)
+        m_firstSteps->finish();
 }
 
 } // namespace widgets

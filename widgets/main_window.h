@@ -47,6 +47,8 @@ public:
 
 public Q_SLOTS:
     void exportCsv();
+    /// A capture is in this file: its motion log goes beside it.
+    void exported(const QString &path);
 
 Q_SIGNALS:
     void closed(); ///< the window has agreed to close

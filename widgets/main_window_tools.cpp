@@ -1,7 +1,9 @@
 // The tools of the main window: forms in docks below the scope, as tabs of one another, hidden until somebody asks.
+#include "widgets/device_text.h"
 #include "widgets/forms/form.h"
 #include "widgets/forms/motor_form.h"
 #include "widgets/main_window.h"
+#include "widgets/motion_log_panel.h"
 
 #include <QChildEvent>
 #include <QDockWidget>
@@ -27,6 +29,13 @@ void MainWindow::makeTools()
 
     addTool(new MotorForm(m_device, m_workbench.registers(), m_files), tr("Motor and drive"),
         "motorDock", Qt::CTRL | Qt::Key_4);
+
+    auto *log = new MotionLogPanel(m_workbench.motionLog(), m_files);
+    addTool(log, tr("Motion log"), "motionLogDock", Qt::CTRL | Qt::SHIFT | Qt::Key_L);
+    connect(log, &MotionLogPanel::saved, this, [this](const QString &path) {
+        m_told = Told::Other;
+        m_banner->say(Banner::Kind::Note, tr("Exported to %1.").arg(deviceText(path)));
+    });
 }
 
 QAction *MainWindow::addTool(

@@ -165,6 +165,85 @@ QString stopWordText(drive::StopWord word)
     return {};
 }
 
+QString motionCautionText(drive::MotionCaution caution, const QString &limit, const QString &speed)
+{
+    using drive::MotionCaution;
+    switch (caution) {
+    case MotionCaution::FirstStart:
+        return Messages::tr("It is the first start since the board was connected.");
+    case MotionCaution::Step:
+        return Messages::tr("The set-point moves by more than 20 % of the limit of %1.").arg(limit);
+    case MotionCaution::Reversal:
+        return Messages::tr("It acts against the way the motor turns now (%1).", "speed")
+            .arg(speed);
+    case MotionCaution::OtherMode:
+        return Messages::tr("The control changes between speed and torque while the motor runs.");
+    }
+    return {};
+}
+
+QString motionActText(drive::MotionAct act)
+{
+    using drive::MotionAct;
+    switch (act) {
+    case MotionAct::Arm:
+        return Messages::tr("Arm");
+    case MotionAct::Disarm:
+        return Messages::tr("Disarm");
+    case MotionAct::Limits:
+        return Messages::tr("Own limits");
+    case MotionAct::Expert:
+        return Messages::tr("Expert mode");
+    case MotionAct::Start:
+        return Messages::tr("Start", "of a motor");
+    case MotionAct::Stop:
+        return Messages::tr("Stop motors");
+    case MotionAct::StopMotor:
+        return Messages::tr("Stop one motor");
+    case MotionAct::StopRamp:
+        return Messages::tr("Stop ramp");
+    case MotionAct::AcknowledgeFaults:
+        return Messages::tr("Acknowledge faults");
+    case MotionAct::SpeedRamp:
+        return Messages::tr("Speed ramp");
+    case MotionAct::TorqueRamp:
+        return Messages::tr("Torque ramp");
+    case MotionAct::CurrentReference:
+        return Messages::tr("Current reference");
+    case MotionAct::Write:
+        return Messages::tr("Write", "a register that can move something");
+    }
+    return {};
+}
+
+QString motionSourceText(drive::Source source)
+{
+    using drive::Source;
+    switch (source) {
+    case Source::Person:
+        return Messages::tr("person");
+    case Source::CommandLine:
+        return Messages::tr("command line");
+    case Source::Script:
+        return Messages::tr("script");
+    }
+    return {};
+}
+
+QString limitGapText(drive::LimitGap gap)
+{
+    using drive::LimitGap;
+    switch (gap) {
+    case LimitGap::MaxSpeed:
+        return Messages::tr("greatest speed");
+    case LimitGap::MaxCurrent:
+        return Messages::tr("greatest current");
+    case LimitGap::NominalCurrent:
+        return Messages::tr("nominal current");
+    }
+    return {};
+}
+
 QString stopNotConfirmedText()
 {
     return Messages::tr("Stop NOT confirmed. Use the hardware stop.");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "drive/event.h"
+#include "drive/motion_caution.h"
 #include "session/csv_file.h"
 #include "session/endpoint.h"
 
@@ -20,6 +21,13 @@ QString portProblemText(const session::PortError &error, const QString &port);
 QString outcomeText(drive::Outcome outcome);
 QString motorStateText(drive::MotorState state);
 QString stopWordText(drive::StopWord word);
+/// Why a person is asked before an act of motion. @param limit, speed  with unit
+QString motionCautionText(drive::MotionCaution caution, const QString &limit, const QString &speed);
+/// An act of the motion log, and where it came from.
+QString motionActText(drive::MotionAct act);
+QString motionSourceText(drive::Source source);
+/// What a board does not tell of a motor.
+QString limitGapText(drive::LimitGap gap);
 /// The red alarm's text.
 QString stopNotConfirmedText();
 /// How a wish failed, in one sentence: `action` names it ("Start"); empty if it went well.

@@ -7,6 +7,8 @@
 #include "capture/capture.h"
 #include "session/session_thread.h"
 #include "widgets/device.h"
+#include "widgets/motion_gate.h"
+#include "widgets/motion_log_model.h"
 #include "widgets/register_edits.h"
 #include "widgets/register_model.h"
 #include "widgets/snapshot_auto.h"
@@ -29,6 +31,8 @@ public:
     RegisterModel &registers() { return m_registers; }
     RegisterEdits &edits() { return m_edits; }
     AutoSnapshots &snapshots() { return m_snapshots; }
+    MotionGate &motion() { return m_motion; } ///< what moves a motor goes through here
+    MotionLogModel &motionLog() { return m_motionLog; }
     capture::Capture &capture() { return m_capture; }
     WatchList &watchList() { return m_watchList; }
     Milliseconds now() const
@@ -48,6 +52,8 @@ private:
     RegisterModel m_registers;
     AutoSnapshots m_snapshots{m_device, autoSnapshotFolder()};
     RegisterEdits m_edits{m_device, m_registers};
+    MotionGate m_motion{m_device, m_registers};
+    MotionLogModel m_motionLog;
     capture::Capture m_capture;
     WatchList m_watchList;
     StopFilter m_stopFilter;

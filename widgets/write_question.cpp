@@ -1,8 +1,9 @@
 #include "widgets/write_question.h"
 
+#include "widgets/confirmation.h"
+
 #include <QCoreApplication>
-#include <QMessageBox>
-#include <QPushButton>
+#include <QPointer>
 
 namespace widgets {
 namespace {
@@ -36,24 +37,17 @@ void askBeforeWriting(QWidget *parent, RegisterEdits &edits, const QList<WriteLi
     if (lines.size() > kMostLines)
         texts.append(
             WriteQuestion::tr("and %n more", nullptr, static_cast<int>(lines.size() - kMostLines)));
-    auto *box = new QMessageBox(QMessageBox::Warning, WriteQuestion::tr("Write registers"),
-        WriteQuestion::tr("This can move or harm a motor at once."), QMessageBox::NoButton, parent);
-    box->setObjectName(QStringLiteral("writeQuestion"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setTextFormat(Qt::PlainText);
-    box->setInformativeText(texts.join(QLatin1Char('\n')));
-    QPushButton *write = box->addButton(WriteQuestion::tr("Write"), QMessageBox::DestructiveRole);
-    QPushButton *cancel = box->addButton(QMessageBox::Cancel);
-    write->setObjectName(QStringLiteral("writeAnyway"));
-    write->setAutoDefault(false); // Enter does not press it, wherever the focus is
-    box->setDefaultButton(cancel);
-    box->setEscapeButton(cancel);
-    QObject::connect(
-        box, &QMessageBox::buttonClicked, &edits, [&edits, write](QAbstractButton *button) {
-            button == write ? edits.confirm() : edits.decline();
-        });
-    box->open();
-    cancel->setFocus();
+    Confirmation question;
+    question.objectName = "writeQuestion";
+    question.title = WriteQuestion::tr("Write registers");
+    question.text = WriteQuestion::tr("This can move or harm a motor at once.");
+    question.lines = texts;
+    question.yesName = "writeAnyway";
+    question.yes = WriteQuestion::tr("Write");
+    askToConfirm(parent, question, [edits = QPointer(&edits)](bool yes) {
+        if (edits)
+            yes ? edits->confirm() : edits->decline();
+    });
 }
 
 } // namespace widgets

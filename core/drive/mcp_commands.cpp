@@ -1,6 +1,7 @@
 #include "drive/mcp_commands.h"
 
 #include "catalog/names.h"
+#include "drive/control_mode.h"
 #include "drive/mcp_limits.h"
 #include "drive/mcp_values.h"
 #include "mcp/protocol.h"
@@ -11,8 +12,6 @@
 namespace drive {
 
 namespace {
-
-constexpr std::int64_t kSpeedMode = 3, kTorqueMode = 4;
 
 mcp::CommandId commandOf(MotorAction action)
 {
@@ -230,7 +229,7 @@ std::optional<Bytes> SetPointTask::nextRequest(TimePoint)
 {
     if (finished())
         return std::nullopt;
-    const std::int64_t mode = m_kind == Kind::Speed ? kSpeedMode : kTorqueMode;
+    const std::int64_t mode = m_kind == Kind::Speed ? kSpeedModeNumber : kTorqueModeNumber;
     switch (m_step) {
     case Step::Begin:
         if (auto why = refuse(); !why.empty()) {
@@ -258,7 +257,7 @@ std::optional<Bytes> SetPointTask::nextRequest(TimePoint)
 void SetPointTask::takeResponse(ByteView response, TimePoint now)
 {
     if (m_step == Step::ReadMode) {
-        const std::int64_t wanted = m_kind == Kind::Speed ? kSpeedMode : kTorqueMode;
+        const std::int64_t wanted = m_kind == Kind::Speed ? kSpeedModeNumber : kTorqueModeNumber;
         bool already = false;
         for (const Reading &reading : m_reader.takeResponse(response, m_board, now))
             already = reading.status != ReadStatus::Ok || reading.value == Value(wanted);

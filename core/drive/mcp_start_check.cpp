@@ -1,16 +1,11 @@
 #include "drive/mcp_start_check.h"
 
+#include "drive/control_mode.h"
 #include "drive/mcp_limits.h"
 #include "mcp/protocol.h"
 #include "mcp/structures.h"
 
 namespace drive {
-
-namespace {
-
-constexpr std::int64_t kTorqueMode = 4;
-
-} // namespace
 
 std::vector<RegisterId> StartCheck::wanted() const
 {
@@ -63,7 +58,7 @@ std::string StartCheck::refusal() const
     for (const Reading &reading : m_readings)
         torque = torque
             || ((reading.id & ~RegisterId{7}) == mcp::reg::kControlMode.bits
-                && reading.value == Value(kTorqueMode));
+                && reading.value == Value(kTorqueModeNumber));
     for (const Reading &reading : m_readings) {
         const auto *info = m_board.catalog->find(reading.id);
         if (reading.status != ReadStatus::Ok || info == nullptr)

@@ -6,6 +6,7 @@
 #include "widgets/main_window.h"
 #include "widgets/workbench.h"
 
+#include <QPushButton>
 #include <QTest>
 
 namespace facts {
@@ -45,6 +46,20 @@ struct WindowRig {
     {
         window.show();
     }
+
+    /// From now on a person who says yes to every question about motion; `questions` counts them.
+    void sayYesToMotion()
+    {
+        QObject::connect(
+            &workbench.motion(), &widgets::MotionGate::asked, &window,
+            [this] {
+                ++questions;
+                if (auto *yes = find<QPushButton>("motionConfirm"))
+                    QTest::mouseClick(yes, Qt::LeftButton);
+            },
+            Qt::QueuedConnection);
+    }
+    int questions = 0;
 
     static widgets::Settings quietSettings()
     {

@@ -1,5 +1,6 @@
 #include "support/window_facts.h"
 #include "widgets/control_panel.h"
+#include "widgets/motion_gate.h"
 #include "widgets/motor_button.h"
 #include "widgets/setpoint_edit.h"
 #include "widgets/setpoint_text.h"
@@ -23,7 +24,11 @@ private Q_SLOTS:
     {
         m_device = std::make_unique<widgets::Device>();
         m_registers = std::make_unique<widgets::RegisterModel>();
-        m_panel = std::make_unique<widgets::ControlPanel>(*m_device, *m_registers);
+        m_motion = std::make_unique<widgets::MotionGate>(*m_device, *m_registers);
+        m_panel = std::make_unique<widgets::ControlPanel>(*m_device, *m_registers, *m_motion);
+        // What is asked is the business of tst_motion_gate: here everything is agreed to.
+        connect(m_motion.get(), &widgets::MotionGate::asked, m_motion.get(),
+            &widgets::MotionGate::confirm);
         m_wishes.clear();
         connect(m_device.get(), &widgets::Device::wishMade, this,
             [this](const drive::Wish &wish) { m_wishes.push_back(wish); });
@@ -35,6 +40,7 @@ private Q_SLOTS:
     void cleanup()
     {
         m_panel.reset();
+        m_motion.reset();
         m_registers.reset();
         m_device.reset();
     }
@@ -260,7 +266,7 @@ private Q_SLOTS:
     void aRefusalIsTold()
     {
         arm();
-        QSignalSpy failed(m_panel.get(), &widgets::ControlPanel::failed);
+        QSignalSpy failed(m_motion.get(), &widgets::MotionGate::failed);
         m_panel->start();
         drive::Ended ended;
         ended.id = m_wishes.at(0).id;
@@ -303,6 +309,7 @@ private:
 
     std::unique_ptr<widgets::Device> m_device;
     std::unique_ptr<widgets::RegisterModel> m_registers;
+    std::unique_ptr<widgets::MotionGate> m_motion;
     std::unique_ptr<widgets::ControlPanel> m_panel;
     std::vector<drive::Wish> m_wishes;
 };

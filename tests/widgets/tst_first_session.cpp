@@ -31,6 +31,7 @@ private Q_SLOTS:
     void initTestCase()
     {
         m_rig = std::make_unique<facts::WindowRig>();
+        m_rig->sayYesToMotion();
         m_rig->window.resize(1280, 720);
         QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
     }
@@ -106,6 +107,7 @@ private Q_SLOTS:
         QTRY_VERIFY(m_rig->find<QPushButton>("start")->isEnabled());
         QTest::mouseClick(m_rig->find<QPushButton>("start"), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(state(), MotorState::Running, 15000);
+        QCOMPARE(m_rig->questions, 1); // the first start of a session
     }
 
     void theTracesMove()

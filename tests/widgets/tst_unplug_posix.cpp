@@ -85,6 +85,7 @@ private Q_SLOTS:
         settings.port = m_path;
         settings.baud = BoardInThread::kBaud;
         m_rig = std::make_unique<facts::WindowRig>(settings);
+        m_rig->sayYesToMotion();
         QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
     }
     void cleanup()

@@ -1,0 +1,88 @@
+#include "drive/motion_caution.h"
+
+#include <cmath>
+
+namespace drive {
+
+namespace {
+
+bool driven(MotorState state)
+{
+    return state != MotorState::Idle && state != MotorState::FaultNow
+        && state != MotorState::FaultOver;
+}
+
+struct Judge {
+    const MotionScene &scene;
+    std::vector<MotionCaution> found;
+
+    void step(std::optional<double> from, double to, double limit)
+    {
+        const double greatest = kGreatestQuietStep * limit * (1.0 + 1e-9);
+        if (!from || !(std::abs(to - *from) <= greatest))
+            found.push_back(MotionCaution::Step);
+    }
+    /// `to` has the sign of the speed or the torque that is asked for.
+    void reversal(double to)
+    {
+        if (to == 0.0)
+            return;
+        const bool against = scene.speedRpm && std::abs(*scene.speedRpm) > kTurningRpm
+            && std::signbit(*scene.speedRpm) != std::signbit(to);
+        // The measured speed of a motor that is not driven may be an observer's noise; of one that is, it counts.
+        const bool unknown = !scene.speedRpm && driven(scene.state);
+        if (against || unknown)
+            found.push_back(MotionCaution::Reversal);
+    }
+    void mode(bool torque)
+    {
+        if (driven(scene.state) && scene.torqueMode != torque)
+            found.push_back(MotionCaution::OtherMode);
+    }
+
+    void operator()(const Command &command)
+    {
+        if (command.action == MotorAction::Start && !scene.startedBefore)
+            found.push_back(MotionCaution::FirstStart);
+    }
+    void operator()(const SpeedRamp &ramp)
+    {
+        step(scene.speedReferenceRpm, ramp.rpm, scene.bounds.rpm);
+        reversal(ramp.rpm);
+        mode(false);
+    }
+    void operator()(const TorqueRamp &ramp)
+    {
+        step(scene.iqReferenceAmps, ramp.amps, scene.bounds.amps);
+        reversal(ramp.amps);
+        mode(true);
+    }
+    void operator()(const CurrentReference &reference)
+    {
+        std::optional<double> from; // how far the vector moves
+        if (scene.iqReferenceAmps && scene.idReferenceAmps)
+            from = 0.0;
+        step(from,
+            from ? std::hypot(reference.iqAmps - *scene.iqReferenceAmps,
+                reference.idAmps - *scene.idReferenceAmps)
+                 : 0.0,
+            scene.bounds.amps);
+        reversal(reference.iqAmps);
+        mode(true);
+    }
+    template <class Other>
+    void operator()(const Other &)
+    {
+    }
+};
+
+} // namespace
+
+std::vector<MotionCaution> cautionsOf(const WishContent &act, const MotionScene &scene)
+{
+    Judge judge{scene, {}};
+    std::visit(judge, act);
+    return std::move(judge.found);
+}
+
+} // namespace drive

@@ -1,0 +1,37 @@
+// Which acts of motion a person is asked about first, and why: pure judgement, no state and no words. A stop is never
+// in question, nor are the end of a ramp and the acknowledging of faults.
+#pragma once
+
+#include "drive/event.h"
+#include "drive/motion_limits.h"
+#include "drive/wish.h"
+
+#include <optional>
+#include <vector>
+
+namespace drive {
+
+enum class MotionCaution : std::uint8_t {
+    FirstStart, ///< the first START of this motor since the board was met
+    Step, ///< a set-point that moves by more than a fifth of its limit, or from nobody knows where
+    Reversal, ///< the other way, or torque against the turning, while the rotor turns
+    OtherMode, ///< speed control becomes torque control or back, while the motor is driven
+};
+
+/// How things stand with one motor. What is not known counts as the worse.
+struct MotionScene {
+    MotorState state = MotorState::Unknown;
+    bool startedBefore = false;
+    MotionBounds bounds;
+    std::optional<double> speedRpm; ///< measured
+    std::optional<double> speedReferenceRpm, iqReferenceAmps, idReferenceAmps;
+    std::optional<bool> torqueMode; ///< false: it controls the speed
+};
+
+constexpr double kGreatestQuietStep = 0.2; ///< of the limit
+constexpr double kTurningRpm = 10.0; ///< below that a rotor counts as standing
+
+using WishContent = decltype(Wish::what);
+std::vector<MotionCaution> cautionsOf(const WishContent &act, const MotionScene &scene);
+
+} // namespace drive

@@ -1,0 +1,32 @@
+// The motion log as a file: CSV beside a capture, or on its own. Who it was is the user of the system and the program.
+#pragma once
+
+#include "drive/motion_record.h"
+
+#include <QByteArray>
+#include <QDateTime>
+#include <QString>
+
+#include <vector>
+
+namespace session {
+
+/// A record and when it was asked, by the clock on the wall.
+struct LoggedMotion {
+    drive::MotionRecord record;
+    QDateTime asked;
+};
+
+/// A record that came just now: it was asked as much earlier as it took to end.
+LoggedMotion loggedNow(drive::MotionRecord record, const QDateTime &now);
+
+/// "kim, Rotorscope"
+QString motionLogWho(const QString &program);
+
+/// The whole file, heading included; times are UTC with milliseconds.
+QByteArray motionLogText(const std::vector<LoggedMotion> &log, const QString &who);
+
+/// The log's name beside a capture: run.csv -> run.motion.csv.
+QString motionLogPath(const QString &capturePath);
+
+} // namespace session

@@ -1,0 +1,148 @@
+// Which acts of motion a person is asked about first.
+#include "drive/motion_caution.h"
+
+#include <QTest>
+
+#include <limits>
+
+using namespace drive;
+using namespace std::chrono_literals;
+using Cautions = std::vector<MotionCaution>;
+
+namespace {
+
+/// A motor that runs at 1000 rpm under speed control; limits 4000 rpm and 5 A.
+MotionScene running()
+{
+    MotionScene scene;
+    scene.state = MotorState::Running;
+    scene.startedBefore = true;
+    scene.bounds = {4000.0, 5.0};
+    scene.speedRpm = 1000.0;
+    scene.speedReferenceRpm = 1000.0;
+    scene.iqReferenceAmps = 1.0;
+    scene.idReferenceAmps = 0.0;
+    scene.torqueMode = false;
+    return scene;
+}
+
+MotionScene torque()
+{
+    MotionScene scene = running();
+    scene.torqueMode = true;
+    return scene;
+}
+
+MotionScene idle()
+{
+    MotionScene scene = running();
+    scene.state = MotorState::Idle;
+    scene.speedRpm = 0.0;
+    scene.speedReferenceRpm = 0.0;
+    return scene;
+}
+
+WishContent speed(std::int32_t rpm) { return SpeedRamp{1, rpm, 500ms}; }
+
+} // namespace
+
+class TestMotionCaution : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void onlyTheFirstStartIsAskedAbout();
+    void stopsAndEndsAreNeverAskedAbout();
+    void aStepOfMoreThanAFifthOfTheLimit();
+    void whatIsNotKnownCountsAsAStep();
+    void turningTheOtherWay();
+    void anotherModeWhileDriven();
+    void currentsAreJudgedAsAVector();
+};
+
+void TestMotionCaution::onlyTheFirstStartIsAskedAbout()
+{
+    MotionScene scene = idle();
+    scene.startedBefore = false;
+    const WishContent start = Command{MotorAction::Start, 1};
+    QVERIFY(cautionsOf(start, scene) == Cautions{MotionCaution::FirstStart});
+    scene.startedBefore = true;
+    QVERIFY(cautionsOf(start, scene).empty());
+}
+
+void TestMotionCaution::stopsAndEndsAreNeverAskedAbout()
+{
+    for (const MotorAction action :
+        {MotorAction::StopMotor, MotorAction::StopRamp, MotorAction::AcknowledgeFaults})
+        QVERIFY(cautionsOf(Command{action, 1}, MotionScene{}).empty());
+}
+
+void TestMotionCaution::aStepOfMoreThanAFifthOfTheLimit()
+{
+    QVERIFY(cautionsOf(speed(1800), running()).empty());
+    QVERIFY(cautionsOf(speed(1801), running()) == Cautions{MotionCaution::Step});
+    QVERIFY(cautionsOf(speed(200), running()).empty());
+    QVERIFY(cautionsOf(speed(199), running()) == Cautions{MotionCaution::Step});
+    MotionScene own = running();
+    own.bounds.rpm = 2000.0; // a person's own limit, the lower one
+    QVERIFY(cautionsOf(speed(1401), own) == Cautions{MotionCaution::Step});
+    QVERIFY(cautionsOf(TorqueRamp{1, 2.0, 0ms}, torque()).empty());
+    QVERIFY(cautionsOf(TorqueRamp{1, 2.01, 0ms}, torque()) == Cautions{MotionCaution::Step});
+}
+
+void TestMotionCaution::whatIsNotKnownCountsAsAStep()
+{
+    MotionScene scene = running();
+    scene.speedReferenceRpm.reset();
+    QVERIFY(cautionsOf(speed(1000), scene) == Cautions{MotionCaution::Step});
+    scene = running();
+    scene.speedReferenceRpm = std::numeric_limits<double>::quiet_NaN();
+    QVERIFY(cautionsOf(speed(1000), scene) == Cautions{MotionCaution::Step});
+    scene = running();
+    scene.bounds = {};
+    QVERIFY(cautionsOf(speed(1006), scene) == Cautions{MotionCaution::Step});
+}
+
+void TestMotionCaution::turningTheOtherWay()
+{
+    MotionScene slow = running();
+    slow.speedRpm = slow.speedReferenceRpm = 300.0;
+    QVERIFY(cautionsOf(speed(-300), slow) == Cautions{MotionCaution::Reversal});
+    QVERIFY(cautionsOf(speed(0), slow).empty());
+    slow.speedRpm = -300.0;
+    slow.speedReferenceRpm = -300.0;
+    QVERIFY(cautionsOf(speed(300), slow) == Cautions{MotionCaution::Reversal});
+    slow.speedRpm = -9.0; // stands, as far as one can say
+    QVERIFY(cautionsOf(speed(300), slow).empty());
+    slow.speedRpm.reset();
+    QVERIFY(cautionsOf(speed(300), slow) == Cautions{MotionCaution::Reversal});
+    MotionScene coasting = idle();
+    coasting.speedRpm = 800.0;
+    QVERIFY(cautionsOf(speed(-300), coasting) == Cautions{MotionCaution::Reversal});
+    QVERIFY(cautionsOf(TorqueRamp{1, -0.1, 0ms}, torque())
+        == (Cautions{MotionCaution::Step, MotionCaution::Reversal}));
+    MotionScene light = torque();
+    light.iqReferenceAmps = 0.1;
+    QVERIFY(cautionsOf(TorqueRamp{1, -0.1, 0ms}, light) == Cautions{MotionCaution::Reversal});
+}
+
+void TestMotionCaution::anotherModeWhileDriven()
+{
+    QVERIFY(cautionsOf(TorqueRamp{1, 1.0, 0ms}, running()) == Cautions{MotionCaution::OtherMode});
+    QVERIFY(cautionsOf(speed(1000), torque()) == Cautions{MotionCaution::OtherMode});
+    MotionScene scene = running();
+    scene.torqueMode.reset();
+    QVERIFY(cautionsOf(speed(1000), scene) == Cautions{MotionCaution::OtherMode});
+    QVERIFY(cautionsOf(TorqueRamp{1, 1.0, 0ms}, idle()).empty());
+}
+
+void TestMotionCaution::currentsAreJudgedAsAVector()
+{
+    QVERIFY(cautionsOf(CurrentReference{1, 1.7, 0.7}, torque()).empty());
+    QVERIFY(cautionsOf(CurrentReference{1, 1.8, 0.8}, torque()) == Cautions{MotionCaution::Step});
+    MotionScene scene = torque();
+    scene.idReferenceAmps.reset();
+    QVERIFY(cautionsOf(CurrentReference{1, 1.0, 0.0}, scene) == Cautions{MotionCaution::Step});
+}
+
+QTEST_GUILESS_MAIN(TestMotionCaution)
+#include "tst_motion_caution.moc"

@@ -1,0 +1,314 @@
+// What a person is asked before a motor moves: the gate on a simulated board in virtual time, and its dialog in the
+// real window.
+#include "support/edit_bench.h"
+#include "support/window_rig.h"
+#include "widgets/confirmation.h"
+#include "widgets/control_panel.h"
+#include "widgets/motion_gate.h"
+#include "widgets/motion_question.h"
+#include "widgets/setpoint_edit.h"
+
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSignalSpy>
+
+using namespace std::chrono_literals;
+using drive::MotorAction;
+using drive::MotorState;
+
+namespace {
+
+/// A gate on the board of an EditBench. What it sends moves the simulated motor.
+struct GateBench : facts::EditBench {
+    widgets::MotionGate gate{device, model};
+    std::vector<widgets::MotionQuestion> asked;
+    QStringList failed;
+    int sent = 0; ///< wishes that can move something
+
+    GateBench()
+    {
+        QObject::connect(&gate, &widgets::MotionGate::asked, &panel,
+            [this](const widgets::MotionQuestion &question) { asked.push_back(question); });
+        QObject::connect(&gate, &widgets::MotionGate::failed, &panel,
+            [this](const QString &sentence) { failed.append(sentence); });
+        QObject::connect(
+            &device, &widgets::Device::wishMade, &panel, [this](const drive::Wish &wish) {
+                if (!std::holds_alternative<drive::Read>(wish.what)
+                    && !std::holds_alternative<drive::Watch>(wish.what))
+                    ++sent;
+            });
+    }
+
+    void look()
+    {
+        for (const char *name : {"SPEED_REF", "I_Q_REF", "I_D_REF", "CONTROL_MODE"})
+            held(name);
+        QCoreApplication::processEvents();
+    }
+    drive::WishContent start() const { return drive::Command{MotorAction::Start, 1}; }
+    static drive::WishContent speed(std::int32_t rpm) { return drive::SpeedRamp{1, rpm, 300ms}; }
+    /// Started and at 1000 rpm, without questions left.
+    bool run()
+    {
+        arm();
+        look();
+        gate.want(QStringLiteral("Start"), start());
+        gate.confirm();
+        if (!link.runUntilState(MotorState::Running))
+            return false;
+        look();
+        gate.want(QStringLiteral("Ramp"), speed(1000));
+        gate.confirm();
+        const bool there = link.runUntil(
+            [this] { return std::abs(link.status[1].speedRpm.value_or(0) - 1000) < 30; }, 5s);
+        link.runFor(500ms);
+        look();
+        asked.clear();
+        sent = 0;
+        return there;
+    }
+};
+
+} // namespace
+
+class TestMotionGate : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QLocale::setDefault(QLocale::c()); }
+
+    void theFirstStartIsAskedAboutOncePerConnection()
+    {
+        GateBench bench;
+        bench.arm();
+        bench.look();
+        bench.gate.want(QStringLiteral("Start"), bench.start());
+        QCOMPARE(bench.asked.size(), 1U);
+        QCOMPARE(bench.sent, 0);
+        QVERIFY(bench.asked[0].lines.join(QLatin1Char('\n')).contains(QStringLiteral("Motor 1")));
+        bench.gate.decline();
+        QCOMPARE(bench.sent, 0);
+        bench.gate.want(QStringLiteral("Start"), bench.start()); // judged anew
+        QCOMPARE(bench.asked.size(), 2U);
+        bench.gate.confirm();
+        QCOMPARE(bench.sent, 1);
+        QVERIFY(bench.link.runUntilState(MotorState::Running));
+        bench.device.stop();
+        bench.link.drive->stop(bench.link.now);
+        QVERIFY(bench.link.runUntilState(MotorState::Idle));
+        bench.link.runFor(2s);
+        bench.arm();
+        bench.gate.want(QStringLiteral("Start"), bench.start());
+        QCOMPARE(bench.asked.size(), 2U);
+        QCOMPARE(bench.sent, 2);
+    }
+
+    void aStartThatWasRefusedIsStillTheFirst()
+    {
+        GateBench bench;
+        bench.arm();
+        bench.link.board->setFaults(0x0002);
+        QVERIFY(bench.link.runUntilState(MotorState::FaultNow));
+        bench.gate.want(QStringLiteral("Start"), bench.start());
+        bench.gate.confirm();
+        bench.link.runFor(200ms);
+        QCOMPARE(bench.failed.size(), 1);
+        bench.gate.want(QStringLiteral("Start"), bench.start());
+        QCOMPARE(bench.asked.size(), 2U);
+    }
+
+    void smallStepsAreSentAndLargeOnesAreAskedAbout()
+    {
+        GateBench bench;
+        QVERIFY(bench.run());
+        bench.gate.want(QStringLiteral("Ramp"), bench.speed(1500));
+        QCOMPARE(bench.asked.size(), 0U);
+        QCOMPARE(bench.sent, 1);
+        bench.gate.want(QStringLiteral("Ramp"), bench.speed(3000));
+        QCOMPARE(bench.asked.size(), 1U);
+        QCOMPARE(bench.sent, 1);
+        const QString text = bench.asked[0].lines.join(QLatin1Char('\n'));
+        for (const char *part : {"Motor 1", "996\u202frpm", "3000\u202frpm", "20 %", "4000"})
+            QVERIFY2(text.contains(QString::fromUtf8(part)), qPrintable(text));
+        bench.gate.confirm();
+        QCOMPARE(bench.sent, 2);
+    }
+
+    void aReversalAtSpeedIsAskedAbout()
+    {
+        GateBench bench;
+        QVERIFY(bench.run());
+        bench.gate.want(QStringLiteral("Ramp"), bench.speed(300));
+        QCOMPARE(bench.asked.size(), 0U);
+        QVERIFY(bench.link.runUntil(
+            [&] { return std::abs(bench.link.status[1].speedRpm.value_or(0) - 300) < 30; }, 5s));
+        bench.link.runFor(200ms);
+        bench.look();
+        bench.gate.want(QStringLiteral("Ramp"), bench.speed(-300));
+        QCOMPARE(bench.asked.size(), 1U);
+        QVERIFY(bench.asked[0].lines.join(QLatin1Char(' ')).contains(QStringLiteral("against")));
+    }
+
+    void severalWishesOfOneActAreAskedAboutOnce()
+    {
+        GateBench bench;
+        bench.arm();
+        bench.look();
+        bench.gate.want(QStringLiteral("Jog"),
+            std::vector<drive::WishContent>{bench.speed(3000), bench.start()});
+        QCOMPARE(bench.asked.size(), 1U);
+        bench.gate.want(QStringLiteral("Start"), bench.start()); // the question is still open
+        QCOMPARE(bench.asked.size(), 1U);
+        bench.gate.confirm();
+        QCOMPARE(bench.sent, 2);
+    }
+
+    void stopAndWhatEndsMotionIsNeverAsked()
+    {
+        GateBench bench;
+        QVERIFY(bench.run());
+        for (const MotorAction action : {MotorAction::StopRamp, MotorAction::AcknowledgeFaults})
+            bench.gate.want(QStringLiteral("End"), drive::Command{action, 1});
+        QCOMPARE(bench.asked.size(), 0U);
+        QCOMPARE(bench.sent, 2);
+    }
+
+    void whatChangesMeanwhileWithdrawsTheQuestion_data()
+    {
+        QTest::addColumn<int>("what");
+        QTest::newRow("stop") << 0;
+        QTest::newRow("disarmed") << 1;
+        QTest::newRow("silence") << 2;
+        QTest::newRow("another motor") << 3;
+    }
+    void whatChangesMeanwhileWithdrawsTheQuestion()
+    {
+        QFETCH(int, what);
+        GateBench bench;
+        bench.arm();
+        bench.look();
+        QSignalSpy withdrawn(&bench.gate, &widgets::MotionGate::withdrawn);
+        bench.gate.want(QStringLiteral("Start"), bench.start());
+        switch (what) {
+        case 0:
+            bench.device.stop();
+            break;
+        case 1:
+            bench.device.setArmed(false);
+            break;
+        case 2:
+            facts::feed(bench.device,
+                {drive::LinkChanged{drive::LinkState::Suspect, drive::LinkReason::None}});
+            break;
+        default:
+            bench.device.setMotor(2);
+        }
+        QCOMPARE(withdrawn.size(), 1);
+        bench.gate.confirm(); // too late
+        QCOMPARE(bench.sent, 0);
+    }
+
+    void enterDoesNotConfirmAndCancelIsTheDefault()
+    {
+        facts::WindowRig rig;
+        connectAndArm(rig);
+        auto *box = askForStart(rig);
+        QVERIFY(box);
+        auto *yes = rig.find<QPushButton>("motionConfirm");
+        QVERIFY(yes && !yes->isDefault() && !yes->autoDefault());
+        QVERIFY(box->defaultButton() != yes);
+        QTest::keyClick(box, Qt::Key_Return);
+        QTRY_VERIFY(!rig.find<QMessageBox>("motionQuestion"));
+        QVERIFY(askForStart(rig));
+        yes = rig.find<QPushButton>("motionConfirm");
+        yes->setFocus();
+        QTest::keyClick(yes, Qt::Key_Return);
+        QTRY_VERIFY(!rig.find<QMessageBox>("motionQuestion"));
+        QCOMPARE(m_starts, 0);
+    }
+
+    void escapeStopsFirstAndDeclines()
+    {
+        facts::WindowRig rig;
+        connectAndArm(rig);
+        QSignalSpy stops(&rig.workbench.device(), &widgets::Device::stopWished);
+        QPointer<QMessageBox> box = askForStart(rig);
+        QVERIFY(box);
+        QTest::keyClick(box.data(), Qt::Key_Escape);
+        QCOMPARE(stops.size(), 1);
+        QTRY_VERIFY(!box);
+        QCOMPARE(m_starts, 0);
+        QVERIFY(!rig.workbench.device().armed());
+    }
+
+    void onlyTheButtonConfirms()
+    {
+        facts::WindowRig rig;
+        connectAndArm(rig);
+        QPointer<QMessageBox> box = askForStart(rig);
+        QVERIFY(box);
+        QTest::mouseClick(rig.find<QPushButton>("motionConfirm"), Qt::LeftButton);
+        QTRY_VERIFY(!box);
+        QCOMPARE(m_starts, 1);
+    }
+
+    void whatHasToBeTypedHasToBeTyped()
+    {
+        QWidget parent;
+        parent.show();
+        int yes = 0, no = 0;
+        widgets::Confirmation question;
+        question.typed = QStringLiteral("MOTOR 1");
+        question.yes = QStringLiteral("Go on");
+        const auto open = [&] {
+            return widgets::askToConfirm(
+                &parent, question, [&](bool agreed) { ++(agreed ? yes : no); });
+        };
+        QPointer<QDialog> dialog = open();
+        auto *edit = dialog->findChild<QLineEdit *>(QStringLiteral("confirmationTyped"));
+        auto *button = dialog->findChild<QPushButton *>(QStringLiteral("confirmationYes"));
+        QVERIFY(!button->isEnabled());
+        QTest::keyClicks(edit, QStringLiteral("motor 1"));
+        QVERIFY(!button->isEnabled());
+        edit->setText(QStringLiteral("MOTOR 1"));
+        QVERIFY(button->isEnabled());
+        QTest::keyClick(edit, Qt::Key_Return); // the default is Cancel
+        QTRY_VERIFY(!dialog);
+        QCOMPARE(no, 1);
+        dialog = open();
+        dialog->findChild<QLineEdit *>(QStringLiteral("confirmationTyped"))
+            ->setText(QStringLiteral("MOTOR 1"));
+        dialog->findChild<QPushButton *>(QStringLiteral("confirmationYes"))->click();
+        QTRY_VERIFY(!dialog);
+        QCOMPARE(yes, 1);
+        QCOMPARE(no, 1);
+    }
+
+private:
+    void connectAndArm(facts::WindowRig &rig)
+    {
+        m_starts = 0;
+        widgets::Device &device = rig.workbench.device();
+        connect(&device, &widgets::Device::wishMade, this, [this](const drive::Wish &wish) {
+            const auto *command = std::get_if<drive::Command>(&wish.what);
+            m_starts += command != nullptr && command->action == MotorAction::Start ? 1 : 0;
+        });
+        facts::connectBoard(device);
+        device.armedChanged(true);
+    }
+    static QMessageBox *askForStart(facts::WindowRig &rig)
+    {
+        rig.window.controlPanel()->start();
+        QMessageBox *open = nullptr;
+        for (auto *box : rig.window.findChildren<QMessageBox *>(QStringLiteral("motionQuestion")))
+            if (box->isVisible())
+                open = box;
+        return open;
+    }
+
+    int m_starts = 0;
+};
+
+QTEST_MAIN(TestMotionGate)
+#include "tst_motion_gate.moc"

@@ -1,0 +1,138 @@
+// The motion log in the window: every act of the session is a row, it can be copied and saved, and it goes with each
+// export.
+#include "support/window_rig.h"
+#include "widgets/export_dialog.h"
+#include "widgets/motion_log_model.h"
+#include "widgets/motion_log_panel.h"
+
+#include <QAbstractItemModelTester>
+#include <QClipboard>
+#include <QFile>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QToolButton>
+
+using widgets::MotionLogModel;
+using namespace std::chrono_literals;
+
+namespace {
+
+drive::MotionRecord ramp()
+{
+    drive::MotionRecord record;
+    record.act = drive::MotionAct::SpeedRamp;
+    record.motor = 1;
+    record.detail = "1200 rpm in 500 ms";
+    record.asked = TimePoint(10s);
+    record.ended = TimePoint(10s + 250ms);
+    record.requests = 1;
+    record.sent = {{0x08, 0x00, 0xA9}};
+    return record;
+}
+
+} // namespace
+
+class TestMotionLog : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void recordsBecomeRowsAndStay()
+    {
+        MotionLogModel model;
+        QAbstractItemModelTester tester(
+            &model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        const QDateTime now(QDate(2026, 5, 4), QTime(13, 2, 59, 500), Qt::UTC);
+        model.take(ramp(), now);
+        drive::MotionRecord stop;
+        stop.act = drive::MotionAct::Stop;
+        stop.stop = drive::StopWord::NotConfirmed;
+        model.take(stop, now);
+        QCOMPARE(model.rowCount(), 2);
+        const auto cell = [&](int row, int column) {
+            return model.index(row, column).data().toString();
+        };
+        QCOMPARE(cell(0, MotionLogModel::MotorColumn), QStringLiteral("1"));
+        QVERIFY(cell(0, MotionLogModel::DetailColumn).contains(QStringLiteral("1200 rpm")));
+        QCOMPARE(cell(0, MotionLogModel::BytesColumn), QStringLiteral("08 00 A9"));
+        QVERIFY(cell(1, MotionLogModel::OutcomeColumn).contains(QStringLiteral("not confirmed")));
+        QCOMPARE(model.log()[0].asked, now.addMSecs(-250)); // when it was asked, not when it ended
+        const QByteArrayList lines = model.text().trimmed().split('\n');
+        QCOMPARE(lines.size(), 3);
+        QVERIFY(lines[1].startsWith("1,2026-05-04T13:02:59.250Z,"));
+        QVERIFY(lines[2].contains("NOT confirmed"));
+        model.clear();
+        QCOMPARE(model.rowCount(), 0);
+    }
+
+    void theFilesNameGoesWithTheCaptures()
+    {
+        QCOMPARE(session::motionLogPath(QStringLiteral("/a/run.csv")),
+            QStringLiteral("/a/run.motion.csv"));
+        QCOMPARE(session::motionLogPath(QStringLiteral("/a/run.2.CSV")),
+            QStringLiteral("/a/run.2.motion.csv"));
+        QCOMPARE(session::motionLogPath(QStringLiteral("/a.b/run")),
+            QStringLiteral("/a.b/run.motion.csv"));
+    }
+
+    void aNewConnectionBeginsANewLog()
+    {
+        facts::WindowRig rig;
+        facts::feed(rig.workbench.device(), {ramp()});
+        QCOMPARE(rig.workbench.motionLog().rowCount(), 1);
+        rig.workbench.device().portChanged(session::PortState::Closed, {});
+        QCOMPARE(rig.workbench.motionLog().rowCount(), 1); // to be read and saved afterwards
+        rig.workbench.device().open({});
+        QCOMPARE(rig.workbench.motionLog().rowCount(), 0);
+    }
+
+    void itCanBeCopiedAndSaved()
+    {
+        facts::WindowRig rig;
+        QVERIFY(!rig.find<QToolButton>("motionLogSave")->isEnabled());
+        facts::feed(rig.workbench.device(), {ramp(), ramp()});
+        rig.find<QToolButton>("motionLogCopy")->click();
+        QCOMPARE(QGuiApplication::clipboard()->text().count(QLatin1Char('\n')), 1);
+        QTemporaryDir folder;
+        rig.files.answer = folder.filePath(QStringLiteral("log.csv"));
+        rig.find<QToolButton>("motionLogSave")->click();
+        QFile file(rig.files.answer);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), rig.workbench.motionLog().text());
+        QVERIFY(rig.find<QLabel>("bannerText")->text().contains(QStringLiteral("log.csv")));
+
+        rig.files.answer = folder.filePath(QStringLiteral("missing/log.csv"));
+        rig.find<QToolButton>("motionLogSave")->click();
+        QVERIFY(
+            rig.find<QLabel>("bannerText")->text().contains(QStringLiteral("cannot be written")));
+    }
+
+    void itGoesBesideEachExport()
+    {
+        facts::WindowRig rig;
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("run.csv"));
+        const QString beside = folder.filePath(QStringLiteral("run.motion.csv"));
+        rig.window.exported(path);
+        QVERIFY(!QFile::exists(beside)); // nothing was asked of a motor
+        facts::feed(rig.workbench.device(), {ramp()});
+        rig.window.exported(path);
+        QFile file(beside);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), rig.workbench.motionLog().text());
+        QVERIFY(rig.find<QLabel>("bannerText")->text().contains(QStringLiteral("run.motion.csv")));
+    }
+
+    void theDockIsThereAndHidden()
+    {
+        facts::WindowRig rig;
+        auto *dock = rig.find<QWidget>("motionLogDock");
+        QVERIFY(dock && !dock->isVisible());
+    }
+};
+
+QTEST_MAIN(TestMotionLog)
+#include "tst_motion_log.moc"

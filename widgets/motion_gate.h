@@ -1,0 +1,70 @@
+// MotionGate: the one way by which panels ask for motion. It judges every act anew (drive/motion_caution.h), asks before
+// what could surprise, sends, and tells how it ended if not well. A stop does not come through here: it is never asked.
+//
+// want() may emit asked(); then confirm() or decline() has to follow, or the gate withdraws the question by itself: a
+// stop, a lost link, another motor. While a question is open nothing else is taken.
+#pragma once
+
+#include "drive/motion_caution.h"
+#include "widgets/device.h"
+#include "widgets/register_model.h"
+
+#include <QMap>
+#include <QObject>
+
+#include <set>
+
+namespace widgets {
+
+/// What a person is asked.
+struct MotionQuestion {
+    int motor = 1;
+    QString action; ///< e.g. "Start"
+    QStringList lines; ///< motor, old and new value with unit, and why it is asked
+};
+
+class MotionGate : public QObject {
+    Q_OBJECT
+public:
+    MotionGate(Device &device, RegisterModel &registers, QObject *parent = nullptr);
+
+    /// One act of a person: `action` names it for them. Several wishes are sent one after the other, asked about once.
+    void want(const QString &action, drive::WishContent act);
+    void want(const QString &action, std::vector<drive::WishContent> acts);
+    /// Whether want() would ask now.
+    bool wouldAsk(const std::vector<drive::WishContent> &acts) const;
+    bool asking() const { return !m_asked.empty(); }
+    /// A person has agreed to the first start of this motor before it is sent: it will not be asked about again.
+    void agreeToStart(int motor) { m_agreed.insert(motor); }
+
+public Q_SLOTS:
+    void confirm();
+    void decline();
+
+Q_SIGNALS:
+    void asked(const widgets::MotionQuestion &question);
+    void withdrawn(); ///< nobody needs to answer any more
+    void failed(const QString &sentence); ///< what was sent did not end well
+
+private:
+    drive::MotionScene sceneOf(int motor) const;
+    std::optional<double> reading(const char *name, int motor) const;
+    QStringList linesOf(const drive::WishContent &act) const;
+    void send();
+    void withdraw();
+    void ended(const drive::Ended &ended);
+
+    struct Open {
+        QString action;
+        int startOf = 0; ///< a START of this motor; 0: something else
+    };
+
+    Device &m_device;
+    RegisterModel &m_registers;
+    std::set<int> m_started, m_agreed; ///< motors, since the board was met
+    QMap<drive::WishId, Open> m_open; ///< sent and not ended
+    QString m_action;
+    std::vector<drive::WishContent> m_asked; ///< waits for an answer
+};
+
+} // namespace widgets

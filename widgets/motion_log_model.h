@@ -1,0 +1,49 @@
+// MotionLogModel: what was asked of the motors since the port was opened, one row an act, newest last. It only grows; a
+// new connection begins a new one. Words of the log are translated here, in its files they are not.
+#pragma once
+
+#include "session/motion_log_file.h"
+
+#include <QAbstractTableModel>
+
+namespace widgets {
+
+class MotionLogModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum Column {
+        TimeColumn,
+        MotorColumn,
+        ActColumn,
+        DetailColumn,
+        OutcomeColumn,
+        SourceColumn,
+        BytesColumn,
+        ColumnCount
+    };
+    static constexpr std::size_t kMost = 100000; ///< acts; what comes then is counted only
+
+    explicit MotionLogModel(QObject *parent = nullptr);
+
+    void take(const drive::MotionRecord &record, const QDateTime &now);
+    void clear();
+    const std::vector<session::LoggedMotion> &log() const { return m_log; }
+    std::size_t leftOut() const { return m_leftOut; }
+    QByteArray text() const; ///< as a file has it
+    /// Rows as text with tabs between, for the clipboard.
+    QString copyText(const QList<int> &rows) const;
+
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(
+        int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+
+private:
+    QString cell(const session::LoggedMotion &one, int column) const;
+
+    std::vector<session::LoggedMotion> m_log;
+    std::size_t m_leftOut = 0;
+};
+
+} // namespace widgets
