@@ -958,6 +958,53 @@
     </message>
 </context>
 <context>
+    <name>RevUp</name>
+    <message>
+        <source>Begin with a stage at 0&#x202f;rpm that brings the current, at least %1.</source>
+        <translation>Beginnen Sie mit einer Stufe bei 0&#x202f;rpm, die den Strom bringt, mindestens %1.</translation>
+    </message>
+    <message>
+        <source>Raise the current here and before to at least %1.</source>
+        <translation>Heben Sie den Strom hier und davor auf mindestens %1.</translation>
+    </message>
+    <message>
+        <source>Give it at least %1&#x202f;ms, or a current of at least %2 here and before.</source>
+        <translation>Geben Sie ihr mindestens %1&#x202f;ms, oder hier und davor mindestens %2 Strom.</translation>
+    </message>
+    <message>
+        <source>Stage %1 needs %2, its current gives %3: the rotor does not follow.</source>
+        <translation>Stufe %1 braucht %2, ihr Strom gibt %3: Der Rotor folgt nicht.</translation>
+    </message>
+    <message>
+        <source>Stage %1 ends at %2, where the observer does not see the rotor yet. Let it end above %3.</source>
+        <translation>Stufe %1 endet bei %2, dort sieht der Beobachter den Rotor noch nicht. Lassen Sie sie über %3 enden.</translation>
+    </message>
+    <message>
+        <source>Stage %1 takes %2, more than the %3 that motor and drive stand. Lower it.</source>
+        <translation>Stufe %1 nimmt %2, mehr als die %3, die Motor und Umrichter vertragen. Verringern Sie den Strom.</translation>
+    </message>
+    <message>
+        <source>Stage %1 takes no time: speed or current jump, the rotor is left behind. Give it time, or remove it.</source>
+        <translation>Stufe %1 dauert 0&#x202f;ms: Drehzahl oder Strom springen, der Rotor bleibt zurück. Geben Sie ihr Zeit, oder entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Stage %1 goes to %2, beyond the highest speed of %3. Lower it.</source>
+        <translation>Stufe %1 geht auf %2, über die Höchstdrehzahl von %3. Verringern Sie sie.</translation>
+    </message>
+    <message>
+        <source>Stage %1 goes to %2; firmware keeps 16 bits of it, at most %3. Lower it.</source>
+        <translation>Stufe %1 geht auf %2; die Firmware behält 16 Bit davon, höchstens %3. Verringern Sie sie.</translation>
+    </message>
+    <message>
+        <source>Stage %1 turns against the stage before. Give all the same sign; backwards starts come from the sign of the speed set-point.</source>
+        <translation>Stufe %1 dreht gegen die Stufe davor. Geben Sie allen dasselbe Vorzeichen; rückwärts wird durch das Vorzeichen der Solldrehzahl gestartet.</translation>
+    </message>
+    <message>
+        <source>No stage takes any time: the motor would not start. Add a stage, or begin with the start values.</source>
+        <translation>Keine Stufe dauert eine Zeit: Der Motor liefe nicht an. Fügen Sie eine Stufe hinzu, oder beginnen Sie mit den Startwerten.</translation>
+    </message>
+</context>
+<context>
     <name>Setpoint</name>
     <message>
         <source>Type a number.</source>
@@ -1063,21 +1110,6 @@
     <message>
         <source>Write</source>
         <translation>Schreiben</translation>
-    </message>
-</context>
-<context>
-    <name>widgets</name>
-    <message>
-        <source>Stop motors</source>
-        <translation>Motoren stoppen</translation>
-    </message>
-    <message>
-        <source>Armed</source>
-        <translation>Freigegeben</translation>
-    </message>
-    <message>
-        <source>Disarmed</source>
-        <translation>Gesperrt</translation>
     </message>
 </context>
 <context>
@@ -1618,6 +1650,18 @@
         <source>%1 of samples lost</source>
         <translation>%1 an Messwerten verloren</translation>
     </message>
+    <message>
+        <source>Stop motors</source>
+        <translation>Motoren stoppen</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Freigegeben</translation>
+    </message>
+    <message>
+        <source>Disarmed</source>
+        <translation>Gesperrt</translation>
+    </message>
 </context>
 <context>
     <name>widgets::ExportDialog</name>
@@ -2035,6 +2079,10 @@
     <message>
         <source>Motion log</source>
         <translation>Bewegungsprotokoll</translation>
+    </message>
+    <message>
+        <source>Rev-up</source>
+        <translation>Anlauf</translation>
     </message>
 </context>
 <context>
@@ -2711,6 +2759,382 @@
     <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RevUpChart</name>
+    <message>
+        <source>Picture of the rev-up: speed and current over time</source>
+        <translation>Bild des Anlaufs: Drehzahl und Strom über der Zeit</translation>
+    </message>
+    <message>
+        <source>Speed, rpm</source>
+        <translation>Drehzahl, rpm</translation>
+    </message>
+    <message>
+        <source>%1, digits</source>
+        <translation>%1, Digits</translation>
+    </message>
+    <message>
+        <source>%1, A</source>
+        <translation>%1, A</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>Drag a point, or select one with Page Up and Page Down and move it with the arrow keys.</source>
+        <translation>Ziehen Sie einen Punkt, oder wählen Sie einen mit Bild auf und Bild ab und schieben Sie ihn mit den Pfeiltasten.</translation>
+    </message>
+    <message>
+        <source>Stage %1: %2&#x202f;rpm at %3&#x202f;s (lasts %4&#x202f;ms)</source>
+        <translation>Stufe %1: %2&#x202f;rpm bei %3&#x202f;s (dauert %4&#x202f;ms)</translation>
+    </message>
+    <message>
+        <source>Stage %1: %2 %3 digits at %4&#x202f;s (lasts %5&#x202f;ms)</source>
+        <translation>Stufe %1: %2 %3 Digits bei %4&#x202f;s (dauert %5&#x202f;ms)</translation>
+    </message>
+    <message>
+        <source>Stage %1: Iq %2 (%3 digits) at %4&#x202f;s (lasts %5&#x202f;ms)</source>
+        <translation>Stufe %1: Iq %2 (%3 Digits) bei %4&#x202f;s (dauert %5&#x202f;ms)</translation>
+    </message>
+    <message>
+        <source>observer sees from %1&#x202f;rpm</source>
+        <translation>Beobachter sieht ab %1&#x202f;rpm</translation>
+    </message>
+    <message>
+        <source>limit %1</source>
+        <translation>Grenze %1</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RevUpForm</name>
+    <message>
+        <source>Stages of the rev-up</source>
+        <translation>Stufen des Anlaufs</translation>
+    </message>
+    <message>
+        <source>Not taken over: %1</source>
+        <comment>what is wrong with a typed value</comment>
+        <translation>Nicht übernommen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>Adds a stage after the selected one (Insert)</source>
+        <translation>Fügt hinter der gewählten eine Stufe ein (Einfg)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>Ent&amp;fernen</translation>
+    </message>
+    <message>
+        <source>Removes the selected stage (Delete)</source>
+        <translation>Entfernt die gewählte Stufe (Entf)</translation>
+    </message>
+    <message>
+        <source>&amp;Up</source>
+        <comment>move a stage</comment>
+        <translation>Ra&amp;uf</translation>
+    </message>
+    <message>
+        <source>Moves the selected stage up (Alt+Up)</source>
+        <translation>Schiebt die gewählte Stufe nach oben (Alt+Auf)</translation>
+    </message>
+    <message>
+        <source>Dow&amp;n</source>
+        <comment>move a stage</comment>
+        <translation>Runte&amp;r</translation>
+    </message>
+    <message>
+        <source>Moves the selected stage down (Alt+Down)</source>
+        <translation>Schiebt die gewählte Stufe nach unten (Alt+Ab)</translation>
+    </message>
+    <message>
+        <source>Start va&amp;lues</source>
+        <translation>S&amp;tartwerte</translation>
+    </message>
+    <message>
+        <source>ST&apos;s start values: 2 s of half the nominal current, then 3 s to 30 % of the highest speed</source>
+        <translation>STs Startwerte: 2 s halber Nennstrom, dann 3 s auf 30 % der Höchstdrehzahl</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Öffnen…</translation>
+    </message>
+    <message>
+        <source>Reads the stages from a file, as rotorscope-cli revup writes them</source>
+        <translation>Liest die Stufen aus einer Datei, wie rotorscope-cli revup sie schreibt</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Writes the stages to a file that rotorscope-cli revup reads</source>
+        <translation>Schreibt die Stufen in eine Datei, die rotorscope-cli revup liest</translation>
+    </message>
+    <message>
+        <source>Of rotor and load together. Only for the judgement here; it is not sent anywhere.</source>
+        <translation>Von Rotor und Last zusammen. Nur für das Urteil hier; wird nirgendwohin gesendet.</translation>
+    </message>
+    <message>
+        <source>Torque that holds the motor back. Only for the judgement here; it is not sent anywhere.</source>
+        <translation>Moment, das den Motor bremst. Nur für das Urteil hier; wird nirgendwohin gesendet.</translation>
+    </message>
+    <message>
+        <source>What is wrong with the rev-up</source>
+        <translation>Was am Anlauf falsch ist</translation>
+    </message>
+    <message>
+        <source>Inertia, %1</source>
+        <translation>Trägheit, %1</translation>
+    </message>
+    <message>
+        <source>Friction, mN·m</source>
+        <translation>Reibung, mN·m</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Motor %1</source>
+        <translation>Motor %1</translation>
+    </message>
+    <message>
+        <source>Takes %1&#x202f;s in all</source>
+        <translation>Dauert zusammen %1&#x202f;s</translation>
+    </message>
+    <message>
+        <source>Highest speed %1&#x202f;rpm</source>
+        <translation>Höchstdrehzahl %1&#x202f;rpm</translation>
+    </message>
+    <message>
+        <source>Nominal current %1</source>
+        <translation>Nennstrom %1</translation>
+    </message>
+    <message>
+        <source>Kt %1 per A</source>
+        <translation>Kt %1 je A</translation>
+    </message>
+    <message>
+        <source>Torque is not judged: the board does not say its magnets&apos; flux (MOTOR_CONFIG).</source>
+        <translation>Moment unbeurteilt: Das Board nennt den Fluss der Magnete nicht (MOTOR_CONFIG).</translation>
+    </message>
+    <message>
+        <source>Torque is not judged: type the inertia.</source>
+        <translation>Moment unbeurteilt: Tippen Sie die Trägheit ein.</translation>
+    </message>
+    <message>
+        <source>The scale of the current is not known: digits only.</source>
+        <translation>Der Maßstab des Stroms ist nicht bekannt: nur Digits.</translation>
+    </message>
+    <message>
+        <source>✓ No mistake to be seen.</source>
+        <translation>✓ Kein Fehler zu sehen.</translation>
+    </message>
+    <message>
+        <source>The next start is drawn over the plan.</source>
+        <translation>Der nächste Start wird über den Plan gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Start under way…</source>
+        <translation>Start läuft…</translation>
+    </message>
+    <message>
+        <source>Last start: the drive took over after %1&#x202f;s.</source>
+        <translation>Letzter Start: Der Regler übernahm nach %1&#x202f;s.</translation>
+    </message>
+    <message>
+        <source>Last start: failed after %1&#x202f;s (%2).</source>
+        <translation>Letzter Start: nach %1&#x202f;s gescheitert (%2).</translation>
+    </message>
+    <message>
+        <source>Last start: stopped after %1&#x202f;s.</source>
+        <translation>Letzter Start: nach %1&#x202f;s gestoppt.</translation>
+    </message>
+    <message>
+        <source>No speed was recorded.</source>
+        <translation>Keine Drehzahl aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>No Iq was recorded.</source>
+        <translation>Kein Iq aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Measured: thin lines.</source>
+        <translation>Gemessen: dünne Linien.</translation>
+    </message>
+    <message>
+        <source>Open a rev-up</source>
+        <translation>Anlauf öffnen</translation>
+    </message>
+    <message>
+        <source>Rev-ups (*.json);;All files (*)</source>
+        <translation>Anläufe (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>%1 ist nicht lesbar: %2.</translation>
+    </message>
+    <message>
+        <source>the numbers of its stage %1 do not fit</source>
+        <translation>die Zahlen der Stufe %1 passen nicht</translation>
+    </message>
+    <message>
+        <source>it has no stages, or more than five</source>
+        <translation>sie enthält keine Stufen oder mehr als fünf</translation>
+    </message>
+    <message>
+        <source>it is not JSON</source>
+        <translation>sie ist kein JSON</translation>
+    </message>
+    <message>
+        <source>%1 is no rev-up: %2.</source>
+        <translation>%1 ist kein Anlauf: %2.</translation>
+    </message>
+    <message>
+        <source>%1 was not taken: its stage %2 is beyond this board&apos;s limits.</source>
+        <translation>%1 wurde nicht übernommen: Stufe %2 liegt jenseits der Grenzen dieses Boards.</translation>
+    </message>
+    <message>
+        <source>Stages of %1. Apply writes them to the board.</source>
+        <translation>Stufen aus %1. „Anwenden“ schreibt sie auf das Board.</translation>
+    </message>
+    <message>
+        <source>Save the rev-up</source>
+        <translation>Anlauf speichern</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 lässt sich nicht schreiben: %2.</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Als %1 gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RevUpModel</name>
+    <message>
+        <source>No board is connected.</source>
+        <translation>Kein Board ist verbunden.</translation>
+    </message>
+    <message>
+        <source>This firmware has no rev-up.</source>
+        <translation>Diese Firmware hat keinen Anlauf.</translation>
+    </message>
+    <message>
+        <source>This board starts without a rev-up: it has a sensor of the rotor&apos;s angle, or its firmware is a reduced one.</source>
+        <translation>Dieses Board startet ohne gesteuerten Anlauf: Es hat einen Sensor für den Rotorwinkel, oder seine Firmware ist eine verkleinerte.</translation>
+    </message>
+    <message>
+        <source>This drive starts by its sensor (%1) and runs no rev-up.</source>
+        <translation>Dieser Antrieb startet mit seinem Sensor (%1), ohne gesteuerten Anlauf.</translation>
+    </message>
+    <message>
+        <source>The stages have not been read yet.</source>
+        <translation>Die Stufen sind noch nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>pulse</source>
+        <comment>of a six-step drive: the duty that its timer holds</comment>
+        <translation>Puls</translation>
+    </message>
+    <message>
+        <source>Iq</source>
+        <translation>Iq</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <comment>a stage of a rev-up</comment>
+        <translation>unbenutzt</translation>
+    </message>
+    <message>
+        <source>Torque that the stage needs, and that its current gives.</source>
+        <translation>Moment, das die Stufe braucht, und das ihr Strom gibt.</translation>
+    </message>
+    <message>
+        <source>Not used: it takes no time. Give it a duration to use it.</source>
+        <translation>Unbenutzt: Sie dauert 0&#x202f;ms. Eine Dauer nimmt sie in Gebrauch.</translation>
+    </message>
+    <message>
+        <source>The board holds %1&#x202f;ms, %2&#x202f;rpm, %3 digits.</source>
+        <translation>Das Board hat %1&#x202f;ms, %2&#x202f;rpm, %3 Digits.</translation>
+    </message>
+    <message>
+        <source>Stage %1, %2: %3</source>
+        <comment>a cell of the rev-up table, for a screen reader</comment>
+        <translation>Stufe %1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Time
+ms</source>
+        <comment>duration of a stage</comment>
+        <translation>Zeit
+ms</translation>
+    </message>
+    <message>
+        <source>Duration of the stage, ms</source>
+        <translation>Dauer der Stufe, ms</translation>
+    </message>
+    <message>
+        <source>Speed
+rpm</source>
+        <translation>Drehzahl
+rpm</translation>
+    </message>
+    <message>
+        <source>Speed at the end of the stage, rpm</source>
+        <translation>Drehzahl am Ende der Stufe, rpm</translation>
+    </message>
+    <message>
+        <source>Iq
+A</source>
+        <translation>Iq
+A</translation>
+    </message>
+    <message>
+        <source>Iq at the end of the stage, A</source>
+        <translation>Iq am Ende der Stufe, A</translation>
+    </message>
+    <message>
+        <source>Pulse
+digits</source>
+        <translation>Puls
+Digits</translation>
+    </message>
+    <message>
+        <source>Pulse at the end of the stage, digits</source>
+        <translation>Puls am Ende der Stufe, Digits</translation>
+    </message>
+    <message>
+        <source>Iq
+digits</source>
+        <translation>Iq
+Digits</translation>
+    </message>
+    <message>
+        <source>Iq at the end of the stage, digits of the register</source>
+        <translation>Iq am Ende der Stufe, Digits des Registers</translation>
+    </message>
+    <message>
+        <source>Torque
+mN·m</source>
+        <translation>Moment
+mN·m</translation>
+    </message>
+    <message>
+        <source>Torque needed / given, mN·m</source>
+        <translation>Moment gebraucht / gegeben, mN·m</translation>
+    </message>
+    <message>
+        <source>%1&#x202f;rpm became %2&#x202f;rpm: drives count speeds in steps of 6&#x202f;rpm.</source>
+        <translation>Aus %1&#x202f;rpm wurden %2&#x202f;rpm: Antriebe zählen Drehzahlen in Schritten von 6&#x202f;rpm.</translation>
     </message>
 </context>
 <context>

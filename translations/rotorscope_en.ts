@@ -958,6 +958,53 @@
     </message>
 </context>
 <context>
+    <name>RevUp</name>
+    <message>
+        <source>Begin with a stage at 0&#x202f;rpm that brings the current, at least %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Raise the current here and before to at least %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give it at least %1&#x202f;ms, or a current of at least %2 here and before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage %1 needs %2, its current gives %3: the rotor does not follow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage %1 ends at %2, where the observer does not see the rotor yet. Let it end above %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage %1 takes %2, more than the %3 that motor and drive stand. Lower it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage %1 takes no time: speed or current jump, the rotor is left behind. Give it time, or remove it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage %1 goes to %2, beyond the highest speed of %3. Lower it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage %1 goes to %2; firmware keeps 16 bits of it, at most %3. Lower it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage %1 turns against the stage before. Give all the same sign; backwards starts come from the sign of the speed set-point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No stage takes any time: the motor would not start. Add a stage, or begin with the start values.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Setpoint</name>
     <message>
         <source>Type a number.</source>
@@ -1062,21 +1109,6 @@
     </message>
     <message>
         <source>Write</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>widgets</name>
-    <message>
-        <source>Stop motors</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Armed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Disarmed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1618,6 +1650,18 @@
         <source>%1 of samples lost</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Stop motors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disarmed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::ExportDialog</name>
@@ -2034,6 +2078,10 @@
     </message>
     <message>
         <source>Motion log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rev-up</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2710,6 +2758,376 @@
     </message>
     <message>
         <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RevUpChart</name>
+    <message>
+        <source>Picture of the rev-up: speed and current over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed, rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a point, or select one with Page Up and Page Down and move it with the arrow keys.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage %1: %2&#x202f;rpm at %3&#x202f;s (lasts %4&#x202f;ms)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage %1: %2 %3 digits at %4&#x202f;s (lasts %5&#x202f;ms)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage %1: Iq %2 (%3 digits) at %4&#x202f;s (lasts %5&#x202f;ms)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>observer sees from %1&#x202f;rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limit %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RevUpForm</name>
+    <message>
+        <source>Stages of the rev-up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not taken over: %1</source>
+        <comment>what is wrong with a typed value</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds a stage after the selected one (Insert)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removes the selected stage (Delete)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Up</source>
+        <comment>move a stage</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves the selected stage up (Alt+Up)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dow&amp;n</source>
+        <comment>move a stage</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves the selected stage down (Alt+Down)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start va&amp;lues</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ST&apos;s start values: 2 s of half the nominal current, then 3 s to 30 % of the highest speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reads the stages from a file, as rotorscope-cli revup writes them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes the stages to a file that rotorscope-cli revup reads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of rotor and load together. Only for the judgement here; it is not sent anywhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque that holds the motor back. Only for the judgement here; it is not sent anywhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is wrong with the rev-up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inertia, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Friction, mN·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes %1&#x202f;s in all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Highest speed %1&#x202f;rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nominal current %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kt %1 per A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque is not judged: the board does not say its magnets&apos; flux (MOTOR_CONFIG).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque is not judged: type the inertia.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scale of the current is not known: digits only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ No mistake to be seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The next start is drawn over the plan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start under way…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last start: the drive took over after %1&#x202f;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last start: failed after %1&#x202f;s (%2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last start: stopped after %1&#x202f;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No speed was recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No Iq was recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured: thin lines.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a rev-up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rev-ups (*.json);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the numbers of its stage %1 do not fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no stages, or more than five</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no rev-up: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not taken: its stage %2 is beyond this board&apos;s limits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stages of %1. Apply writes them to the board.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the rev-up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RevUpModel</name>
+    <message>
+        <source>No board is connected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This firmware has no rev-up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board starts without a rev-up: it has a sensor of the rotor&apos;s angle, or its firmware is a reduced one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This drive starts by its sensor (%1) and runs no rev-up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stages have not been read yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pulse</source>
+        <comment>of a six-step drive: the duty that its timer holds</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iq</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <comment>a stage of a rev-up</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque that the stage needs, and that its current gives.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not used: it takes no time. Give it a duration to use it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board holds %1&#x202f;ms, %2&#x202f;rpm, %3 digits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage %1, %2: %3</source>
+        <comment>a cell of the rev-up table, for a screen reader</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time
+ms</source>
+        <comment>duration of a stage</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duration of the stage, ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed
+rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed at the end of the stage, rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iq
+A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iq at the end of the stage, A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pulse
+digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pulse at the end of the stage, digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iq
+digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iq at the end of the stage, digits of the register</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque
+mN·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque needed / given, mN·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1&#x202f;rpm became %2&#x202f;rpm: drives count speeds in steps of 6&#x202f;rpm.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -51,9 +51,10 @@ EventRecorder::EventRecorder(Device &device, const capture::Capture &capture, Ev
     connect(&device, &Device::streamStarted, this,
         [this](const capture::StreamLayout &layout) { m_tickHz = layout.tickHz; });
     connect(&device, &Device::stopWished, this,
-        [this] { note(EventKind::Command, this->now(), tr("Stop motors")); });
+        [this] { note(EventKind::Command, this->now(), EventRecorder::tr("Stop motors")); });
     connect(&device, &Device::armedStateChanged, this, [this](bool armed) {
-        note(EventKind::Command, this->now(), armed ? tr("Armed") : tr("Disarmed"));
+        note(EventKind::Command, this->now(),
+            armed ? EventRecorder::tr("Armed") : EventRecorder::tr("Disarmed"));
     });
     connect(&device, &Device::stopAdvanced, this, [this](const drive::StopProgress &progress) {
         if (progress.word == drive::StopWord::NotConfirmed)

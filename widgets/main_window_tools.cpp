@@ -2,8 +2,10 @@
 #include "widgets/device_text.h"
 #include "widgets/forms/form.h"
 #include "widgets/forms/motor_form.h"
+#include "widgets/forms/rev_up_form.h"
 #include "widgets/main_window.h"
 #include "widgets/motion_log_panel.h"
+#include "widgets/register_panel.h"
 
 #include <QChildEvent>
 #include <QDockWidget>
@@ -27,6 +29,10 @@ void MainWindow::makeTools()
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     makeScopeTools();
 
+    const RegisterPanel::Actions &actions = m_registerPanel->actions();
+    addTool(new RevUpForm({m_device, m_workbench.registers(), m_workbench.edits(),
+                m_workbench.capture(), m_files, actions.apply, actions.revert}),
+        tr("Rev-up"), "revUpDock", Qt::CTRL | Qt::Key_2);
     addTool(new MotorForm(m_device, m_workbench.registers(), m_files), tr("Motor and drive"),
         "motorDock", Qt::CTRL | Qt::Key_4);
 

@@ -61,6 +61,21 @@ Outcome<RevUp> stagesOfWords(const QStringList &words, double ampsPerDigit)
     return stages;
 }
 
+QString wordsOf(const session::RevUpFileError &error)
+{
+    using Kind = session::RevUpFileError::Kind;
+    switch (error.kind) {
+    case Kind::NotJson:
+        return QStringLiteral("it is no JSON");
+    case Kind::NoStages:
+        return QStringLiteral("it has no stages, or more than five");
+    case Kind::BadStage:
+        break;
+    }
+    return QStringLiteral("the numbers of its stage %1 do not fit")
+        .arg(QString::number(error.stage));
+}
+
 Outcome<RevUp> stagesOfFile(const QString &path, double ampsPerDigit)
 {
     const auto content = loadFile(path);
@@ -70,7 +85,7 @@ Outcome<RevUp> stagesOfFile(const QString &path, double ampsPerDigit)
     if (!stages)
         return failure(kFileError,
             QStringLiteral("%1 is no rev-up: %2; rotorscope-cli revup --json prints such a file.")
-                .arg(path, stages.error()));
+                .arg(path, wordsOf(stages.error())));
     return *stages;
 }
 

@@ -86,6 +86,7 @@ struct MechanicalLoad {
     double inertia_kgm2 = 0.0;
     double viscous_nms = 0.0;
     double coulomb_nm = 0.0;
+    bool operator==(const MechanicalLoad &) const = default;
 };
 
 /// Largest torque that a stage asks for: J alpha plus friction at its faster end [N m].
@@ -124,6 +125,7 @@ struct RevUpLimits {
     double nominalCurrent_a = 0.0;
     double maxCurrent_a = 0.0; ///< of the drive
     double maxSpeed_rpm = 0.0;
+    bool operator==(const RevUpLimits &) const = default;
 };
 
 /// In the order of the stages; empty: nothing to be seen.

@@ -185,6 +185,9 @@ MotorFacts motorFacts(const catalog::Catalog &catalog, int motor, const ValueSou
     facts.limits = limitsOf(board);
     if (const auto config = mcp::decodeFirmwareConfig(structure("FOCFW_CONFIG"))) {
         facts.sixStep = facts.sixStep || config->sixStep;
+        constexpr std::uint8_t kEncoder = 3, kHall = 4;
+        if (config->primarySensor == kEncoder || config->primarySensor == kHall)
+            facts.angleSensor = catalog::speedSensorName(config->primarySensor);
         if (!config->sixStep && config->pwmHz > 0 && config->mediumHz > 0) {
             facts.controlPeriod_s = static_cast<double>(config->focRate) / config->pwmHz;
             facts.speedPeriod_s = 1.0 / config->mediumHz;

@@ -28,6 +28,8 @@ struct MotorFacts {
     double bandwidthGuide_radps =
         0.0; ///< of the current loop: ST's advice for how the board measures currents
     bool sixStep = false;
+    /// The sensor that knows the angle at rest, by which the drive starts; empty: by a rev-up, or not known.
+    std::string angleSensor;
     /// The strength of the magnets was given per hertz instead of per 1000 rpm.
     bool fluxPerHertz = false;
 };

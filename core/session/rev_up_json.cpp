@@ -57,21 +57,21 @@ QByteArray revUpJson(const analysis::RevUp &stages, double ampsPerDigit)
         .toJson();
 }
 
-Result<analysis::RevUp, QString> readRevUpJson(const QByteArray &text, double ampsPerDigit)
+Result<analysis::RevUp, RevUpFileError> readRevUpJson(const QByteArray &text, double ampsPerDigit)
 {
+    using Kind = RevUpFileError::Kind;
     QJsonParseError error;
     const QJsonObject root = QJsonDocument::fromJson(text, &error).object();
     if (error.error != QJsonParseError::NoError)
-        return fail(QStringLiteral("it is no JSON (%1)").arg(error.errorString()));
+        return fail(RevUpFileError{Kind::NotJson});
     const QJsonArray list = root[kStages].toArray();
     if (list.isEmpty() || list.size() > static_cast<qsizetype>(analysis::kRevUpStages))
-        return fail(QStringLiteral("it has no stages, or more than five"));
+        return fail(RevUpFileError{Kind::NoStages});
     analysis::RevUp stages;
     for (const auto &one : list) {
         const auto stage = stageOf(one.toObject(), ampsPerDigit);
         if (!stage)
-            return fail(QStringLiteral("the numbers of its stage %1 do not fit")
-                            .arg(QString::number(stages.size() + 1)));
+            return fail(RevUpFileError{Kind::BadStage, static_cast<int>(stages.size()) + 1});
         stages.push_back(*stage);
     }
     return stages;

@@ -7,7 +7,6 @@
 #include <QByteArray>
 #include <QJsonArray>
 #include <QJsonObject>
-#include <QString>
 
 namespace session {
 
@@ -17,8 +16,17 @@ QJsonArray revUpStagesJson(const analysis::RevUp &stages, double ampsPerDigit);
 /// The whole file: {"stages": [...], "duration_s": ...}, indented.
 QByteArray revUpJson(const analysis::RevUp &stages, double ampsPerDigit);
 
-/// The stages in a file's content, as many as it has; or one sentence without a full stop that says what is wrong.
-/// Members that are not known are passed over; a number that does not fit the register is an error.
-Result<analysis::RevUp, QString> readRevUpJson(const QByteArray &text, double ampsPerDigit);
+struct RevUpFileError {
+    enum class Kind : std::uint8_t {
+        NotJson,
+        NoStages, ///< or more than five
+        BadStage, ///< a number of it is missing or does not fit the register
+    } kind = Kind::NotJson;
+    int stage = 0; ///< of BadStage, from 1
+};
+
+/// The stages in a file's content, as many as it has, or what is wrong with it. Members that are not known are passed
+/// over.
+Result<analysis::RevUp, RevUpFileError> readRevUpJson(const QByteArray &text, double ampsPerDigit);
 
 } // namespace session

@@ -94,6 +94,12 @@ private Q_SLOTS:
         QVERIFY(near(facts.ampsPerDigit, hso ? 0.0 : 1.0 / plant->inverter.digitsPerAmp()));
         QCOMPARE(facts.name, plant->motor.name);
         QVERIFY(!facts.sixStep);
+        const QString name = QString::fromStdString(plant->motor.name);
+        QCOMPARE(QString::fromStdString(facts.angleSensor),
+            hso                                          ? QString()
+                : name.contains(QLatin1String("servo"))  ? QStringLiteral("encoder")
+                : name.contains(QLatin1String("blower")) ? QStringLiteral("Hall")
+                                                         : QString());
         QCOMPARE(facts.fluxPerHertz, hso);
         QCOMPARE(board.field("MOTOR_CONFIG", "rated flux")->unit,
             std::string(facts.fluxPerHertz ? "V/Hz" : "V/krpm"));

@@ -12,10 +12,11 @@ namespace {
 
 constexpr double kAmps = 60.175 / 32768.0;
 
-QString errorOf(const char *text, double ampsPerDigit = kAmps)
+using Kind = session::RevUpFileError::Kind;
+
+bool isRead(const char *text, double ampsPerDigit = kAmps)
 {
-    const auto stages = session::readRevUpJson(text, ampsPerDigit);
-    return stages ? QString() : stages.error();
+    return session::readRevUpJson(text, ampsPerDigit).has_value();
 }
 
 } // namespace
@@ -45,7 +46,7 @@ private Q_SLOTS:
         const auto stages = session::readRevUpJson(text, kAmps);
         QVERIFY(stages.has_value());
         QVERIFY((*stages == RevUp{{1200, 1361, 1500}}));
-        QVERIFY(!errorOf(text, 0.0).isEmpty());
+        QVERIFY(!isRead(text, 0.0));
     }
 
     void whatDoesNotFitIsRefused()
@@ -59,10 +60,14 @@ private Q_SLOTS:
                  R"({"stages": [{"speed_rpm": "1", "current_digits": 1, "duration_ms": 1}]})",
                  R"({"stages": [{"speed_rpm": 1, "current_a": 1e300, "duration_ms": 1}]})",
                  R"({"stages": [{},{},{},{},{},{}]})"})
-            QVERIFY2(!errorOf(text).isEmpty(), text);
+            QVERIFY2(!isRead(text), text);
         const char *second = R"({"stages": [{"speed_rpm": 1, "current_digits": 1, "duration_ms": 1},
             {"speed_rpm": 1e9, "current_digits": 1, "duration_ms": 1}]})";
-        QVERIFY(errorOf(second).contains(QStringLiteral("stage 2")));
+        const auto error = session::readRevUpJson(second, kAmps).error();
+        QVERIFY(error.kind == Kind::BadStage);
+        QCOMPARE(error.stage, 2);
+        QVERIFY(session::readRevUpJson("{}", kAmps).error().kind == Kind::NoStages);
+        QVERIFY(session::readRevUpJson("{", kAmps).error().kind == Kind::NotJson);
     }
 };
 
