@@ -1,11 +1,68 @@
 #include "snapshot_work.h"
 
+#include "sentences.h"
+
 #include "session/snapshot_json.h"
 #include "session/whole_file.h"
 
 #include <algorithm>
 
 namespace cli {
+
+namespace {
+
+QString wordsOf(session::SnapshotProblem problem)
+{
+    using Problem = session::SnapshotProblem;
+    switch (problem) {
+    case Problem::NotJson:
+        return QStringLiteral("it is no JSON");
+    case Problem::NotASnapshot:
+        return QStringLiteral("it is no snapshot");
+    case Problem::NewerVersion:
+        return QStringLiteral("it is of a newer version than this program knows");
+    case Problem::NoRegisters:
+        return QStringLiteral("it has no list of registers");
+    case Problem::TooManyRegisters:
+        return QStringLiteral("it has more registers than any board");
+    case Problem::NoName:
+        return QStringLiteral("has no name");
+    case Problem::NoMotor:
+        return QStringLiteral("has no motor from 0 to 7");
+    case Problem::NoId:
+        return QStringLiteral("has no id");
+    case Problem::NoType:
+        return QStringLiteral("has no known type");
+    case Problem::NumberDoesNotFit:
+        return QStringLiteral("has a raw number that does not fit its type");
+    case Problem::NoNumber:
+        return QStringLiteral("has neither bits nor a raw number");
+    case Problem::NoText:
+        return QStringLiteral("has no raw text");
+    case Problem::NotBytes:
+        return QStringLiteral("has bytes that are no hexadecimal digits");
+    case Problem::Twice:
+        return QStringLiteral("is there twice");
+    }
+    return {};
+}
+
+/// One sentence without a full stop.
+QString wordsOf(const session::SnapshotFileError &error)
+{
+    QString what = wordsOf(error.problem);
+    if (error.problem == session::SnapshotProblem::NotJson)
+        what += QStringLiteral(" from line %1 on (%2)")
+                    .arg(QString::number(error.line), error.parserText);
+    if (error.number == 0)
+        return what;
+    const QString name = plainText(error.name.toStdString());
+    return QStringLiteral("in line %1 its register %2 %3")
+        .arg(QString::number(error.line), name.isEmpty() ? QString::number(error.number) : name,
+            what);
+}
+
+} // namespace
 
 Outcome<BoardSnapshot> readBoard(Desk &desk, tuning::Scope scope)
 {
@@ -49,7 +106,7 @@ Outcome<tuning::Snapshot> loadSnapshot(const QString &path)
         return std::move(*snapshot);
     return failure(kFileError,
         QStringLiteral("%1 cannot be used: %2; rotorscope-cli snapshot makes such a file.")
-            .arg(path, snapshot.error()));
+            .arg(path, wordsOf(snapshot.error())));
 }
 
 Outcome<tuning::Selection> selectionOf(

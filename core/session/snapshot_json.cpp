@@ -120,9 +120,8 @@ QByteArray compact(const QJsonObject &object)
 
 // ---- reading ----
 
-using Read = Result<Value, QString>;
-
-auto wrong(const char *what) { return fail(key(what)); }
+using Problem = SnapshotProblem;
+using Read = Result<Value, Problem>;
 
 std::optional<Bytes> bytesOfHex(const QString &text)
 {
@@ -146,7 +145,7 @@ Read wholeOf(const QJsonValue &raw, ValueType type)
     const double number = raw.toDouble(std::numeric_limits<double>::quiet_NaN());
     const auto [least, most] = rangeOf(type);
     if (!(number >= least && number <= most) || number != std::nearbyint(number))
-        return wrong("has a raw number that does not fit its type");
+        return fail(Problem::NumberDoesNotFit);
     return Value(static_cast<std::int64_t>(number));
 }
 
@@ -158,7 +157,7 @@ Read floatOf(const QJsonObject &object)
     if (ok && bits.size() == 8)
         return Value(static_cast<double>(std::bit_cast<float>(number)));
     if (!object[key("raw")].isDouble())
-        return wrong("has neither bits nor a raw number");
+        return fail(Problem::NoNumber);
     return Value(static_cast<double>(static_cast<float>(object[key("raw")].toDouble())));
 }
 
@@ -170,36 +169,36 @@ Read valueOf(const QJsonObject &object, ValueType type)
     if (catalog::isInteger(type))
         return wholeOf(raw, type);
     if (!raw.isString())
-        return wrong("has no raw text");
+        return fail(Problem::NoText);
     if (type == ValueType::Text && !object.contains(key("bytes")))
         return Value(raw.toString().toStdString());
     const auto bytes =
         bytesOfHex(type == ValueType::Text ? object[key("bytes")].toString() : raw.toString());
     if (!bytes)
-        return wrong("has bytes that are no hexadecimal digits");
+        return fail(Problem::NotBytes);
     if (type == ValueType::Text)
         return Value(std::string(bytes->begin(), bytes->end()));
     return Value(*bytes);
 }
 
-Result<Entry, QString> entryOf(const QJsonObject &object)
+Result<Entry, Problem> entryOf(const QJsonObject &object)
 {
     Entry entry;
     entry.name = object[key("name")].toString().toStdString();
     if (entry.name.empty())
-        return wrong("has no name");
+        return fail(Problem::NoName);
     entry.motor = object[key("motor")].toInt(-1);
     if (entry.motor < 0 || entry.motor > 7)
-        return wrong("has no motor from 0 to 7");
+        return fail(Problem::NoMotor);
     bool ok = false;
     entry.id = object[key("id")].toString().toUInt(&ok, 16);
     if (!ok || entry.id > 0xFFFF)
-        return wrong("has no id");
+        return fail(Problem::NoId);
     entry.group = object[key("group")].toString().toStdString();
     const QByteArray type = object[key("type")].toString().toLatin1();
     const auto at = std::find(kTypes.begin(), kTypes.end(), std::string_view(type.constData()));
     if (at == kTypes.end())
-        return wrong("has no known type");
+        return fail(Problem::NoType);
     entry.type = static_cast<ValueType>(at - kTypes.begin());
     entry.tunable = object[key("tunable")].toBool();
     auto value = valueOf(object, entry.type);
@@ -235,6 +234,31 @@ drive::Identity identityOf(const QJsonObject &object)
     return board;
 }
 
+int lineAt(const QByteArray &text, qsizetype offset)
+{
+    return 1 + static_cast<int>(text.left(offset).count('\n'));
+}
+
+/// Where the n-th object of the list of registers begins. The text is JSON, so brackets pair up outside of strings.
+int lineOfRegister(const QByteArray &text, qsizetype number)
+{
+    const qsizetype list = text.indexOf('[', text.indexOf("\"registers\""));
+    int depth = 0;
+    bool quoted = false;
+    for (qsizetype i = list + 1; list >= 0 && i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted)
+            c == '\\' ? void(++i) : void(quoted = c != '"');
+        else if (c == '"')
+            quoted = true;
+        else if ((c == '{' || c == '[') && ++depth == 1 && number-- == 0)
+            return lineAt(text, i);
+        else if (c == '}' || c == ']')
+            --depth;
+    }
+    return 0;
+}
+
 } // namespace
 
 QByteArray snapshotJson(const Snapshot &snapshot)
@@ -250,29 +274,44 @@ QByteArray snapshotJson(const Snapshot &snapshot)
     return text + "\n]}\n";
 }
 
-Result<Snapshot, QString> readSnapshotJson(const QByteArray &text)
+Result<Snapshot, SnapshotFileError> readSnapshotJson(const QByteArray &text)
 {
+    const auto wrong = [](Problem problem) {
+        SnapshotFileError error;
+        error.problem = problem;
+        return fail(error);
+    };
     QJsonParseError error;
     const QJsonObject root = QJsonDocument::fromJson(text, &error).object();
     if (error.error != QJsonParseError::NoError)
-        return fail(QStringLiteral("it is no JSON (%1)").arg(error.errorString()));
+        return fail(SnapshotFileError{.problem = Problem::NotJson,
+            .line = lineAt(text, error.offset),
+            .number = 0,
+            .name = {},
+            .parserText = error.errorString()});
     if (root[key("format")].toString() != key(kFormat))
-        return fail(QStringLiteral("it is no snapshot"));
+        return wrong(Problem::NotASnapshot);
     if (root[key("version")].toInt() != kVersion)
-        return fail(QStringLiteral("it is of a newer version than this program knows"));
+        return wrong(Problem::NewerVersion);
+    if (!root[key("registers")].isArray())
+        return wrong(Problem::NoRegisters);
     const QJsonArray registers = root[key("registers")].toArray();
     if (registers.size() > kMostRegisters)
-        return fail(QStringLiteral("it has more registers than any board"));
+        return wrong(Problem::TooManyRegisters);
     Snapshot snapshot;
     snapshot.board = identityOf(root[key("board")].toObject());
     std::set<std::pair<std::string, int>> seen;
     for (qsizetype i = 0; i < registers.size(); ++i) {
-        auto entry = entryOf(registers[i].toObject());
+        const QJsonObject object = registers[i].toObject();
+        auto entry = entryOf(object);
+        if (entry && !seen.emplace(entry->name, entry->motor).second)
+            entry = fail(Problem::Twice);
         if (!entry)
-            return fail(
-                QStringLiteral("its register %1 %2").arg(QString::number(i + 1), entry.error()));
-        if (!seen.emplace(entry->name, entry->motor).second)
-            return fail(QStringLiteral("its register %1 is there twice").arg(textOf(entry->name)));
+            return fail(SnapshotFileError{.problem = entry.error(),
+                .line = lineOfRegister(text, i),
+                .number = static_cast<int>(i + 1),
+                .name = object[key("name")].toString(),
+                .parserText = {}});
         snapshot.entries.push_back(std::move(*entry));
     }
     return snapshot;
