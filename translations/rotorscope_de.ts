@@ -1024,6 +1024,110 @@
     </message>
 </context>
 <context>
+    <name>Snapshot</name>
+    <message>
+        <source>none</source>
+        <comment>no flag is set</comment>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>it is no JSON</source>
+        <translation>ist es kein JSON</translation>
+    </message>
+    <message>
+        <source>it is no snapshot</source>
+        <translation>sie ist kein Schnappschuss</translation>
+    </message>
+    <message>
+        <source>it is of a newer version than this program knows</source>
+        <translation>sie ist von einer neueren Fassung, als dieses Programm kennt</translation>
+    </message>
+    <message>
+        <source>it has no list of registers</source>
+        <translation>sie hat keine Liste von Registern</translation>
+    </message>
+    <message>
+        <source>it has more registers than any board</source>
+        <translation>sie hat mehr Register als jedes Board</translation>
+    </message>
+    <message>
+        <source>it has no name</source>
+        <comment>a register in a file</comment>
+        <translation>es hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>it has no motor from 0 to 7</source>
+        <comment>a register in a file</comment>
+        <translation>es hat keinen Motor von 0 bis 7</translation>
+    </message>
+    <message>
+        <source>it has no id</source>
+        <comment>a register in a file</comment>
+        <translation>es hat keine Nummer</translation>
+    </message>
+    <message>
+        <source>it has no known type</source>
+        <comment>a register in a file</comment>
+        <translation>es hat keinen bekannten Typ</translation>
+    </message>
+    <message>
+        <source>its raw number does not fit its type</source>
+        <comment>a register in a file</comment>
+        <translation>seine Rohzahl passt nicht in seinen Typ</translation>
+    </message>
+    <message>
+        <source>it has neither bits nor a raw number</source>
+        <comment>a register in a file</comment>
+        <translation>es hat weder Bits noch eine Rohzahl</translation>
+    </message>
+    <message>
+        <source>it has no raw text</source>
+        <comment>a register in a file</comment>
+        <translation>es hat keinen Rohtext</translation>
+    </message>
+    <message>
+        <source>its bytes are no pairs of hexadecimal digits</source>
+        <comment>a register in a file</comment>
+        <translation>seine Bytes sind keine Paare von Hexadezimalziffern</translation>
+    </message>
+    <message>
+        <source>it is there twice</source>
+        <comment>a register in a file</comment>
+        <translation>es ist zweimal da</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: in line %2 %3 (%4).</source>
+        <comment>file, number, what is wrong, the parser&apos;s words</comment>
+        <translation>%1 ist nicht zu gebrauchen: In Zeile %2 %3 (%4).</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: %2.</source>
+        <comment>file, what is wrong</comment>
+        <translation>%1 ist nicht zu gebrauchen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: line %2, register %3: %4.</source>
+        <comment>file, number, name, what is wrong</comment>
+        <translation>%1 ist nicht zu gebrauchen: Zeile %2, Register %3: %4.</translation>
+    </message>
+    <message>
+        <source>This board does not have it, or it cannot be written there.</source>
+        <translation>Dieses Board hat es nicht, oder es ist dort nicht zu schreiben.</translation>
+    </message>
+    <message>
+        <source>It holds something else in this firmware.</source>
+        <translation>Es hält in dieser Firmware etwas anderes.</translation>
+    </message>
+    <message>
+        <source>Writing it can move something, and its motor is not idle.</source>
+        <translation>Es zu schreiben kann etwas bewegen, und sein Motor ruht nicht.</translation>
+    </message>
+    <message>
+        <source>Firmware gives it in another form than it takes it.</source>
+        <translation>Firmware gibt es in anderer Form aus, als sie es annimmt.</translation>
+    </message>
+</context>
+<context>
     <name>WriteQuestion</name>
     <message>
         <source>not known</source>
@@ -2083,6 +2187,10 @@
     <message>
         <source>Rev-up</source>
         <translation>Anlauf</translation>
+    </message>
+    <message>
+        <source>Snapshots</source>
+        <translation>Schnappschüsse</translation>
     </message>
 </context>
 <context>
@@ -3230,6 +3338,356 @@ mN·m</translation>
     <message>
         <source>Recording signals</source>
         <translation>Signale aufzeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SnapshotActions</name>
+    <message>
+        <source>&amp;Save a snapshot…</source>
+        <translation>&amp;Schnappschuss sichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Export C header…</source>
+        <translation>&amp;C-Header exportieren …</translation>
+    </message>
+    <message>
+        <source>No board is answering.</source>
+        <translation>Kein Board antwortet.</translation>
+    </message>
+    <message>
+        <source>Saves every register that can be read, with the names of board and firmware</source>
+        <translation>Sichert jedes lesbare Register mit den Namen von Board und Firmware</translation>
+    </message>
+    <message>
+        <source>Saves gains and start-up of the motor in the names of the SDK&apos;s drive_parameters.h</source>
+        <translation>Sichert Verstärkungen und Anlauf des Motors mit den Namen der drive_parameters.h des SDK</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) saved to %1.</source>
+        <translation>
+            <numerusform>%n Register in %1 gesichert.</numerusform>
+            <numerusform>%n Register in %1 gesichert.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SnapshotDialog</name>
+    <message>
+        <source>Save a snapshot</source>
+        <translation>Schnappschuss sichern</translation>
+    </message>
+    <message>
+        <source>Export C header of motor %1</source>
+        <translation>C-Header von Motor %1 exportieren</translation>
+    </message>
+    <message>
+        <source>Progress of reading</source>
+        <translation>Fortschritt des Lesens</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Sichern …</translation>
+    </message>
+    <message>
+        <source>Reading what the board holds…</source>
+        <translation>Liest, was das Board hält …</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>The board could not be read to the end; nothing was saved.</source>
+        <translation>Das Board war nicht zu Ende zu lesen; nichts wurde gesichert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) were read. The board never answered for: %1.</source>
+        <translation>
+            <numerusform>%n Register wurde gelesen. Keine Antwort kam für: %1.</numerusform>
+            <numerusform>%n Register wurden gelesen. Keine Antwort kam für: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) were read.</source>
+        <translation>
+            <numerusform>%n Register wurde gelesen.</numerusform>
+            <numerusform>%n Register wurden gelesen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Snapshots (*.json)</source>
+        <translation>Schnappschüsse (*.json)</translation>
+    </message>
+    <message>
+        <source>C headers (*.h)</source>
+        <translation>C-Header (*.h)</translation>
+    </message>
+    <message>
+        <source>%1 was not written: %2. Choose another place.</source>
+        <comment>file, the system&apos;s words</comment>
+        <translation>%1 wurde nicht geschrieben: %2. Wählen Sie einen anderen Ort.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SnapshotModel</name>
+    <message>
+        <source>Only B has it.</source>
+        <translation>Nur B hat es.</translation>
+    </message>
+    <message>
+        <source>Only A has it.</source>
+        <translation>Nur A hat es.</translation>
+    </message>
+    <message>
+        <source>Not restored: %1</source>
+        <comment>the reason</comment>
+        <translation>Nicht wiederhergestellt: %1</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Register</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <comment>the first of two snapshots</comment>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <comment>the second of two snapshots</comment>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>A raw</source>
+        <comment>digits of the first of two snapshots</comment>
+        <translation>A roh</translation>
+    </message>
+    <message>
+        <source>B raw</source>
+        <comment>digits of the second of two snapshots</comment>
+        <translation>B roh</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SnapshotPanel</name>
+    <message>
+        <source>Before a write, %1</source>
+        <comment>date and time</comment>
+        <translation>Vor einem Schreiben, %1</translation>
+    </message>
+    <message>
+        <source>The board, as it is now</source>
+        <translation>Das Board, wie es jetzt ist</translation>
+    </message>
+    <message>
+        <source>Open a snapshot</source>
+        <translation>Schnappschuss öffnen</translation>
+    </message>
+    <message>
+        <source>Snapshots (*.json)</source>
+        <translation>Schnappschüsse (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <comment>file, the system&apos;s words</comment>
+        <translation>%1 ist nicht zu lesen: %2.</translation>
+    </message>
+    <message>
+        <source>No board is answering.</source>
+        <translation>Kein Board antwortet.</translation>
+    </message>
+    <message>
+        <source>The board never answered for: %1.</source>
+        <comment>list of registers</comment>
+        <translation>Keine Antwort des Boards kam für: %1.</translation>
+    </message>
+    <message>
+        <source>The board could not be read to the end; the table shows what it held before.</source>
+        <translation>Das Board war nicht zu Ende zu lesen; die Tabelle zeigt, was es vorher hielt.</translation>
+    </message>
+    <message>
+        <source>A was taken of other hardware; restore it all the same</source>
+        <translation>A stammt von anderer Hardware; trotzdem wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Choose a snapshot as A.</source>
+        <translation>Wählen Sie einen Schnappschuss als A.</translation>
+    </message>
+    <message>
+        <source>Choose the board as B.</source>
+        <translation>Wählen Sie das Board als B.</translation>
+    </message>
+    <message>
+        <source>The board is being read.</source>
+        <translation>Das Board wird gelesen.</translation>
+    </message>
+    <message>
+        <source>The board holds these values already.</source>
+        <translation>Das Board hält diese Werte schon.</translation>
+    </message>
+    <message>
+        <source>Nothing that can be written is chosen.</source>
+        <translation>Nichts, was zu schreiben ist, ist ausgewählt.</translation>
+    </message>
+    <message>
+        <source>A was taken of other hardware.</source>
+        <translation>A stammt von anderer Hardware.</translation>
+    </message>
+    <message>
+        <source>Restore %1</source>
+        <comment>a snapshot</comment>
+        <translation>%1 wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Written and read back:</source>
+        <translation>Geschrieben und zurückgelesen:</translation>
+    </message>
+    <message>
+        <source>The board made another value of:</source>
+        <translation>Das Board machte einen anderen Wert aus:</translation>
+    </message>
+    <message>
+        <source>Nobody knows whether these were written:</source>
+        <translation>Niemand weiß, ob diese geschrieben wurden:</translation>
+    </message>
+    <message>
+        <source>Not written:</source>
+        <translation>Nicht geschrieben:</translation>
+    </message>
+    <message>
+        <source>What was restored</source>
+        <translation>Was wiederhergestellt wurde</translation>
+    </message>
+    <message>
+        <source>Snapshot %1</source>
+        <comment>A or B</comment>
+        <translation>Schnappschuss %1</translation>
+    </message>
+    <message>
+        <source>Choose a snapshot…</source>
+        <translation>Schnappschuss wählen …</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Open a file as snapshot %1</source>
+        <comment>A or B</comment>
+        <translation>Datei als Schnappschuss %1 öffnen</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <comment>the first of two snapshots</comment>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <comment>the second of two snapshots</comment>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Read the &amp;board</source>
+        <translation>&amp;Board lesen</translation>
+    </message>
+    <message>
+        <source>Reads every register of the board again</source>
+        <translation>Liest jedes Register des Boards noch einmal</translation>
+    </message>
+    <message>
+        <source>&amp;A</source>
+        <comment>the first of two snapshots</comment>
+        <translation>&amp;A</translation>
+    </message>
+    <message>
+        <source>&amp;B</source>
+        <comment>the second of two snapshots</comment>
+        <translation>&amp;B</translation>
+    </message>
+    <message>
+        <source>Filter by name or group</source>
+        <translation>Nach Name oder Gruppe filtern</translation>
+    </message>
+    <message>
+        <source>Filter the differences</source>
+        <translation>Unterschiede filtern</translation>
+    </message>
+    <message>
+        <source>&amp;Measured values, too</source>
+        <translation>Auch &amp;Messwerte</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>Progress of reading</source>
+        <translation>Fortschritt des Lesens</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Restore %n register(s) of A</source>
+        <translation>
+            <numerusform>%n &amp;Register von A wiederherstellen</numerusform>
+            <numerusform>%n &amp;Register von A wiederherstellen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Writes what is checked and shown to the board and reads it back</source>
+        <translation>Schreibt, was angehakt und zu sehen ist, auf das Board und liest es zurück</translation>
+    </message>
+    <message>
+        <source>Reading the board…</source>
+        <translation>Liest das Board …</translation>
+    </message>
+    <message>
+        <source>No differences.</source>
+        <translation>Keine Unterschiede.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) differ</source>
+        <translation>
+            <numerusform>%n Register unterscheidet sich</numerusform>
+            <numerusform>%n Register unterscheiden sich</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n of them shown</source>
+        <translation>
+            <numerusform>, %n davon zu sehen</numerusform>
+            <numerusform>, %n davon zu sehen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Check the selected rows</source>
+        <translation>Ausgewählte Zeilen anhaken</translation>
+    </message>
+    <message>
+        <source>Uncheck the selected rows</source>
+        <translation>Haken der ausgewählten Zeilen entfernen</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alle auswählen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
     </message>
 </context>
 <context>

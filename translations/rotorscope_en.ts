@@ -1024,6 +1024,110 @@
     </message>
 </context>
 <context>
+    <name>Snapshot</name>
+    <message>
+        <source>none</source>
+        <comment>no flag is set</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no snapshot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is of a newer version than this program knows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no list of registers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has more registers than any board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no name</source>
+        <comment>a register in a file</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no motor from 0 to 7</source>
+        <comment>a register in a file</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no id</source>
+        <comment>a register in a file</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no known type</source>
+        <comment>a register in a file</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its raw number does not fit its type</source>
+        <comment>a register in a file</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has neither bits nor a raw number</source>
+        <comment>a register in a file</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no raw text</source>
+        <comment>a register in a file</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its bytes are no pairs of hexadecimal digits</source>
+        <comment>a register in a file</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is there twice</source>
+        <comment>a register in a file</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: in line %2 %3 (%4).</source>
+        <comment>file, number, what is wrong, the parser&apos;s words</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: %2.</source>
+        <comment>file, what is wrong</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: line %2, register %3: %4.</source>
+        <comment>file, number, name, what is wrong</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board does not have it, or it cannot be written there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It holds something else in this firmware.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing it can move something, and its motor is not idle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Firmware gives it in another form than it takes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>WriteQuestion</name>
     <message>
         <source>not known</source>
@@ -2082,6 +2186,10 @@
     </message>
     <message>
         <source>Rev-up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snapshots</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3223,6 +3331,356 @@ mN·m</source>
     <name>widgets::SignalSelection</name>
     <message>
         <source>Recording signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SnapshotActions</name>
+    <message>
+        <source>&amp;Save a snapshot…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Export C header…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No board is answering.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saves every register that can be read, with the names of board and firmware</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saves gains and start-up of the motor in the names of the SDK&apos;s drive_parameters.h</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) saved to %1.</source>
+        <translation>
+            <numerusform>%n register saved to %1.</numerusform>
+            <numerusform>%n registers saved to %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SnapshotDialog</name>
+    <message>
+        <source>Save a snapshot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export C header of motor %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading what the board holds…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board could not be read to the end; nothing was saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) were read. The board never answered for: %1.</source>
+        <translation>
+            <numerusform>%n register was read. The board never answered for: %1.</numerusform>
+            <numerusform>%n registers were read. The board never answered for: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) were read.</source>
+        <translation>
+            <numerusform>%n register was read.</numerusform>
+            <numerusform>%n registers were read.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Snapshots (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C headers (*.h)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not written: %2. Choose another place.</source>
+        <comment>file, the system&apos;s words</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SnapshotModel</name>
+    <message>
+        <source>Only B has it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only A has it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not restored: %1</source>
+        <comment>the reason</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A</source>
+        <comment>the first of two snapshots</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B</source>
+        <comment>the second of two snapshots</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A raw</source>
+        <comment>digits of the first of two snapshots</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B raw</source>
+        <comment>digits of the second of two snapshots</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SnapshotPanel</name>
+    <message>
+        <source>Before a write, %1</source>
+        <comment>date and time</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board, as it is now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a snapshot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snapshots (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <comment>file, the system&apos;s words</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No board is answering.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board never answered for: %1.</source>
+        <comment>list of registers</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board could not be read to the end; the table shows what it held before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A was taken of other hardware; restore it all the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a snapshot as A.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the board as B.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board is being read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board holds these values already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing that can be written is chosen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A was taken of other hardware.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore %1</source>
+        <comment>a snapshot</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written and read back:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board made another value of:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody knows whether these were written:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not written:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was restored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snapshot %1</source>
+        <comment>A or B</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a snapshot…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a file as snapshot %1</source>
+        <comment>A or B</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A</source>
+        <comment>the first of two snapshots</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B</source>
+        <comment>the second of two snapshots</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the &amp;board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reads every register of the board again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;A</source>
+        <comment>the first of two snapshots</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;B</source>
+        <comment>the second of two snapshots</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter by name or group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter the differences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Measured values, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Restore %n register(s) of A</source>
+        <translation>
+            <numerusform>&amp;Restore %n register of A</numerusform>
+            <numerusform>&amp;Restore %n registers of A</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes what is checked and shown to the board and reads it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the board…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No differences.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) differ</source>
+        <translation>
+            <numerusform>%n register differs</numerusform>
+            <numerusform>%n registers differ</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n of them shown</source>
+        <translation>
+            <numerusform>, %n of them shown</numerusform>
+            <numerusform>, %n of them shown</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Check the selected rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncheck the selected rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

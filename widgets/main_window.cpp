@@ -20,6 +20,7 @@
 #include "widgets/scope_tools.h"
 #include "widgets/shortcut_guard.h"
 #include "widgets/shutdown.h"
+#include "widgets/snapshot_panel.h"
 #include "widgets/status_strip.h"
 #include "widgets/stop_alarm.h"
 
@@ -124,6 +125,7 @@ Settings MainWindow::settings() const
     if (m_connectBar->baud() > 0)
         now.baud = m_connectBar->baud();
     now.pinned = m_workbench.registers().pinned();
+    now.snapshotFolder = m_snapshotPanel->folder();
     return now;
 }
 

@@ -26,6 +26,8 @@ class RegisterPanel;
 class ScopeTools;
 class ScopeView;
 class Shutdown;
+class SnapshotActions;
+class SnapshotPanel;
 class StatusStrip;
 class StopAlarm;
 
@@ -66,6 +68,7 @@ private:
     void makeDocks();
     void makeTools();
     void makeScopeTools();
+    void makeSnapshots();
     QAction *addTool(Form *form, const QString &title, const char *name, const QKeySequence &keys);
     void makeScopeActions();
     void makeMenus(QMenuBar &bar);
@@ -108,6 +111,8 @@ private:
     ControlPanel *m_control = nullptr;
     RegisterPanel *m_registerPanel = nullptr;
     QDockWidget *m_registerDock = nullptr;
+    SnapshotPanel *m_snapshotPanel = nullptr;
+    SnapshotActions *m_snapshots = nullptr;
     Banner *m_banner = nullptr;
     FirstSteps *m_firstSteps = nullptr;
     StatusStrip *m_status = nullptr;

@@ -8,6 +8,7 @@
 #include "widgets/register_panel.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope_tools.h"
+#include "widgets/snapshot_actions.h"
 #include "widgets/theme.h"
 
 #include <QActionGroup>
@@ -40,6 +41,11 @@ void MainWindow::makeMenus(QMenuBar &bar)
         &QAction::triggered, m_connectBar, &ConnectBar::connectOrDisconnect);
     connect(addAction(device, tr("&Refresh the list of ports"), Qt::Key_F5), &QAction::triggered,
         m_connectBar, &ConnectBar::refreshPorts);
+    device->addSeparator();
+    device->addActions(m_snapshots->actions());
+    device->setToolTipsVisible(true);
+    for (QAction *action : m_snapshots->actions())
+        QMainWindow::addAction(action);
 
     fillMotorMenu(bar.addMenu(tr("&Motor")));
 

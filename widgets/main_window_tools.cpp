@@ -28,6 +28,7 @@ void MainWindow::makeTools()
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     makeScopeTools();
+    makeSnapshots();
 
     const RegisterPanel::Actions &actions = m_registerPanel->actions();
     addTool(new RevUpForm({m_device, m_workbench.registers(), m_workbench.edits(),

@@ -254,6 +254,7 @@ void RegisterEdits::notSent(const QString &why)
     ended.outcome = drive::Outcome::NotSent;
     WriteReport report =
         writeReport(ended, m_writes, m_device.catalog().get(), WriteSense::Forward);
+    report.text = m_verb == Verb::Write ? m_text : QString();
     report.sentence = why;
     Q_EMIT changed();
     Q_EMIT told(why, false);
@@ -323,8 +324,9 @@ void RegisterEdits::keep(const drive::Ended &ended)
 void RegisterEdits::tell(const drive::Ended &ended)
 {
     const auto catalog = m_device.catalog();
-    const WriteReport report = writeReport(ended, m_writes, catalog.get(),
+    WriteReport report = writeReport(ended, m_writes, catalog.get(),
         m_verb == Verb::Undo ? WriteSense::Back : WriteSense::Forward);
+    report.text = m_verb == Verb::Write ? m_text : QString();
     Q_EMIT told(report.sentence, report.good());
     Q_EMIT reported(report);
 }

@@ -45,6 +45,7 @@ QByteArray toJson(const Settings &settings)
     object[QStringLiteral("baud")] = double(settings.baud);
     object[QStringLiteral("theme")] = themeName(settings.theme);
     object[QStringLiteral("exportFolder")] = settings.exportFolder;
+    object[QStringLiteral("snapshotFolder")] = settings.snapshotFolder;
     object[QStringLiteral("pinned")] = QJsonArray::fromStringList(settings.pinned);
     object[QStringLiteral("firstStepsDone")] = settings.firstStepsDone;
     return QJsonDocument(object).toJson();
@@ -62,6 +63,7 @@ Settings settingsFromJson(const QByteArray &json)
         settings.baud = static_cast<quint32>(baud);
     settings.theme = themeOf(object[QStringLiteral("theme")].toString());
     settings.exportFolder = object[QStringLiteral("exportFolder")].toString();
+    settings.snapshotFolder = object[QStringLiteral("snapshotFolder")].toString();
     if (object[QStringLiteral("pinned")].isArray()) {
         settings.pinned.clear();
         const QJsonArray names = object[QStringLiteral("pinned")].toArray();

@@ -14,6 +14,7 @@ struct WriteReport {
     QStringList different; ///< taken, but another value is read back
     QStringList notWritten; ///< certainly; with the reason behind each
     QStringList unknown; ///< sent, and the answer never came
+    QString text; ///< what the list was called, see RegisterEdits::write()
     QString sentence; ///< all of it, long lists cut short
 
     bool good() const { return different.isEmpty() && notWritten.isEmpty() && unknown.isEmpty(); }

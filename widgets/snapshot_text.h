@@ -1,0 +1,25 @@
+// Snapshots in words: values of their registers in both unit systems, what is wrong with a file, why something is not
+// restored, and the names that files get.
+#pragma once
+
+#include "session/snapshot_json.h"
+#include "tuning/restore.h"
+
+#include <QDateTime>
+#include <QString>
+
+namespace widgets {
+
+/// In the unit people read, without it; names where numbers have them; a dash where `entry` is nullptr.
+QString snapshotValueText(const tuning::Entry *entry);
+/// As on the wire.
+QString snapshotRawText(const tuning::Entry *entry);
+
+/// Why a file is no snapshot, and where: one sentence.
+QString snapshotFileErrorText(const QString &file, const session::SnapshotFileError &error);
+QString notRestoredText(tuning::NotRestored why);
+
+/// "2026-05-04_13-02-59_motor_" and `what`, e.g. "snapshot.json".
+QString suggestedFileName(const QDateTime &now, const QString &what);
+
+} // namespace widgets
