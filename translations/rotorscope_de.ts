@@ -111,6 +111,22 @@
         <source>Set a marker</source>
         <translation>Markierung setzen</translation>
     </message>
+    <message>
+        <source>Take a single record; force a trigger</source>
+        <translation>Einmal aufnehmen; einen Trigger erzwingen</translation>
+    </message>
+    <message>
+        <source>Page up, page down</source>
+        <translation>Bild auf, Bild ab</translation>
+    </message>
+    <message>
+        <source>Earlier and later records of the trigger</source>
+        <translation>Frühere und spätere Aufnahmen des Triggers</translation>
+    </message>
+    <message>
+        <source>Keep the traces as a reference; drop it</source>
+        <translation>Die Kurven als Referenz behalten; sie verwerfen</translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -1125,6 +1141,162 @@
     <message>
         <source>Firmware gives it in another form than it takes it.</source>
         <translation>Firmware gibt es in anderer Form aus, als sie es annimmt.</translation>
+    </message>
+</context>
+<context>
+    <name>Trigger</name>
+    <message>
+        <source>Edge</source>
+        <translation>Flanke</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Pegel</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Pulse width</source>
+        <translation>Pulsbreite</translation>
+    </message>
+    <message>
+        <source>Slew</source>
+        <translation>Steilheit</translation>
+    </message>
+    <message>
+        <source>Dropout</source>
+        <translation>Aussetzer</translation>
+    </message>
+    <message>
+        <source>N-th edge</source>
+        <translation>N-te Flanke</translation>
+    </message>
+    <message>
+        <source>State change</source>
+        <translation>Zustandswechsel</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Register write</source>
+        <translation>Registerschreiben</translation>
+    </message>
+    <message>
+        <source>rising</source>
+        <translation>steigend</translation>
+    </message>
+    <message>
+        <source>falling</source>
+        <translation>fallend</translation>
+    </message>
+    <message>
+        <source>either way</source>
+        <translation>beide Richtungen</translation>
+    </message>
+    <message>
+        <source>at or above</source>
+        <translation>ab dem Pegel aufwärts</translation>
+    </message>
+    <message>
+        <source>at or below</source>
+        <translation>ab dem Pegel abwärts</translation>
+    </message>
+    <message>
+        <source>leaves the window</source>
+        <translation>verlässt das Fenster</translation>
+    </message>
+    <message>
+        <source>enters the window</source>
+        <translation>betritt das Fenster</translation>
+    </message>
+    <message>
+        <source>positive pulse</source>
+        <translation>positiver Puls</translation>
+    </message>
+    <message>
+        <source>negative pulse</source>
+        <translation>negativer Puls</translation>
+    </message>
+    <message>
+        <source>Lower level</source>
+        <translation>Unterer Pegel</translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <comment>mode of the trigger</comment>
+        <translation>Auto</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <comment>mode of the trigger</comment>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Single</source>
+        <comment>mode of the trigger</comment>
+        <translation>Einzeln</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <comment>mode of the trigger</comment>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <comment>state of the trigger</comment>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <comment>state of the trigger</comment>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Trig&apos;d</source>
+        <comment>state of the trigger</comment>
+        <translation>Getriggert</translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <comment>state of the trigger</comment>
+        <translation>Auto</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <comment>state of the trigger</comment>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>%1 s ago</source>
+        <translation>vor %1 s</translation>
+    </message>
+    <message>
+        <source>%1 min ago</source>
+        <translation>vor %1 min</translation>
+    </message>
+    <message>
+        <source>A level or a time is no number.</source>
+        <translation>Ein Pegel oder eine Zeit ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The hysteresis is below zero.</source>
+        <translation>Die Hysterese ist kleiner als null.</translation>
+    </message>
+    <message>
+        <source>The upper level has to be above the lower one.</source>
+        <translation>Der obere Pegel muss über dem unteren liegen.</translation>
+    </message>
+    <message>
+        <source>These times leave nothing to wait for.</source>
+        <translation>Diese Zeiten lassen nichts übrig, worauf zu warten wäre.</translation>
+    </message>
+    <message>
+        <source>The count has to be at least 1.</source>
+        <translation>Die Anzahl muss mindestens 1 sein.</translation>
     </message>
 </context>
 <context>
@@ -2192,6 +2364,10 @@
         <source>Snapshots</source>
         <translation>Schnappschüsse</translation>
     </message>
+    <message>
+        <source>Records</source>
+        <translation>Aufnahmen</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MotionGate</name>
@@ -2646,6 +2822,84 @@
     <message>
         <source>In the file</source>
         <translation>In der Datei</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RecordPanel</name>
+    <message>
+        <source>Records of the trigger</source>
+        <translation>Aufnahmen des Triggers</translation>
+    </message>
+    <message>
+        <source>Enter shows a record, the tick keeps it, F2 gives it a label. Page up and page down go through the records.</source>
+        <translation>Enter zeigt eine Aufnahme, das Häkchen behält sie, F2 gibt ihr einen Namen. Bild auf und Bild ab gehen durch die Aufnahmen.</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>Keep as &amp;reference</source>
+        <translation>Als &amp;Referenz behalten</translation>
+    </message>
+    <message>
+        <source>Keeps the traces of the picture paler behind those that come (R)</source>
+        <translation>Behält die Kurven des Bildes blasser hinter den kommenden (R)</translation>
+    </message>
+    <message>
+        <source>&amp;Drop the reference</source>
+        <translation>Referenz &amp;verwerfen</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>So many earlier records stay paler behind the newest one</source>
+        <translation>So viele frühere Aufnahmen bleiben blasser hinter der neuesten</translation>
+    </message>
+    <message>
+        <source>&amp;Persistence</source>
+        <translation>Nach&amp;leuchten</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RecordTable</name>
+    <message>
+        <source>samples are gone</source>
+        <translation>Messwerte sind fort</translation>
+    </message>
+    <message>
+        <source>trigger</source>
+        <translation>Trigger</translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>forced</source>
+        <translation>erzwungen</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Pin, time of the trigger</source>
+        <translation>Behalten, Zeit des Triggers</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Ursache</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Name</translation>
     </message>
 </context>
 <context>
@@ -3271,6 +3525,30 @@ mN·m</translation>
         <source>At the mouse, else at the active cursor, else at the newest sample (M)</source>
         <translation>An der Maus, sonst am aktiven Cursor, sonst am neuesten Messwert (M)</translation>
     </message>
+    <message>
+        <source>&amp;Single record</source>
+        <translation>&amp;Einzelne Aufnahme</translation>
+    </message>
+    <message>
+        <source>Force a &amp;trigger</source>
+        <translation>&amp;Trigger erzwingen</translation>
+    </message>
+    <message>
+        <source>&amp;Previous record</source>
+        <translation>&amp;Vorige Aufnahme</translation>
+    </message>
+    <message>
+        <source>&amp;Next record</source>
+        <translation>&amp;Nächste Aufnahme</translation>
+    </message>
+    <message>
+        <source>Keep as &amp;reference</source>
+        <translation>Als &amp;Referenz behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Drop the reference</source>
+        <translation>Referenz &amp;verwerfen</translation>
+    </message>
 </context>
 <context>
     <name>widgets::ScopeView</name>
@@ -3803,6 +4081,116 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>%1 s ago</source>
         <translation>vor %1 s</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::TriggerBar</name>
+    <message>
+        <source>Roll: the newest samples. Auto: records, also without a trigger. Normal: keeps the last record. Single: one record</source>
+        <translation>Rollen: die neuesten Messwerte. Auto: Aufnahmen, auch ohne Trigger. Normal: behält die letzte Aufnahme. Einzeln: eine Aufnahme</translation>
+    </message>
+    <message>
+        <source>What the trigger waits for</source>
+        <translation>Worauf der Trigger wartet</translation>
+    </message>
+    <message>
+        <source>The trace that is watched</source>
+        <translation>Die beobachtete Kurve</translation>
+    </message>
+    <message>
+        <source>Mode of the trigger</source>
+        <translation>Betriebsart des Triggers</translation>
+    </message>
+    <message>
+        <source>Single</source>
+        <translation>Einzeln</translation>
+    </message>
+    <message>
+        <source>Takes one record, then stops (S)</source>
+        <translation>Nimmt einmal auf und hält an (S)</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Erzwingen</translation>
+    </message>
+    <message>
+        <source>A trigger now (T)</source>
+        <translation>Jetzt triggern (T)</translation>
+    </message>
+    <message>
+        <source>All settings of the trigger</source>
+        <translation>Alle Einstellungen des Triggers</translation>
+    </message>
+    <message>
+        <source>&amp;Upper level</source>
+        <translation>&amp;Oberer Pegel</translation>
+    </message>
+    <message>
+        <source>&amp;Hysteresis</source>
+        <translation>&amp;Hysterese</translation>
+    </message>
+    <message>
+        <source>between these times</source>
+        <translation>zwischen diesen Zeiten</translation>
+    </message>
+    <message>
+        <source>all but between them</source>
+        <translation>alle außer dazwischen</translation>
+    </message>
+    <message>
+        <source>&amp;Duration</source>
+        <translation>&amp;Dauer</translation>
+    </message>
+    <message>
+        <source>At &amp;least</source>
+        <translation>&amp;Mindestens</translation>
+    </message>
+    <message>
+        <source>At &amp;most</source>
+        <translation>&amp;Höchstens</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>&amp;Edges</source>
+        <translation>&amp;Flanken</translation>
+    </message>
+    <message>
+        <source>Be&amp;fore the trigger</source>
+        <translation>&amp;Vor dem Trigger</translation>
+    </message>
+    <message>
+        <source>Hold-&amp;off</source>
+        <translation>&amp;Sperrzeit</translation>
+    </message>
+    <message>
+        <source>Length of a &amp;record</source>
+        <translation>&amp;Länge einer Aufnahme</translation>
+    </message>
+    <message>
+        <source>Level to the &amp;50 % of the trace</source>
+        <translation>Pegel auf &amp;50 % der Kurve</translation>
+    </message>
+    <message>
+        <source>Which way: %1</source>
+        <translation>Richtung: %1</translation>
+    </message>
+    <message>
+        <source>%1; also the arrow at the right edge of the plot</source>
+        <translation>%1; auch der Pfeil am rechten Rand des Diagramms</translation>
+    </message>
+    <message>
+        <source>State of the trigger, and how old the shown record is</source>
+        <translation>Zustand des Triggers und Alter der gezeigten Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ValueEdit</name>
+    <message>
+        <source>Not understood: a number from %1 to %2</source>
+        <translation>Nicht verstanden: eine Zahl von %1 bis %2</translation>
     </message>
 </context>
 </TS>

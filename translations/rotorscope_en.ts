@@ -111,6 +111,22 @@
         <source>Set a marker</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Take a single record; force a trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Page up, page down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Earlier and later records of the trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the traces as a reference; drop it</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -1124,6 +1140,162 @@
     </message>
     <message>
         <source>Firmware gives it in another form than it takes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trigger</name>
+    <message>
+        <source>Edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pulse width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dropout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N-th edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Register write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rising</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>falling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>either way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at or above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at or below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leaves the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>enters the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>positive pulse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>negative pulse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <comment>mode of the trigger</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <comment>mode of the trigger</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Single</source>
+        <comment>mode of the trigger</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <comment>mode of the trigger</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <comment>state of the trigger</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <comment>state of the trigger</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trig&apos;d</source>
+        <comment>state of the trigger</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <comment>state of the trigger</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <comment>state of the trigger</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 min ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A level or a time is no number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The hysteresis is below zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The upper level has to be above the lower one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These times leave nothing to wait for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The count has to be at least 1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2192,6 +2364,10 @@
         <source>Snapshots</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Records</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::MotionGate</name>
@@ -2645,6 +2821,84 @@
     </message>
     <message>
         <source>In the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RecordPanel</name>
+    <message>
+        <source>Records of the trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter shows a record, the tick keeps it, F2 gives it a label. Page up and page down go through the records.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep as &amp;reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the traces of the picture paler behind those that come (R)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Drop the reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So many earlier records stay paler behind the newest one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Persistence</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RecordTable</name>
+    <message>
+        <source>samples are gone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>forced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pin, time of the trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3265,6 +3519,30 @@ mN·m</source>
         <source>At the mouse, else at the active cursor, else at the newest sample (M)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Single record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force a &amp;trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Previous record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Next record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep as &amp;reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Drop the reference</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::ScopeView</name>
@@ -3795,6 +4073,116 @@ A program on a PC is no replacement for a switch that removes the power.</source
     <name>widgets::StopWords</name>
     <message>
         <source>%1 s ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::TriggerBar</name>
+    <message>
+        <source>Roll: the newest samples. Auto: records, also without a trigger. Normal: keeps the last record. Single: one record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the trigger waits for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trace that is watched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode of the trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Single</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes one record, then stops (S)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A trigger now (T)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All settings of the trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Upper level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Hysteresis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between these times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all but between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Duration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At &amp;least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At &amp;most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Be&amp;fore the trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold-&amp;off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of a &amp;record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level to the &amp;50 % of the trace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which way: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; also the arrow at the right edge of the plot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State of the trigger, and how old the shown record is</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ValueEdit</name>
+    <message>
+        <source>Not understood: a number from %1 to %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

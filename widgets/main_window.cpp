@@ -17,12 +17,14 @@
 #include "widgets/motor_button.h"
 #include "widgets/register_panel.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/scope/trigger_control.h"
 #include "widgets/scope_tools.h"
 #include "widgets/shortcut_guard.h"
 #include "widgets/shutdown.h"
 #include "widgets/snapshot_panel.h"
 #include "widgets/status_strip.h"
 #include "widgets/stop_alarm.h"
+#include "widgets/trigger_bar.h"
 
 #include <QDockWidget>
 #include <QEvent>
@@ -86,6 +88,8 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     , m_recorder(new EventRecorder(
           m_device, workbench.capture(), m_scope->events(),
           [&workbench] { return workbench.now(); }, this))
+    , m_trigger(new TriggerControl(
+          *m_scope, workbench.capture(), [this] { return m_recorder->now(); }, this))
     , m_connectBar(new ConnectBar(m_device, ports, this))
     , m_alarm(new StopAlarm(this))
     , m_shutdown(new Shutdown(m_device, this))
@@ -193,7 +197,7 @@ void MainWindow::makeScopeActions()
     connect(m_scope, &ScopeView::runningChanged, this, &MainWindow::showRunning);
     showRunning(m_scope->running());
     connect(m_scope, &ScopeView::followingChanged, m_follow, &QAction::setChecked);
-    m_scopeTools = new ScopeTools(*m_scope, *this);
+    m_scopeTools = new ScopeTools(*m_scope, *m_trigger, *this);
 }
 
 void MainWindow::showRunning(bool running)
@@ -257,6 +261,9 @@ QWidget *MainWindow::makeCentre()
     layout->setSpacing(0);
     layout->addWidget(m_firstSteps);
     layout->addWidget(makeScopeBar());
+    auto *trigger = new TriggerBar(*m_trigger, *m_scope, centre);
+    layout->addWidget(trigger);
+    connect(&m_workbench, &Workbench::heartbeat, trigger, &TriggerBar::refreshAge);
     layout->addWidget(m_scope, 1);
     layout->addWidget(new CursorPanel(*m_scope, m_workbench.capture(), centre));
     layout->addWidget(new ChannelStrip(*m_selection, m_device, centre));

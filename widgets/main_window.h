@@ -25,6 +25,7 @@ class Form;
 class RegisterPanel;
 class ScopeTools;
 class ScopeView;
+class TriggerControl;
 class Shutdown;
 class SnapshotActions;
 class SnapshotPanel;
@@ -107,6 +108,7 @@ private:
     SignalSelection *m_selection;
     ScopeTools *m_scopeTools = nullptr;
     EventRecorder *m_recorder;
+    TriggerControl *m_trigger;
     ConnectBar *m_connectBar = nullptr;
     ControlPanel *m_control = nullptr;
     RegisterPanel *m_registerPanel = nullptr;

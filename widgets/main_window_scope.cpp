@@ -1,7 +1,10 @@
 // The tools of the main window that read the scope: placed here, connected to it, theirs to decide.
 #include "widgets/event_panel.h"
+#include "widgets/event_recorder.h"
 #include "widgets/main_window.h"
+#include "widgets/record_panel.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/scope/trigger_control.h"
 
 namespace widgets {
 
@@ -13,6 +16,16 @@ void MainWindow::makeScopeTools()
         open->trigger();
         events->editNote(marker);
     });
+    addTool(new RecordPanel(*m_trigger, *m_scope, this), tr("Records"), "recordDock",
+        Qt::CTRL | Qt::Key_8);
+    using Kind = scope::EventTrigger::Kind;
+    connect(m_recorder, &EventRecorder::stateChanged, m_trigger,
+        [this](double seconds, EventKind kind, quint32 which) {
+            m_trigger->event(
+                kind == EventKind::Fault ? Kind::Fault : Kind::StateChange, seconds, which);
+        });
+    connect(m_recorder, &EventRecorder::written, m_trigger,
+        [this](double seconds, quint32 id) { m_trigger->event(Kind::RegisterWrite, seconds, id); });
 }
 
 } // namespace widgets

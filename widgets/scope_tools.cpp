@@ -1,6 +1,7 @@
 #include "widgets/scope_tools.h"
 
 #include "widgets/scope/scope_view.h"
+#include "widgets/scope/trigger_control.h"
 
 namespace widgets {
 
@@ -17,11 +18,12 @@ QAction *ScopeTools::make(
     return action;
 }
 
-ScopeTools::ScopeTools(ScopeView &scope, QWidget &window)
+ScopeTools::ScopeTools(ScopeView &scope, TriggerControl &trigger, QWidget &window)
     : QObject(&window)
     , m_scope(scope)
     , m_window(window)
 {
+    makeTrigger(trigger);
     m_cursors = make(tr("Cursors"), Qt::Key_C,
         tr("Two times, their distance and the values there (C). "
            "1 and 2 give a cursor to the mouse, arrows move it by a sample."),
@@ -41,6 +43,21 @@ ScopeTools::ScopeTools(ScopeView &scope, QWidget &window)
         &ScopeView::setMarker)});
     connect(&scope.cursors(), &Cursors::changed, m_cursors,
         [this] { m_cursors->setChecked(m_scope.cursors().visible()); });
+}
+
+void ScopeTools::makeTrigger(TriggerControl &trigger)
+{
+    QAction *single = make(tr("&Single record"), Qt::Key_S, {}, [&trigger] { trigger.single(); });
+    QAction *force = make(tr("Force a &trigger"), Qt::Key_T, {}, [&trigger] { trigger.force(); });
+    m_groups.append(QList<QAction *>{single, force});
+    QAction *before =
+        make(tr("&Previous record"), Qt::Key_PageUp, {}, [&trigger] { trigger.step(-1); });
+    QAction *after =
+        make(tr("&Next record"), Qt::Key_PageDown, {}, [&trigger] { trigger.step(1); });
+    QAction *keep = make(tr("Keep as &reference"), Qt::Key_R, {}, &ScopeView::keepReference);
+    QAction *drop =
+        make(tr("&Drop the reference"), Qt::SHIFT | Qt::Key_R, {}, &ScopeView::dropReference);
+    m_groups.append({before, after, keep, drop});
 }
 
 } // namespace widgets

@@ -8,12 +8,13 @@
 namespace widgets {
 
 class ScopeView;
+class TriggerControl;
 
 class ScopeTools : public QObject {
     Q_OBJECT
 public:
     /// @param window  gets the actions, so that their keys work wherever no text is typed
-    ScopeTools(ScopeView &scope, QWidget &window);
+    ScopeTools(ScopeView &scope, TriggerControl &trigger, QWidget &window);
 
     QAction *cursors() const { return m_cursors; } ///< for the bar, too
     /// For a menu, in groups.
@@ -22,6 +23,8 @@ public:
 private:
     template <class Slot>
     QAction *make(const QString &text, const QKeySequence &keys, const QString &says, Slot slot);
+
+    void makeTrigger(TriggerControl &trigger);
 
     ScopeView &m_scope;
     QWidget &m_window;

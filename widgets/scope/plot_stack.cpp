@@ -393,6 +393,13 @@ void PlotStack::fitValues()
     }
 }
 
+void PlotStack::setGhosts(std::vector<Ghost> ghosts)
+{
+    for (std::size_t i = 1; i < m_plots.size(); ++i)
+        m_plots[i]->ghosts = ghosts;
+    m_plots.front()->ghosts = std::move(ghosts);
+}
+
 void PlotStack::setGrid(bool visible)
 {
     m_grid = visible;

@@ -46,6 +46,7 @@ public:
     void fitValues(); ///< all axes, exactly what is visible
     void fitAxis(ValueAxis &axis);
 
+    void setGhosts(std::vector<Ghost> ghosts); ///< drawn in every plot that shows their registers
     void setGrid(bool visible);
     bool grid() const { return m_grid; }
     void applyPalette(const QPalette &palette);

@@ -12,7 +12,7 @@ namespace widgets {
 class PlotStack;
 class ScopeView;
 
-enum class Handle : std::uint8_t { CursorA, CursorB };
+enum class Handle : std::uint8_t { CursorA, CursorB, LowerLevel, UpperLevel, TriggerPosition };
 
 class ScopeHandles {
 public:
@@ -29,6 +29,9 @@ public:
     Qt::CursorShape shape(Handle handle) const;
 
 private:
+    std::optional<Handle> cursorAt(const QPointF &position) const;
+    std::optional<Handle> triggerAt(const QPointF &position) const;
+
     ScopeView &m_view;
     PlotStack &m_stack;
 };

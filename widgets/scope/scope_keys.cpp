@@ -84,6 +84,9 @@ bool ScopeView::scopeKey(int key, bool shift)
     case Qt::Key_G:
         setGridVisible(!gridVisible());
         return true;
+    case Qt::Key_R:
+        shift ? dropReference() : keepReference();
+        return true;
     case Qt::Key_Delete:
         removeSelected();
         return true;

@@ -73,6 +73,8 @@ bool ScopeMouse::press(const QMouseEvent &event)
         m_view.redraw();
     } else if (event.button() == Qt::RightButton) {
         m_gesture = Gesture::Box;
+    } else if (event.button() == Qt::LeftButton && takeHandle()) {
+        return true;
     } else if (event.button() == Qt::LeftButton && axis) {
         m_gesture = Gesture::MoveAxis;
         m_axis = axis->axis;
@@ -97,18 +99,23 @@ bool ScopeMouse::markTime(const QMouseEvent &event)
     return true;
 }
 
-void ScopeMouse::pressLeft()
+/// True if the press was for a cursor or the trigger.
+bool ScopeMouse::takeHandle()
 {
     if (m_attached) { // the click that lets the cursor stay where it is
         m_attached.reset();
-        return;
+        return true;
     }
     m_handle = m_handles.at(m_start);
-    if (m_handle) {
-        m_gesture = Gesture::MoveHandle;
-        m_handles.take(*m_handle);
-        return;
-    }
+    if (!m_handle)
+        return false;
+    m_gesture = Gesture::MoveHandle;
+    m_handles.take(*m_handle);
+    return true;
+}
+
+void ScopeMouse::pressLeft()
+{
     const auto channel = m_stack.plot(m_plotIndex).legend->channelAt(m_start);
     m_stack.select(channel);
     m_view.redraw();

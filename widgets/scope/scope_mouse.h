@@ -44,6 +44,7 @@ private:
     bool release(const QMouseEvent &event);
     bool wheel(const QWheelEvent &event);
     bool markTime(const QMouseEvent &event);
+    bool takeHandle();
     void pressLeft();
     void hover(const QPointF &position);
     void zoomIntoBox(const QRect &box);

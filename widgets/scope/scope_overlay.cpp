@@ -16,6 +16,7 @@ namespace widgets {
 namespace {
 constexpr int kFlagRoom = 3; ///< pixels around a flag's letter
 constexpr double kDot = 3.0; ///< radius
+constexpr double kTriggerMark = 6.0; ///< half the side of its marks
 
 QColor faded(QColor color, int alpha)
 {
@@ -55,7 +56,7 @@ void ScopeOverlay::follow()
     const bool marked = std::any_of(events.begin() + std::ptrdiff_t(there.first),
         events.begin() + std::ptrdiff_t(there.last),
         [](const ScopeEvent &event) { return event.kind == EventKind::Marker; });
-    setVisible(m_cursors.visible() || marked);
+    setVisible(m_cursors.visible() || marked || m_marks.position);
     update();
 }
 
@@ -80,6 +81,7 @@ void ScopeOverlay::paintEvent(QPaintEvent *)
 void ScopeOverlay::paintOn(QPainter &painter) const
 {
     paintMarkers(painter);
+    paintTrigger(painter);
     if (!m_cursors.visible())
         return;
     for (const CursorPair &pair : m_cursors.pairs()) {
@@ -104,6 +106,49 @@ void ScopeOverlay::paintMarkers(QPainter &painter) const
         const double x = xOf(event.seconds);
         painter.drawLine(QPointF(x, 0), QPointF(x, box.bottom()));
     }
+}
+
+void ScopeOverlay::setMarks(const TriggerMarks &marks)
+{
+    m_marks = marks;
+    follow();
+}
+
+/// A flag at the top where the trigger is, an arrow at the right edge for each level; hollow where it is out of sight.
+void ScopeOverlay::paintTrigger(QPainter &painter) const
+{
+    if (!m_marks.position)
+        return;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRect box = area();
+    const QColor ink = palette().color(QPalette::Text);
+    const double x = xOf(*m_marks.position);
+    if (x >= box.left() - 1 && x <= box.right() + 1) {
+        painter.setPen(QPen(faded(ink, 90), 1, Qt::DashDotLine));
+        painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(ink);
+        painter.drawPolygon(QPolygonF{{x - kTriggerMark, box.top() - 1.0},
+            {x + kTriggerMark, box.top() - 1.0}, {x, box.top() + 1.4 * kTriggerMark}});
+    }
+    const int index = m_stack.plotOf(m_marks.source);
+    const Trace *trace = m_stack.trace(m_marks.source);
+    for (std::size_t i = 0; trace && i < m_marks.levels.size(); ++i) {
+        const QRect plot = m_stack.plot(index).rect->rect();
+        const double wanted = trace->valueAxis->coordToPixel(m_marks.levels[i]);
+        const double y = std::clamp(wanted, double(plot.top()), double(plot.bottom()));
+        const QColor color = traceColor(trace->colorSlot, m_stack.plot(index).dark);
+        painter.setPen(QPen(faded(color, 110), 1, Qt::DashLine));
+        if (y == wanted)
+            painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
+        painter.setPen(QPen(color, 1.5));
+        painter.setBrush(y == wanted ? QBrush(color) : QBrush(Qt::NoBrush));
+        const double tip = plot.right() + 1;
+        painter.drawPolygon(QPolygonF{{tip, y}, {tip + 1.6 * kTriggerMark, y - kTriggerMark},
+            {tip + 1.6 * kTriggerMark, y + kTriggerMark}});
+    }
+    painter.restore();
 }
 
 void ScopeOverlay::paintPair(QPainter &painter, const CursorPair &pair, bool current) const

@@ -1,7 +1,8 @@
-// What stands over the traces and moves without them: cursors and markers. A
-// transparent child of the plot, so that moving a
-// cursor repaints some lines and no trace. Takes no mouse; scope_handles.h knows where its parts can be taken.
+// What stands over the traces and moves without them: the cursors, the markers and the trigger. A transparent child of
+// the plot, so that moving a cursor repaints some lines and no trace. Takes no mouse; scope_handles.h knows where its parts can be taken.
 #pragma once
+
+#include "widgets/scope/trigger_marks.h"
 
 #include <QWidget>
 
@@ -25,6 +26,8 @@ public:
     ScopeOverlay(QCustomPlot &plot, const PlotStack &stack, const capture::Capture &capture,
         const Cursors &cursors, const EventLog &events);
 
+    void setMarks(const TriggerMarks &marks);
+
     /// On a printer or in a file: the same over a plot drawn with `painter` in this widget's pixels.
     void paintOn(QPainter &painter) const;
 
@@ -37,6 +40,7 @@ protected:
 
 private:
     void paintMarkers(QPainter &painter) const;
+    void paintTrigger(QPainter &painter) const;
     void paintPair(QPainter &painter, const CursorPair &pair, bool current) const;
     void paintFlag(
         QPainter &painter, double x, const QString &text, bool strong, bool active) const;
@@ -49,6 +53,7 @@ private:
     const capture::Capture &m_capture;
     const Cursors &m_cursors;
     const EventLog &m_events;
+    TriggerMarks m_marks;
 };
 
 } // namespace widgets

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "capture/capture.h"
+#include "widgets/scope/ghost.h"
 
 #include <qcustomplot.h>
 
@@ -38,6 +39,7 @@ struct ScopePlot {
     TraceLegend *legend = nullptr; ///< owned by the QCustomPlot
     std::vector<ValueAxis> axes;
     std::vector<Trace> traces;
+    std::vector<Ghost> ghosts; ///< behind the traces
     bool dark = false; ///< which set of colours
 
     QCPAxis *timeAxis() const { return rect->axis(QCPAxis::atBottom); }

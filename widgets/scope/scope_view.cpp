@@ -182,6 +182,7 @@ void ScopeView::captureChanged()
 {
     if (m_capture.revision() != m_drawnRevision && m_stack->adoptChannels())
         updateDescription();
+    Q_EMIT captureAdvanced();
     if (m_running && m_capture.revision() != m_drawnRevision)
         redraw();
 }
@@ -201,6 +202,7 @@ void ScopeView::drawFrame()
     if (m_running && m_following)
         jumpToNewest();
     m_stack->growAxes();
+    placeGhosts();
     ++m_redraws;
     m_plot->replot(QCustomPlot::rpQueuedRefresh);
     m_overlay->follow();
@@ -281,6 +283,8 @@ void ScopeView::setVisibleRange(double from, double to)
 
 void ScopeView::fitAll()
 {
+    if (m_marks.position)
+        setRunning(false); // the next record would take the picture away at once
     if (const auto span = shownSpan())
         setVisibleRange(span->from, std::max(span->to, span->from + kLeastSpan));
     fitValues();
@@ -297,11 +301,15 @@ void ScopeView::zoom(double factor)
     if (!(factor > 0) || !std::isfinite(factor))
         return;
     const double span = std::max((m_range.to - m_range.from) / factor, kLeastSpan);
-    const double center = m_range.from + (m_range.to - m_range.from) / 2;
+    // A trigger stays where it is: the picture is about what is around it.
+    const bool around = m_marks.position && inView(*m_marks.position);
+    const double center =
+        around ? *m_marks.position : m_range.from + (m_range.to - m_range.from) / 2;
+    const double share = (center - m_range.from) / (m_range.to - m_range.from);
     if (m_following)
         applyRange({m_range.to - span, m_range.to});
     else
-        applyRange({center - span / 2, center + span / 2});
+        applyRange({center - share * span, center + (1.0 - share) * span});
     redraw();
 }
 
@@ -334,6 +342,7 @@ void ScopeView::updateDescription()
     m_hint->setVisible(names.isEmpty());
     setAccessibleDescription(
         names.isEmpty() ? m_hint->text() : tr("Shows %1").arg(names.join(QStringLiteral(", "))));
+    Q_EMIT channelsChanged();
 }
 
 void ScopeView::changeEvent(QEvent *event)

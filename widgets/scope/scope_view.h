@@ -5,6 +5,8 @@
 #include "capture/capture.h"
 #include "widgets/scope/cursors.h"
 #include "widgets/scope/event_log.h"
+#include "widgets/scope/ghost.h"
+#include "widgets/scope/trigger_marks.h"
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -66,6 +68,11 @@ public:
     int axisCount(int plot) const; ///< value axes of a plot
     /// The step in which a channel's values are written out; 0 if it is not shown.
     double readingStepOf(capture::ChannelId channel) const;
+    QString nameOf(capture::ChannelId channel) const; ///< fit to be shown; empty if it is not there
+    const TriggerMarks &triggerMarks() const { return m_marks; }
+    static constexpr int kMostGhosts = 16;
+    int ghostCount() const { return static_cast<int>(m_ghosts.size()); }
+    bool hasReference() const { return m_reference.kept != nullptr; }
     Cursors &cursors() { return m_cursors; }
     const Cursors &cursors() const { return m_cursors; }
     EventLog &events() { return m_events; } ///< what the lane above the traces shows
@@ -88,6 +95,12 @@ public Q_SLOTS:
     void removeSelected(); ///< Delete: takes the trace that was clicked in the legend off the scope
     void redraw(); ///< something that is drawn changed: redraws at the next frame
     void setTimeOrigin(double seconds);
+    void setTriggerMarks(const TriggerMarks &marks);
+    void setGhosts(std::vector<Ghost> ghosts); ///< behind the traces; at most kMostGhosts
+    /// R: the traces as they are now stay paler behind those that come, at the same place from the trigger or, in a
+    /// picture that rolls, from the left edge. Shift+R drops them.
+    void keepReference();
+    void dropReference();
     void showTime(double seconds); ///< moves the picture just so far; not while it follows
     void centerOn(double seconds); ///< ends following
     /// M: sets a marker at the mouse, else at the active cursor, else at the newest sample or in the middle.
@@ -108,6 +121,10 @@ Q_SIGNALS:
     void followingChanged(bool following);
     void visibleRangeChanged(double from, double to);
     void drawn(); ///< after each redraw
+    void captureAdvanced(); ///< there may be new samples; before they are drawn
+    void channelsChanged(); ///< what is shown, or in which channel a register is
+    void triggerLevelMoved(int level, double value); ///< by a person, in the source's unit
+    void triggerPositionMoved(double seconds); ///< by a person
     void timeOriginChanged(double seconds);
     void noteWanted(quint32 marker); ///< the person wants to write a marker's note
     void removeRequested(
@@ -135,6 +152,8 @@ private:
     void showContextMenu(const QPoint &globalPosition, int plot);
     void fillContextMenu(QMenu &menu, int plot);
     void updateDescription();
+    void placeGhosts();
+    double ghostZero() const;
     int dropPlotAt(const QPoint &position) const;
     void highlightDrop(int plot);
 
@@ -155,6 +174,9 @@ private:
     std::uint64_t m_drawnRevision = 0;
     TimeRange m_range{0.0, 5.0};
     double m_origin = 0.0;
+    TriggerMarks m_marks;
+    std::vector<Ghost> m_ghosts;
+    Ghost m_reference; ///< its shift is the time that lies at ghostZero()
     bool m_running = true;
     bool m_following = true;
 };

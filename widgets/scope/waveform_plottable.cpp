@@ -95,6 +95,7 @@ void WaveformPlottable::draw(QCPPainter *painter)
     const QCPRange range = keyAxis()->range();
     const View view{
         range.lower, range.upper, size.width(), size.height(), std::max(1, qRound(ratio))};
+    drawGhosts(view);
     drawTraces(view);
     painter->drawImage(rect.topLeft(), m_image);
     drawLastValues(painter);
@@ -178,7 +179,42 @@ void WaveformPlottable::drawTraces(const View &view)
     for (const Dense &trace : dense)
         fillColumns(m_image, trace.lines, trace.color);
     for (const auto &[trace, channel] : sparse)
-        drawSteps(view, *trace, *channel);
+        drawSteps(view, *trace, *channel, traceColor(trace->colorSlot, m_scopePlot.dark).rgba());
+}
+
+/// The same traces of another time, paler and behind.
+void WaveformPlottable::drawGhosts(const View &view)
+{
+    for (const Ghost &ghost : m_scopePlot.ghosts) {
+        View then = view;
+        then.from += ghost.shift;
+        then.to += ghost.shift;
+        for (const Trace &trace : m_scopePlot.traces) {
+            const capture::Channel *channel = channelOf(ghost, trace);
+            if (!channel || channel->empty() || !(then.to > then.from))
+                continue;
+            QColor color = traceColor(trace.colorSlot, m_scopePlot.dark);
+            color.setAlpha(ghost.alpha);
+            const QRgb paint = qPremultiply(color.rgba());
+            if (channel->countIn(then.from, then.to) <= kSamplesAColumn * std::uint64_t(view.width))
+                drawSteps(then, trace, *channel, paint);
+            else
+                fillColumns(m_image, columnsOf(then, trace, *channel), paint);
+        }
+    }
+}
+
+/// What a ghost has of a trace's register; nullptr: nothing.
+const capture::Channel *WaveformPlottable::channelOf(const Ghost &ghost, const Trace &trace) const
+{
+    if (!ghost.kept)
+        return m_capture.channel(trace.channel);
+    for (const capture::Channel &channel : *ghost.kept) {
+        const capture::ChannelInfo &info = channel.info();
+        if (info.registerId == trace.info.registerId && info.kind == trace.info.kind)
+            return &channel;
+    }
+    return nullptr;
 }
 
 PixelColumns WaveformPlottable::columnsOf(
@@ -204,10 +240,9 @@ PixelColumns WaveformPlottable::columnsOf(
 }
 
 void WaveformPlottable::drawSteps(
-    const View &view, const Trace &trace, const capture::Channel &channel)
+    const View &view, const Trace &trace, const capture::Channel &channel, QRgb color)
 {
     const Rows rows = view.rows(*trace.valueAxis);
-    const QRgb color = traceColor(trace.colorSlot, m_scopePlot.dark).rgba();
     const int line = view.thickness;
     const auto samples = channel.samples(
         view.from, view.to, std::size_t(kSamplesAColumn) * std::size_t(view.width) + 1);

@@ -25,10 +25,13 @@ protected:
 private:
     struct View; ///< the picture's size and time range, for one redraw
     void shadeGaps(QCPPainter *painter) const;
+    void drawGhosts(const View &view);
     void drawTraces(const View &view);
+    const capture::Channel *channelOf(const Ghost &ghost, const Trace &trace) const;
     PixelColumns columnsOf(
         const View &view, const Trace &trace, const capture::Channel &channel) const;
-    void drawSteps(const View &view, const Trace &trace, const capture::Channel &channel);
+    void drawSteps(
+        const View &view, const Trace &trace, const capture::Channel &channel, QRgb color);
     void drawLastValues(QCPPainter *painter) const;
 
     const ScopePlot &m_scopePlot;

@@ -1,0 +1,508 @@
+// The trigger in the real window: modes and keys, what is set and what is shown, marks that are dragged, records of the
+// past, references. Where a trigger is found is core's own business and tested there.
+#include "support/scope_window.h"
+#include "widgets/record_table.h"
+#include "widgets/scope/trigger_control.h"
+#include "widgets/value_edit.h"
+
+#include <QAbstractItemModelTester>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QTreeView>
+
+#include <cmath>
+
+using scope::AcquisitionState;
+using scope::Mode;
+using widgets::TriggerControl;
+using widgets::TriggerSetup;
+using widgets::TriggerType;
+
+class TestTriggerBar : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init()
+    {
+        QLocale::setDefault(QLocale::c());
+        m_rig = std::make_unique<facts::ScopeWindow>();
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        square(2000);
+        m_rig->draw();
+        view().setFocus();
+    }
+    void cleanup() { m_rig.reset(); }
+
+    void rollIsWhatItWasBefore();
+    void normalKeepsARecordAndSetsZeroAtItsTrigger();
+    void autoRunsWithoutATrigger();
+    void sTakesOneRecordAndStops();
+    void tForcesATrigger();
+    void spaceStopsAndArms();
+    void zoomingARunningPictureSetsTheRecordsLength();
+    void theLevelIsDragged();
+    void thePositionIsDragged();
+    void fieldsAppearWhereTheyMatter();
+    void aLevelIsTypedStrictly();
+    void valuesThatMakeNoSenseAreSaid();
+    void everyTypeIsSearchedFor();
+    void stateChangesAndWritesTrigger();
+    void recordsAreSteppedPinnedAndNamed();
+    void theRecordsAreAModel();
+    void endGoesBackToRoll();
+    void fittingStopsFirst();
+    void aReferenceStaysBehind();
+    void persistenceKeepsEarlierRecords();
+    void theBarFits();
+
+private:
+    widgets::ScopeView &view() { return m_rig->scope(); }
+    TriggerControl &control() { return *m_rig->window.findChild<TriggerControl *>(); }
+    /// I_A: 10 A up, 10 A down, a turn of it in 100 ms; I_B: the tick.
+    void square(int count)
+    {
+        m_rig->record(count, [](int signal, int tick) {
+            return signal == 1 ? tick % 1000 : tick % 100 < 50 ? 10 : -10;
+        });
+    }
+    void flat(int count)
+    {
+        m_rig->record(count, [](int, int) { return -10; });
+    }
+    void setup(const std::function<void(TriggerSetup &)> &edit)
+    {
+        TriggerSetup setup = control().setup();
+        edit(setup);
+        control().setSetup(setup);
+    }
+    void normal(double length = 0.05)
+    {
+        setup([length](TriggerSetup &setup) {
+            setup.mode = Mode::Normal;
+            setup.level = 0.0;
+            setup.hysteresis = 1.0;
+            setup.length = length;
+            setup.preTrigger = 0.2;
+        });
+    }
+    QString stateWord() { return m_rig->find<QLabel>("triggerState")->text(); }
+    double left() { return view().visibleRange().from; }
+    double span() { return view().visibleRange().to - left(); }
+    bool near(double one, double other) { return std::abs(one - other) < 1e-6; }
+
+    std::unique_ptr<facts::ScopeWindow> m_rig;
+};
+
+void TestTriggerBar::rollIsWhatItWasBefore()
+{
+    QVERIFY(control().setup().mode == Mode::Roll);
+    QVERIFY(control().state() == AcquisitionState::Roll);
+    QVERIFY(view().following());
+    QVERIFY(!view().triggerMarks().position);
+    square(4000);
+    m_rig->draw();
+    QCOMPARE(view().visibleRange().to, 5.999);
+    QVERIFY(control().history().records().empty());
+    QTest::keyClick(&view(), Qt::Key_T); // nothing waits for it
+    QVERIFY(control().history().records().empty());
+}
+
+void TestTriggerBar::normalKeepsARecordAndSetsZeroAtItsTrigger()
+{
+    normal();
+    QVERIFY(control().state() == AcquisitionState::Armed);
+    QVERIFY(stateWord().contains(QStringLiteral("Armed")));
+    flat(60);
+    QVERIFY(control().history().records().empty());
+    square(200); // from tick 2060 on: rises at 2100
+    QVERIFY(!control().history().records().empty());
+    const double trigger = capture::toSeconds(control().shown()->trigger);
+    QVERIFY(near(std::fmod(trigger + 0.0005, 0.1), 0.0)); // half way between two samples
+    QCOMPARE(view().timeOrigin(), trigger);
+    QVERIFY(near(span(), 0.05));
+    QVERIFY(near(left(), trigger - 0.01)); // 20 % before it
+    QVERIFY(near(*view().triggerMarks().position, trigger));
+    const auto range = view().visibleRange();
+    flat(500); // nothing comes: the last one stays
+    m_rig->draw();
+    QCOMPARE(view().visibleRange().from, range.from);
+    QVERIFY(stateWord().contains(QStringLiteral("ago")));
+}
+
+void TestTriggerBar::autoRunsWithoutATrigger()
+{
+    normal();
+    control().setMode(Mode::Auto);
+    flat(1000);
+    QVERIFY(control().state() == AcquisitionState::Auto);
+    QVERIFY(!control().history().records().empty());
+    QVERIFY(control().history().records().back().cause == scope::Record::Cause::Automatic);
+    square(300);
+    bool hit = false;
+    for (const scope::Record &record : control().history().records())
+        hit = hit || record.cause == scope::Record::Cause::Condition;
+    QVERIFY(hit);
+}
+
+void TestTriggerBar::sTakesOneRecordAndStops()
+{
+    normal();
+    QTest::keyClick(&view(), Qt::Key_S);
+    QVERIFY(control().setup().mode == Mode::Single);
+    QVERIFY(control().state() == AcquisitionState::Armed);
+    const std::size_t before = control().history().records().size();
+    square(1000);
+    QCOMPARE(control().history().records().size(), before + 1);
+    QVERIFY(!view().running());
+    QVERIFY(control().state() == AcquisitionState::Stop);
+    QVERIFY(stateWord().contains(QStringLiteral("Stop")));
+    QTest::keyClick(&view(), Qt::Key_S); // the next one
+    QVERIFY(view().running());
+    square(1000);
+    QCOMPARE(control().history().records().size(), before + 2);
+}
+
+void TestTriggerBar::tForcesATrigger()
+{
+    normal();
+    flat(300);
+    QVERIFY(control().history().records().empty());
+    QTest::keyClick(&view(), Qt::Key_T);
+    flat(100);
+    QCOMPARE(control().history().records().size(), std::size_t{1});
+    QVERIFY(control().history().records().back().cause == scope::Record::Cause::Forced);
+}
+
+void TestTriggerBar::spaceStopsAndArms()
+{
+    normal();
+    square(500);
+    QTest::keyClick(&view(), Qt::Key_Space);
+    QVERIFY(control().state() == AcquisitionState::Stop);
+    const std::size_t before = control().history().records().size();
+    QVERIFY(before > 0);
+    square(500);
+    QCOMPARE(control().history().records().size(), before);
+    view().setVisibleRange(0.0, 1.0); // looking around in the recording
+    QVERIFY(near(control().setup().length, 0.05));
+    QTest::keyClick(&view(), Qt::Key_Space);
+    QVERIFY(control().state() == AcquisitionState::Armed);
+    square(500);
+    QVERIFY(control().history().records().size() > before);
+    QVERIFY(near(span(), 0.05));
+}
+
+void TestTriggerBar::zoomingARunningPictureSetsTheRecordsLength()
+{
+    normal();
+    square(500);
+    const double trigger = view().timeOrigin();
+    QTest::keyClick(&view(), Qt::Key_Plus);
+    QVERIFY(control().setup().length < 0.04);
+    QVERIFY(near(span(), control().setup().length));
+    QVERIFY(near((trigger - left()) / span(), 0.2)); // the trigger stays at its place
+    square(500);
+    QVERIFY(near(span(), control().setup().length));
+    QVERIFY(view().timeOrigin() > trigger);
+}
+
+void TestTriggerBar::theLevelIsDragged()
+{
+    normal();
+    square(500);
+    view().fitValues();
+    m_rig->draw();
+    const auto plotPoint = [this](double value) {
+        const auto range = view().valueRangeOf(m_rig->id(facts::kCurrentA));
+        const QRect area = view().plotRect(view().plotOf(m_rig->id(facts::kCurrentA)));
+        const double share = (range.to - value) / (range.to - range.from);
+        const QPoint shift = m_rig->plot().mapTo(&view(), QPoint(0, 0));
+        return QPoint(area.right() + 5, area.top() + qRound(share * area.height())) - shift;
+    };
+    m_rig->drag(plotPoint(0.0), plotPoint(8.0));
+    QVERIFY2(std::abs(control().setup().level - 8.0) < 10.0, "moved to where it was dragged");
+    QVERIFY(control().setup().level > 2.0);
+    QVERIFY(
+        std::abs(m_rig->find<widgets::ValueEdit>("triggerLevel")->value() - control().setup().level)
+        < 1e-9);
+    QCOMPARE(view().triggerMarks().levels.front(), control().setup().level);
+}
+
+void TestTriggerBar::thePositionIsDragged()
+{
+    normal();
+    square(500);
+    QTest::keyClick(&view(), Qt::Key_Space);
+    m_rig->draw();
+    const double trigger = view().timeOrigin();
+    const QRect area = view().plotRect(0);
+    const QPoint shift = m_rig->plot().mapTo(&view(), QPoint(0, 0));
+    const QPoint flag = QPoint(qRound(view().xOf(trigger)), area.top() + 3) - shift;
+    m_rig->drag(flag, flag + QPoint(area.width() * 3 / 10, 0));
+    QVERIFY(std::abs(control().setup().preTrigger - 0.5) < 0.02);
+    QVERIFY(std::abs((trigger - left()) / span() - 0.5) < 0.02);
+    QCOMPARE(view().timeOrigin(), trigger);
+}
+
+void TestTriggerBar::fieldsAppearWhereTheyMatter()
+{
+    auto *type = m_rig->find<QComboBox>("triggerType");
+    QVERIFY(!type->isVisible()); // a picture that rolls waits for nothing
+    auto *mode = m_rig->find<QComboBox>("triggerMode");
+    mode->setCurrentIndex(mode->findData(int(Mode::Normal)));
+    Q_EMIT mode->activated(mode->currentIndex());
+    QVERIFY(type->isVisible() && m_rig->find<QWidget>("triggerLevel")->isVisible());
+    QTest::mouseClick(m_rig->find<QToolButton>("triggerMore"), Qt::LeftButton);
+    auto *details = m_rig->find<QWidget>("triggerDetails");
+    QVERIFY(details->isVisible());
+    const auto visible = [this](
+                             const char *name) { return m_rig->find<QWidget>(name)->isVisible(); };
+    QVERIFY(visible("triggerHysteresis") && visible("triggerHoldOff") && visible("triggerPre"));
+    QVERIFY(!visible("triggerUpper") && !visible("triggerLeast") && !visible("triggerCount"));
+    const auto choose = [type](TriggerType wanted) {
+        type->setCurrentIndex(type->findData(int(wanted)));
+        Q_EMIT type->activated(type->currentIndex());
+    };
+    choose(TriggerType::Slew);
+    QVERIFY(visible("triggerUpper") && visible("triggerLeast") && !visible("triggerCount"));
+    QCOMPARE(view().triggerMarks().levels.size(), std::size_t{2});
+    choose(TriggerType::NthEdge);
+    QVERIFY(visible("triggerCount") && visible("triggerTime") && !visible("triggerUpper"));
+    choose(TriggerType::Fault);
+    QVERIFY(!visible("triggerLevel") && !visible("triggerSource") && !visible("triggerHysteresis"));
+    QVERIFY(view().triggerMarks().levels.empty());
+    details->hide();
+}
+
+void TestTriggerBar::aLevelIsTypedStrictly()
+{
+    normal();
+    auto *level = m_rig->find<widgets::ValueEdit>("triggerLevel");
+    const auto type = [level](const char *text) {
+        level->setFocus();
+        level->selectAll();
+        QTest::keyClicks(level, QString::fromUtf8(text));
+        QTest::keyClick(level, Qt::Key_Return);
+    };
+    type("5 A");
+    QCOMPARE(control().setup().level, 5.0);
+    QCOMPARE(level->text(), QStringLiteral("5\u00a0A"));
+    for (const char *nonsense : {"1.2.3", "1e3", "", "5 V", "nan", "1,000.5"}) {
+        type(nonsense);
+        QCOMPARE(control().setup().level, 5.0);
+        QCOMPARE(level->text(), QStringLiteral("5\u00a0A"));
+    }
+    type("-2,5");
+    QCOMPARE(control().setup().level, -2.5);
+    auto *holdOff = m_rig->find<widgets::ValueEdit>("triggerHoldOff");
+    for (const auto &[text, seconds] :
+        {std::pair{"20 ms", 0.02}, {"500us", 5e-4}, {"1 min", 60.0}}) {
+        holdOff->setText(QString::fromUtf8(text));
+        QVERIFY(holdOff->understood());
+        QVERIFY(near(*holdOff->understood(), seconds));
+    }
+    holdOff->setText(QStringLiteral("2 h"));
+    QVERIFY(!holdOff->understood());
+    holdOff->setText(QStringLiteral("-1 ms"));
+    QVERIFY(!holdOff->understood());
+}
+
+void TestTriggerBar::valuesThatMakeNoSenseAreSaid()
+{
+    normal();
+    setup([](TriggerSetup &setup) {
+        setup.type = TriggerType::Window;
+        setup.level = 5.0;
+        setup.upper = 1.0;
+    });
+    QVERIFY(control().error() == scope::ConditionError::LevelsSwapped);
+    QVERIFY(stateWord().contains(QStringLiteral("above")));
+    setup([](TriggerSetup &setup) { setup.upper = 6.0; });
+    QVERIFY(!control().error());
+}
+
+void TestTriggerBar::everyTypeIsSearchedFor()
+{
+    normal(0.02);
+    for (int type = 0; type < widgets::kTriggerTypes; ++type) {
+        const auto wanted = static_cast<TriggerType>(type);
+        if (!widgets::fieldsOf(wanted).source)
+            continue;
+        setup([wanted](TriggerSetup &setup) {
+            setup.type = wanted;
+            setup.way = widgets::TriggerWay::First;
+            setup.level = -5.0;
+            setup.upper = 5.0;
+            setup.least = 0.0;
+            setup.most = 10.0;
+            setup.time = 0.02;
+            setup.count = 2;
+        });
+        if (wanted == TriggerType::NthEdge)
+            setup([](TriggerSetup &setup) { setup.time = 0.0; });
+        if (wanted == TriggerType::Window) // the trace is in it when it is down
+            setup([](TriggerSetup &setup) { setup.level = -15.0; });
+        QVERIFY(!control().error());
+        const double before = double(m_rig->tick) / 1000.0;
+        flat(30);
+        square(970);
+        QVERIFY2(
+            control().shown() && capture::toSeconds(control().shown()->trigger) >= before - 0.001,
+            qPrintable(widgets::typeText(wanted)));
+    }
+}
+
+void TestTriggerBar::stateChangesAndWritesTrigger()
+{
+    normal();
+    setup([](TriggerSetup &setup) { setup.type = TriggerType::StateChange; });
+    flat(100);
+    drive::MotorStatus status = facts::status(drive::MotorState::Running);
+    status.rawState = 6;
+    status.at = TimePoint(std::chrono::milliseconds(2090));
+    facts::feed(m_rig->device(), {status});
+    flat(100);
+    QCOMPARE(control().history().records().size(), std::size_t{1});
+    QVERIFY(near(view().timeOrigin(), 2.09));
+    setup([](TriggerSetup &setup) { setup.type = TriggerType::Fault; });
+    flat(300);
+    QCOMPARE(control().history().records().size(), std::size_t{1});
+    status.faultsNow = {"OVER_VOLT"};
+    status.at = TimePoint(std::chrono::milliseconds(m_rig->tick));
+    facts::feed(m_rig->device(), {status});
+    flat(100);
+    QCOMPARE(control().history().records().size(), std::size_t{2});
+}
+
+void TestTriggerBar::recordsAreSteppedPinnedAndNamed()
+{
+    normal(0.02);
+    square(1000);
+    const auto records = control().history().records();
+    QVERIFY(records.size() >= 5);
+    QTest::keyClick(&view(), Qt::Key_PageUp);
+    QVERIFY(!view().running());
+    QCOMPARE(control().shown()->id, records[records.size() - 2].id);
+    QTest::keyClick(&view(), Qt::Key_PageDown);
+    QCOMPARE(control().shown()->id, records.back().id);
+    QTest::keyClick(&view(), Qt::Key_PageDown); // there is no later one
+    QCOMPARE(control().shown()->id, records.back().id);
+
+    QTest::keyClick(&m_rig->window, Qt::Key_8, Qt::ControlModifier);
+    auto *list = m_rig->find<QTreeView>("recordList");
+    QVERIFY(list->isVisible());
+    QCOMPARE(list->model()->rowCount(), int(records.size()));
+    list->setCurrentIndex(list->model()->index(3, 0));
+    QTest::keyClick(list, Qt::Key_Return);
+    const scope::RecordId third = records[records.size() - 4].id;
+    QCOMPARE(control().shown()->id, third);
+    list->model()->setData(list->model()->index(3, 0), Qt::Checked, Qt::CheckStateRole);
+    QTest::keyClick(list, Qt::Key_F2);
+    auto *editor = list->findChild<QLineEdit *>();
+    QVERIFY(editor);
+    QTest::keyClicks(editor, QStringLiteral("load on"));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_COMPARE(
+        QString::fromStdString(control().history().find(third)->label), QStringLiteral("load on"));
+    view().setRunning(true);
+    square(20000); // far more records than are kept
+    QVERIFY(control().history().find(third));
+    QVERIFY(!control().history().find(records.front().id));
+}
+
+void TestTriggerBar::theRecordsAreAModel()
+{
+    widgets::RecordTable table(control());
+    QAbstractItemModelTester tester(&table, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    normal(0.02);
+    square(1000);
+    table.refresh();
+    QVERIFY(table.rowCount() >= 5);
+    QVERIFY(!table.setData(table.index(0, 1), 1, Qt::EditRole));
+    QVERIFY(table.setData(table.index(0, 0), Qt::Checked, Qt::CheckStateRole));
+    QCOMPARE(table.data(table.index(0, 0), Qt::CheckStateRole).toInt(), int(Qt::Checked));
+    QCOMPARE(table.rowOf(control().history().records().back().id), 0);
+    square(1000);
+    table.refresh();
+}
+
+void TestTriggerBar::endGoesBackToRoll()
+{
+    normal();
+    square(500);
+    QTest::keyClick(&view(), Qt::Key_End);
+    QVERIFY(control().setup().mode == Mode::Roll);
+    QCOMPARE(view().timeOrigin(), 0.0);
+    QVERIFY(view().following());
+    QVERIFY(!view().triggerMarks().position);
+    square(4000);
+    m_rig->draw();
+    QCOMPARE(view().visibleRange().to, double(m_rig->tick - 1) / 1000.0);
+}
+
+void TestTriggerBar::fittingStopsFirst()
+{
+    normal();
+    square(500);
+    QTest::keyClick(&view(), Qt::Key_F);
+    QVERIFY(!view().running());
+    QCOMPARE(left(), 0.0);
+    QVERIFY(near(control().setup().length, 0.05));
+}
+
+void TestTriggerBar::aReferenceStaysBehind()
+{
+    normal();
+    square(500);
+    view().fitValues();
+    m_rig->draw();
+    const QImage before = m_rig->plot().grab().toImage();
+    QTest::keyClick(&view(), Qt::Key_R);
+    QVERIFY(view().hasReference());
+    setup([](TriggerSetup &setup) { setup.way = widgets::TriggerWay::Second; });
+    square(500); // the other edge: the reference differs from what comes
+    m_rig->draw();
+    const QImage with = m_rig->plot().grab().toImage();
+    QTest::keyClick(&view(), Qt::Key_R, Qt::ShiftModifier);
+    QVERIFY(!view().hasReference());
+    m_rig->draw();
+    const QImage without = m_rig->plot().grab().toImage();
+    QVERIFY(with != without);
+    QVERIFY(before != without);
+    m_rig->window.selection()->clearRecorded();
+    QTest::keyClick(&view(), Qt::Key_R); // nothing is shown: nothing to keep
+    m_rig->draw();
+}
+
+void TestTriggerBar::persistenceKeepsEarlierRecords()
+{
+    normal(0.02);
+    QTest::keyClick(&m_rig->window, Qt::Key_8, Qt::ControlModifier);
+    m_rig->find<QSpinBox>("persistence")->setValue(4);
+    square(1000);
+    QCOMPARE(view().ghostCount(), 4);
+    m_rig->draw();
+    m_rig->find<QSpinBox>("persistence")->setValue(0);
+    QCOMPARE(view().ghostCount(), 0);
+}
+
+void TestTriggerBar::theBarFits()
+{
+    normal();
+    setup([](TriggerSetup &setup) { setup.type = TriggerType::RegisterWrite; });
+    setup([](TriggerSetup &setup) { setup.type = TriggerType::Slew; });
+    square(500);
+    m_rig->window.resize(1280, 720);
+    m_rig->draw();
+    QCOMPARE(m_rig->window.width(), 1280);
+    auto *bar = m_rig->find<QWidget>("triggerBar");
+    const QLabel *state = m_rig->find<QLabel>("triggerState");
+    QVERIFY(bar->rect().contains(state->geometry()));
+    QVERIFY2(bar->minimumSizeHint().width() <= bar->width(),
+        qPrintable(QString::number(bar->minimumSizeHint().width())));
+}
+
+QTEST_MAIN(TestTriggerBar)
+#include "tst_trigger_bar.moc"

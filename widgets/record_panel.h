@@ -1,0 +1,38 @@
+// The last records of the trigger as a tool: look at one again, pin it so that it stays, give it a label.
+#pragma once
+
+#include "widgets/forms/form.h"
+
+class QSpinBox;
+class QTreeView;
+
+namespace widgets {
+
+class RecordTable;
+class ScopeView;
+class TriggerControl;
+
+class RecordPanel : public Form {
+    Q_OBJECT
+public:
+    /// Both outlive it.
+    RecordPanel(TriggerControl &control, ScopeView &scope, QWidget *parent = nullptr);
+
+    void refresh(Milliseconds now) override;
+    void focusFirst() override;
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void showChosen();
+    void followShown();
+
+    TriggerControl &m_control;
+    RecordTable *m_table;
+    QTreeView *m_list;
+    QSpinBox *m_persistence;
+};
+
+} // namespace widgets
