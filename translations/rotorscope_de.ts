@@ -209,6 +209,108 @@
     </message>
 </context>
 <context>
+    <name>GainTexts</name>
+    <message>
+        <source>unit not known</source>
+        <translation>Einheit unbekannt</translation>
+    </message>
+    <message>
+        <source>The board does not say its bus voltage or what a digit of current is worth.</source>
+        <translation>Das Board nennt weder seine Busspannung noch, was ein Digit Strom bedeutet.</translation>
+    </message>
+    <message>
+        <source>Amperes of Iq for radians per second.</source>
+        <translation>Ampere Iq je Radiant pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>What it makes at the motor.</source>
+        <translation>Was davon am Motor ankommt.</translation>
+    </message>
+    <message>
+        <source>Amperes of Id for volts that are missing.</source>
+        <translation>Ampere Id je fehlendem Volt.</translation>
+    </message>
+    <message>
+        <source>Amperes of Iq for radians of the shaft.</source>
+        <translation>Ampere Iq je Radiant der Welle.</translation>
+    </message>
+    <message>
+        <source>The observer&apos;s own full scales are not told by the board.</source>
+        <translation>Die Vollausschläge des Beobachters nennt das Board nicht.</translation>
+    </message>
+    <message>
+        <source>(ST&apos;s rule: %1)</source>
+        <translation>(Regel von ST: %1)</translation>
+    </message>
+    <message>
+        <source>Where ST&apos;s rule puts it for this motor: poles at a quarter of the motor&apos;s own. %1</source>
+        <translation>Wohin die Regel von ST ihn für diesen Motor legt: Pole bei einem Viertel derer des Motors. %1</translation>
+    </message>
+</context>
+<context>
+    <name>Gains</name>
+    <message>
+        <source>Rs, Lq and Ld are needed.</source>
+        <translation>Rs, Lq und Ld werden gebraucht.</translation>
+    </message>
+    <message>
+        <source>The board does not say its bus voltage or what a digit of current is worth.</source>
+        <translation>Das Board nennt weder seine Busspannung noch, was ein Digit Strom bedeutet.</translation>
+    </message>
+    <message>
+        <source>The board does not say its control rate.</source>
+        <translation>Das Board nennt seinen Regeltakt nicht.</translation>
+    </message>
+    <message>
+        <source>%1 rad/s is beyond %2 rad/s, what the control rate allows.</source>
+        <translation>%1 rad/s liegt über %2 rad/s, mehr lässt der Regeltakt nicht zu.</translation>
+    </message>
+    <message>
+        <source>%1 does not fit 16 bits with any divisor: ask for less bandwidth.</source>
+        <translation>%1 passt mit keinem Teiler in 16 Bit: weniger Bandbreite verlangen.</translation>
+    </message>
+    <message>
+        <source>%1 is so small that it rounds to zero: ask for more bandwidth or less damping.</source>
+        <translation>%1 ist so klein, dass es auf null gerundet wird: mehr Bandbreite oder weniger Dämpfung verlangen.</translation>
+    </message>
+    <message>
+        <source>%1 times the largest error overflows 32 bits: ask for less bandwidth.</source>
+        <translation>%1 mal dem größten Fehler läuft über 32 Bit hinaus: weniger Bandbreite verlangen.</translation>
+    </message>
+    <message>
+        <source>The speed loop stays as it is: flux and pole pairs are needed.</source>
+        <translation>Der Drehzahlregler bleibt, wie er ist: Fluss und Polpaare fehlen.</translation>
+    </message>
+    <message>
+        <source>The speed loop stays as it is: type the inertia of rotor and load.</source>
+        <translation>Der Drehzahlregler bleibt, wie er ist: die Trägheit von Rotor und Last eingeben.</translation>
+    </message>
+    <message>
+        <source>The speed loop stays as it is: the board does not say its rate.</source>
+        <translation>Der Drehzahlregler bleibt, wie er ist: Das Board nennt seinen Takt nicht.</translation>
+    </message>
+    <message>
+        <source>Above %1 rad/s, boards that measure currents this way often trip: watch for over-current.</source>
+        <translation>Über %1 rad/s schalten Boards mit dieser Strommessung oft ab: auf Überstrom achten.</translation>
+    </message>
+    <message>
+        <source>The current loop has only %1° of phase margin: it will overshoot.</source>
+        <translation>Der Stromregler hat nur %1° Phasenreserve: Er wird überschwingen.</translation>
+    </message>
+    <message>
+        <source>The speed loop has only %1° of phase margin: it will ring.</source>
+        <translation>Der Drehzahlregler hat nur %1° Phasenreserve: Er wird nachschwingen.</translation>
+    </message>
+    <message>
+        <source>%1 is rounded by %2 %: the loop is not quite the one asked for.</source>
+        <translation>%1 wird um %2 % gerundet: Der Regler ist nicht ganz der verlangte.</translation>
+    </message>
+    <message>
+        <source>Ld is above Lq: are they swapped?</source>
+        <translation>Ld ist größer als Lq: vertauscht?</translation>
+    </message>
+</context>
+<context>
     <name>Messages</name>
     <message>
         <source>not connected</source>
@@ -2053,6 +2155,364 @@
     </message>
 </context>
 <context>
+    <name>widgets::GainForecast</name>
+    <message>
+        <source>%1 to %2</source>
+        <comment>percent</comment>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>No prediction yet.</source>
+        <translation>Noch keine Vorhersage.</translation>
+    </message>
+    <message>
+        <source>Asked %1, at the motor %2 rad/s (%3 Hz). Rise %4 ms, overshoot %5 %, margin %6°.</source>
+        <translation>Verlangt %1, am Motor %2 rad/s (%3 Hz). Anstieg %4 ms, Überschwingen %5 %, Reserve %6°.</translation>
+    </message>
+    <message>
+        <source>Rise with a timer that takes the new voltage at once, as on the simulated board. One that takes it a period later rises quicker and overshoots more.</source>
+        <translation>Anstieg mit einem Timer, der die neue Spannung sofort übernimmt, wie auf dem simulierten Board. Einer, der sie eine Periode später übernimmt, steigt schneller und schwingt weiter über.</translation>
+    </message>
+    <message>
+        <source>The speed loop stays as it is.</source>
+        <translation>Der Drehzahlregler bleibt, wie er ist.</translation>
+    </message>
+    <message>
+        <source>Rise %1 ms, margin %2°. Overshoot %3 %, behind a ramp %4 %.</source>
+        <translation>Anstieg %1 ms, Reserve %2°. Überschwingen %3 %, hinter einer Rampe %4 %.</translation>
+    </message>
+    <message>
+        <source>For steps up to %1 rpm.</source>
+        <translation>Für Sprünge bis %1 rpm.</translation>
+    </message>
+    <message>
+        <source>Everything between the wish and the measured speed is %1 ms late. A larger step needs more than the nominal current, and rises more slowly.</source>
+        <translation>Alles zwischen Wunsch und gemessener Drehzahl kommt %1 ms spät. Ein größerer Sprung braucht mehr als den Nennstrom und steigt langsamer.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::GainLab</name>
+    <message>
+        <source>Current bandwidth</source>
+        <translation>Strombandbreite</translation>
+    </message>
+    <message>
+        <source>Speed damping</source>
+        <translation>Dämpfung Drehzahl</translation>
+    </message>
+    <message>
+        <source>As ST&apos;s rule counts it; the loop at the motor is 15 % faster.</source>
+        <translation>So, wie die Regel von ST sie zählt; am Motor ist der Regler 15 % schneller.</translation>
+    </message>
+    <message>
+        <source>Also plan the speed loop. Damping 2 is quick and rings, 4 is calm.</source>
+        <translation>Auch den Drehzahlregler auslegen. Dämpfung 2 ist flink und schwingt nach, 4 ist ruhig.</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Verzug</translation>
+    </message>
+    <message>
+        <source>Delay of the measured speed</source>
+        <translation>Verzug der gemessenen Drehzahl</translation>
+    </message>
+    <message>
+        <source>How late the measured speed is: half the length of its average. The board does not say it; this is what ST&apos;s generator takes for its sensor.</source>
+        <translation>Wie spät die gemessene Drehzahl kommt: die halbe Länge ihrer Mittelung. Das Board sagt es nicht; das hier nimmt der Generator von ST für seinen Sensor.</translation>
+    </message>
+    <message>
+        <source>From the &amp;board</source>
+        <translation>Vom Boa&amp;rd</translation>
+    </message>
+    <message>
+        <source>Forgets what was typed here and takes the board&apos;s numbers again.</source>
+        <translation>Vergisst, was hier eingegeben wurde, und nimmt wieder die Zahlen des Boards.</translation>
+    </message>
+    <message>
+        <source>&amp;Preview</source>
+        <translation>&amp;Vorschau</translation>
+    </message>
+    <message>
+        <source>Connect a board: the gains are for its registers.</source>
+        <translation>Verbinden Sie ein Board: Die Verstärkungen sind für seine Register.</translation>
+    </message>
+    <message>
+        <source>This board&apos;s firmware does not let %1 be written.</source>
+        <translation>Die Firmware dieses Boards lässt %1 nicht schreiben.</translation>
+    </message>
+    <message>
+        <source>Type a bandwidth.</source>
+        <translation>Geben Sie eine Bandbreite ein.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>field, what is wrong with it</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Type a damping from 1.05 to 20, or leave the speed loop out.</source>
+        <translation>Geben Sie eine Dämpfung von 1,05 bis 20 ein, oder lassen Sie den Drehzahlregler weg.</translation>
+    </message>
+    <message>
+        <source>Makes edits of the new numbers, numerator and divisor together. Nothing is written before Apply.</source>
+        <translation>Macht aus den neuen Zahlen Änderungen, Zähler und Teiler gemeinsam. Geschrieben wird erst beim Anwenden.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::GainMotor</name>
+    <message>
+        <source>Rs</source>
+        <translation>Rs</translation>
+    </message>
+    <message>
+        <source>Lq</source>
+        <translation>Lq</translation>
+    </message>
+    <message>
+        <source>Ld</source>
+        <translation>Ld</translation>
+    </message>
+    <message>
+        <source>Pole pairs</source>
+        <translation>Polpaare</translation>
+    </message>
+    <message>
+        <source>Flux</source>
+        <translation>Fluss</translation>
+    </message>
+    <message>
+        <source>Ke</source>
+        <translation>Ke</translation>
+    </message>
+    <message>
+        <source>Inertia</source>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>Of a phase: half of what is measured between two wires.</source>
+        <translation>Einer Phase: die Hälfte dessen, was zwischen zwei Drähten gemessen wird.</translation>
+    </message>
+    <message>
+        <source>Of the magnets, linked with a phase, peak.</source>
+        <translation>Der Magnete, verkettet mit einer Phase, Scheitelwert.</translation>
+    </message>
+    <message>
+        <source>Volts rms between two wires at 1000 rpm. The same as the flux: one follows the other.</source>
+        <translation>Volt effektiv zwischen zwei Drähten bei 1000 rpm. Dasselbe wie der Fluss: Eins folgt dem anderen.</translation>
+    </message>
+    <message>
+        <source>Of rotor and load together; boards rarely know it. It is remembered for motors of this name. 1 kg·m² = 10,000,000 g·cm².</source>
+        <translation>Von Rotor und Last zusammen; Boards kennen sie selten. Sie wird für Motoren dieses Namens gemerkt. 1 kg·m² = 10.000.000 g·cm².</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>field, what is wrong with it</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::GainNumber</name>
+    <message>
+        <source>From %1 to %2 %3.</source>
+        <comment>number number unit</comment>
+        <translation>Von %1 bis %2 %3.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::GainPlanTable</name>
+    <message>
+        <source>Planned gains</source>
+        <translation>Geplante Verstärkungen</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Register</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Board</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>At the motor</source>
+        <translation>Am Motor</translation>
+    </message>
+    <message>
+        <source>Rounding</source>
+        <translation>Rundung</translation>
+    </message>
+    <message>
+        <source>Room</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>How many times larger the number could be before it, or its product with the largest error, overflows.</source>
+        <translation>Wievielmal größer die Zahl sein dürfte, bevor sie oder ihr Produkt mit dem größten Fehler überläuft.</translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation>bleibt</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::GainPlot</name>
+    <message>
+        <source>100 %</source>
+        <translation>100 %</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>— new   - - board</source>
+        <translation>— neu   - - Board</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::GainTable</name>
+    <message>
+        <source>Torque (Iq)</source>
+        <translation>Drehmoment (Iq)</translation>
+    </message>
+    <message>
+        <source>Flux (Id)</source>
+        <translation>Fluss (Id)</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Flux weakening</source>
+        <translation>Feldschwächung</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Observer&apos;s PLL</source>
+        <translation>PLL des Beobachters</translation>
+    </message>
+    <message>
+        <source>Observer (C1, C2)</source>
+        <translation>Beobachter (C1, C2)</translation>
+    </message>
+    <message>
+        <source>CORDIC observer (C1, C2)</source>
+        <translation>CORDIC-Beobachter (C1, C2)</translation>
+    </message>
+    <message>
+        <source>Currents</source>
+        <translation>Ströme</translation>
+    </message>
+    <message>
+        <source>No gains: connect a board.</source>
+        <translation>Keine Verstärkungen: Verbinden Sie ein Board.</translation>
+    </message>
+    <message>
+        <source>Proportional</source>
+        <translation>Proportional</translation>
+    </message>
+    <message>
+        <source>Integral</source>
+        <translation>Integral</translation>
+    </message>
+    <message>
+        <source>Derivative</source>
+        <translation>Differential</translation>
+    </message>
+    <message>
+        <source>This board&apos;s firmware has no gains to be tuned.</source>
+        <translation>Die Firmware dieses Boards hat keine einstellbaren Verstärkungen.</translation>
+    </message>
+    <message>
+        <source>The board does not say its control rate.</source>
+        <translation>Das Board nennt seinen Regeltakt nicht.</translation>
+    </message>
+    <message>
+        <source>≈ %1 rad/s, damping %2</source>
+        <translation>≈ %1 rad/s, Dämpfung %2</translation>
+    </message>
+    <message>
+        <source>Natural frequency of the PLL at half the highest speed, if the observer&apos;s full scale is 1.2 times that speed, as ST&apos;s generator has it.</source>
+        <translation>Eigenfrequenz der PLL bei halber Höchstdrehzahl, wenn der Vollausschlag des Beobachters beim 1,2-Fachen der Höchstdrehzahl liegt, wie beim Generator von ST.</translation>
+    </message>
+    <message>
+        <source>This firmware counts per unit and does not say of what.</source>
+        <translation>Diese Firmware rechnet in bezogenen Größen und sagt nicht, worauf.</translation>
+    </message>
+    <message>
+        <source>Not read yet.</source>
+        <translation>Noch nicht gelesen.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::GainsForm</name>
+    <message>
+        <source>Pages of the gains</source>
+        <translation>Seiten der Verstärkungen</translation>
+    </message>
+    <message>
+        <source>&amp;Regulators</source>
+        <translation>Regl&amp;er</translation>
+    </message>
+    <message>
+        <source>Gain &amp;lab</source>
+        <translation>&amp;Labor</translation>
+    </message>
+    <message>
+        <source>Board: %1 V, %2 digits per A, %3 kHz, speed loop %4 kHz</source>
+        <translation>Board: %1 V, %2 Digits je A, %3 kHz, Drehzahlregler %4 kHz</translation>
+    </message>
+    <message>
+        <source>This board does not say what its digits are worth.</source>
+        <translation>Dieses Board sagt nicht, was seine Digits bedeuten.</translation>
+    </message>
+    <message>
+        <source>A write is under way: preview again when it has ended.</source>
+        <translation>Es wird gerade geschrieben: danach noch einmal Vorschau.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be edited now.</source>
+        <translation>%1 kann gerade nicht geändert werden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edit(s) wait: Apply writes them as one step.</source>
+        <translation>
+            <numerusform>%n Änderung wartet: Anwenden schreibt sie.</numerusform>
+            <numerusform>%n Änderungen warten: Anwenden schreibt sie in einem Schritt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The board has these gains already.</source>
+        <translation>Das Board hat diese Verstärkungen schon.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other edit(s) waited already and would be written with them: %1.</source>
+        <translation>
+            <numerusform>%n andere Änderung wartete schon und würde mitgeschrieben: %1.</numerusform>
+            <numerusform>%n andere Änderungen warteten schon und würden mitgeschrieben: %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>widgets::MainWindow</name>
     <message>
         <source>Run</source>
@@ -2367,6 +2827,10 @@
     <message>
         <source>Records</source>
         <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>Verstärkungen</translation>
     </message>
 </context>
 <context>

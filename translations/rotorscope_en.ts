@@ -209,6 +209,108 @@
     </message>
 </context>
 <context>
+    <name>GainTexts</name>
+    <message>
+        <source>unit not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board does not say its bus voltage or what a digit of current is worth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amperes of Iq for radians per second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it makes at the motor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amperes of Id for volts that are missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amperes of Iq for radians of the shaft.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The observer&apos;s own full scales are not told by the board.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(ST&apos;s rule: %1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where ST&apos;s rule puts it for this motor: poles at a quarter of the motor&apos;s own. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Gains</name>
+    <message>
+        <source>Rs, Lq and Ld are needed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board does not say its bus voltage or what a digit of current is worth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board does not say its control rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 rad/s is beyond %2 rad/s, what the control rate allows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not fit 16 bits with any divisor: ask for less bandwidth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is so small that it rounds to zero: ask for more bandwidth or less damping.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 times the largest error overflows 32 bits: ask for less bandwidth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The speed loop stays as it is: flux and pole pairs are needed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The speed loop stays as it is: type the inertia of rotor and load.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The speed loop stays as it is: the board does not say its rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Above %1 rad/s, boards that measure currents this way often trip: watch for over-current.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The current loop has only %1° of phase margin: it will overshoot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The speed loop has only %1° of phase margin: it will ring.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is rounded by %2 %: the loop is not quite the one asked for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ld is above Lq: are they swapped?</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Messages</name>
     <message>
         <source>not connected</source>
@@ -2053,6 +2155,364 @@
     </message>
 </context>
 <context>
+    <name>widgets::GainForecast</name>
+    <message>
+        <source>%1 to %2</source>
+        <comment>percent</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No prediction yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asked %1, at the motor %2 rad/s (%3 Hz). Rise %4 ms, overshoot %5 %, margin %6°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rise with a timer that takes the new voltage at once, as on the simulated board. One that takes it a period later rises quicker and overshoots more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The speed loop stays as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rise %1 ms, margin %2°. Overshoot %3 %, behind a ramp %4 %.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For steps up to %1 rpm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything between the wish and the measured speed is %1 ms late. A larger step needs more than the nominal current, and rises more slowly.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::GainLab</name>
+    <message>
+        <source>Current bandwidth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed damping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As ST&apos;s rule counts it; the loop at the motor is 15 % faster.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also plan the speed loop. Damping 2 is quick and rings, 4 is calm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delay of the measured speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How late the measured speed is: half the length of its average. The board does not say it; this is what ST&apos;s generator takes for its sensor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the &amp;board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forgets what was typed here and takes the board&apos;s numbers again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Preview</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect a board: the gains are for its registers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board&apos;s firmware does not let %1 be written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type a bandwidth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>field, what is wrong with it</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type a damping from 1.05 to 20, or leave the speed loop out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Makes edits of the new numbers, numerator and divisor together. Nothing is written before Apply.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::GainMotor</name>
+    <message>
+        <source>Rs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lq</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ld</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pole pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flux</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inertia</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a phase: half of what is measured between two wires.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the magnets, linked with a phase, peak.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volts rms between two wires at 1000 rpm. The same as the flux: one follows the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of rotor and load together; boards rarely know it. It is remembered for motors of this name. 1 kg·m² = 10,000,000 g·cm².</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>field, what is wrong with it</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::GainNumber</name>
+    <message>
+        <source>From %1 to %2 %3.</source>
+        <comment>number number unit</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::GainPlanTable</name>
+    <message>
+        <source>Planned gains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rounding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Room</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many times larger the number could be before it, or its product with the largest error, overflows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::GainPlot</name>
+    <message>
+        <source>100 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>— new   - - board</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::GainTable</name>
+    <message>
+        <source>Torque (Iq)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flux (Id)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flux weakening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Observer&apos;s PLL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Observer (C1, C2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CORDIC observer (C1, C2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Currents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No gains: connect a board.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Proportional</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Integral</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Derivative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board&apos;s firmware has no gains to be tuned.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board does not say its control rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>≈ %1 rad/s, damping %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Natural frequency of the PLL at half the highest speed, if the observer&apos;s full scale is 1.2 times that speed, as ST&apos;s generator has it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This firmware counts per unit and does not say of what.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not read yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::GainsForm</name>
+    <message>
+        <source>Pages of the gains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Regulators</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gain &amp;lab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Board: %1 V, %2 digits per A, %3 kHz, speed loop %4 kHz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board does not say what its digits are worth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A write is under way: preview again when it has ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be edited now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edit(s) wait: Apply writes them as one step.</source>
+        <translation>
+            <numerusform>%n edit waits: Apply writes it.</numerusform>
+            <numerusform>%n edits wait: Apply writes them as one step.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The board has these gains already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other edit(s) waited already and would be written with them: %1.</source>
+        <translation>
+            <numerusform>%n other edit waited already and would be written with them: %1.</numerusform>
+            <numerusform>%n other edits waited already and would be written with them: %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>widgets::MainWindow</name>
     <message>
         <source>Run</source>
@@ -2366,6 +2826,10 @@
     </message>
     <message>
         <source>Records</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gains</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1,5 +1,6 @@
 #include "widgets/event_recorder.h"
 
+#include "base/overloaded.h"
 #include "widgets/device_text.h"
 #include "widgets/messages.h"
 #include "widgets/scope/reading_text.h"
@@ -11,13 +12,6 @@
 namespace widgets {
 
 namespace {
-template <class... Ts>
-struct Overloaded : Ts... {
-    using Ts::operator()...;
-};
-template <class... Ts>
-Overloaded(Ts...) -> Overloaded<Ts...>;
-
 constexpr double kOtherAxis = 2.0; ///< seconds; a stamp so far off belongs to another clock
 constexpr std::size_t kMostAsked = 1000;
 } // namespace

@@ -1,6 +1,7 @@
 // The tools of the main window: forms in docks below the scope, as tabs of one another, hidden until somebody asks.
 #include "widgets/device_text.h"
 #include "widgets/forms/form.h"
+#include "widgets/forms/gains_form.h"
 #include "widgets/forms/motor_form.h"
 #include "widgets/forms/rev_up_form.h"
 #include "widgets/main_window.h"
@@ -31,6 +32,11 @@ void MainWindow::makeTools()
     makeSnapshots();
 
     const RegisterPanel::Actions &actions = m_registerPanel->actions();
+    auto *gains = new GainsForm(m_device, m_workbench.registers(), m_workbench.edits(),
+        actions.apply, actions.revert, m_settings.inertias);
+    connect(gains, &GainsForm::inertiaRemembered, this,
+        [this](const QString &motor, double inertia) { m_settings.inertias[motor] = inertia; });
+    addTool(gains, tr("Gains"), "gainsDock", Qt::CTRL | Qt::Key_1);
     addTool(new RevUpForm({m_device, m_workbench.registers(), m_workbench.edits(),
                 m_workbench.capture(), m_files, actions.apply, actions.revert}),
         tr("Rev-up"), "revUpDock", Qt::CTRL | Qt::Key_2);

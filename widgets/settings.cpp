@@ -13,7 +13,7 @@ namespace widgets {
 namespace {
 
 constexpr qint64 kLargestFile = qint64{1024} * 1024;
-constexpr qsizetype kMostPinned = 200;
+constexpr qsizetype kMostPinned = 200, kMostInertias = 200;
 
 QString themeName(Theme theme)
 {
@@ -27,6 +27,23 @@ Theme themeOf(const QString &name)
     return name == QLatin1String("light") ? Theme::Light
         : name == QLatin1String("dark")   ? Theme::Dark
                                           : Theme::System;
+}
+
+QJsonObject inertiasObject(const QMap<QString, double> &inertias)
+{
+    QJsonObject object;
+    for (auto at = inertias.begin(); at != inertias.end(); ++at)
+        object[at.key()] = at.value();
+    return object;
+}
+
+QMap<QString, double> inertiasOf(const QJsonObject &object)
+{
+    QMap<QString, double> inertias;
+    for (auto at = object.begin(); at != object.end() && inertias.size() < kMostInertias; ++at)
+        if (const double inertia = at.value().toDouble(); inertia > 0.0)
+            inertias[at.key()] = inertia;
+    return inertias;
 }
 
 QByteArray bytesOf(const QJsonValue &value)
@@ -47,6 +64,7 @@ QByteArray toJson(const Settings &settings)
     object[QStringLiteral("exportFolder")] = settings.exportFolder;
     object[QStringLiteral("snapshotFolder")] = settings.snapshotFolder;
     object[QStringLiteral("pinned")] = QJsonArray::fromStringList(settings.pinned);
+    object[QStringLiteral("inertias")] = inertiasObject(settings.inertias);
     object[QStringLiteral("firstStepsDone")] = settings.firstStepsDone;
     return QJsonDocument(object).toJson();
 }
@@ -70,6 +88,7 @@ Settings settingsFromJson(const QByteArray &json)
         for (qsizetype i = 0; i < std::min(names.size(), kMostPinned); ++i)
             settings.pinned.append(names[i].toString());
     }
+    settings.inertias = inertiasOf(object[QStringLiteral("inertias")].toObject());
     settings.firstStepsDone = object[QStringLiteral("firstStepsDone")].toBool(false);
     return settings;
 }

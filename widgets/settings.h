@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QMap>
 #include <QString>
 #include <QStringList>
 
@@ -21,6 +22,7 @@ struct Settings {
     QStringList pinned{QStringLiteral("SPEED_REF"), QStringLiteral("SPEED_MEAS"),
         QStringLiteral("I_Q_REF"), QStringLiteral("BUS_VOLTAGE"), QStringLiteral("HEATS_TEMP"),
         QStringLiteral("SPEED_KP"), QStringLiteral("SPEED_KI")};
+    QMap<QString, double> inertias; ///< of rotor and load in kg m2, by the motor's name
     bool firstStepsDone = false;
     bool operator==(const Settings &) const = default;
 };

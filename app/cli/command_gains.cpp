@@ -151,6 +151,7 @@ void printJson(
         {QStringLiteral("phase_margin_deg"), plan.current->phaseMargin_deg},
         {QStringLiteral("rise_s"), plan.current->step.rise_s},
         {QStringLiteral("overshoot"), plan.current->step.overshoot},
+        {QStringLiteral("late_overshoot"), plan.current->lateOvershoot},
         {QStringLiteral("speed_phase_margin_deg"),
             speed([](const auto &loop) { return loop.margin.phase_deg; })},
         {QStringLiteral("speed_rise_s"), speed([](const auto &loop) { return loop.step.rise_s; })},

@@ -11,6 +11,7 @@ namespace {
 constexpr double kBusDigits = 65536.0; // the bus voltage in ST's rule
 constexpr double kPhaseDigits = 32767.0; // the largest phase voltage, Vbus / sqrt(3)
 constexpr int kMostSamples = 100'000;
+constexpr double kFar = 1e3; // times the step
 
 /// When the samples first reach `level`, in samples; negative if they do not.
 double crossing(const std::vector<double> &samples, double level)
@@ -71,8 +72,8 @@ void measureStep(StepPrediction &step)
     step.overshoot = top - 1.0;
 }
 
-StepPrediction predictCurrentStep(
-    const PiGains &digits, const CurrentPlant &plant, const PowerStage &stage, int samples)
+StepPrediction predictCurrentStep(const PiGains &digits, const CurrentPlant &plant,
+    const PowerStage &stage, int samples, Acting acting)
 {
     // Within a period the voltage stands still, and the current runs towards voltage / Rs.
     const double keep = std::exp(-stage.controlPeriod_s * plant.rs_ohm / plant.inductance_h);
@@ -87,8 +88,10 @@ StepPrediction predictCurrentStep(
         step.response.push_back(current);
         const double error = 1.0 - current;
         integral += digits.ki * error;
-        current = keep * current + perVolt * volts; // with what the period before decided
-        volts = ohms * (digits.kp * error + integral);
+        const double decided = ohms * (digits.kp * error + integral);
+        current = keep * current + perVolt * (acting == Acting::Late ? volts : decided);
+        current = std::clamp(current, -kFar, kFar); // an unstable loop need not go on for ever
+        volts = decided;
     }
     measureStep(step);
     return step;

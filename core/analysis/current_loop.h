@@ -8,6 +8,7 @@
 // generated projects (tests).
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 namespace analysis {
@@ -67,11 +68,15 @@ struct StepPrediction {
 /// Fills in rise and overshoot from the response.
 void measureStep(StepPrediction &step);
 
-/// The step of the current as the samples will show it, with the delay of one period between measuring and acting,
-/// and the motor at rest (no back-EMF). Voltage limits are not in it: it holds for small steps.
+/// When the voltage that was decided on acts. A board whose timer takes new duties over at once is Prompt (the simulated
+/// one is), one that takes them a period later is Late; shipped boards lie between the two.
+enum class Acting : std::uint8_t { Prompt, Late };
+
+/// The step of the current as the samples will show it, with the motor at rest (no back-EMF). Voltage limits are not in
+/// it: it holds for small steps.
 /// @param digits  gains as the firmware has them
 /// @param samples  how many, 2 to 100000
-StepPrediction predictCurrentStep(
-    const PiGains &digits, const CurrentPlant &plant, const PowerStage &stage, int samples);
+StepPrediction predictCurrentStep(const PiGains &digits, const CurrentPlant &plant,
+    const PowerStage &stage, int samples, Acting acting = Acting::Prompt);
 
 } // namespace analysis

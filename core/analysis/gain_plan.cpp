@@ -172,7 +172,10 @@ CurrentForecast forecastCurrent(
     const double duration =
         duration_s > 0.0 ? duration_s : kTimeConstants / forecast.realBandwidth_radps;
     const double samples = std::min(duration / stage.controlPeriod_s, double{kMostSamples});
-    forecast.step = predictCurrentStep(digits, plant, stage, static_cast<int>(samples) + kMore);
+    const int count = static_cast<int>(samples) + kMore;
+    forecast.step = predictCurrentStep(digits, plant, stage, count);
+    forecast.lateOvershoot =
+        predictCurrentStep(digits, plant, stage, count, Acting::Late).overshoot;
     return forecast;
 }
 

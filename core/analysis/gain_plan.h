@@ -91,8 +91,9 @@ struct PlannedGain {
 struct CurrentForecast {
     double ruleBandwidth_radps = 0.0; ///< what ST's rule takes it for
     double realBandwidth_radps = 0.0; ///< at the motor
-    double phaseMargin_deg = 0.0;
-    StepPrediction step;
+    double phaseMargin_deg = 0.0; ///< with the delay of a late timer
+    StepPrediction step; ///< with a prompt timer: the slower rise
+    double lateOvershoot = 0.0; ///< with a late one: the larger overshoot
 };
 /// @param digits  as the firmware has them, both > 0
 /// @param duration_s  of the step; 0: ten time constants

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kRadpsPerDigit = 2.0 * std::numbers::pi / 10.0; // 0.1 Hz
 
+constexpr double kFar = 1e3; // times the step: an unstable loop need not go on for ever
 constexpr double kStep = 0.02; // of the integration, in units of the lag
 
 /// Kp K tau and Ki K tau^2: what is left of the gains when the lag is the unit of time.
@@ -133,8 +134,9 @@ StepPrediction predictSpeedStep(
         static_cast<int>(std::clamp(std::ceil(length / kStep), 1.0, double{kMostSteps}));
     NormalLoop loop(normalised(gains, plant, lag_s), 0.0);
     for (int i = 0; i < count; ++i) {
-        step.response.push_back(loop.speed());
-        for (int k = 0; k < between; ++k)
+        const double speed = std::clamp(loop.speed(), -kFar, kFar);
+        step.response.push_back(speed);
+        for (int k = 0; k < between && std::abs(speed) < kFar; ++k)
             loop.step(length / between);
     }
     measureStep(step);

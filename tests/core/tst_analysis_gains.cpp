@@ -2,7 +2,9 @@
 #include "analysis/current_loop.h"
 #include "analysis/fixed_point.h"
 #include "analysis/observer_gains.h"
+#include "analysis/physical_gains.h"
 #include "analysis/speed_loop.h"
+#include "simulation/maths/gains.h"
 
 #include <QTest>
 
@@ -27,6 +29,9 @@ private Q_SLOTS:
     void speedGainsCrossWhereTheyShould();
     void speedDigitsTurnIntoGainsAndBack();
     void observerGainsAreThoseOfTheGeneratedProject();
+    void thePllIsAsItWasDesigned();
+    void smallLoopsHaveTheirUnits();
+    void anUnstableLoopStaysFinite();
 };
 
 namespace {
@@ -142,11 +147,17 @@ void TestAnalysisGains::aSlowLoopRisesLikeAFirstOrderOne()
 void TestAnalysisGains::delayShortensTheRiseAndThenOvershoots()
 {
     const CurrentPlant plant{0.35, 0.6e-3};
+    auto acting = Acting::Prompt;
     const auto stepOf = [&](double bandwidth) {
         const PiGains digits = currentDigits(currentGains(plant, bandwidth), kStage);
-        return predictCurrentStep(digits, plant, kStage, 400);
+        return predictCurrentStep(digits, plant, kStage, 400, acting);
     };
+    const StepPrediction prompt = stepOf(1500.0);
+    QVERIFY(stepOf(9000.0).overshoot < 0.01); // only delay makes a cancelled pole overshoot
+    acting = Acting::Late;
     const StepPrediction calm = stepOf(1500.0), quick = stepOf(9000.0);
+    QVERIFY(calm.rise_s < prompt.rise_s);
+    QVERIFY(near(prompt.rise_s, firstOrderRise_s(1500.0 * 2 / std::sqrt(3.0)), 0.07));
     QVERIFY(calm.rise_s < firstOrderRise_s(1500.0 * 2 / std::sqrt(3.0)));
     QVERIFY(calm.overshoot < 0.01);
     QVERIFY(quick.overshoot > 0.1);
@@ -214,6 +225,44 @@ void TestAnalysisGains::observerGainsAreThoseOfTheGeneratedProject()
     QCOMPARE(std::trunc(gains.gain1), -24379.0);
     QVERIFY(near(gains.gain1, -24379.08, 1e-6));
     QVERIFY(near(gains.gain2, 18041.0, 0.003));
+}
+
+void TestAnalysisGains::thePllIsAsItWasDesigned()
+{
+    // Designed by the simulated board's own rule: 400 rad/s, critically damped at half the highest speed.
+    const simulation::Pi::Gains pll =
+        simulation::pllGains(400.0, 1.0, 32767.0 * 0.5 / 1.2, 16000.0);
+    const PiGains digits{std::ldexp(pll.kp, -pll.kpShift), std::ldexp(pll.ki, -pll.kiShift)};
+    const PllForecast half = pllForecast(digits, 1.0 / 16000.0, 0.5);
+    // Its Ki has two digits.
+    QVERIFY(near(half.natural_radps, 400.0, 0.02));
+    QVERIFY(near(half.damping, 1.0, 0.02));
+    QVERIFY(near(pllForecast(digits, 1.0 / 16000.0, 0.125).natural_radps, 200.0, 0.02));
+    QCOMPARE(pllForecast({1.0, 0.0}, 1.0 / 16000.0, 0.5).damping, 0.0);
+}
+
+void TestAnalysisGains::smallLoopsHaveTheirUnits()
+{
+    // A volt is 32767 sqrt(3) / 24 digits, an ampere 544.5.
+    const PiGains weakening = fluxWeakeningGains({1.0, 0.5}, kStage, 1e-3);
+    QVERIFY(near(weakening.kp, 32767.0 * std::sqrt(3.0) / 24.0 / kDigitsPerAmp, 1e-9));
+    QVERIFY(near(weakening.ki, 500.0 * weakening.kp, 1e-9));
+    const PidGains position = positionGains({1.0, 1.0, 1.0}, kStage, 1e-3);
+    QVERIFY(near(position.kp, 65536.0 / (2.0 * M_PI) / kDigitsPerAmp, 1e-9));
+    QVERIFY(near(position.ki, 1000.0 * position.kp, 1e-9));
+    QVERIFY(near(position.kd, position.kp / 1000.0, 1e-9));
+}
+
+void TestAnalysisGains::anUnstableLoopStaysFinite()
+{
+    const StepPrediction current = predictCurrentStep({200.0, 1.0}, {0.35, 0.6e-3}, kStage, 100000);
+    const StepPrediction speed = predictSpeedStep({1e-3, 50.0}, {0.039, 5e-5}, 3e-3, 10.0, 10000);
+    for (const StepPrediction &step : {current, speed}) {
+        QVERIFY(step.overshoot > 10.0);
+        for (const double value : step.response)
+            QVERIFY(std::abs(value) <= 1e3);
+    }
+    QVERIFY(speedMargin({1e-3, 50.0}, {0.039, 5e-5}, 3e-3).phase_deg < 0.0);
 }
 
 QTEST_APPLESS_MAIN(TestAnalysisGains)

@@ -20,6 +20,7 @@ private Q_SLOTS:
         settings.baud = 115200;
         settings.theme = widgets::Theme::Dark;
         settings.pinned = {QStringLiteral("I_A")};
+        settings.inertias = {{QStringLiteral("A motor"), 5e-5}, {QStringLiteral("\u00e9"), 1e-7}};
         settings.firstStepsDone = true;
         QVERIFY(widgets::saveSettings(settings, path));
         QCOMPARE(widgets::loadSettings(path), settings);

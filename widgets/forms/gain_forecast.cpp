@@ -1,0 +1,139 @@
+#include "widgets/forms/gain_forecast.h"
+
+#include "widgets/device_text.h"
+#include "widgets/forms/gain_number.h"
+#include "widgets/forms/gain_plot.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <numbers>
+
+namespace widgets {
+namespace {
+
+using analysis::GainId;
+
+constexpr double kMilli = 1e3;
+constexpr double kShownTimeConstants = 7.0;
+constexpr double kShownOfSpeed = 0.7; ///< of the predicted step
+
+QString percentText(double share) { return significantText(100.0 * share, 2); }
+
+QLabel *makeText(const char *name, QWidget *parent)
+{
+    auto *label = new QLabel(parent);
+    label->setObjectName(QLatin1String(name));
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label->setFocusPolicy(Qt::NoFocus); // a click selects all the same
+    return label;
+}
+
+/// "0", or "0 to 4" where it depends on the board's timer.
+QString overshootText(const analysis::CurrentForecast &forecast)
+{
+    constexpr double kWorthSaying = 0.005;
+    const QString prompt = percentText(forecast.step.overshoot);
+    return forecast.lateOvershoot - forecast.step.overshoot < kWorthSaying
+        ? prompt
+        : GainForecast::tr("%1 to %2", "percent").arg(prompt, percentText(forecast.lateOvershoot));
+}
+
+analysis::PiGains digitsOf(const analysis::PerGain<HeldGain> &board, GainId kp, GainId ki)
+{
+    return {board[analysis::indexOf(kp)].value(), board[analysis::indexOf(ki)].value()};
+}
+
+} // namespace
+
+GainForecast::GainForecast(QWidget *parent)
+    : QWidget(parent)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    m_currentText = makeText("labCurrentText", this);
+    m_currentPlot = new GainPlot(tr("Current"), this);
+    m_speedText = makeText("labSpeedText", this);
+    m_speedPlot = new GainPlot(tr("Speed"), this);
+    column->addWidget(m_currentText);
+    column->addWidget(m_currentPlot, 1);
+    column->addWidget(m_speedText);
+    column->addWidget(m_speedPlot, 1);
+}
+
+void GainForecast::showPlan(const analysis::GainPlan &plan, double asked_radps,
+    const analysis::GainPlant &plant, const analysis::PerGain<HeldGain> &board)
+{
+    showCurrent(plan, asked_radps, plant, board);
+    showSpeed(plan, plant, board);
+}
+
+void GainForecast::showCurrent(const analysis::GainPlan &plan, double asked_radps,
+    const analysis::GainPlant &plant, const analysis::PerGain<HeldGain> &board)
+{
+    if (!plan.current) {
+        m_currentText->setText({});
+        m_currentPlot->setReason(tr("No prediction yet."));
+        return;
+    }
+    const analysis::CurrentForecast &now = *plan.current;
+    const auto hertz = [](double radps) {
+        return significantText(radps / (2.0 * std::numbers::pi), 3);
+    };
+    m_currentText->setText(
+        tr("Asked %1, at the motor %2 rad/s (%3 Hz). Rise %4 ms, overshoot %5 %, margin "
+           "%6\u00b0.")
+            .arg(significantText(asked_radps), significantText(now.realBandwidth_radps),
+                hertz(now.realBandwidth_radps), significantText(now.step.rise_s * kMilli, 3),
+                overshootText(now), significantText(now.phaseMargin_deg, 3)));
+    m_currentText->setToolTip(plainToolTip(tr(
+        "Rise with a timer that takes the new voltage at once, as on the simulated board. One that "
+        "takes it a period later rises quicker and overshoots more.")));
+    const double duration = kShownTimeConstants / now.realBandwidth_radps;
+    const analysis::PiGains present = digitsOf(board, GainId::TorqueKp, GainId::TorqueKi);
+    analysis::StepPrediction before;
+    if (present.kp > 0.0 && present.ki >= 0.0)
+        before = analysis::forecastCurrent(present, plant.torque(), plant.stage, duration).step;
+    m_currentPlot->setSteps(now.step, before, duration);
+    m_currentPlot->setAccessibleDescription(m_currentText->text());
+}
+
+void GainForecast::showSpeed(const analysis::GainPlan &plan, const analysis::GainPlant &plant,
+    const analysis::PerGain<HeldGain> &board)
+{
+    if (!plan.speed) {
+        m_speedText->setText({});
+        m_speedPlot->setReason(
+            plan.current ? tr("The speed loop stays as it is.") : tr("No prediction yet."));
+        return;
+    }
+    const analysis::SpeedForecast &now = *plan.speed;
+    QString text = tr("Rise %1 ms, margin %2\u00b0. Overshoot %3 %, behind a ramp %4 %.")
+                       .arg(significantText(now.step.rise_s * kMilli, 3),
+                           significantText(now.margin.phase_deg, 3),
+                           percentText(now.step.overshoot), percentText(plan.rampedOvershoot));
+    if (now.largestStep_rpm > 0.0)
+        text += QLatin1Char(' ')
+            + tr("For steps up to %1 rpm.").arg(significantText(now.largestStep_rpm, 2));
+    m_speedText->setToolTip(plainToolTip(
+        tr("Everything between the wish and the measured speed is %1 ms late. A larger step needs "
+           "more than the nominal current, and rises more slowly.")
+            .arg(significantText(now.lag_s * kMilli, 3))));
+    m_speedText->setText(text);
+    const double duration =
+        kShownOfSpeed * now.step.period_s * static_cast<double>(now.step.response.size());
+    const analysis::PiGains present = digitsOf(board, GainId::SpeedKp, GainId::SpeedKi);
+    const analysis::PiGains torque = digitsOf(board, GainId::TorqueKp, GainId::TorqueKi);
+    analysis::StepPrediction before;
+    if (present.kp > 0.0 && present.ki >= 0.0 && torque.kp > 0.0)
+        before = analysis::forecastSpeed(present, plant,
+            analysis::realBandwidth_radps(torque.kp, plant.torque(), plant.stage), duration)
+                     .step;
+    m_speedPlot->setSteps(now.step, before, duration);
+    m_speedPlot->setAccessibleDescription(text);
+}
+
+} // namespace widgets

@@ -1,0 +1,33 @@
+// GainForecast: what the loops will do with planned gains, in words and drawn small, over what they do with the board's.
+#pragma once
+
+#include "widgets/forms/gain_plan_table.h"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace widgets {
+
+class GainPlot;
+
+class GainForecast : public QWidget {
+    Q_OBJECT
+public:
+    explicit GainForecast(QWidget *parent = nullptr);
+
+    /// @param asked_radps  the bandwidth that was wished for
+    void showPlan(const analysis::GainPlan &plan, double asked_radps,
+        const analysis::GainPlant &plant, const analysis::PerGain<HeldGain> &board);
+
+private:
+    void showCurrent(const analysis::GainPlan &plan, double asked_radps,
+        const analysis::GainPlant &plant, const analysis::PerGain<HeldGain> &board);
+    void showSpeed(const analysis::GainPlan &plan, const analysis::GainPlant &plant,
+        const analysis::PerGain<HeldGain> &board);
+
+    QLabel *m_currentText, *m_speedText;
+    GainPlot *m_currentPlot, *m_speedPlot;
+};
+
+} // namespace widgets

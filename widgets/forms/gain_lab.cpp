@@ -1,0 +1,426 @@
+#include "widgets/forms/gain_lab.h"
+
+#include "widgets/device_text.h"
+#include "widgets/forms/gain_forecast.h"
+#include "widgets/forms/gain_motor.h"
+#include "widgets/forms/gain_number.h"
+#include "widgets/forms/gain_texts.h"
+#include "widgets/wheel_guard.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace widgets {
+namespace {
+
+using analysis::GainId;
+using analysis::GainPlan;
+
+constexpr double kMilli = 1e3;
+constexpr int kSliderSteps = 1000;
+constexpr double kLeastBandwidth = 50.0, kMostBandwidth = 20000.0; ///< of the slider
+constexpr double kLeastDamping = 1.5, kMostDamping = 8.0;
+constexpr double kFirstBandwidth = 1500.0, kFirstDamping = 4.0;
+
+double bandwidthAt(int position, double most)
+{
+    const double exact =
+        kLeastBandwidth * std::pow(most / kLeastBandwidth, double(position) / kSliderSteps);
+    const double digit =
+        std::pow(10.0, std::floor(std::log10(exact)) - 1.0); // two digits and a half
+    return std::round(exact / (digit / 2.0)) * (digit / 2.0);
+}
+
+int positionOf(double value, double least, double most)
+{
+    const double share = std::log(value / least) / std::log(most / least);
+    return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * kSliderSteps));
+}
+
+QSlider *makeSlider(const char *name, const QString &label, QWidget *parent)
+{
+    auto *slider = new QSlider(Qt::Horizontal, parent);
+    slider->setObjectName(QLatin1String(name));
+    slider->setAccessibleName(label);
+    slider->setRange(0, kSliderSteps);
+    slider->setSingleStep(kSliderSteps / 200);
+    slider->setPageStep(kSliderSteps / 20);
+    new WheelGuard(slider);
+    return slider;
+}
+
+QLabel *makeText(const char *name, QWidget *parent)
+{
+    auto *label = new QLabel(parent);
+    label->setObjectName(QLatin1String(name));
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label->setFocusPolicy(Qt::NoFocus); // a click selects all the same
+    return label;
+}
+
+std::optional<std::int64_t> wholeOf(const RegisterModel &model, const QString &name)
+{
+    const auto id = model.idOf(name.toStdString());
+    const auto value = id ? model.known(*id) : std::nullopt;
+    const auto *whole = value ? std::get_if<std::int64_t>(&*value) : nullptr;
+    return whole ? std::optional(*whole) : std::nullopt;
+}
+
+QString divisorOf(GainId id) { return QLatin1String(gainRegister(id)) + QStringLiteral("_DIV"); }
+
+} // namespace
+
+GainLab::GainLab(RegisterModel &model, QWidget *parent)
+    : QWidget(parent)
+    , m_model(model)
+    , m_motor(new GainMotor(this))
+    , m_forecast(new GainForecast(this))
+{
+    setObjectName(QStringLiteral("gainLab"));
+    auto *grid = new QGridLayout(this);
+    grid->setContentsMargins(4, 4, 4, 0);
+    grid->setHorizontalSpacing(12);
+    grid->setVerticalSpacing(4);
+    grid->addWidget(makeMotorSide(), 0, 0);
+    grid->addWidget(makeWishes(), 0, 1);
+    grid->addWidget(m_forecast, 0, 2);
+    grid->addWidget(makeEnd(), 1, 0, 1, 3);
+    grid->setColumnStretch(1, 2);
+    grid->setColumnStretch(2, 3);
+    grid->setRowStretch(0, 1);
+    connectWishes();
+    setTabOrder(m_table, m_fromBoard);
+    setTabOrder(m_fromBoard, m_preview);
+    fillBandwidth(kFirstBandwidth, nullptr);
+    fillDamping(kFirstDamping, nullptr);
+    recompute();
+}
+
+QWidget *GainLab::makeWishes()
+{
+    auto *wishes = new QWidget(this);
+    auto *grid = new QGridLayout(wishes);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(5);
+    grid->setVerticalSpacing(3);
+    const QString bandwidth = tr("Current bandwidth"), damping = tr("Speed damping");
+    auto *label = new QLabel(bandwidth, this);
+    m_bandwidthSlider = makeSlider("labBandwidthSlider", bandwidth, this);
+    const int digit = fontMetrics().horizontalAdvance(QLatin1Char('0'));
+    const auto field = [&](const char *name, const QString &text, const QString &unit, double least,
+                           double greatest) {
+        auto *made = new GainNumber(name, text, unit, least, greatest, this);
+        made->setFixedWidth(digit * 8);
+        return made;
+    };
+    m_bandwidth =
+        field("labBandwidth", bandwidth, QStringLiteral("rad/s"), 0.1, kMostBandwidth * 100.0);
+    m_hertz = field("labBandwidthHz", bandwidth, QStringLiteral("Hz"), 0.01, kMostBandwidth * 20.0);
+    m_bandwidth->setToolTip(tr("As ST's rule counts it; the loop at the motor is 15 % faster."));
+    m_hertz->setToolTip(m_bandwidth->toolTip());
+    label->setBuddy(m_bandwidth);
+    grid->addWidget(label, 0, 0);
+    grid->addWidget(m_bandwidthSlider, 0, 1);
+    grid->addWidget(m_bandwidth, 0, 2);
+    grid->addWidget(new QLabel(m_bandwidth->unit(), this), 0, 3);
+    grid->addWidget(m_hertz, 0, 4);
+    grid->addWidget(new QLabel(m_hertz->unit(), this), 0, 5);
+    m_speed = new QCheckBox(damping, this);
+    m_speed->setObjectName(QStringLiteral("labSpeed"));
+    m_speed->setChecked(true);
+    m_speed->setToolTip(tr("Also plan the speed loop. Damping 2 is quick and rings, 4 is calm."));
+    m_dampingSlider = makeSlider("labDampingSlider", damping, this);
+    m_damping = field("labDamping", damping, {}, 1.05, 20.0);
+    grid->addWidget(m_speed, 1, 0);
+    grid->addWidget(m_dampingSlider, 1, 1);
+    grid->addWidget(m_damping, 1, 2);
+    auto *delayLabel = new QLabel(tr("Delay"), this);
+    m_delay = field("labDelay", tr("Delay of the measured speed"), QStringLiteral("ms"), 0, 1000);
+    m_delay->setToolTip(tr("How late the measured speed is: half the length of its average. The "
+                           "board does not say it; this is what ST's generator takes for its "
+                           "sensor."));
+    delayLabel->setBuddy(m_delay);
+    grid->addWidget(delayLabel, 1, 3);
+    grid->addWidget(m_delay, 1, 4);
+    grid->addWidget(new QLabel(m_delay->unit(), this), 1, 5);
+
+    m_table = new GainPlanTable(this);
+    grid->addWidget(m_table, 2, 0, 1, 6);
+    grid->setColumnStretch(1, 1);
+    grid->setRowStretch(2, 1);
+    return wishes;
+}
+
+QWidget *GainLab::makeEnd()
+{
+    auto *end = new QWidget(this);
+    auto *grid = new QGridLayout(end);
+    grid->setContentsMargins(0, 0, 0, 0);
+    m_findings = makeText("labFindings", this);
+    m_told = makeText("labTold", this);
+    grid->addWidget(m_findings, 0, 0);
+    grid->addWidget(m_told, 0, 1);
+    grid->setColumnStretch(0, 3);
+    grid->setColumnStretch(1, 2);
+    return end;
+}
+
+QWidget *GainLab::makeMotorSide()
+{
+    auto *side = new QWidget(this);
+    auto *grid = new QGridLayout(side);
+    grid->setContentsMargins(0, 0, 0, 0);
+    m_fromBoard = new QPushButton(tr("From the &board"), this);
+    m_fromBoard->setObjectName(QStringLiteral("labFromBoard"));
+    m_fromBoard->setToolTip(tr("Forgets what was typed here and takes the board's numbers again."));
+    m_preview = new QPushButton(tr("&Preview"), this);
+    m_preview->setObjectName(QStringLiteral("labPreview"));
+    grid->addWidget(m_motor, 0, 0, 1, 2);
+    grid->addWidget(m_fromBoard, 1, 0);
+    grid->addWidget(m_preview, 1, 1);
+    grid->setRowStretch(0, 1);
+    connect(m_fromBoard, &QPushButton::clicked, this, [this] {
+        forgetTyped();
+        refreshPresent();
+    });
+    connect(m_preview, &QPushButton::clicked, this, &GainLab::previewWished);
+    return side;
+}
+
+void GainLab::connectWishes()
+{
+    connect(m_motor, &GainMotor::inertiaTyped, this, &GainLab::inertiaTyped);
+    connect(m_motor, &GainMotor::edited, this, [this] {
+        m_told->clear();
+        recompute();
+    });
+    connect(m_bandwidth, &GainNumber::valueEdited, this, [this] {
+        if (const auto value = m_bandwidth->value())
+            fillBandwidth(*value, m_bandwidth);
+        wished();
+    });
+    connect(m_hertz, &GainNumber::valueEdited, this, [this] {
+        const auto value = m_hertz->value();
+        if (value)
+            fillBandwidth(*value * 2.0 * std::numbers::pi, m_hertz);
+        else
+            m_bandwidth->setValue(std::nullopt);
+        wished();
+    });
+    connect(m_damping, &GainNumber::valueEdited, this, [this] {
+        if (const auto value = m_damping->value())
+            fillDamping(*value, m_damping);
+        wished();
+    });
+    connect(m_bandwidthSlider, &QSlider::valueChanged, this, [this](int position) {
+        fillBandwidth(bandwidthAt(position, sliderEnd()), m_bandwidthSlider);
+        wished();
+    });
+    connect(m_dampingSlider, &QSlider::valueChanged, this, [this](int position) {
+        const double exact =
+            kLeastDamping * std::pow(kMostDamping / kLeastDamping, double(position) / kSliderSteps);
+        fillDamping(std::round(exact * 100.0) / 100.0, m_dampingSlider);
+        wished();
+    });
+    connect(m_delay, &GainNumber::valueEdited, this, [this] {
+        m_delayTyped = true;
+        wished();
+    });
+    connect(m_speed, &QCheckBox::toggled, this, [this](bool on) {
+        m_dampingSlider->setEnabled(on);
+        m_damping->setEnabled(on);
+        m_delay->setEnabled(on);
+        wished();
+    });
+}
+
+/// What the slider goes up to: what the control rate allows, if that is known.
+double GainLab::sliderEnd() const
+{
+    const double period_s = m_motor->facts().controlPeriod_s;
+    return period_s > 0.0
+        ? std::max(2.0 * kLeastBandwidth, analysis::bandwidthLimit_radps(1.0 / period_s))
+        : kMostBandwidth;
+}
+
+void GainLab::fillBandwidth(double radps, const QWidget *except)
+{
+    if (except != m_bandwidth)
+        m_bandwidth->setValue(radps);
+    if (except != m_hertz)
+        m_hertz->setValue(radps / (2.0 * std::numbers::pi));
+    const QSignalBlocker quiet(m_bandwidthSlider);
+    if (except != m_bandwidthSlider && radps > 0.0)
+        m_bandwidthSlider->setValue(positionOf(radps, kLeastBandwidth, sliderEnd()));
+    m_bandwidthSlider->setAccessibleDescription(
+        significantText(radps) + QLatin1Char(' ') + m_bandwidth->unit());
+}
+
+void GainLab::fillDamping(double damping, const QWidget *except)
+{
+    if (except != m_damping)
+        m_damping->setValue(damping);
+    const QSignalBlocker quiet(m_dampingSlider);
+    if (except != m_dampingSlider)
+        m_dampingSlider->setValue(positionOf(damping, kLeastDamping, kMostDamping));
+    m_dampingSlider->setAccessibleDescription(significantText(damping));
+}
+
+void GainLab::fillDelay()
+{
+    const double delay_s = m_motor->facts().speedDelay_s;
+    m_delay->setValue(delay_s > 0.0 ? std::optional(delay_s * kMilli) : std::nullopt);
+}
+
+analysis::GainPlant GainLab::plant() const
+{
+    analysis::GainPlant plant = m_motor->plant();
+    plant.speedDelay_s = m_delay->value().value_or(0.0) / kMilli;
+    return plant;
+}
+
+void GainLab::wished()
+{
+    m_wished = true;
+    m_told->clear();
+    recompute();
+}
+
+void GainLab::setFacts(const drive::MotorFacts &facts, std::optional<double> rememberedInertia_kgm2)
+{
+    m_motor->setFacts(facts, rememberedInertia_kgm2);
+    if (!m_delayTyped)
+        fillDelay();
+    if (const auto bandwidth = m_bandwidth->value())
+        fillBandwidth(*bandwidth, m_bandwidth); // the slider may end elsewhere now
+    recompute();
+}
+
+void GainLab::forgetTyped()
+{
+    m_motor->forgetTyped();
+    m_wished = m_delayTyped = false;
+    fillDelay();
+    m_told->clear();
+    recompute();
+}
+
+void GainLab::refreshPresent()
+{
+    analysis::PerGain<HeldGain> held;
+    for (std::size_t i = 0; i < held.size(); ++i) {
+        const auto id = static_cast<GainId>(i);
+        held[i].numerator = wholeOf(m_model, QLatin1String(gainRegister(id)));
+        if (const auto exponent = wholeOf(m_model, divisorOf(id));
+            exponent && *exponent >= 0 && *exponent <= analysis::kMaxExponent)
+            held[i].exponent = static_cast<int>(*exponent);
+    }
+    if (held == m_held && m_wished)
+        return;
+    m_held = held;
+    takeBoardsBandwidth();
+    recompute();
+}
+
+/// Until somebody wishes for another one, it is the bandwidth that the board has.
+void GainLab::takeBoardsBandwidth()
+{
+    const analysis::GainPlant board = plant();
+    const double kp = m_held[analysis::indexOf(GainId::TorqueKp)].value();
+    if (m_wished || !(kp > 0.0) || !(board.torque().inductance_h > 0.0)
+        || !(board.stage.ruleOhms() > 0.0))
+        return;
+    const double now = analysis::ruleBandwidth_radps(kp, board.torque(), board.stage);
+    const double digit = std::pow(10.0, std::floor(std::log10(now)) - 2.0);
+    fillBandwidth(std::round(now / digit) * digit, nullptr);
+}
+
+std::vector<catalog::RegisterId> GainLab::registers() const
+{
+    std::vector<catalog::RegisterId> ids;
+    for (std::size_t i = 0; i < analysis::kGainIds; ++i) {
+        const auto gain = static_cast<GainId>(i);
+        for (const QString &name : {QString(QLatin1String(gainRegister(gain))), divisorOf(gain)})
+            if (const auto id = m_model.idOf(name.toStdString()); id && m_model.pollable(*id))
+                ids.push_back(*id);
+    }
+    return ids;
+}
+
+void GainLab::focusFirst() { m_bandwidth->setFocus(Qt::ShortcutFocusReason); }
+
+void GainLab::tell(const QString &sentence) { m_told->setText(sentence); }
+
+QString GainLab::obstacle() const
+{
+    if (!m_model.catalog())
+        return tr("Connect a board: the gains are for its registers.");
+    for (const analysis::PlannedGain &gain : m_plan.gains)
+        for (const QString &name :
+            {QString(QLatin1String(gainRegister(gain.id))), divisorOf(gain.id)})
+            if (const auto id = m_model.idOf(name.toStdString());
+                !id || !m_model.editable(*id, RegisterModel::RawColumn))
+                return tr("This board's firmware does not let %1 be written.").arg(name);
+    for (const GainNumber *field : {m_bandwidth, m_hertz})
+        if (!field->value())
+            return tr("Type a bandwidth.");
+    if (m_speed->isChecked() && !m_delay->problem().isEmpty())
+        return tr("%1: %2", "field, what is wrong with it")
+            .arg(m_delay->accessibleName(), m_delay->problem());
+    if (m_speed->isChecked() && !m_damping->value())
+        return tr("Type a damping from 1.05 to 20, or leave the speed loop out.");
+    if (const QString problem = m_motor->problem(); !problem.isEmpty())
+        return problem;
+    for (const analysis::GainFinding &finding : m_plan.findings)
+        if (analysis::blocks(finding.warning))
+            return gainFindingText(finding);
+    return {};
+}
+
+void GainLab::recompute()
+{
+    const double bandwidth = m_hertz->value() && m_bandwidth->value() ? *m_bandwidth->value() : 0.0;
+    const double damping = m_speed->isChecked() ? m_damping->value().value_or(0.0) : 0.0;
+    analysis::PerGain<std::optional<int>> divisors;
+    for (std::size_t i = 0; i < divisors.size(); ++i)
+        divisors[i] = m_held[i].exponent;
+    m_plan =
+        bandwidth > 0.0 ? analysis::planGains(plant(), {bandwidth, damping}, divisors) : GainPlan();
+    m_table->showPlan(m_plan, m_held);
+    m_forecast->showPlan(m_plan, bandwidth, plant(), m_held);
+    showFindings();
+    const QString why = obstacle();
+    m_preview->setEnabled(why.isEmpty());
+    m_preview->setToolTip(why.isEmpty()
+            ? tr("Makes edits of the new numbers, numerator and divisor together. Nothing is "
+                 "written before Apply.")
+            : plainToolTip(why));
+}
+
+void GainLab::showFindings()
+{
+    QStringList lines;
+    for (const analysis::GainFinding &finding : m_plan.findings)
+        lines.append((analysis::blocks(finding.warning) ? QStringLiteral("\u26a0 ")
+                                                        : QStringLiteral("\u2022 "))
+            + gainFindingText(finding));
+    if (lines.isEmpty() && m_plan.gains.empty())
+        lines.append(QStringLiteral("\u26a0 ") + obstacle());
+    m_findings->setText(lines.join(QLatin1Char('\n')));
+    QFont font = this->font();
+    font.setBold(m_plan.blocked());
+    m_findings->setFont(font);
+    m_findings->setVisible(!lines.isEmpty());
+}
+
+} // namespace widgets

@@ -1,0 +1,76 @@
+// GainLab: from the motor, a bandwidth of the current loops and a damping of the speed loop to gains: what they will be,
+// what rounding costs, what the loops will do with them. Only computes and shows; a preview is asked for by a signal.
+#pragma once
+
+#include "drive/motor_view.h"
+#include "widgets/forms/gain_plan_table.h"
+#include "widgets/register_model.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace widgets {
+
+class GainForecast;
+class GainMotor;
+class GainNumber;
+
+class GainLab : public QWidget {
+    Q_OBJECT
+public:
+    explicit GainLab(RegisterModel &model, QWidget *parent = nullptr);
+
+    /// What the board says; fields that a person has typed into keep what was typed.
+    void setFacts(const drive::MotorFacts &facts, std::optional<double> rememberedInertia_kgm2);
+    /// Back to the board's own numbers, as after another board or motor came.
+    void forgetTyped();
+    /// The board may hold other gains now.
+    void refreshPresent();
+
+    const analysis::GainPlan &plan() const { return m_plan; }
+    std::vector<catalog::RegisterId> registers() const;
+    void focusFirst();
+    void tell(const QString &sentence); ///< what came of a preview; goes with the next change
+
+Q_SIGNALS:
+    void previewWished();
+    void inertiaTyped(double inertia_kgm2);
+
+private:
+    QWidget *makeMotorSide();
+    QWidget *makeWishes();
+    QWidget *makeEnd();
+    void connectWishes();
+    void fillBandwidth(double radps, const QWidget *except);
+    void fillDamping(double damping, const QWidget *except);
+    void takeBoardsBandwidth();
+    void wished();
+    double sliderEnd() const;
+    void fillDelay();
+    analysis::GainPlant plant() const;
+    void recompute();
+    void showFindings();
+    QString obstacle() const; ///< why no preview is possible; empty if it is
+
+    RegisterModel &m_model;
+    analysis::PerGain<HeldGain> m_held;
+    analysis::GainPlan m_plan;
+    bool m_wished = false; ///< bandwidth or damping are a person's
+    bool m_delayTyped = false;
+    GainMotor *m_motor;
+    GainPlanTable *m_table = nullptr;
+    GainForecast *m_forecast;
+    GainNumber *m_bandwidth = nullptr, *m_hertz = nullptr, *m_damping = nullptr, *m_delay = nullptr;
+    QSlider *m_bandwidthSlider = nullptr, *m_dampingSlider = nullptr;
+    QCheckBox *m_speed = nullptr;
+    QLabel *m_findings = nullptr, *m_told = nullptr;
+    QPushButton *m_fromBoard = nullptr, *m_preview = nullptr;
+};
+
+} // namespace widgets

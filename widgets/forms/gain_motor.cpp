@@ -1,0 +1,162 @@
+#include "widgets/forms/gain_motor.h"
+
+#include "tuning/gain_plant.h"
+#include "widgets/forms/gain_number.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+#include <algorithm>
+
+namespace widgets {
+namespace {
+
+constexpr double kGcm2 = 1e7; ///< g cm2 in a kg m2
+constexpr double kMilli = 1e3;
+
+} // namespace
+
+GainMotor::GainMotor(QWidget *parent)
+    : QWidget(parent)
+{
+    auto *grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(5);
+    grid->setVerticalSpacing(3);
+    // Typed in the usual sizes, so that nobody needs an exponent.
+    m_rs = addInput(grid, 0, 0, "labRs", tr("Rs"), QStringLiteral("\u03a9"), 1e-5, 1e4);
+    m_lq = addInput(grid, 1, 0, "labLq", tr("Lq"), QStringLiteral("mH"), 1e-5, 1e4);
+    m_ld = addInput(grid, 2, 0, "labLd", tr("Ld"), QStringLiteral("mH"), 1e-5, 1e4);
+    m_polePairs = addInput(grid, 3, 0, "labPolePairs", tr("Pole pairs"), {}, 1, 200);
+    m_flux = addInput(grid, 4, 0, "labFlux", tr("Flux"), QStringLiteral("mWb"), 1e-3, 1e4);
+    m_ke = addInput(grid, 5, 0, "labKe", tr("Ke"), QStringLiteral("V/krpm"), 1e-3, 1e4);
+    m_inertia = addInput(
+        grid, 6, 0, "labInertia", tr("Inertia"), QStringLiteral("g\u00b7cm\u00b2"), 1e-3, 1e9);
+    m_rs->setToolTip(tr("Of a phase: half of what is measured between two wires."));
+    m_lq->setToolTip(m_rs->toolTip());
+    m_ld->setToolTip(m_rs->toolTip());
+    m_flux->setToolTip(tr("Of the magnets, linked with a phase, peak."));
+    m_ke->setToolTip(tr("Volts rms between two wires at 1000 rpm. The same as the flux: one "
+                        "follows the other."));
+    m_inertia->setToolTip(tr("Of rotor and load together; boards rarely know it. It is remembered "
+                             "for motors of this name. 1 kg\u00b7m\u00b2 = 10,000,000 g\u00b7"
+                             "cm\u00b2."));
+    grid->setRowStretch(7, 1);
+    for (GainNumber *field : {m_rs, m_lq, m_ld, m_inertia})
+        connect(field, &GainNumber::valueEdited, this, [this, field] { typed(field); });
+    for (GainNumber *field : {m_flux, m_ke})
+        connect(field, &GainNumber::valueEdited, this, [this, field] { fluxTyped(field); });
+    connect(m_polePairs, &GainNumber::valueEdited, this, [this] {
+        keepTyped(m_polePairs);
+        fluxTyped(isTyped(m_ke) ? m_ke : m_flux);
+    });
+}
+
+GainNumber *GainMotor::addInput(QGridLayout *grid, int row, int column, const char *name,
+    const QString &label, const QString &unit, double least, double greatest)
+{
+    auto *field = new GainNumber(name, label, unit, least, greatest, this);
+    field->setFixedWidth(fontMetrics().horizontalAdvance(QLatin1Char('0')) * 9);
+    auto *text = new QLabel(label, this);
+    text->setBuddy(field);
+    grid->addWidget(text, row, column);
+    grid->addWidget(field, row, column + 1);
+    grid->addWidget(new QLabel(unit, this), row, column + 2);
+    return field;
+}
+
+bool GainMotor::isTyped(const GainNumber *field) const
+{
+    return std::find(m_typed.begin(), m_typed.end(), field) != m_typed.end();
+}
+
+void GainMotor::keepTyped(GainNumber *field)
+{
+    if (!isTyped(field))
+        m_typed.push_back(field);
+}
+
+void GainMotor::typed(GainNumber *field)
+{
+    keepTyped(field);
+    if (field == m_inertia)
+        if (const auto inertia = m_inertia->value())
+            Q_EMIT inertiaTyped(*inertia / kGcm2);
+    Q_EMIT edited();
+}
+
+/// Flux and Ke are the same magnets: the other one follows.
+void GainMotor::fluxTyped(GainNumber *field)
+{
+    const auto value = field->value(), poles = m_polePairs->value();
+    GainNumber *other = field == m_flux ? m_ke : m_flux;
+    std::erase(m_typed, other);
+    if (value && poles)
+        other->setValue(field == m_flux ? analysis::keOfFlux_vrmsPerKrpm(*value / kMilli, *poles)
+                                        : analysis::fluxOfKe_wb(*value, *poles) * kMilli);
+    else
+        other->setValue(std::nullopt);
+    typed(field);
+}
+
+void GainMotor::setFacts(
+    const drive::MotorFacts &facts, std::optional<double> rememberedInertia_kgm2)
+{
+    m_facts = facts;
+    m_remembered_kgm2 = rememberedInertia_kgm2;
+    fill();
+}
+
+void GainMotor::forgetTyped()
+{
+    m_typed.clear();
+    fill();
+}
+
+void GainMotor::fill()
+{
+    const auto put = [this](GainNumber *field, double value, double factor) {
+        if (!isTyped(field))
+            field->setValue(value > 0.0 ? std::optional(value * factor) : std::nullopt);
+    };
+    const analysis::MotorParameters &motor = m_facts.motor;
+    put(m_rs, motor.rs_ohm, 1.0);
+    put(m_lq, motor.lq_h, kMilli);
+    put(m_ld, motor.ld_h, kMilli);
+    put(m_polePairs, motor.polePairs, 1.0);
+    if (!isTyped(m_flux) && !isTyped(m_ke)) {
+        put(m_flux, motor.flux_wb, kMilli);
+        put(m_ke,
+            motor.polePairs > 0.0 ? analysis::keOfFlux_vrmsPerKrpm(motor.flux_wb, motor.polePairs)
+                                  : 0.0,
+            1.0);
+    }
+    put(m_inertia,
+        m_facts.inertia_kgm2 > 0.0 ? m_facts.inertia_kgm2 : m_remembered_kgm2.value_or(0.0), kGcm2);
+}
+
+analysis::GainPlant GainMotor::plant() const
+{
+    analysis::GainPlant plant = tuning::gainPlant(m_facts);
+    const auto in = [](const GainNumber *field, double factor) {
+        return field->value().value_or(0.0) / factor;
+    };
+    plant.motor.rs_ohm = in(m_rs, 1.0);
+    plant.motor.lq_h = in(m_lq, kMilli);
+    plant.motor.ld_h = in(m_ld, kMilli);
+    plant.motor.polePairs = in(m_polePairs, 1.0);
+    plant.motor.flux_wb = in(m_flux, kMilli);
+    plant.inertia_kgm2 = in(m_inertia, kGcm2);
+    return plant;
+}
+
+QString GainMotor::problem() const
+{
+    for (const GainNumber *field : {m_rs, m_lq, m_ld, m_polePairs, m_flux, m_ke, m_inertia})
+        if (const QString sentence = field->problem(); !sentence.isEmpty())
+            return tr("%1: %2", "field, what is wrong with it")
+                .arg(field->accessibleName(), sentence);
+    return {};
+}
+
+} // namespace widgets

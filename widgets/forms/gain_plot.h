@@ -1,0 +1,38 @@
+// GainPlot: the step of a loop drawn small: the one that the new gains will make, and the one of the gains that the board
+// has now, dashed. Draws what it is given.
+#pragma once
+
+#include "analysis/current_loop.h"
+
+#include <QWidget>
+
+namespace widgets {
+
+class GainPlot : public QWidget {
+    Q_OBJECT
+public:
+    explicit GainPlot(const QString &title, QWidget *parent = nullptr);
+
+    /// Empty responses are not drawn. Both begin at 0; what lies beyond `duration_s` is cut.
+    void setSteps(const analysis::StepPrediction &planned, const analysis::StepPrediction &present,
+        double duration_s);
+    /// Instead of a picture: why there is none.
+    void setReason(const QString &sentence);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    void drawStep(
+        QPainter &painter, const QRectF &area, const analysis::StepPrediction &step) const;
+    double top() const;
+
+    QString m_title, m_reason;
+    analysis::StepPrediction m_planned, m_present;
+    double m_duration_s = 0.0;
+};
+
+} // namespace widgets

@@ -1,0 +1,21 @@
+// The words of the gain forms: units of gains, and what is to be said about a plan.
+#pragma once
+
+#include "analysis/gain_plan.h"
+
+#include <QString>
+
+namespace widgets {
+
+/// Of the numerator's register; its divisor's ends in "_DIV".
+const char *gainRegister(analysis::GainId id);
+/// "V/A", "A/rad"; the same in every language.
+QString gainUnit(analysis::GainId id);
+QString gainWithUnit(double physical, const QString &unit);
+/// "4621/2^10"
+QString fractionText(const analysis::FixedPointGain &gain);
+
+/// One sentence, with what to do.
+QString gainFindingText(const analysis::GainFinding &finding);
+
+} // namespace widgets

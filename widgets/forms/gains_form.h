@@ -1,0 +1,59 @@
+// GainsForm: the gains of every regulator of the board, and the lab that computes those of the three main loops. What the
+// lab proposes becomes pending edits on "Preview", numerator and divisor together; Apply writes them as one step.
+#pragma once
+
+#include "drive/motor_view.h"
+#include "widgets/forms/form.h"
+#include "widgets/register_edits.h"
+
+#include <QMap>
+
+class QAction;
+class QLabel;
+class QTabWidget;
+
+namespace widgets {
+
+class EditBar;
+class GainLab;
+class GainTable;
+
+class GainsForm : public Form {
+    Q_OBJECT
+public:
+    /// By the name that the board gives its motor, in kg m2.
+    using Inertias = QMap<QString, double>;
+
+    /// All outlive the form. @param apply, revert  the window's actions
+    GainsForm(Device &device, RegisterModel &model, RegisterEdits &edits, QAction *apply,
+        QAction *revert, const Inertias &inertias, QWidget *parent = nullptr);
+
+    std::vector<catalog::RegisterId> watchedRegisters() const override;
+    void refresh(Milliseconds now) override;
+    void focusFirst() override;
+
+Q_SIGNALS:
+    void inertiaRemembered(const QString &motor, double inertia_kgm2);
+
+private:
+    void takeFacts();
+    void boardChanged();
+    void showBoard(const drive::MotorFacts &facts);
+    void preview();
+    /// Registers that are edited and that the plan has nothing to do with, by name.
+    QStringList othersPending() const;
+
+    Device &m_device;
+    RegisterModel &m_model;
+    RegisterEdits &m_edits;
+    Inertias m_inertias;
+    QString m_motorName; ///< made fit to be shown
+    std::vector<catalog::RegisterId> m_factRegisters; ///< not read yet
+    QTabWidget *m_pages;
+    QLabel *m_board;
+    GainTable *m_table;
+    GainLab *m_lab;
+    EditBar *m_editBar;
+};
+
+} // namespace widgets
