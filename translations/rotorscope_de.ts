@@ -1086,10 +1086,6 @@
         <translation>Heben Sie den Strom hier und davor auf mindestens %1.</translation>
     </message>
     <message>
-        <source>Give it at least %1&#x202f;ms, or a current of at least %2 here and before.</source>
-        <translation>Geben Sie ihr mindestens %1&#x202f;ms, oder hier und davor mindestens %2 Strom.</translation>
-    </message>
-    <message>
         <source>Stage %1 needs %2, its current gives %3: the rotor does not follow.</source>
         <translation>Stufe %1 braucht %2, ihr Strom gibt %3: Der Rotor folgt nicht.</translation>
     </message>
@@ -1098,16 +1094,8 @@
         <translation>Stufe %1 endet bei %2, dort sieht der Beobachter den Rotor noch nicht. Lassen Sie sie über %3 enden.</translation>
     </message>
     <message>
-        <source>Stage %1 takes %2, more than the %3 that motor and drive stand. Lower it.</source>
-        <translation>Stufe %1 nimmt %2, mehr als die %3, die Motor und Umrichter vertragen. Verringern Sie den Strom.</translation>
-    </message>
-    <message>
         <source>Stage %1 takes no time: speed or current jump, the rotor is left behind. Give it time, or remove it.</source>
         <translation>Stufe %1 dauert 0&#x202f;ms: Drehzahl oder Strom springen, der Rotor bleibt zurück. Geben Sie ihr Zeit, oder entfernen Sie sie.</translation>
-    </message>
-    <message>
-        <source>Stage %1 goes to %2, beyond the highest speed of %3. Lower it.</source>
-        <translation>Stufe %1 geht auf %2, über die Höchstdrehzahl von %3. Verringern Sie sie.</translation>
     </message>
     <message>
         <source>Stage %1 goes to %2; firmware keeps 16 bits of it, at most %3. Lower it.</source>
@@ -1120,6 +1108,22 @@
     <message>
         <source>No stage takes any time: the motor would not start. Add a stage, or begin with the start values.</source>
         <translation>Keine Stufe dauert eine Zeit: Der Motor liefe nicht an. Fügen Sie eine Stufe hinzu, oder beginnen Sie mit den Startwerten.</translation>
+    </message>
+    <message>
+        <source>Stage %1 takes %2, more than the limit of %3. Lower it.</source>
+        <translation>Stufe %1 nimmt %2, mehr als die Grenze von %3. Verringern Sie den Strom.</translation>
+    </message>
+    <message>
+        <source>Stage %1 goes to %2, beyond the limit of %3. Lower it.</source>
+        <translation>Stufe %1 geht auf %2, über die Grenze von %3. Verringern Sie sie.</translation>
+    </message>
+    <message>
+        <source>Give it at least %1; so much current is not allowed.</source>
+        <translation>Geben Sie ihr mindestens %1; so viel Strom ist nicht erlaubt.</translation>
+    </message>
+    <message>
+        <source>Give it at least %1, or a current of at least %2 here and before.</source>
+        <translation>Geben Sie ihr mindestens %1, oder hier und davor mindestens %2 Strom.</translation>
     </message>
 </context>
 <context>
@@ -3842,6 +3846,10 @@
     <message>
         <source>Saved as %1.</source>
         <translation>Als %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Measured: thin lines, mirrored, for it turned backwards.</source>
+        <translation>Gemessen: dünne Linien, gespiegelt, denn er lief rückwärts.</translation>
     </message>
 </context>
 <context>

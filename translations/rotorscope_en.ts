@@ -1086,10 +1086,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Give it at least %1&#x202f;ms, or a current of at least %2 here and before.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Stage %1 needs %2, its current gives %3: the rotor does not follow.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1098,15 +1094,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stage %1 takes %2, more than the %3 that motor and drive stand. Lower it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Stage %1 takes no time: speed or current jump, the rotor is left behind. Give it time, or remove it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stage %1 goes to %2, beyond the highest speed of %3. Lower it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1119,6 +1107,22 @@
     </message>
     <message>
         <source>No stage takes any time: the motor would not start. Add a stage, or begin with the start values.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage %1 takes %2, more than the limit of %3. Lower it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage %1 goes to %2, beyond the limit of %3. Lower it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give it at least %1; so much current is not allowed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give it at least %1, or a current of at least %2 here and before.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3841,6 +3845,10 @@
     </message>
     <message>
         <source>Saved as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured: thin lines, mirrored, for it turned backwards.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

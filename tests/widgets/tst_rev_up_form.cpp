@@ -278,6 +278,11 @@ private Q_SLOTS:
         const QString torque = wrong({{0, 1361, 1000}, {1200, 1361, 40}}, 1, Column::TorqueColumn);
         QVERIFY2(torque.contains(QStringLiteral("182\u202fmN\u00b7m")), qPrintable(torque));
         QVERIFY2(torque.contains(QStringLiteral("87\u202fms")), qPrintable(torque));
+        QVERIFY2(torque.contains(QStringLiteral("4.67\u202fA")), qPrintable(torque));
+        rig.bench.device.setUserLimits({0.0, 3.0}); // advice that nobody may take is none
+        QVERIFY(!findingsOf(rig).contains(QStringLiteral("4.67\u202fA")));
+        QVERIFY(findingsOf(rig).contains(QStringLiteral("87\u202fms")));
+        rig.bench.device.setUserLimits({});
         QVERIFY(rig.setAll({{0, 1361, 1000}, {1200, 1361, 87}}));
         QVERIFY2(rig.model.findings().empty(), "the advice does not help");
         QVERIFY(rig.setAll({{0, 1361, 1000}, {1200, 1361, 86}}));

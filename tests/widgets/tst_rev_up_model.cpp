@@ -175,6 +175,25 @@ private Q_SLOTS:
         QVERIFY(!rig.type(2, Column::SpeedColumn, QStringLiteral("4002")));
     }
 
+    void aPersonsOwnLimitsBoundItToo()
+    {
+        RevUpBench rig;
+        rig.bench.device.setUserLimits({1500.0, 2.0});
+        const auto bounds = rig.model.bounds();
+        QCOMPARE(bounds.speed_rpm, 1500);
+        QVERIFY(bounds.digits * rig.model.shownPerDigit() <= 2.0);
+        QVERIFY(!rig.model.findings().empty()); // the board's own stages take 2.5 A
+        QVERIFY(!rig.type(2, Column::SpeedColumn, QStringLiteral("1506")));
+        QVERIFY(!rig.type(2, Column::CurrentColumn, QStringLiteral("2.1")));
+        rig.form.findChild<QPushButton *>(QStringLiteral("revUpUsual"))->click();
+        QCOMPARE(rig.stages()[1].speed_rpm, 1200); // still 30 % of what the motor can
+        QVERIFY(within(rig.stages(), bounds));
+        rig.bench.device.setUserLimits({900.0, 0.0});
+        rig.form.findChild<QPushButton *>(QStringLiteral("revUpUsual"))->click();
+        QCOMPARE(rig.stages()[1].speed_rpm, 900);
+        QCOMPARE(rig.stages()[1].current_digits, 1361);
+    }
+
     void editsAreAmberThenGreenAndOnlyWhereTheyAre()
     {
         RevUpBench rig;
@@ -215,6 +234,8 @@ private Q_SLOTS:
         QVERIFY(!rig.type(0, Column::DigitsColumn, QStringLiteral("-1")));
         QVERIFY(rig.type(0, Column::DigitsColumn, QStringLiteral("1200")));
         QCOMPARE(rig.stages()[0].current_digits, 1200);
+        QVERIFY(rig.table->isColumnHidden(Column::CurrentColumn));
+        QVERIFY(rig.table->isColumnHidden(Column::TorqueColumn));
         QVERIFY(!rig.form.findChild<QPushButton *>(QStringLiteral("revUpUsual"))->isEnabled());
         for (const auto &finding : rig.model.findings()) {
             QVERIFY(finding.mistake != analysis::RevUpMistake::TooMuchCurrent);

@@ -162,6 +162,25 @@ private Q_SLOTS:
         QVERIFY(rig.chart.drawnMeasured(Quantity::Current).isEmpty());
     }
 
+    void aStartBackwardsIsMirroredOntoThePlan()
+    {
+        RevUpBench rig;
+        QVERIFY(rig.setAll(kEdited));
+        rig.bench.arm();
+        QVERIFY(rig.bench.apply());
+        rig.bench.link.submit(drive::SpeedRamp{1, -1500, 100ms}); // at rest: the next start's aim
+        rig.bench.link.runFor(200ms);
+        QVERIFY(startAndWait(rig));
+        QVERIFY(rig.form.start().result() == Ending::Running);
+        QVERIFY(rig.form.start().measured().speed_rpm.back().y() < -300.0);
+        const auto speed = rig.chart.drawnMeasured(Quantity::Speed);
+        const auto plan = analysis::revUpCurve(rig.stages(), rig.model.shownPerDigit());
+        const double off =
+            farthest(speed, plan, Quantity::Speed, rig.form.start().duration_s() - 0.1, kSlack_s);
+        QVERIFY2(off < kSpeedBound_rpm, qPrintable(QString::number(off)));
+        QVERIFY(lastStart(rig).contains(QStringLiteral("backwards")));
+    }
+
     void aStoppedStartIsNoSuccess()
     {
         RevUpBench rig;

@@ -29,6 +29,9 @@ constexpr double kKgm2PerGcm2 = 1e-7, kNmPerMnm = 1e-3;
 constexpr int kRightWidth = 236;
 constexpr qint64 kLargestFile = 1 << 20;
 
+/// Of two limits, 0 being none.
+double lowerLimit(double a, double b) { return !(a > 0.0) ? b : !(b > 0.0) ? a : std::min(a, b); }
+
 QLabel *makeText(const char *name, QWidget *parent)
 {
     auto *label = new QLabel(parent);
@@ -36,6 +39,17 @@ QLabel *makeText(const char *name, QWidget *parent)
     label->setTextFormat(Qt::PlainText);
     label->setWordWrap(true);
     return label;
+}
+
+/// The sign of the speed set-point turns the whole rev-up around.
+bool turnsAgainst(const MeasuredStart &measured, const analysis::RevUp &stages)
+{
+    double is = 0.0, planned = 0.0;
+    for (const QPointF &point : measured.speed_rpm)
+        is += point.y();
+    for (const analysis::RevUpStage &stage : stages)
+        planned += stage.speed_rpm;
+    return is * planned < 0.0;
 }
 
 void makeBold(QLabel *label)
@@ -218,6 +232,7 @@ void RevUpForm::connectParts()
     connect(m_model, &RevUpModel::adjusted, this,
         [this](const QString &sentence) { m_bar->tell(sentence, true); });
     connect(&m_registers, &QAbstractItemModel::modelReset, this, &RevUpForm::takeFacts);
+    connect(&m_device, &Device::boundsChanged, this, &RevUpForm::takeFacts);
     connect(&m_registers, &QAbstractItemModel::modelReset, this, &Form::watchedRegistersChanged);
     connect(
         &m_device, &Device::readingsArrived, this,
@@ -259,9 +274,12 @@ void RevUpForm::connectParts()
     connect(m_chart, &RevUpChart::removeWanted, this, remove);
     connect(m_usual, &QPushButton::clicked, this, [this] {
         const RevUpFacts &facts = m_model->facts();
-        change(m_model->setStages(analysis::usualRevUp(
-                   facts.limits.nominalCurrent_a, facts.limits.maxSpeed_rpm, facts.ampsPerDigit)),
-            0);
+        analysis::RevUp stages = analysis::usualRevUp(
+            facts.limits.nominalCurrent_a, facts.boardSpeed_rpm, facts.ampsPerDigit);
+        for (analysis::RevUpStage &stage : stages)
+            stage = analysis::fittedStage(
+                stage, stage.speed_rpm, stage.current_digits, stage.duration_ms, m_model->bounds());
+        change(m_model->setStages(stages), 0);
     });
     connect(m_open, &QPushButton::clicked, this, &RevUpForm::openFile);
     connect(m_save, &QPushButton::clicked, this, &RevUpForm::saveFile);
@@ -293,10 +311,12 @@ void RevUpForm::takeFacts()
         facts.ampsPerDigit = motor.ampsPerDigit;
         facts.sixStep = motor.sixStep;
         facts.angleSensor = deviceText(motor.angleSensor);
-        facts.limits.maxSpeed_rpm = limits.maxSpeedRpm;
+        const drive::UserLimits &own = m_device.userLimits();
+        facts.boardSpeed_rpm = limits.maxSpeedRpm;
+        facts.limits.maxSpeed_rpm = lowerLimit(limits.maxSpeedRpm, own.maxSpeedRpm);
         facts.limits.minimumSpeed_rpm = analysis::minimumStartSpeed_rpm(limits.maxSpeedRpm);
         facts.limits.nominalCurrent_a = limits.nominalCurrentAmps;
-        facts.limits.maxCurrent_a = limits.maxCurrentAmps;
+        facts.limits.maxCurrent_a = lowerLimit(limits.maxCurrentAmps, own.maxCurrentAmps);
         if (motor.motor.flux_wb > 0.0 && motor.motor.polePairs > 0.0)
             facts.limits.load.kt_nmpa =
                 analysis::ktOfFlux_nmpa(motor.motor.flux_wb, motor.motor.polePairs);
@@ -357,6 +377,10 @@ void RevUpForm::showFacts()
     m_reason->setText(reason.isEmpty() ? motor : reason);
     m_reason->setVisible(!m_reason->text().isEmpty());
     const RevUpFacts &facts = m_model->facts();
+    m_table->setColumnHidden(RevUpModel::CurrentColumn, m_model->currentUnit().isEmpty());
+    m_table->setColumnHidden(RevUpModel::TorqueColumn, facts.sixStep);
+    m_inertia->setEnabled(!facts.sixStep);
+    m_friction->setEnabled(!facts.sixStep);
     QStringList lines;
     if (reason.isEmpty()) {
         lines.append(tr("Takes %1\u202fs in all")
@@ -433,12 +457,21 @@ void RevUpForm::showStart()
     const bool currentDrawn = m_start->hasCurrent() && !m_model->currentUnit().isEmpty();
     if (over && !m_start->hasSpeed())
         text += QLatin1Char(' ') + tr("No speed was recorded.");
-    if (over && !currentDrawn)
+    if (over && !currentDrawn && !m_model->facts().sixStep)
         text += QLatin1Char(' ') + tr("No Iq was recorded.");
+    MeasuredStart measured = m_start->measured();
+    const bool backwards = !m_model->stages().empty() && turnsAgainst(measured, m_model->stages());
+    if (backwards) {
+        for (QList<QPointF> *points : {&measured.speed_rpm, &measured.current_a})
+            for (QPointF &point : *points)
+                point.setY(-point.y());
+    }
     if (over && (m_start->hasSpeed() || currentDrawn))
-        text += QLatin1Char(' ') + tr("Measured: thin lines.");
+        text += QLatin1Char(' ')
+            + (backwards ? tr("Measured: thin lines, mirrored, for it turned backwards.")
+                         : tr("Measured: thin lines."));
     m_startText->setText(text);
-    m_chart->setMeasured(m_start->measured());
+    m_chart->setMeasured(measured);
 }
 
 // Changing stages -----------------------------------------------------------------------------------------------------
@@ -479,7 +512,7 @@ void RevUpForm::enableButtons()
     m_down->setEnabled(can && stage >= 0 && stage + 1 < used);
     const RevUpFacts &facts = m_model->facts();
     m_usual->setEnabled(can && !facts.sixStep && facts.ampsPerDigit > 0.0
-        && facts.limits.nominalCurrent_a > 0.0 && facts.limits.maxSpeed_rpm > 0.0);
+        && facts.limits.nominalCurrent_a > 0.0 && facts.boardSpeed_rpm > 0.0);
     m_open->setEnabled(can);
     m_save->setEnabled(m_model->rowCount() > 0);
 }

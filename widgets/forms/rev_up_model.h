@@ -14,6 +14,7 @@ namespace widgets {
 struct RevUpFacts {
     double ampsPerDigit = 0.0; ///< 0: not known, currents are shown in digits only
     bool sixStep = false; ///< a pulse stands where the current does
+    double boardSpeed_rpm = 0.0; ///< its highest; a person's own limit may be lower
     QString angleSensor; ///< the drive starts by it and runs no stages; empty: it does
     analysis::RevUpLimits limits;
     bool operator==(const RevUpFacts &) const = default;

@@ -38,8 +38,12 @@ QString torqueAdvice(const RevUpFinding &finding, const RevUpModel &model)
             .arg(current);
     if (!(left > 0.0))
         return Texts::tr("Raise the current here and before to at least %1.").arg(current);
-    return Texts::tr("Give it at least %1\u202fms, or a current of at least %2 here and before.")
-        .arg(numberText(std::ceil(1e3 * load.inertia_kgm2 * radps / left), 0), current);
+    const QString time = numberText(std::ceil(1e3 * load.inertia_kgm2 * radps / left), 0)
+        + QStringLiteral("\u202fms");
+    if (finding.limit / load.kt_nmpa > model.bounds().digits * model.shownPerDigit())
+        return Texts::tr("Give it at least %1; so much current is not allowed.").arg(time);
+    return Texts::tr("Give it at least %1, or a current of at least %2 here and before.")
+        .arg(time, current);
 }
 
 } // namespace
@@ -67,15 +71,14 @@ QString revUpFindingText(const RevUpFinding &finding, const RevUpModel &model)
             "end above %3.")
             .arg(stage, rpm(finding.is), rpm(finding.limit));
     case RevUpMistake::TooMuchCurrent:
-        return Texts::tr(
-            "Stage %1 takes %2, more than the %3 that motor and drive stand. Lower it.")
+        return Texts::tr("Stage %1 takes %2, more than the limit of %3. Lower it.")
             .arg(stage, amps(finding.is), amps(finding.limit));
     case RevUpMistake::StageWithoutTime:
         return Texts::tr("Stage %1 takes no time: speed or current jump, the rotor is left behind. "
                          "Give it time, or remove it.")
             .arg(stage);
     case RevUpMistake::SpeedBeyondLimit:
-        return Texts::tr("Stage %1 goes to %2, beyond the highest speed of %3. Lower it.")
+        return Texts::tr("Stage %1 goes to %2, beyond the limit of %3. Lower it.")
             .arg(stage, rpm(finding.is), rpm(finding.limit));
     case RevUpMistake::SpeedDoesNotFit:
         return Texts::tr("Stage %1 goes to %2; firmware keeps 16 bits of it, at most %3. Lower it.")
