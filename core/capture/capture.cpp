@@ -12,6 +12,9 @@ using Kind = ChannelInfo::Kind;
 /// channels.
 constexpr std::uint64_t kSamplesBetweenChecks = 65536;
 
+/// Registers of imported channels are numbered from here on: no board has such ones.
+constexpr catalog::RegisterId kImportedRegister = 0xF0000000;
+
 /// How far new streams may be moved in all: far from where 64 bits end.
 constexpr Nanos kMostShift = Nanos{4'000'000'000} * 1'000'000'000;
 
@@ -195,6 +198,37 @@ void Capture::endPolled(catalog::RegisterId id)
 {
     if (const auto found = find(id, Kind::Polled))
         mutableChannel(*found)->values()->breakHere();
+}
+
+ChannelId Capture::addImported(std::string name, std::string unit)
+{
+    ChannelInfo info;
+    info.registerId = kImportedRegister + m_nextId;
+    info.name = std::move(name);
+    info.unit = std::move(unit);
+    info.kind = Kind::Slow;
+    return add(std::move(info));
+}
+
+void Capture::appendImported(ChannelId id, Nanos time, double value, Nanos holdUntil)
+{
+    Channel *channel = mutableChannel(id);
+    ValueColumn *column = channel ? channel->values() : nullptr;
+    if (!column || (!column->empty() && time <= column->timeOf(column->end() - 1))) {
+        ++m_refused.backwards;
+        return;
+    }
+    column->append(time, value, holdUntil);
+    ++m_revision;
+    if (++m_sinceCheck >= kSamplesBetweenChecks)
+        keepWithinLimit();
+}
+
+void Capture::breakImported(ChannelId id)
+{
+    Channel *channel = mutableChannel(id);
+    if (ValueColumn *column = channel ? channel->values() : nullptr)
+        column->breakHere();
 }
 
 void Capture::clear()

@@ -54,6 +54,13 @@ public:
     /// Nobody asks for this register any more: its last value is not held any longer.
     void endPolled(catalog::RegisterId id);
 
+    /// A channel of values that came from a file; kind Slow. No other call finds it by its register.
+    ChannelId addImported(std::string name, std::string unit);
+    /// Appends a value to it. Instants must rise.
+    void appendImported(ChannelId id, Nanos time, double value, Nanos holdUntil);
+    /// Nothing is known between its last value and the next one.
+    void breakImported(ChannelId id);
+
     /// Forgets all samples and channels; ids are not used again. A stream in effect goes on with
     /// new channels.
     void clear();

@@ -18,10 +18,34 @@ constexpr std::size_t kNumberWidth =
     24; ///< a double's shortest text: sign, 17 digits, point, e-308
 constexpr std::size_t kColumnWidth = kNumberWidth + 1; ///< and the separator
 
-/// Shortest text that reads back exactly; at most 24 characters.
-char *writeNumber(char *at, double value)
+/// What a dialect writes between things.
+struct Marks {
+    char separator = ',';
+    char decimal = '.';
+    std::string_view lineEnd = "\n";
+    std::string_view begin; ///< of the file
+};
+
+constexpr Marks kPlain{};
+constexpr Marks kContinental{';', ',', "\r\n", "\xEF\xBB\xBF"};
+
+const Marks &marksOf(CsvDialect dialect)
 {
-    return std::to_chars(at, at + kNumberWidth, value).ptr;
+    return dialect == CsvDialect::Continental ? kContinental : kPlain;
+}
+
+/// to_chars() knows the point only.
+char *withDecimal(char *from, char *to, char decimal)
+{
+    if (decimal != '.')
+        std::replace(from, to, '.', decimal);
+    return to;
+}
+
+/// Shortest text that reads back exactly; at most 24 characters.
+char *writeNumber(char *at, double value, char decimal)
+{
+    return withDecimal(at, std::to_chars(at, at + kNumberWidth, value).ptr, decimal);
 }
 
 constexpr auto kPairs = [] {
@@ -34,7 +58,7 @@ constexpr auto kPairs = [] {
 void writePair(char *at, std::uint32_t number) { std::memcpy(at, kPairs[number].data(), 2); }
 
 /// Writes `time` at `at`, returns the end. The caller has kTimeWidth bytes ready.
-char *writeTime(char *at, Nanos time)
+char *writeTime(char *at, Nanos time, char decimal)
 {
     if (time < 0) {
         *at++ = '-';
@@ -44,7 +68,7 @@ char *writeTime(char *at, Nanos time)
     const auto fraction = static_cast<std::uint32_t>(time % 1'000'000'000);
     if (fraction == 0)
         return at;
-    *at = '.';
+    *at = decimal;
     at[1] = static_cast<char>('0' + fraction / 100'000'000);
     writePair(at + 2, fraction / 1'000'000 % 100);
     writePair(at + 4, fraction / 10'000 % 100);
@@ -69,8 +93,9 @@ Kind rowKind(const std::vector<Channel> &channels)
 /// 65536 codes need formatting once each: the table turns a number into the copy of one 16-byte entry.
 class CsvWriter::CodeTexts {
 public:
-    explicit CodeTexts(const Channel &channel)
+    CodeTexts(const Channel &channel, char decimal)
         : m_channel(channel)
+        , m_decimal(decimal)
         , m_entries(65536)
     {
     }
@@ -98,10 +123,12 @@ private:
         const auto value = static_cast<float>(m_channel.toShown(code));
         const auto end =
             std::to_chars(entry.text.data(), entry.text.data() + entry.text.size(), value);
+        withDecimal(entry.text.data(), end.ptr, m_decimal);
         entry.size = static_cast<std::uint8_t>(end.ptr - entry.text.data());
     }
 
     const Channel &m_channel;
+    const char m_decimal;
     std::vector<Entry> m_entries;
 };
 
@@ -149,14 +176,15 @@ std::vector<Snapshot> splitByRate(const Snapshot &channels)
     return result;
 }
 
-std::string csvHeading(const ChannelInfo &channel)
+std::string csvHeading(const ChannelInfo &channel, CsvDialect dialect)
 {
     std::string heading = channel.name;
     if (!heading.empty() && std::strchr("=+-@\t\r\n", heading.front()))
         heading.insert(heading.begin(), '\'');
     if (!channel.unit.empty())
         heading += " [" + channel.unit + "]";
-    if (heading.find_first_of(",\"\r\n") == std::string::npos)
+    if (heading.find_first_of("\"\r\n") == std::string::npos
+        && heading.find(marksOf(dialect).separator) == std::string::npos)
         return heading;
     std::string quoted = "\"";
     for (const char c : heading)
@@ -167,7 +195,7 @@ std::string csvHeading(const ChannelInfo &channel)
 std::string csvTime(Nanos time)
 {
     std::array<char, kTimeWidth> text{};
-    return {text.data(), writeTime(text.data(), time)};
+    return {text.data(), writeTime(text.data(), time, '.')};
 }
 
 CsvWriter::CsvWriter(Snapshot channels, CsvOptions options)
@@ -188,7 +216,8 @@ CsvWriter::CsvWriter(Snapshot channels, CsvOptions options)
                 --column->next; // may still hold when the range starts
         }
         if (channel.fast())
-            column->texts = std::make_unique<CodeTexts>(channel);
+            column->texts =
+                std::make_unique<CodeTexts>(channel, marksOf(m_options.dialect).decimal);
         if (column->makesRows && column->stop > column->next)
             m_total += column->stop - column->next;
         m_columns.push_back(std::move(column));
@@ -219,10 +248,12 @@ bool CsvWriter::next(std::string &text)
 
 void CsvWriter::writeHeading(std::string &text) const
 {
+    const Marks &marks = marksOf(m_options.dialect);
+    text += marks.begin;
     text += "time [s]";
     for (const Channel &channel : *m_channels)
-        text += ',' + csvHeading(channel.info());
-    text += '\n';
+        text += marks.separator + csvHeading(channel.info(), m_options.dialect);
+    text += marks.lineEnd;
 }
 
 /// Finds the next rows: their start, who has samples in them, and how many there are before that changes.
@@ -294,24 +325,25 @@ void CsvWriter::writeRun(const Run &run, std::string &text)
     const bool even = segment && picoKilo % segment->base.milliHz == 0;
     const Nanos step = even ? picoKilo / segment->base.milliHz : 0;
 
+    const Marks &marks = marksOf(m_options.dialect);
     const std::size_t before = text.size();
-    text.resize(before + run.count * (kTimeWidth + m_columns.size() * kColumnWidth + 1));
+    text.resize(before + run.count * (kTimeWidth + m_columns.size() * kColumnWidth + 2));
     char *at = text.data() + before;
     Nanos time = run.time;
     for (std::size_t row = 0; row < run.count; ++row) {
         if (row != 0)
             time = even ? time + step : segment->timeOf(run.first + row);
-        at = writeTime(at, time - *m_zero);
+        at = writeTime(at, time - *m_zero, marks.decimal);
         for (const Field &field : m_fields) {
-            *at++ = ',';
+            *at++ = marks.separator;
             if (field.codes)
                 at = field.texts->write(at, field.codes[row]);
             else if (!field.column->makesRows)
-                at = writeHeld(*field.column, time, at);
+                at = writeHeld(*field.column, time, marks.decimal, at);
             else if (field.there)
-                at = writeNumber(at, field.column->channel->at(field.column->next));
+                at = writeNumber(at, field.column->channel->at(field.column->next), marks.decimal);
         }
-        *at++ = '\n';
+        at = std::copy(marks.lineEnd.begin(), marks.lineEnd.end(), at);
     }
     text.resize(static_cast<std::size_t>(at - text.data()));
     for (std::size_t i = 0; i < m_columns.size(); ++i) {
@@ -324,11 +356,11 @@ void CsvWriter::writeRun(const Run &run, std::string &text)
 }
 
 /// The newest value at or before `time`; nothing before the first and where it does not hold any more.
-char *CsvWriter::writeHeld(Column &column, Nanos time, char *at)
+char *CsvWriter::writeHeld(Column &column, Nanos time, char decimal, char *at)
 {
     const ValueColumn *values = column.channel->values();
     while (column.next < values->end() && values->timeOf(column.next) <= time) {
-        const char *end = writeNumber(column.held.data(), column.channel->at(column.next));
+        const char *end = writeNumber(column.held.data(), column.channel->at(column.next), decimal);
         column.heldSize = static_cast<std::size_t>(end - column.held.data());
         column.heldUntil = column.channel->holdUntil(column.next);
         ++column.next;

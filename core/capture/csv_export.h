@@ -1,5 +1,5 @@
 // A capture as comma-separated text, made piece by piece from a snapshot: whoever owns the file writes the pieces.
-// The format is described in docs/csv.md: `.` and `,`, UTF-8, shortest numbers that read back exactly, time first.
+// The format is described in docs/csv.md: two dialects, UTF-8, shortest numbers that read back exactly, time first.
 //
 // Rows are the samples of the fastest kind of channel in the snapshot; slower ones are held. What is not known is
 // blank, what was lost has no row, and nothing is ever filled in.
@@ -13,12 +13,19 @@
 
 namespace capture {
 
+/// How fields and decimals are marked; chosen by name, never by the system's language.
+enum class CsvDialect : std::uint8_t {
+    Plain, ///< `,` and `.`, LF, no byte-order mark: for programs
+    Continental, ///< `;` and a decimal comma, CRLF and a byte-order mark: for spreadsheets that expect them
+};
+
 struct CsvOptions {
     std::optional<TimeSpan> range; ///< rows in [from, to); all if not set
     enum class Zero : std::uint8_t {
         Session, ///< times as on the scope
         FirstRow, ///< the first row is 0
     } zero = Zero::Session;
+    CsvDialect dialect = CsvDialect::Plain;
 };
 
 /// Snapshots that share a rate: all fast channels, all slow ones, each polled one alone. Empty channels are left out.
@@ -27,7 +34,7 @@ std::vector<Snapshot> splitByRate(const Snapshot &channels);
 
 /// A column's heading, e.g. `I_Q_MEAS [A]`: quoted where it must be, and with a leading apostrophe where a
 /// spreadsheet would take it for a formula.
-std::string csvHeading(const ChannelInfo &channel);
+std::string csvHeading(const ChannelInfo &channel, CsvDialect dialect = CsvDialect::Plain);
 
 /// Nanoseconds as seconds with as few digits as say it exactly, e.g. 62500 -> "0.0000625".
 std::string csvTime(Nanos time);
@@ -60,7 +67,7 @@ private:
     void writeHeading(std::string &text) const;
     bool plan(Run &run) const;
     void writeRun(const Run &run, std::string &text);
-    static char *writeHeld(Column &column, Nanos time, char *at);
+    static char *writeHeld(Column &column, Nanos time, char decimal, char *at);
 
     Snapshot m_channels;
     CsvOptions m_options;

@@ -1,8 +1,6 @@
 #include "session/csv_file.h"
 
 #include <QElapsedTimer>
-#include <QFileInfo>
-#include <QSaveFile>
 #include <QThread>
 
 namespace session {
@@ -10,59 +8,21 @@ namespace session {
 namespace {
 constexpr qint64 kProgressMs = 50;
 
-CsvResult failed(CsvResult result, CsvError error, const QString &systemText)
-{
-    result.error = error;
-    result.systemText = systemText;
-    return result;
-}
-
-/// A short write is no success: commit() would put a truncated file in place (Qt 6.4). Only writing the rest tells why.
-bool writeAll(QSaveFile &file, std::string_view text)
-{
-    while (!text.empty()) {
-        const qint64 count = file.write(text.data(), static_cast<qint64>(text.size()));
-        if (count <= 0)
-            return false;
-        text.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return true;
-}
 } // namespace
 
 CsvResult writeCsvFile(
     const QString &path, capture::CsvWriter &writer, const std::function<bool(double)> &proceed)
 {
+    const FileResult file = writePieces(
+        path, [&writer](std::string &text) { return writer.next(text); },
+        [&] { return !proceed || proceed(writer.progress()); });
     CsvResult result;
+    result.error = file.error;
     result.path = path;
-    // QSaveFile would put a file in the place of a device.
-    const QFileInfo existing(path);
-    if (existing.exists() && !existing.isFile())
-        return failed(result, CsvError::NotAFile, {});
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly | QIODevice::Unbuffered))
-        return failed(result, CsvError::CannotOpen, file.errorString());
-    std::string text;
-    while (writer.next(text)) {
-        if (!writeAll(file, text)) {
-            const QString reason = file.errorString();
-            file.cancelWriting();
-            return failed(result, CsvError::CannotWrite, reason);
-        }
-        result.bytes += static_cast<qint64>(text.size());
-        if (proceed && !proceed(writer.progress())) {
-            file.cancelWriting();
-            return failed(result, CsvError::Cancelled, {});
-        }
-    }
-    if (!file.flush() || file.size() != result.bytes) {
-        const QString reason = file.errorString();
-        file.cancelWriting();
-        return failed(result, CsvError::CannotWrite, reason);
-    }
-    if (!file.commit())
-        return failed(result, CsvError::CannotReplace, file.errorString());
-    result.rows = writer.rows();
+    result.systemText = file.systemText;
+    result.bytes = file.bytes;
+    if (file.error == CsvError::None)
+        result.rows = writer.rows();
     return result;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "capture/csv_export.h"
+#include "session/piece_file.h"
 
 #include <QObject>
 #include <QString>
@@ -15,14 +16,7 @@ class QThread;
 
 namespace session {
 
-enum class CsvError : std::uint8_t {
-    None,
-    Cancelled,
-    NotAFile, ///< a device, a pipe or a folder: taking its place would harm it
-    CannotOpen, ///< folder missing, read-only, no permission
-    CannotWrite, ///< disk full, drive gone; nothing was replaced
-    CannotReplace, ///< written, but could not take the file's place
-};
+using CsvError = FileError;
 
 struct CsvResult {
     CsvError error = CsvError::None;

@@ -1,0 +1,326 @@
+#include "capture/csv_import.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace capture {
+
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr Nanos kSecond = 1'000'000'000;
+constexpr Nanos kDay = 86'400 * kSecond;
+constexpr Nanos kFarthest =
+    4'000'000'000 * kSecond; ///< 127 years: UTC seconds fit, products do, too
+constexpr int kGap = 10; ///< usual distances
+constexpr std::size_t kShownField = 40;
+
+struct TimeName {
+    std::string_view name;
+    Nanos unit;
+    bool wraps;
+};
+constexpr std::array kTimeNames{TimeName{"time", kSecond, false},
+    TimeName{"__time", kSecond, false}, TimeName{"t", kSecond, false},
+    TimeName{"timestamp", kSecond, false}, TimeName{"ms_today", 1'000'000, true}};
+
+std::string_view trimmed(std::string_view text)
+{
+    const auto from = text.find_first_not_of(" \t");
+    if (from == std::string_view::npos)
+        return {};
+    return text.substr(from, text.find_last_not_of(" \t") - from + 1);
+}
+
+/// `NAME [unit]` in two; the apostrophe that keeps spreadsheets from computing goes.
+std::pair<std::string, std::string> nameAndUnit(std::string_view heading)
+{
+    heading = trimmed(heading);
+    constexpr std::string_view kFormula = "=+-@\t\r\n";
+    if (heading.size() > 1 && heading[0] == '\''
+        && kFormula.find(heading[1]) != std::string_view::npos)
+        heading.remove_prefix(1);
+    const auto open = heading.rfind(" [");
+    if (open == std::string_view::npos || !heading.ends_with(']'))
+        return {std::string(heading), {}};
+    return {std::string(heading.substr(0, open)),
+        std::string(heading.substr(open + 2, heading.size() - open - 3))};
+}
+
+std::optional<Nanos> unitOfTime(std::string_view unit)
+{
+    constexpr std::array<std::pair<std::string_view, Nanos>, 5> kUnits{
+        {{"s", kSecond}, {"ms", 1'000'000}, {"us", 1000}, {"\u00b5s", 1000}, {"ns", 1}}};
+    for (const auto &[name, nanos] : kUnits) {
+        if (unit == name)
+            return nanos;
+    }
+    return std::nullopt;
+}
+
+/// What separates the names: the most frequent of three outside quotes.
+char separatorOf(std::string_view heading)
+{
+    std::array<std::pair<std::size_t, char>, 3> counts{{{0, ','}, {0, ';'}, {0, '\t'}}};
+    bool quoted = false;
+    for (const char c : heading) {
+        quoted ^= c == '"';
+        for (auto &[count, separator] : counts)
+            count += !quoted && c == separator;
+    }
+    return std::max_element(counts.begin(), counts.end(), [](const auto &a, const auto &b) {
+        return a.first < b.first;
+    })->second;
+}
+
+bool isUnknown(std::string_view field)
+{
+    if (field.empty())
+        return true;
+    constexpr std::array kWords{"nan", "NaN", "NAN", "-nan", "inf", "-inf", "Inf", "-Inf"};
+    return std::find(kWords.begin(), kWords.end(), field) != kWords.end();
+}
+
+/// A plain decimal number of `unit` as nanoseconds, exactly; digits beyond the nanosecond are rounded.
+std::optional<Nanos> exactTime(std::string_view text, Nanos unit)
+{
+    const bool negative = text.starts_with('-');
+    text.remove_prefix(negative || text.starts_with('+') ? 1 : 0);
+    Nanos whole = 0;
+    const char *end = text.data() + text.size();
+    const auto [at, problem] = std::from_chars(text.data(), end, whole);
+    if (problem != std::errc{} || whole < 0 || whole > kFarthest / unit)
+        return std::nullopt;
+    Nanos nanos = whole * unit;
+    if (at != end) {
+        if (*at != '.')
+            return std::nullopt;
+        Nanos place = unit;
+        bool rounded = false;
+        for (const char *digit = at + 1; digit != end; ++digit) {
+            if (*digit < '0' || *digit > '9')
+                return std::nullopt;
+            if (place > 1)
+                nanos += (*digit - '0') * (place /= 10);
+            else if (!std::exchange(rounded, true) && *digit >= '5')
+                ++nanos;
+        }
+    }
+    return negative ? -nanos : nanos;
+}
+
+} // namespace
+
+bool CsvImport::fail(CsvError::What what, std::size_t column, std::string_view field)
+{
+    m_error = CsvError{what, m_line, column, std::string(field.substr(0, kShownField))};
+    return false;
+}
+
+bool CsvImport::feed(std::string_view text)
+{
+    while (!m_error && !text.empty()) {
+        const auto end = text.find('\n');
+        const std::string_view part = text.substr(0, end);
+        if (m_rest.size() + part.size() > kLongestLine) {
+            ++m_line;
+            return fail(CsvError::What::LineTooLong);
+        }
+        if (end == std::string_view::npos) {
+            m_rest += part;
+            break;
+        }
+        text.remove_prefix(end + 1);
+        if (m_rest.empty()) {
+            takeLine(part);
+        } else {
+            m_rest += part;
+            const std::string line = std::exchange(m_rest, {});
+            takeLine(line);
+        }
+    }
+    return !m_error;
+}
+
+bool CsvImport::finish()
+{
+    if (!m_error && !m_rest.empty()) {
+        const std::string line = std::exchange(m_rest, {});
+        takeLine(line);
+    }
+    if (!m_error && m_rows == 0)
+        return fail(m_columns == 0 ? CsvError::What::NoHeading : CsvError::What::NoRows);
+    return !m_error;
+}
+
+bool CsvImport::takeLine(std::string_view line)
+{
+    ++m_line;
+    if (m_line == 1 && line.starts_with(kByteOrderMark))
+        line.remove_prefix(kByteOrderMark.size());
+    if (line.ends_with('\r'))
+        line.remove_suffix(1);
+    if (trimmed(line).empty())
+        return true; // an empty line ends many a file
+    return m_columns == 0 ? takeHeading(line) : takeRow(line);
+}
+
+/// A line into m_fields; quotes go, doubled ones become one.
+bool CsvImport::split(std::string_view line)
+{
+    m_fields.clear();
+    m_fields.emplace_back();
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        if (c == '"') {
+            const bool doubled = quoted && i + 1 < line.size() && line[i + 1] == '"';
+            if (doubled)
+                m_fields.back() += line[++i];
+            else
+                quoted = !quoted;
+        } else if (c == m_separator && !quoted) {
+            if (m_fields.size() == kMostColumns)
+                return fail(CsvError::What::TooManyColumns, kMostColumns + 1);
+            m_fields.emplace_back();
+        } else {
+            m_fields.back() += c;
+        }
+    }
+    // VESC Tool ends each line with a separator.
+    if (m_fields.size() > 1 && m_fields.back().empty()
+        && (m_columns == 0 || m_fields.size() > m_columns))
+        m_fields.pop_back();
+    return true;
+}
+
+bool CsvImport::takeHeading(std::string_view line)
+{
+    m_separator = separatorOf(line);
+    if (!split(line))
+        return false;
+    const auto looksLikeNumber = [](const std::string &field) {
+        const std::string_view text = trimmed(field);
+        double value = 0;
+        const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+        return read.ec == std::errc{} && read.ptr == text.data() + text.size();
+    };
+    if (std::all_of(m_fields.begin(), m_fields.end(), looksLikeNumber))
+        return fail(CsvError::What::NoHeading, 1, m_fields.front());
+    if (m_fields.size() < 2)
+        return fail(CsvError::What::NoSignals, 1, m_fields.front());
+    m_columns = m_fields.size();
+    bool found = false;
+    for (std::size_t i = 0; i < m_columns && !found; ++i) {
+        const auto [name, unit] = nameAndUnit(m_fields[i]);
+        for (const TimeName &known : kTimeNames) {
+            if (name != known.name)
+                continue;
+            m_timeColumn = i;
+            m_timeUnit = unitOfTime(unit).value_or(known.unit);
+            m_wrapsAtMidnight = known.wraps;
+            found = true;
+        }
+    }
+    for (std::size_t i = 0; i < m_columns; ++i) {
+        if (i == m_timeColumn)
+            continue;
+        auto [name, unit] = nameAndUnit(m_fields[i]);
+        m_channels.push_back(m_capture.addImported(std::move(name), std::move(unit)));
+    }
+    return true;
+}
+
+bool CsvImport::takeTime(std::string_view field, std::size_t column, Nanos &time)
+{
+    if (m_separator != ',' && field.find(',') != std::string_view::npos) {
+        m_scratch = field;
+        std::replace(m_scratch.begin(), m_scratch.end(), ',', '.');
+        field = m_scratch;
+    }
+    const auto exact = exactTime(field, m_timeUnit);
+    if (exact) {
+        time = *exact;
+        return true;
+    }
+    double value = 0;
+    const auto read = std::from_chars(field.data(), field.data() + field.size(), value);
+    if (read.ec != std::errc{} || read.ptr != field.data() + field.size()
+        || !(std::abs(value) * static_cast<double>(m_timeUnit) < static_cast<double>(kFarthest)))
+        return fail(CsvError::What::NoTime, column, field);
+    time = static_cast<Nanos>(std::llround(value * static_cast<double>(m_timeUnit)));
+    return true;
+}
+
+std::optional<double> CsvImport::number(std::string_view field)
+{
+    if (m_separator != ',' && field.find(',') != std::string_view::npos) {
+        m_scratch = field;
+        std::replace(m_scratch.begin(), m_scratch.end(), ',', '.');
+        field = m_scratch;
+    }
+    double value = 0;
+    const auto read = std::from_chars(field.data(), field.data() + field.size(), value);
+    if (read.ec != std::errc{} || read.ptr != field.data() + field.size() || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
+/// The usual distance is the least one so far: a gap never makes it larger.
+bool CsvImport::isGap(Nanos time)
+{
+    if (m_rows == 0)
+        return false;
+    const Nanos distance = time - m_last;
+    if (m_usual == 0 || distance < m_usual)
+        m_usual = distance;
+    return distance > kGap * m_usual;
+}
+
+bool CsvImport::takeRow(std::string_view line)
+{
+    if (!split(line))
+        return false;
+    if (m_fields.size() != m_columns)
+        return fail(CsvError::What::OtherNumberOfFields, std::min(m_fields.size(), m_columns) + 1);
+    Nanos time = 0;
+    if (!takeTime(trimmed(m_fields[m_timeColumn]), m_timeColumn + 1, time))
+        return false;
+    time += m_midnights;
+    if (m_rows > 0 && time < m_last && m_wrapsAtMidnight && m_last - time > kDay / 2) {
+        m_midnights += kDay;
+        time += kDay;
+    }
+    if (m_rows > 0 && time < m_last)
+        return fail(CsvError::What::TimeRunsBack, m_timeColumn + 1, m_fields[m_timeColumn]);
+    if (m_rows > 0 && time == m_last) {
+        ++m_repeated;
+        return true;
+    }
+    m_values.clear();
+    for (std::size_t i = 0; i < m_columns; ++i) {
+        if (i == m_timeColumn)
+            continue;
+        const std::string_view field = trimmed(m_fields[i]);
+        m_values.push_back(number(field));
+        if (!m_values.back() && !isUnknown(field))
+            return fail(CsvError::What::NoNumber, i + 1, field);
+    }
+    // Whole rows only.
+    const bool gap = isGap(time);
+    for (std::size_t i = 0; i < m_channels.size(); ++i) {
+        if (gap || !m_values[i])
+            m_capture.breakImported(m_channels[i]);
+        if (m_values[i])
+            m_capture.appendImported(
+                m_channels[i], time, *m_values[i], time + std::max<Nanos>(1, m_usual));
+    }
+    m_last = time;
+    ++m_rows;
+    return true;
+}
+
+} // namespace capture

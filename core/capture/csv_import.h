@@ -1,0 +1,89 @@
+// Comma-separated text into a capture, piece by piece. It reads what CsvWriter writes, in both dialects, to the last
+// digit; and the files of PlotJuggler (`__time` first) and of VESC Tool (`;`, `ms_today` in ms). Nothing is guessed from
+// the system's language: what separates fields is counted in the heading, and a comma within a number is its decimal
+// mark only where fields are separated by something else.
+//
+// Each column but the time becomes a channel of values. Rows further apart than ten times the usual distance, and empty
+// fields, are gaps. Source of the foreign formats: headings as these programs write them.
+#pragma once
+
+#include "capture/capture.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace capture {
+
+struct CsvError {
+    enum class What : std::uint8_t {
+        NoHeading, ///< empty, or its first line is no list of names
+        NoSignals, ///< one column only
+        TooManyColumns,
+        LineTooLong,
+        OtherNumberOfFields, ///< than the heading has
+        NoNumber,
+        NoTime, ///< empty or no number where the time stands
+        TimeRunsBack,
+        NoRows,
+    } what = What::NoHeading;
+    std::uint64_t line = 0; ///< from 1
+    std::size_t column = 0; ///< from 1; 0: the whole line
+    std::string field; ///< what stands there, its beginning
+};
+
+class CsvImport {
+public:
+    static constexpr std::size_t kMostColumns = 1024;
+    static constexpr std::size_t kLongestLine = std::size_t{1} << 20;
+
+    /// @param capture  gets channels of its own; what is there already stays
+    explicit CsvImport(Capture &capture)
+        : m_capture(capture)
+    {
+    }
+
+    /// The next piece of the text, cut anywhere. False after the first error; the capture then holds the rows before it.
+    bool feed(std::string_view text);
+    /// The text is over. False if there is an error.
+    bool finish();
+
+    const std::optional<CsvError> &error() const { return m_error; }
+    std::uint64_t rows() const { return m_rows; }
+    std::uint64_t repeatedTimes() const
+    {
+        return m_repeated;
+    } ///< rows left out: same time as before
+    const std::vector<ChannelId> &channels() const { return m_channels; } ///< in the file's order
+
+private:
+    bool takeLine(std::string_view line);
+    bool takeHeading(std::string_view line);
+    bool takeRow(std::string_view line);
+    bool split(std::string_view line);
+    bool takeTime(std::string_view field, std::size_t column, Nanos &time);
+    std::optional<double> number(std::string_view field);
+    bool isGap(Nanos time);
+    bool fail(CsvError::What what, std::size_t column = 0, std::string_view field = {});
+
+    Capture &m_capture;
+    std::string m_rest; ///< a line that has not ended yet
+    std::vector<std::string> m_fields;
+    std::vector<std::optional<double>> m_values; ///< of one row; empty: unknown
+    std::vector<ChannelId> m_channels;
+    char m_separator = ',';
+    std::size_t m_timeColumn = 0;
+    std::size_t m_columns = 0;
+    Nanos m_timeUnit = 1'000'000'000; ///< nanoseconds
+    bool m_wrapsAtMidnight = false;
+    Nanos m_midnights = 0; ///< added to times of a clock that begins anew each day
+    Nanos m_last = 0;
+    Nanos m_usual = 0; ///< least distance of two rows so far
+    std::uint64_t m_line = 0;
+    std::uint64_t m_rows = 0;
+    std::uint64_t m_repeated = 0;
+    std::optional<CsvError> m_error;
+    std::string m_scratch;
+};
+
+} // namespace capture
