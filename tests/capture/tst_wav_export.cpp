@@ -1,0 +1,200 @@
+// The WAV file, byte by byte against RIFF: every code is in it, gaps are marked and never filled.
+#include "base/bytes.h"
+#include "capture/wav_export.h"
+
+#include <QtTest>
+
+#include <map>
+
+using namespace capture;
+
+class TestWavExport : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void everyCodeIsInItsPlace();
+    void gapsAreCuePointsAndNothingIsFilledIn();
+    void onlyInstantsThatAllSignalsHaveAreWritten();
+    void aRangeIsExact();
+    void whatCannotBeAWavFileIsNamed();
+};
+
+namespace {
+
+struct Wav {
+    std::vector<std::vector<std::int16_t>> channels;
+    std::uint32_t rate = 0;
+    std::map<std::string, Bytes> chunks;
+};
+
+/// A reader of its own, after the description of RIFF.
+Wav parse(const std::string &file)
+{
+    Wav wav;
+    const Bytes bytes(file.begin(), file.end());
+    ByteReader in(bytes);
+    const auto name = [&in] {
+        const ByteView four = in.take(4);
+        return std::string(four.begin(), four.end());
+    };
+    if (name() != "RIFF" || in.u32() != file.size() - 8 || name() != "WAVE")
+        return {};
+    while (in.left() > 0 && in.ok()) {
+        const std::string id = name();
+        const std::uint32_t size = in.u32();
+        const ByteView content = in.take(size);
+        in.take(size % 2);
+        wav.chunks[id] = Bytes(content.begin(), content.end());
+    }
+    if (!in.ok())
+        return {};
+    ByteReader format(wav.chunks["fmt "]);
+    const bool pcm = format.u16() == 1;
+    wav.channels.resize(format.u16());
+    wav.rate = format.u32();
+    const std::uint32_t bytesASecond = format.u32();
+    const std::uint16_t frame = format.u16();
+    if (!pcm || format.u16() != 16 || frame != 2 * wav.channels.size()
+        || bytesASecond != wav.rate * frame)
+        return {};
+    ByteReader data(wav.chunks["data"]);
+    while (data.left() > 0) {
+        for (auto &channel : wav.channels)
+            channel.push_back(data.s16());
+    }
+    return wav;
+}
+
+std::string write(WavWriter &writer)
+{
+    std::string file, piece;
+    while (writer.next(piece))
+        file += piece;
+    return file;
+}
+
+Snapshot all(const Capture &capture)
+{
+    std::vector<ChannelId> ids;
+    for (const ChannelInfo &info : capture.channels())
+        ids.push_back(info.id);
+    return capture.snapshot(ids);
+}
+
+std::int16_t code(int signal, Tick tick)
+{
+    return static_cast<std::int16_t>(tick * 13 + signal * 7001);
+}
+
+void append(Capture &capture, StreamId stream, Tick tick, int count, Tick lost = 0)
+{
+    SampleBlock block{stream, tick, static_cast<std::uint32_t>(count), {}, {}, lost};
+    for (int signal = 0; signal < 2; ++signal) {
+        for (Tick i = 0; i < count; ++i)
+            block.fast.push_back(code(signal, tick + i));
+    }
+    capture.append(block);
+}
+
+StreamLayout layout(StreamId id = 1)
+{
+    return {id, 16000.0, 0.5, 1, {{1, "A", "A", 0.1, 0.0}, {2, "B", "V", 0.25, 32768.0}}, {}};
+}
+
+} // namespace
+
+void TestWavExport::everyCodeIsInItsPlace()
+{
+    Capture capture;
+    capture.begin(layout());
+    constexpr int kCount = 150'001; // more than a chunk of the store and a piece of the file
+    for (Tick tick = 0; tick < kCount; tick += 1000)
+        append(capture, 1, tick, int(std::min<Tick>(1000, kCount - tick)));
+    capture.appendPolled(9, "U", "V", 0.6, 1.0); // not fast: left out
+    WavWriter writer(all(capture));
+    QCOMPARE(writer.problem(), WavProblem::None);
+    const Wav wav = parse(write(writer));
+    QCOMPARE(wav.rate, 16000U);
+    QCOMPARE(wav.channels.size(), std::size_t(2));
+    for (int signal = 0; signal < 2; ++signal) {
+        const auto &channel = wav.channels[std::size_t(signal)];
+        QCOMPARE(channel.size(), std::size_t(kCount));
+        for (Tick tick = 0; tick < kCount; ++tick)
+            QCOMPARE(channel[std::size_t(tick)], code(signal, tick));
+    }
+    QCOMPARE(writer.frames(), std::uint64_t(kCount));
+    QCOMPARE(writer.progress(), 1.0);
+    const Bytes &info = wav.chunks.at("LIST");
+    const std::string text(info.begin(), info.end());
+    QVERIFY(text.find("A [A] = (code + 0) x 0.1; B [V] = (code + 32768) x 0.25") != text.npos);
+    QVERIFY(!wav.chunks.contains("cue "));
+}
+
+void TestWavExport::gapsAreCuePointsAndNothingIsFilledIn()
+{
+    Capture capture;
+    capture.begin(layout());
+    append(capture, 1, 0, 100);
+    append(capture, 1, 1700, 100, 1600);
+    append(capture, 1, 1800, 50);
+    WavWriter writer(all(capture));
+    QCOMPARE(writer.gaps(), std::size_t(1));
+    const Wav wav = parse(write(writer));
+    QCOMPARE(wav.channels.at(0).size(), std::size_t(250));
+    QCOMPARE(wav.channels[0][99], code(0, 99));
+    QCOMPARE(wav.channels[0][100], code(0, 1700));
+    ByteReader cue(wav.chunks.at("cue "));
+    QCOMPARE(cue.u32(), 1U);
+    QCOMPARE(cue.u32(), 1U); // its name
+    QCOMPARE(cue.u32(), 100U); // the frame behind the gap
+}
+
+/// Signals of two streams that overlap in time are not there together; those of one with different beginnings are.
+void TestWavExport::onlyInstantsThatAllSignalsHaveAreWritten()
+{
+    Capture capture;
+    StreamLayout one = layout(1);
+    one.fast.pop_back();
+    capture.begin(one);
+    capture.append({1, 0, 3, {1, 2, 3}, {}, 0});
+    capture.begin(layout(2));
+    append(capture, 2, 3, 10);
+    WavWriter writer(all(capture));
+    const Wav wav = parse(write(writer));
+    QCOMPARE(wav.channels.size(), std::size_t(2));
+    QCOMPARE(wav.channels[0].size(), std::size_t(10));
+    QCOMPARE(wav.channels[0][0], code(0, 3));
+}
+
+void TestWavExport::aRangeIsExact()
+{
+    Capture capture;
+    capture.begin(layout());
+    append(capture, 1, 0, 1000);
+    WavWriter writer(all(capture), TimeSpan{0.5 + 160 / 16000.0, 0.5 + 320 / 16000.0});
+    const Wav wav = parse(write(writer));
+    QCOMPARE(wav.channels.at(1).size(), std::size_t(160));
+    QCOMPARE(wav.channels[1].front(), code(1, 160));
+    QCOMPARE(wav.channels[1].back(), code(1, 319));
+}
+
+void TestWavExport::whatCannotBeAWavFileIsNamed()
+{
+    Capture none;
+    none.appendPolled(9, "U", "V", 0.6, 1.0);
+    QCOMPARE(WavWriter(all(none)).problem(), WavProblem::NoFastSamples);
+    Capture rates;
+    rates.begin(layout());
+    append(rates, 1, 0, 10);
+    StreamLayout slower = layout(2);
+    slower.fast = {{5, "C", "A", 1.0, 0.0}};
+    slower.fastStep = 2;
+    rates.begin(slower);
+    rates.append({2, 20, 2, {1, 2}, {}, 0});
+    QCOMPARE(WavWriter(all(rates)).problem(), WavProblem::DifferentRates);
+    WavWriter writer(all(rates));
+    std::string piece;
+    QVERIFY(!writer.next(piece));
+}
+
+QTEST_APPLESS_MAIN(TestWavExport)
+#include "tst_wav_export.moc"
