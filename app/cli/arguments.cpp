@@ -53,6 +53,10 @@ const CommandText kCommands[] = {
         0, 0},
     {"header", "-o drive_parameters.h",
         "Writes the tuned values as a C header in the names of ST's drive_parameters.h.", 0, 0},
+    {"show", "FILE.pcapng", "Says what is in a recording, and what is missing from it.", 1, 1,
+        false},
+    {"export", "FILE.pcapng -o FILE.csv|.wav",
+        "Writes the signals of a recording, or of a CSV file, in another format.", 1, 1, false},
     {"decode", "TRACE.jsonl", "Decodes a recorded session and prints one JSON object per packet.",
         1, 1, false},
 };
@@ -109,6 +113,7 @@ void addCommandOptions(QCommandLineParser &parser, const QString &command)
         parser.addOption({QStringLiteral("motor"),
             QStringLiteral("Number of the motor, 1 if not given."), QStringLiteral("N")});
     addTuningOptions(parser, command);
+    addRecordingOptions(parser, command);
     if (command != QLatin1String("capture"))
         return;
     parser.addOptions({
@@ -126,6 +131,11 @@ void addCommandOptions(QCommandLineParser &parser, const QString &command)
         {QStringLiteral("seconds"), QStringLiteral("How long to record."), QStringLiteral("S")},
         {{QStringLiteral("o"), QStringLiteral("output")}, QStringLiteral("The file to write."),
             QStringLiteral("FILE.csv")},
+        {QStringLiteral("record"),
+            QStringLiteral("Records samples, values and events into this file while they come."),
+            QStringLiteral("FILE.pcapng")},
+        {QStringLiteral("link"),
+            QStringLiteral("With --record: the bytes of the line, too; twice the size.")},
         {QStringLiteral("start"),
             QStringLiteral(
                 "Starts the motor first, waits until it runs, and stops it at the end.")},
@@ -193,8 +203,13 @@ Outcome<CaptureArguments> captureOf(const QCommandLineParser &parser)
         return usage(QStringLiteral(
             "Say how long to record with --seconds S, more than 0 and at most 86400."));
     capture.file = parser.value(QStringLiteral("output"));
-    if (capture.file.isEmpty())
-        return usage(QStringLiteral("Name the file to write with -o FILE.csv."));
+    capture.recording = parser.value(QStringLiteral("record"));
+    capture.recordLink = parser.isSet(QStringLiteral("link"));
+    if (capture.file.isEmpty() && capture.recording.isEmpty())
+        return usage(QStringLiteral(
+            "Name the file to write with -o FILE.csv, or --record FILE.pcapng, or both."));
+    if (capture.recordLink && capture.recording.isEmpty())
+        return usage(QStringLiteral("--link belongs to --record FILE.pcapng."));
     capture.start = parser.isSet(QStringLiteral("start"));
     capture.fromStart = parser.isSet(QStringLiteral("from-start"));
     capture.keepRunning = parser.isSet(QStringLiteral("keep-running"));
@@ -288,6 +303,10 @@ Outcome<bool> takeCommand(const CommandText &command, const QStringList &line, A
     if (!tuning)
         return tl::make_unexpected(tuning.error());
     arguments.tuning = std::move(*tuning);
+    auto recording = recordingOf(parser, arguments.command);
+    if (!recording)
+        return tl::make_unexpected(recording.error());
+    arguments.recording = std::move(*recording);
     if (arguments.command == QLatin1String("capture")) {
         auto capture = captureOf(parser);
         if (!capture)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "failure.h"
+#include "recording_arguments.h"
 #include "tuning_arguments.h"
 
 #include <QStringList>
@@ -21,7 +22,9 @@ struct CaptureArguments {
     unsigned fastRate = 0; ///< one sample every so many control periods more than one
     unsigned slowRate = 15; ///< one group every so many fast samples more than one
     double seconds = 0.0;
-    QString file;
+    QString file; ///< CSV; empty: none
+    QString recording; ///< empty: none
+    bool recordLink = false; ///< the recording holds the bytes of the line, too
     bool start = false;
     bool fromStart = false; ///< the recording begins before the start and the ramp
     bool keepRunning = false;
@@ -38,6 +41,7 @@ struct Arguments {
     QStringList words; ///< the command's own, without options
     RampArguments ramp; ///< of the command `ramp`
     CaptureArguments capture;
+    RecordingArguments recording; ///< of show and export
     TuningArguments tuning; ///< of snapshot, diff, restore, revup, torque, gains, header
     std::optional<QString> text; ///< help or version: to be printed instead of doing anything
 };

@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "csv_output.h"
 #include "recorder.h"
+#include "recording_work.h"
 #include "sentences.h"
 #include "values.h"
 
@@ -48,6 +49,7 @@ private:
     Outcome<int> prepare();
     Outcome<int> startMotor();
     Outcome<int> ramp();
+    Outcome<int> startRecording();
     Outcome<int> begin(const drive::Stream &stream);
     Outcome<int> finish();
     Outcome<int> record(const drive::Stream &stream);
@@ -60,6 +62,7 @@ private:
     Desk &m_desk;
     const CaptureArguments &m_wanted;
     Recorder m_recorder;
+    std::optional<ConversationRecording> m_recording;
     bool m_started = false;
     std::optional<drive::MotorStatus> m_fault; ///< of the motor that this run started
 };
@@ -72,20 +75,26 @@ Outcome<int> CaptureRun::run()
     const auto wanted = stream();
     if (!wanted)
         return tl::make_unexpected(wanted.error());
-    if (const auto possible = checkCsvTarget(m_wanted.file); !possible)
-        return possible;
+    if (!m_wanted.file.isEmpty())
+        if (const auto possible = checkCsvTarget(m_wanted.file); !possible)
+            return possible;
     if (const auto possible = rehearse(*wanted); !possible)
         return possible;
+    if (const auto begun = startRecording(); !begun)
+        return begun;
     const Outcome<int> done = record(*wanted);
     if (!done)
         return tl::make_unexpected(salvage(abandon(done.error())));
     const auto stopped = stopMotor();
     // What was recorded is worth keeping even if the stop was not confirmed.
+    const auto recorded = m_recording ? m_recording->finish() : Outcome<int>(kDone);
     const auto written = write();
     if (!stopped)
         return stopped;
     if (!written)
         return written;
+    if (!recorded)
+        return recorded;
     // Nobody looked for Ctrl-C while the file was written, and a motor may have been left running.
     const auto undisturbed = m_desk.talk.waitUntil([] { return false; }, 1ms);
     if (!undisturbed && undisturbed.error().status > kInterrupted)
@@ -119,7 +128,8 @@ Outcome<drive::Stream> CaptureRun::stream() const
             QStringLiteral("The board records at most %1 signals at a time; leave some out.")
                 .arg(limits.maxSignals));
     const double rows = m_wanted.seconds * limits.tickHz / (m_wanted.fastRate + 1);
-    if (rows * 2.0 * static_cast<double>(std::max<std::size_t>(1, fast->size())) > kMostBytes)
+    if (!m_wanted.file.isEmpty()
+        && rows * 2.0 * static_cast<double>(std::max<std::size_t>(1, fast->size())) > kMostBytes)
         return failure(kUsage,
             QStringLiteral("That is too much for one capture; take fewer seconds, fewer signals or "
                            "a larger --hf-rate."));
@@ -231,6 +241,15 @@ Outcome<int> CaptureRun::record(const drive::Stream &stream)
     return done ? finish() : done;
 }
 
+/// Before anything moves: a recording that cannot be made moves nothing.
+Outcome<int> CaptureRun::startRecording()
+{
+    if (m_wanted.recording.isEmpty())
+        return kDone;
+    m_recording.emplace(m_desk.talk, m_wanted.recording, m_wanted.recordLink);
+    return m_recording->start(m_desk.arguments.port);
+}
+
 Outcome<int> CaptureRun::begin(const drive::Stream &stream)
 {
     Conversation &talk = m_desk.talk;
@@ -296,7 +315,11 @@ Failure CaptureRun::abandon(Failure why)
 /// The run ended early, but what was recorded until then may be what somebody waited for. An older file stays.
 Failure CaptureRun::salvage(Failure why)
 {
-    if (!m_recorder.empty() && !QFileInfo::exists(m_wanted.file) && write())
+    if (m_recording && m_recording->finish())
+        why.sentence +=
+            QStringLiteral(" What was recorded until then is in %1.").arg(m_wanted.recording);
+    if (!m_wanted.file.isEmpty() && !m_recorder.empty() && !QFileInfo::exists(m_wanted.file)
+        && write())
         why.sentence +=
             QStringLiteral(" What was recorded until then is in %1.").arg(m_wanted.file);
     return why;
@@ -304,20 +327,39 @@ Failure CaptureRun::salvage(Failure why)
 
 Outcome<int> CaptureRun::write()
 {
-    const auto rows = writeCsv(m_recorder.capture(), m_wanted.file);
-    if (!rows)
-        return tl::make_unexpected(rows.error());
-    if (m_desk.out.json())
-        m_desk.out.line(QJsonObject{{QStringLiteral("file"), m_wanted.file},
-            {QStringLiteral("rows"), static_cast<qint64>(*rows)},
-            {QStringLiteral("seconds"), m_wanted.seconds},
+    std::uint64_t rows = 0;
+    if (!m_wanted.file.isEmpty()) {
+        const auto written = writeCsv(m_recorder.capture(), m_wanted.file);
+        if (!written)
+            return tl::make_unexpected(written.error());
+        rows = *written;
+    }
+    if (m_desk.out.json()) {
+        QJsonObject line{{QStringLiteral("seconds"), m_wanted.seconds},
             {QStringLiteral("lost_ticks"), static_cast<qint64>(m_recorder.lostTicks())},
-            {QStringLiteral("complete"), m_recorder.complete()}});
-    else
+            {QStringLiteral("complete"), m_recorder.complete()}};
+        if (!m_wanted.file.isEmpty()) {
+            line.insert(QStringLiteral("file"), m_wanted.file);
+            line.insert(QStringLiteral("rows"), static_cast<qint64>(rows));
+        }
+        if (m_recording) {
+            const auto &counts = m_recording->last().counts;
+            line.insert(QStringLiteral("recording"), m_wanted.recording);
+            line.insert(QStringLiteral("recording_bytes"), static_cast<qint64>(counts.bytes));
+            line.insert(QStringLiteral("recording_samples"), static_cast<qint64>(counts.samples));
+        }
+        m_desk.out.line(line);
+        return kDone;
+    }
+    if (!m_wanted.file.isEmpty())
+        m_desk.out.line(QStringLiteral("%1: %2 rows, %3 s, %4 control periods lost")
+                            .arg(m_wanted.file, QString::number(rows), numberText(m_wanted.seconds),
+                                QString::number(m_recorder.lostTicks())));
+    if (m_recording)
         m_desk.out.line(
-            QStringLiteral("%1: %2 rows, %3 s, %4 control periods lost")
-                .arg(m_wanted.file, QString::number(*rows), numberText(m_wanted.seconds),
-                    QString::number(m_recorder.lostTicks())));
+            QStringLiteral("%1: %2 samples, %3 bytes")
+                .arg(m_wanted.recording, QString::number(m_recording->last().counts.samples),
+                    QString::number(m_recording->last().counts.bytes)));
     return kDone;
 }
 

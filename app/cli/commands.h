@@ -20,6 +20,8 @@ struct Desk {
 
 Outcome<int> runPorts(Output &out);
 Outcome<int> runDecode(const Arguments &arguments, Output &out);
+Outcome<int> runShow(const Arguments &arguments, Output &out);
+Outcome<int> runExport(const Arguments &arguments, Output &out);
 Outcome<int> runDiffOfFiles(const Arguments &arguments, Output &out);
 
 Outcome<int> runInfo(Desk &desk);

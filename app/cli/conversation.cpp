@@ -35,6 +35,7 @@ session::Endpoint endpointOf(const Arguments &arguments)
 Conversation::Conversation(const Arguments &arguments, const Interrupt &interrupt)
     : m_arguments(arguments)
     , m_interrupt(interrupt)
+    , m_session(session::tapped(session::realParts(), m_tap))
 {
     using session::Session;
     QObject::connect(&m_session, &Session::batch, this, &Conversation::takeBatch);

@@ -7,6 +7,7 @@
 #include "arguments.h"
 #include "failure.h"
 #include "interrupt.h"
+#include "session/recording_tap.h"
 #include "session/session.h"
 
 #include <functional>
@@ -59,6 +60,9 @@ public:
 
     Outcome<Waited> waitUntil(const std::function<bool()> &condition, Milliseconds limit);
 
+    /// What a recording of this conversation listens to.
+    const std::shared_ptr<session::RecordingTap> &tap() const { return m_tap; }
+
     /// Called for each event, besides what is kept here.
     void listen(std::function<void(const drive::Event &)> listener)
     {
@@ -75,6 +79,7 @@ private:
 
     Arguments m_arguments;
     const Interrupt &m_interrupt;
+    std::shared_ptr<session::RecordingTap> m_tap = std::make_shared<session::RecordingTap>();
     session::Session m_session;
     std::function<void(const drive::Event &)> m_listener;
     bool m_stopping =

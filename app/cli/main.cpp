@@ -60,6 +60,10 @@ Outcome<int> run(const QStringList &line)
         status = runPorts(out);
     else if (arguments->command == QLatin1String("decode"))
         status = runDecode(*arguments, out);
+    else if (arguments->command == QLatin1String("show"))
+        status = runShow(*arguments, out);
+    else if (arguments->command == QLatin1String("export"))
+        status = runExport(*arguments, out);
     else if (arguments->command == QLatin1String("diff") && !arguments->tuning.device)
         status = runDiffOfFiles(*arguments, out);
     else

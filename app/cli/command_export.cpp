@@ -1,0 +1,173 @@
+// export: the signals of a recording, or of a CSV file, in another format.
+#include "capture/csv_export.h"
+#include "capture/wav_export.h"
+#include "commands.h"
+#include "recording_work.h"
+#include "session/csv_file.h"
+
+#include <QFileInfo>
+#include <QJsonObject>
+
+#include <algorithm>
+
+namespace cli {
+
+using session::FileError;
+
+namespace {
+
+struct Source {
+    std::unique_ptr<OpenedRecording> recording;
+    std::unique_ptr<capture::Capture> csv;
+    const capture::Capture &capture() const { return recording ? recording->capture : *csv; }
+};
+
+struct Written {
+    session::FileResult file;
+    std::uint64_t rows = 0;
+    std::size_t gaps = 0; ///< of a WAV file
+};
+
+bool endsWith(const QString &path, const char *ending)
+{
+    return path.endsWith(QLatin1String(ending), Qt::CaseInsensitive);
+}
+
+Outcome<Source> openSource(const QString &path)
+{
+    Source source;
+    if (endsWith(path, ".csv")) {
+        auto csv = importCsv(path);
+        if (!csv)
+            return tl::make_unexpected(csv.error());
+        source.csv = std::move(*csv);
+        return source;
+    }
+    auto recording = openRecording(path);
+    if (!recording)
+        return tl::make_unexpected(recording.error());
+    source.recording = std::move(*recording);
+    return source;
+}
+
+/// The wanted channels, in the order wanted; all that hold samples if no name was given.
+Outcome<capture::Snapshot> chosen(const capture::Capture &capture, const QStringList &names)
+{
+    const std::vector<capture::ChannelInfo> channels = capture.channels();
+    std::vector<capture::ChannelId> ids;
+    for (const QString &name : names) {
+        bool found = false;
+        for (const capture::ChannelInfo &info : channels) {
+            if (QString::fromStdString(info.name).compare(name, Qt::CaseInsensitive) != 0)
+                continue;
+            ids.push_back(info.id);
+            found = true;
+        }
+        if (!found)
+            return failure(kUsage,
+                QStringLiteral("There is no signal \"%1\" in it; rotorscope-cli show lists them.")
+                    .arg(name));
+    }
+    if (names.isEmpty())
+        for (const capture::ChannelInfo &info : channels)
+            if (capture.size(info.id) > 0)
+                ids.push_back(info.id);
+    return capture.snapshot(ids);
+}
+
+QString wavText(capture::WavProblem problem)
+{
+    switch (problem) {
+    case capture::WavProblem::None:
+        break;
+    case capture::WavProblem::NoFastSamples:
+        return QStringLiteral("there are no instants at which all fast signals were recorded; name "
+                              "fewer with --signals");
+    case capture::WavProblem::DifferentRates:
+        return QStringLiteral("the signals have different rates; name some of one with --signals");
+    case capture::WavProblem::TooManyChannels:
+        return QStringLiteral("there are more than 64 signals; name some with --signals");
+    case capture::WavProblem::TooLong:
+        return QStringLiteral("a WAV file ends at 4 GiB; take less with --from and --to");
+    }
+    return {};
+}
+
+Outcome<Written> writeWav(const QString &path, const capture::Snapshot &channels,
+    const std::optional<capture::TimeSpan> &range)
+{
+    capture::WavWriter writer(channels, range);
+    if (writer.problem() != capture::WavProblem::None)
+        return failure(kUsage, QStringLiteral("No WAV file: %1.").arg(wavText(writer.problem())));
+    const auto file =
+        session::writePieces(path, [&writer](std::string &bytes) { return writer.next(bytes); });
+    return Written{file, writer.frames(), writer.gaps()};
+}
+
+Written writeCsv(
+    const QString &path, const capture::Snapshot &channels, const capture::CsvOptions &options)
+{
+    capture::CsvWriter writer(channels, options);
+    const auto file =
+        session::writePieces(path, [&writer](std::string &text) { return writer.next(text); });
+    return {file, writer.rows(), 0};
+}
+
+Outcome<Written> write(const RecordingArguments &wanted, const capture::Capture &capture)
+{
+    const auto channels = chosen(capture, wanted.only);
+    if (!channels)
+        return tl::make_unexpected(channels.error());
+    std::optional<capture::TimeSpan> range;
+    const auto all = capture.timeSpan();
+    if (all && (wanted.from || wanted.to)) // a polled value at the end is still in it
+        range =
+            capture::TimeSpan{wanted.from.value_or(all->from), wanted.to.value_or(all->to + 1.0)};
+    if (endsWith(wanted.file, ".wav"))
+        return writeWav(wanted.file, *channels, range);
+    capture::CsvOptions options;
+    options.range = range;
+    if (wanted.continental)
+        options.dialect = capture::CsvDialect::Continental;
+    return writeCsv(wanted.file, *channels, options);
+}
+
+} // namespace
+
+Outcome<int> runExport(const Arguments &arguments, Output &out)
+{
+    const RecordingArguments &wanted = arguments.recording;
+    const QString &path = arguments.words.first();
+    if (!endsWith(wanted.file, ".csv") && !endsWith(wanted.file, ".wav"))
+        return failure(kUsage,
+            QStringLiteral("Let the name of the file end in .csv or .wav, not as in \"%1\".")
+                .arg(wanted.file));
+    if (QFileInfo::exists(wanted.file)
+        && QFileInfo(path).canonicalFilePath() == QFileInfo(wanted.file).canonicalFilePath())
+        return failure(kUsage, QStringLiteral("Name another file to write than the one to read."));
+    const auto source = openSource(path);
+    if (!source)
+        return tl::make_unexpected(source.error());
+    const auto written = write(wanted, source->capture());
+    if (!written)
+        return tl::make_unexpected(written.error());
+    if (written->file.error != FileError::None)
+        return failure(kFileError,
+            QStringLiteral("%1 was not written: %2; make room or choose another place with -o.")
+                .arg(wanted.file,
+                    written->file.error == FileError::NotAFile ? QStringLiteral("it is no file")
+                                                               : written->file.systemText));
+    const QString lack = source->recording ? lackText(source->recording->report) : QString();
+    if (out.json())
+        out.line(QJsonObject{{QStringLiteral("file"), wanted.file},
+            {QStringLiteral("rows"), static_cast<qint64>(written->rows)},
+            {QStringLiteral("bytes"), written->file.bytes},
+            {QStringLiteral("complete"), lack.isEmpty()}});
+    else
+        out.line(QStringLiteral("%1: %2 rows").arg(wanted.file, QString::number(written->rows)));
+    if (!lack.isEmpty())
+        return failure(kDataLost, QStringLiteral("%1 is damaged: %2.").arg(path, lack));
+    return kDone;
+}
+
+} // namespace cli

@@ -1,0 +1,169 @@
+#include "recording_work.h"
+
+#include "capture/csv_import.h"
+
+#include <QCoreApplication>
+#include <QEventLoop>
+#include <QFile>
+#include <QTimer>
+
+namespace cli {
+
+using namespace std::chrono_literals;
+using session::RecordingOutcome;
+
+namespace {
+constexpr auto kOpenWithin = 10s;
+constexpr auto kCloseWithin = 60s; ///< a slow disk may have a lot to write
+constexpr std::size_t kMostMemory = 4'000'000'000; ///< of samples
+} // namespace
+
+Outcome<std::unique_ptr<OpenedRecording>> openRecording(const QString &path)
+{
+    auto opened = std::make_unique<OpenedRecording>(
+        OpenedRecording{capture::Capture({.maxBytes = kMostMemory}), {}});
+    auto report = session::readRecording(path, opened->capture);
+    if (!report)
+        return failure(kFileError,
+            QStringLiteral("%1 cannot be read: %2; check its name.").arg(path, report.error()));
+    opened->report = std::move(*report);
+    return opened;
+}
+
+QString csvErrorText(const capture::CsvError &error)
+{
+    using What = capture::CsvError::What;
+    QString what;
+    switch (error.what) {
+    case What::NoHeading:
+        what = QStringLiteral("there is no heading with the names of signals");
+        break;
+    case What::NoSignals:
+        what = QStringLiteral("there is one column only");
+        break;
+    case What::TooManyColumns:
+        what = QStringLiteral("there are more columns than anybody reads");
+        break;
+    case What::LineTooLong:
+        what = QStringLiteral("the line is too long for a line of numbers");
+        break;
+    case What::OtherNumberOfFields:
+        what = QStringLiteral("the line has another number of fields than the heading");
+        break;
+    case What::NoNumber:
+        what = QStringLiteral("\"%1\" is no number").arg(QString::fromStdString(error.field));
+        break;
+    case What::NoTime:
+        what = QStringLiteral("\"%1\" is no time").arg(QString::fromStdString(error.field));
+        break;
+    case What::TimeRunsBack:
+        what = QStringLiteral("the time %1 is before the one above it")
+                   .arg(QString::fromStdString(error.field));
+        break;
+    case What::NoRows:
+        what = QStringLiteral("there is a heading and nothing else");
+        break;
+    }
+    const QString line = QString::number(error.line);
+    return error.column == 0
+        ? QStringLiteral("line %1: %2").arg(line, what)
+        : QStringLiteral("line %1, column %2: %3").arg(line, QString::number(error.column), what);
+}
+
+Outcome<std::unique_ptr<capture::Capture>> importCsv(const QString &path)
+{
+    QFile file(path);
+    const auto refused = [&path](const QString &why) {
+        return failure(kFileError, QStringLiteral("%1 cannot be read: %2.").arg(path, why));
+    };
+    if (!file.open(QIODevice::ReadOnly))
+        return refused(file.errorString());
+    auto capture =
+        std::make_unique<capture::Capture>(capture::Capture::Config{.maxBytes = kMostMemory});
+    capture::CsvImport import(*capture);
+    bool goesOn = true;
+    while (goesOn && !file.atEnd()) {
+        const QByteArray piece = file.read(1 << 20);
+        goesOn = import.feed({piece.constData(), static_cast<std::size_t>(piece.size())});
+    }
+    if (!import.finish())
+        return refused(csvErrorText(*import.error()));
+    return capture;
+}
+
+QString lackText(const session::RecordingReport &report)
+{
+    QStringList lacks;
+    if (!report.damage.empty()) {
+        QString first = session::damageText(report.damage.front());
+        if (report.damagedPlaces > 1)
+            first += QStringLiteral(", and %1 more places; rotorscope-cli show lists them")
+                         .arg(report.damagedPlaces - 1);
+        lacks.append(first);
+    }
+    if (report.lost.samples + report.lost.linkBytes + report.lost.others > 0)
+        lacks.append(QStringLiteral("%1 samples are missing, because the disk was too slow")
+                         .arg(report.lost.samples));
+    return lacks.join(QStringLiteral("; "));
+}
+
+ConversationRecording::ConversationRecording(Conversation &talk, const QString &path, bool withLink)
+    : m_talk(talk)
+    , m_path(path)
+    , m_withLink(withLink)
+    , m_recording(talk.tap())
+{
+    using session::Recording;
+    QObject::connect(&m_recording, &Recording::started, &talk, [this] {
+        m_started = true;
+        Q_EMIT m_talk.changed();
+    });
+    QObject::connect(
+        &m_recording, &Recording::finished, &talk, [this](const session::RecordingResult &result) {
+            m_result = result;
+            m_last = result.last;
+            Q_EMIT m_talk.changed();
+        });
+}
+
+Outcome<int> ConversationRecording::start(const QString &source)
+{
+    using Content = session::RecordingTap::Content;
+    const QString program = QStringLiteral("Rotorscope ") + QCoreApplication::applicationVersion();
+    m_recording.start(
+        m_path, m_withLink ? Content::SamplesAndLink : Content::Samples, program, source);
+    const auto waited =
+        m_talk.waitUntil([this] { return m_started || m_result.has_value(); }, kOpenWithin);
+    if (!waited)
+        return tl::make_unexpected(waited.error());
+    if (m_started)
+        return kDone;
+    return failure(kFileError,
+        QStringLiteral("%1 cannot be recorded: %2; choose a name that is not there yet.")
+            .arg(m_path,
+                m_result ? m_result->systemText : QStringLiteral("the disk does not answer")));
+}
+
+Outcome<int> ConversationRecording::finish()
+{
+    m_recording.stop();
+    // Not waitUntil(): the file is ended after an interrupt and a broken connection, too.
+    QEventLoop loop;
+    QObject::connect(&m_recording, &session::Recording::finished, &loop, &QEventLoop::quit);
+    QTimer::singleShot(kCloseWithin, &loop, &QEventLoop::quit);
+    if (!m_result)
+        loop.exec();
+    if (!m_result)
+        return failure(kFileError, QStringLiteral("%1: the disk does not answer.").arg(m_path));
+    if (m_result->outcome != RecordingOutcome::Stopped)
+        return failure(kFileError,
+            QStringLiteral("%1 ends early: %2; what was recorded until then is in it.")
+                .arg(m_path, m_result->systemText));
+    if (m_last.lost != record::Lost{})
+        return failure(kDataLost,
+            QStringLiteral("%1 samples are not in %2, because the disk was too slow.")
+                .arg(QString::number(m_last.lost.samples), m_path));
+    return kDone;
+}
+
+} // namespace cli

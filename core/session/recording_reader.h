@@ -1,0 +1,51 @@
+// Opens a recording: its samples into a capture, by the calls that live samples take, and a report of everything else in
+// it and of what is missing. Reads piece by piece: a file of any size takes the memory of its samples only.
+#pragma once
+
+#include "base/result.h"
+#include "capture/capture.h"
+#include "record/decoder.h"
+
+#include <QString>
+
+#include <functional>
+
+namespace session {
+
+struct RecordingReport {
+    template <class T>
+    struct At {
+        record::Nanos at = 0;
+        T what;
+    };
+    record::Begin begin;
+    std::vector<At<record::Happening>> happenings;
+    std::vector<At<record::RegisterSnapshot>> snapshots;
+    std::vector<record::Note> notes;
+    record::Lost lost; ///< in all: what the disk was too slow for
+    std::uint64_t linkBytes = 0;
+    std::uint64_t samples = 0;
+    std::uint64_t blocks = 0; ///< sound ones
+    std::vector<record::Damage> damage; ///< the first kMostDamage places
+    std::uint64_t damagedPlaces = 0; ///< all of them
+    std::optional<record::End> ending; ///< empty: the recorder was interrupted
+
+    static constexpr std::size_t kMostDamage = 1000;
+    static constexpr std::size_t kMostKept = 1'000'000; ///< of happenings, snapshots and notes each
+};
+
+/// Reads the whole file. The capture should be empty; what cannot be read is left out of it, never guessed.
+/// @param proceed  called with 0..1 about every mebibyte; false cancels
+/// @return  the report, or in the system's or our own words why there is nothing to read
+Result<RecordingReport, QString> readRecording(const QString &path, capture::Capture &capture,
+    const std::function<bool(double)> &proceed = {});
+
+/// The same for whoever wants the entries themselves, in the file's order.
+Result<RecordingReport, QString> readRecording(const QString &path,
+    const std::function<void(record::Item &&)> &take,
+    const std::function<bool(double)> &proceed = {});
+
+/// One place of damage in English, e.g. "bytes 4096 to 8191 are unreadable, 2 blocks are missing".
+QString damageText(const record::Damage &damage);
+
+} // namespace session

@@ -1,0 +1,233 @@
+// Recordings as scripts see them: capture --record, show and export. The real program, against its own simulated board.
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+
+class TestCliRecording : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void captureRecordsWhatItWrites();
+    void showSaysWhatIsInIt();
+    void exportAndImportGiveTheSameFile();
+    void aWavFileIsReadByOthers();
+    void aDamagedRecordingIsExportedAndTold();
+    void aFileThatIsThereIsNotRecordedOver();
+    void otherFilesAreExitStatus5();
+    void wrongUsageIsExitStatus2_data();
+    void wrongUsageIsExitStatus2();
+
+private:
+    QTemporaryDir m_folder;
+    QString path(const char *name) const { return m_folder.filePath(QString::fromLatin1(name)); }
+};
+
+namespace {
+
+struct Run {
+    int status = -1;
+    QString out, err;
+    QJsonObject json() const { return QJsonDocument::fromJson(out.toUtf8()).object(); }
+};
+
+Run run(const QStringList &arguments)
+{
+    QProcess process;
+    process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-cli"), arguments);
+    if (!process.waitForFinished(60'000))
+        process.kill();
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+        QString::fromUtf8(process.readAllStandardOutput()),
+        QString::fromUtf8(process.readAllStandardError())};
+}
+
+QStringList words(const char *line) { return QString::fromLatin1(line).split(QLatin1Char(' ')); }
+
+QByteArray contents(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void put(const QString &path, const QByteArray &bytes)
+{
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(bytes), bytes.size());
+}
+
+} // namespace
+
+#define COMPARE_STATUS(result, expected)                                                           \
+    QVERIFY2((result).status == (expected),                                                        \
+        qPrintable(QStringLiteral("status %1, stderr: %2")                                         \
+                       .arg(QString::number((result).status), (result).err)))
+
+/// One recording for all tests.
+void TestCliRecording::initTestCase()
+{
+    QStringList arguments = words("--port sim --json capture --hf I_A,I_B --mf I_Q_MEAS --mf-rate "
+                                  "15 --seconds 0.5 --link");
+    arguments << QStringLiteral("-o") << path("a.csv") << QStringLiteral("--record")
+              << path("a.pcapng");
+    const Run result = run(arguments);
+    COMPARE_STATUS(result, 0);
+    QCOMPARE(result.json().value(QLatin1String("rows")).toInt(), 8000);
+    QVERIFY(result.json().value(QLatin1String("recording_samples")).toInt() >= 16'500);
+    QCOMPARE(result.json().value(QLatin1String("recording_bytes")).toInt(),
+        contents(path("a.pcapng")).size());
+}
+
+/// The CSV of the run is exactly the beginning of what the recording holds.
+void TestCliRecording::captureRecordsWhatItWrites()
+{
+    const Run result = run({QStringLiteral("export"), path("a.pcapng"), QStringLiteral("-o"),
+        path("all.csv"), QStringLiteral("--json")});
+    COMPARE_STATUS(result, 0);
+    QVERIFY(result.json().value(QLatin1String("complete")).toBool());
+    const QList<QByteArray> direct = contents(path("a.csv")).split('\n');
+    const QList<QByteArray> recorded = contents(path("all.csv")).split('\n');
+    QVERIFY(recorded.size() >= direct.size());
+    for (qsizetype row = 1; row < direct.size() - 1;
+         ++row) // times differ: 0 s there, the session's here
+        QCOMPARE(recorded[row].mid(recorded[row].indexOf(',')),
+            direct[row].mid(direct[row].indexOf(',')));
+    QCOMPARE(recorded[0], direct[0]);
+}
+
+void TestCliRecording::showSaysWhatIsInIt()
+{
+    const Run result = run({QStringLiteral("--json"), QStringLiteral("show"), path("a.pcapng")});
+    COMPARE_STATUS(result, 0);
+    const QJsonObject json = result.json();
+    QCOMPARE(json.value(QLatin1String("ending")).toString(), QStringLiteral("stopped"));
+    QCOMPARE(json.value(QLatin1String("source")).toString(), QStringLiteral("sim"));
+    QVERIFY(json.value(QLatin1String("link_bytes")).toInt() > 2 * 16'000);
+    QVERIFY(json.value(QLatin1String("damage")).toArray().isEmpty());
+    const QJsonArray channels = json.value(QLatin1String("channels")).toArray();
+    QCOMPARE(channels.size(), 3);
+    QCOMPARE(channels[0].toObject().value(QLatin1String("name")).toString(), QStringLiteral("I_A"));
+    QCOMPARE(
+        channels[2].toObject().value(QLatin1String("kind")).toString(), QStringLiteral("slow"));
+    const Run text = run({QStringLiteral("show"), path("a.pcapng"), QStringLiteral("--events")});
+    COMPARE_STATUS(text, 0);
+    QVERIFY(text.out.contains(QLatin1String("link state=connected")));
+    QVERIFY(text.out.contains(QLatin1String("I_A [A] fast: ")));
+}
+
+void TestCliRecording::exportAndImportGiveTheSameFile()
+{
+    const auto convert = [this](const char *from, const char *to, const QStringList &more = {}) {
+        const Run result =
+            run(QStringList{QStringLiteral("export"), path(from), QStringLiteral("-o"), path(to)}
+                + more);
+        COMPARE_STATUS(result, 0);
+    };
+    convert("a.pcapng", "plain.csv");
+    convert("plain.csv", "continental.csv", {QStringLiteral("--continental")});
+    convert("continental.csv", "again.csv");
+    QCOMPARE(contents(path("again.csv")), contents(path("plain.csv")));
+    QVERIFY(contents(path("continental.csv")).startsWith("\xEF\xBB\xBFtime [s];I_A [A];"));
+    convert("plain.csv", "part.csv", words("--signals I_B --from 0.2 --to 0.3"));
+    QVERIFY(contents(path("part.csv")).startsWith("time [s],I_B [A]\n"));
+    QVERIFY(contents(path("part.csv")).count('\n') <= 1601);
+}
+
+/// Python's own reader sees every frame.
+void TestCliRecording::aWavFileIsReadByOthers()
+{
+    const Run result = run({QStringLiteral("export"), path("a.pcapng"), QStringLiteral("-o"),
+        path("a.wav"), QStringLiteral("--json")});
+    COMPARE_STATUS(result, 0);
+    const QString python = QStandardPaths::findExecutable(QStringLiteral("python3"));
+    QVERIFY2(!python.isEmpty(), "python3 is missing; ./dev setup installs it");
+    QProcess reader;
+    reader.start(python,
+        {QStringLiteral("-c"),
+            QStringLiteral("import sys, wave\nw = wave.open(sys.argv[1])\n"
+                           "d = w.readframes(w.getnframes())\n"
+                           "print(w.getnchannels(), w.getsampwidth(), w.getframerate(), "
+                           "w.getnframes(), len(d))"),
+            path("a.wav")});
+    QVERIFY(reader.waitForFinished(30'000));
+    const int frames = result.json().value(QLatin1String("rows")).toInt();
+    QCOMPARE(QString::fromLatin1(reader.readAllStandardOutput()).trimmed(),
+        QStringLiteral("2 2 16000 %1 %2")
+            .arg(QString::number(frames), QString::number(frames * 4)));
+}
+
+void TestCliRecording::aDamagedRecordingIsExportedAndTold()
+{
+    QByteArray bytes = contents(path("a.pcapng"));
+    const qsizetype middle = bytes.size() / 2;
+    bytes[middle] = static_cast<char>(~bytes[middle]);
+    bytes.chop(20);
+    put(path("damaged.pcapng"), bytes);
+    const Run shown =
+        run({QStringLiteral("--json"), QStringLiteral("show"), path("damaged.pcapng")});
+    COMPARE_STATUS(shown, 4);
+    QCOMPARE(shown.json().value(QLatin1String("ending")).toString(), QStringLiteral("interrupted"));
+    const QJsonArray damage = shown.json().value(QLatin1String("damage")).toArray();
+    QCOMPARE(damage.size(), 2);
+    const QJsonObject first = damage[0].toObject();
+    const int offset = first.value(QLatin1String("offset")).toInt();
+    QVERIFY(offset <= middle);
+    QVERIFY(offset + first.value(QLatin1String("bytes")).toInt() > middle);
+    QVERIFY(shown.err.contains(QLatin1String("is damaged: bytes ")));
+    const Run exported = run(
+        {QStringLiteral("export"), path("damaged.pcapng"), QStringLiteral("-o"), path("d.csv")});
+    COMPARE_STATUS(exported, 4);
+    QVERIFY(contents(path("d.csv")).count('\n') > 1000);
+}
+
+void TestCliRecording::aFileThatIsThereIsNotRecordedOver()
+{
+    put(path("old.pcapng"), "old");
+    QStringList arguments = words("--port sim capture --hf I_A --seconds 0.1 --start --record");
+    arguments << path("old.pcapng");
+    const Run result = run(arguments);
+    COMPARE_STATUS(result, 5);
+    QCOMPARE(contents(path("old.pcapng")), QByteArray("old"));
+    QVERIFY(!result.err.contains(QLatin1String("motor was stopped"))); // it was never started
+}
+
+void TestCliRecording::otherFilesAreExitStatus5()
+{
+    put(path("text.pcapng"), "hello\n");
+    put(path("bad.csv"), "time [s],A\n0,1\n1,x\n");
+    for (const char *name : {"text.pcapng", "missing.pcapng"}) {
+        const Run result = run({QStringLiteral("show"), path(name)});
+        COMPARE_STATUS(result, 5);
+        QCOMPARE(result.err.count(QLatin1Char('\n')), 1);
+    }
+    const Run result =
+        run({QStringLiteral("export"), path("bad.csv"), QStringLiteral("-o"), path("new.csv")});
+    COMPARE_STATUS(result, 5);
+    QVERIFY(result.err.contains(QLatin1String("line 3, column 2: \"x\" is no number")));
+    QVERIFY(!QFile::exists(path("new.csv")));
+}
+
+void TestCliRecording::wrongUsageIsExitStatus2_data()
+{
+    QTest::addColumn<QString>("line");
+    for (const char *line :
+        {"show", "export x.pcapng", "export x.pcapng -o x.xls", "export -o x.csv",
+            "export x.pcapng -o x.csv --from 2 --to 1", "export x.pcapng -o x.csv --from 1,5",
+            "--port sim capture --hf I_A --seconds 1 -o x.csv --link"})
+        QTest::newRow(line) << QString::fromLatin1(line);
+}
+
+void TestCliRecording::wrongUsageIsExitStatus2()
+{
+    QFETCH(QString, line);
+    const Run result = run(line.split(QLatin1Char(' ')));
+    COMPARE_STATUS(result, 2);
+    QCOMPARE(result.err.count(QLatin1Char('\n')), 1);
+}
+
+QTEST_GUILESS_MAIN(TestCliRecording)
+#include "tst_cli_recording.moc"
