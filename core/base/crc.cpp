@@ -1,5 +1,7 @@
 #include "base/crc.h"
 
+#include "base/crc_folding.h"
+
 #include <array>
 
 namespace {
@@ -39,6 +41,20 @@ constexpr Crc16Tables makeCrc16Tables()
 
 constexpr Crc16Tables kCrc16 = makeCrc16Tables();
 
+/// Goes on from `crc` with these bytes.
+unsigned crcByTable(unsigned crc, ByteView bytes)
+{
+    for (; bytes.size() >= kSlices; bytes = bytes.subspan(kSlices)) {
+        unsigned next = kCrc16[15][bytes[0] ^ (crc >> 8)] ^ kCrc16[14][bytes[1] ^ (crc & 0xFFU)];
+        for (std::size_t i = 2; i < kSlices; ++i)
+            next ^= kCrc16[kSlices - 1 - i][bytes[i]];
+        crc = next;
+    }
+    for (const std::uint8_t byte : bytes)
+        crc = ((crc << 8) ^ kCrc16[0][((crc >> 8) ^ byte) & 0xFFU]) & 0xFFFFU;
+    return crc;
+}
+
 } // namespace
 
 std::uint8_t crc4(std::uint32_t bits28)
@@ -52,13 +68,10 @@ std::uint8_t crc4(std::uint32_t bits28)
 std::uint16_t crc16Xmodem(ByteView bytes)
 {
     unsigned crc = 0;
-    for (; bytes.size() >= kSlices; bytes = bytes.subspan(kSlices)) {
-        unsigned next = kCrc16[15][bytes[0] ^ (crc >> 8)] ^ kCrc16[14][bytes[1] ^ (crc & 0xFFU)];
-        for (std::size_t i = 2; i < kSlices; ++i)
-            next ^= kCrc16[kSlices - 1 - i][bytes[i]];
-        crc = next;
+    if (bytes.size() >= kLeastFolding && canFoldCrc16()) {
+        const std::size_t whole = bytes.size() / 64 * 64;
+        crc = crcByTable(0, foldForCrc16(bytes.first(whole)));
+        bytes = bytes.subspan(whole);
     }
-    for (const std::uint8_t byte : bytes)
-        crc = ((crc << 8) ^ kCrc16[0][((crc >> 8) ^ byte) & 0xFFU]) & 0xFFFFU;
-    return static_cast<std::uint16_t>(crc);
+    return static_cast<std::uint16_t>(crcByTable(crc, bytes));
 }
