@@ -607,6 +607,17 @@
     </message>
 </context>
 <context>
+    <name>Motion</name>
+    <message>
+        <source>Connect to a board first.</source>
+        <translation>Verbinden Sie zuerst ein Board.</translation>
+    </message>
+    <message>
+        <source>Arm first.</source>
+        <translation>Geben Sie zuerst frei.</translation>
+    </message>
+</context>
+<context>
     <name>MotionQuestion</name>
     <message>
         <source>This will move motor %1. Go on?</source>
@@ -1756,10 +1767,6 @@
         <translation>Verbinden Sie zuerst ein Board.</translation>
     </message>
     <message>
-        <source>Arm first.</source>
-        <translation>Geben Sie zuerst frei.</translation>
-    </message>
-    <message>
         <source>Acknowledge the faults first.</source>
         <translation>Quittieren Sie zuerst die Fehler.</translation>
     </message>
@@ -2836,6 +2843,10 @@
         <source>Gains</source>
         <translation>Verstärkungen</translation>
     </message>
+    <message>
+        <source>Ramps</source>
+        <translation>Rampen</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MotionGate</name>
@@ -3290,6 +3301,233 @@
     <message>
         <source>In the file</source>
         <translation>In der Datei</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RampForm</name>
+    <message>
+        <source>Name of a ramp</source>
+        <translation>Name einer Rampe</translation>
+    </message>
+    <message>
+        <source>Choosing one fills the fields; it sends nothing. To keep the ramp that you look at, type a name and save.</source>
+        <translation>Eine zu wählen füllt die Felder und sendet nichts. Um die Rampe zu behalten, die Sie ansehen: Namen eingeben und speichern.</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <comment>a ramp under a name</comment>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <comment>a named ramp</comment>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Named</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>Progress of the ramp</source>
+        <translation>Fortschritt der Rampe</translation>
+    </message>
+    <message>
+        <source>Stop ramp</source>
+        <translation>Rampe anhalten</translation>
+    </message>
+    <message>
+        <source>Speed [rpm]</source>
+        <translation>Drehzahl [U/min]</translation>
+    </message>
+    <message>
+        <source>Iq [A]</source>
+        <translation>Iq [A]</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>U/min</translation>
+    </message>
+    <message>
+        <source>No ramp was sent yet.</source>
+        <translation>Noch wurde keine Rampe gesendet.</translation>
+    </message>
+    <message>
+        <source>To %1: taken over; it goes when the motor runs.</source>
+        <translation>Auf %1: angenommen; sie läuft, sobald der Motor läuft.</translation>
+    </message>
+    <message>
+        <source>To %1: %2 % of the time, %3 s left; measured %4.</source>
+        <comment>target, number, number</comment>
+        <translation>Auf %1: %2 % der Zeit, noch %3 s; gemessen %4.</translation>
+    </message>
+    <message>
+        <source>The set-point is at %1; measured %2.</source>
+        <translation>Der Sollwert ist bei %1; gemessen %2.</translation>
+    </message>
+    <message>
+        <source>Arrived at %1 after %2 s.</source>
+        <translation>Nach %2 s bei %1 angekommen.</translation>
+    </message>
+    <message>
+        <source>The ramp to %1 was ended on its way; measured %2.</source>
+        <translation>Die Rampe auf %1 wurde unterwegs beendet; gemessen %2.</translation>
+    </message>
+    <message>
+        <source>The motor runs no more; the ramp to %1 has ended.</source>
+        <translation>Der Motor läuft nicht mehr; die Rampe auf %1 ist zu Ende.</translation>
+    </message>
+    <message>
+        <source>The link was lost on the way to %1; what became of it is not known.</source>
+        <translation>Die Verbindung ging auf dem Weg zu %1 verloren; was daraus wurde, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Ends a ramp where it is; the motor goes on turning.</source>
+        <translation>Beendet eine Rampe, wo sie gerade ist; der Motor dreht weiter.</translation>
+    </message>
+    <message>
+        <source>Keeps this under the name: %1</source>
+        <translation>Behält dies unter dem Namen: %1</translation>
+    </message>
+    <message>
+        <source>Type a name first, and values that can be sent.</source>
+        <translation>Zuerst einen Namen eingeben, und Werte, die gesendet werden können.</translation>
+    </message>
+    <message>
+        <source>Forgets the ramp of this name.</source>
+        <translation>Vergisst die Rampe dieses Namens.</translation>
+    </message>
+    <message>
+        <source>Choose one first.</source>
+        <translation>Zuerst eine wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RampLine</name>
+    <message>
+        <source>rpm</source>
+        <translation>U/min</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <comment>unit</comment>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>sofort</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <comment>a ramp to the board</comment>
+        <translation>Senden</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>D&amp;rehzahl</translation>
+    </message>
+    <message>
+        <source>&amp;Iq (torque)</source>
+        <translation>&amp;Iq (Moment)</translation>
+    </message>
+    <message>
+        <source>Iq at once (&amp;q)</source>
+        <translation>Iq sofort (&amp;q)</translation>
+    </message>
+    <message>
+        <source>Speed to go to, in rpm</source>
+        <translation>Anzufahrende Drehzahl in U/min</translation>
+    </message>
+    <message>
+        <source>Torque current Iq to go to, in A</source>
+        <translation>Anzufahrender Momentenstrom Iq in A</translation>
+    </message>
+    <message>
+        <source>Current reference Iq, in A</source>
+        <translation>Stromsollwert Iq in A</translation>
+    </message>
+    <message>
+        <source>Current reference Id, in A</source>
+        <translation>Stromsollwert Id in A</translation>
+    </message>
+    <message>
+        <source>Duration of the ramp in ms</source>
+        <translation>Dauer der Rampe in ms</translation>
+    </message>
+    <message>
+        <source>Send: %1</source>
+        <comment>kind of ramp</comment>
+        <translation>Senden: %1</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <comment>a time</comment>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>Speed ramp</source>
+        <translation>Drehzahlrampe</translation>
+    </message>
+    <message>
+        <source>Torque ramp</source>
+        <translation>Momentenrampe</translation>
+    </message>
+    <message>
+        <source>Current reference</source>
+        <translation>Stromsollwert</translation>
+    </message>
+    <message>
+        <source>Speed [rpm]</source>
+        <translation>Drehzahl [U/min]</translation>
+    </message>
+    <message>
+        <source>Iq [A]</source>
+        <translation>Iq [A]</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stair(s) of 6 rpm</source>
+        <translation>
+            <numerusform>%n Stufe von 6 U/min</numerusform>
+            <numerusform>%n Stufen von 6 U/min</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Together %1 A: the limit is %2 A.</source>
+        <translation>Zusammen %1 A: die Grenze ist %2 A.</translation>
+    </message>
+    <message>
+        <source>Understood: Iq %1 A, Id %2 A, together %3 A, at once</source>
+        <translation>Verstanden: Iq %1 A, Id %2 A, zusammen %3 A, sofort</translation>
+    </message>
+    <message>
+        <source>Sends it (Enter in a field does the same).</source>
+        <translation>Sendet es (wie die Eingabetaste in einem Feld).</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RampPreview</name>
+    <message>
+        <source>Preview of the ramp</source>
+        <translation>Vorschau der Rampe</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>Set-point</source>
+        <translation>Sollwert</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
     </message>
 </context>
 <context>
@@ -4081,6 +4319,10 @@ mN·m</translation>
         <source>%1 becomes %2 %3 (steps of %4)</source>
         <comment>typed number, sent number, unit, step</comment>
         <translation>Aus %1 wird %2 %3 (Schritte von %4)</translation>
+    </message>
+    <message>
+        <source>It cannot be negative.</source>
+        <translation>Es kann nicht negativ sein.</translation>
     </message>
 </context>
 <context>

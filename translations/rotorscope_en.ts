@@ -607,6 +607,17 @@
     </message>
 </context>
 <context>
+    <name>Motion</name>
+    <message>
+        <source>Connect to a board first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>MotionQuestion</name>
     <message>
         <source>This will move motor %1. Go on?</source>
@@ -1756,10 +1767,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arm first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Acknowledge the faults first.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2836,6 +2843,10 @@
         <source>Gains</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Ramps</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::MotionGate</name>
@@ -3289,6 +3300,233 @@
     </message>
     <message>
         <source>In the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RampForm</name>
+    <message>
+        <source>Name of a ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choosing one fills the fields; it sends nothing. To keep the ramp that you look at, type a name and save.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <comment>a ramp under a name</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <comment>a named ramp</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Named</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of the ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed [rpm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iq [A]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No ramp was sent yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To %1: taken over; it goes when the motor runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To %1: %2 % of the time, %3 s left; measured %4.</source>
+        <comment>target, number, number</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The set-point is at %1; measured %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrived at %1 after %2 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ramp to %1 was ended on its way; measured %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor runs no more; the ramp to %1 has ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link was lost on the way to %1; what became of it is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends a ramp where it is; the motor goes on turning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps this under the name: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type a name first, and values that can be sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forgets the ramp of this name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RampLine</name>
+    <message>
+        <source>rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <comment>unit</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <comment>a ramp to the board</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Iq (torque)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iq at once (&amp;q)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed to go to, in rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque current Iq to go to, in A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current reference Iq, in A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current reference Id, in A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duration of the ramp in ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send: %1</source>
+        <comment>kind of ramp</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in</source>
+        <comment>a time</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed [rpm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iq [A]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stair(s) of 6 rpm</source>
+        <translation>
+            <numerusform>%n stair of 6 rpm</numerusform>
+            <numerusform>%n stairs of 6 rpm</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Together %1 A: the limit is %2 A.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Understood: Iq %1 A, Id %2 A, together %3 A, at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sends it (Enter in a field does the same).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RampPreview</name>
+    <message>
+        <source>Preview of the ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set-point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4074,6 +4312,10 @@ mN·m</source>
     <message>
         <source>%1 becomes %2 %3 (steps of %4)</source>
         <comment>typed number, sent number, unit, step</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It cannot be negative.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

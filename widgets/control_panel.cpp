@@ -350,14 +350,7 @@ void ControlPanel::updateState()
 
 ControlPanel::Allowed ControlPanel::allowed(drive::Feature feature) const
 {
-    if (!m_device.answering() || !m_device.identified())
-        return {false, tr("Connect to a board first.")};
-    const drive::Capability capability = m_device.capability(feature);
-    if (!capability.available)
-        return {false, deviceText(capability.reason)};
-    if (!m_device.armed())
-        return {false, tr("Arm first.")};
-    return {true, {}};
+    return motionAllowed(m_device, feature);
 }
 
 ControlPanel::Allowed ControlPanel::startAllowed() const

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "widgets/device.h"
+#include "widgets/motion_allowed.h"
 #include "widgets/register_model.h"
 
 #include <QWidget>
@@ -48,10 +49,7 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
-    struct Allowed {
-        bool yes = false;
-        QString why; ///< if not
-    };
+    using Allowed = MotionAllowed;
     Allowed allowed(drive::Feature feature) const;
     Allowed startAllowed() const;
     Allowed acknowledgeAllowed() const;

@@ -11,6 +11,7 @@
 #include "widgets/export_dialog.h"
 #include "widgets/file_prompt.h"
 #include "widgets/first_steps.h"
+#include "widgets/forms/ramp_form.h"
 #include "widgets/lamp.h"
 #include "widgets/messages.h"
 #include "widgets/motion_question.h"
@@ -130,6 +131,7 @@ Settings MainWindow::settings() const
         now.baud = m_connectBar->baud();
     now.pinned = m_workbench.registers().pinned();
     now.snapshotFolder = m_snapshotPanel->folder();
+    now.ramps = m_ramps->presets();
     return now;
 }
 

@@ -22,6 +22,7 @@ class EventRecorder;
 class FilePrompt;
 class FirstSteps;
 class Form;
+class RampForm;
 class RegisterPanel;
 class ScopeTools;
 class ScopeView;
@@ -112,6 +113,7 @@ private:
     ConnectBar *m_connectBar = nullptr;
     ControlPanel *m_control = nullptr;
     RegisterPanel *m_registerPanel = nullptr;
+    RampForm *m_ramps = nullptr;
     QDockWidget *m_registerDock = nullptr;
     SnapshotPanel *m_snapshotPanel = nullptr;
     SnapshotActions *m_snapshots = nullptr;

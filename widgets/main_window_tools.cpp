@@ -3,6 +3,7 @@
 #include "widgets/forms/form.h"
 #include "widgets/forms/gains_form.h"
 #include "widgets/forms/motor_form.h"
+#include "widgets/forms/ramp_form.h"
 #include "widgets/forms/rev_up_form.h"
 #include "widgets/main_window.h"
 #include "widgets/motion_log_panel.h"
@@ -40,6 +41,9 @@ void MainWindow::makeTools()
     addTool(new RevUpForm({m_device, m_workbench.registers(), m_workbench.edits(),
                 m_workbench.capture(), m_files, actions.apply, actions.revert}),
         tr("Rev-up"), "revUpDock", Qt::CTRL | Qt::Key_2);
+    m_ramps = new RampForm(m_device, m_workbench.registers(), m_workbench.motion());
+    m_ramps->setPresets(m_settings.ramps);
+    addTool(m_ramps, tr("Ramps"), "rampDock", Qt::CTRL | Qt::Key_3);
     addTool(new MotorForm(m_device, m_workbench.registers(), m_files), tr("Motor and drive"),
         "motorDock", Qt::CTRL | Qt::Key_4);
 

@@ -1,14 +1,21 @@
 #include "widgets/setpoint_edit.h"
 
 #include "widgets/setpoint_text.h"
+#include "widgets/si_text.h"
 #include "widgets/value_text.h"
 
 #include <QKeyEvent>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <cmath>
 
 namespace widgets {
+namespace {
+
+constexpr int kTypedDigits = 9;
+
+} // namespace
 
 SetpointEdit::SetpointEdit(QWidget *parent)
     : QLineEdit(parent)
@@ -27,10 +34,21 @@ void SetpointEdit::setLimits(double limit, double step, const QString &unit)
     Q_EMIT echoChanged();
 }
 
+void SetpointEdit::setNegativeAllowed(bool allowed)
+{
+    m_negativeAllowed = allowed;
+    Q_EMIT echoChanged();
+}
+
+double SetpointEdit::least() const
+{
+    return m_negativeAllowed ? -std::floor(m_limit / m_step) * m_step : 0.0;
+}
+
 std::optional<double> SetpointEdit::value() const
 {
     const auto read = readSetpoint(text());
-    if (!read || std::abs(*read) > m_limit)
+    if (!read || std::abs(*read) > m_limit || (*read < 0.0 && !m_negativeAllowed))
         return {};
     return *read;
 }
@@ -42,7 +60,7 @@ std::optional<double> SetpointEdit::sentValue() const
         return {};
     const double inside = std::floor(m_limit / m_step) * m_step;
     const double rounded = std::round(*typed / m_step) * m_step;
-    return std::clamp(rounded, -inside, inside) + 0.0;
+    return std::clamp(rounded, least(), inside) + 0.0;
 }
 
 void SetpointEdit::setValue(double value)
@@ -56,12 +74,15 @@ QString SetpointEdit::echo() const
     const auto read = readSetpoint(text());
     if (!read)
         return setpointErrorText(read.error());
+    if (*read < 0.0 && !m_negativeAllowed)
+        return tr("It cannot be negative.");
     if (std::abs(*read) > m_limit)
-        return tr("The limit is %1 %2.", "number unit").arg(numberText(m_limit, 0), m_unit);
+        return tr("The limit is %1 %2.", "number unit")
+            .arg(numberText(m_limit, decimalsFor(m_step)), m_unit);
     const QString sent = numberText(*sentValue(), decimalsFor(m_step));
     if (*sentValue() == *read)
         return tr("Understood: %1 %2", "number unit").arg(sent, m_unit);
-    const QString typed = numberText(*read, decimalsFor(m_step * 0.1));
+    const QString typed = plainNumberText(*read, kTypedDigits);
     return tr("%1 becomes %2 %3 (steps of %4)", "typed number, sent number, unit, step")
         .arg(typed, sent, m_unit, numberText(m_step, decimalsFor(m_step)));
 }
@@ -111,7 +132,7 @@ void SetpointEdit::stepBy(int steps)
     if (!from)
         return;
     const double inside = std::floor(m_limit / m_step) * m_step;
-    setValue(std::clamp(*from + steps * m_step, -inside, inside));
+    setValue(std::clamp(*from + steps * std::max(m_step, m_notch), least(), inside));
 }
 
 } // namespace widgets

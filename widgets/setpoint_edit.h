@@ -17,6 +17,9 @@ public:
     /// @param limit  greatest magnitude, > 0 and finite
     /// @param step   what the device can resolve; also what one notch of the wheel adds
     void setLimits(double limit, double step, const QString &unit);
+    /// What one notch of the wheel or an arrow key adds, where that is more than the step.
+    void setNotch(double notch) { m_notch = notch; }
+    void setNegativeAllowed(bool allowed); ///< true if not told
     double limit() const { return m_limit; }
     double step() const { return m_step; }
     void setWheelAllowed(bool allowed) { m_wheelAllowed = allowed; }
@@ -39,11 +42,14 @@ protected:
 
 private:
     void stepBy(int steps);
+    double least() const; ///< that can be sent
 
     double m_limit = 1.0;
     double m_step = 1.0;
+    double m_notch = 0.0;
     QString m_unit;
     bool m_wheelAllowed = false;
+    bool m_negativeAllowed = true;
 };
 
 } // namespace widgets

@@ -66,6 +66,7 @@ QByteArray toJson(const Settings &settings)
     object[QStringLiteral("pinned")] = QJsonArray::fromStringList(settings.pinned);
     object[QStringLiteral("inertias")] = inertiasObject(settings.inertias);
     object[QStringLiteral("firstStepsDone")] = settings.firstStepsDone;
+    object[QStringLiteral("ramps")] = rampPresetsJson(settings.ramps);
     return QJsonDocument(object).toJson();
 }
 
@@ -90,6 +91,7 @@ Settings settingsFromJson(const QByteArray &json)
     }
     settings.inertias = inertiasOf(object[QStringLiteral("inertias")].toObject());
     settings.firstStepsDone = object[QStringLiteral("firstStepsDone")].toBool(false);
+    settings.ramps = rampPresetsOf(object[QStringLiteral("ramps")].toArray());
     return settings;
 }
 

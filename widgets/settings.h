@@ -2,6 +2,8 @@
 // gives the defaults, and saving replaces it whole or not at all.
 #pragma once
 
+#include "widgets/forms/ramp_preset.h"
+
 #include <QByteArray>
 #include <QMap>
 #include <QString>
@@ -24,6 +26,7 @@ struct Settings {
         QStringLiteral("SPEED_KP"), QStringLiteral("SPEED_KI")};
     QMap<QString, double> inertias; ///< of rotor and load in kg m2, by the motor's name
     bool firstStepsDone = false;
+    QList<RampPreset> ramps; ///< that a person has named
     bool operator==(const Settings &) const = default;
 };
 

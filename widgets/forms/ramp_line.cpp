@@ -1,0 +1,283 @@
+#include "widgets/forms/ramp_line.h"
+
+#include "analysis/ramp.h"
+#include "widgets/device_text.h"
+#include "widgets/motor_button.h"
+#include "widgets/register_model.h"
+#include "widgets/setpoint_edit.h"
+#include "widgets/si_text.h"
+#include "widgets/value_text.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+
+#include <cmath>
+#include <limits>
+
+namespace widgets {
+namespace {
+
+constexpr double kFallbackRpm = std::numeric_limits<std::int16_t>::max();
+constexpr double kFallbackAmps = 1000.0; // the board's own limit is enforced below, with the reason
+constexpr double kLongestMs = 65535.0, kFirstMs = 500.0, kNotchMs = 100.0;
+
+QString rpmUnit() { return RampLine::tr("rpm"); }
+
+/// What an ampere field resolves: a hundredth of the limit or better, a power of ten, and never finer than the board.
+double ampStep(double limit, double digit)
+{
+    const double exponent = std::floor(std::log10(std::max(limit, 1e-3) / 100.0));
+    return std::pow(10.0, std::max(exponent, std::ceil(std::log10(std::max(digit, 1e-6)))));
+}
+
+QString signedRate(double rate, const QString &unit)
+{
+    return std::isfinite(rate)
+        ? plainNumberText(rate, 4) + QChar(0x202f) + RampLine::tr("%1/s", "unit").arg(unit)
+        : RampLine::tr("at once");
+}
+
+} // namespace
+
+RampLine::RampLine(RampKind kind, const Device &device, const RegisterModel &registers,
+    QGridLayout &grid, int row, QWidget *parent)
+    : QObject(parent)
+    , m_kind(kind)
+    , m_device(device)
+    , m_registers(registers)
+    , m_first(new SetpointEdit(parent))
+    , m_second(new SetpointEdit(parent))
+    , m_note(new QLabel(parent))
+    , m_send(new MotorButton(tr("Send", "a ramp to the board"), parent))
+{
+    const bool current = kind == RampKind::Current;
+    const char *const names[] = {"rampSpeed", "rampTorque", "rampCurrent"};
+    const QString name = QLatin1String(names[static_cast<std::size_t>(kind)]);
+    const QString labels[] = {tr("S&peed"), tr("&Iq (torque)"), tr("Iq at once (&q)")};
+    const QString label = labels[static_cast<std::size_t>(kind)];
+    const QString units[] = {rpmUnit(), QStringLiteral("A"), QStringLiteral("A")};
+    m_first->setObjectName(name);
+    m_second->setObjectName(name + (current ? QStringLiteral("Id") : QStringLiteral("Time")));
+    m_send->setObjectName(name + QStringLiteral("Send"));
+    m_note->setObjectName(name + QStringLiteral("Note"));
+    m_note->setTextFormat(Qt::PlainText);
+    m_note->setWordWrap(true);
+    const QString spoken[] = {tr("Speed to go to, in rpm"), tr("Torque current Iq to go to, in A"),
+        tr("Current reference Iq, in A")};
+    m_first->setAccessibleName(spoken[static_cast<std::size_t>(kind)]);
+    m_second->setAccessibleName(
+        current ? tr("Current reference Id, in A") : tr("Duration of the ramp in ms"));
+    m_send->setAccessibleName(tr("Send: %1", "kind of ramp").arg(title()));
+    if (!current) {
+        m_second->setLimits(kLongestMs, 1.0, QStringLiteral("ms"));
+        m_second->setNotch(kNotchMs);
+        m_second->setNegativeAllowed(false);
+        m_second->setValue(kFirstMs);
+    }
+
+    auto *firstLabel = new QLabel(label, parent);
+    firstLabel->setBuddy(m_first);
+    auto *between = new QLabel(current ? tr("Id") : tr("in", "a time"), parent);
+    between->setBuddy(m_second);
+    grid.addWidget(firstLabel, row, 0);
+    grid.addWidget(m_first, row, 1);
+    grid.addWidget(new QLabel(units[static_cast<std::size_t>(kind)], parent), row, 2);
+    grid.addWidget(between, row, 3);
+    grid.addWidget(m_second, row, 4);
+    grid.addWidget(
+        new QLabel(current ? QStringLiteral("A") : QStringLiteral("ms"), parent), row, 5);
+    grid.addWidget(m_send, row, 6);
+    grid.addWidget(m_note, row + 1, 1, 1, 6);
+
+    for (SetpointEdit *edit : {m_first, m_second}) {
+        edit->installEventFilter(this);
+        connect(edit, &QLineEdit::textChanged, this, &RampLine::changed);
+        connect(edit, &SetpointEdit::committed, this, &RampLine::wanted);
+    }
+    connect(m_send, &QPushButton::clicked, this, &RampLine::wanted);
+    updateLimits();
+}
+
+QString RampLine::title() const
+{
+    switch (m_kind) {
+    case RampKind::Speed:
+        return tr("Speed ramp");
+    case RampKind::Torque:
+        return tr("Torque ramp");
+    case RampKind::Current:
+        break;
+    }
+    return tr("Current reference");
+}
+
+drive::Feature RampLine::feature() const
+{
+    return m_kind == RampKind::Speed ? drive::Feature::SpeedRamp
+        : m_kind == RampKind::Torque ? drive::Feature::TorqueRamp
+                                     : drive::Feature::CurrentReference;
+}
+
+bool RampLine::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::FocusIn)
+        Q_EMIT touched();
+    return QObject::eventFilter(watched, event);
+}
+
+std::optional<drive::WishContent> RampLine::content() const
+{
+    const auto first = m_first->sentValue(), second = m_second->sentValue();
+    if (!first || !second)
+        return std::nullopt;
+    const int motor = m_device.motor();
+    const std::chrono::milliseconds time(std::llround(*second));
+    switch (m_kind) {
+    case RampKind::Speed:
+        return drive::SpeedRamp{motor, static_cast<std::int32_t>(std::lround(*first)), time};
+    case RampKind::Torque:
+        return drive::TorqueRamp{motor, *first, time};
+    case RampKind::Current:
+        break;
+    }
+    const double bound = m_device.bounds(motor).amps;
+    if (bound > 0.0 && std::hypot(*first, *second) > bound)
+        return std::nullopt;
+    return drive::CurrentReference{motor, *first, *second};
+}
+
+std::optional<double> RampLine::reference() const
+{
+    const auto id = m_registers.idOf(m_kind == RampKind::Speed ? "SPEED_REF" : "I_Q_REF");
+    return id ? m_registers.shownValue(*id) : std::nullopt;
+}
+
+RampPicture RampLine::picture() const
+{
+    RampPicture picture;
+    if (!content())
+        return picture;
+    const double from = reference().value_or(0.0), to = *m_first->sentValue();
+    const bool current = m_kind == RampKind::Current;
+    const double seconds = current ? 0.0 : *m_second->sentValue() / 1000.0;
+    if (m_kind == RampKind::Speed) {
+        picture.label = tr("Speed [rpm]");
+        picture.stairs = true;
+        for (const auto &point : analysis::rampPreview(from, to, seconds))
+            picture.plan.push_back({point.time_s, point.speed_rpm});
+    } else {
+        picture.label = tr("Iq [A]");
+        picture.plan = {{0.0, from}, {seconds, to}};
+    }
+    return picture;
+}
+
+RampPreset RampLine::preset(const QString &name) const
+{
+    return {name, m_kind, m_first->sentValue().value_or(0.0), m_second->sentValue().value_or(0.0)};
+}
+
+void RampLine::take(const RampPreset &preset)
+{
+    m_first->setValue(preset.target);
+    m_second->setValue(preset.second);
+}
+
+void RampLine::reset()
+{
+    m_first->setValue(0.0);
+    if (m_kind == RampKind::Current)
+        m_second->setValue(0.0);
+}
+
+double RampLine::ampsPerDigit() const
+{
+    const auto id = m_registers.idOf("I_Q_REF");
+    const auto scale = id ? m_registers.catalog()->readScale(*id) : catalog::Scale();
+    return scale.unit == "A" ? scale.factor : 0.0;
+}
+
+void RampLine::updateLimits()
+{
+    const drive::MotionBounds bounds = m_device.bounds(m_device.motor());
+    if (m_kind == RampKind::Speed) {
+        m_first->setLimits(bounds.rpm > 0.0 ? std::min(bounds.rpm, kFallbackRpm) : kFallbackRpm,
+            analysis::kSpeedStep_rpm, rpmUnit());
+    } else {
+        const double limit = bounds.amps > 0.0 ? bounds.amps : kFallbackAmps;
+        const double step = ampStep(limit, ampsPerDigit());
+        m_first->setLimits(limit, step, QStringLiteral("A"));
+        if (m_kind == RampKind::Current)
+            m_second->setLimits(limit, step, QStringLiteral("A"));
+    }
+    update();
+}
+
+QString RampLine::speedNote() const
+{
+    const double seconds = *m_second->sentValue() / 1000.0, to = *m_first->sentValue();
+    const auto from = reference();
+    QStringList parts{m_first->echo()};
+    if (from) {
+        const double stairs =
+            std::abs(to - analysis::quantisedSpeed_rpm(*from)) / analysis::kSpeedStep_rpm;
+        parts.append(signedRate(analysis::rampAcceleration_rpmps(*from, to, seconds), rpmUnit()));
+        if (seconds > 0.0 && stairs >= 1.0)
+            parts.append(tr("%n stair(s) of 6 rpm", nullptr, static_cast<int>(stairs)));
+    }
+    return parts.join(QStringLiteral("; "));
+}
+
+QString RampLine::torqueNote() const
+{
+    const double seconds = *m_second->sentValue() / 1000.0, to = *m_first->sentValue();
+    const auto from = reference();
+    QStringList parts{m_first->echo()};
+    if (from && to != *from)
+        parts.append(signedRate((to - *from) / seconds, QStringLiteral("A")));
+    const double perAmp = m_device.limits(m_device.motor()).torquePerAmp;
+    if (perAmp > 0.0)
+        parts.append(siText(to * perAmp, QStringLiteral("N m")));
+    return parts.join(QStringLiteral("; "));
+}
+
+QString RampLine::currentNote() const
+{
+    const double iq = *m_first->sentValue(), id = *m_second->sentValue();
+    const double bound = m_device.bounds(m_device.motor()).amps;
+    const int decimals = decimalsFor(m_first->step());
+    const QString amps = numberText(std::hypot(iq, id), decimals);
+    if (bound > 0.0 && std::hypot(iq, id) > bound)
+        return tr("Together %1 A: the limit is %2 A.").arg(amps, numberText(bound, decimals));
+    return tr("Understood: Iq %1 A, Id %2 A, together %3 A, at once")
+        .arg(numberText(iq, decimals), numberText(id, decimals), amps);
+}
+
+QString RampLine::note() const
+{
+    for (const SetpointEdit *edit : {m_first, m_second})
+        if (!edit->sentValue())
+            return edit->echo();
+    return m_kind == RampKind::Speed ? speedNote()
+        : m_kind == RampKind::Torque ? torqueNote()
+                                     : currentNote();
+}
+
+void RampLine::update()
+{
+    MotionAllowed can = motionAllowed(m_device, feature());
+    m_first->setWheelAllowed(can.yes);
+    m_second->setWheelAllowed(true);
+    const QString text = note();
+    m_note->setText(text);
+    if (can.yes && !content())
+        can = {false, text};
+    if (!can.yes && m_send->hasFocus())
+        m_send->clearFocus(); // or it would move on by itself, to the next button
+    m_send->setEnabled(can.yes);
+    m_send->setToolTip(
+        plainToolTip(can.yes ? tr("Sends it (Enter in a field does the same).") : can.why));
+}
+
+} // namespace widgets
