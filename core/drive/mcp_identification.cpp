@@ -13,7 +13,7 @@ namespace drive {
 namespace {
 
 constexpr int kMaxMotors = 7; // what three bits can number
-constexpr int kMostRounds = 8; // of reading a structure until it is the same twice
+constexpr int kMostRounds = 8; // of reading a structure until it is there, and the same twice
 constexpr std::uint32_t kOldestKnown = 0x060000, kNewestKnown = 0x0604FF;
 constexpr std::uint8_t kSensorHso = 5, kSensorZest = 6;
 
@@ -60,6 +60,7 @@ void Identification::restart()
     m_board.capabilities.clear();
     m_board.watchdog.reset();
     m_board.streaming = {};
+    m_unanswered = {mcp::reg::kGlobalConfig.bits};
     m_reader.start({mcp::reg::kGlobalConfig.bits}, m_board);
 }
 
@@ -102,6 +103,7 @@ void Identification::takeNoResponse(std::optional<bool>, TimePoint)
 void Identification::takeReadings(std::vector<Reading> readings)
 {
     for (Reading &reading : readings) {
+        m_unanswered.erase(reading.id);
         if (reading.status != ReadStatus::Ok)
             continue;
         const auto before = m_values.find(reading.id);
@@ -116,11 +118,15 @@ void Identification::takeReadings(std::vector<Reading> readings)
 
 void Identification::afterRound()
 {
-    if (!m_doubtful.empty() && ++m_rounds < kMostRounds)
-        return m_reader.start({m_doubtful.begin(), m_doubtful.end()}, m_board);
+    // What a busy line swallowed is no hole in the board: without its scales all would be shown in digits.
+    std::set<RegisterId> again = m_doubtful;
+    again.insert(m_unanswered.begin(), m_unanswered.end());
+    if (!again.empty() && ++m_rounds < kMostRounds)
+        return m_reader.start({again.begin(), again.end()}, m_board);
     for (const RegisterId id : m_doubtful)
         m_values.erase(id); // never the same twice: rather unknown than wrong
     m_doubtful.clear();
+    m_unanswered.clear();
     m_rounds = 0;
     m_phase == Phase::Count ? afterCount() : finish();
 }
@@ -143,6 +149,7 @@ void Identification::describe()
             {mcp::reg::kMotorConfig, mcp::reg::kApplicationConfig, mcp::reg::kFocFwConfig,
                 mcp::reg::kPwrStageName, mcp::reg::kMotorName, mcp::reg::kScaleConfig})
             ids.push_back(idOf(id, motor));
+    m_unanswered = {ids.begin(), ids.end()};
     m_reader.start(ids, m_board);
 }
 

@@ -54,6 +54,7 @@ private:
     RegisterReader m_reader;
     std::map<RegisterId, Value> m_values;
     std::set<RegisterId> m_doubtful; ///< structures that were not the same twice
+    std::set<RegisterId> m_unanswered; ///< asked for, and the answers were lost
     int m_rounds = 0;
     mcp::GlobalConfig m_global;
     Identity m_identity;

@@ -1,6 +1,7 @@
 // McpDrive on a line that is being spoilt: seeded campaigns. Whatever the line does, each wish ends once, nothing
 // moves that nobody asked for, samples stay with their channels, and when the faults end the link is there again.
 // ROTORSCOPE_LONG=1 runs a hundred times as much. A failure names its seed; ROTORSCOPE_SEED=n runs that one.
+#include "mcp/protocol.h"
 #include "support/link_pair.h"
 
 #include <QTest>
@@ -210,6 +211,7 @@ private Q_SLOTS:
     void seedsThatFailedOnceStayWell();
     void oneFaultAtAnyByteIsOvercome_data();
     void oneFaultAtAnyByteIsOvercome();
+    void whatABusyLineSwallowedIsAskedAgain();
     void aStopGetsThroughABadLine();
     void theSameSeedGivesTheSameRun();
 };
@@ -290,6 +292,25 @@ void TestMcpDriveFaults::oneFaultAtAnyByteIsOvercome()
             place.c_str());
         QVERIFY2(support::count(pair.requests, mcp::CommandId::StartMotor) <= 1, place.c_str());
     }
+}
+
+void TestMcpDriveFaults::whatABusyLineSwallowedIsAskedAgain()
+{
+    const std::uint16_t id = mcp::reg::kScaleConfig.withMotor(1).bits;
+    const Bytes scale{std::uint8_t(id & 0xFFU), std::uint8_t(id >> 8U)};
+    LinkPair pair(simulation::BoardOptions{}, 1);
+    int lost = 0;
+    pair.loses = [&](const Bytes &output) { // more of them than one request is repeated
+        const bool asks =
+            std::search(output.begin(), output.end(), scale.begin(), scale.end()) != output.end();
+        return asks && ++lost <= 6;
+    };
+    pair.connect();
+    QVERIFY(pair.runUntil([&] { return pair.identified.has_value(); }, 20s));
+    QVERIFY2(lost > 6, std::to_string(lost).c_str());
+    const auto &catalog = *pair.identified->catalog;
+    QVERIFY(catalog.readScale(*catalog.resolve("I_Q_MEAS")).factor < 0.1);
+    QVERIFY(!pair.identified->identity.firmware.empty());
 }
 
 void TestMcpDriveFaults::aStopGetsThroughABadLine()
