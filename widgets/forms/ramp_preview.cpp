@@ -28,6 +28,7 @@ RampPreview::RampPreview(QWidget *parent)
     setObjectName(QStringLiteral("rampPreview"));
     setAccessibleName(tr("Preview of the ramp"));
     setFocusPolicy(Qt::NoFocus);
+    m_plot->setFocusPolicy(Qt::NoFocus);
     QLocale plain = locale();
     plain.setNumberOptions(QLocale::OmitGroupSeparator);
     m_plot->setLocale(plain);
