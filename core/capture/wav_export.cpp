@@ -203,8 +203,10 @@ std::string WavWriter::comment() const
     std::string words;
     for (const Channel *channel : m_channels) {
         const ChannelInfo &info = channel->info();
-        words += (words.empty() ? "" : "; ") + info.name + " [" + info.unit + "] = (code + "
-            + text(info.offset) + ") x " + text(info.factor);
+        if (!words.empty())
+            words += "; ";
+        words.append(info.name).append(" [").append(info.unit).append("] = (code + ");
+        words.append(text(info.offset)).append(") x ").append(text(info.factor));
     }
     return chunk("LIST",
         "INFO" + chunk("ISFT", std::string("Rotorscope") + '\0') + chunk("ICMT", words + '\0'));
