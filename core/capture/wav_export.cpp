@@ -192,7 +192,12 @@ std::string WavWriter::cues() const
     for (std::size_t i = 0; i < m_gaps.size(); ++i) {
         const std::string id = number(i + 1, 4);
         const std::string frame = number(m_gaps[i].frame, 4);
-        points += id + frame + "data" + number(0, 4) + number(0, 4) + frame;
+        points += id;
+        points += frame;
+        points += "data";
+        points += number(0, 4);
+        points += number(0, 4);
+        points += frame;
         labels += chunk("labl", id + "gap of " + text(toSeconds(m_gaps[i].length)) + " s" + '\0');
     }
     return chunk("cue ", points) + chunk("LIST", labels);

@@ -58,7 +58,7 @@ Capture recording()
         SampleBlock block{1, tick, 100, {}, {{tick + 99, {static_cast<std::int32_t>(tick)}}},
             tick == 1600 ? 100 : 0};
         for (int i = 0; i < 200; ++i)
-            block.fast.push_back(static_cast<std::int16_t>(i * 317 + tick * 11));
+            block.fast.push_back(static_cast<std::int16_t>(std::int64_t(i) * 317 + tick * 11));
         capture.append(block);
     }
     capture.appendPolled(9, "U", "V", 0.3, 24.1);

@@ -82,7 +82,7 @@ Snapshot all(const Capture &capture)
 
 std::int16_t code(int signal, Tick tick)
 {
-    return static_cast<std::int16_t>(tick * 13 + signal * 7001);
+    return static_cast<std::int16_t>(tick * 13 + std::int64_t(signal) * 7001);
 }
 
 void append(Capture &capture, StreamId stream, Tick tick, int count, Tick lost = 0)

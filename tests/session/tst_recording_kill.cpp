@@ -39,9 +39,9 @@ int runRecorder(const QString &path)
             block.fast.push_back(sampleAt(tick + i));
         file.add(tick, std::move(block));
         // Blocks of many sizes, and a sync now and then.
-        if (tick % (7 * kRows) == 0)
+        if (tick % (capture::Tick(7) * kRows) == 0)
             file.flushAll();
-        if (tick % (400 * kRows) == 0)
+        if (tick % (capture::Tick(400) * kRows) == 0)
             file.sync();
         std::cout << file.counts().samples << '\n' << std::flush;
     }
