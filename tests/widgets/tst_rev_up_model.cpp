@@ -256,6 +256,7 @@ private Q_SLOTS:
             QCOMPARE(reason->text(), rig.model.unavailable());
             QVERIFY(!reason->isHidden());
             QVERIFY(!rig.table->isEnabled());
+            QVERIFY(rig.form.findChild<QLabel *>(QStringLiteral("revUpLastStart"))->isHidden());
             QVERIFY(!rig.chart.isEnabled());
             for (const auto *button :
                 rig.form.findChildren<QPushButton *>(QRegularExpression(QStringLiteral("^revUp"))))

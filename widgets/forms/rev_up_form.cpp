@@ -376,6 +376,7 @@ void RevUpForm::showFacts()
         : QString();
     m_reason->setText(reason.isEmpty() ? motor : reason);
     m_reason->setVisible(!m_reason->text().isEmpty());
+    m_startText->setVisible(reason.isEmpty());
     const RevUpFacts &facts = m_model->facts();
     m_table->setColumnHidden(RevUpModel::CurrentColumn, m_model->currentUnit().isEmpty());
     m_table->setColumnHidden(RevUpModel::TorqueColumn, facts.sixStep);
