@@ -22,6 +22,8 @@ public:
 
     void refresh();
     void tell(const QString &sentence, bool good);
+    /// Not of a wide page: it would be given its preferred height, and scroll although it fits.
+    bool hasHeightForWidth() const override { return !m_always && QWidget::hasHeightForWidth(); }
 
 private:
     RegisterEdits &m_edits;

@@ -2,6 +2,8 @@
 // together, everything can be done with the keyboard, and nothing that is not understood becomes a gain.
 #include "support/gain_bench.h"
 #include "support/window_rig.h"
+#include "widgets/forms/gain_label.h"
+#include "widgets/forms/gain_texts.h"
 
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
@@ -142,6 +144,21 @@ private Q_SLOTS:
         bench.edits.undo();
         QVERIFY(bench.settle());
         QVERIFY(bench.readAll() == before);
+    }
+
+    void aPreviewOfTheSpeedLoopAloneIsWholeToo()
+    {
+        // Nothing but the inertia is typed: the bandwidth goes on following the board while the edits are made.
+        GainBench bench;
+        bench.typeInto("labInertia", QStringLiteral("250"));
+        const analysis::GainPlan plan = bench.lab()->plan();
+        bench.button("labPreview")->click();
+        for (const analysis::PlannedGain &gain : plan.gains) {
+            const std::string name = widgets::gainRegister(gain.id);
+            QCOMPARE(wantedOf(bench, name.c_str()), gain.quantised.gain.numerator);
+            QCOMPARE(wantedOf(bench, (name + "_DIV").c_str()), gain.quantised.gain.exponent);
+        }
+        QVERIFY(bench.edits.pendingCount() >= 2);
     }
 
     void numeratorAndDivisorGoTogether()
@@ -422,6 +439,21 @@ private Q_SLOTS:
         }
         for (const char *name : {"raw_I_Q_KP", "raw_I_Q_KP_DIV", "raw_SPEED_KI", "field_STOPLL_C2"})
             QVERIFY2(reached.contains(bench.form.findChild<QWidget *>(QLatin1String(name))), name);
+    }
+
+    void sentencesAreAsHighAsTheyNeedToBe()
+    {
+        QWidget page;
+        auto &label = *new widgets::GainLabel("label", &page);
+        page.show(); // a hidden widget is not told of its size
+        label.resize(100, 20);
+        label.say(QStringLiteral("A sentence that is wrapped into several lines at such a width"));
+        const int narrow = label.minimumHeight();
+        label.resize(2000, label.height());
+        QVERIFY2(2 * label.minimumHeight() < narrow,
+            qPrintable(QStringLiteral("%1 of %2").arg(label.minimumHeight()).arg(narrow)));
+        label.say({});
+        QCOMPARE(label.minimumHeight(), 0);
     }
 
     void theWindowOpensItByItsKey()

@@ -1,10 +1,10 @@
 #include "widgets/forms/gain_forecast.h"
 
 #include "widgets/device_text.h"
+#include "widgets/forms/gain_label.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_plot.h"
 
-#include <QLabel>
 #include <QVBoxLayout>
 
 #include <numbers>
@@ -19,17 +19,6 @@ constexpr double kShownTimeConstants = 7.0;
 constexpr double kShownOfSpeed = 0.7; ///< of the predicted step
 
 QString percentText(double share) { return significantText(100.0 * share, 2); }
-
-QLabel *makeText(const char *name, QWidget *parent)
-{
-    auto *label = new QLabel(parent);
-    label->setObjectName(QLatin1String(name));
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    label->setFocusPolicy(Qt::NoFocus); // a click selects all the same
-    return label;
-}
 
 /// "0", or "0 to 4" where it depends on the board's timer.
 QString overshootText(const analysis::CurrentForecast &forecast)
@@ -54,9 +43,9 @@ GainForecast::GainForecast(QWidget *parent)
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
-    m_currentText = makeText("labCurrentText", this);
+    m_currentText = new GainLabel("labCurrentText", this);
     m_currentPlot = new GainPlot(tr("Current"), this);
-    m_speedText = makeText("labSpeedText", this);
+    m_speedText = new GainLabel("labSpeedText", this);
     m_speedPlot = new GainPlot(tr("Speed"), this);
     column->addWidget(m_currentText);
     column->addWidget(m_currentPlot, 1);
@@ -75,7 +64,7 @@ void GainForecast::showCurrent(const analysis::GainPlan &plan, double asked_radp
     const analysis::GainPlant &plant, const analysis::PerGain<HeldGain> &board)
 {
     if (!plan.current) {
-        m_currentText->setText({});
+        m_currentText->say({});
         m_currentPlot->setReason(tr("No prediction yet."));
         return;
     }
@@ -83,7 +72,7 @@ void GainForecast::showCurrent(const analysis::GainPlan &plan, double asked_radp
     const auto hertz = [](double radps) {
         return significantText(radps / (2.0 * std::numbers::pi), 3);
     };
-    m_currentText->setText(
+    m_currentText->say(
         tr("Asked %1, at the motor %2 rad/s (%3 Hz). Rise %4 ms, overshoot %5 %, margin "
            "%6\u00b0.")
             .arg(significantText(asked_radps), significantText(now.realBandwidth_radps),
@@ -105,7 +94,7 @@ void GainForecast::showSpeed(const analysis::GainPlan &plan, const analysis::Gai
     const analysis::PerGain<HeldGain> &board)
 {
     if (!plan.speed) {
-        m_speedText->setText({});
+        m_speedText->say({});
         m_speedPlot->setReason(
             plan.current ? tr("The speed loop stays as it is.") : tr("No prediction yet."));
         return;
@@ -122,7 +111,7 @@ void GainForecast::showSpeed(const analysis::GainPlan &plan, const analysis::Gai
         tr("Everything between the wish and the measured speed is %1 ms late. A larger step needs "
            "more than the nominal current, and rises more slowly.")
             .arg(significantText(now.lag_s * kMilli, 3))));
-    m_speedText->setText(text);
+    m_speedText->say(text);
     const double duration =
         kShownOfSpeed * now.step.period_s * static_cast<double>(now.step.response.size());
     const analysis::PiGains present = digitsOf(board, GainId::SpeedKp, GainId::SpeedKi);

@@ -5,10 +5,9 @@
 
 #include <QWidget>
 
-class QLabel;
-
 namespace widgets {
 
+class GainLabel;
 class GainPlot;
 
 class GainForecast : public QWidget {
@@ -26,7 +25,7 @@ private:
     void showSpeed(const analysis::GainPlan &plan, const analysis::GainPlant &plant,
         const analysis::PerGain<HeldGain> &board);
 
-    QLabel *m_currentText, *m_speedText;
+    GainLabel *m_currentText, *m_speedText;
     GainPlot *m_currentPlot, *m_speedPlot;
 };
 

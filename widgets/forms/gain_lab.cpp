@@ -2,6 +2,7 @@
 
 #include "widgets/device_text.h"
 #include "widgets/forms/gain_forecast.h"
+#include "widgets/forms/gain_label.h"
 #include "widgets/forms/gain_motor.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_texts.h"
@@ -57,17 +58,6 @@ QSlider *makeSlider(const char *name, const QString &label, QWidget *parent)
     return slider;
 }
 
-QLabel *makeText(const char *name, QWidget *parent)
-{
-    auto *label = new QLabel(parent);
-    label->setObjectName(QLatin1String(name));
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    label->setFocusPolicy(Qt::NoFocus); // a click selects all the same
-    return label;
-}
-
 std::optional<std::int64_t> wholeOf(const RegisterModel &model, const QString &name)
 {
     const auto id = model.idOf(name.toStdString());
@@ -91,7 +81,7 @@ GainLab::GainLab(RegisterModel &model, QWidget *parent)
     grid->setContentsMargins(4, 4, 4, 0);
     grid->setHorizontalSpacing(12);
     grid->setVerticalSpacing(4);
-    grid->addWidget(makeMotorSide(), 0, 0);
+    grid->addWidget(m_motor, 0, 0);
     grid->addWidget(makeWishes(), 0, 1);
     grid->addWidget(m_forecast, 0, 2);
     grid->addWidget(makeEnd(), 1, 0, 1, 3);
@@ -166,42 +156,29 @@ QWidget *GainLab::makeEnd()
     auto *end = new QWidget(this);
     auto *grid = new QGridLayout(end);
     grid->setContentsMargins(0, 0, 0, 0);
-    m_findings = makeText("labFindings", this);
-    m_told = makeText("labTold", this);
+    m_findings = new GainLabel("labFindings", this);
+    m_told = new GainLabel("labTold", this);
     grid->addWidget(m_findings, 0, 0);
-    grid->addWidget(m_told, 0, 1);
-    grid->setColumnStretch(0, 3);
-    grid->setColumnStretch(1, 2);
-    return end;
-}
-
-QWidget *GainLab::makeMotorSide()
-{
-    auto *side = new QWidget(this);
-    auto *grid = new QGridLayout(side);
-    grid->setContentsMargins(0, 0, 0, 0);
     m_fromBoard = new QPushButton(tr("From the &board"), this);
     m_fromBoard->setObjectName(QStringLiteral("labFromBoard"));
     m_fromBoard->setToolTip(tr("Forgets what was typed here and takes the board's numbers again."));
     m_preview = new QPushButton(tr("&Preview"), this);
     m_preview->setObjectName(QStringLiteral("labPreview"));
-    grid->addWidget(m_motor, 0, 0, 1, 2);
-    grid->addWidget(m_fromBoard, 1, 0);
-    grid->addWidget(m_preview, 1, 1);
-    grid->setRowStretch(0, 1);
-    connect(m_fromBoard, &QPushButton::clicked, this, [this] {
-        forgetTyped();
-        refreshPresent();
-    });
+    grid->addWidget(m_told, 0, 1);
+    grid->addWidget(m_fromBoard, 0, 2);
+    grid->addWidget(m_preview, 0, 3);
+    grid->setColumnStretch(0, 3);
+    grid->setColumnStretch(1, 2);
+    connect(m_fromBoard, &QPushButton::clicked, this, &GainLab::forgetTyped);
     connect(m_preview, &QPushButton::clicked, this, &GainLab::previewWished);
-    return side;
+    return end;
 }
 
 void GainLab::connectWishes()
 {
     connect(m_motor, &GainMotor::inertiaTyped, this, &GainLab::inertiaTyped);
     connect(m_motor, &GainMotor::edited, this, [this] {
-        m_told->clear();
+        m_told->say({});
         recompute();
     });
     connect(m_bandwidth, &GainNumber::valueEdited, this, [this] {
@@ -292,7 +269,7 @@ analysis::GainPlant GainLab::plant() const
 void GainLab::wished()
 {
     m_wished = true;
-    m_told->clear();
+    m_told->say({});
     recompute();
 }
 
@@ -303,6 +280,7 @@ void GainLab::setFacts(const drive::MotorFacts &facts, std::optional<double> rem
         fillDelay();
     if (const auto bandwidth = m_bandwidth->value())
         fillBandwidth(*bandwidth, m_bandwidth); // the slider may end elsewhere now
+    takeBoardsBandwidth();
     recompute();
 }
 
@@ -311,7 +289,8 @@ void GainLab::forgetTyped()
     m_motor->forgetTyped();
     m_wished = m_delayTyped = false;
     fillDelay();
-    m_told->clear();
+    m_told->say({});
+    takeBoardsBandwidth();
     recompute();
 }
 
@@ -325,7 +304,7 @@ void GainLab::refreshPresent()
             exponent && *exponent >= 0 && *exponent <= analysis::kMaxExponent)
             held[i].exponent = static_cast<int>(*exponent);
     }
-    if (held == m_held && m_wished)
+    if (held == m_held)
         return;
     m_held = held;
     takeBoardsBandwidth();
@@ -359,7 +338,7 @@ std::vector<catalog::RegisterId> GainLab::registers() const
 
 void GainLab::focusFirst() { m_bandwidth->setFocus(Qt::ShortcutFocusReason); }
 
-void GainLab::tell(const QString &sentence) { m_told->setText(sentence); }
+void GainLab::tell(const QString &sentence) { m_told->say(sentence); }
 
 QString GainLab::obstacle() const
 {
@@ -416,11 +395,11 @@ void GainLab::showFindings()
             + gainFindingText(finding));
     if (lines.isEmpty() && m_plan.gains.empty())
         lines.append(QStringLiteral("\u26a0 ") + obstacle());
-    m_findings->setText(lines.join(QLatin1Char('\n')));
+
     QFont font = this->font();
     font.setBold(m_plan.blocked());
     m_findings->setFont(font);
-    m_findings->setVisible(!lines.isEmpty());
+    m_findings->say(lines.join(QLatin1Char('\n')));
 }
 
 } // namespace widgets

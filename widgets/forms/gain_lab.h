@@ -11,13 +11,13 @@
 #include <vector>
 
 class QCheckBox;
-class QLabel;
 class QPushButton;
 class QSlider;
 
 namespace widgets {
 
 class GainForecast;
+class GainLabel;
 class GainMotor;
 class GainNumber;
 
@@ -43,7 +43,6 @@ Q_SIGNALS:
     void inertiaTyped(double inertia_kgm2);
 
 private:
-    QWidget *makeMotorSide();
     QWidget *makeWishes();
     QWidget *makeEnd();
     void connectWishes();
@@ -69,7 +68,7 @@ private:
     GainNumber *m_bandwidth = nullptr, *m_hertz = nullptr, *m_damping = nullptr, *m_delay = nullptr;
     QSlider *m_bandwidthSlider = nullptr, *m_dampingSlider = nullptr;
     QCheckBox *m_speed = nullptr;
-    QLabel *m_findings = nullptr, *m_told = nullptr;
+    GainLabel *m_findings = nullptr, *m_told = nullptr;
     QPushButton *m_fromBoard = nullptr, *m_preview = nullptr;
 };
 

@@ -151,8 +151,9 @@ void GainsForm::preview()
     if (m_edits.underWay())
         return m_lab->tell(tr("A write is under way: preview again when it has ended."));
     const QStringList others = othersPending();
+    const analysis::GainPlan plan = m_lab->plan(); // each edit lets the lab look again
     int changes = 0;
-    for (const analysis::PlannedGain &gain : m_lab->plan().gains) {
+    for (const analysis::PlannedGain &gain : plan.gains) {
         const std::string name = gainRegister(gain.id);
         const auto numerator = m_model.idOf(name), divisor = m_model.idOf(name + "_DIV");
         if (!numerator || !divisor)

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Makes the pictures of the window that docs/tuning.md shows: the real program on its simulated board, driven by the
+# keyboard alone, on a screen of its own.
+#
+#   docs/pictures.sh [FOLDER]     FOLDER has the programs; build/release/bin, else build/dev/bin if not given
+set -euo pipefail
+
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
+bin=${1:-}
+[ -n "$bin" ] || { [ -x build/release/bin/rotorscope ] && bin=build/release/bin || bin=build/dev/bin; }
+images=$PWD/docs/images
+
+fail() { echo "pictures: $1" >&2; exit 1; }
+
+for program in Xvfb openbox xdotool import; do
+    command -v "$program" >/dev/null \
+        || fail "$program is missing; on Debian: apt-get install --no-install-recommends xvfb openbox xdotool imagemagick"
+done
+[ -x "$bin/rotorscope" ] || fail "$bin/rotorscope is missing; ./dev build makes it"
+
+work=$(mktemp -d)
+started=()
+trap 'kill "${started[@]}" 2>/dev/null || true; rm -rf "$work"' EXIT
+mkdir -p "$work/rotorscope"
+echo '{"theme":"light","firstStepsDone":true}' >"$work/rotorscope/settings.json"
+
+Xvfb -displayfd 3 -screen 0 1280x720x24 -nolisten tcp 3>"$work/display" 2>/dev/null &
+started+=($!)
+for _ in $(seq 100); do [ -s "$work/display" ] && break; sleep 0.1; done
+DISPLAY=:$(cat "$work/display")
+export DISPLAY XDG_CONFIG_HOME=$work XDG_RUNTIME_DIR=$work LC_ALL=C.UTF-8
+openbox 2>/dev/null &
+started+=($!)
+"$bin/rotorscope" --connect --language en 2>/dev/null &
+started+=($!)
+
+window=
+for _ in $(seq 100); do
+    window=$(xdotool search --onlyvisible --name Rotorscope 2>/dev/null | tail -1) && [ -n "$window" ] && break
+    sleep 0.2
+done
+[ -n "$window" ] || fail "the window did not open"
+xdotool windowsize "$window" 1280 720 windowmove "$window" 0 0
+sleep 3 # the board has told what it is
+
+keys() { for key in "$@"; do xdotool key "$key"; sleep 0.2; done; }
+keys ctrl+1 alt+l
+keys Tab Tab Tab Tab Tab Tab # from Rs to the inertia
+xdotool type 500
+keys Tab Tab # past the slider, to the bandwidth
+xdotool type 2500
+keys alt+p
+sleep 1
+import -window root +dither -colors 128 "PNG8:$images/gain-lab.png"
+echo "pictures: $images/gain-lab.png"
