@@ -98,7 +98,8 @@ Framer::Step Framer::finishPayload(Packet &packet)
         m_payload.resize(length);
     }
     packet.header = m_header;
-    packet.payload = std::exchange(m_payload, {});
+    std::swap(packet.payload, m_payload); // its buffer is the next one's
+    m_payload.clear();
     return Step::Packet;
 }
 

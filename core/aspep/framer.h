@@ -31,7 +31,7 @@ public:
     void setLimits(const Limits &limits) { m_limits = limits; }
 
     /// Consumes from the front of `bytes` up to the end of one packet, or all of it.
-    /// Cost: the payload is copied once, into a buffer of its own; no other allocation.
+    /// Cost: the payload is copied once; no allocation if the same `packet` is brought each time.
     Step next(ByteView &bytes, Packet &packet);
 
     /// In step again: the next byte is the first of a header. A packet that was under way is

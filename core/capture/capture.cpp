@@ -33,8 +33,10 @@ Capture::Capture()
 }
 
 Capture::Capture(Config config)
-    : m_config(config)
+    : m_config(std::move(config))
 {
+    if (!m_config.memory)
+        m_config.memory = std::make_shared<SampleMemory>();
 }
 
 void Capture::begin(const StreamLayout &layout)
@@ -74,7 +76,8 @@ ChannelId Capture::channelFor(
 ChannelId Capture::add(ChannelInfo info)
 {
     info.id = m_nextId++;
-    m_entries.push_back({std::make_unique<Channel>(std::move(info)), ++m_revision});
+    m_entries.push_back(
+        {std::make_unique<Channel>(std::move(info), m_config.memory), ++m_revision});
     ++m_channelRevision;
     return m_entries.back().channel->info().id;
 }

@@ -24,6 +24,8 @@ public:
             1'500'000'000; ///< beyond it the oldest samples are released, a chunk at a time
         double polledHold =
             2.0; ///< seconds that a polled value counts as true if no newer one comes
+        std::shared_ptr<SampleMemory> memory =
+            nullptr; ///< of the fast samples; none: the computer's own
     };
     /// Blocks and values that were not taken, by reason; all stay 0 with a drive that keeps its
     /// word.

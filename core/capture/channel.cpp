@@ -3,19 +3,19 @@
 namespace capture {
 
 namespace {
-Channel::Column columnFor(ChannelInfo::Kind kind)
+Channel::Column columnFor(ChannelInfo::Kind kind, std::shared_ptr<SampleMemory> memory)
 {
     if (kind == ChannelInfo::Kind::Fast)
-        return FastColumn();
+        return FastColumn(std::move(memory));
     return ValueColumn();
 }
 /// Slices are half-open: a sample belongs to [from, to) if ceil(from) <= its nanosecond < ceil(to).
 Nanos edgeOf(double seconds) { return static_cast<Nanos>(std::ceil(seconds * kNanosPerSecond)); }
 } // namespace
 
-Channel::Channel(ChannelInfo info)
+Channel::Channel(ChannelInfo info, std::shared_ptr<SampleMemory> memory)
     : m_info(std::move(info))
-    , m_column(columnFor(m_info.kind))
+    , m_column(columnFor(m_info.kind, std::move(memory)))
 {
 }
 

@@ -47,7 +47,8 @@ class Channel {
 public:
     using Column = std::variant<FastColumn, ValueColumn>;
 
-    explicit Channel(ChannelInfo info);
+    /// @param memory  for the samples of a fast channel; nullptr: its own
+    explicit Channel(ChannelInfo info, std::shared_ptr<SampleMemory> memory = nullptr);
 
     const ChannelInfo &info() const { return m_info; }
     const FastColumn *fast() const { return std::get_if<FastColumn>(&m_column); }

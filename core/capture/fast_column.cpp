@@ -84,8 +84,13 @@ void FastColumn::appendCodes(std::span<const std::int16_t> codes)
 {
     while (!codes.empty()) {
         const std::size_t used = static_cast<std::size_t>(m_end - m_chunkBase) % kChunkSamples;
-        if (used == 0)
-            m_chunks.push_back(std::make_shared_for_overwrite<Chunk>());
+        if (used == 0) {
+            if (!m_memory)
+                m_memory = std::make_shared<SampleMemory>();
+            auto chunk = std::make_shared_for_overwrite<Chunk>();
+            chunk->samples = m_memory->take();
+            m_chunks.push_back(std::move(chunk));
+        }
         Chunk &chunk = *m_chunks.back();
         const std::size_t count = std::min(codes.size(), kChunkSamples - used);
         std::memcpy(&chunk.samples[used], codes.data(), count * sizeof(std::int16_t));
@@ -199,7 +204,8 @@ void FastColumn::releaseOldest()
 
 std::size_t FastColumn::bytes() const
 {
-    return m_chunks.size() * sizeof(Chunk) + m_segments.capacity() * sizeof(Segment);
+    return m_chunks.size() * (sizeof(Chunk) + kSliceBytes)
+        + m_segments.capacity() * sizeof(Segment);
 }
 
 } // namespace capture

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "capture/min_max_kernel.h"
+#include "capture/sample_memory.h"
 #include "capture/tick_time.h"
 
 #include <array>
@@ -46,7 +47,14 @@ struct Segment {
 
 class FastColumn {
 public:
-    static constexpr std::size_t kChunkSamples = 65536;
+    static constexpr std::size_t kChunkSamples = kSliceSamples;
+
+    FastColumn() = default;
+    /// @param memory  of several columns; a column without one gets its own
+    explicit FastColumn(std::shared_ptr<SampleMemory> memory)
+        : m_memory(std::move(memory))
+    {
+    }
     static constexpr std::size_t kBlockSamples = 256;
 
     bool empty() const { return m_begin == m_end; }
@@ -98,8 +106,9 @@ private:
     static constexpr std::size_t kLevels = 4;
     static constexpr std::array<std::size_t, kLevels> kLevelStart{0, 4096, 4352, 4368};
 
-    struct Chunk {
-        std::array<std::int16_t, kChunkSamples> samples;
+    // Its ranges are written before they are read; clearing them first would cost what appending does.
+    struct Chunk { // NOLINT(cppcoreguidelines-pro-type-member-init)
+        Slice samples;
         std::array<CodeRange, 4369> ranges; ///< all levels, finest first
         void close(std::size_t from, std::size_t to); ///< builds what [from, to) completes
         CodeRange extremes(std::size_t from, std::size_t to) const;
@@ -108,6 +117,7 @@ private:
     void appendCodes(std::span<const std::int16_t> codes);
     Index edge(double time, std::uint64_t block, std::size_t &segment) const;
 
+    std::shared_ptr<SampleMemory> m_memory;
     std::deque<std::shared_ptr<Chunk>> m_chunks;
     Index m_chunkBase = 0; ///< index of the first sample of the first chunk
     Index m_begin = 0;

@@ -1,5 +1,7 @@
 #include "mcp/datalog_decoder.h"
 
+#include "mcp/deinterleave.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -8,55 +10,6 @@ namespace {
 
 constexpr std::size_t kMaxKnown = 8; ///< configurations that can be in flight at once
 constexpr double kBelievedJump = 10.0; ///< seconds
-
-std::int16_t sampleAt(const std::uint8_t *from)
-{
-    return static_cast<std::int16_t>(from[0] | from[1] << 8);
-}
-
-/// Signal after signal from interleaved blocks. The number of signals is a constant in the usual cases, so that the
-/// compiler can use wide loads.
-template <std::size_t Signals>
-void gather(const std::uint8_t *from, std::size_t blocks, std::int16_t *to, std::size_t pitch)
-{
-    for (std::size_t s = 0; s < Signals; ++s) {
-        std::int16_t *out = to + s * pitch;
-        const std::uint8_t *in = from + 2 * s;
-        for (std::size_t i = 0; i < blocks; ++i)
-            out[i] = sampleAt(in + 2 * Signals * i);
-    }
-}
-
-void gatherAny(const std::uint8_t *from, std::size_t signals, std::size_t blocks, std::int16_t *to,
-    std::size_t pitch)
-{
-    for (std::size_t s = 0; s < signals; ++s)
-        for (std::size_t i = 0; i < blocks; ++i)
-            to[s * pitch + i] = sampleAt(from + 2 * (signals * i + s));
-}
-
-void deinterleave(const std::uint8_t *from, std::size_t signals, std::size_t blocks,
-    std::int16_t *to, std::size_t pitch)
-{
-    switch (signals) {
-    case 1:
-        return gather<1>(from, blocks, to, pitch);
-    case 2:
-        return gather<2>(from, blocks, to, pitch);
-    case 3:
-        return gather<3>(from, blocks, to, pitch);
-    case 4:
-        return gather<4>(from, blocks, to, pitch);
-    case 5:
-        return gather<5>(from, blocks, to, pitch);
-    case 6:
-        return gather<6>(from, blocks, to, pitch);
-    case 8:
-        return gather<8>(from, blocks, to, pitch);
-    default:
-        return gatherAny(from, signals, blocks, to, pitch);
-    }
-}
 
 bool isUnsigned(const std::vector<bool> &list, std::size_t index)
 {
