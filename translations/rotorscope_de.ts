@@ -1886,6 +1886,11 @@
         <source>Apply</source>
         <translation>Anwenden</translation>
     </message>
+    <message>
+        <source>Waiting for a motor that is not shown: %1.</source>
+        <comment>list of registers</comment>
+        <translation>Warten für einen Motor, der nicht gezeigt wird: %1.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::EventLane</name>
@@ -3747,6 +3752,45 @@
         <source>Written and read back.</source>
         <translation>Geschrieben und zurückgelesen.</translation>
     </message>
+    <message>
+        <source>RW</source>
+        <comment>access: read and write</comment>
+        <translation>RW</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>access: read</comment>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <comment>access: write</comment>
+        <translation>W</translation>
+    </message>
+    <message>
+        <source>scope</source>
+        <comment>access: recorded only</comment>
+        <translation>Oszi</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>least and greatest value</comment>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Hex</source>
+        <comment>the number as it is on the wire, in hexadecimal digits</comment>
+        <translation>Hex</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Zugriff</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <comment>what a register is</comment>
+        <translation>Hilfe</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterPanel</name>
@@ -3827,6 +3871,18 @@
     <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Register &amp;columns</source>
+        <translation>&amp;Spalten der Register</translation>
+    </message>
+    <message>
+        <source>&amp;Pin the register or let it go</source>
+        <translation>Register an&amp;heften oder lösen</translation>
+    </message>
+    <message>
+        <source>What the selected register is</source>
+        <translation>Was das gewählte Register ist</translation>
     </message>
 </context>
 <context>

@@ -1886,6 +1886,11 @@
         <source>Apply</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Waiting for a motor that is not shown: %1.</source>
+        <comment>list of registers</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::EventLane</name>
@@ -3747,6 +3752,45 @@
         <source>Written and read back.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>RW</source>
+        <comment>access: read and write</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>access: read</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>W</source>
+        <comment>access: write</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scope</source>
+        <comment>access: recorded only</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>least and greatest value</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hex</source>
+        <comment>the number as it is on the wire, in hexadecimal digits</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <comment>what a register is</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterPanel</name>
@@ -3826,6 +3870,18 @@
     </message>
     <message>
         <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Register &amp;columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Pin the register or let it go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the selected register is</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

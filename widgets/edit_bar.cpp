@@ -58,7 +58,13 @@ void EditBar::refresh()
         m_sentence.clear();
     // Why a waiting edit cannot be written is said where people look, too.
     const QString why = count > 0 ? m_edits.applyHint() : QString();
-    const QString shown = why.isEmpty() || m_edits.underWay() ? m_sentence : why;
+    QString shown = why.isEmpty() || m_edits.underWay() ? m_sentence : why;
+    // What waits where nobody looks is named: Apply writes it, too.
+    if (const QStringList elsewhere = m_model.pendingElsewhere(); !elsewhere.isEmpty())
+        shown = (shown + QLatin1Char(' ')
+            + tr("Waiting for a motor that is not shown: %1.", "list of registers")
+                  .arg(elsewhere.join(QStringLiteral(", "))))
+                    .trimmed();
     m_told->setText(shown);
     m_told->setVisible(m_always || !shown.isEmpty());
     setVisible(m_always || m_model.hasEdits() || !shown.isEmpty());

@@ -130,6 +130,7 @@ Settings MainWindow::settings() const
     if (m_connectBar->baud() > 0)
         now.baud = m_connectBar->baud();
     now.pinned = m_workbench.registers().pinned();
+    now.registerColumns = m_registerPanel->columns();
     now.snapshotFolder = m_snapshotPanel->folder();
     now.ramps = m_ramps->presets();
     return now;
@@ -277,6 +278,7 @@ void MainWindow::makeDocks()
 {
     m_registerPanel = new RegisterPanel(m_workbench.registers(), m_workbench.edits(), this);
     m_registerPanel->setMinimumWidth(kRegisterMinimum);
+    m_registerPanel->setColumns(m_settings.registerColumns);
     m_control = new ControlPanel(m_device, m_workbench.registers(), m_workbench.motion(), this);
     auto *scroll = new QScrollArea(this);
     scroll->setFrameShape(QFrame::NoFrame);

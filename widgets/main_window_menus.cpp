@@ -80,7 +80,7 @@ void MainWindow::fillEditMenu(QMenu *menu)
 {
     const RegisterPanel::Actions &actions = m_registerPanel->actions();
     const QList<QAction *> groups[] = {{actions.undo, actions.redo},
-        {actions.apply, actions.revert}, {actions.edit, actions.copy}};
+        {actions.apply, actions.revert}, {actions.edit, actions.copy, actions.pin}};
     for (const QList<QAction *> &group : groups) {
         menu->addActions(group);
         menu->addSeparator();
@@ -98,6 +98,7 @@ void MainWindow::fillViewMenu(QMenu *menu)
             m_registerDock->show();
             m_registerPanel->focusSearch();
         });
+    menu->addMenu(m_registerPanel->columnsMenu());
     menu->addSeparator();
     QMenu *themes = menu->addMenu(tr("&Theme"));
     auto *group = new QActionGroup(this);

@@ -1,6 +1,7 @@
 #include "widgets/register_delegate.h"
 
 #include "catalog/names.h"
+#include "widgets/flags_edit.h"
 #include "widgets/value_text.h"
 #include "widgets/wheel_guard.h"
 
@@ -89,6 +90,11 @@ void EntryEdit::keyPressEvent(QKeyEvent *event)
         return stepBy(10);
     case Qt::Key_PageDown:
         return stepBy(-10);
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        QLineEdit::keyPressEvent(event);
+        event->accept(); // not for what the editor stands in: that would open it once more
+        return;
     default:
         QLineEdit::keyPressEvent(event);
     }
@@ -160,6 +166,15 @@ QWidget *makeRegisterEditor(
 QWidget *RegisterDelegate::createEditor(
     QWidget *parent, const QStyleOptionViewItem &, const QModelIndex &index) const
 {
+    const auto rules = m_model.rulesOf(idOf(index));
+    // Before its value is known, a list of flags would write 0 to all that nobody touched.
+    if (rules && index.column() == RegisterModel::ValueColumn && m_model.wanted(idOf(index))
+        && rules->info->meaning == catalog::Meaning::Flags
+        && !catalog::namedFlags(rules->info->name).empty()) {
+        auto *flags = new FlagsEdit(rules->info->name, parent);
+        flags->setAccessibleName(m_model.indexOf(idOf(index)).data().toString());
+        return flags;
+    }
     return makeRegisterEditor(m_model, idOf(index), index.column(), parent);
 }
 
@@ -180,6 +195,11 @@ void RegisterDelegate::setEditorData(QWidget *editor, const QModelIndex &index) 
         return;
     const QString text = index.data(Qt::EditRole).toString();
     editor->setProperty(kFilled, text);
+    if (auto *flags = qobject_cast<FlagsEdit *>(editor)) {
+        const auto value = m_model.readEntry(idOf(index), index.column(), text);
+        const auto *bits = value ? std::get_if<std::int64_t>(&*value) : nullptr;
+        return flags->setBits(bits != nullptr ? *bits : 0);
+    }
     if (auto *box = qobject_cast<QComboBox *>(editor)) {
         box->setCurrentIndex(box->findText(text));
     } else if (auto *edit = qobject_cast<EntryEdit *>(editor)) {
@@ -194,6 +214,11 @@ void RegisterDelegate::setModelData(
     if (const auto *box = qobject_cast<QComboBox *>(editor)) {
         if (box->currentIndex() >= 0 && box->currentText() != box->property(kFilled).toString())
             model->setData(index, box->currentText(), Qt::EditRole);
+        return;
+    }
+    if (const auto *flags = qobject_cast<FlagsEdit *>(editor)) {
+        if (flags->touched())
+            model->setData(index, QString::number(flags->bits()), Qt::EditRole);
         return;
     }
     const auto *edit = qobject_cast<EntryEdit *>(editor);
@@ -216,6 +241,10 @@ void RegisterDelegate::updateEditorGeometry(
         place.moveRight(all.right());
     if (place.left() < all.left())
         place.moveLeft(all.left());
+    if (place.bottom() > all.bottom())
+        place.moveBottom(all.bottom());
+    if (place.top() < all.top())
+        place.setTop(all.top());
     editor->setGeometry(place);
 }
 

@@ -5,12 +5,9 @@
 #include "widgets/scope/scope_view.h"
 #include "widgets/value_text.h"
 
-#include <QApplication>
-#include <QFont>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QMimeData>
-#include <QPalette>
 
 namespace widgets {
 namespace {
@@ -213,7 +210,7 @@ void RegisterModel::rowChanged(std::size_t row)
             continue;
         const QModelIndex group = index(static_cast<int>(g), 0);
         const int r = static_cast<int>(found - rows.begin());
-        Q_EMIT dataChanged(index(r, NameColumn, group), index(r, RawColumn, group));
+        Q_EMIT dataChanged(index(r, NameColumn, group), index(r, ColumnCount - 1, group));
     }
 }
 
@@ -271,143 +268,6 @@ const RegisterModel::Row *RegisterModel::rowAt(const QModelIndex &index) const
         return nullptr;
     const Group &group = m_groups[static_cast<std::size_t>(index.internalId() - 1)];
     return &m_rows[group.rows[static_cast<std::size_t>(index.row())]];
-}
-
-QVariant RegisterModel::data(const QModelIndex &index, int role) const
-{
-    if (!index.isValid())
-        return {};
-    const Row *row = rowAt(index);
-    if (!row) {
-        if (role == Qt::DisplayRole && index.column() == NameColumn)
-            return deviceText(m_groups[static_cast<std::size_t>(index.row())].name);
-        if (role == Qt::FontRole) {
-            QFont font = QApplication::font();
-            font.setBold(true);
-            return font;
-        }
-        return {};
-    }
-    switch (role) {
-    case Qt::DisplayRole:
-        return display(*row, index.column());
-    case Qt::EditRole:
-        return editText(*row, index.column());
-    case Qt::BackgroundRole:
-        return index.column() == NameColumn ? QVariant() : editBackground(*row);
-    case EditStateRole:
-        return static_cast<int>(editState(row->id));
-    case Qt::ToolTipRole:
-        return toolTip(*row);
-    case Qt::TextAlignmentRole:
-        return index.column() == NameColumn ? QVariant()
-                                            : QVariant(Qt::AlignRight | Qt::AlignVCenter);
-    case Qt::ForegroundRole:
-        if (index.column() != NameColumn && editBackground(*row).isValid())
-            return QColor(Qt::black);
-        if (index.column() != NameColumn && (row->stale || row->known != Known::Value))
-            return QApplication::palette().brush(QPalette::Disabled, QPalette::Text);
-        return {};
-    case IdRole:
-        return quint32(row->id);
-    case SearchRole: {
-        QStringList words{fromCore(row->info->name), fromCore(row->info->help)};
-        for (const std::string &alias : row->info->aliases)
-            words.append(fromCore(alias));
-        return words.join(QLatin1Char('\n'));
-    }
-    case StaleRole:
-        return row->stale || row->known != Known::Value;
-    case PinnedRole:
-        return m_pinned.contains(fromCore(row->info->name), Qt::CaseInsensitive);
-    default:
-        return {};
-    }
-}
-
-QVariant RegisterModel::display(const Row &row, int column) const
-{
-    if (column == NameColumn)
-        return deviceText(m_catalog->nameOf(row.id));
-    const Edit *edit = editOf(row.id);
-    if (edit && edit->state != EditState::Verified)
-        return column == ValueColumn ? shownText(*row.info, edit->wanted, row.scale)
-                                     : rawText(edit->wanted);
-    if (!row.info->readable() && row.info->writable())
-        return column == ValueColumn
-            ? tr("write only", "a register that cannot be read, only written")
-            : QString();
-    if (!row.info->readable())
-        return column == ValueColumn
-            ? tr("scope only", "a register that cannot be read, only recorded")
-            : QString();
-    switch (row.known) {
-    case Known::Nothing:
-        return QString();
-    case Known::NotSupported:
-        return column == ValueColumn ? tr("not supported") : QString();
-    case Known::Refused:
-        return column == ValueColumn ? tr("refused", "the board refused to read a register")
-                                     : QString();
-    case Known::Value:
-        break;
-    }
-    return column == ValueColumn ? shownText(*row.info, row.value, row.scale) : rawText(row.value);
-}
-
-QVariant RegisterModel::editText(const Row &row, int column) const
-{
-    const Edit *edit = editOf(row.id);
-    const auto rules = rulesOf(row.id);
-    const bool wanted = edit && edit->state != EditState::Verified;
-    if (column == NameColumn || !rules || (!wanted && row.known != Known::Value))
-        return QString();
-    const catalog::Value &value = wanted ? edit->wanted : row.value;
-    return column == RawColumn ? rawEntryText(value) : shownEntryText(value, *rules);
-}
-
-QString RegisterModel::toolTip(const Row &row) const
-{
-    const QString name = deviceToolTip(m_catalog->nameOf(row.id));
-    const QString help = fromCore(row.info->help).toHtmlEscaped();
-    QString state;
-    if (row.known == Known::Value && row.stale)
-        state = tr("This value is old: it is not being read.");
-    else if (row.known == Known::NotSupported)
-        state = tr("This board does not have it.");
-    const bool drawable = row.info->readable() || row.info->streaming != catalog::Streaming::Polled;
-    const QString drag = !drawable ? QString()
-        : row.info->streaming == catalog::Streaming::Polled
-        ? tr(
-            "Drag it to the scope or press Enter: it is drawn at the rate at which it can be read.")
-        : tr("Drag it to the scope or press Enter: it is recorded at the full control rate.");
-    QString all;
-    if (row.info->meaning == catalog::Meaning::Flags && row.known == Known::Value)
-        all = shownText(*row.info, row.value, row.scale).toHtmlEscaped();
-    QStringList lines{
-        QStringLiteral("<b>%1</b>").arg(name), help, editToolTip(row), all, drag, state};
-    lines.removeAll(QString());
-    return lines.join(QStringLiteral("<br>"));
-}
-
-QVariant RegisterModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal)
-        return {};
-    if (role == Qt::TextAlignmentRole && section != NameColumn)
-        return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case NameColumn:
-        return tr("Register");
-    case ValueColumn:
-        return tr("Value");
-    case RawColumn:
-        return tr("Raw", "the number as it is on the wire");
-    default:
-        return {};
-    }
 }
 
 Qt::ItemFlags RegisterModel::flags(const QModelIndex &index) const

@@ -1,6 +1,7 @@
 // RegisterModel: the window's only truth about the registers of a board: what exists, its newest value, how old that
-// is, what a person wants it to be and how a write of it ended. A tree of groups, the pinned registers first; tables, forms and read-outs are views of it. It asks for nothing
-// by itself: which registers are polled is decided by what is visible.
+// is, what a person wants it to be and how a write of it ended. A tree of groups, the pinned registers first; tables,
+// forms and read-outs are views of it. It asks for nothing by itself: which registers are polled is decided by what is
+// visible.
 #pragma once
 
 #include "drive/event.h"
@@ -19,7 +20,16 @@ namespace widgets {
 class RegisterModel : public QAbstractItemModel {
     Q_OBJECT
 public:
-    enum Column { NameColumn, ValueColumn, RawColumn, ColumnCount };
+    /// The value in the unit people read; as digits and in hexadecimal, as on the wire; what may be done; what it is.
+    enum Column {
+        NameColumn,
+        ValueColumn,
+        RawColumn,
+        HexColumn,
+        AccessColumn,
+        HelpColumn,
+        ColumnCount
+    };
     enum Role {
         IdRole = Qt::UserRole, ///< quint32; invalid for groups
         SearchRole, ///< name, aliases and help in one text
@@ -76,12 +86,15 @@ public:
     /// How writes ended. An edit that was not among them waits on, unless the board now holds what it wants.
     void takeResults(const std::vector<drive::WriteResult> &results);
     bool hasEdits() const; ///< of any state but a flash
+    QStringList pendingElsewhere() const; ///< names of those of a motor that is not shown
     EditState editState(catalog::RegisterId id) const;
     std::optional<catalog::Value> known(catalog::RegisterId id) const; ///< newest, however old
     /// The value of the edit if there is one that is not yet written, known() otherwise.
     std::optional<catalog::Value> wanted(catalog::RegisterId id) const;
     QString describe(catalog::RegisterId id, const catalog::Value &value) const; ///< with unit
     QString copyText(catalog::RegisterId id) const; ///< name, value, raw: tabs between
+    /// What a register is: name, access, range and help, in plain text; empty if it is not shown.
+    QString details(catalog::RegisterId id) const;
 
     void setPinned(const QStringList &names); ///< before setCatalog(), or any time
     QStringList pinned() const { return m_pinned; }
@@ -143,6 +156,9 @@ private:
     QVariant editBackground(const Row &row) const;
     QString editToolTip(const Row &row) const;
     QVariant display(const Row &row, int column) const;
+    QString valueText(const Row &row) const;
+    QString accessText(const Row &row) const;
+    QVariant cell(const Row &row, int column, int role) const;
     QVariant editText(const Row &row, int column) const;
     QString toolTip(const Row &row) const;
 

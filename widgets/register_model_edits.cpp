@@ -58,6 +58,15 @@ bool RegisterModel::hasEdits() const
         [](const Edit &edit) { return edit.state != EditState::Verified; });
 }
 
+QStringList RegisterModel::pendingElsewhere() const
+{
+    QStringList names;
+    for (const Edit &edit : m_edits)
+        if (edit.state == EditState::Pending && m_catalog && !find(edit.id))
+            names.append(deviceText(m_catalog->nameOf(edit.id)));
+    return names;
+}
+
 std::optional<EntryRules> RegisterModel::rulesOf(catalog::RegisterId id) const
 {
     const catalog::RegisterInfo *info = m_catalog ? m_catalog->find(id) : nullptr;
@@ -71,7 +80,8 @@ std::optional<EntryRules> RegisterModel::rulesOf(catalog::RegisterId id) const
 bool RegisterModel::editable(catalog::RegisterId id, int column) const
 {
     const Row *row = find(id);
-    if (!row || row->known == Known::NotSupported || column == NameColumn || !rulesOf(id))
+    if (!row || row->known == Known::NotSupported || !rulesOf(id)
+        || (column != ValueColumn && column != RawColumn))
         return false;
     if (row->info->type == catalog::ValueType::Text)
         return false;

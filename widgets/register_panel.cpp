@@ -10,6 +10,7 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QScrollBar>
@@ -20,6 +21,16 @@ namespace widgets {
 namespace {
 
 constexpr int kSettleMs = 80;
+constexpr int kDetailsFrom = 300; // pixels of height, so that the tree keeps most of them
+
+struct Choice {
+    const char *name;
+    RegisterModel::Column column;
+    int width;
+};
+constexpr Choice kChoices[] = {{"value", RegisterModel::ValueColumn, 88},
+    {"raw", RegisterModel::RawColumn, 52}, {"hex", RegisterModel::HexColumn, 84},
+    {"access", RegisterModel::AccessColumn, 56}, {"help", RegisterModel::HelpColumn, 220}};
 
 } // namespace
 
@@ -30,6 +41,8 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
     , m_proxy(new QSortFilterProxyModel(this))
     , m_search(new QLineEdit(this))
     , m_tree(new QTreeView(this))
+    , m_details(new QLabel(this))
+    , m_columnsMenu(new QMenu(tr("Register &columns"), this))
 {
     m_proxy->setSourceModel(&model);
     m_proxy->setRecursiveFilteringEnabled(true);
@@ -42,6 +55,7 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
     m_search->setObjectName(QStringLiteral("registerSearch"));
     m_search->installEventFilter(this);
     makeTree();
+    makeColumns();
     makeActions();
     // Before every edit bar: they show the actions as they are.
     connect(&edits, &RegisterEdits::changed, this, &RegisterPanel::updateEdits);
@@ -51,6 +65,7 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
     layout->setSpacing(6);
     layout->addWidget(m_search);
     layout->addWidget(m_tree, 1);
+    layout->addWidget(m_details);
     layout->addWidget(
         m_editBar = new EditBar(edits, model, m_actions.apply, m_actions.revert, false, this));
 
@@ -65,6 +80,9 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
     connect(m_tree, &QTreeView::doubleClicked, this, &RegisterPanel::activate);
     connect(m_tree, &QTreeView::customContextMenuRequested, this, &RegisterPanel::showMenu);
     connect(&model, &QAbstractItemModel::modelReset, this, &RegisterPanel::expandDefaults);
+    connect(m_tree->selectionModel(), &QItemSelectionModel::currentChanged, this,
+        &RegisterPanel::updateDetails);
+    connect(&model, &QAbstractItemModel::modelReset, this, &RegisterPanel::updateDetails);
     connect(&edits, &RegisterEdits::asked, this,
         [this](const QList<WriteLine> &lines) { askBeforeWriting(window(), m_edits, lines); });
     updateEdits();
@@ -89,11 +107,6 @@ void RegisterPanel::makeTree()
     m_tree->setIndentation(10);
     m_tree->setTextElideMode(Qt::ElideRight);
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
-    m_tree->header()->setStretchLastSection(false);
-    m_tree->header()->setSectionResizeMode(RegisterModel::NameColumn, QHeaderView::Stretch);
-    m_tree->header()->resizeSection(RegisterModel::ValueColumn, 88);
-    m_tree->header()->resizeSection(RegisterModel::RawColumn, 52);
-    m_tree->header()->setMinimumSectionSize(40);
     m_tree->installEventFilter(this);
     auto *delegate = new RegisterDelegate(m_model, this);
     m_tree->setItemDelegate(delegate);
@@ -101,6 +114,71 @@ void RegisterPanel::makeTree()
         m_editBar->tell(
             tr("Not taken over: %1", "what is wrong with a typed value").arg(sentence), false);
     });
+}
+
+void RegisterPanel::makeColumns()
+{
+    QHeaderView *header = m_tree->header();
+    header->setStretchLastSection(false);
+    header->setSectionResizeMode(RegisterModel::NameColumn, QHeaderView::Stretch);
+    header->setMinimumSectionSize(40);
+    header->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(header, &QHeaderView::customContextMenuRequested, this,
+        [this, header](const QPoint &at) { m_columnsMenu->popup(header->mapToGlobal(at)); });
+    for (const Choice &choice : kChoices) {
+        header->resizeSection(choice.column, choice.width);
+        QAction *action =
+            m_columnsMenu->addAction(m_model.headerData(choice.column, Qt::Horizontal).toString());
+        action->setObjectName(QLatin1String(choice.name));
+        action->setCheckable(true);
+        connect(action, &QAction::toggled, this,
+            [this, column = choice.column](bool on) { m_tree->setColumnHidden(column, !on); });
+    }
+    setColumns({QStringLiteral("value"), QStringLiteral("raw")});
+
+    m_details->setObjectName(QStringLiteral("registerDetails"));
+    m_details->setTextFormat(Qt::PlainText);
+    m_details->setWordWrap(true);
+    m_details->setAccessibleName(tr("What the selected register is"));
+    m_details->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_details->setFocusPolicy(Qt::NoFocus); // the flags above would take the focus on a click
+    m_details->hide();
+}
+
+void RegisterPanel::setColumns(const QStringList &names)
+{
+    for (const Choice &choice : kChoices) {
+        QAction *action = m_columnsMenu->findChild<QAction *>(QLatin1String(choice.name));
+        action->setChecked(names.contains(QLatin1String(choice.name)));
+        m_tree->setColumnHidden(choice.column, !action->isChecked());
+    }
+}
+
+QStringList RegisterPanel::columns() const
+{
+    QStringList names;
+    for (const Choice &choice : kChoices)
+        if (!m_tree->isColumnHidden(choice.column))
+            names.append(QLatin1String(choice.name));
+    return names;
+}
+
+/// What the selected register is, without a mouse that rests on it.
+void RegisterPanel::updateDetails()
+{
+    const QVariant id = m_tree->currentIndex().siblingAtColumn(0).data(RegisterModel::IdRole);
+    const QString text = id.isValid() ? m_model.details(id.toUInt()) : QString();
+    m_details->setText(text);
+    m_details->setVisible(!text.isEmpty() && height() >= kDetailsFrom);
+    if (m_actions.pin != nullptr)
+        m_actions.pin->setEnabled(id.isValid());
+}
+
+void RegisterPanel::togglePinned()
+{
+    const QVariant id = m_tree->currentIndex().siblingAtColumn(0).data(RegisterModel::IdRole);
+    if (id.isValid())
+        m_model.togglePinned(id.toUInt());
 }
 
 void RegisterPanel::makeActions()
@@ -123,6 +201,9 @@ void RegisterPanel::makeActions()
     m_actions.edit =
         make(tr("&Edit the register's value"), Qt::Key_F2, this, &RegisterPanel::editCurrent);
     m_actions.copy = make(tr("&Copy registers as text"), {}, this, &RegisterPanel::copySelected);
+    m_actions.pin = make(tr("&Pin the register or let it go"), Qt::CTRL | Qt::Key_B, this,
+        &RegisterPanel::togglePinned);
+    m_actions.pin->setEnabled(false);
 }
 
 void RegisterPanel::updateEdits()
@@ -167,8 +248,10 @@ void RegisterPanel::focusSearch()
 bool RegisterPanel::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::Resize || event->type() == QEvent::Show
-        || event->type() == QEvent::Hide)
+        || event->type() == QEvent::Hide) {
         m_settled.start();
+        updateDetails();
+    }
     if (event->type() == QEvent::KeyPress) {
         const auto *key = static_cast<QKeyEvent *>(event);
         const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;

@@ -10,7 +10,9 @@
 #include <QWidget>
 
 class QAction;
+class QLabel;
 class QLineEdit;
+class QMenu;
 class QSortFilterProxyModel;
 
 namespace widgets {
@@ -30,9 +32,14 @@ public:
     /// For the menu; each carries its key and says in its tool tip why it cannot be used.
     struct Actions {
         QAction *undo = nullptr, *redo = nullptr, *apply = nullptr, *revert = nullptr;
-        QAction *edit = nullptr, *copy = nullptr;
+        QAction *edit = nullptr, *copy = nullptr, *pin = nullptr;
     };
     const Actions &actions() const { return m_actions; }
+    QMenu *columnsMenu() const { return m_columnsMenu; }
+
+    /// Which columns are shown beside the name: "value", "raw", "hex", "access", "help".
+    void setColumns(const QStringList &names);
+    QStringList columns() const;
 
 public Q_SLOTS:
     void focusSearch();
@@ -48,7 +55,10 @@ protected:
 
 private:
     void makeTree();
+    void makeColumns();
     void makeActions();
+    void updateDetails();
+    void togglePinned();
     void updateEdits();
     void activate(const QModelIndex &index);
     std::vector<catalog::RegisterId> selected() const;
@@ -63,6 +73,8 @@ private:
     QSortFilterProxyModel *m_proxy;
     QLineEdit *m_search;
     QTreeView *m_tree;
+    QLabel *m_details;
+    QMenu *m_columnsMenu;
     EditBar *m_editBar = nullptr;
     QTimer m_settled; ///< scrolling tells once, not at every pixel
 };

@@ -65,6 +65,8 @@ QByteArray toJson(const Settings &settings)
     object[QStringLiteral("snapshotFolder")] = settings.snapshotFolder;
     object[QStringLiteral("pinned")] = QJsonArray::fromStringList(settings.pinned);
     object[QStringLiteral("inertias")] = inertiasObject(settings.inertias);
+    object[QStringLiteral("registerColumns")] =
+        QJsonArray::fromStringList(settings.registerColumns);
     object[QStringLiteral("firstStepsDone")] = settings.firstStepsDone;
     object[QStringLiteral("ramps")] = rampPresetsJson(settings.ramps);
     return QJsonDocument(object).toJson();
@@ -90,6 +92,12 @@ Settings settingsFromJson(const QByteArray &json)
             settings.pinned.append(names[i].toString());
     }
     settings.inertias = inertiasOf(object[QStringLiteral("inertias")].toObject());
+    if (object[QStringLiteral("registerColumns")].isArray()) {
+        settings.registerColumns.clear();
+        const QJsonArray names = object[QStringLiteral("registerColumns")].toArray();
+        for (qsizetype i = 0; i < std::min(names.size(), kMostPinned); ++i)
+            settings.registerColumns.append(names[i].toString());
+    }
     settings.firstStepsDone = object[QStringLiteral("firstStepsDone")].toBool(false);
     settings.ramps = rampPresetsOf(object[QStringLiteral("ramps")].toArray());
     return settings;

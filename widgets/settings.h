@@ -25,6 +25,7 @@ struct Settings {
         QStringLiteral("I_Q_REF"), QStringLiteral("BUS_VOLTAGE"), QStringLiteral("HEATS_TEMP"),
         QStringLiteral("SPEED_KP"), QStringLiteral("SPEED_KI")};
     QMap<QString, double> inertias; ///< of rotor and load in kg m2, by the motor's name
+    QStringList registerColumns{QStringLiteral("value"), QStringLiteral("raw")};
     bool firstStepsDone = false;
     QList<RampPreset> ramps; ///< that a person has named
     bool operator==(const Settings &) const = default;

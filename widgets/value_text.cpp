@@ -5,6 +5,7 @@
 
 #include <QLocale>
 
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -125,6 +126,22 @@ QString shownText(
     return withUnit(
         numberText(static_cast<double>(integer) * scale.factor, decimalsFor(scale.factor)),
         scale.unit);
+}
+
+QString hexText(catalog::ValueType type, const catalog::Value &value)
+{
+    const std::size_t width = catalog::widthOf(type);
+    const auto digits = [width](std::int64_t bits) {
+        return QStringLiteral("0x")
+            + hexText(bits, width)
+                  .mid(2)
+                  .rightJustified(2 * static_cast<qsizetype>(width), QLatin1Char('0'));
+    };
+    if (const auto *whole = std::get_if<std::int64_t>(&value))
+        return digits(*whole);
+    if (const auto *number = std::get_if<double>(&value))
+        return digits(std::bit_cast<std::uint32_t>(static_cast<float>(*number)));
+    return rawText(value);
 }
 
 QString rawText(const catalog::Value &value)

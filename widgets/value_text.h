@@ -24,6 +24,9 @@ QString booleanText(bool yes);
 /// The same value as the wire has it: digits, hexadecimal bytes for structures.
 QString rawText(const catalog::Value &value);
 
+/// Digits in hexadecimal, as many as the type has; the bits of a floating-point number; bytes as rawText() has them.
+QString hexText(catalog::ValueType type, const catalog::Value &value);
+
 /// The value as a number, raw; NaN for text and structures.
 double rawNumber(const catalog::Value &value);
 

@@ -1,0 +1,119 @@
+// Every model of the program under QAbstractItemModelTester, in the real window on simulated boards, through all that
+// makes models change: connecting, editing, refusal, another motor, another board, a cable that is pulled.
+#include "support/window_rig.h"
+#include "widgets/register_panel.h"
+
+#include <QAbstractItemModelTester>
+#include <QAbstractItemView>
+#include <QAbstractProxyModel>
+#include <QDockWidget>
+#include <QSet>
+#include <QTest>
+
+using facts::WindowRig;
+using State = widgets::RegisterModel::EditState;
+
+namespace {
+
+/// All models that the window shows or owns, and what stands behind them.
+QSet<QAbstractItemModel *> modelsOf(WindowRig &rig)
+{
+    QSet<QAbstractItemModel *> models{&rig.workbench.registers()};
+    for (QAbstractItemModel *model : rig.window.findChildren<QAbstractItemModel *>())
+        models.insert(model);
+    for (const QAbstractItemView *view : rig.window.findChildren<QAbstractItemView *>())
+        for (QAbstractItemModel *model = view->model(); model != nullptr;) {
+            models.insert(model);
+            const auto *proxy = qobject_cast<QAbstractProxyModel *>(model);
+            model = proxy != nullptr ? proxy->sourceModel() : nullptr;
+        }
+    return models;
+}
+
+struct Bench {
+    WindowRig rig;
+    widgets::Device &device = rig.workbench.device();
+    widgets::RegisterModel &registers = rig.workbench.registers();
+    QSet<QString> names;
+
+    Bench()
+    {
+        for (QDockWidget *dock : rig.window.findChildren<QDockWidget *>())
+            dock->show();
+        for (QAbstractItemModel *model : modelsOf(rig)) {
+            const QString name = QString::fromLatin1(model->metaObject()->className());
+            if (!name.startsWith(QStringLiteral("widgets::"))
+                && qobject_cast<QAbstractProxyModel *>(model) == nullptr)
+                continue; // a combo box's own list, a file dialog's: Qt's business
+            names.insert(name);
+            new QAbstractItemModelTester(
+                model, QAbstractItemModelTester::FailureReportingMode::QtTest, &rig.window);
+        }
+    }
+    void open(const char *profile, int motors)
+    {
+        session::Endpoint endpoint;
+        endpoint.board.profile = profile;
+        endpoint.board.motors = motors;
+        device.open(endpoint);
+    }
+    bool connected() const { return device.answering() && device.identified().has_value(); }
+    catalog::RegisterId id(const char *name) const
+    {
+        return device.catalog()->resolve(name).value_or(0);
+    }
+    bool type(const char *name, const QString &text)
+    {
+        return registers.setData(
+            registers.indexOf(id(name), widgets::RegisterModel::ValueColumn), text);
+    }
+};
+
+} // namespace
+
+class TestModels : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void everyModelKeepsItsWordWhateverTheBoardDoes()
+    {
+        Bench bench;
+        for (const char *name : {"widgets::RegisterModel", "widgets::SnapshotModel",
+                 "widgets::MotionLogModel", "widgets::CursorTable", "widgets::EventLog",
+                 "widgets::MotorModel", "QSortFilterProxyModel"})
+            QVERIFY2(bench.names.contains(QLatin1String(name)), name);
+
+        bench.open("mcsdk-6.4", 2);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.connected(), 10000);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.registers.known(bench.id("SPEED_KP")).has_value(), 10000);
+        bench.device.setArmed(true);
+        QTRY_VERIFY(bench.device.armed());
+        QVERIFY(bench.type("SPEED_KP", QStringLiteral("77")));
+        QVERIFY(bench.type("SPEED_KI", QStringLiteral("78")));
+        // Not in this build, which nobody has found out yet: the board will refuse it.
+        const bool asked = bench.registers.setPending(bench.id("FF_2"), std::int64_t{3});
+        bench.rig.workbench.edits().apply();
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.rig.workbench.edits().underWay(), 20000);
+        QTRY_VERIFY(bench.registers.editState(bench.id("SPEED_KP")) == State::Verified
+            || bench.registers.editState(bench.id("SPEED_KP")) == State::None);
+        QVERIFY(!asked || bench.registers.editState(bench.id("FF_2")) == State::Refused);
+
+        bench.device.setMotor(2);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.registers.known(bench.id("SPEED_KP@2")).has_value(), 10000);
+        bench.registers.togglePinned(bench.id("SPEED_KP@2"));
+        bench.rig.window.registerPanel()->setColumns({QStringLiteral("hex")});
+        QVERIFY(bench.type("SPEED_KP@2", QStringLiteral("5")));
+        bench.rig.workbench.edits().revert();
+
+        bench.open("six-step", 1); // another board on the same port
+        QTRY_VERIFY_WITH_TIMEOUT(
+            bench.connected() && bench.device.identified()->identity.motors == 1, 10000);
+        bench.device.portChanged(session::PortState::Closed,
+            {session::PortProblem::Unplugged, QStringLiteral("pulled")});
+        QVERIFY(!bench.device.portOpen());
+    }
+};
+
+QTEST_MAIN(TestModels)
+#include "tst_models.moc"

@@ -1,0 +1,232 @@
+// What the register browser shows and how it is edited beyond numbers: columns, flags by name, two motors.
+#include "support/edit_bench.h"
+#include "support/window_rig.h"
+
+#include <QAbstractProxyModel>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QTest>
+
+#include <bit>
+
+using facts::EditBench;
+using widgets::RegisterModel;
+using State = RegisterModel::EditState;
+
+namespace {
+
+QModelIndex cellOf(const EditBench &bench, std::string_view name, RegisterModel::Column column)
+{
+    return bench.model.indexOf(bench.id(name), column);
+}
+
+QString textOf(const EditBench &bench, std::string_view name, RegisterModel::Column column)
+{
+    return cellOf(bench, name, column).data().toString();
+}
+
+/// Selects a register in the tree, as a click on its value does.
+void select(EditBench &bench, std::string_view name)
+{
+    QTreeView *tree = bench.panel.tree();
+    const auto *proxy = qobject_cast<const QAbstractProxyModel *>(tree->model());
+    const QModelIndex cell = proxy->mapFromSource(cellOf(bench, name, RegisterModel::ValueColumn));
+    tree->expand(cell.parent());
+    tree->scrollTo(cell);
+    tree->setCurrentIndex(cell);
+}
+
+simulation::BoardOptions twoMotors()
+{
+    simulation::BoardOptions options;
+    options.motors = 2;
+    return options;
+}
+
+} // namespace
+
+class TestRegisterBrowser : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void aNumberIsShownAsDigitsAndInHexadecimal()
+    {
+        EditBench bench;
+        bench.arm();
+        bench.type("SPEED_KP", QStringLiteral("-2"));
+        QCOMPARE(textOf(bench, "SPEED_KP", RegisterModel::ValueColumn), QStringLiteral("-2"));
+        QCOMPARE(textOf(bench, "SPEED_KP", RegisterModel::RawColumn), QStringLiteral("-2"));
+        QCOMPARE(textOf(bench, "SPEED_KP", RegisterModel::HexColumn), QStringLiteral("0xFFFE"));
+        QCOMPARE(textOf(bench, "SPEED_KP", RegisterModel::AccessColumn), QStringLiteral("RW"));
+        QVERIFY(!textOf(bench, "SPEED_KP", RegisterModel::HelpColumn).isEmpty());
+        QCOMPARE(textOf(bench, "SPEED_MEAS", RegisterModel::AccessColumn), QStringLiteral("R"));
+        QVERIFY(!bench.model.editable(bench.id("SPEED_KP"), RegisterModel::HexColumn));
+        QVERIFY(!bench.model.editable(bench.id("SPEED_KP"), RegisterModel::HelpColumn));
+    }
+
+    void theColumnsThatAreShownAreRemembered()
+    {
+        widgets::Settings settings = facts::WindowRig::quietSettings();
+        settings.registerColumns = {QStringLiteral("hex"), QStringLiteral("access")};
+        const facts::WindowRig rig(settings);
+        widgets::RegisterPanel &panel = *rig.window.registerPanel();
+        QVERIFY(panel.tree()->isColumnHidden(RegisterModel::ValueColumn));
+        QVERIFY(!panel.tree()->isColumnHidden(RegisterModel::HexColumn));
+        QVERIFY(!panel.tree()->isColumnHidden(RegisterModel::NameColumn));
+        auto *value = panel.columnsMenu()->findChild<QAction *>(QStringLiteral("value"));
+        QVERIFY(value != nullptr);
+        value->trigger();
+        QVERIFY(!panel.tree()->isColumnHidden(RegisterModel::ValueColumn));
+        QCOMPARE(rig.window.settings().registerColumns,
+            (QStringList{
+                QStringLiteral("value"), QStringLiteral("hex"), QStringLiteral("access")}));
+        QCOMPARE(widgets::settingsFromJson(widgets::toJson(rig.window.settings())).registerColumns,
+            rig.window.settings().registerColumns);
+    }
+
+    void whatARegisterIsCanBeReadWithoutAMouse()
+    {
+        EditBench bench;
+        bench.panel.resize(300, 600);
+        bench.panel.show();
+        const auto *details = bench.panel.findChild<QLabel *>(QStringLiteral("registerDetails"));
+        QVERIFY(details->isHidden());
+        select(bench, "SPEED_KP");
+        QVERIFY(details->isVisible());
+        QVERIFY2(
+            details->text().startsWith(QStringLiteral("SPEED_KP \u00b7 RW \u00b7 -32768 to 32767")),
+            qPrintable(details->text()));
+        QVERIFY(details->text().contains(QLatin1Char('\n'))); // and its help
+    }
+
+    void aRegisterIsPinnedByAKey()
+    {
+        EditBench bench;
+        select(bench, "SPEED_KD");
+        QVERIFY(!bench.model.pinned().contains(QStringLiteral("SPEED_KD")));
+        bench.panel.actions().pin->trigger();
+        QVERIFY(bench.model.pinned().contains(QStringLiteral("SPEED_KD")));
+    }
+
+    void flagsAreEditedAsNamesWithCheckBoxes()
+    {
+        simulation::BoardOptions options;
+        options.profile = "six-step";
+        EditBench bench(options);
+        bench.panel.resize(400, 700);
+        bench.panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&bench.panel));
+        bench.arm();
+        const auto before = std::get<std::int64_t>(bench.held("LOWSIDE_MODULATION"));
+        select(bench, "LOWSIDE_MODULATION");
+        bench.panel.editCurrent();
+        auto *flags = bench.panel.findChild<QListWidget *>(QStringLiteral("registerFlags"));
+        QVERIFY(flags != nullptr);
+        QVERIFY(flags->count() >= 6);
+        int checked = 0;
+        for (int row = 0; row < flags->count(); ++row)
+            checked += flags->item(row)->checkState() == Qt::Checked ? 1 : 0;
+        QCOMPARE(checked, int(std::popcount(static_cast<std::uint64_t>(before))));
+        flags->setCurrentRow(1);
+        QTest::keyClick(flags, Qt::Key_Space);
+        QTest::keyClick(flags, Qt::Key_Return);
+        QTRY_VERIFY(bench.model.editState(bench.id("LOWSIDE_MODULATION")) == State::Pending);
+        bench.answerYes = true;
+        QVERIFY(bench.apply());
+        QCOMPARE(std::get<std::int64_t>(bench.held("LOWSIDE_MODULATION")), before ^ 2);
+    }
+
+    void flagsThatNobodyTouchedAreNoEdit()
+    {
+        simulation::BoardOptions options;
+        options.profile = "six-step";
+        EditBench bench(options);
+        bench.panel.show();
+        select(bench, "LOWSIDE_MODULATION");
+        bench.panel.editCurrent();
+        auto *flags = bench.panel.findChild<QListWidget *>(QStringLiteral("registerFlags"));
+        QVERIFY(flags != nullptr);
+        QTest::keyClick(flags, Qt::Key_Return);
+        QCoreApplication::processEvents();
+        QVERIFY(!bench.model.hasEdits());
+    }
+
+    void flagsThatWereNeverReadAreTypedAsAWhole()
+    {
+        simulation::BoardOptions options;
+        options.profile = "six-step";
+        EditBench bench(options);
+        bench.panel.show();
+        bench.model.setCatalog(nullptr, 1);
+        bench.model.setCatalog(bench.device.catalog(), 1);
+        QVERIFY(!bench.model.known(bench.id("LOWSIDE_MODULATION")));
+        select(bench, "LOWSIDE_MODULATION");
+        bench.panel.editCurrent();
+        QVERIFY(bench.panel.findChild<QListWidget *>(QStringLiteral("registerFlags")) == nullptr);
+        QVERIFY(bench.panel.findChild<QLineEdit *>(QStringLiteral("registerEntry")) != nullptr);
+    }
+
+    void editsOfTheOtherMotorWaitAndAreNamed()
+    {
+        EditBench bench(twoMotors());
+        QObject::connect(&bench.device, &widgets::Device::motorChanged, &bench.panel,
+            [&bench] { bench.model.setCatalog(bench.device.catalog(), bench.device.motor()); });
+        bench.arm();
+        const auto *told = bench.panel.findChild<QLabel *>(QStringLiteral("editsTold"));
+        const auto two = std::get<std::int64_t>(bench.held("SPEED_KP@2"));
+        QVERIFY(bench.type("SPEED_KP@1", QStringLiteral("71")));
+        QVERIFY(!told->text().contains(QStringLiteral("not shown")));
+        bench.device.setMotor(2);
+        QCOMPARE(bench.edits.pendingCount(), 1);
+        QVERIFY2(told->text().contains(QStringLiteral("not shown: SPEED_KP@1")),
+            qPrintable(told->text()));
+        QVERIFY(bench.type("SPEED_KI@2", QStringLiteral("72")));
+        bench.device.setMotor(1);
+        QCOMPARE(textOf(bench, "SPEED_KP@1", RegisterModel::RawColumn), QStringLiteral("71"));
+        QVERIFY(bench.model.editState(bench.id("SPEED_KP@1")) == State::Pending);
+        QVERIFY(told->text().contains(QStringLiteral("not shown: SPEED_KI@2")));
+        QVERIFY(bench.apply()); // both, and no other
+        QCOMPARE(std::get<std::int64_t>(bench.held("SPEED_KP@1")), 71);
+        QCOMPARE(std::get<std::int64_t>(bench.held("SPEED_KI@2")), 72);
+        QCOMPARE(std::get<std::int64_t>(bench.held("SPEED_KP@2")), two);
+        QVERIFY(!told->text().contains(QStringLiteral("not shown")));
+        bench.device.setMotor(2);
+        bench.edits.undo();
+        QVERIFY(bench.settle());
+        QVERIFY(std::get<std::int64_t>(bench.held("SPEED_KP@1")) != 71);
+    }
+
+    void whatCannotBeSeenIsNotPolled()
+    {
+        facts::WindowRig rig;
+        rig.workbench.device().open({});
+        QTRY_VERIFY_WITH_TIMEOUT(rig.workbench.device().identified().has_value(), 10000);
+        const auto &watch = rig.workbench.watchList();
+        const auto id = rig.workbench.device().catalog()->resolve("SPEED_KD").value_or(0);
+        const auto polled = [&] {
+            return std::find(watch.registers().begin(), watch.registers().end(), id)
+                != watch.registers().end();
+        };
+        QTRY_VERIFY(!watch.registers().empty());
+        QVERIFY(!polled()); // its group is closed
+        widgets::RegisterPanel &panel = *rig.window.registerPanel();
+        const auto *proxy = qobject_cast<const QAbstractProxyModel *>(panel.tree()->model());
+        const QModelIndex cell = proxy->mapFromSource(rig.workbench.registers().indexOf(id));
+        panel.tree()->expand(cell.parent());
+        panel.tree()->scrollTo(cell);
+        QTRY_VERIFY(polled());
+        panel.tree()->collapse(cell.parent());
+        QTRY_VERIFY(!polled());
+        panel.tree()->expand(cell.parent());
+        QTRY_VERIFY(polled());
+        panel.window()->hide();
+        panel.hide();
+        QTRY_VERIFY(!polled());
+    }
+};
+
+QTEST_MAIN(TestRegisterBrowser)
+#include "tst_register_browser.moc"
