@@ -127,6 +127,14 @@
         <source>Keep the traces as a reference; drop it</source>
         <translation>Die Kurven als Referenz behalten; sie verwerfen</translation>
     </message>
+    <message>
+        <source>Motion log</source>
+        <translation>Bewegungsprotokoll</translation>
+    </message>
+    <message>
+        <source>Large numbers</source>
+        <translation>Große Zahlen</translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -206,6 +214,281 @@
     <message>
         <source>It cannot be edited here.</source>
         <translation>Es kann hier nicht bearbeitet werden.</translation>
+    </message>
+</context>
+<context>
+    <name>Fault</name>
+    <message>
+        <source>The motor did not come up to a speed at which it can be seen without a sensor.</source>
+        <translation>Der Motor kam nicht auf eine Drehzahl, bei der man ihn ohne Sensor erkennt.</translation>
+    </message>
+    <message>
+        <source>The start-up is too short or too weak for rotor and load</source>
+        <translation>Der Hochlauf ist für Rotor und Last zu kurz oder zu schwach</translation>
+    </message>
+    <message>
+        <source>Make the ramp longer and its current larger, within the motor&apos;s nominal current; end it at 30 to 40 % of the greatest speed.</source>
+        <translation>Die Rampe verlängern und ihren Strom erhöhen, höchstens bis zum Nennstrom des Motors; bei 30 bis 40 % der höchsten Drehzahl enden lassen.</translation>
+    </message>
+    <message>
+        <source>The observer does not settle</source>
+        <translation>Der Beobachter schwingt nicht ein</translation>
+    </message>
+    <message>
+        <source>Lower its gain G2; lower the least speed at which it is believed to about 10 % of the greatest.</source>
+        <translation>Seine Verstärkung G2 verringern; die kleinste Drehzahl, ab der man ihm glaubt, auf etwa 10 % der höchsten senken.</translation>
+    </message>
+    <message>
+        <source>The motor&apos;s values are not right</source>
+        <translation>Die Werte des Motors stimmen nicht</translation>
+    </message>
+    <message>
+        <source>Check resistance, inductance, the back-EMF constant and the pole pairs.</source>
+        <translation>Widerstand, Induktivität, Spannungskonstante und Polpaare prüfen.</translation>
+    </message>
+    <message>
+        <source>The load is too large, or the rotor is blocked</source>
+        <translation>Die Last ist zu groß, oder der Rotor ist blockiert</translation>
+    </message>
+    <message>
+        <source>Try without the load.</source>
+        <translation>Ohne Last versuchen.</translation>
+    </message>
+    <message>
+        <source>The measured or estimated speed is not to be relied on.</source>
+        <translation>Auf die gemessene oder geschätzte Drehzahl ist kein Verlass.</translation>
+    </message>
+    <message>
+        <source>The observer is too quick for this motor</source>
+        <translation>Der Beobachter ist für diesen Motor zu schnell</translation>
+    </message>
+    <message>
+        <source>Lower its gain G2.</source>
+        <translation>Seine Verstärkung G2 verringern.</translation>
+    </message>
+    <message>
+        <source>The speed changes too fast after the start</source>
+        <translation>Die Drehzahl ändert sich nach dem Start zu schnell</translation>
+    </message>
+    <message>
+        <source>Take gentler ramps; go through low speeds quickly.</source>
+        <translation>Sanftere Rampen wählen; niedrige Drehzahlen rasch durchfahren.</translation>
+    </message>
+    <message>
+        <source>The test of the speed is too strict</source>
+        <translation>Die Prüfung der Drehzahl ist zu streng</translation>
+    </message>
+    <message>
+        <source>Allow 4 to 5 failed readings in a row.</source>
+        <translation>4 bis 5 fehlerhafte Messungen in Folge zulassen.</translation>
+    </message>
+    <message>
+        <source>The sensor or its wiring</source>
+        <translation>Der Sensor oder seine Verdrahtung</translation>
+    </message>
+    <message>
+        <source>Check the order of phases and sensor wires, and the driver&apos;s fault line.</source>
+        <translation>Die Reihenfolge der Phasen und Sensorleitungen und die Fehlerleitung des Treibers prüfen.</translation>
+    </message>
+    <message>
+        <source>The power stage switched itself off because of too much current.</source>
+        <translation>Die Leistungsstufe hat sich wegen zu hohen Stroms selbst abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Shunt, amplification or topology are set wrongly</source>
+        <translation>Messwiderstand, Verstärkung oder Topologie sind falsch eingestellt</translation>
+    </message>
+    <message>
+        <source>Compare the current scale with the hardware.</source>
+        <translation>Den Strommaßstab mit der Hardware vergleichen.</translation>
+    </message>
+    <message>
+        <source>The current loop oscillates</source>
+        <translation>Der Stromregler schwingt</translation>
+    </message>
+    <message>
+        <source>Lower the bandwidth of the current loop.</source>
+        <translation>Die Bandbreite des Stromreglers verringern.</translation>
+    </message>
+    <message>
+        <source>The step of current is too large</source>
+        <translation>Der Stromsprung ist zu groß</translation>
+    </message>
+    <message>
+        <source>Take a slower ramp or a smaller current.</source>
+        <translation>Eine langsamere Rampe oder einen kleineren Strom wählen.</translation>
+    </message>
+    <message>
+        <source>A short circuit, or a damaged stage</source>
+        <translation>Ein Kurzschluss oder eine beschädigte Leistungsstufe</translation>
+    </message>
+    <message>
+        <source>Remove the power, then measure between the phases and to ground.</source>
+        <translation>Die Spannung abschalten, dann zwischen den Phasen und gegen Masse messen.</translation>
+    </message>
+    <message>
+        <source>The control loop did not finish within its period.</source>
+        <translation>Der Regler wurde in seiner Periode nicht fertig.</translation>
+    </message>
+    <message>
+        <source>The control rate is too high for this processor</source>
+        <translation>Die Regelrate ist für diesen Prozessor zu hoch</translation>
+    </message>
+    <message>
+        <source>Lower the PWM frequency or the control rate.</source>
+        <translation>Die PWM-Frequenz oder die Regelrate senken.</translation>
+    </message>
+    <message>
+        <source>Too many signals are recorded</source>
+        <translation>Es werden zu viele Signale aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Record fewer signals, or only every second sample.</source>
+        <translation>Weniger Signale aufzeichnen oder nur jeden zweiten Wert.</translation>
+    </message>
+    <message>
+        <source>The firmware was built without optimisation</source>
+        <translation>Die Firmware wurde ohne Optimierung gebaut</translation>
+    </message>
+    <message>
+        <source>Build it for release.</source>
+        <translation>Mit Optimierung bauen.</translation>
+    </message>
+    <message>
+        <source>The bus voltage is above its limit.</source>
+        <translation>Die Zwischenkreisspannung liegt über ihrer Grenze.</translation>
+    </message>
+    <message>
+        <source>The motor feeds energy back while it brakes</source>
+        <translation>Der Motor speist beim Bremsen zurück</translation>
+    </message>
+    <message>
+        <source>Slow down more gently, or connect a brake resistor.</source>
+        <translation>Sanfter bremsen oder einen Bremswiderstand anschließen.</translation>
+    </message>
+    <message>
+        <source>The supply is set too high</source>
+        <translation>Das Netzteil ist zu hoch eingestellt</translation>
+    </message>
+    <message>
+        <source>Compare its voltage with the limit of the board.</source>
+        <translation>Seine Spannung mit der Grenze des Boards vergleichen.</translation>
+    </message>
+    <message>
+        <source>The voltage is measured wrongly</source>
+        <translation>Die Spannung wird falsch gemessen</translation>
+    </message>
+    <message>
+        <source>Compare the shown bus voltage with a meter.</source>
+        <translation>Die angezeigte Zwischenkreisspannung mit einem Messgerät vergleichen.</translation>
+    </message>
+    <message>
+        <source>The bus voltage is below its limit.</source>
+        <translation>Die Zwischenkreisspannung liegt unter ihrer Grenze.</translation>
+    </message>
+    <message>
+        <source>The supply&apos;s current limit is reached</source>
+        <translation>Die Strombegrenzung des Netzteils ist erreicht</translation>
+    </message>
+    <message>
+        <source>Raise it, or ask for less current.</source>
+        <translation>Sie erhöhen oder weniger Strom verlangen.</translation>
+    </message>
+    <message>
+        <source>The supply is off or connected badly</source>
+        <translation>Das Netzteil ist aus oder schlecht angeschlossen</translation>
+    </message>
+    <message>
+        <source>Measure at the board&apos;s terminals.</source>
+        <translation>An den Klemmen des Boards messen.</translation>
+    </message>
+    <message>
+        <source>The threshold is too high for this supply</source>
+        <translation>Die Schwelle ist für dieses Netzteil zu hoch</translation>
+    </message>
+    <message>
+        <source>Compare it with the nominal voltage.</source>
+        <translation>Sie mit der Nennspannung vergleichen.</translation>
+    </message>
+    <message>
+        <source>The power stage is too hot, or looks so.</source>
+        <translation>Die Leistungsstufe ist zu heiß oder scheint es zu sein.</translation>
+    </message>
+    <message>
+        <source>It is too hot</source>
+        <translation>Sie ist zu heiß</translation>
+    </message>
+    <message>
+        <source>Let it cool; ask for less current.</source>
+        <translation>Abkühlen lassen; weniger Strom verlangen.</translation>
+    </message>
+    <message>
+        <source>The temperature is measured wrongly</source>
+        <translation>Die Temperatur wird falsch gemessen</translation>
+    </message>
+    <message>
+        <source>Compare it with the room&apos;s while the motor is cold; check the sensor&apos;s constants and the threshold.</source>
+        <translation>Bei kaltem Motor mit der Raumtemperatur vergleichen; die Konstanten des Sensors und die Schwelle prüfen.</translation>
+    </message>
+    <message>
+        <source>The firmware found an error of its own.</source>
+        <translation>Die Firmware hat einen eigenen Fehler gefunden.</translation>
+    </message>
+    <message>
+        <source>Its settings contradict one another</source>
+        <translation>Ihre Einstellungen widersprechen sich</translation>
+    </message>
+    <message>
+        <source>Reset the board; undo the last changes.</source>
+        <translation>Das Board zurücksetzen; die letzten Änderungen zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>An error in the firmware</source>
+        <translation>Ein Fehler in der Firmware</translation>
+    </message>
+    <message>
+        <source>Note what was done before and report it to its makers.</source>
+        <translation>Notieren, was davor geschah, und den Herstellern melden.</translation>
+    </message>
+    <message>
+        <source>The phase currents could not be sampled in time.</source>
+        <translation>Die Phasenströme konnten nicht rechtzeitig abgetastet werden.</translation>
+    </message>
+    <message>
+        <source>The modulation leaves no room for sampling</source>
+        <translation>Die Modulation lässt keine Zeit zum Abtasten</translation>
+    </message>
+    <message>
+        <source>Lower the greatest modulation or the PWM frequency.</source>
+        <translation>Die höchste Modulation oder die PWM-Frequenz senken.</translation>
+    </message>
+    <message>
+        <source>The gate driver reports a fault of its own.</source>
+        <translation>Der Gate-Treiber meldet selbst einen Fehler.</translation>
+    </message>
+    <message>
+        <source>Its protection acted: too much current or too little supply</source>
+        <translation>Sein Schutz hat angesprochen: zu viel Strom oder zu wenig Versorgung</translation>
+    </message>
+    <message>
+        <source>Check its supply and the short-circuit threshold.</source>
+        <translation>Seine Versorgung und die Kurzschlussschwelle prüfen.</translation>
+    </message>
+    <message>
+        <source>The wire of its fault line is open</source>
+        <translation>Seine Fehlerleitung ist unterbrochen</translation>
+    </message>
+    <message>
+        <source>Check jumpers and pull-up resistors.</source>
+        <translation>Steckbrücken und Pull-up-Widerstände prüfen.</translation>
+    </message>
+    <message>
+        <source>Nothing is known here about this fault.</source>
+        <translation>Über diesen Fehler ist hier nichts bekannt.</translation>
+    </message>
+    <message>
+        <source>See the documentation of the firmware</source>
+        <translation>Siehe Dokumentation der Firmware</translation>
     </message>
 </context>
 <context>
@@ -616,12 +899,50 @@
         <source>Arm first.</source>
         <translation>Geben Sie zuerst frei.</translation>
     </message>
+    <message>
+        <source>Acknowledge the faults first.</source>
+        <translation>Quittieren Sie zuerst die Fehler.</translation>
+    </message>
+    <message>
+        <source>The motor has to be idle.</source>
+        <translation>Der Motor muss in Ruhe sein.</translation>
+    </message>
+    <message>
+        <source>The fault is still present: remove its cause first.</source>
+        <translation>Der Fehler liegt noch an: Beseitigen Sie zuerst seine Ursache.</translation>
+    </message>
+    <message>
+        <source>There is no fault to acknowledge.</source>
+        <translation>Es gibt keinen Fehler zu quittieren.</translation>
+    </message>
 </context>
 <context>
     <name>MotionQuestion</name>
     <message>
         <source>This will move motor %1. Go on?</source>
         <translation>Dies bewegt Motor %1. Fortfahren?</translation>
+    </message>
+    <message>
+        <source>Expert mode</source>
+        <translation>Expertenmodus</translation>
+    </message>
+    <message>
+        <source>The board does not tell all limits of motor %1.</source>
+        <translation>Das Board nennt nicht alle Grenzen von Motor %1.</translation>
+    </message>
+    <message>
+        <source>Not known: %1</source>
+        <comment>list of limits</comment>
+        <translation>Nicht bekannt: %1</translation>
+    </message>
+    <message>
+        <source>Until the connection ends, set-points of this motor are bounded only by what is known and by your own limits.</source>
+        <translation>Bis die Verbindung endet, begrenzen nur das Bekannte und Ihre eigenen Grenzen die Sollwerte dieses Motors.</translation>
+    </message>
+    <message>
+        <source>motor %1</source>
+        <comment>to be typed</comment>
+        <translation>Motor %1</translation>
     </message>
 </context>
 <context>
@@ -1534,6 +1855,33 @@
     </message>
 </context>
 <context>
+    <name>widgets::BigNumbers</name>
+    <message>
+        <source>Speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Current Iq</source>
+        <translation>Strom Iq</translation>
+    </message>
+    <message>
+        <source>Bus voltage</source>
+        <translation>Zwischenkreisspannung</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Power stage</source>
+        <translation>Leistungsteil</translation>
+    </message>
+    <message>
+        <source>Large numbers</source>
+        <translation>Große Zahlen</translation>
+    </message>
+</context>
+<context>
     <name>widgets::ChannelStrip</name>
     <message>
         <source>Drag registers here or onto the scope, or press Enter in the list.</source>
@@ -1605,6 +1953,49 @@
             <numerusform>%n Signal abgefragt, siehe Kanalleiste</numerusform>
             <numerusform>%n Signale abgefragt, siehe Kanalleiste</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::CommandBox</name>
+    <message>
+        <source>Arm: allow commands</source>
+        <translation>Freigeben: Befehle zulassen</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Acknowledge faults</source>
+        <translation>Fehler quittieren</translation>
+    </message>
+    <message>
+        <source>Start motor</source>
+        <translation>Motor starten</translation>
+    </message>
+    <message>
+        <source>Stop (Esc)</source>
+        <translation>Stopp (Esc)</translation>
+    </message>
+    <message>
+        <source>Starts the motor (Ctrl+Enter).</source>
+        <translation>Startet den Motor (Strg+Eingabe).</translation>
+    </message>
+    <message>
+        <source>Acknowledges the faults that are over (Ctrl+Backspace).</source>
+        <translation>Quittiert die Fehler, die vorbei sind (Strg+Rücktaste).</translation>
+    </message>
+    <message>
+        <source>Until it is armed, nothing that writes or moves leaves Rotorscope. A stop, a lost link and a new connection disarm.</source>
+        <translation>Ohne Freigabe verlässt nichts Rotorscope, was schreibt oder bewegt. Ein Stopp, eine verlorene und eine neue Verbindung heben die Freigabe auf.</translation>
+    </message>
+    <message>
+        <source>Connect to a board first.</source>
+        <translation>Verbinden Sie zuerst ein Board.</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Quittieren</translation>
     </message>
 </context>
 <context>
@@ -1686,137 +2077,40 @@
 <context>
     <name>widgets::ControlPanel</name>
     <message>
-        <source>Arm: allow commands</source>
-        <translation>Freigeben: Befehle zulassen</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Starten</translation>
-    </message>
-    <message>
-        <source>Start motor</source>
-        <translation>Motor starten</translation>
-    </message>
-    <message>
-        <source>Acknowledge faults</source>
-        <translation>Fehler quittieren</translation>
-    </message>
-    <message>
-        <source>Speed set-point in rpm</source>
-        <translation>Drehzahlsollwert in U/min</translation>
-    </message>
-    <message>
-        <source>Ramp time in milliseconds</source>
-        <translation>Rampenzeit in Millisekunden</translation>
-    </message>
-    <message>
-        <source>Go</source>
-        <comment>send the speed ramp</comment>
-        <translation>Anfahren</translation>
-    </message>
-    <message>
-        <source>Stop ramp</source>
-        <translation>Rampe anhalten</translation>
-    </message>
-    <message>
-        <source>Speed [rpm]</source>
-        <translation>Drehzahl [U/min]</translation>
-    </message>
-    <message>
-        <source>Ramp time</source>
-        <translation>Rampenzeit</translation>
-    </message>
-    <message>
-        <source>Measured speed</source>
-        <translation>Istdrehzahl</translation>
-    </message>
-    <message>
-        <source>Speed reference</source>
-        <translation>Drehzahlsollwert</translation>
-    </message>
-    <message>
-        <source>Current Iq</source>
-        <translation>Strom Iq</translation>
-    </message>
-    <message>
-        <source>Bus voltage</source>
-        <translation>Zwischenkreisspannung</translation>
-    </message>
-    <message>
-        <source>Power stage</source>
-        <translation>Leistungsteil</translation>
-    </message>
-    <message>
         <source>rpm</source>
         <translation>U/min</translation>
     </message>
     <message>
-        <source>No fault present</source>
-        <translation>Kein Fehler liegt an</translation>
+        <source>Change…</source>
+        <comment>the limits</comment>
+        <translation>Ändern…</translation>
     </message>
     <message>
-        <source>Present: %1</source>
-        <translation>Liegt an: %1</translation>
+        <source>Change own limits</source>
+        <translation>Eigene Grenzen ändern</translation>
     </message>
     <message>
-        <source>To acknowledge: %1</source>
-        <translation>Zu quittieren: %1</translation>
+        <source>not known</source>
+        <comment>a limit</comment>
+        <translation>nicht bekannt</translation>
     </message>
     <message>
-        <source>Connect to a board first.</source>
-        <translation>Verbinden Sie zuerst ein Board.</translation>
+        <source>%1 (yours)</source>
+        <comment>a limit of the person&apos;s own</comment>
+        <translation>%1 (Ihre)</translation>
     </message>
     <message>
-        <source>Acknowledge the faults first.</source>
-        <translation>Quittieren Sie zuerst die Fehler.</translation>
+        <source>Limits: not known before a board is connected</source>
+        <translation>Grenzen: erst bekannt, wenn ein Board verbunden ist</translation>
     </message>
     <message>
-        <source>The motor has to be idle.</source>
-        <translation>Der Motor muss in Ruhe sein.</translation>
+        <source>Limits: %1, %2</source>
+        <comment>speed, current</comment>
+        <translation>Grenzen: %1, %2</translation>
     </message>
     <message>
-        <source>The fault is still present: remove its cause first.</source>
-        <translation>Der Fehler liegt noch an: Beseitigen Sie zuerst seine Ursache.</translation>
-    </message>
-    <message>
-        <source>There is no fault to acknowledge.</source>
-        <translation>Es gibt keinen Fehler zu quittieren.</translation>
-    </message>
-    <message>
-        <source>Starts the motor (Ctrl+Enter).</source>
-        <translation>Startet den Motor (Strg+Eingabe).</translation>
-    </message>
-    <message>
-        <source>Acknowledges the faults that are over (Ctrl+Backspace).</source>
-        <translation>Quittiert die Fehler, die vorbei sind (Strg+Rücktaste).</translation>
-    </message>
-    <message>
-        <source>Until it is armed, nothing that writes or moves leaves Rotorscope. A stop, a lost link and a new connection disarm.</source>
-        <translation>Ohne Freigabe verlässt nichts Rotorscope, was schreibt oder bewegt. Ein Stopp, eine verlorene und eine neue Verbindung heben die Freigabe auf.</translation>
-    </message>
-    <message>
-        <source>Ends a ramp where it is; the motor goes on turning.</source>
-        <translation>Beendet eine Rampe, wo sie gerade ist; der Motor dreht weiter.</translation>
-    </message>
-    <message>
-        <source>Sends the set-point as a ramp (Enter in the field does the same).</source>
-        <translation>Sendet den Sollwert als Rampe (die Eingabetaste im Feld tut dasselbe).</translation>
-    </message>
-    <message>
-        <source>Acknowledge</source>
-        <translation>Quittieren</translation>
-    </message>
-    <message>
-        <source>Speed ramp</source>
-        <translation>Drehzahlrampe</translation>
-    </message>
-    <message>
-        <source>Stop (Esc)</source>
-        <translation>Stopp (Esc)</translation>
-    </message>
-    <message>
-        <source>Faults are not known</source>
-        <translation>Fehler sind nicht bekannt</translation>
+        <source>Expert mode: the board does not tell all limits.</source>
+        <translation>Expertenmodus: Das Board nennt nicht alle Grenzen.</translation>
     </message>
 </context>
 <context>
@@ -2113,6 +2407,29 @@
     <message>
         <source>%1 exists already. Choose another name.</source>
         <translation>%1 gibt es schon. Wählen Sie einen anderen Namen.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FaultHelp</name>
+    <message>
+        <source>Faults and their causes</source>
+        <translation>Fehler und ihre Ursachen</translation>
+    </message>
+    <message>
+        <source>Faults are not known</source>
+        <translation>Fehler sind nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Motor %1 has no fault.</source>
+        <translation>Motor %1 hat keinen Fehler.</translation>
+    </message>
+    <message>
+        <source>Present at motor %1</source>
+        <translation>An Motor %1 vorhanden</translation>
+    </message>
+    <message>
+        <source>Over, to be acknowledged</source>
+        <translation>Vorbei, zu quittieren</translation>
     </message>
 </context>
 <context>
@@ -2529,6 +2846,80 @@
     </message>
 </context>
 <context>
+    <name>widgets::Jog</name>
+    <message>
+        <source>Jog</source>
+        <translation>Tippen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::JogBox</name>
+    <message>
+        <source>hold</source>
+        <translation>halten</translation>
+    </message>
+    <message>
+        <source>Jog backwards while held</source>
+        <translation>Tippen rückwärts, solange gehalten</translation>
+    </message>
+    <message>
+        <source>Jog forwards while held</source>
+        <translation>Tippen vorwärts, solange gehalten</translation>
+    </message>
+    <message>
+        <source>Jog speed in rpm</source>
+        <translation>Drehzahl beim Tippen in U/min</translation>
+    </message>
+    <message>
+        <source>Jog [rpm]</source>
+        <translation>Tippen [rpm]</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>rpm</translation>
+    </message>
+    <message>
+        <source>Turns the motor while it is held, with the pointer or the Enter key; letting go stops it.</source>
+        <translation>Dreht den Motor, solange gehalten wird, mit dem Zeiger oder der Eingabetaste; Loslassen stoppt ihn.</translation>
+    </message>
+    <message>
+        <source>The motor is being jogged.</source>
+        <translation>Der Motor wird gerade getippt.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::LimitsDialog</name>
+    <message>
+        <source>Own limits</source>
+        <translation>Eigene Grenzen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>no limit</comment>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>No set-point beyond these is sent, to any motor and any board. Where the board&apos;s own limits are lower, those count. Leave a field empty for no limit of your own.</source>
+        <translation>Kein Sollwert über diesen Grenzen wird gesendet, an keinen Motor und kein Board. Wo die Grenzen des Boards niedriger sind, gelten diese. Ein leeres Feld heißt: keine eigene Grenze.</translation>
+    </message>
+    <message>
+        <source>Greatest &amp;speed [rpm]</source>
+        <translation>Höchste &amp;Drehzahl [rpm]</translation>
+    </message>
+    <message>
+        <source>Greatest &amp;current [A]</source>
+        <translation>Höchster &amp;Strom [A]</translation>
+    </message>
+    <message>
+        <source>A limit is a plain number above 0, or nothing.</source>
+        <translation>Eine Grenze ist eine einfache Zahl über 0 oder nichts.</translation>
+    </message>
+</context>
+<context>
     <name>widgets::MainWindow</name>
     <message>
         <source>Run</source>
@@ -2852,6 +3243,10 @@
         <source>Ramps</source>
         <translation>Rampen</translation>
     </message>
+    <message>
+        <source>Large &amp;numbers</source>
+        <translation>Große &amp;Zahlen</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MotionGate</name>
@@ -2888,6 +3283,10 @@
         <source>Motor %1: %2</source>
         <comment>number, change</comment>
         <translation>Motor %1: %2</translation>
+    </message>
+    <message>
+        <source>Nothing moves now: press and hold again after you have agreed.</source>
+        <translation>Jetzt bewegt sich nichts: Nach dem Zustimmen erneut drücken und halten.</translation>
     </message>
 </context>
 <context>
@@ -3533,6 +3932,33 @@
     <message>
         <source>Measured</source>
         <translation>Gemessen</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ReadoutBox</name>
+    <message>
+        <source>Measured speed</source>
+        <translation>Istdrehzahl</translation>
+    </message>
+    <message>
+        <source>Speed reference</source>
+        <translation>Drehzahlsollwert</translation>
+    </message>
+    <message>
+        <source>Current Iq</source>
+        <translation>Strom Iq</translation>
+    </message>
+    <message>
+        <source>Bus voltage</source>
+        <translation>Zwischenkreisspannung</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Power stage</source>
+        <translation>Leistungsteil</translation>
     </message>
 </context>
 <context>
@@ -4360,6 +4786,111 @@ mN·m</translation>
     </message>
 </context>
 <context>
+    <name>widgets::SetpointBox</name>
+    <message>
+        <source>Speed set-point in rpm</source>
+        <translation>Drehzahlsollwert in U/min</translation>
+    </message>
+    <message>
+        <source>Torque set-point in ampere</source>
+        <translation>Drehmomentsollwert in Ampere</translation>
+    </message>
+    <message>
+        <source>Reference of the current Iq in ampere</source>
+        <translation>Sollwert des Stroms Iq in Ampere</translation>
+    </message>
+    <message>
+        <source>Reference of the current Id in ampere</source>
+        <translation>Sollwert des Stroms Id in Ampere</translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <comment>send the set-point</comment>
+        <translation>Anfahren</translation>
+    </message>
+    <message>
+        <source>Stop ramp</source>
+        <translation>Rampe anhalten</translation>
+    </message>
+    <message>
+        <source>Kind of set-point</source>
+        <translation>Art des Sollwerts</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <comment>kind of set-point</comment>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Torque (Iq)</source>
+        <comment>kind of set-point</comment>
+        <translation>Drehmoment (Iq)</translation>
+    </message>
+    <message>
+        <source>Currents (Iq, Id)</source>
+        <comment>kind of set-point</comment>
+        <translation>Ströme (Iq, Id)</translation>
+    </message>
+    <message>
+        <source>Ramp time in milliseconds</source>
+        <translation>Rampenzeit in Millisekunden</translation>
+    </message>
+    <message>
+        <source>Ramp time</source>
+        <translation>Rampenzeit</translation>
+    </message>
+    <message>
+        <source>Id [A]</source>
+        <translation>Id [A]</translation>
+    </message>
+    <message>
+        <source>Speed [rpm]</source>
+        <translation>Drehzahl [U/min]</translation>
+    </message>
+    <message>
+        <source>Iq [A]</source>
+        <translation>Iq [A]</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>rpm</translation>
+    </message>
+    <message>
+        <source>controls speed</source>
+        <comment>the board does now</comment>
+        <translation>regelt Drehzahl</translation>
+    </message>
+    <message>
+        <source>controls torque</source>
+        <comment>the board does now</comment>
+        <translation>regelt Drehmoment</translation>
+    </message>
+    <message>
+        <source>Ends a ramp where it is; the motor goes on turning.</source>
+        <translation>Beendet eine Rampe, wo sie gerade ist; der Motor dreht weiter.</translation>
+    </message>
+    <message>
+        <source>Sets both currents at once (Enter in a field does the same).</source>
+        <translation>Setzt beide Ströme sofort (ebenso die Eingabetaste in einem Feld).</translation>
+    </message>
+    <message>
+        <source>Sends the set-point as a ramp (Enter in the field does the same).</source>
+        <translation>Sendet den Sollwert als Rampe (die Eingabetaste im Feld tut dasselbe).</translation>
+    </message>
+    <message>
+        <source>Speed ramp</source>
+        <translation>Drehzahlrampe</translation>
+    </message>
+    <message>
+        <source>Torque ramp</source>
+        <translation>Drehmomentrampe</translation>
+    </message>
+    <message>
+        <source>Current reference</source>
+        <translation>Stromsollwert</translation>
+    </message>
+</context>
+<context>
     <name>widgets::SetpointEdit</name>
     <message>
         <source>The limit is %1 %2.</source>
@@ -4736,6 +5267,49 @@ mN·m</translation>
     <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StateBox</name>
+    <message>
+        <source>Causes…</source>
+        <translation>Ursachen…</translation>
+    </message>
+    <message>
+        <source>What these faults mean and what to try</source>
+        <translation>Was diese Fehler bedeuten und was zu versuchen ist</translation>
+    </message>
+    <message>
+        <source>Motor %1: %2</source>
+        <comment>number, state</comment>
+        <translation>Motor %1: %2</translation>
+    </message>
+    <message>
+        <source>Faults are not known</source>
+        <translation>Fehler sind nicht bekannt</translation>
+    </message>
+    <message>
+        <source>No fault present</source>
+        <translation>Kein Fehler liegt an</translation>
+    </message>
+    <message>
+        <source>Present: %1</source>
+        <translation>Liegt an: %1</translation>
+    </message>
+    <message>
+        <source>To acknowledge: %1</source>
+        <translation>Zu quittieren: %1</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StateStrip</name>
+    <message>
+        <source>State of the motor: not known</source>
+        <translation>Zustand des Motors: nicht bekannt</translation>
+    </message>
+    <message>
+        <source>State of the motor: %1</source>
+        <translation>Zustand des Motors: %1</translation>
     </message>
 </context>
 <context>

@@ -127,6 +127,14 @@
         <source>Keep the traces as a reference; drop it</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Motion log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Large numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -205,6 +213,281 @@
     </message>
     <message>
         <source>It cannot be edited here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Fault</name>
+    <message>
+        <source>The motor did not come up to a speed at which it can be seen without a sensor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The start-up is too short or too weak for rotor and load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the ramp longer and its current larger, within the motor&apos;s nominal current; end it at 30 to 40 % of the greatest speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The observer does not settle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower its gain G2; lower the least speed at which it is believed to about 10 % of the greatest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor&apos;s values are not right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check resistance, inductance, the back-EMF constant and the pole pairs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The load is too large, or the rotor is blocked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try without the load.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The measured or estimated speed is not to be relied on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The observer is too quick for this motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower its gain G2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The speed changes too fast after the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take gentler ramps; go through low speeds quickly.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The test of the speed is too strict</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allow 4 to 5 failed readings in a row.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sensor or its wiring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the order of phases and sensor wires, and the driver&apos;s fault line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The power stage switched itself off because of too much current.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shunt, amplification or topology are set wrongly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare the current scale with the hardware.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The current loop oscillates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower the bandwidth of the current loop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The step of current is too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a slower ramp or a smaller current.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A short circuit, or a damaged stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the power, then measure between the phases and to ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The control loop did not finish within its period.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The control rate is too high for this processor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower the PWM frequency or the control rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too many signals are recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record fewer signals, or only every second sample.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The firmware was built without optimisation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Build it for release.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bus voltage is above its limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor feeds energy back while it brakes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slow down more gently, or connect a brake resistor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The supply is set too high</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare its voltage with the limit of the board.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The voltage is measured wrongly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare the shown bus voltage with a meter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bus voltage is below its limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The supply&apos;s current limit is reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Raise it, or ask for less current.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The supply is off or connected badly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure at the board&apos;s terminals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The threshold is too high for this supply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare it with the nominal voltage.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The power stage is too hot, or looks so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is too hot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let it cool; ask for less current.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The temperature is measured wrongly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare it with the room&apos;s while the motor is cold; check the sensor&apos;s constants and the threshold.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The firmware found an error of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its settings contradict one another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset the board; undo the last changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An error in the firmware</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note what was done before and report it to its makers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The phase currents could not be sampled in time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The modulation leaves no room for sampling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower the greatest modulation or the PWM frequency.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gate driver reports a fault of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its protection acted: too much current or too little supply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check its supply and the short-circuit threshold.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The wire of its fault line is open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check jumpers and pull-up resistors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is known here about this fault.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See the documentation of the firmware</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -616,11 +899,49 @@
         <source>Arm first.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Acknowledge the faults first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor has to be idle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The fault is still present: remove its cause first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no fault to acknowledge.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>MotionQuestion</name>
     <message>
         <source>This will move motor %1. Go on?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expert mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board does not tell all limits of motor %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not known: %1</source>
+        <comment>list of limits</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Until the connection ends, set-points of this motor are bounded only by what is known and by your own limits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motor %1</source>
+        <comment>to be typed</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1534,6 +1855,33 @@
     </message>
 </context>
 <context>
+    <name>widgets::BigNumbers</name>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current Iq</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bus voltage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Large numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::ChannelStrip</name>
     <message>
         <source>Drag registers here or onto the scope, or press Enter in the list.</source>
@@ -1605,6 +1953,49 @@
             <numerusform>%n signal polled, see the chips</numerusform>
             <numerusform>%n signals polled, see the chips</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::CommandBox</name>
+    <message>
+        <source>Arm: allow commands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acknowledge faults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the motor (Ctrl+Enter).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acknowledges the faults that are over (Ctrl+Backspace).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Until it is armed, nothing that writes or moves leaves Rotorscope. A stop, a lost link and a new connection disarm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect to a board first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1686,136 +2077,39 @@
 <context>
     <name>widgets::ControlPanel</name>
     <message>
-        <source>Arm: allow commands</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Start motor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Acknowledge faults</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed set-point in rpm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ramp time in milliseconds</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Go</source>
-        <comment>send the speed ramp</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop ramp</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed [rpm]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ramp time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Measured speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed reference</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Current Iq</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Bus voltage</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Power stage</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>rpm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No fault present</source>
+        <source>Change…</source>
+        <comment>the limits</comment>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Present: %1</source>
+        <source>Change own limits</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>To acknowledge: %1</source>
+        <source>not known</source>
+        <comment>a limit</comment>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Connect to a board first.</source>
+        <source>%1 (yours)</source>
+        <comment>a limit of the person&apos;s own</comment>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Acknowledge the faults first.</source>
+        <source>Limits: not known before a board is connected</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The motor has to be idle.</source>
+        <source>Limits: %1, %2</source>
+        <comment>speed, current</comment>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The fault is still present: remove its cause first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There is no fault to acknowledge.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Starts the motor (Ctrl+Enter).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Acknowledges the faults that are over (Ctrl+Backspace).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Until it is armed, nothing that writes or moves leaves Rotorscope. A stop, a lost link and a new connection disarm.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ends a ramp where it is; the motor goes on turning.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sends the set-point as a ramp (Enter in the field does the same).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Acknowledge</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed ramp</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop (Esc)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Faults are not known</source>
+        <source>Expert mode: the board does not tell all limits.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2112,6 +2406,29 @@
     </message>
     <message>
         <source>%1 exists already. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FaultHelp</name>
+    <message>
+        <source>Faults and their causes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Faults are not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1 has no fault.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Present at motor %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over, to be acknowledged</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2529,6 +2846,80 @@
     </message>
 </context>
 <context>
+    <name>widgets::Jog</name>
+    <message>
+        <source>Jog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::JogBox</name>
+    <message>
+        <source>hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog backwards while held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog forwards while held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog speed in rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog [rpm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns the motor while it is held, with the pointer or the Enter key; letting go stops it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor is being jogged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::LimitsDialog</name>
+    <message>
+        <source>Own limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>no limit</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No set-point beyond these is sent, to any motor and any board. Where the board&apos;s own limits are lower, those count. Leave a field empty for no limit of your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest &amp;speed [rpm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest &amp;current [A]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A limit is a plain number above 0, or nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::MainWindow</name>
     <message>
         <source>Run</source>
@@ -2852,6 +3243,10 @@
         <source>Ramps</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Large &amp;numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::MotionGate</name>
@@ -2887,6 +3282,10 @@
     <message>
         <source>Motor %1: %2</source>
         <comment>number, change</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing moves now: press and hold again after you have agreed.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3532,6 +3931,33 @@
     </message>
     <message>
         <source>Measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ReadoutBox</name>
+    <message>
+        <source>Measured speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current Iq</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bus voltage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power stage</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4354,6 +4780,111 @@ mN·m</source>
     </message>
 </context>
 <context>
+    <name>widgets::SetpointBox</name>
+    <message>
+        <source>Speed set-point in rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque set-point in ampere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference of the current Iq in ampere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference of the current Id in ampere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <comment>send the set-point</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind of set-point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <comment>kind of set-point</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque (Iq)</source>
+        <comment>kind of set-point</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Currents (Iq, Id)</source>
+        <comment>kind of set-point</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ramp time in milliseconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ramp time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Id [A]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed [rpm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iq [A]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>controls speed</source>
+        <comment>the board does now</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>controls torque</source>
+        <comment>the board does now</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends a ramp where it is; the motor goes on turning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sets both currents at once (Enter in a field does the same).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sends the set-point as a ramp (Enter in the field does the same).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::SetpointEdit</name>
     <message>
         <source>The limit is %1 %2.</source>
@@ -4729,6 +5260,49 @@ mN·m</source>
     </message>
     <message>
         <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StateBox</name>
+    <message>
+        <source>Causes…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What these faults mean and what to try</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1: %2</source>
+        <comment>number, state</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Faults are not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No fault present</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Present: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To acknowledge: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StateStrip</name>
+    <message>
+        <source>State of the motor: not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State of the motor: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

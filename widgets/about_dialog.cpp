@@ -104,6 +104,8 @@ void showKeys(QWidget *parent)
         {QStringLiteral("\u2190 \u2192"),
             About::tr("Move the cursor by a sample, else the picture")},
         {QStringLiteral("Ctrl+Shift+E"), About::tr("Export CSV")},
+        {QStringLiteral("Ctrl+Shift+L"), About::tr("Motion log")},
+        {QStringLiteral("F9"), About::tr("Large numbers")},
         {QStringLiteral("F11"), About::tr("Full screen")},
     };
     for (const auto &[key, what] : keys) {

@@ -1,24 +1,25 @@
-// ControlPanel: state, faults and commands of one motor. What can be pressed follows from what the device has said;
-// what cannot says why in its tool tip. Nothing here sends without a person's act.
+// ControlPanel: state, faults and commands of one motor. State, faults, arming, start and stop stay in view; what is
+// below them scrolls. What can be pressed follows from what the device has said; what cannot says why in its tool tip.
+// Nothing here sends without a person's act, and what moves goes through the MotionGate.
 #pragma once
 
 #include "widgets/device.h"
-#include "widgets/motion_allowed.h"
 #include "widgets/register_model.h"
 
 #include <QWidget>
 
-class QCheckBox;
 class QLabel;
-class QSpinBox;
-class QFormLayout;
+class QToolButton;
 
 namespace widgets {
 
+class CommandBox;
+class JogBox;
 class MotionGate;
-class MotorButton;
+class ReadoutBox;
+class SetpointBox;
 class SetpointEdit;
-class StopButton;
+class StateBox;
 class StopWords;
 
 class ControlPanel : public QWidget {
@@ -31,7 +32,7 @@ public:
     std::vector<catalog::RegisterId> watchedRegisters() const;
     void refresh(Milliseconds now); ///< ages
 
-    SetpointEdit *speed() const { return m_speed; }
+    SetpointEdit *speed() const;
     QString startHint() const; ///< what Start does, or why it cannot be pressed
     QString acknowledgeHint() const;
 
@@ -44,55 +45,24 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void watchedRegistersChanged();
-
-protected:
-    void changeEvent(QEvent *event) override;
+    void limitsWanted(); ///< a person wants to change their own limits
 
 private:
-    using Allowed = MotionAllowed;
-    Allowed allowed(drive::Feature feature) const;
-    Allowed startAllowed() const;
-    Allowed acknowledgeAllowed() const;
-
-    QWidget *makeState();
-    QWidget *makeCommands();
-    QWidget *makeSpeed();
-    QWidget *makeReadouts();
-    void updateButtons();
-    void updateState();
-    void updateLimits();
-    void updateReadouts();
-    void resolveReadouts();
-    void takeReference();
+    QWidget *makeBody();
+    void follow();
+    void showLimits();
     void stopAdvanced(const drive::StopProgress &progress);
 
     Device &m_device;
-    RegisterModel &m_registers;
-    MotionGate &m_motion;
-
-    QLabel *m_state = nullptr;
-    QLabel *m_faultsNow = nullptr;
-    QLabel *m_faultsPast = nullptr;
-    QCheckBox *m_arm = nullptr;
-    MotorButton *m_start = nullptr;
-    StopButton *m_stop = nullptr;
-    MotorButton *m_acknowledge = nullptr;
-    SetpointEdit *m_speed = nullptr;
-    QLabel *m_echo = nullptr;
-    QSpinBox *m_rampTime = nullptr;
-    MotorButton *m_go = nullptr;
-    MotorButton *m_stopRamp = nullptr;
-    StopWords *m_words = nullptr;
-    struct Readout {
-        const char *name = nullptr;
-        QLabel *label = nullptr;
-        QLabel *value = nullptr;
-        std::optional<catalog::RegisterId> id;
-    };
-    std::vector<Readout> m_readouts;
+    StateBox *m_state;
+    CommandBox *m_commands;
+    SetpointBox *m_setpoints;
+    JogBox *m_jog;
+    ReadoutBox *m_readouts;
+    QLabel *m_limits;
+    QToolButton *m_changeLimits;
+    StopWords *m_words;
     Milliseconds m_now{};
-    bool m_takeReference =
-        false; ///< the speed field still has to be given the board's own set-point
 };
 
 } // namespace widgets

@@ -2,6 +2,7 @@
 
 #include "session/whole_file.h"
 #include "widgets/banner.h"
+#include "widgets/big_numbers.h"
 #include "widgets/channel_strip.h"
 #include "widgets/connect_bar.h"
 #include "widgets/control_panel.h"
@@ -13,6 +14,7 @@
 #include "widgets/first_steps.h"
 #include "widgets/forms/ramp_form.h"
 #include "widgets/lamp.h"
+#include "widgets/limits_dialog.h"
 #include "widgets/messages.h"
 #include "widgets/motion_question.h"
 #include "widgets/motor_button.h"
@@ -33,7 +35,7 @@
 #include <QHBoxLayout>
 #include <QMenuBar>
 #include <QPainter>
-#include <QScrollArea>
+#include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -100,6 +102,7 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     setWindowTitle(QStringLiteral("Rotorscope"));
     new ShortcutGuard(this);
     m_workbench.registers().setPinned(settings.pinned);
+    m_device.setUserLimits({settings.maxSpeedRpm, settings.maxCurrentAmps});
     m_connectBar->setEndpoint(settings.port, settings.baud);
 
     makeScopeActions();
@@ -129,6 +132,8 @@ Settings MainWindow::settings() const
     now.port = m_connectBar->path();
     if (m_connectBar->baud() > 0)
         now.baud = m_connectBar->baud();
+    now.maxSpeedRpm = m_device.userLimits().maxSpeedRpm;
+    now.maxCurrentAmps = m_device.userLimits().maxCurrentAmps;
     now.pinned = m_workbench.registers().pinned();
     now.registerColumns = m_registerPanel->columns();
     now.snapshotFolder = m_snapshotPanel->folder();
@@ -259,10 +264,10 @@ QWidget *MainWindow::makeCentre()
 {
     auto *centre = new QWidget(this);
     m_firstSteps = new FirstSteps(m_device, centre);
-    auto *layout = new QVBoxLayout(centre);
+    auto *picture = new QWidget(centre);
+    auto *layout = new QVBoxLayout(picture);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(m_firstSteps);
     layout->addWidget(makeScopeBar());
     auto *trigger = new TriggerBar(*m_trigger, *m_scope, centre);
     layout->addWidget(trigger);
@@ -270,6 +275,15 @@ QWidget *MainWindow::makeCentre()
     layout->addWidget(m_scope, 1);
     layout->addWidget(new CursorPanel(*m_scope, m_workbench.capture(), centre));
     layout->addWidget(new ChannelStrip(*m_selection, m_device, centre));
+    m_bigNumbers = new BigNumbers(m_device, m_workbench.registers(), centre);
+    m_pages = new QStackedWidget(centre);
+    m_pages->addWidget(picture);
+    m_pages->addWidget(m_bigNumbers);
+    auto *pages = new QVBoxLayout(centre);
+    pages->setContentsMargins(0, 0, 0, 0);
+    pages->setSpacing(0);
+    pages->addWidget(m_firstSteps);
+    pages->addWidget(m_pages, 1);
     m_scope->setMinimumSize(320, 160);
     return centre;
 }
@@ -280,12 +294,6 @@ void MainWindow::makeDocks()
     m_registerPanel->setMinimumWidth(kRegisterMinimum);
     m_registerPanel->setColumns(m_settings.registerColumns);
     m_control = new ControlPanel(m_device, m_workbench.registers(), m_workbench.motion(), this);
-    auto *scroll = new QScrollArea(this);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setWidget(m_control);
 
     const auto dock = [this](const QString &title, const char *name, QWidget *content,
                           Qt::DockWidgetArea area) {
@@ -300,8 +308,7 @@ void MainWindow::makeDocks()
         return widget;
     };
     m_registerDock = dock(tr("Registers"), "registerDock", m_registerPanel, Qt::LeftDockWidgetArea);
-    auto *right = dock(tr("Control"), "controlDock", scroll, Qt::RightDockWidgetArea);
-    scroll->setMinimumWidth(m_control->minimumSizeHint().width());
+    auto *right = dock(tr("Control"), "controlDock", m_control, Qt::RightDockWidgetArea);
     resizeDocks({m_registerDock, right},
         {kRegisterWidth, std::max(kControlWidth, m_control->minimumSizeHint().width())},
         Qt::Horizontal);
@@ -315,7 +322,8 @@ void MainWindow::connectParts()
     };
     connect(m_connectBar, &ConnectBar::refused, this, note);
     connect(&m_workbench.motion(), &MotionGate::failed, this, note);
-    showMotionQuestions(m_workbench.motion(), this);
+    showMotionQuestions(m_workbench.motion(), m_device, this);
+    connect(m_control, &ControlPanel::limitsWanted, this, &MainWindow::askForLimits);
     connect(m_selection, &SignalSelection::failed, this, note);
     connect(m_registerPanel, &RegisterPanel::registersChosen, m_selection,
         [this](const QList<quint32> &ids) {
@@ -331,7 +339,9 @@ void MainWindow::connectParts()
     WatchList &watch = m_workbench.watchList();
     watch.addSource([this] { return m_selection->plan().polled; });
     watch.addSource([this] { return m_control->watchedRegisters(); });
+    watch.addSource([this] { return m_bigNumbers->watchedRegisters(); });
     watch.addSource([this] { return m_registerPanel->visibleRegisters(); });
+    connect(m_bigNumbers, &BigNumbers::watchedRegistersChanged, &watch, &WatchList::changed);
     connect(m_selection, &SignalSelection::changed, &watch, &WatchList::changed);
     connect(m_control, &ControlPanel::watchedRegistersChanged, &watch, &WatchList::changed);
     connect(m_registerPanel, &RegisterPanel::visibleRegistersChanged, &watch, &WatchList::changed);
@@ -431,6 +441,16 @@ void MainWindow::stopAdvanced(const drive::StopProgress &progress)
     else if (progress.word == drive::StopWord::Standstill)
         m_alarm->confirmedLate();
 }
+
+void MainWindow::askForLimits()
+{
+    auto *dialog = new LimitsDialog(m_device.userLimits(), this);
+    connect(dialog, &LimitsDialog::chosen, &m_device, &Device::setUserLimits);
+    dialog->open();
+}
+
+/// The numbers take the place of the picture; everything around it stays.
+void MainWindow::showBigNumbers(bool shown) { m_pages->setCurrentIndex(shown ? 1 : 0); }
 
 void MainWindow::exportCsv()
 {

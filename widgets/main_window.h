@@ -13,9 +13,11 @@
 class QDockWidget;
 class QMenu;
 class QMenuBar;
+class QStackedWidget;
 
 namespace widgets {
 
+class BigNumbers;
 class ConnectBar;
 class ControlPanel;
 class EventRecorder;
@@ -95,6 +97,8 @@ private:
     void tellLink();
     LinkMessage linkMessage() const;
     void askToDisconnect();
+    void askForLimits();
+    void showBigNumbers(bool shown);
     void stopAdvanced(const drive::StopProgress &progress);
     void updateFrame();
     void askToLeave();
@@ -112,6 +116,8 @@ private:
     TriggerControl *m_trigger;
     ConnectBar *m_connectBar = nullptr;
     ControlPanel *m_control = nullptr;
+    BigNumbers *m_bigNumbers = nullptr;
+    QStackedWidget *m_pages = nullptr; ///< the picture, or the large numbers in its place
     RegisterPanel *m_registerPanel = nullptr;
     RampForm *m_ramps = nullptr;
     QDockWidget *m_registerDock = nullptr;

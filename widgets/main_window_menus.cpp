@@ -114,6 +114,10 @@ void MainWindow::fillViewMenu(QMenu *menu)
             applyTheme(chosen);
         });
     }
+    QAction *numbers = addAction(menu, tr("Large &numbers"), Qt::Key_F9);
+    numbers->setObjectName(QStringLiteral("largeNumbers"));
+    numbers->setCheckable(true);
+    connect(numbers, &QAction::triggered, this, &MainWindow::showBigNumbers);
     QAction *full = addAction(menu, tr("F&ull screen"), Qt::Key_F11);
     full->setCheckable(true);
     connect(

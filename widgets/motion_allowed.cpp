@@ -25,4 +25,30 @@ MotionAllowed motionAllowed(const Device &device, drive::Feature feature)
     return {true, {}};
 }
 
+MotionAllowed startAllowed(const Device &device)
+{
+    const MotionAllowed base = motionAllowed(device, drive::Feature::Start);
+    if (!base.yes)
+        return base;
+    const auto state = device.status(device.motor()).state;
+    if (state == drive::MotorState::FaultNow || state == drive::MotorState::FaultOver)
+        return {false, Motion::tr("Acknowledge the faults first.")};
+    if (state != drive::MotorState::Idle)
+        return {false, Motion::tr("The motor has to be idle.")};
+    return base;
+}
+
+MotionAllowed acknowledgeAllowed(const Device &device)
+{
+    const MotionAllowed base = motionAllowed(device, drive::Feature::AcknowledgeFaults);
+    if (!base.yes)
+        return base;
+    const drive::MotorStatus status = device.status(device.motor());
+    if (!status.faultsNow.empty() || status.state == drive::MotorState::FaultNow)
+        return {false, Motion::tr("The fault is still present: remove its cause first.")};
+    if (status.faultsPast.empty() && status.state != drive::MotorState::FaultOver)
+        return {false, Motion::tr("There is no fault to acknowledge.")};
+    return base;
+}
+
 } // namespace widgets

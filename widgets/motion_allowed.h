@@ -14,5 +14,8 @@ struct MotionAllowed {
 
 /// Connected, available on this board, armed.
 MotionAllowed motionAllowed(const Device &device, drive::Feature feature);
+/// The same for the motor that is shown, in the state it is in.
+MotionAllowed startAllowed(const Device &device);
+MotionAllowed acknowledgeAllowed(const Device &device);
 
 } // namespace widgets

@@ -11,6 +11,7 @@ namespace widgets {
 namespace {
 
 constexpr int kAmpDecimals = 2;
+constexpr std::chrono::milliseconds kJogRamp{200};
 
 int motorOf(const drive::WishContent &act)
 {
@@ -62,15 +63,53 @@ void MotionGate::want(const QString &action, drive::WishContent act)
 
 void MotionGate::want(const QString &action, std::vector<drive::WishContent> acts)
 {
-    if (asking() || acts.empty())
+    if (asking() || acts.empty() || needsExpert(acts))
         return;
     m_action = action;
     m_asked = std::move(acts);
-    if (!wouldAsk(m_asked))
-        return send();
-    MotionQuestion question{motorOf(m_asked.front()), action, {}};
+    m_agreeOnly = false;
+    wouldAsk(m_asked) ? ask() : send();
+}
+
+bool MotionGate::jog(const QString &action, int motor, std::int32_t rpm)
+{
+    std::vector<drive::WishContent> acts{
+        drive::SpeedRamp{motor, rpm, kJogRamp}, drive::Command{drive::MotorAction::Start, motor}};
+    if (asking() || needsExpert(acts))
+        return false;
+    m_action = action;
+    m_asked = std::move(acts);
+    m_agreeOnly = !m_started.contains(motor) && !m_agreed.contains(motor);
+    if (m_agreeOnly) {
+        ask();
+        return false;
+    }
+    send();
+    return true;
+}
+
+/// Whether one of them moves a motor whose limits are not all known: it would be refused.
+bool MotionGate::needsExpert(const std::vector<drive::WishContent> &acts)
+{
+    for (const drive::WishContent &act : acts) {
+        const auto *command = std::get_if<drive::Command>(&act);
+        const bool moves = command == nullptr || command->action == drive::MotorAction::Start;
+        const int motor = motorOf(act);
+        if (moves && !m_device.expert(motor) && !drive::gapsIn(m_device.limits(motor)).empty()) {
+            Q_EMIT expertNeeded(motor);
+            return true;
+        }
+    }
+    return false;
+}
+
+void MotionGate::ask()
+{
+    MotionQuestion question{motorOf(m_asked.front()), m_action, {}};
     for (const drive::WishContent &act : m_asked)
         question.lines += linesOf(act);
+    if (m_agreeOnly)
+        question.lines.append(tr("Nothing moves now: press and hold again after you have agreed."));
     Q_EMIT asked(question);
 }
 
@@ -85,15 +124,19 @@ void MotionGate::confirm()
 {
     if (!asking())
         return;
-    if (m_device.armed() && m_device.answering())
+    if (!m_device.armed() || !m_device.answering())
+        return withdraw();
+    if (!std::exchange(m_agreeOnly, false))
         return send();
-    withdraw();
+    m_agreed.insert(motorOf(m_asked.front()));
+    m_asked.clear();
 }
 
 void MotionGate::decline() { m_asked.clear(); }
 
 void MotionGate::withdraw()
 {
+    m_rest.clear();
     if (!asking())
         return;
     m_asked.clear();
@@ -102,11 +145,17 @@ void MotionGate::withdraw()
 
 void MotionGate::send()
 {
-    const std::vector<drive::WishContent> acts = std::exchange(m_asked, {});
-    for (const drive::WishContent &act : acts) {
-        const int startOf = isStart(act) ? motorOf(act) : 0;
-        m_open.insert(m_device.submit(act), {m_action, startOf});
-    }
+    m_rest = std::exchange(m_asked, {});
+    sendNext();
+}
+
+void MotionGate::sendNext()
+{
+    const drive::WishContent act = m_rest.front();
+    m_rest.erase(m_rest.begin());
+    const Open open{m_action, isStart(act) ? motorOf(act) : 0};
+    m_last = m_device.submit(act);
+    m_open.insert(m_last, open);
 }
 
 void MotionGate::ended(const drive::Ended &ended)
@@ -118,6 +167,12 @@ void MotionGate::ended(const drive::Ended &ended)
         ended.outcome == drive::Outcome::Ok || ended.outcome == drive::Outcome::Unknown;
     if (open.startOf > 0 && mayHaveStarted)
         m_started.insert(open.startOf);
+    if (ended.id == m_last && !m_rest.empty()) {
+        if (ended.outcome == drive::Outcome::Ok && m_device.armed() && m_device.answering())
+            sendNext();
+        else
+            m_rest.clear();
+    }
     if (ended.outcome != drive::Outcome::Ok)
         Q_EMIT failed(failureText(open.action, ended));
 }

@@ -28,14 +28,21 @@ class MotionGate : public QObject {
 public:
     MotionGate(Device &device, RegisterModel &registers, QObject *parent = nullptr);
 
-    /// One act of a person: `action` names it for them. Several wishes are sent one after the other, asked about once.
+    /// One act of a person: `action` names it for them. Several wishes are asked about once, and each is sent when the one
+    /// before has ended well.
     void want(const QString &action, drive::WishContent act);
     void want(const QString &action, std::vector<drive::WishContent> acts);
     /// Whether want() would ask now.
     bool wouldAsk(const std::vector<drive::WishContent> &acts) const;
     bool asking() const { return !m_asked.empty(); }
-    /// A person has agreed to the first start of this motor before it is sent: it will not be asked about again.
-    void agreeToStart(int motor) { m_agreed.insert(motor); }
+    /// A speed and a start as one act that lasts while something is held: sent at once or not at all. Where the start
+    /// has to be asked about, only the agreement is taken, and nothing moves until it is held again.
+    /// @param rpm  within a fifth of the limit, so that nothing but the start can be in question
+    /// @return     whether it was sent
+    bool jog(const QString &action, int motor, std::int32_t rpm);
+
+    /// What of an act of several wishes has not been sent is not sent any more.
+    void dropRest() { m_rest.clear(); }
 
 public Q_SLOTS:
     void confirm();
@@ -43,6 +50,8 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void asked(const widgets::MotionQuestion &question);
+    /// The board does not tell all limits of this motor: nothing was sent, a person has to agree first.
+    void expertNeeded(int motor);
     void withdrawn(); ///< nobody needs to answer any more
     void failed(const QString &sentence); ///< what was sent did not end well
 
@@ -50,8 +59,11 @@ private:
     drive::MotionScene sceneOf(int motor) const;
     std::optional<double> reading(const char *name, int motor) const;
     QStringList linesOf(const drive::WishContent &act) const;
+    bool needsExpert(const std::vector<drive::WishContent> &acts);
+    void ask();
     void send();
     void withdraw();
+    void sendNext();
     void ended(const drive::Ended &ended);
 
     struct Open {
@@ -65,6 +77,9 @@ private:
     QMap<drive::WishId, Open> m_open; ///< sent and not ended
     QString m_action;
     std::vector<drive::WishContent> m_asked; ///< waits for an answer
+    std::vector<drive::WishContent> m_rest; ///< of the act that is being sent
+    drive::WishId m_last = 0; ///< whose end the rest waits for
+    bool m_agreeOnly = false; ///< yes sends nothing
 };
 
 } // namespace widgets

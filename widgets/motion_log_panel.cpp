@@ -35,7 +35,7 @@ MotionLogPanel::MotionLogPanel(MotionLogModel &log, FilePrompt &files, QWidget *
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->horizontalHeader()->setHighlightSections(false);
     const int unit = m_table->fontMetrics().averageCharWidth();
-    const int widths[] = {14, 7, 19, 26, 26, 14};
+    const int widths[] = {18, 8, 20, 26, 26, 14};
     for (int column = 0; column < int(std::size(widths)); ++column)
         m_table->setColumnWidth(column, widths[column] * unit);
 

@@ -1,6 +1,7 @@
 #include "widgets/motion_question.h"
 
 #include "widgets/confirmation.h"
+#include "widgets/messages.h"
 
 #include <QCoreApplication>
 #include <QDialog>
@@ -15,8 +16,34 @@ struct MotionQuestionText {
 
 } // namespace
 
-void showMotionQuestions(MotionGate &gate, QWidget *parent)
+void askForExpert(Device &device, int motor, QWidget *parent)
 {
+    QStringList names;
+    for (const drive::LimitGap gap : drive::gapsIn(device.limits(motor)))
+        names.append(limitGapText(gap));
+    const QString number = QString::number(motor);
+    Confirmation question;
+    question.objectName = "expertQuestion";
+    question.title = MotionQuestionText::tr("Expert mode");
+    question.text =
+        MotionQuestionText::tr("The board does not tell all limits of motor %1.").arg(number);
+    question.lines = {MotionQuestionText::tr("Not known: %1", "list of limits")
+                          .arg(names.join(QLatin1String(", "))),
+        MotionQuestionText::tr("Until the connection ends, set-points of this motor are bounded "
+                               "only by what is known and by your own limits.")};
+    question.yesName = "expertConfirm";
+    question.yes = MotionQuestionText::tr("Expert mode");
+    question.typed = MotionQuestionText::tr("motor %1", "to be typed").arg(number);
+    askToConfirm(parent, question, [device = QPointer(&device), motor](bool yes) {
+        if (yes && device)
+            device->becomeExpert(motor);
+    });
+}
+
+void showMotionQuestions(MotionGate &gate, Device &device, QWidget *parent)
+{
+    QObject::connect(&gate, &MotionGate::expertNeeded, parent,
+        [&device, parent](int motor) { askForExpert(device, motor, parent); });
     QObject::connect(
         &gate, &MotionGate::asked, parent, [&gate, parent](const MotionQuestion &asked) {
             Confirmation question;

@@ -9,6 +9,8 @@
 #include <QSaveFile>
 #include <QStandardPaths>
 
+#include <cmath>
+
 namespace widgets {
 namespace {
 
@@ -51,6 +53,13 @@ QByteArray bytesOf(const QJsonValue &value)
     return QByteArray::fromBase64(value.toString().toLatin1());
 }
 
+/// A limit that is none bounds nothing: better than one that bounds everything or that nobody set.
+double limitOf(const QJsonValue &value)
+{
+    const double limit = value.toDouble(0.0);
+    return std::isfinite(limit) && limit > 0.0 ? limit : 0.0;
+}
+
 } // namespace
 
 QByteArray toJson(const Settings &settings)
@@ -67,6 +76,8 @@ QByteArray toJson(const Settings &settings)
     object[QStringLiteral("inertias")] = inertiasObject(settings.inertias);
     object[QStringLiteral("registerColumns")] =
         QJsonArray::fromStringList(settings.registerColumns);
+    object[QStringLiteral("maxSpeedRpm")] = settings.maxSpeedRpm;
+    object[QStringLiteral("maxCurrentAmps")] = settings.maxCurrentAmps;
     object[QStringLiteral("firstStepsDone")] = settings.firstStepsDone;
     object[QStringLiteral("ramps")] = rampPresetsJson(settings.ramps);
     return QJsonDocument(object).toJson();
@@ -98,6 +109,8 @@ Settings settingsFromJson(const QByteArray &json)
         for (qsizetype i = 0; i < std::min(names.size(), kMostPinned); ++i)
             settings.registerColumns.append(names[i].toString());
     }
+    settings.maxSpeedRpm = limitOf(object[QStringLiteral("maxSpeedRpm")]);
+    settings.maxCurrentAmps = limitOf(object[QStringLiteral("maxCurrentAmps")]);
     settings.firstStepsDone = object[QStringLiteral("firstStepsDone")].toBool(false);
     settings.ramps = rampPresetsOf(object[QStringLiteral("ramps")].toArray());
     return settings;

@@ -26,6 +26,8 @@ struct Settings {
         QStringLiteral("SPEED_KP"), QStringLiteral("SPEED_KI")};
     QMap<QString, double> inertias; ///< of rotor and load in kg m2, by the motor's name
     QStringList registerColumns{QStringLiteral("value"), QStringLiteral("raw")};
+    double maxSpeedRpm = 0.0; ///< a person's own limits; 0: none
+    double maxCurrentAmps = 0.0;
     bool firstStepsDone = false;
     QList<RampPreset> ramps; ///< that a person has named
     bool operator==(const Settings &) const = default;

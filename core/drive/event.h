@@ -89,6 +89,22 @@ struct Capability {
     std::string reason; ///< why not; from core, for a tool tip
 };
 
+enum class MotorState : std::uint8_t {
+    Unknown,
+    Idle,
+    Starting,
+    Running,
+    Stopping,
+    FaultNow,
+    FaultOver
+};
+
+/// One step of what a motor goes through: the firmware's names of the states that it covers.
+struct StateStep {
+    MotorState state = MotorState::Unknown;
+    std::vector<std::string> names;
+};
+
 struct Identified {
     Identity identity;
     std::shared_ptr<const catalog::Catalog> catalog;
@@ -96,6 +112,7 @@ struct Identified {
     StreamLimits streaming;
     std::vector<Capability> capabilities;
     std::size_t requestBytes = 0, responseBytes = 0, streamBytes = 0; ///< negotiated sizes
+    std::vector<StateStep> states = {}; ///< in the order in which a run goes through them
 };
 
 enum class ReadStatus : std::uint8_t { Ok, NotSupported, Refused };
@@ -132,15 +149,6 @@ struct Ended {
     std::vector<WriteResult> writes;
 };
 
-enum class MotorState : std::uint8_t {
-    Unknown,
-    Idle,
-    Starting,
-    Running,
-    Stopping,
-    FaultNow,
-    FaultOver
-};
 struct MotorStatus {
     int motor = 1;
     MotorState state = MotorState::Unknown;

@@ -111,7 +111,7 @@ void McpDrive::tellIdentity()
 {
     Identified event{m_identification.identity(), m_board.catalog, m_board.limits,
         m_board.streaming, m_board.capabilities, m_board.requestBytes, m_board.responseBytes,
-        m_board.streamBytes};
+        m_board.streamBytes, stateSteps()};
     event.identity.watchdog = m_board.watchdog;
     m_events.emplace_back(std::move(event));
 }

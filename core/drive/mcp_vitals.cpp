@@ -52,6 +52,19 @@ MotorState motorStateOf(std::int64_t status)
     }
 }
 
+std::vector<StateStep> stateSteps()
+{
+    std::vector<StateStep> steps;
+    for (const std::initializer_list<std::int64_t> numbers :
+        {std::initializer_list<std::int64_t>{0}, {2, 17, 16, 12, 21, 22, 30}, {4}, {19}, {6},
+            {8, 20}, {10}, {11}}) {
+        steps.push_back({motorStateOf(*numbers.begin()), {}});
+        for (const std::int64_t number : numbers)
+            steps.back().names.push_back(catalog::valueName("STATUS", number));
+    }
+    return steps;
+}
+
 bool isDriveIdle(const MotorStatus &status)
 {
     constexpr std::int64_t kInrushWait = 12;

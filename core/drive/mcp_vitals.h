@@ -59,6 +59,8 @@ private:
 
 /// The neutral state behind a STATUS number.
 MotorState motorStateOf(std::int64_t status);
+/// The states of a run in their order; those before the start, and those that are rare, share a step.
+std::vector<StateStep> stateSteps();
 /// Nothing drives the motor in this state: idle, fault, or waiting for the bus.
 bool isDriveIdle(const MotorStatus &status);
 

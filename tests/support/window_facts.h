@@ -59,7 +59,15 @@ inline drive::Identified identified()
     board.catalog = smallCatalog();
     drive::MotorLimits limits;
     limits.maxSpeedRpm = 4000.0;
+    limits.maxCurrentAmps = 32.0;
+    limits.nominalCurrentAmps = 5.0;
     board.limits = {limits};
+    using drive::MotorState;
+    board.states = {{MotorState::Idle, {"IDLE"}},
+        {MotorState::Starting, {"ALIGNMENT", "OFFSET_CALIB", "CHARGE_BOOT_CAP"}},
+        {MotorState::Starting, {"START"}}, {MotorState::Starting, {"SWITCH_OVER"}},
+        {MotorState::Running, {"RUN"}}, {MotorState::Stopping, {"STOP"}},
+        {MotorState::FaultNow, {"FAULT_NOW"}}, {MotorState::FaultOver, {"FAULT_OVER"}}};
     board.streaming = {16000.0, 4, 2048, 184320.0};
     return board;
 }

@@ -1,15 +1,24 @@
 #include "support/window_facts.h"
 #include "widgets/control_panel.h"
+#include "widgets/fault_help.h"
+#include "widgets/fault_texts.h"
+#include "widgets/limits_dialog.h"
 #include "widgets/motion_gate.h"
+#include "widgets/motion_question.h"
 #include "widgets/motor_button.h"
 #include "widgets/setpoint_edit.h"
 #include "widgets/setpoint_text.h"
+#include "widgets/state_strip.h"
 
 #include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
 #include <QLabel>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTest>
+#include <QToolButton>
 #include <QWheelEvent>
 
 using widgets::SetpointError;
@@ -275,6 +284,205 @@ private Q_SLOTS:
         facts::feed(*m_device, {ended});
         QCOMPARE(failed.size(), 1);
         QVERIFY(failed[0][0].toString().contains(QStringLiteral("CMD_NOK")));
+    }
+
+    void theStripLightsTheFirmwaresState()
+    {
+        facts::connectBoard(*m_device);
+        auto *strip = m_panel->findChild<widgets::StateStrip *>();
+        QVERIFY(strip->litName().isEmpty()); // a state without a name lights nothing
+        const auto show = [&](drive::MotorState state, const char *name) {
+            drive::MotorStatus status = facts::status(state);
+            status.stateName = name;
+            facts::feed(*m_device, {status});
+        };
+        const QImage dark = strip->grab().toImage();
+        show(drive::MotorState::Starting, "CHARGE_BOOT_CAP");
+        QCOMPARE(strip->litName(), QStringLiteral("CHARGE_BOOT_CAP"));
+        QVERIFY(strip->accessibleName().contains(QStringLiteral("CHARGE_BOOT_CAP")));
+        const QImage charging = strip->grab().toImage();
+        QVERIFY(charging != dark);
+        show(drive::MotorState::Running, "RUN");
+        QVERIFY(strip->grab().toImage() != charging);
+        show(drive::MotorState::Unknown, "NEVER_HEARD_OF");
+        QVERIFY(strip->litName().isEmpty());
+        QVERIFY(label("motorState").contains(QStringLiteral("NEVER_HEARD_OF")));
+        show(drive::MotorState::Running, "RUN");
+        facts::feed(
+            *m_device, {drive::LinkChanged{drive::LinkState::Suspect, drive::LinkReason::None}});
+        QVERIFY(strip->litName().isEmpty());
+        QCOMPARE(strip->grab().toImage(), dark);
+    }
+
+    void faultsAreExplained()
+    {
+        facts::connectBoard(*m_device);
+        auto *causes = m_panel->findChild<QToolButton *>(QStringLiteral("faultCauses"));
+        QVERIFY(!causes->isVisible());
+        drive::MotorStatus fault = facts::status(drive::MotorState::FaultNow);
+        fault.faultsNow = {"START_UP"};
+        fault.faultsPast = {"OVER_VOLT", "bit 11"};
+        facts::feed(*m_device, {fault});
+        QVERIFY(causes->isVisible());
+        causes->click();
+        auto *help = m_panel->findChild<widgets::FaultHelp *>();
+        QVERIFY(help && help->isVisible() && !help->isModal());
+        QVERIFY(help->findChild<widgets::StopButton *>()->height() >= 48);
+        const QString text = help->plainText();
+        qsizetype at = 0; // in this order
+        for (const char *part :
+            {"START_UP", "ramp longer", "G2", "OVER_VOLT", "brakes", "bit 11"}) {
+            at = text.indexOf(QString::fromUtf8(part), at);
+            QVERIFY2(at >= 0, part);
+        }
+        facts::feed(*m_device, {facts::status(drive::MotorState::Idle)});
+        QVERIFY(!help->plainText().contains(QStringLiteral("START_UP")));
+        causes->click();
+        QCOMPARE(m_panel->findChildren<widgets::FaultHelp *>().size(), 1);
+    }
+
+    void everyFaultHasCausesAndRemedies()
+    {
+        for (int kind = 0; kind <= int(drive::FaultKind::DriverProtection); ++kind) {
+            const widgets::FaultText text = widgets::faultText(drive::FaultKind(kind));
+            QVERIFY(!text.meaning.isEmpty());
+            QVERIFY(!text.causes.isEmpty());
+            for (const auto &cause : text.causes)
+                QVERIFY(!cause.cause.isEmpty());
+        }
+    }
+
+    void eachKindOfSetPointIsItsOwnWish()
+    {
+        arm();
+        auto *mode = m_panel->findChild<QComboBox *>(QStringLiteral("setpointMode"));
+        const auto edit = [this](const char *name) {
+            return m_panel->findChild<widgets::SetpointEdit *>(QLatin1String(name));
+        };
+        QVERIFY(edit("speed")->isVisible() && !edit("torque")->isVisible());
+        mode->setCurrentIndex(1);
+        QVERIFY(m_wishes.empty()); // choosing sends nothing
+        QVERIFY(!edit("speed")->isVisible() && edit("torque")->isVisible());
+        QCOMPARE(edit("torque")->limit(), 5.0);
+        edit("torque")->setText(QStringLiteral("-1,25"));
+        QTest::keyClick(edit("torque"), Qt::Key_Return);
+        QCOMPARE(m_wishes.size(), 1U);
+        QCOMPARE(std::get<drive::TorqueRamp>(m_wishes[0].what).amps, -1.25);
+        edit("torque")->setText(QStringLiteral("5.01"));
+        QTest::keyClick(edit("torque"), Qt::Key_Return);
+        QCOMPARE(m_wishes.size(), 1U);
+
+        mode->setCurrentIndex(2);
+        edit("iqReference")->setText(QStringLiteral("1"));
+        edit("idReference")->setText(QStringLiteral("x"));
+        QVERIFY(!button("go")->isEnabled());
+        QTest::keyClick(edit("iqReference"), Qt::Key_Return);
+        QCOMPARE(m_wishes.size(), 1U);
+        edit("idReference")->setText(QStringLiteral("-0.5"));
+        QTest::mouseClick(button("go"), Qt::LeftButton);
+        QCOMPARE(m_wishes.size(), 2U);
+        const auto &both = std::get<drive::CurrentReference>(m_wishes[1].what);
+        QCOMPARE(both.iqAmps, 1.0);
+        QCOMPARE(both.idAmps, -0.5);
+    }
+
+    void whatTheBoardDoesNotHaveSaysWhy()
+    {
+        facts::connectBoard(*m_device);
+        drive::Identified board = facts::identified();
+        board.capabilities = {{drive::Feature::TorqueRamp, false, "No torque here."}};
+        facts::feed(*m_device, {board});
+        m_device->setArmed(true);
+        m_panel->findChild<QComboBox *>(QStringLiteral("setpointMode"))->setCurrentIndex(1);
+        QVERIFY(!button("go")->isEnabled());
+        QVERIFY(button("go")->toolTip().contains(QStringLiteral("No torque here.")));
+    }
+
+    void onesOwnLimitIsTheLowerOne()
+    {
+        facts::connectBoard(*m_device);
+        m_device->setUserLimits({2000.0, 100.0});
+        QCOMPARE(m_panel->speed()->limit(), 2000.0);
+        QVERIFY(label("limits").contains(QStringLiteral("2000\u202frpm (yours)")));
+        QVERIFY(label("limits").contains(QStringLiteral("5.00\u202fA")));
+        QVERIFY(std::get<drive::UserLimits>(m_wishes.back().what)
+            == (drive::UserLimits{2000.0, 100.0}));
+        m_device->setUserLimits({});
+        QCOMPARE(m_panel->speed()->limit(), 4000.0);
+    }
+
+    void withoutLimitsAPersonHasToAgreeFirst()
+    {
+        facts::connectBoard(*m_device);
+        drive::Identified board = facts::identified();
+        board.limits[0].nominalCurrentAmps = 0.0;
+        facts::feed(*m_device, {board, facts::status(drive::MotorState::Idle)});
+        m_device->setArmed(true);
+        QSignalSpy needed(m_motion.get(), &widgets::MotionGate::expertNeeded);
+        m_panel->start();
+        m_panel->speed()->setText(QStringLiteral("600"));
+        QTest::keyClick(m_panel->speed(), Qt::Key_Return);
+        QCOMPARE(needed.size(), 2);
+        QVERIFY(m_wishes.empty());
+        m_panel->stopRamp(); // what ends motion needs no limits
+        QCOMPARE(m_wishes.size(), 1U);
+
+        widgets::askForExpert(*m_device, 1, m_panel.get());
+        auto *question = m_panel->findChild<QDialog *>(QStringLiteral("expertQuestion"));
+        auto *yes = question->findChild<QPushButton *>(QStringLiteral("expertConfirm"));
+        QVERIFY(!yes->isEnabled());
+        question->findChild<QLineEdit *>(QStringLiteral("confirmationTyped"))
+            ->setText(QStringLiteral("motor 1"));
+        yes->click();
+        QCOMPARE(std::get<drive::ExpertMode>(m_wishes.back().what).motor, 1);
+        drive::Ended done;
+        done.id = m_wishes.back().id;
+        facts::feed(*m_device, {done});
+        QVERIFY(m_device->expert(1));
+        QVERIFY(label("limits").contains(QStringLiteral("Expert mode")));
+        m_panel->start();
+        QVERIFY(std::holds_alternative<drive::Command>(m_wishes.back().what));
+        facts::feed(
+            *m_device, {drive::LinkChanged{drive::LinkState::Lost, drive::LinkReason::Silence}});
+        QVERIFY(!m_device->expert(1)); // ends with the connection
+    }
+
+    void limitsAreTypedStrictly()
+    {
+        widgets::LimitsDialog dialog({1500.0, 0.0});
+        std::vector<drive::UserLimits> chosen;
+        connect(&dialog, &widgets::LimitsDialog::chosen, this,
+            [&](const drive::UserLimits &limits) { chosen.push_back(limits); });
+        auto *speed = dialog.findChild<QLineEdit *>(QStringLiteral("limitSpeed"));
+        auto *current = dialog.findChild<QLineEdit *>(QStringLiteral("limitCurrent"));
+        auto *ok = dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
+        QCOMPARE(speed->text(), QStringLiteral("1500"));
+        QVERIFY(current->text().isEmpty());
+        for (const char *odd : {"0", "-5", "1e3", "1.2.3", "nan", "x"}) {
+            current->setText(QString::fromLatin1(odd));
+            QVERIFY2(!ok->isEnabled(), odd);
+        }
+        current->setText(QStringLiteral("2,5"));
+        speed->clear();
+        dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+        ok->click();
+        QCOMPARE(chosen.size(), 1U);
+        QVERIFY(chosen[0] == (drive::UserLimits{0.0, 2.5}));
+    }
+
+    void stateAndStopStayInViewInALowWindow()
+    {
+        arm();
+        m_panel->resize(m_panel->minimumSizeHint().width(), 430);
+        facts::feed(*m_device, {drive::StopProgress{1, drive::StopWord::Requested, {}}});
+        QCoreApplication::processEvents();
+        for (const char *name : {"motorState", "stateStrip", "arm", "start", "stop"}) {
+            const auto *widget = m_panel->findChild<QWidget *>(QLatin1String(name));
+            const QRect place(widget->mapTo(m_panel.get(), QPoint()), widget->size());
+            QVERIFY2(m_panel->rect().contains(place), name);
+        }
+        auto *scroll = m_panel->findChild<QScrollArea *>(QStringLiteral("controlScroll"));
+        QVERIFY(scroll->widget()->width() <= scroll->viewport()->width()); // nothing cut at a side
     }
 
     void theLimitIsTheBoards()

@@ -1,5 +1,6 @@
 #include "support/window_rig.h"
 #include "widgets/banner.h"
+#include "widgets/big_numbers.h"
 #include "widgets/connect_bar.h"
 #include "widgets/first_steps.h"
 #include "widgets/lamp.h"
@@ -184,6 +185,36 @@ private Q_SLOTS:
             std::find(asked.begin(), asked.end(), facts::kAngle) == asked.end()); // cannot be read
         QVERIFY(std::find(asked.begin(), asked.end(), facts::kFlags)
             == asked.end()); // its group is closed
+    }
+
+    void largeNumbersTakeThePlaceOfThePicture()
+    {
+        facts::connectBoard(device());
+        auto *numbers = m_rig->find<widgets::BigNumbers>("bigNumbers");
+        QVERIFY(numbers->watchedRegisters().empty()); // what is not seen is not polled
+        QTest::keyClick(&m_rig->window, Qt::Key_F9);
+        QVERIFY(numbers->isVisible() && !m_rig->window.scope()->isVisible());
+        QVERIFY(m_rig->find<QWidget>("stopMotors")->isVisible());
+        QCOMPARE(numbers->watchedRegisters().size(), 2U); // all that this board has
+        QCOMPARE(numbers->valueText("SPEED_MEAS"), QStringLiteral("\u2013"));
+        facts::feed(
+            device(), {drive::RegistersRead{{facts::reading(facts::kSpeed, std::int64_t{1234})}}});
+        QCOMPARE(numbers->valueText("SPEED_MEAS"), QStringLiteral("1234\u202frpm"));
+        QVERIFY(numbers->accessibleDescription().contains(QStringLiteral("1234")));
+        facts::feed(
+            device(), {drive::LinkChanged{drive::LinkState::Suspect, drive::LinkReason::None}});
+        QCOMPARE(numbers->valueText("SPEED_MEAS"), QStringLiteral("\u2013"));
+        QTest::keyClick(&m_rig->window, Qt::Key_F9);
+        QVERIFY(!numbers->isVisible() && m_rig->window.scope()->isVisible());
+    }
+
+    void onesOwnLimitsAreKeptBetweenRuns()
+    {
+        device().setUserLimits({1200.0, 1.5});
+        const widgets::Settings settings = m_rig->window.settings();
+        QCOMPARE(settings.maxSpeedRpm, 1200.0);
+        facts::WindowRig later(settings);
+        QVERIFY(later.workbench.device().userLimits() == (drive::UserLimits{1200.0, 1.5}));
     }
 
 private:

@@ -161,7 +161,22 @@ private Q_SLOTS:
         bench.gate.want(QStringLiteral("Start"), bench.start()); // the question is still open
         QCOMPARE(bench.asked.size(), 1U);
         bench.gate.confirm();
+        QCOMPARE(bench.sent, 1); // the second waits for the end of the first
+        bench.link.runFor(200ms);
         QCOMPARE(bench.sent, 2);
+    }
+
+    void nothingFollowsAWishThatDidNotEndWell()
+    {
+        GateBench bench;
+        bench.arm();
+        bench.look();
+        bench.gate.want(QStringLiteral("Jog"),
+            std::vector<drive::WishContent>{bench.speed(100000), bench.start()});
+        bench.gate.confirm();
+        bench.link.runFor(500ms);
+        QCOMPARE(bench.sent, 1);
+        QCOMPARE(bench.failed.size(), 1);
     }
 
     void stopAndWhatEndsMotionIsNeverAsked()

@@ -21,6 +21,8 @@ private Q_SLOTS:
         settings.theme = widgets::Theme::Dark;
         settings.pinned = {QStringLiteral("I_A")};
         settings.inertias = {{QStringLiteral("A motor"), 5e-5}, {QStringLiteral("\u00e9"), 1e-7}};
+        settings.maxSpeedRpm = 1500.0;
+        settings.maxCurrentAmps = 2.5;
         settings.firstStepsDone = true;
         QVERIFY(widgets::saveSettings(settings, path));
         QCOMPARE(widgets::loadSettings(path), settings);
@@ -44,7 +46,7 @@ private Q_SLOTS:
     void fieldsOfTheWrongKindKeepTheirDefaults()
     {
         const Settings read = widgets::settingsFromJson(
-            R"({"port": 5, "baud": "fast", "theme": [], "pinned": "x", "firstStepsDone": 1})");
+            R"({"port": 5, "baud": "fast", "theme": [], "pinned": "x", "firstStepsDone": 1, "maxSpeedRpm": -3, "maxCurrentAmps": "2"})");
         QCOMPARE(read, Settings{});
     }
 

@@ -1,0 +1,22 @@
+// What a fault means, what usually causes it and what to try, the likeliest first. The ranking follows what users of
+// such drives found in the end; nothing here looks at the board.
+#pragma once
+
+#include "drive/fault.h"
+
+#include <QStringList>
+
+namespace widgets {
+
+struct FaultText {
+    QString meaning; ///< one sentence
+    struct Cause {
+        QString cause; ///< what it may be
+        QString remedy; ///< what to try
+    };
+    QList<Cause> causes; ///< the likeliest first
+};
+
+FaultText faultText(drive::FaultKind kind);
+
+} // namespace widgets
