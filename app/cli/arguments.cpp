@@ -101,6 +101,15 @@ void addCommonOptions(QCommandLineParser &parser)
     });
 }
 
+/// Commands that can move a motor, or write what moves it.
+bool canMove(const QString &command)
+{
+    static const QStringList kMoving{QStringLiteral("start"), QStringLiteral("ramp"),
+        QStringLiteral("torque"), QStringLiteral("capture"), QStringLiteral("set"),
+        QStringLiteral("restore")};
+    return kMoving.contains(command);
+}
+
 void addCommandOptions(QCommandLineParser &parser, const QString &command)
 {
     if (command == QLatin1String("get") || command == QLatin1String("set"))
@@ -112,6 +121,17 @@ void addCommandOptions(QCommandLineParser &parser, const QString &command)
         || command == QLatin1String("gains") || command == QLatin1String("header"))
         parser.addOption({QStringLiteral("motor"),
             QStringLiteral("Number of the motor, 1 if not given."), QStringLiteral("N")});
+    if (canMove(command))
+        parser.addOptions({
+            {QStringLiteral("max-rpm"),
+                QStringLiteral(
+                    "Refuses speeds beyond R, even where the board's own limit is higher."),
+                QStringLiteral("R")},
+            {QStringLiteral("max-amps"),
+                QStringLiteral("Refuses currents beyond A (peak), likewise."), QStringLiteral("A")},
+            {QStringLiteral("expert"),
+                QStringLiteral("Moves motors although the board does not tell all their limits.")},
+        });
     addTuningOptions(parser, command);
     addRecordingOptions(parser, command);
     if (command != QLatin1String("capture"))
@@ -248,6 +268,23 @@ Outcome<bool> takeCommon(const QCommandLineParser &parser, Arguments &arguments)
     return arguments.text.has_value();
 }
 
+Outcome<bool> takeLimits(const QCommandLineParser &parser, Arguments &arguments)
+{
+    for (const auto &[option, limit] : {std::pair{"max-rpm", &arguments.limits.maxSpeedRpm},
+             std::pair{"max-amps", &arguments.limits.maxCurrentAmps}}) {
+        if (!parser.optionNames().contains(QLatin1String(option)))
+            continue;
+        const QString text = parser.value(QLatin1String(option));
+        const auto number = plainNumber(text);
+        if (!number || !(*number > 0.0))
+            return usage(QStringLiteral("--%1 must be a number above 0, with a point, not \"%2\".")
+                             .arg(QLatin1String(option), text));
+        *limit = *number;
+    }
+    arguments.expert = parser.optionNames().contains(QStringLiteral("expert"));
+    return true;
+}
+
 bool takesNegativeNumbers(const QString &command)
 {
     return command == QLatin1String("ramp") || command == QLatin1String("torque")
@@ -299,6 +336,8 @@ Outcome<bool> takeCommand(const CommandText &command, const QStringList &line, A
             return tl::make_unexpected(ramp.error());
         arguments.ramp = *ramp;
     }
+    if (const auto limits = takeLimits(parser, arguments); !limits)
+        return tl::make_unexpected(limits.error());
     auto tuning = tuningOf(parser, arguments.command, arguments.words);
     if (!tuning)
         return tl::make_unexpected(tuning.error());

@@ -1,6 +1,7 @@
 // The command line, taken apart. It knows which options each command has, not what they mean to a board.
 #pragma once
 
+#include "drive/wish.h"
 #include "failure.h"
 #include "recording_arguments.h"
 #include "tuning_arguments.h"
@@ -42,6 +43,8 @@ struct Arguments {
     RampArguments ramp; ///< of the command `ramp`
     CaptureArguments capture;
     RecordingArguments recording; ///< of show and export
+    drive::UserLimits limits; ///< --max-rpm and --max-amps
+    bool expert = false; ///< move motors whose board does not tell its limits
     TuningArguments tuning; ///< of snapshot, diff, restore, revup, torque, gains, header
     std::optional<QString> text; ///< help or version: to be printed instead of doing anything
 };

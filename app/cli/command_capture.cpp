@@ -4,8 +4,11 @@
 #include "recorder.h"
 #include "recording_work.h"
 #include "sentences.h"
+#include "session/motion_log_file.h"
+#include "session/whole_file.h"
 #include "values.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QJsonObject>
 #include <QLoggingCategory>
@@ -56,6 +59,7 @@ private:
     Outcome<int> stopMotor();
     Failure abandon(Failure why);
     Failure salvage(Failure why);
+    Outcome<int> writeMotionLog() const;
     Outcome<int> write();
     Outcome<int> verdict() const;
 
@@ -325,6 +329,25 @@ Failure CaptureRun::salvage(Failure why)
     return why;
 }
 
+/// What this run asked of the motors, beside what it recorded.
+Outcome<int> CaptureRun::writeMotionLog() const
+{
+    const auto &log = m_desk.talk.motionLog();
+    if (log.empty())
+        return kDone;
+    const QString file = m_wanted.file.isEmpty() ? m_wanted.recording : m_wanted.file;
+    const QString beside = session::motionLogPath(file);
+    const QByteArray text =
+        session::motionLogText(log, session::motionLogWho(QCoreApplication::applicationName()));
+    const QString wrong = session::writeWholeFile(beside, text);
+    if (wrong.isEmpty())
+        return kDone;
+    return failure(kFileError,
+        QStringLiteral(
+            "%1 was written, but not its motion log %2: %3; choose another place with -o.")
+            .arg(file, beside, wrong));
+}
+
 Outcome<int> CaptureRun::write()
 {
     std::uint64_t rows = 0;
@@ -334,6 +357,8 @@ Outcome<int> CaptureRun::write()
             return tl::make_unexpected(written.error());
         rows = *written;
     }
+    if (const auto logged = writeMotionLog(); !logged)
+        return logged;
     if (m_desk.out.json()) {
         QJsonObject line{{QStringLiteral("seconds"), m_wanted.seconds},
             {QStringLiteral("lost_ticks"), static_cast<qint64>(m_recorder.lostTicks())},

@@ -1,5 +1,6 @@
 #include "conversation.h"
 
+#include "drive/motion_limits.h"
 #include "sentences.h"
 #include "session/port_list.h"
 
@@ -68,7 +69,8 @@ void Conversation::close()
 Outcome<drive::Ended> Conversation::ask(decltype(drive::Wish::what) what)
 {
     m_ended.reset();
-    m_session.submit({.id = ++m_lastWish, .what = std::move(what)});
+    m_session.submit(
+        {.id = ++m_lastWish, .what = std::move(what), .source = drive::Source::CommandLine});
     const auto waited = waitUntil([this] { return m_ended.has_value(); }, kEndWithin);
     if (!waited)
         return tl::make_unexpected(waited.error());
@@ -143,6 +145,23 @@ Outcome<drive::MotorStatus> Conversation::nextStatus(int motor)
 {
     m_status.erase(motor);
     return status(motor);
+}
+
+Outcome<bool> Conversation::bound(const drive::Identified &board)
+{
+    if (m_arguments.limits != drive::UserLimits{}) {
+        const auto set = command(m_arguments.limits, QStringLiteral("The limit"));
+        if (!set)
+            return tl::make_unexpected(set.error());
+    }
+    for (int motor = 1; m_arguments.expert && motor <= board.identity.motors; ++motor) {
+        if (drive::gapsIn(board.limits.at(static_cast<std::size_t>(motor - 1))).empty())
+            continue;
+        const auto agreed = command(drive::ExpertMode{motor}, QStringLiteral("Expert mode"));
+        if (!agreed)
+            return tl::make_unexpected(agreed.error());
+    }
+    return true;
 }
 
 void Conversation::arm() { m_session.setArmed(true); }
@@ -232,6 +251,8 @@ void Conversation::take(const drive::Event &event)
             m_ended = *end;
     } else if (const auto *status = std::get_if<drive::MotorStatus>(&event)) {
         m_status[status->motor] = *status;
+    } else if (const auto *motion = std::get_if<drive::MotionRecord>(&event)) {
+        m_motionLog.push_back(session::loggedNow(*motion, QDateTime::currentDateTime()));
     } else if (const auto *progress = std::get_if<drive::StopProgress>(&event)) {
         m_stopWords[progress->motor] = progress->word;
     }

@@ -7,6 +7,7 @@
 #include "arguments.h"
 #include "failure.h"
 #include "interrupt.h"
+#include "session/motion_log_file.h"
 #include "session/recording_tap.h"
 #include "session/session.h"
 
@@ -53,6 +54,10 @@ public:
     Outcome<drive::MotorStatus> nextStatus(int motor);
 
     void arm();
+    /// Limits of this run, and expert mode where it was asked for and something is unknown; after connect().
+    Outcome<bool> bound(const drive::Identified &board);
+    /// What was asked of the motors, so far.
+    const std::vector<session::LoggedMotion> &motionLog() const { return m_motionLog; }
     /// Stops every motor; waits until the drive is idle (2 s at most), then up to `standstill` until they stand still.
     /// Works after an interrupt, too.
     /// @return  how far it was confirmed; a failure if the drive was not seen idle
@@ -89,6 +94,7 @@ private:
     std::map<int, drive::MotorStatus> m_status;
     std::map<int, drive::StopWord> m_stopWords;
     std::map<drive::RegisterId, drive::Reading> m_readings; ///< since the last read()
+    std::vector<session::LoggedMotion> m_motionLog;
     std::optional<drive::Ended> m_ended;
     drive::WishId m_lastWish = 0;
 

@@ -39,6 +39,8 @@ Outcome<int> runLinkCommand(const Arguments &arguments, Output &out)
     const auto board = talk.connect();
     if (!board)
         return tl::make_unexpected(board.error());
+    if (const auto bounded = talk.bound(*board); !bounded)
+        return tl::make_unexpected(bounded.error());
     Desk desk{arguments, talk, *board, out};
     for (const LinkCommand &command : kLinkCommands) {
         if (arguments.command == QLatin1String(command.name))

@@ -1,0 +1,92 @@
+// What bounds the motion that the command line asks for, and what it leaves in the motion log.
+#include "support/programs_posix.h"
+
+#include <QFile>
+#include <QtTest>
+
+using support::CliRun;
+using support::Simulator;
+
+#define COMPARE_STATUS(result, expected)                                                           \
+    QVERIFY2((result).status == (expected),                                                        \
+        qPrintable(QStringLiteral("status %1, stderr: %2")                                         \
+                       .arg(QString::number((result).status), (result).err)))
+
+class TestCliMotion : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void onesOwnLimitsBoundRampsAndStarts()
+    {
+        const Simulator board;
+        QVERIFY(board.ready());
+        for (const char *line : {"ramp --max-rpm 1000 1001 100", "ramp --max-rpm 1000 -- -1001 100",
+                 "torque --max-amps 0.5 0.6 100", "set --max-rpm 1000 SPEED_REF=1001",
+                 "start --max-rpm 100", "start --max-amps 0.1"}) {
+            const CliRun run = board.cli(line);
+            COMPARE_STATUS(run, 1);
+            QVERIFY2(run.err.contains(QStringLiteral("your own limit")), qPrintable(run.err));
+        }
+        COMPARE_STATUS(board.cli("ramp --max-rpm 1000 1000 100"), 0);
+        COMPARE_STATUS(board.cli("ramp --max-rpm 100000 4001 100"), 1); // the board's is lower
+    }
+
+    void whatTheBoardDoesNotTellTakesExpertMode()
+    {
+        const Simulator board({QStringLiteral("--liar"), QStringLiteral("nan")});
+        QVERIFY(board.ready());
+        const CliRun refused = board.cli("start");
+        COMPARE_STATUS(refused, 1);
+        QVERIFY2(refused.err.contains(QStringLiteral("expert mode")), qPrintable(refused.err));
+        COMPARE_STATUS(board.cli("start --expert"), 0);
+        COMPARE_STATUS(board.cli("stop"), 0);
+        COMPARE_STATUS(board.cli("start"), 1); // for one run only
+    }
+
+    void expertModeIsNoErrorWhereAllIsKnown()
+    {
+        const Simulator board;
+        COMPARE_STATUS(board.cli("ramp --expert 600 100"), 0);
+    }
+
+    void aCaptureHasItsMotionLogBeside()
+    {
+        const Simulator board;
+        QVERIFY(board.ready());
+        const QString file = board.file("run.csv");
+        const CliRun run =
+            board.cli("capture --hf I_A --seconds 0.2 --start --ramp 1000,200 -o", {file});
+        COMPARE_STATUS(run, 0);
+        QFile log(board.file("run.motion.csv"));
+        QVERIFY(log.open(QIODevice::ReadOnly));
+        const QByteArrayList lines = log.readAll().trimmed().split('\n');
+        QVERIFY(lines.at(0).startsWith("number,time,who,source,motor,command"));
+        const auto line = [&](const char *word) {
+            for (const QByteArray &one : lines)
+                if (one.contains(word))
+                    return one;
+            return QByteArray();
+        };
+        QVERIFY(line(",START,").contains(",command line,1,START,,ok,"));
+        QVERIFY(line(",START,").endsWith(",19 00"));
+        QVERIFY(line(",SPEED_RAMP,").contains("1000 rpm in 200 ms"));
+        QVERIFY(line("standstill measured").contains(",1,STOP,"));
+
+        const QString quiet = board.file("quiet.csv");
+        COMPARE_STATUS(board.cli("capture --hf I_A --seconds 0.1 -o", {quiet}), 0);
+        QVERIFY(!QFile::exists(board.file("quiet.motion.csv")));
+    }
+
+    void oddLimitsAreExitStatus2()
+    {
+        for (const char *word : {"0", "-5", "x", "1,5", "nan", "inf", "1e400"}) {
+            const CliRun run = support::runCli({QStringLiteral("--port"), QStringLiteral("sim"),
+                QStringLiteral("start"), QStringLiteral("--max-rpm=%1").arg(QLatin1String(word))});
+            COMPARE_STATUS(run, 2);
+            QVERIFY(run.oneLineOfError());
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCliMotion)
+#include "tst_cli_motion_posix.moc"
