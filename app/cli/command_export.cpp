@@ -3,7 +3,7 @@
 #include "capture/wav_export.h"
 #include "commands.h"
 #include "recording_work.h"
-#include "session/csv_file.h"
+#include "session/mat_file.h"
 
 #include <QFileInfo>
 #include <QJsonObject>
@@ -104,6 +104,16 @@ Outcome<Written> writeWav(const QString &path, const capture::Snapshot &channels
     return Written{file, writer.frames(), writer.gaps()};
 }
 
+Outcome<Written> writeMat(const QString &path, const capture::Snapshot &channels,
+    const std::optional<capture::TimeSpan> &range)
+{
+    const session::MatResult result = session::writeMatFile(path, channels, range);
+    if (result.tooLong)
+        return failure(kUsage,
+            QStringLiteral("A MATLAB file holds 2 GiB a signal; take less with --from and --to."));
+    return Written{result.file, result.rows, 0};
+}
+
 Written writeCsv(
     const QString &path, const capture::Snapshot &channels, const capture::CsvOptions &options)
 {
@@ -125,6 +135,8 @@ Outcome<Written> write(const RecordingArguments &wanted, const capture::Capture 
             capture::TimeSpan{wanted.from.value_or(all->from), wanted.to.value_or(all->to + 1.0)};
     if (endsWith(wanted.file, ".wav"))
         return writeWav(wanted.file, *channels, range);
+    if (endsWith(wanted.file, ".mat"))
+        return writeMat(wanted.file, *channels, range);
     capture::CsvOptions options;
     options.range = range;
     if (wanted.continental)
@@ -138,9 +150,10 @@ Outcome<int> runExport(const Arguments &arguments, Output &out)
 {
     const RecordingArguments &wanted = arguments.recording;
     const QString &path = arguments.words.first();
-    if (!endsWith(wanted.file, ".csv") && !endsWith(wanted.file, ".wav"))
+    if (!endsWith(wanted.file, ".csv") && !endsWith(wanted.file, ".mat")
+        && !endsWith(wanted.file, ".wav"))
         return failure(kUsage,
-            QStringLiteral("Let the name of the file end in .csv or .wav, not as in \"%1\".")
+            QStringLiteral("Let the name of the file end in .csv, .mat or .wav, not as in \"%1\".")
                 .arg(wanted.file));
     if (QFileInfo::exists(wanted.file)
         && QFileInfo(path).canonicalFilePath() == QFileInfo(wanted.file).canonicalFilePath())

@@ -15,6 +15,7 @@ private Q_SLOTS:
     void showSaysWhatIsInIt();
     void exportAndImportGiveTheSameFile();
     void aWavFileIsReadByOthers();
+    void aMatlabFileIsReadByOthers();
     void aDamagedRecordingIsExportedAndTold();
     void aFileThatIsThereIsNotRecordedOver();
     void otherFilesAreExitStatus5();
@@ -158,6 +159,28 @@ void TestCliRecording::aWavFileIsReadByOthers()
     QCOMPARE(QString::fromLatin1(reader.readAllStandardOutput()).trimmed(),
         QStringLiteral("2 2 16000 %1 %2")
             .arg(QString::number(frames), QString::number(frames * 4)));
+}
+
+/// A reader of our own, in Python, that shares nothing with the writer.
+void TestCliRecording::aMatlabFileIsReadByOthers()
+{
+    const Run result = run({QStringLiteral("export"), path("a.pcapng"), QStringLiteral("-o"),
+        path("a.mat"), QStringLiteral("--json")});
+    COMPARE_STATUS(result, 0);
+    QProcess reader;
+    reader.start(QStandardPaths::findExecutable(QStringLiteral("python3")),
+        {QStringLiteral(ROTORSCOPE_SOURCE "/tests/support/read_mat.py"), path("a.mat")});
+    QVERIFY2(reader.waitForFinished(30'000), "python3 is missing; ./dev setup installs it");
+    const QJsonObject mat = QJsonDocument::fromJson(reader.readAllStandardOutput()).object();
+    const QJsonObject fast = mat.value(QLatin1String("fast")).toObject();
+    const qsizetype samples = fast.value(QLatin1String("time")).toArray().size();
+    QVERIFY(samples > 0);
+    for (const char *column : {"I_A", "I_B"})
+        QCOMPARE(fast.value(QLatin1String(column)).toArray().size(), samples);
+    qsizetype rows = 0;
+    for (const QJsonValue &rate : mat)
+        rows += rate.toObject().value(QLatin1String("time")).toArray().size();
+    QCOMPARE(result.json().value(QLatin1String("rows")).toInteger(), rows);
 }
 
 void TestCliRecording::aDamagedRecordingIsExportedAndTold()

@@ -1,0 +1,20 @@
+// Channels of one rate on a common time axis, as arrays: what programs for mathematics take.
+#pragma once
+
+#include "capture/capture.h"
+
+#include <vector>
+
+namespace capture {
+
+struct Rows {
+    std::vector<double> time; ///< seconds, rising
+    std::vector<std::vector<double>>
+        columns; ///< a channel each, in its unit; NaN where it has no sample
+};
+
+/// The instants at which any of the channels has a sample in the range; see splitByRate() for channels that go together.
+/// Cost: 8 bytes a number, and a search a sample.
+Rows rowsOf(const Snapshot &channels, const std::optional<TimeSpan> &range = {});
+
+} // namespace capture

@@ -1,0 +1,24 @@
+// A capture as a MATLAB file (version 5, which MATLAB, Octave and SciPy read), whole or not at all. docs/mat.md describes
+// what is in it: a structure for each rate, with the time and a column for each signal, NaN where nothing is known.
+#pragma once
+
+#include "capture/capture.h"
+#include "session/piece_file.h"
+
+namespace session {
+
+/// A name that MATLAB takes for a field: letters, digits and _, a letter first, at most 31, told apart from `taken`.
+QString matName(const QString &name, const QStringList &taken);
+
+struct MatResult {
+    FileResult file;
+    bool tooLong =
+        false; ///< a column of more than 2 GiB, which the format cannot hold; nothing was written
+    quint64 rows = 0; ///< of all structures
+};
+
+/// @param channels  those that are empty are left out
+MatResult writeMatFile(const QString &path, const capture::Snapshot &channels,
+    const std::optional<capture::TimeSpan> &range = {});
+
+} // namespace session
