@@ -95,6 +95,10 @@ void addCommonOptions(QCommandLineParser &parser)
             QStringLiteral("PORT")},
         {QStringLiteral("baud"), QStringLiteral("Bits per second, 1843200 if not given."),
             QStringLiteral("N")},
+        {QStringLiteral("patience"),
+            QStringLiteral("How many milliseconds later than usual an answer may come, 0 if not "
+                           "given; for computers that stall."),
+            QStringLiteral("MS")},
         {QStringLiteral("json"), QStringLiteral("Prints JSON instead of text.")},
         {{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Prints this help.")},
         {{QStringLiteral("v"), QStringLiteral("version")}, QStringLiteral("Prints the version.")},
@@ -259,6 +263,13 @@ Outcome<bool> takeCommon(const QCommandLineParser &parser, Arguments &arguments)
         if (!baud)
             return tl::make_unexpected(baud.error());
         arguments.baud = static_cast<std::uint32_t>(*baud);
+    }
+    if (parser.isSet(QStringLiteral("patience"))) {
+        const auto patience = wholeNumber(
+            parser.value(QStringLiteral("patience")), 0, 10'000, QStringLiteral("--patience"));
+        if (!patience)
+            return tl::make_unexpected(patience.error());
+        arguments.patience_ms = *patience;
     }
     if (parser.isSet(QStringLiteral("version")))
         arguments.text = QCoreApplication::applicationName() + QLatin1Char(' ')

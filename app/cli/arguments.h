@@ -35,6 +35,7 @@ struct CaptureArguments {
 struct Arguments {
     QString port;
     std::uint32_t baud = 1843200;
+    int patience_ms = 0;
     bool json = false;
     bool raw = false;
     int motor = 1;

@@ -28,7 +28,8 @@ session::Endpoint endpointOf(const Arguments &arguments)
         .path = arguments.port,
         .baud = arguments.baud,
         .board = {},
-        .reopen = false};
+        .reopen = false,
+        .patience = std::chrono::milliseconds(arguments.patience_ms)};
 }
 
 } // namespace

@@ -46,13 +46,14 @@ std::uint8_t Controller::linkId() const { return m_linkId; }
 Duration Controller::responseTimeout() const
 {
     if (m_state == State::Negotiating && !m_heardBytes && m_attempts > m_config.attempts)
-        return wireTime(2 * kHeaderSize, m_config.baud) + 5ms + m_config.hostLatency; // no stream
+        return wireTime(2 * kHeaderSize, m_config.baud) + 5ms + m_config.hostLatency
+            + m_config.patience; // no stream
     constexpr std::size_t kUsualAsync = 2048;
     constexpr std::size_t kUsualResponse = 256;
     const std::size_t bytes =
         m_everAgreed ? m_widest.async + m_widest.response : kUsualAsync + kUsualResponse;
     const Duration wire = wireTime(bytes + 2 * kHeaderSize, m_config.baud);
-    return wire + wire / 2 + 2ms + m_config.hostLatency;
+    return wire + wire / 2 + 2ms + m_config.hostLatency + m_config.patience;
 }
 
 void Controller::connect(TimePoint now)

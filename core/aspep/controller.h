@@ -39,6 +39,7 @@ public:
             std::chrono::microseconds(1500); ///< header to payload, > 0.5 ms is required
         Duration hostLatency =
             std::chrono::milliseconds(20); ///< what a USB adapter and the scheduler may add
+        Duration patience{}; ///< how much later still a reply may come; more on busy computers
         int attempts =
             5; ///< how often a step of a dialogue is sent until the link is lost; oftener into silence
         Duration keepAliveAfter =

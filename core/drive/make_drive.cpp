@@ -4,10 +4,11 @@
 
 namespace drive {
 
-std::unique_ptr<Drive> makeDrive(std::uint32_t baud)
+std::unique_ptr<Drive> makeDrive(std::uint32_t baud, Duration patience)
 {
     McpDriveConfig config;
     config.baud = baud;
+    config.patience = patience;
     return makeMcpDrive(config);
 }
 

@@ -8,6 +8,7 @@
 namespace drive {
 
 /// @param baud  the speed the port is open at; time-outs and stream sizes follow from it
-std::unique_ptr<Drive> makeDrive(std::uint32_t baud);
+/// @param patience  what is added to the time-out of every reply
+std::unique_ptr<Drive> makeDrive(std::uint32_t baud, Duration patience = {});
 
 } // namespace drive

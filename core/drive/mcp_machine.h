@@ -58,6 +58,7 @@ private:
         Link::Config link;
         link.baud = config.baud;
         link.payloadPause = config.payloadPause;
+        link.patience = config.patience;
         return link;
     }
 

@@ -1,6 +1,7 @@
 // Where a session connects to: a value that the connect bar and the command line make.
 #pragma once
 
+#include "base/time.h"
 #include "simulation/simulated_board.h"
 
 #include <QMetaType>
@@ -15,6 +16,7 @@ struct Endpoint {
     std::uint32_t baud = 1843200;
     simulation::BoardOptions board; ///< for Kind::Simulator; its baud rate is the one above
     bool reopen = true; ///< after an unplugged cable, until the port is closed by hand
+    Duration patience{}; ///< added to the time-out of every reply, for computers that stall
 };
 
 /// What can end a port, apart from the user. Neutral; the window and the command line turn it into

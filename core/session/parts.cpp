@@ -24,9 +24,10 @@ Clock makeClock()
 
 Parts realParts()
 {
-    return {.clock = makeClock(),
-        .transport = makeTransport,
-        .drive = [](const Endpoint &endpoint) { return drive::makeDrive(endpoint.baud); }};
+    return {
+        .clock = makeClock(), .transport = makeTransport, .drive = [](const Endpoint &endpoint) {
+            return drive::makeDrive(endpoint.baud, endpoint.patience);
+        }};
 }
 
 Session::Session(QObject *parent)

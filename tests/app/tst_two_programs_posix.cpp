@@ -62,7 +62,9 @@ struct Cli {
             QStringLiteral("link.info=true;cli.progress.info=true"));
         process.setProcessEnvironment(environment);
         process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-cli"),
-            QStringList{QStringLiteral("--port"), port} + line.split(QLatin1Char(' ')));
+            QStringList{
+                QStringLiteral("--patience"), QStringLiteral("500"), QStringLiteral("--port"), port}
+                + line.split(QLatin1Char(' ')));
     }
     bool over() const { return process.state() == QProcess::NotRunning; }
     QString err()

@@ -1,7 +1,7 @@
 // The program rotorscope itself, without a screen: asked to end by a signal while a motor turns, it stops the motor,
 // waits for the evidence and goes.
-#include <QProcess>
-#include <QTemporaryDir>
+#include "support/programs_posix.h"
+
 #include <QtTest>
 
 #include <csignal>
@@ -11,22 +11,11 @@ class TestWindowSignals : public QObject {
 private Q_SLOTS:
     void aSignalStopsTheMotorBeforeTheProgramEnds_data();
     void aSignalStopsTheMotorBeforeTheProgramEnds();
-
-private:
-    /// Runs rotorscope-cli to its end and returns what it printed.
-    QByteArray command(const QStringList &words);
-
-    QString m_port;
 };
 
 namespace {
 
 constexpr int kLong_ms = 30'000;
-
-QString program(const char *name)
-{
-    return QStringLiteral(ROTORSCOPE_BIN "/") + QLatin1String(name);
-}
 
 bool says(QProcess &process, const QByteArray &words)
 {
@@ -41,13 +30,6 @@ bool says(QProcess &process, const QByteArray &words)
 
 } // namespace
 
-QByteArray TestWindowSignals::command(const QStringList &words)
-{
-    QProcess cli;
-    cli.start(program("rotorscope-cli"), QStringList{QStringLiteral("--port"), m_port} + words);
-    return cli.waitForFinished(kLong_ms) ? cli.readAllStandardOutput() : QByteArray();
-}
-
 void TestWindowSignals::aSignalStopsTheMotorBeforeTheProgramEnds_data()
 {
     QTest::addColumn<int>("signal");
@@ -59,34 +41,27 @@ void TestWindowSignals::aSignalStopsTheMotorBeforeTheProgramEnds_data()
 void TestWindowSignals::aSignalStopsTheMotorBeforeTheProgramEnds()
 {
     QFETCH(const int, signal);
-    QTemporaryDir folder;
-    m_port = folder.filePath(QStringLiteral("port"));
-    QProcess board;
-    board.start(
-        program("rotorscope-sim"), {QStringLiteral("mcp"), QStringLiteral("--link"), m_port});
-    QVERIFY(says(board, "ready "));
-    const QStringList status{
-        QStringLiteral("get"), QStringLiteral("STATUS"), QStringLiteral("--raw")};
-    const QByteArray idle = command(status);
+    const support::Simulator board;
+    QVERIFY(board.ready());
+    const QString idle = board.cli("get STATUS --raw").out;
     QVERIFY(!idle.isEmpty());
-    command({QStringLiteral("start")});
-    QVERIFY(command(status) != idle);
+    const support::CliRun start = board.cli("start");
+    QVERIFY2(start.status == 0, qPrintable(start.err));
+    QVERIFY(board.cli("get STATUS --raw").out != idle);
 
     QProcess window;
     auto environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("QT_LOGGING_RULES"), QStringLiteral("link.info=true"));
     window.setProcessEnvironment(environment);
     window.setProcessChannelMode(QProcess::MergedChannels);
-    window.start(
-        program("rotorscope"), {QStringLiteral("--port"), m_port, QStringLiteral("--connect")});
+    window.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope"),
+        {QStringLiteral("--port"), board.port(), QStringLiteral("--connect")});
     QVERIFY(says(window, "stream of ")); // asked for by the window once it knows the board
     QCOMPARE(::kill(static_cast<pid_t>(window.processId()), signal), 0);
     QVERIFY(window.waitForFinished(kLong_ms));
     QCOMPARE(window.exitStatus(), QProcess::NormalExit);
     QCOMPARE(window.exitCode(), 0);
-    QCOMPARE(command(status), idle);
-    board.terminate();
-    QVERIFY(board.waitForFinished(kLong_ms));
+    QCOMPARE(board.cli("get STATUS --raw").out, idle);
 }
 
 QTEST_GUILESS_MAIN(TestWindowSignals)

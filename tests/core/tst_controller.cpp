@@ -264,6 +264,9 @@ void TestController::theTimeOutFollowsBaudRateAndSizes()
     };
     QCOMPARE(milliseconds(fast.controller.responseTimeout()), 40);
     QCOMPARE(milliseconds(slow.controller.responseTimeout()), 323);
+    VirtualLink patient({.patience = 500ms});
+    patient.connect();
+    QCOMPARE(milliseconds(patient.controller.responseTimeout()), 540);
 }
 
 void TestController::timeOutsCountFromTheTimeThePacketHasLeft()

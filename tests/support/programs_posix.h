@@ -30,9 +30,11 @@ inline CliRun resultOf(QProcess &process)
         QString::fromUtf8(process.readAllStandardError())};
 }
 
+/// With patience: a machine that stalls for a moment must not look like a board that lost a command.
 inline void startCli(QProcess &process, const QStringList &words)
 {
-    process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-cli"), words);
+    process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-cli"),
+        QStringList{QStringLiteral("--patience"), QStringLiteral("1000")} + words);
 }
 
 inline CliRun runCli(const QStringList &words)
