@@ -1880,6 +1880,11 @@
         <source>Large numbers</source>
         <translation>Große Zahlen</translation>
     </message>
+    <message>
+        <source>Motor %1: %2</source>
+        <comment>number, state</comment>
+        <translation>Motor %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>widgets::ChannelStrip</name>
@@ -2078,7 +2083,7 @@
     <name>widgets::ControlPanel</name>
     <message>
         <source>rpm</source>
-        <translation>U/min</translation>
+        <translation>rpm</translation>
     </message>
     <message>
         <source>Change…</source>
@@ -2855,6 +2860,10 @@
         <source>Stop</source>
         <translation>Stopp</translation>
     </message>
+    <message>
+        <source>Jogging needs a limit of speed: set one of your own.</source>
+        <translation>Tippen braucht eine Grenze der Drehzahl: legen Sie eine eigene fest.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::JogBox</name>
@@ -2872,7 +2881,7 @@
     </message>
     <message>
         <source>Jog speed in rpm</source>
-        <translation>Drehzahl beim Tippen in U/min</translation>
+        <translation>Drehzahl beim Tippen in rpm</translation>
     </message>
     <message>
         <source>Jog [rpm]</source>
@@ -2889,6 +2898,10 @@
     <message>
         <source>The motor is being jogged.</source>
         <translation>Der Motor wird gerade getippt.</translation>
+    </message>
+    <message>
+        <source>Give a speed to jog at.</source>
+        <translation>Geben Sie eine Drehzahl zum Tippen an.</translation>
     </message>
 </context>
 <context>
@@ -3745,7 +3758,7 @@
     </message>
     <message>
         <source>Speed [rpm]</source>
-        <translation>Drehzahl [U/min]</translation>
+        <translation>Drehzahl [rpm]</translation>
     </message>
     <message>
         <source>Iq [A]</source>
@@ -3753,7 +3766,7 @@
     </message>
     <message>
         <source>rpm</source>
-        <translation>U/min</translation>
+        <translation>rpm</translation>
     </message>
     <message>
         <source>No ramp was sent yet.</source>
@@ -3813,7 +3826,7 @@
     <name>widgets::RampLine</name>
     <message>
         <source>rpm</source>
-        <translation>U/min</translation>
+        <translation>rpm</translation>
     </message>
     <message>
         <source>%1/s</source>
@@ -3843,7 +3856,7 @@
     </message>
     <message>
         <source>Speed to go to, in rpm</source>
-        <translation>Anzufahrende Drehzahl in U/min</translation>
+        <translation>Anzufahrende Drehzahl in rpm</translation>
     </message>
     <message>
         <source>Torque current Iq to go to, in A</source>
@@ -3889,7 +3902,7 @@
     </message>
     <message>
         <source>Speed [rpm]</source>
-        <translation>Drehzahl [U/min]</translation>
+        <translation>Drehzahl [rpm]</translation>
     </message>
     <message>
         <source>Iq [A]</source>
@@ -3898,8 +3911,8 @@
     <message numerus="yes">
         <source>%n stair(s) of 6 rpm</source>
         <translation>
-            <numerusform>%n Stufe von 6 U/min</numerusform>
-            <numerusform>%n Stufen von 6 U/min</numerusform>
+            <numerusform>%n Stufe von 6 rpm</numerusform>
+            <numerusform>%n Stufen von 6 rpm</numerusform>
         </translation>
     </message>
     <message>
@@ -4789,7 +4802,7 @@ mN·m</translation>
     <name>widgets::SetpointBox</name>
     <message>
         <source>Speed set-point in rpm</source>
-        <translation>Drehzahlsollwert in U/min</translation>
+        <translation>Drehzahlsollwert in rpm</translation>
     </message>
     <message>
         <source>Torque set-point in ampere</source>
@@ -4836,16 +4849,12 @@ mN·m</translation>
         <translation>Rampenzeit in Millisekunden</translation>
     </message>
     <message>
-        <source>Ramp time</source>
-        <translation>Rampenzeit</translation>
-    </message>
-    <message>
         <source>Id [A]</source>
         <translation>Id [A]</translation>
     </message>
     <message>
         <source>Speed [rpm]</source>
-        <translation>Drehzahl [U/min]</translation>
+        <translation>Drehzahl [rpm]</translation>
     </message>
     <message>
         <source>Iq [A]</source>
@@ -4888,6 +4897,10 @@ mN·m</translation>
     <message>
         <source>Current reference</source>
         <translation>Stromsollwert</translation>
+    </message>
+    <message>
+        <source>Ramp time [ms]</source>
+        <translation>Rampenzeit [ms]</translation>
     </message>
 </context>
 <context>

@@ -1880,6 +1880,11 @@
         <source>Large numbers</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Motor %1: %2</source>
+        <comment>number, state</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::ChannelStrip</name>
@@ -2855,6 +2860,10 @@
         <source>Stop</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Jogging needs a limit of speed: set one of your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::JogBox</name>
@@ -2888,6 +2897,10 @@
     </message>
     <message>
         <source>The motor is being jogged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a speed to jog at.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4830,10 +4843,6 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ramp time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Id [A]</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4881,6 +4890,10 @@ mN·m</source>
     </message>
     <message>
         <source>Current reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ramp time [ms]</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

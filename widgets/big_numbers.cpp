@@ -108,8 +108,10 @@ void BigNumbers::paintState(QPainter &painter, const QRect &place) const
     QString text = believed ? motorStateText(status.state) : linkStateText(m_device.link().state);
     if (const QString name = deviceText(status.stateName); believed && !name.isEmpty())
         text = QStringLiteral("%1 \u2013 %2").arg(name, text);
-    if (believed && !status.faultsNow.empty())
-        text += QStringLiteral("  \u2716 ") + deviceText(status.faultsNow.front());
+    if (const auto &board = m_device.identified(); board && board->identity.motors > 1)
+        text = tr("Motor %1: %2", "number, state").arg(QString::number(m_device.motor()), text);
+    for (const std::string &fault : believed ? status.faultsNow : std::vector<std::string>())
+        text += QStringLiteral("  \u2716 ") + deviceText(fault);
     painter.setPen(believed ? stateColor(status.state, palette())
                             : palette().color(QPalette::Disabled, QPalette::WindowText));
     QFont bold = font();

@@ -77,7 +77,11 @@ ControlPanel::ControlPanel(
     connect(&device, &Device::statusChanged, this, &ControlPanel::follow);
     connect(&device, &Device::armedStateChanged, this, &ControlPanel::follow);
     connect(&device, &Device::boundsChanged, this, &ControlPanel::follow);
-    connect(&device, &Device::motorChanged, this, &ControlPanel::follow);
+    connect(&device, &Device::motorChanged, this, [this] {
+        m_setpoints->forget(); // what was typed was for the other motor
+        m_setpoints->expectReference();
+        follow();
+    });
     connect(&device, &Device::identityChanged, this, [this] {
         m_setpoints->expectReference();
         follow();

@@ -75,7 +75,7 @@ void FaultHelp::update()
         html = QStringLiteral("<p>%1</p>").arg(tr("Motor %1 has no fault.").arg(motor));
     else {
         part(tr("Present at motor %1").arg(motor), status.faultsNow);
-        part(tr("Over, to be acknowledged"), status.faultsPast);
+        part(tr("Over, to be acknowledged"), faultsOver(status));
     }
     if (m_html == html)
         return; // the place that is read stays where it is

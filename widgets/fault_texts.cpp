@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace widgets {
 namespace {
 
@@ -115,6 +117,16 @@ FaultText faultText(drive::FaultKind kind)
     }
     return {Fault::tr("Nothing is known here about this fault."),
         {{Fault::tr("See the documentation of the firmware"), QString()}}};
+}
+
+std::vector<std::string> faultsOver(const drive::MotorStatus &status)
+{
+    std::vector<std::string> over;
+    for (const std::string &name : status.faultsPast)
+        if (std::find(status.faultsNow.begin(), status.faultsNow.end(), name)
+            == status.faultsNow.end())
+            over.push_back(name);
+    return over;
 }
 
 } // namespace widgets

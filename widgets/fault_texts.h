@@ -2,6 +2,7 @@
 // such drives found in the end; nothing here looks at the board.
 #pragma once
 
+#include "drive/event.h"
 #include "drive/fault.h"
 
 #include <QStringList>
@@ -18,5 +19,7 @@ struct FaultText {
 };
 
 FaultText faultText(drive::FaultKind kind);
+/// Faults that are over and wait to be acknowledged: one that is still present is told as present, and not twice.
+std::vector<std::string> faultsOver(const drive::MotorStatus &status);
 
 } // namespace widgets

@@ -45,6 +45,8 @@ MotionAllowed Jog::allowed() const
 {
     if (MotionAllowed ramp = motionAllowed(m_device, drive::Feature::SpeedRamp); !ramp.yes)
         return ramp;
+    if (!(greatestRpm() > 0.0))
+        return {false, tr("Jogging needs a limit of speed: set one of your own.")};
     return startAllowed(m_device);
 }
 
@@ -58,6 +60,8 @@ void Jog::hold(std::int32_t rpm)
     if (underWay() || !allowed().yes)
         return;
     const auto most = static_cast<std::int32_t>(greatestRpm());
+    if (rpm == 0 || most == 0)
+        return;
     m_motor = m_device.motor();
     m_left = false;
     if (m_motion.jog(tr("Jog"), m_motor, std::clamp(rpm, -most, most)))
@@ -68,6 +72,8 @@ void Jog::release()
 {
     if (m_state != State::Held)
         return;
+    if (m_motion.asking()) // it takes nothing now, not even this stop
+        return abort();
     m_deadline = m_now + kIdleWithin;
     m_motion.dropRest();
     enter(State::LettingGo);

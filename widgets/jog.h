@@ -26,7 +26,8 @@ public:
     bool underWay() const { return m_state != State::Off; }
 
 public Q_SLOTS:
-    void hold(std::int32_t rpm); ///< cut to greatestRpm(); does nothing if it may not begin
+    /// Not 0; cut to greatestRpm(). Does nothing if it may not begin.
+    void hold(std::int32_t rpm);
     void release(); ///< let go
     void abort(); ///< not let go, but lost: stops every motor
     void refresh(widgets::Milliseconds now);

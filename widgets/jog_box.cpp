@@ -41,21 +41,42 @@ void JogButton::begin()
 {
     if (std::exchange(m_held, true))
         return;
+    watchWindow(true);
     Q_EMIT began();
 }
 
 void JogButton::end()
 {
-    if (std::exchange(m_held, false))
-        Q_EMIT ended();
+    if (!std::exchange(m_held, false))
+        return;
+    watchWindow(false);
+    Q_EMIT ended();
 }
 
 void JogButton::lose()
 {
     if (!std::exchange(m_held, false))
         return;
+    watchWindow(false);
     setDown(false);
     Q_EMIT lost();
+}
+
+void JogButton::watchWindow(bool watch)
+{
+    if (m_watched)
+        m_watched->removeEventFilter(this);
+    m_watched = watch ? window() : nullptr;
+    if (m_watched)
+        m_watched->installEventFilter(this);
+}
+
+/// A window that a dialog blocks gets no release any more, and not every desktop gives that dialog the focus.
+bool JogButton::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::WindowBlocked)
+        lose();
+    return MotorButton::eventFilter(watched, event);
 }
 
 bool JogButton::event(QEvent *event)
@@ -156,8 +177,14 @@ JogButton *JogBox::makeButton(const QString &text, const char *name, int sign)
         if (const auto rpm = m_speed->sentValue())
             m_jog.hold(sign * static_cast<std::int32_t>(std::abs(*rpm)));
     });
-    connect(button, &JogButton::ended, &m_jog, &Jog::release);
-    connect(button, &JogButton::lost, &m_jog, &Jog::abort);
+    connect(button, &JogButton::ended, this, [this] {
+        m_jog.release();
+        follow();
+    });
+    connect(button, &JogButton::lost, this, [this] {
+        m_jog.abort();
+        follow();
+    });
     return button;
 }
 
@@ -173,17 +200,20 @@ void JogBox::updateLimit()
 void JogBox::follow()
 {
     MotionAllowed can = m_jog.allowed();
-    if (can.yes && !m_speed->sentValue())
-        can = {false, m_speed->echo()};
+    if (can.yes && m_speed->sentValue().value_or(0.0) == 0.0)
+        can = {false, m_speed->sentValue() ? tr("Give a speed to jog at.") : m_speed->echo()};
     m_speed->setWheelAllowed(can.yes);
     m_speed->setToolTip(m_speed->echo());
     const QString help = tr("Turns the motor while it is held, with the pointer or the Enter key; "
                             "letting go stops it.");
-    for (JogButton *button : {m_back, m_forth})
-        if (!button->held()) // what is held stays enabled, or it could not be let go
+    for (JogButton *button : {m_back, m_forth}) {
+        // What is held stays enabled, or it could not be let go; and the focus stays for the next time.
+        const bool lettingGo = m_jog.underWay() && !m_jog.held() && button->hasFocus();
+        if (!button->held() && !lettingGo)
             applyAllowed(button,
                 m_jog.underWay() ? MotionAllowed{false, tr("The motor is being jogged.")} : can,
                 help);
+    }
 }
 
 } // namespace widgets

@@ -5,6 +5,7 @@
 #include "widgets/jog.h"
 #include "widgets/motor_button.h"
 
+#include <QPointer>
 #include <QWidget>
 
 class QLabel;
@@ -28,6 +29,7 @@ Q_SIGNALS:
 
 protected:
     bool event(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
@@ -37,8 +39,10 @@ private:
     void begin();
     void lose();
     void end();
+    void watchWindow(bool watch);
 
     bool m_held = false;
+    QPointer<QWidget> m_watched; ///< the window, while held
 };
 
 class JogBox : public QWidget {

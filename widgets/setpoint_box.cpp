@@ -11,7 +11,6 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QSpinBox>
 
 namespace widgets {
 namespace {
@@ -19,7 +18,7 @@ namespace {
 constexpr double kRpmStep = 6.0; // one digit of speed is 0.1 Hz
 constexpr double kFallbackLimitRpm = 32766.0; // speeds beyond 16 bits are cut by the board
 constexpr double kAmpStep = 0.01;
-constexpr int kLongestRampMs = 65535;
+constexpr double kLongestRampMs = 65535.0, kRampTimeMs = 500.0, kRampTimeNotchMs = 100.0;
 
 QLabel *plainLabel(QWidget *parent, const char *objectName)
 {
@@ -47,7 +46,7 @@ SetpointBox::SetpointBox(
     , m_iq(makeEdit("iqReference", tr("Reference of the current Iq in ampere")))
     , m_id(makeEdit("idReference", tr("Reference of the current Id in ampere")))
     , m_echo(plainLabel(this, "speedEcho"))
-    , m_rampTime(new QSpinBox(this))
+    , m_rampTime(makeEdit("rampTime", tr("Ramp time in milliseconds")))
     , m_go(new MotorButton(tr("Go", "send the set-point"), this))
     , m_stopRamp(new MotorButton(tr("Stop ramp"), this))
 {
@@ -59,16 +58,11 @@ SetpointBox::SetpointBox(
     m_echo->setWordWrap(true);
     m_echo->setEnabled(false);
     m_control->setEnabled(false);
-    m_rampTime->setObjectName(QStringLiteral("rampTime"));
-    m_rampTime->setAccessibleName(tr("Ramp time in milliseconds"));
-    m_rampTime->setRange(0, kLongestRampMs);
-    m_rampTime->setSingleStep(100);
-    m_rampTime->setValue(500);
-    m_rampTime->setKeyboardTracking(false);
-    m_rampTime->setAlignment(Qt::AlignRight);
-    m_rampTime->setSuffix(QStringLiteral(" ms"));
-    new WheelGuard(m_rampTime);
-    m_timeLabel->setText(tr("Ramp time"));
+    m_rampTime->setLimits(kLongestRampMs, 1.0, QStringLiteral("ms"));
+    m_rampTime->setNegativeAllowed(false);
+    m_rampTime->setNotch(kRampTimeNotchMs);
+    m_rampTime->setValue(kRampTimeMs);
+    m_timeLabel->setText(tr("Ramp time [ms]"));
     m_timeLabel->setBuddy(m_rampTime);
     m_secondLabel->setText(tr("Id [A]"));
     m_secondLabel->setBuddy(m_id);
@@ -139,13 +133,13 @@ QList<SetpointEdit *> SetpointBox::shownEdits() const
 {
     switch (mode()) {
     case Mode::Torque:
-        return {m_torque};
+        return {m_torque, m_rampTime};
     case Mode::Currents:
         return {m_iq, m_id};
     case Mode::Speed:
         break;
     }
-    return {m_speed};
+    return {m_speed, m_rampTime};
 }
 
 drive::Feature SetpointBox::feature() const
@@ -170,10 +164,15 @@ void SetpointBox::updateLimits()
 
 QString SetpointBox::echo() const
 {
-    for (const SetpointEdit *edit : shownEdits())
+    // What is wrong, else whatever does not become what was typed.
+    QStringList rounded;
+    for (const SetpointEdit *edit : shownEdits()) {
         if (!edit->sentValue())
             return edit->echo();
-    return shownEdits().first()->echo();
+        if (edit->sentValue() != edit->value())
+            rounded.append(edit->echo());
+    }
+    return rounded.isEmpty() ? shownEdits().first()->echo() : rounded.join(QLatin1Char('\n'));
 }
 
 bool SetpointBox::readable() const
@@ -208,7 +207,7 @@ QString SetpointBox::controlText() const
 void SetpointBox::follow()
 {
     MotionAllowed can = motionAllowed(m_device, feature());
-    for (SetpointEdit *edit : {m_speed, m_torque, m_iq, m_id})
+    for (SetpointEdit *edit : {m_speed, m_torque, m_iq, m_id, m_rampTime})
         edit->setWheelAllowed(can.yes);
     m_echo->setText(echo());
     m_control->setText(controlText());
@@ -226,9 +225,9 @@ void SetpointBox::go()
 {
     if (!readable() || !motionAllowed(m_device, feature()).yes)
         return;
-    m_rampTime->interpretText();
     const int motor = m_device.motor();
-    const std::chrono::milliseconds time(m_rampTime->value());
+    const std::chrono::milliseconds time(
+        static_cast<std::int64_t>(m_rampTime->sentValue().value_or(0.0))); // currents have none
     switch (mode()) {
     case Mode::Speed:
         m_motion.want(tr("Speed ramp"),

@@ -9,7 +9,6 @@
 
 class QComboBox;
 class QLabel;
-class QSpinBox;
 
 namespace widgets {
 
@@ -62,7 +61,7 @@ private:
     SetpointEdit *m_iq;
     SetpointEdit *m_id;
     QLabel *m_echo;
-    QSpinBox *m_rampTime;
+    SetpointEdit *m_rampTime;
     MotorButton *m_go;
     MotorButton *m_stopRamp;
     bool m_takeReference = false;

@@ -2,6 +2,7 @@
 
 #include "widgets/device_text.h"
 #include "widgets/fault_help.h"
+#include "widgets/fault_texts.h"
 #include "widgets/lamp.h"
 #include "widgets/messages.h"
 #include "widgets/state_strip.h"
@@ -137,9 +138,10 @@ void StateBox::showFaults(const drive::MotorStatus &status, bool believed)
             ? tr("No fault present")
             : QStringLiteral("\u2716 ") + tr("Present: %1").arg(joined(status.faultsNow)));
     m_faultsNow->setEnabled(believed);
-    m_faultsPast->setVisible(believed && !status.faultsPast.empty());
-    m_faultsPast->setText(tr("To acknowledge: %1").arg(joined(status.faultsPast)));
-    m_causes->setVisible(believed && (!status.faultsNow.empty() || !status.faultsPast.empty()));
+    const std::vector<std::string> over = faultsOver(status);
+    m_faultsPast->setVisible(believed && !over.empty());
+    m_faultsPast->setText(tr("To acknowledge: %1").arg(joined(over)));
+    m_causes->setVisible(believed && (!status.faultsNow.empty() || !over.empty()));
 }
 
 void StateBox::explain()

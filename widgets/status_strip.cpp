@@ -1,6 +1,7 @@
 #include "widgets/status_strip.h"
 
 #include "widgets/device_text.h"
+#include "widgets/fault_texts.h"
 #include "widgets/lamp.h"
 #include "widgets/messages.h"
 #include "widgets/value_text.h"
@@ -122,7 +123,7 @@ void StatusStrip::updateMotor()
                          .arg(QString::number(m_device.motor()), motorStateText(status.state)));
     m_faults->setText(
         tr("Faults: %1", "how many")
-            .arg(QString::number(status.faultsNow.size() + status.faultsPast.size())));
+            .arg(QString::number(status.faultsNow.size() + faultsOver(status).size())));
 }
 
 void StatusStrip::updateCounters()

@@ -16,7 +16,6 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QSignalSpy>
-#include <QSpinBox>
 #include <QTest>
 #include <QToolButton>
 #include <QWheelEvent>
@@ -136,13 +135,33 @@ private Q_SLOTS:
     {
         arm();
         m_panel->speed()->setText(QStringLiteral("1500"));
-        m_panel->findChild<QSpinBox *>(QStringLiteral("rampTime"))->setValue(250);
+        edit("rampTime")->setText(QStringLiteral("250"));
         QTest::keyClick(m_panel->speed(), Qt::Key_Return);
         QCOMPARE(m_wishes.size(), 1U);
         const auto &ramp = std::get<drive::SpeedRamp>(m_wishes[0].what);
         QCOMPARE(ramp.rpm, 1500);
         QCOMPARE(ramp.motor, 1);
         QCOMPARE(ramp.duration.count(), 250);
+    }
+
+    void theTimeIsReadAsStrictly()
+    {
+        arm();
+        m_panel->speed()->setText(QStringLiteral("600"));
+        for (const QLocale &locale : {QLocale::c(), QLocale(QLocale::German)}) {
+            QLocale::setDefault(locale);
+            for (const char *text : {"", "1.500,0", "1 500", "-1", "65536", "1e3"}) {
+                edit("rampTime")->setText(QString::fromLatin1(text));
+                QTest::keyClick(m_panel->speed(), Qt::Key_Return);
+                QVERIFY2(m_wishes.empty(), text);
+                QVERIFY(!button("go")->isEnabled());
+                QCOMPARE(label("speedEcho"), edit("rampTime")->echo()); // and why
+            }
+        }
+        QLocale::setDefault(QLocale::c());
+        edit("rampTime")->setText(QStringLiteral("65535"));
+        QTest::keyClick(edit("rampTime"), Qt::Key_Return);
+        QCOMPARE(std::get<drive::SpeedRamp>(m_wishes.at(0).what).duration.count(), 65535);
     }
 
     void aTextThatIsNotUnderstoodIsNotSent()
@@ -263,7 +282,7 @@ private Q_SLOTS:
         turnWheel(speed);
         QCOMPARE(speed->value(), std::optional(600.0)); // not armed
         m_device->setArmed(true);
-        m_panel->findChild<QSpinBox *>(QStringLiteral("rampTime"))->setFocus();
+        edit("rampTime")->setFocus();
         turnWheel(speed);
         QCOMPARE(speed->value(), std::optional(600.0)); // not focused
         speed->setFocus();
@@ -341,6 +360,21 @@ private Q_SLOTS:
         QCOMPARE(m_panel->findChildren<widgets::FaultHelp *>().size(), 1);
     }
 
+    void aFaultThatIsPresentIsNotToldTwice()
+    {
+        facts::connectBoard(*m_device);
+        drive::MotorStatus fault = facts::status(drive::MotorState::FaultNow);
+        fault.faultsNow = {"OVER_VOLT"}; // firmware has it among the past ones as well
+        fault.faultsPast = {"OVER_VOLT", "SPEED_FDBK"};
+        facts::feed(*m_device, {fault});
+        QVERIFY(label("faultsNow").contains(QStringLiteral("OVER_VOLT")));
+        QVERIFY(!label("faultsPast").contains(QStringLiteral("OVER_VOLT")));
+        QVERIFY(label("faultsPast").contains(QStringLiteral("SPEED_FDBK")));
+        m_panel->findChild<QToolButton *>(QStringLiteral("faultCauses"))->click();
+        const QString text = m_panel->findChild<widgets::FaultHelp *>()->plainText();
+        QCOMPARE(text.count(QStringLiteral("OVER_VOLT")), 1);
+    }
+
     void everyFaultHasCausesAndRemedies()
     {
         for (int kind = 0; kind <= int(drive::FaultKind::DriverProtection); ++kind) {
@@ -356,9 +390,6 @@ private Q_SLOTS:
     {
         arm();
         auto *mode = m_panel->findChild<QComboBox *>(QStringLiteral("setpointMode"));
-        const auto edit = [this](const char *name) {
-            return m_panel->findChild<widgets::SetpointEdit *>(QLatin1String(name));
-        };
         QVERIFY(edit("speed")->isVisible() && !edit("torque")->isVisible());
         mode->setCurrentIndex(1);
         QVERIFY(m_wishes.empty()); // choosing sends nothing
@@ -499,6 +530,10 @@ private:
         QTest::keyClick(box, Qt::Key_Space);
         QVERIFY(m_device->armed());
         QVERIFY(box->isChecked());
+    }
+    widgets::SetpointEdit *edit(const char *name) const
+    {
+        return m_panel->findChild<widgets::SetpointEdit *>(QLatin1String(name));
     }
     QPushButton *button(const char *name) const
     {

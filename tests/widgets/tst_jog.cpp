@@ -6,6 +6,7 @@
 #include "widgets/setpoint_edit.h"
 
 #include <QApplication>
+#include <QDialog>
 #include <QSignalSpy>
 #include <QTest>
 #include <QVBoxLayout>
@@ -160,7 +161,8 @@ private Q_SLOTS:
     void whateverTakesTheHandAwayStopsEveryMotor_data()
     {
         QTest::addColumn<QString>("what");
-        for (const char *what : {"focus", "window", "hidden", "suspect", "motor", "disarmed"})
+        for (const char *what : {"focus", "window", "program", "dialog", "hidden", "minimised",
+                 "closed", "suspect", "lost", "motor", "disarmed"})
             QTest::newRow(what) << QString::fromLatin1(what);
     }
     void whateverTakesTheHandAwayStopsEveryMotor()
@@ -170,14 +172,27 @@ private Q_SLOTS:
         bench.agree();
         QVERIFY(bench.press());
         QWidget second;
+        QDialog dialog(&bench.window);
         if (what == QLatin1String("focus")) {
             bench.other.setFocus();
         } else if (what == QLatin1String("window")) {
             second.show();
             second.activateWindow();
             QVERIFY(QTest::qWaitForWindowActive(&second));
+        } else if (what == QLatin1String("program")) {
+            Q_EMIT qGuiApp->applicationStateChanged(Qt::ApplicationInactive);
+        } else if (what == QLatin1String("dialog")) {
+            dialog.setAttribute(Qt::WA_ShowWithoutActivating); // a desktop that gives no focus
+            dialog.open();
         } else if (what == QLatin1String("hidden")) {
             bench.box.hide();
+        } else if (what == QLatin1String("minimised")) {
+            bench.window.showMinimized();
+        } else if (what == QLatin1String("closed")) {
+            bench.window.close();
+        } else if (what == QLatin1String("lost")) {
+            facts::feed(bench.device,
+                {drive::LinkChanged{drive::LinkState::Lost, drive::LinkReason::Silence}});
         } else if (what == QLatin1String("suspect")) {
             facts::feed(bench.device,
                 {drive::LinkChanged{drive::LinkState::Suspect, drive::LinkReason::None}});
@@ -193,6 +208,110 @@ private Q_SLOTS:
         bench.link.runFor(300ms);
         QCOMPARE(bench.starts, 1);
         QCOMPARE(bench.stops, 1);
+    }
+
+    void aPortThatIsGoneEndsIt()
+    {
+        JogBench bench;
+        bench.agree();
+        QVERIFY(bench.press());
+        bench.device.portChanged(session::PortState::Closed, {});
+        QVERIFY(!bench.box.jog().underWay());
+        QTest::mouseRelease(bench.button(), Qt::LeftButton);
+        QVERIFY(!bench.button()->isEnabled());
+        QCOMPARE(bench.motorStops, 0);
+    }
+
+    void theFirstOfTwoHoldsThatEndsIsTheEnd()
+    {
+        JogBench bench;
+        bench.agree();
+        QVERIFY(bench.press());
+        QTest::keyPress(bench.button(), Qt::Key_Return); // the key as well
+        QTest::mouseRelease(bench.button(), Qt::LeftButton);
+        QCOMPARE(bench.motorStops, 1);
+        QVERIFY(bench.idleWithin(500ms));
+        QTest::keyRelease(bench.button(), Qt::Key_Return);
+        bench.link.runFor(300ms);
+        QCOMPARE(bench.starts, 1);
+        QCOMPARE(bench.motorStops, 1);
+    }
+
+    void theOtherWayIsShutMeanwhile()
+    {
+        JogBench bench;
+        bench.agree();
+        QVERIFY(bench.press());
+        QVERIFY(!bench.button("jogBack")->isEnabled());
+        QTest::mousePress(bench.button("jogBack"), Qt::LeftButton);
+        QTest::mouseRelease(bench.button("jogBack"), Qt::LeftButton);
+        QTest::keyClick(bench.button("jogBack"), Qt::Key_Return);
+        bench.link.runFor(300ms);
+        QCOMPARE(bench.ramps, 1);
+        QVERIFY(bench.box.jog().held());
+        QTest::mouseRelease(bench.button(), Qt::LeftButton);
+        QVERIFY(bench.idleWithin(500ms));
+        bench.link.runFor(300ms);
+        QVERIFY(bench.button("jogBack")->isEnabled());
+    }
+
+    void lettingGoWhileAQuestionIsOpenStopsForGood()
+    {
+        JogBench bench(false);
+        bench.agree();
+        bench.gate.confirm();
+        QVERIFY(bench.press());
+        // Something else asks, in whatever way it came to that: the gate takes nothing now.
+        bench.gate.want(QStringLiteral("Speed ramp"), drive::SpeedRamp{1, 4000, 1s});
+        QVERIFY(bench.gate.asking());
+        QTest::mouseRelease(bench.button(), Qt::LeftButton);
+        QCOMPARE(bench.stops, 1);
+        QVERIFY(!bench.gate.asking()); // a stop withdraws it
+        QVERIFY(bench.idleWithin(1s));
+    }
+
+    void theKeysFocusStaysForTheNextTime()
+    {
+        JogBench bench;
+        bench.agree();
+        bench.button()->setFocus();
+        for (int i = 1; i <= 3; ++i) {
+            QTest::keyPress(bench.button(), Qt::Key_Return);
+            QVERIFY(bench.link.runUntil([&] { return bench.state() == MotorState::Running; }, 10s));
+            QTest::keyRelease(bench.button(), Qt::Key_Return);
+            QVERIFY(bench.idleWithin(500ms));
+            bench.link.runFor(100ms);
+            QVERIFY(bench.button()->hasFocus());
+            QVERIFY(bench.button()->isEnabled());
+            QCOMPARE(bench.starts, i);
+        }
+    }
+
+    void withoutASpeedOrALimitItDoesNotBegin()
+    {
+        JogBench bench;
+        bench.agree();
+        auto *speed = bench.window.findChild<widgets::SetpointEdit *>(QStringLiteral("jogSpeed"));
+        speed->setText(QStringLiteral("0"));
+        QVERIFY(!bench.button()->isEnabled());
+        QVERIFY(!bench.button()->toolTip().isEmpty());
+        bench.box.jog().hold(0);
+        QVERIFY(!bench.box.jog().underWay());
+
+        // An expert's board that tells no speed: nothing says what would be slow.
+        drive::Identified board = *bench.device.identified();
+        board.limits[0].maxSpeedRpm = 0.0;
+        facts::feed(bench.device, {board, facts::status(MotorState::Idle)});
+        bench.device.setArmed(true);
+        speed->setText(QStringLiteral("60"));
+        bench.box.follow();
+        QVERIFY(!bench.button()->isEnabled());
+        QVERIFY2(bench.button()->toolTip().contains(QStringLiteral("limit")),
+            qPrintable(bench.button()->toolTip()));
+        bench.box.jog().hold(60);
+        bench.link.runFor(300ms);
+        QVERIFY(!bench.box.jog().underWay());
+        QCOMPARE(bench.ramps, 0);
     }
 
     void aStopEndsItOnce()

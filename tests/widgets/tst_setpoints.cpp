@@ -1,0 +1,233 @@
+// The set-point fields under any board, any limits of one's own, any text and any locale: what leaves is a finite number
+// inside both limits, and it is the one that was echoed.
+#include "support/link_pair.h"
+#include "support/window_facts.h"
+#include "widgets/control_panel.h"
+#include "widgets/motion_gate.h"
+#include "widgets/setpoint_edit.h"
+#include "widgets/value_text.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QLabel>
+#include <QTest>
+#include <QWheelEvent>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+const char *const kTexts[] = {"nan", "NaN", "inf", "-inf", "1e999", "1e3", "1.234,5", "1'000",
+    "1.234", "1,5", "-1", "0", "-0", "0x7FFF", "99999999999999999999", "65536", "-32769",
+    "\u0661\u0662\u0663", "3.5 A", "600 rpm", "", " ", "+", "-", ".", "\u221212", "1\u00a0000",
+    "0.1", "5.01", "4000", "4001", "3999.9", "600", "-1500", "0,005", "000000000001", "1..2"};
+
+struct Rig {
+    widgets::Device device;
+    widgets::RegisterModel registers;
+    widgets::MotionGate motion{device, registers};
+    widgets::ControlPanel panel{device, registers, motion};
+    std::vector<drive::Wish> moved; ///< set-points that left
+    drive::WishId last = 0;
+
+    Rig()
+    {
+        QObject::connect(
+            &motion, &widgets::MotionGate::asked, &motion, &widgets::MotionGate::confirm);
+        QObject::connect(
+            &device, &widgets::Device::wishMade, &panel, [this](const drive::Wish &wish) {
+                if (std::holds_alternative<drive::SpeedRamp>(wish.what)
+                    || std::holds_alternative<drive::TorqueRamp>(wish.what)
+                    || std::holds_alternative<drive::CurrentReference>(wish.what))
+                    moved.push_back(wish);
+                last = wish.id;
+            });
+        QObject::connect(&device, &widgets::Device::armWished, &device,
+            &widgets::Device::armedChanged); // the session's part
+        panel.show();
+    }
+    widgets::SetpointEdit *edit(const char *name) const
+    {
+        return panel.findChild<widgets::SetpointEdit *>(QLatin1String(name));
+    }
+    QString echo() const { return panel.findChild<QLabel *>(QStringLiteral("speedEcho"))->text(); }
+};
+
+/// What a structure of a board may decode to: mostly sensible, else any bits.
+double anyLimit(support::Random &random, double sensible)
+{
+    if (random.chance(0.7))
+        return sensible * static_cast<double>(1 + random.below(200)) / 100.0;
+    const double odd[] = {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
+        std::numeric_limits<double>::infinity(), 1e300, 1e-300,
+        static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(random.next())))};
+    return odd[random.below(std::size(odd))];
+}
+
+void disturb(QLineEdit *edit, support::Random &random)
+{
+    const QString text = QString::fromUtf8(kTexts[random.below(std::size(kTexts))]);
+    switch (random.below(5)) {
+    case 0:
+        edit->selectAll();
+        for (const QChar letter : text) // keyClicks() knows Latin letters only
+            QTest::sendKeyEvent(
+                QTest::Click, edit, Qt::Key_unknown, QString(letter), Qt::NoModifier);
+        break;
+    case 1:
+        QGuiApplication::clipboard()->setText(text);
+        edit->selectAll();
+        edit->paste();
+        break;
+    case 2: {
+        edit->setFocus();
+        QWheelEvent wheel(QPointF(5, 5), edit->mapToGlobal(QPointF(5, 5)), {},
+            QPoint(0, random.chance(0.5) ? 120 : -120), Qt::NoButton, Qt::NoModifier,
+            Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(edit, &wheel);
+        break;
+    }
+    case 3:
+        QTest::keyClick(edit, random.chance(0.5) ? Qt::Key_PageUp : Qt::Key_Down);
+        break;
+    default:
+        edit->setText(text);
+        break;
+    }
+}
+
+} // namespace
+
+class TestSetpoints : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void cleanup() { QLocale::setDefault(QLocale::c()); }
+
+    void whateverIsTypedWhatLeavesIsInsideAndEchoed()
+    {
+        const int rounds = qEnvironmentVariableIntValue("ROTORSCOPE_LONG") != 0 ? 20000 : 600;
+        const auto seed =
+            static_cast<std::uint64_t>(qEnvironmentVariableIntValue("ROTORSCOPE_SEED")) + 1;
+        support::Random random(seed);
+        const QList<QLocale> locales{
+            QLocale::c(), QLocale(QLocale::German), QLocale(QLocale::Turkish)};
+        Rig rig;
+        facts::connectBoard(rig.device);
+        auto *mode = rig.panel.findChild<QComboBox *>(QStringLiteral("setpointMode"));
+        int sent = 0, refused = 0; // both have to be many, or nothing was tried
+        for (int round = 0; round < rounds; ++round) {
+            QLocale::setDefault(locales[static_cast<qsizetype>(random.below(3))]);
+            if (round % 20 == 0)
+                anotherBoard(rig, random);
+            mode->setCurrentIndex(static_cast<int>(random.below(3)));
+            const bool speeds = mode->currentIndex() == 0;
+            auto *edit = rig.edit(speeds        ? "speed"
+                    : mode->currentIndex() == 1 ? "torque"
+                                                : "iqReference");
+            for (const char *other : {"rampTime", "idReference"}) // nothing odd stays from before
+                rig.edit(other)->setText(QStringLiteral("0"));
+            disturb(edit, random);
+            if (mode->currentIndex() == 2)
+                disturb(rig.edit("idReference"), random);
+            else if (random.chance(0.2))
+                disturb(rig.edit("rampTime"), random);
+            rig.moved.clear();
+            const auto expected = edit->sentValue();
+            QTest::keyClick(edit, Qt::Key_Return);
+            QVERIFY(rig.moved.size() <= 1); // one act, one wish
+            ++(rig.moved.empty() ? refused : sent);
+            if (rig.moved.empty())
+                continue;
+            QVERIFY(expected.has_value());
+            if (!judge(rig, edit, rig.moved[0], *expected)) {
+                qWarning("seed %llu, round %d", static_cast<unsigned long long>(seed), round);
+                return;
+            }
+        }
+        QVERIFY(sent > rounds / 10);
+        QVERIFY(refused > rounds / 10);
+    }
+
+    void aReferenceThatIsNoNumberChangesNoField()
+    {
+        Rig rig;
+        facts::connectBoard(rig.device);
+        rig.edit("speed")->setText(QStringLiteral("600"));
+        for (const double odd : {std::numeric_limits<double>::quiet_NaN(),
+                 std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()})
+            rig.edit("speed")->setValue(odd);
+        QCOMPARE(rig.edit("speed")->text(), QStringLiteral("600"));
+    }
+
+private:
+    static void anotherBoard(Rig &rig, support::Random &random)
+    {
+        drive::Identified board = facts::identified();
+        board.limits[0].maxSpeedRpm = anyLimit(random, 4000.0);
+        board.limits[0].maxCurrentAmps = anyLimit(random, 32.0);
+        board.limits[0].nominalCurrentAmps = anyLimit(random, 5.0);
+        facts::feed(rig.device, {board, facts::status(drive::MotorState::Idle)});
+        rig.device.setUserLimits(random.chance(0.5)
+                ? drive::UserLimits{}
+                : drive::UserLimits{anyLimit(random, 3000.0), anyLimit(random, 2.0)});
+        rig.device.setArmed(true);
+        if (random.chance(0.5)) {
+            rig.device.becomeExpert(1);
+            drive::Ended agreed;
+            agreed.id = rig.last;
+            facts::feed(rig.device, {agreed});
+        }
+    }
+    static bool inside(double value, double limit, double own)
+    {
+        return std::isfinite(value) && (!(limit > 0.0) || std::abs(value) <= limit)
+            && (!(own > 0.0) || std::abs(value) <= own);
+    }
+    static bool judge(
+        const Rig &rig, const widgets::SetpointEdit *edit, const drive::Wish &wish, double expected)
+    {
+        const drive::MotorLimits told = rig.device.limits(1);
+        const drive::UserLimits own = rig.device.userLimits();
+        const bool unbounded = !drive::gapsIn(told).empty();
+        if (unbounded && !rig.device.expert(1))
+            return QTest::qVerify(false, "known", "moved without limits", __FILE__, __LINE__);
+        const auto most = [](double limit, double ceiling) {
+            return std::isfinite(limit) && limit > 0.0 && limit <= ceiling ? limit : ceiling;
+        };
+        const double rpm = most(told.maxSpeedRpm, drive::kHighestRpm);
+        const double amps = std::min(most(told.maxCurrentAmps, drive::kHighestAmps),
+            most(told.nominalCurrentAmps, drive::kHighestAmps));
+        double value = 0.0;
+        bool good = true;
+        if (const auto *speed = std::get_if<drive::SpeedRamp>(&wish.what)) {
+            value = speed->rpm;
+            good = inside(value, rpm, own.maxSpeedRpm) && speed->duration.count() >= 0
+                && speed->duration.count() <= 65535;
+        } else if (const auto *torque = std::get_if<drive::TorqueRamp>(&wish.what)) {
+            value = torque->amps;
+            good = inside(value, amps, own.maxCurrentAmps) && torque->duration.count() >= 0
+                && torque->duration.count() <= 65535;
+        } else {
+            const auto &both = std::get<drive::CurrentReference>(wish.what);
+            value = both.iqAmps;
+            good = inside(value, amps, own.maxCurrentAmps)
+                && inside(both.idAmps, amps, own.maxCurrentAmps);
+        }
+        const QString number = widgets::numberText(value, widgets::decimalsFor(edit->step()));
+        const QByteArray about = QStringLiteral("sent %1, field %2, echo %3")
+                                     .arg(value)
+                                     .arg(edit->text(), rig.echo())
+                                     .toUtf8();
+        return QTest::qVerify(good, "inside both limits", about, __FILE__, __LINE__)
+            && QTest::qVerify(value == expected, "as the field says", about, __FILE__, __LINE__)
+            && QTest::qVerify(edit->echo().contains(number + QLatin1Char(' ')), "echoed", about,
+                __FILE__, __LINE__);
+    }
+};
+
+QTEST_MAIN(TestSetpoints)
+#include "tst_setpoints.moc"
