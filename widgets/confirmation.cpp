@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -12,6 +13,21 @@ namespace {
 
 struct ConfirmationText {
     Q_DECLARE_TR_FUNCTIONS(Confirmation)
+};
+
+/// A key that was held before the question came must not answer it.
+class HeldKeys : public QObject {
+public:
+    using QObject::QObject;
+    bool eventFilter(QObject *, QEvent *event) override
+    {
+        if (event->type() != QEvent::KeyPress)
+            return false;
+        const auto *key = static_cast<QKeyEvent *>(event);
+        return key->isAutoRepeat()
+            && (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter
+                || key->key() == Qt::Key_Space);
+    }
 };
 
 /// A line that enables `yes` once it holds the word.
@@ -54,6 +70,9 @@ QDialog *askToConfirm(
     QWidget *first = cancel;
     if (!question.typed.isEmpty())
         first = addTypedLine(box, yes, question.typed);
+    auto *held = new HeldKeys(box);
+    for (QWidget *widget : std::initializer_list<QWidget *>{box, yes, cancel, first})
+        widget->installEventFilter(held);
     QObject::connect(box, &QDialog::finished, box,
         [box, yes, answer = std::move(answer)] { answer(box->clickedButton() == yes); });
     box->open();

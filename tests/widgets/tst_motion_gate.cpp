@@ -8,6 +8,7 @@
 #include "widgets/motion_question.h"
 #include "widgets/setpoint_edit.h"
 
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
@@ -240,6 +241,27 @@ private Q_SLOTS:
         yes->setFocus();
         QTest::keyClick(yes, Qt::Key_Return);
         QTRY_VERIFY(!rig.find<QMessageBox>("motionQuestion"));
+        QCOMPARE(m_starts, 0);
+    }
+
+    void aKeyThatWasHeldBeforeAnswersNothing()
+    {
+        facts::WindowRig rig;
+        connectAndArm(rig);
+        auto *box = askForStart(rig);
+        QVERIFY(box);
+        for (QWidget *widget : std::initializer_list<QWidget *>{
+                 box->button(QMessageBox::Cancel), rig.find<QPushButton>("motionConfirm"), box})
+            for (const int key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Space}) {
+                QKeyEvent repeat(QEvent::KeyPress, key, Qt::NoModifier, QString(), true);
+                QCoreApplication::sendEvent(widget, &repeat);
+                QKeyEvent release(QEvent::KeyRelease, key, Qt::NoModifier, QString(), true);
+                QCoreApplication::sendEvent(widget, &release);
+                QVERIFY(box->isVisible());
+            }
+        QVERIFY(rig.workbench.motion().asking());
+        QTest::keyClick(box->button(QMessageBox::Cancel), Qt::Key_Return);
+        QTRY_VERIFY(!rig.workbench.motion().asking());
         QCOMPARE(m_starts, 0);
     }
 
