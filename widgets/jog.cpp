@@ -4,6 +4,7 @@
 #include "widgets/motion_gate.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace widgets {
 namespace {
@@ -64,12 +65,19 @@ void Jog::hold(std::int32_t rpm)
         return;
     m_motor = m_device.motor();
     m_left = false;
-    if (m_motion.jog(tr("Jog"), m_motor, std::clamp(rpm, -most, most)))
+    const std::int32_t slow = std::clamp(rpm, -most, most);
+    if (!m_motion.jogAgreed(m_motor))
+        m_toAsk = slow;
+    else if (m_motion.jog(tr("Jog"), m_motor, slow))
         enter(State::Held);
 }
 
 void Jog::release()
 {
+    if (const std::int32_t rpm = std::exchange(m_toAsk, 0); rpm != 0 && allowed().yes) {
+        m_motion.jog(tr("Jog"), m_device.motor(), rpm);
+        return;
+    }
     if (m_state != State::Held)
         return;
     if (m_motion.asking()) // it takes nothing now, not even this stop
@@ -82,6 +90,7 @@ void Jog::release()
 
 void Jog::abort()
 {
+    m_toAsk = 0;
     if (m_state == State::Off)
         return;
     enter(State::Off);

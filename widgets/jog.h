@@ -26,9 +26,10 @@ public:
     bool underWay() const { return m_state != State::Off; }
 
 public Q_SLOTS:
-    /// Not 0; cut to greatestRpm(). Does nothing if it may not begin.
+    /// Not 0; cut to greatestRpm(). Does nothing if it may not begin. The first time it only notes that it has to be
+    /// asked about: a question that opened now would be answered by the key that is held.
     void hold(std::int32_t rpm);
-    void release(); ///< let go
+    void release(); ///< let go; asks, if that is still to be done
     void abort(); ///< not let go, but lost: stops every motor
     void refresh(widgets::Milliseconds now);
 
@@ -44,6 +45,7 @@ private:
     MotionGate &m_motion;
     State m_state = State::Off;
     int m_motor = 1;
+    std::int32_t m_toAsk = 0; ///< rpm of what has to be agreed to, when it is let go
     bool m_left = false; ///< the motor was seen at work
     Milliseconds m_now{};
     Milliseconds m_deadline{};

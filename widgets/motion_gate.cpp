@@ -79,7 +79,7 @@ bool MotionGate::jog(const QString &action, int motor, std::int32_t rpm)
         return false;
     m_action = action;
     m_asked = std::move(acts);
-    m_agreeOnly = !m_started.contains(motor) && !m_agreed.contains(motor);
+    m_agreeOnly = !jogAgreed(motor);
     if (m_agreeOnly) {
         ask();
         return false;
@@ -106,8 +106,12 @@ bool MotionGate::needsExpert(const std::vector<drive::WishContent> &acts)
 void MotionGate::ask()
 {
     MotionQuestion question{motorOf(m_asked.front()), m_action, {}};
-    for (const drive::WishContent &act : m_asked)
-        question.lines += linesOf(act);
+    drive::MotionScene scene = sceneOf(question.motor);
+    for (const drive::WishContent &act : m_asked) {
+        question.lines += linesOf(act, scene);
+        if (const auto *ramp = std::get_if<drive::SpeedRamp>(&act))
+            scene.speedReferenceRpm = ramp->rpm; // what a start after it goes to
+    }
     if (m_agreeOnly)
         question.lines.append(tr("Nothing moves now: press and hold again after you have agreed."));
     Q_EMIT asked(question);
@@ -203,9 +207,9 @@ drive::MotionScene MotionGate::sceneOf(int motor) const
     return scene;
 }
 
-QStringList MotionGate::linesOf(const drive::WishContent &act) const
+QStringList MotionGate::linesOf(
+    const drive::WishContent &act, const drive::MotionScene &scene) const
 {
-    const drive::MotionScene scene = sceneOf(motorOf(act));
     const QString rpm = tr("rpm"), amps = QStringLiteral("A");
     const auto number = [](std::optional<double> value, int decimals, const QString &unit) {
         return value ? numberText(*value, decimals) + QChar(0x202f) + unit

@@ -40,6 +40,11 @@ public:
     /// @param rpm  within a fifth of the limit, so that nothing but the start can be in question
     /// @return     whether it was sent
     bool jog(const QString &action, int motor, std::int32_t rpm);
+    /// Whether jog() would move this motor without asking about its start.
+    bool jogAgreed(int motor) const
+    {
+        return m_started.contains(motor) || m_agreed.contains(motor);
+    }
 
     /// What of an act of several wishes has not been sent is not sent any more.
     void dropRest() { m_rest.clear(); }
@@ -58,7 +63,7 @@ Q_SIGNALS:
 private:
     drive::MotionScene sceneOf(int motor) const;
     std::optional<double> reading(const char *name, int motor) const;
-    QStringList linesOf(const drive::WishContent &act) const;
+    QStringList linesOf(const drive::WishContent &act, const drive::MotionScene &scene) const;
     bool needsExpert(const std::vector<drive::WishContent> &acts);
     void ask();
     void send();

@@ -103,6 +103,28 @@ private Q_SLOTS:
         QCOMPARE(bench.questions, 1);
     }
 
+    void theQuestionComesWhenTheKeyIsLetGo()
+    {
+        JogBench bench(false);
+        QStringList lines;
+        connect(&bench.gate, &widgets::MotionGate::asked, this,
+            [&](const widgets::MotionQuestion &question) { lines = question.lines; });
+        bench.button()->setFocus();
+        QTest::keyPress(bench.button(), Qt::Key_Return);
+        bench.link.runFor(300ms);
+        QCOMPARE(bench.questions, 0); // a key that is held must not answer it
+        bench.other.setFocus();
+        QTest::keyRelease(bench.button(), Qt::Key_Return);
+        QCOMPARE(bench.questions, 0); // lost, not let go
+        bench.button()->setFocus();
+        QTest::keyClick(bench.button(), Qt::Key_Return);
+        QCOMPARE(bench.questions, 1);
+        const QString text = lines.join(QLatin1Char('\n'));
+        QVERIFY2(text.contains(QStringLiteral("start, then to 396\u202frpm")), qPrintable(text));
+        bench.link.runFor(300ms);
+        QCOMPARE(bench.starts + bench.ramps, 0);
+    }
+
     void itTurnsWhileHeldAndStopsWhenLetGo()
     {
         JogBench bench;
