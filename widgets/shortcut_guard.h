@@ -1,5 +1,6 @@
 // ShortcutGuard: keeps the scope's single keys from taking a key that a focused control needs: the Space bar still
-// ticks a box or presses an ordinary button. Motor buttons refuse it, so there it stays the scope's.
+// ticks a box, also one in a list, opens a list of choices or presses an ordinary button. Motor buttons refuse it, so
+// there it stays the scope's.
 #pragma once
 
 #include <QObject>

@@ -2,7 +2,10 @@
 #include "support/edit_bench.h"
 #include "support/window_rig.h"
 
+#include "widgets/scope/scope_view.h"
+
 #include <QAbstractProxyModel>
+#include <QApplication>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -152,6 +155,37 @@ private Q_SLOTS:
         QTest::keyClick(flags, Qt::Key_Return);
         QCoreApplication::processEvents();
         QVERIFY(!bench.model.hasEdits());
+    }
+
+    void inTheWindowTheSpaceBarSwitchesAFlagAndNotThePicture()
+    {
+        facts::WindowRig rig;
+        QVERIFY(QTest::qWaitForWindowActive(&rig.window));
+        session::Endpoint endpoint;
+        endpoint.board.profile = "six-step";
+        rig.workbench.device().open(endpoint);
+        QTRY_VERIFY_WITH_TIMEOUT(rig.workbench.device().identified().has_value(), 10000);
+        widgets::RegisterModel &model = rig.workbench.registers();
+        const auto id = *model.idOf("LOWSIDE_MODULATION");
+        widgets::RegisterPanel &panel = *rig.window.registerPanel();
+        panel.focusSearch();
+        QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("LOWSIDE_MOD"));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
+        QCOMPARE(
+            panel.tree()->currentIndex().siblingAtColumn(0).data(RegisterModel::IdRole).toUInt(),
+            quint32(id));
+        QTRY_VERIFY_WITH_TIMEOUT(model.known(id).has_value(), 10000);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_F2);
+        auto *flags = qobject_cast<QListWidget *>(QApplication::focusWidget());
+        QVERIFY(flags != nullptr);
+        const Qt::CheckState before = flags->item(0)->checkState();
+        const bool running = rig.window.scope()->running();
+        QTest::keyClick(flags, Qt::Key_Space);
+        QVERIFY(flags->item(0)->checkState() != before);
+        QCOMPARE(rig.window.scope()->running(), running);
+        QTest::keyClick(flags, Qt::Key_Return);
+        QTRY_VERIFY(model.editState(id) == State::Pending);
     }
 
     void flagsThatWereNeverReadAreTypedAsAWhole()

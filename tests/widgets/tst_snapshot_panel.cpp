@@ -3,10 +3,12 @@
 #include "session/whole_file.h"
 #include "support/edit_bench.h"
 #include "support/window_rig.h"
+#include "widgets/shortcut_guard.h"
 #include "widgets/snapshot_actions.h"
 #include "widgets/snapshot_panel.h"
 
 #include <QAbstractItemModelTester>
+#include <QAction>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
@@ -168,7 +170,16 @@ private Q_SLOTS:
             (QStringList{QStringLiteral("SPEED_KI"), QStringLiteral("SPEED_KP")}));
         const int row = int(bench.shown().indexOf(QStringLiteral("SPEED_KI")));
         bench.table()->setCurrentIndex(bench.table()->model()->index(row, 0));
+        const widgets::ShortcutGuard guard; // as in the window, where Space is the scope's
+        QAction hold(&bench.compared);
+        hold.setShortcut(Qt::Key_Space);
+        bench.compared.addAction(&hold);
+        const QSignalSpy held(&hold, &QAction::triggered);
+        bench.compared.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&bench.compared));
+        bench.table()->setFocus();
         QTest::keyClick(bench.table(), Qt::Key_Space); // unchecks it
+        QCOMPARE(held.size(), 0);
         QVERIFY(bench.restoreButton()->text().contains(QStringLiteral("1 register")));
         bench.restoreButton()->click();
         QVERIFY(bench.quiet());
