@@ -30,6 +30,23 @@ QList<std::pair<QString, qint64>> choicesOf(const catalog::RegisterInfo &info)
     return choices;
 }
 
+QString signOf(RegisterModel::EditState state)
+{
+    switch (state) {
+    case RegisterModel::EditState::Pending:
+        return QStringLiteral("\u270e");
+    case RegisterModel::EditState::Sending:
+        return QStringLiteral("\u2026");
+    case RegisterModel::EditState::Verified:
+        return QStringLiteral("\u2713");
+    case RegisterModel::EditState::Refused:
+        return QStringLiteral("\u2717");
+    case RegisterModel::EditState::None:
+        break;
+    }
+    return {};
+}
+
 catalog::RegisterId idOf(const QModelIndex &index)
 {
     return index.data(RegisterModel::IdRole).toUInt();
@@ -182,9 +199,13 @@ void RegisterDelegate::initStyleOption(QStyleOptionViewItem *option, const QMode
 {
     QStyledItemDelegate::initStyleOption(option, index);
     // The colour of an edit is also seen in a selected row.
-    const auto none = static_cast<int>(RegisterModel::EditState::None);
-    if (index.column() != RegisterModel::NameColumn
-        && index.data(RegisterModel::EditStateRole).toInt() != none)
+    const auto state =
+        static_cast<RegisterModel::EditState>(index.data(RegisterModel::EditStateRole).toInt());
+    if (state == RegisterModel::EditState::None)
+        return;
+    if (index.column() == RegisterModel::NameColumn) // a colour alone is not seen by everybody
+        option->text = signOf(state) + QLatin1Char(' ') + option->text;
+    else
         option->state.setFlag(QStyle::State_Selected, false);
 }
 

@@ -154,6 +154,7 @@ private:
     void keepEdits();
     void endFlashes(Milliseconds now);
     QVariant editBackground(const Row &row) const;
+    QString editSentence(const Row &row) const; ///< what became of its edit; empty without one
     QString editToolTip(const Row &row) const;
     QVariant display(const Row &row, int column) const;
     QString valueText(const Row &row) const;

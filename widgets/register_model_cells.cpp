@@ -34,6 +34,8 @@ QVariant RegisterModel::cell(const Row &row, int column, int role) const
         return display(row, column);
     case Qt::EditRole:
         return editText(row, column);
+    case Qt::AccessibleDescriptionRole:
+        return editSentence(row);
     case Qt::BackgroundRole:
         return ofValue ? editBackground(row) : QVariant();
     case EditStateRole:

@@ -266,14 +266,11 @@ QVariant RegisterModel::editBackground(const Row &row) const
     return state == EditState::None ? QVariant() : QVariant(colorOf(state));
 }
 
-QString RegisterModel::editToolTip(const Row &row) const
+QString RegisterModel::editSentence(const Row &row) const
 {
     const Edit *edit = editOf(row.id);
-    if (!edit) {
-        return editable(row.id, RawColumn)
-            ? tr("Double-click its value or press F2 to edit it.").toHtmlEscaped()
-            : QString();
-    }
+    if (!edit)
+        return {};
     QStringList lines;
     const QString held = row.known == Known::Value
         ? tr("The board holds %1.").arg(describe(row.id, row.value))
@@ -295,7 +292,16 @@ QString RegisterModel::editToolTip(const Row &row) const
         break;
     }
     lines.removeAll(QString());
-    return QStringLiteral("<b>%1</b>").arg(lines.join(QLatin1Char(' ')).toHtmlEscaped());
+    return lines.join(QLatin1Char(' '));
+}
+
+QString RegisterModel::editToolTip(const Row &row) const
+{
+    if (editOf(row.id) != nullptr)
+        return QStringLiteral("<b>%1</b>").arg(editSentence(row).toHtmlEscaped());
+    return editable(row.id, RawColumn)
+        ? tr("Double-click its value or press F2 to edit it.").toHtmlEscaped()
+        : QString();
 }
 
 } // namespace widgets

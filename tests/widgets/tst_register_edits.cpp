@@ -337,6 +337,31 @@ private Q_SLOTS:
             cell.data(Qt::BackgroundRole).value<QColor>());
     }
 
+    void anEditIsSeenWithoutItsColour()
+    {
+        EditBench bench;
+        bench.panel.resize(420, 600);
+        bench.panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&bench.panel));
+        QTreeView *tree = bench.panel.tree();
+        const auto *proxy = qobject_cast<const QAbstractProxyModel *>(tree->model());
+        const QModelIndex name = proxy->mapFromSource(
+            bench.model.indexOf(bench.id("SPEED_KP"), RegisterModel::NameColumn));
+        tree->expand(name.parent());
+        tree->scrollTo(name);
+        const auto picture = [&] {
+            return tree->viewport()->grab(tree->visualRect(name)).toImage();
+        };
+        const QImage before = picture();
+        QVERIFY(name.data(Qt::AccessibleDescriptionRole).toString().isEmpty());
+        bench.type("SPEED_KP", QStringLiteral("77"));
+        QVERIFY(picture() != before);
+        QVERIFY(!name.data(Qt::AccessibleDescriptionRole).toString().isEmpty());
+        QCOMPARE(name.data().toString(), QStringLiteral("SPEED_KP")); // as it is copied and dragged
+        bench.edits.revert();
+        QVERIFY(picture() == before);
+    }
+
     void goodNewsEndWithTheNextEdit()
     {
         EditBench bench;

@@ -8,6 +8,8 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QGuiApplication>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QPointer>
 #include <QTest>
 #include <QWheelEvent>
@@ -233,6 +235,12 @@ private Q_SLOTS:
         QCOMPARE(QGuiApplication::clipboard()->text(), QStringLiteral("SPEED_KP\t21\t21"));
     }
 
+    void whateverIsTypedNothingOutsideTheLimitsIsWritten_data()
+    {
+        QTest::addColumn<std::string>("profile");
+        QTest::newRow("field-oriented control") << std::string("mcsdk-6.4");
+        QTest::newRow("six-step control, with flags") << std::string("six-step");
+    }
     void whateverIsTypedNothingOutsideTheLimitsIsWritten();
 
 private:
@@ -266,6 +274,7 @@ private:
 
 void TestRegisterEntry::whateverIsTypedNothingOutsideTheLimitsIsWritten()
 {
+    QFETCH(std::string, profile);
     const int rounds = qEnvironmentVariableIntValue("ROTORSCOPE_LONG") != 0 ? 10000 : 100;
     const auto seed =
         static_cast<std::uint64_t>(qEnvironmentVariableIntValue("ROTORSCOPE_SEED")) + 1;
@@ -276,7 +285,9 @@ void TestRegisterEntry::whateverIsTypedNothingOutsideTheLimitsIsWritten()
         "3.5 A", "600 rpm", "600 V", "", " ", "+", "\u221212", "1\n2", "=1+1", "1\u00a0000", "1e",
         "0.1", "15", "16", "255", "256", "ff 00 ff", "I", "\u0131", "\u0130NF"};
     const QList<QLocale> locales{QLocale::c(), QLocale(QLocale::German), QLocale(QLocale::Turkish)};
-    EditBench bench;
+    simulation::BoardOptions options;
+    options.profile = profile;
+    EditBench bench(options);
     QAbstractItemModelTester tester(
         &bench.model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     bench.answerYes = true;
@@ -285,7 +296,7 @@ void TestRegisterEntry::whateverIsTypedNothingOutsideTheLimitsIsWritten()
     for (const auto &[id, value] : bench.readAll())
         if (bench.model.editable(id, RegisterModel::RawColumn))
             ids.push_back(id);
-    int opened = 0;
+    int opened = 0, lists = 0;
     for (int round = 0; round < rounds; ++round) {
         QLocale::setDefault(locales[static_cast<qsizetype>(random.below(3))]);
         const auto id = ids[random.below(ids.size())];
@@ -294,6 +305,8 @@ void TestRegisterEntry::whateverIsTypedNothingOutsideTheLimitsIsWritten()
         if (!editor)
             continue;
         ++opened;
+        auto *flags = qobject_cast<QListWidget *>(editor);
+        lists += flags != nullptr ? 1 : 0;
         for (std::uint64_t act = 0; act < 1 + random.below(4); ++act) {
             const QString text = QString::fromUtf8(texts[random.below(std::size(texts))]);
             switch (random.below(5)) {
@@ -311,6 +324,11 @@ void TestRegisterEntry::whateverIsTypedNothingOutsideTheLimitsIsWritten()
                 QTest::keyClick(editor, random.chance(0.5) ? Qt::Key_PageUp : Qt::Key_Down);
                 break;
             default:
+                if (flags != nullptr) {
+                    flags->setCurrentRow(
+                        static_cast<int>(random.below(static_cast<std::uint64_t>(flags->count()))));
+                    QTest::keyClick(flags, Qt::Key_Space);
+                }
                 if (auto *edit = qobject_cast<QLineEdit *>(editor))
                     edit->setText(
                         QString::number(static_cast<qint64>(random.next() >> random.below(64))));
@@ -350,6 +368,7 @@ void TestRegisterEntry::whateverIsTypedNothingOutsideTheLimitsIsWritten()
             }
     }
     QVERIFY(opened > rounds / 2);
+    QVERIFY(lists > 0 || profile != "six-step");
     QVERIFY(bench.edits.steps().count() > 0);
 }
 
