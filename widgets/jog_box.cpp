@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kRpmStep = 6.0; // one digit of speed is 0.1 Hz
 constexpr double kFallbackRpm = 300.0;
+// A busy X11 session tells some repeats as a release and a press of one and the same instant.
+constexpr std::chrono::milliseconds kRepeatWithin{30};
 
 bool isEnter(const QKeyEvent *event)
 {
@@ -30,6 +32,12 @@ JogButton::JogButton(const QString &text, QWidget *parent)
 {
     setFocusPolicy(Qt::StrongFocus); // what has no focus cannot lose it
     setAutoRepeat(false);
+    m_released.setSingleShot(true);
+    m_released.setInterval(kRepeatWithin);
+    connect(&m_released, &QTimer::timeout, this, [this] {
+        setDown(false);
+        end();
+    });
     connect(qGuiApp, &QGuiApplication::applicationStateChanged, this,
         [this](Qt::ApplicationState state) {
             if (state != Qt::ApplicationActive)
@@ -55,6 +63,7 @@ void JogButton::end()
 
 void JogButton::lose()
 {
+    m_released.stop();
     if (!std::exchange(m_held, false))
         return;
     watchWindow(false);
@@ -119,6 +128,12 @@ void JogButton::keyPressEvent(QKeyEvent *event)
     event->accept();
     if (event->isAutoRepeat())
         return;
+    if (m_released.isActive()) {
+        m_released.stop();
+        if (event->timestamp() == m_releasedAt)
+            return; // it never came up
+        end();
+    }
     setDown(true);
     begin();
 }
@@ -128,10 +143,10 @@ void JogButton::keyReleaseEvent(QKeyEvent *event)
     if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter)
         return MotorButton::keyReleaseEvent(event);
     event->accept();
-    if (event->isAutoRepeat())
+    if (event->isAutoRepeat() || !m_held)
         return;
-    setDown(false);
-    end();
+    m_releasedAt = event->timestamp();
+    m_released.start();
 }
 
 JogBox::JogBox(Device &device, MotionGate &motion, QWidget *parent)

@@ -6,6 +6,7 @@
 #include "widgets/motor_button.h"
 
 #include <QPointer>
+#include <QTimer>
 #include <QWidget>
 
 class QLabel;
@@ -43,6 +44,8 @@ private:
 
     bool m_held = false;
     QPointer<QWidget> m_watched; ///< the window, while held
+    QTimer m_released; ///< runs while a key that came up may turn out to repeat itself
+    quint64 m_releasedAt = 0; ///< by the window system's clock
 };
 
 class JogBox : public QWidget {

@@ -9,6 +9,7 @@
 #include <QDialog>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 #include <QVBoxLayout>
 
 using namespace std::chrono_literals;
@@ -118,7 +119,7 @@ private Q_SLOTS:
         QCOMPARE(bench.questions, 0); // lost, not let go
         bench.button()->setFocus();
         QTest::keyClick(bench.button(), Qt::Key_Return);
-        QCOMPARE(bench.questions, 1);
+        QTRY_COMPARE(bench.questions, 1);
         const QString text = lines.join(QLatin1Char('\n'));
         QVERIFY2(text.contains(QStringLiteral("start, then to 396\u202frpm")), qPrintable(text));
         bench.link.runFor(300ms);
@@ -174,9 +175,32 @@ private Q_SLOTS:
         QCOMPARE(bench.starts, 1);
         QCOMPARE(bench.motorStops, 0);
         QTest::keyRelease(bench.button(), Qt::Key_Return);
+        QTRY_COMPARE(bench.motorStops, 1);
         QVERIFY(bench.idleWithin(500ms));
         QTest::keyClick(bench.button(), Qt::Key_Space); // the picture's
         bench.link.runFor(200ms);
+        QCOMPARE(bench.starts, 1);
+    }
+
+    void aRepeatThatIsNotMarkedIsNoRelease()
+    {
+        JogBench bench;
+        bench.agree();
+        bench.button()->setFocus();
+        QTest::keyPress(bench.button(), Qt::Key_Return);
+        QVERIFY(bench.link.runUntil([&] { return bench.state() == MotorState::Running; }, 10s));
+        for (const QEvent::Type type : {QEvent::KeyRelease, QEvent::KeyPress}) {
+            QKeyEvent event(type, Qt::Key_Return, Qt::NoModifier);
+            event.setTimestamp(39479307); // both: as X11 sends them
+            QCoreApplication::sendEvent(bench.button(), &event);
+        }
+        bool later = false;
+        QTimer::singleShot(100, this, [&] { later = true; });
+        QTRY_VERIFY(later);
+        QCOMPARE(bench.motorStops, 0);
+        QVERIFY(bench.box.jog().held());
+        QTest::keyRelease(bench.button(), Qt::Key_Return);
+        QTRY_COMPARE(bench.motorStops, 1);
         QCOMPARE(bench.starts, 1);
     }
 
@@ -301,6 +325,7 @@ private Q_SLOTS:
             QTest::keyPress(bench.button(), Qt::Key_Return);
             QVERIFY(bench.link.runUntil([&] { return bench.state() == MotorState::Running; }, 10s));
             QTest::keyRelease(bench.button(), Qt::Key_Return);
+            QTRY_COMPARE(bench.motorStops, i);
             QVERIFY(bench.idleWithin(500ms));
             bench.link.runFor(100ms);
             QVERIFY(bench.button()->hasFocus());
