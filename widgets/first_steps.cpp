@@ -68,7 +68,7 @@ void FirstSteps::restart()
 void FirstSteps::finish()
 {
     m_step = Step::Done;
-    hide();
+    place();
     Q_EMIT finished();
 }
 
@@ -104,7 +104,20 @@ void FirstSteps::show(Step step)
     }
     m_first->setVisible(step == Step::Welcome || step == Step::Save);
     m_second->setVisible(step == Step::Welcome);
-    setVisible(step != Step::Done);
+    place();
+}
+
+void FirstSteps::setCrowded(bool crowded)
+{
+    m_crowded = crowded;
+    place();
+}
+
+/// What a card says of the board holds only while the board answers; the banner has the word until then.
+void FirstSteps::place()
+{
+    const bool holds = m_step == Step::Welcome || m_step == Step::Save || m_device.answering();
+    setVisible(m_step != Step::Done && holds && !m_crowded);
 }
 
 void FirstSteps::follow()
@@ -115,8 +128,7 @@ void FirstSteps::follow()
     const MotorState state = m_device.status(m_device.motor()).state;
     if (m_step == Step::Welcome && m_device.identified())
         show(Step::Start);
-    // What a card says of the board holds only while the board answers; the banner has the word until then.
-    setVisible(m_step == Step::Welcome || m_step == Step::Save || m_device.answering());
+    place();
     if (m_step == Step::Start && state == MotorState::Running)
         show(Step::Speed);
     if (m_step == Step::Speed && (state == MotorState::Idle || state == MotorState::Stopping))

@@ -21,6 +21,7 @@ public:
     Step step() const { return m_step; }
     void restart();
     void finish(); ///< as if closed
+    void setCrowded(bool crowded); ///< others need the place: the card waits until it is free again
 
 Q_SIGNALS:
     void simulatorWanted();
@@ -31,6 +32,7 @@ Q_SIGNALS:
 private:
     void show(Step step);
     void follow();
+    void place();
 
     Device &m_device;
     QLabel *m_title;
@@ -39,6 +41,7 @@ private:
     QPushButton *m_second;
     QPushButton *m_close;
     Step m_step = Step::Done;
+    bool m_crowded = false;
 };
 
 } // namespace widgets

@@ -73,6 +73,7 @@ private:
     void makeTools();
     void makeScopeTools();
     void makeSnapshots();
+    bool anyToolOpen() const;
     QAction *addTool(Form *form, const QString &title, const char *name, const QKeySequence &keys);
     void makeScopeActions();
     void makeMenus(QMenuBar &bar);

@@ -1,5 +1,6 @@
 // The tools of the main window: forms in docks below the scope, as tabs of one another, hidden until somebody asks.
 #include "widgets/device_text.h"
+#include "widgets/first_steps.h"
 #include "widgets/forms/form.h"
 #include "widgets/forms/gains_form.h"
 #include "widgets/forms/motor_form.h"
@@ -79,8 +80,7 @@ QAction *MainWindow::addTool(
     open->setObjectName(QLatin1String(name) + QStringLiteral("Open"));
     m_toolActions.append(open);
     connect(open, &QAction::triggered, this, [this, dock, form] {
-        const bool noneOpen = std::none_of(
-            m_tools.begin(), m_tools.end(), [](const auto *tool) { return !tool->isHidden(); });
+        const bool noneOpen = !anyToolOpen();
         dock->show();
         dock->raise();
         if (noneOpen)
@@ -94,6 +94,8 @@ QAction *MainWindow::addTool(
     });
     connect(form, &Form::watchedRegistersChanged, &watch, &WatchList::changed);
     connect(dock, &QDockWidget::visibilityChanged, &watch, &WatchList::changed);
+    connect(dock, &QDockWidget::visibilityChanged, this,
+        [this] { m_firstSteps->setCrowded(anyToolOpen()); });
     connect(&m_workbench, &Workbench::heartbeat, form, [form](Milliseconds now) {
         if (form->isVisible())
             form->refresh(now);
@@ -103,6 +105,12 @@ QAction *MainWindow::addTool(
         m_banner->say(Banner::Kind::Warning, sentence);
     });
     return open;
+}
+
+bool MainWindow::anyToolOpen() const
+{
+    return std::any_of(
+        m_tools.begin(), m_tools.end(), [](const auto *tool) { return !tool->isHidden(); });
 }
 
 /// Qt makes the tabs of docks when it needs them, and gives them no name.

@@ -6,7 +6,9 @@
 #include "widgets/lamp.h"
 #include "widgets/scope/scope_view.h"
 
+#include <QAction>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
@@ -57,6 +59,24 @@ private Q_SLOTS:
         QVERIFY(!card->isVisible());
         feed({LinkState::Connected, LinkReason::None});
         QVERIFY(card->isVisible());
+    }
+
+    void theCardLeavesItsPlaceToAnOpenTool()
+    {
+        m_rig->find<widgets::FirstSteps>("firstSteps")->restart();
+        auto *card = m_rig->find<QWidget>("firstSteps");
+        auto *gains = m_rig->find<QDockWidget>("gainsDock");
+        auto *ramps = m_rig->find<QDockWidget>("rampDock");
+        m_rig->find<QAction>("gainsDockOpen")->trigger();
+        QTRY_VERIFY(!card->isVisible());
+        m_rig->find<QAction>("rampDockOpen")->trigger(); // now a tab in front of the other
+        QTRY_VERIFY(!ramps->visibleRegion().isEmpty());
+        QVERIFY(!card->isVisible());
+        ramps->close();
+        QTRY_VERIFY(!gains->visibleRegion().isEmpty());
+        QVERIFY(!card->isVisible());
+        gains->close();
+        QTRY_VERIFY(card->isVisible());
     }
 
     void aSilentBoardHatchesTheScopeUntilItAnswers()
