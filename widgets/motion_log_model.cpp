@@ -38,14 +38,6 @@ void MotionLogModel::take(const drive::MotionRecord &record, const QDateTime &no
     endInsertRows();
 }
 
-void MotionLogModel::clear()
-{
-    beginResetModel();
-    m_log.clear();
-    m_leftOut = 0;
-    endResetModel();
-}
-
 QByteArray MotionLogModel::text() const
 {
     return session::motionLogText(m_log, session::motionLogWho(QStringLiteral("Rotorscope")));

@@ -1,5 +1,5 @@
-// MotionLogModel: what was asked of the motors since the port was opened, one row an act, newest last. It only grows; a
-// new connection begins a new one. Words of the log are translated here, in its files they are not.
+// MotionLogModel: what was asked of the motors since the program began, one row an act, newest last. It only grows, as
+// the capture does, over every connection. Words of the log are translated here, in its files they are not.
 #pragma once
 
 #include "session/motion_log_file.h"
@@ -26,7 +26,6 @@ public:
     explicit MotionLogModel(QObject *parent = nullptr);
 
     void take(const drive::MotionRecord &record, const QDateTime &now);
-    void clear();
     const std::vector<session::LoggedMotion> &log() const { return m_log; }
     std::size_t leftOut() const { return m_leftOut; }
     QByteArray text() const; ///< as a file has it

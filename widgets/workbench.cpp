@@ -54,7 +54,6 @@ void Workbench::connectModels()
     connect(&m_device, &Device::motorChanged, this, showBoard);
     connect(&m_device, &Device::readingsArrived, this,
         [this](const std::vector<drive::Reading> &readings) { m_registers.take(readings, now()); });
-    connect(&m_device, &Device::openWished, &m_motionLog, &MotionLogModel::clear);
     connect(&m_device, &Device::motionLogged, this, [this](const drive::MotionRecord &record) {
         m_motionLog.take(record, QDateTime::currentDateTime());
     });

@@ -64,8 +64,6 @@ private Q_SLOTS:
         QCOMPARE(lines.size(), 3);
         QVERIFY(lines[1].startsWith("1,2026-05-04T13:02:59.250Z,"));
         QVERIFY(lines[2].contains("NOT confirmed"));
-        model.clear();
-        QCOMPARE(model.rowCount(), 0);
     }
 
     void theFilesNameGoesWithTheCaptures()
@@ -78,15 +76,15 @@ private Q_SLOTS:
             QStringLiteral("/a.b/run.motion.csv"));
     }
 
-    void aNewConnectionBeginsANewLog()
+    void aNewConnectionGoesOnWithTheLog()
     {
         facts::WindowRig rig;
         facts::feed(rig.workbench.device(), {ramp()});
         QCOMPARE(rig.workbench.motionLog().rowCount(), 1);
         rig.workbench.device().portChanged(session::PortState::Closed, {});
-        QCOMPARE(rig.workbench.motionLog().rowCount(), 1); // to be read and saved afterwards
         rig.workbench.device().open({});
-        QCOMPARE(rig.workbench.motionLog().rowCount(), 0);
+        facts::feed(rig.workbench.device(), {ramp()});
+        QCOMPARE(rig.workbench.motionLog().rowCount(), 2); // what was recorded before is still there, too
     }
 
     void itCanBeCopiedAndSaved()
