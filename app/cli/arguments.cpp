@@ -51,6 +51,10 @@ const CommandText kCommands[] = {
     {"gains", "--bandwidth W",
         "Computes gains of the current and speed loops from the motor's values, and applies them.",
         0, 0},
+    {"motor", "[FILE.json] [-o FILE.json]",
+        "Shows what the board says of its motor and what follows from it, beside a motor file or "
+        "into one.",
+        0, 1},
     {"header", "-o drive_parameters.h",
         "Writes the tuned values as a C header in the names of ST's drive_parameters.h.", 0, 0},
     {"show", "FILE.pcapng", "Says what is in a recording, and what is missing from it.", 1, 1,
@@ -122,7 +126,8 @@ void addCommandOptions(QCommandLineParser &parser, const QString &command)
     if (command == QLatin1String("start") || command == QLatin1String("ack")
         || command == QLatin1String("ramp") || command == QLatin1String("capture")
         || command == QLatin1String("revup") || command == QLatin1String("torque")
-        || command == QLatin1String("gains") || command == QLatin1String("header"))
+        || command == QLatin1String("gains") || command == QLatin1String("header")
+        || command == QLatin1String("motor"))
         parser.addOption({QStringLiteral("motor"),
             QStringLiteral("Number of the motor, 1 if not given."), QStringLiteral("N")});
     if (canMove(command))

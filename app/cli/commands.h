@@ -40,6 +40,7 @@ Outcome<int> runRevUp(Desk &desk);
 Outcome<int> runTorque(Desk &desk);
 Outcome<int> runGains(Desk &desk);
 Outcome<int> runHeader(Desk &desk);
+Outcome<int> runMotor(Desk &desk);
 
 /// Prints a motor's state.
 void printStatus(Output &out, const drive::MotorStatus &status);

@@ -30,6 +30,7 @@ const LinkCommand kLinkCommands[] = {
     {"torque", runTorque},
     {"gains", runGains},
     {"header", runHeader},
+    {"motor", runMotor},
 };
 
 Outcome<int> runLinkCommand(const Arguments &arguments, Output &out)

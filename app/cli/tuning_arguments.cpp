@@ -93,7 +93,7 @@ std::optional<double> plainNumber(const QString &text)
 
 void addTuningOptions(QCommandLineParser &parser, const QString &command)
 {
-    if (isOneOf(command, {"snapshot", "header"}))
+    if (isOneOf(command, {"snapshot", "header", "motor"}))
         parser.addOption({{QStringLiteral("o"), QStringLiteral("output")},
             QStringLiteral("The file to write; it appears whole or not at all."),
             QStringLiteral("FILE")});
@@ -135,9 +135,9 @@ Outcome<TuningArguments> tuningOf(
     const QCommandLineParser &parser, const QString &command, const QStringList &words)
 {
     TuningArguments arguments;
-    if (isOneOf(command, {"snapshot", "header"})) {
+    if (isOneOf(command, {"snapshot", "header", "motor"})) {
         arguments.file = parser.value(QStringLiteral("output"));
-        if (arguments.file.isEmpty())
+        if (arguments.file.isEmpty() && command != QLatin1String("motor"))
             return failure(kUsage, QStringLiteral("Name the file to write with -o FILE."));
     }
     if (isSet(parser, "only")) {

@@ -12,7 +12,7 @@ class QCommandLineParser;
 namespace cli {
 
 struct TuningArguments {
-    QString file; ///< -o of snapshot and header
+    QString file; ///< -o of snapshot, header and motor
     QStringList only; ///< groups and registers; empty: all
     bool all = false; ///< diff: measured registers too
     bool force = false; ///< restore: on other hardware, too

@@ -1,0 +1,170 @@
+// motor: what the board says of its motor, beside a file, or into one.
+#include "motor_facts.h"
+#include "session/motor_file.h"
+#include "snapshot_work.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+
+namespace cli {
+
+namespace {
+
+using analysis::MotorQuantity;
+using analysis::MotorWarning;
+
+QString textOf(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+QString nameOf(MotorQuantity quantity)
+{
+    switch (quantity) {
+    case MotorQuantity::PolePairs:
+        return QStringLiteral("pole_pairs");
+    case MotorQuantity::Resistance:
+        return QStringLiteral("rs");
+    case MotorQuantity::InductanceD:
+        return QStringLiteral("ld");
+    case MotorQuantity::InductanceQ:
+        return QStringLiteral("lq");
+    case MotorQuantity::Flux:
+        return QStringLiteral("flux");
+    case MotorQuantity::NominalCurrent:
+        return QStringLiteral("current");
+    case MotorQuantity::MaxSpeed:
+        return QStringLiteral("max_speed");
+    case MotorQuantity::BusVoltage:
+        return QStringLiteral("bus_voltage");
+    case MotorQuantity::Inertia:
+        return QStringLiteral("inertia");
+    case MotorQuantity::ViscousFriction:
+        break;
+    }
+    return QStringLiteral("friction");
+}
+
+QString wordOf(MotorWarning warning)
+{
+    switch (warning) {
+    case MotorWarning::PolePairsMissing:
+        return QStringLiteral("the pole pairs are no whole number from 1 to 50");
+    case MotorWarning::ResistanceImplausible:
+        return QStringLiteral("the resistance is missing or no motor's");
+    case MotorWarning::InductanceImplausible:
+        return QStringLiteral("an inductance is missing or no motor's");
+    case MotorWarning::FluxImplausible:
+        return QStringLiteral("the flux is missing or no motor's");
+    case MotorWarning::NominalCurrentImplausible:
+        return QStringLiteral("the current is missing or no motor's");
+    case MotorWarning::LdAboveLq:
+        return QStringLiteral("Ld is greater than Lq, perhaps swapped");
+    case MotorWarning::TimeConstantImplausible:
+        return QStringLiteral("L / R is outside 10 us to 1 s");
+    case MotorWarning::NominalCurrentBeyondDrive:
+        return QStringLiteral("the motor's current is more than the drive can measure");
+    case MotorWarning::SpeedBeyondBaseSpeed:
+        break;
+    }
+    return QStringLiteral("the greatest speed needs flux weakening");
+}
+
+QJsonValue jsonOf(const std::optional<double> &value)
+{
+    return value ? QJsonValue(*value) : QJsonValue();
+}
+
+QString textOf(const std::optional<double> &value, std::string_view unit)
+{
+    if (!value)
+        return QStringLiteral("-");
+    return unit.empty() ? numberText(*value) : numberText(*value) + QLatin1Char(' ') + textOf(unit);
+}
+
+struct Derived {
+    const char *name, *unit;
+    std::optional<double> value;
+};
+
+std::vector<Derived> derivedOf(const drive::MotorFacts &facts)
+{
+    const auto constants = analysis::motorConstants(facts.motor, facts.bus_v);
+    return {{"kt", "N m/A", constants.kt_nmpa}, {"ke", "V/krpm", constants.ke_vrmsPerKrpm},
+        {"kv", "rpm/V", constants.kv_rpmpv}, {"tau_q", "s", constants.timeConstantQ_s},
+        {"tau_d", "s", constants.timeConstantD_s}, {"base_speed", "rpm", constants.baseSpeed_rpm}};
+}
+
+QJsonObject row(const QString &name, std::string_view unit, const std::optional<double> &board)
+{
+    return {{QStringLiteral("name"), name}, {QStringLiteral("unit"), textOf(unit)},
+        {QStringLiteral("board"), jsonOf(board)}};
+}
+
+void print(Output &out, const drive::MotorFacts &facts, const analysis::MotorSheet *file)
+{
+    const auto sheet = drive::sheetOf(facts);
+    QJsonArray rows, derived, warnings;
+    for (const auto &one : analysis::compareMotors(sheet, file != nullptr ? *file : sheet)) {
+        const auto unit = analysis::motorQuantities()[static_cast<std::size_t>(one.quantity)].unit;
+        QJsonObject object = row(nameOf(one.quantity), unit, one.here);
+        QString line = nameOf(one.quantity).leftJustified(12) + textOf(one.here, unit);
+        if (file != nullptr) {
+            object[QStringLiteral("file")] = jsonOf(one.there);
+            object[QStringLiteral("differs")] = one.differs;
+            line = line.leftJustified(30) + textOf(one.there, unit)
+                + (one.differs ? QStringLiteral("  differs") : QString());
+        }
+        rows.append(object);
+        if (!out.json())
+            out.line(line);
+    }
+    for (const Derived &one : derivedOf(facts)) {
+        const QString name = QLatin1String(one.name);
+        derived.append(row(name, one.unit, one.value));
+        if (!out.json())
+            out.line(name.leftJustified(12) + textOf(one.value, one.unit));
+    }
+    const analysis::DriveLimits drive{
+        facts.bus_v, facts.limits.maxCurrentAmps, facts.limits.maxSpeedRpm};
+    for (const MotorWarning warning : analysis::checkMotor(facts.motor, drive)) {
+        warnings.append(wordOf(warning));
+        if (!out.json())
+            out.line(QStringLiteral("note: ") + wordOf(warning));
+    }
+    if (out.json())
+        out.line(QJsonObject{{QStringLiteral("motor"), textOf(facts.name)},
+            {QStringLiteral("values"), rows}, {QStringLiteral("derived"), derived},
+            {QStringLiteral("warnings"), warnings}});
+}
+
+} // namespace
+
+Outcome<int> runMotor(Desk &desk)
+{
+    const auto motor = desk.checkMotor();
+    if (!motor)
+        return motor;
+    const QString path = desk.arguments.words.value(0);
+    std::optional<analysis::MotorSheet> file;
+    if (!path.isEmpty()) {
+        const auto read = session::readMotorFile(path);
+        if (!read)
+            return failure(kFileError,
+                QString::fromStdString(
+                    session::motorFileErrorText(path.toStdString(), read.error()))
+                    + QLatin1Char('.'));
+        file = read->sheet();
+    }
+    const auto facts = readMotorFacts(desk, *motor);
+    if (!facts)
+        return tl::make_unexpected(facts.error());
+    const QString &target = desk.arguments.tuning.file;
+    if (!target.isEmpty())
+        if (const auto saved = saveFile(target, session::motorJson(drive::sheetOf(*facts))); !saved)
+            return saved;
+    print(desk.out, *facts, file ? &*file : nullptr);
+    return kDone;
+}
+
+} // namespace cli

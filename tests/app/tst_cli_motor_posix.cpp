@@ -1,0 +1,94 @@
+// The command that shows a motor, lays files beside it and writes one.
+#include "support/board_on_terminal.h"
+#include "support/programs_posix.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using support::CliRun;
+using support::runCli;
+using support::Simulator;
+
+namespace {
+
+QJsonObject valueIn(const QJsonObject &object, const char *list, const char *name)
+{
+    for (const QJsonValue &value : object[QLatin1String(list)].toArray())
+        if (value[QLatin1String("name")].toString() == QLatin1String(name))
+            return value.toObject();
+    return {};
+}
+
+QJsonObject shown(const CliRun &run) { return QJsonDocument::fromJson(run.out.toUtf8()).object(); }
+
+bool near(const QJsonValue &value, double wanted)
+{
+    return value.isDouble() && std::abs(value.toDouble() - wanted) <= 1e-5 * std::abs(wanted);
+}
+
+} // namespace
+
+class TestCliMotor : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void itShowsTheBoardsMotorAndWhatFollows()
+    {
+        const Simulator board;
+        QVERIFY(board.ready());
+        const CliRun run = board.cli("--json motor");
+        QCOMPARE(run.status, 0);
+        const QJsonObject motor = shown(run);
+        QCOMPARE(motor[QLatin1String("motor")].toString(), QStringLiteral("Sim PMSM 24V"));
+        QVERIFY(near(valueIn(motor, "values", "rs")[QLatin1String("board")], 0.35));
+        QVERIFY(near(valueIn(motor, "values", "flux")[QLatin1String("board")], 6.5e-3));
+        QVERIFY(near(valueIn(motor, "derived", "kt")[QLatin1String("board")], 0.039));
+        QVERIFY(motor[QLatin1String("warnings")].toArray().isEmpty());
+        const CliRun text = board.cli("motor");
+        QVERIFY2(text.out.contains(QStringLiteral("rs")), qPrintable(text.out));
+        QVERIFY(text.out.contains(QStringLiteral("rpm/V")));
+    }
+
+    void whatItWritesDoesNotDifferAndMakesTheSameMachine()
+    {
+        const Simulator board({QStringLiteral("--motor"), QStringLiteral("ipm48")});
+        QVERIFY(board.ready());
+        const QString path = board.file("motor.json");
+        QCOMPARE(board.cli("motor -o", {path}).status, 0);
+        const QJsonObject compared = shown(board.cli("--json motor", {path}));
+        int both = 0;
+        for (const QJsonValue &value : compared[QLatin1String("values")].toArray()) {
+            QVERIFY(!value[QLatin1String("differs")].toBool());
+            both += value[QLatin1String("file")].isDouble() ? 1 : 0;
+        }
+        QCOMPARE(both, 8);
+        const Simulator again({QStringLiteral("--motor"), path});
+        QVERIFY(again.ready());
+        const QJsonObject twin = shown(again.cli("--json motor", {path}));
+        for (const QJsonValue &value : twin[QLatin1String("values")].toArray())
+            QVERIFY2(!value[QLatin1String("differs")].toBool(),
+                qPrintable(value[QLatin1String("name")].toString()));
+    }
+
+    void aDamagedFileIsOneSentenceWithItsPlace()
+    {
+        const Simulator board;
+        QVERIFY(board.ready());
+        const QString path = board.file("bad.json");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("{\"motor\": {\"rs_ohm\": \"0.3\"}}");
+        file.close();
+        const CliRun run = board.cli("motor", {path});
+        QCOMPARE(run.status, 5);
+        QVERIFY2(run.err.contains(QStringLiteral("motor.rs_ohm")), qPrintable(run.err));
+        QCOMPARE(run.err.count(QLatin1Char('\n')), 1);
+        QCOMPARE(board.cli("motor /no/such.json").status, 5);
+        QCOMPARE(board.cli("motor -o /no/such/folder/m.json").status, 5);
+        QCOMPARE(board.cli("motor a.json b.json").status, 2);
+        QCOMPARE(board.cli("motor --motor 2").status, 2);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCliMotor)
+#include "tst_cli_motor_posix.moc"
