@@ -888,6 +888,14 @@
         <source>nominal current</source>
         <translation>Nennstrom</translation>
     </message>
+    <message>
+        <source>The shaft goes to an angle by itself, and is held there.</source>
+        <translation>Die Welle fährt von selbst zu einem Winkel und wird dort gehalten.</translation>
+    </message>
+    <message>
+        <source>Position ramp</source>
+        <translation>Positionsrampe</translation>
+    </message>
 </context>
 <context>
     <name>Motion</name>
@@ -2355,6 +2363,10 @@
         <source>Disarmed</source>
         <translation>Gesperrt</translation>
     </message>
+    <message>
+        <source>Shaft to %1 rad in %2 ms</source>
+        <translation>Welle auf %1 rad in %2 ms</translation>
+    </message>
 </context>
 <context>
     <name>widgets::ExportDialog</name>
@@ -3301,6 +3313,11 @@
         <source>Nothing moves now: press and hold again after you have agreed.</source>
         <translation>Jetzt bewegt sich nichts: Nach dem Zustimmen erneut drücken und halten.</translation>
     </message>
+    <message>
+        <source>position %1 → %2 in %3 ms</source>
+        <comment>old, new, time</comment>
+        <translation>Position %1 → %2 in %3 ms</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MotionLogModel</name>
@@ -3757,14 +3774,6 @@
         <translation>Rampe anhalten</translation>
     </message>
     <message>
-        <source>Speed [rpm]</source>
-        <translation>Drehzahl [rpm]</translation>
-    </message>
-    <message>
-        <source>Iq [A]</source>
-        <translation>Iq [A]</translation>
-    </message>
-    <message>
         <source>rpm</source>
         <translation>rpm</translation>
     </message>
@@ -3900,14 +3909,6 @@
         <source>Current reference</source>
         <translation>Stromsollwert</translation>
     </message>
-    <message>
-        <source>Speed [rpm]</source>
-        <translation>Drehzahl [rpm]</translation>
-    </message>
-    <message>
-        <source>Iq [A]</source>
-        <translation>Iq [A]</translation>
-    </message>
     <message numerus="yes">
         <source>%n stair(s) of 6 rpm</source>
         <translation>
@@ -3927,6 +3928,30 @@
         <source>Sends it (Enter in a field does the same).</source>
         <translation>Sendet es (wie die Eingabetaste in einem Feld).</translation>
     </message>
+    <message>
+        <source>Shaft (&amp;x)</source>
+        <translation>Welle (&amp;x)</translation>
+    </message>
+    <message>
+        <source>Angle of the shaft to go to, in degrees</source>
+        <translation>Anzufahrender Winkel der Welle in Grad</translation>
+    </message>
+    <message>
+        <source>Position ramp</source>
+        <translation>Positionsrampe</translation>
+    </message>
+    <message>
+        <source>A move to an angle needs a time.</source>
+        <translation>Die Fahrt zu einem Winkel braucht eine Zeit.</translation>
+    </message>
+    <message>
+        <source>On the way %1 rpm would be needed: the limit is %2 rpm. Give it more time.</source>
+        <translation>Unterwegs wären %1 rpm nötig: die Grenze ist %2 rpm. Geben Sie ihr mehr Zeit.</translation>
+    </message>
+    <message>
+        <source>at most %1 rpm on the way</source>
+        <translation>unterwegs höchstens %1 rpm</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RampPreview</name>
@@ -3945,6 +3970,18 @@
     <message>
         <source>Measured</source>
         <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Speed [rpm]</source>
+        <translation>Drehzahl [U/min]</translation>
+    </message>
+    <message>
+        <source>Shaft [°]</source>
+        <translation>Welle [°]</translation>
+    </message>
+    <message>
+        <source>Iq [A]</source>
+        <translation>Iq [A]</translation>
     </message>
 </context>
 <context>

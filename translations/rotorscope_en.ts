@@ -888,6 +888,14 @@
         <source>nominal current</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The shaft goes to an angle by itself, and is held there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Motion</name>
@@ -2355,6 +2363,10 @@
         <source>Disarmed</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Shaft to %1 rad in %2 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::ExportDialog</name>
@@ -3301,6 +3313,11 @@
         <source>Nothing moves now: press and hold again after you have agreed.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>position %1 → %2 in %3 ms</source>
+        <comment>old, new, time</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::MotionLogModel</name>
@@ -3757,14 +3774,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed [rpm]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Iq [A]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>rpm</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3900,14 +3909,6 @@
         <source>Current reference</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Speed [rpm]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Iq [A]</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>%n stair(s) of 6 rpm</source>
         <translation>
@@ -3927,6 +3928,30 @@
         <source>Sends it (Enter in a field does the same).</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Shaft (&amp;x)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle of the shaft to go to, in degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A move to an angle needs a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the way %1 rpm would be needed: the limit is %2 rpm. Give it more time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1 rpm on the way</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::RampPreview</name>
@@ -3944,6 +3969,18 @@
     </message>
     <message>
         <source>Measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed [rpm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shaft [°]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iq [A]</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

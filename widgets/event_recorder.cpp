@@ -111,6 +111,11 @@ QString EventRecorder::wishText(const drive::Wish &wish) const
                     tr("Currents Iq %1 A, Id %2 A")
                         .arg(numberText(reference.iqAmps, 3), numberText(reference.idAmps, 3)));
             },
+            [&](const drive::PositionRamp &ramp) {
+                return named(ramp.motor,
+                    tr("Shaft to %1 rad in %2 ms")
+                        .arg(numberText(ramp.radians, 3), inTime(ramp.duration)));
+            },
             [](const auto &) { return QString(); },
         },
         wish.what);

@@ -176,6 +176,8 @@ QString motionCautionText(drive::MotionCaution caution, const QString &limit, co
     case MotionCaution::Reversal:
         return Messages::tr("It acts against the way the motor turns now (%1).", "speed")
             .arg(speed);
+    case MotionCaution::Position:
+        return Messages::tr("The shaft goes to an angle by itself, and is held there.");
     case MotionCaution::OtherMode:
         return Messages::tr("The control changes between speed and torque while the motor runs.");
     }
@@ -210,6 +212,8 @@ QString motionActText(drive::MotionAct act)
         return Messages::tr("Torque ramp");
     case MotionAct::CurrentReference:
         return Messages::tr("Current reference");
+    case MotionAct::PositionRamp:
+        return Messages::tr("Position ramp");
     case MotionAct::Write:
         return Messages::tr("Write", "a register that can move something");
     }

@@ -10,7 +10,7 @@
 namespace widgets {
 namespace {
 
-constexpr int kAmpDecimals = 2;
+constexpr int kAmpDecimals = 2, kRadDecimals = 3;
 constexpr std::chrono::milliseconds kJogRamp{200};
 
 int motorOf(const drive::WishContent &act)
@@ -234,6 +234,12 @@ QStringList MotionGate::linesOf(
                          number(current->iqAmps, kAmpDecimals, amps),
                          number(scene.idReferenceAmps, kAmpDecimals, amps),
                          number(current->idAmps, kAmpDecimals, amps));
+    else if (const auto *position = std::get_if<drive::PositionRamp>(&act))
+        change = tr("position %1 \u2192 %2 in %3 ms", "old, new, time")
+                     .arg(number(reading("CURRENT_POSITION", position->motor), kRadDecimals,
+                              QStringLiteral("rad")),
+                         number(position->radians, kRadDecimals, QStringLiteral("rad")),
+                         QString::number(position->duration.count()));
     QStringList lines{
         tr("Motor %1: %2", "number, change").arg(QString::number(motorOf(act)), change)};
     const bool ofCurrent = !std::holds_alternative<drive::SpeedRamp>(act);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 namespace analysis {
 
@@ -35,6 +36,21 @@ std::vector<RampPoint> rampPreview(
     }
     points.push_back({duration, to});
     return points;
+}
+
+double positionShare(double timeShare)
+{
+    const double t = std::clamp(timeShare, 0.0, 1.0);
+    return t * t * t * (10.0 - t * (15.0 - 6.0 * t));
+}
+
+double positionPeakSpeed_rpm(double way_rad, double duration_s)
+{
+    constexpr double kPeakOverMean = 1.875; // half-way: 30/16
+    const double way = std::abs(way_rad);
+    if (way == 0.0)
+        return 0.0;
+    return kPeakOverMean * way / std::max(0.0, duration_s) * 60.0 / (2.0 * std::numbers::pi);
 }
 
 double rampAcceleration_rpmps(double from_rpm, double to_rpm, double duration_s)

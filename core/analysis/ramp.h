@@ -25,6 +25,13 @@ struct RampPoint {
 std::vector<RampPoint> rampPreview(
     double from_rpm, double to_rpm, double duration_s, std::size_t mostPoints = 2000);
 
+/// How much of the way to an angle is made after a share of the time, 0 to 1: without jerk at either end. The firmware's own
+/// path is made of pieces; it is as long, and no faster.
+double positionShare(double timeShare);
+
+/// The greatest speed on that way [rpm]; infinite without a time.
+double positionPeakSpeed_rpm(double way_rad, double duration_s);
+
 /// Acceleration [rpm/s]; infinite for a ramp without time, 0 if nothing changes.
 double rampAcceleration_rpmps(double from_rpm, double to_rpm, double duration_s);
 

@@ -81,7 +81,8 @@ enum class Feature : std::uint8_t {
     TorqueRamp,
     CurrentReference,
     Stream,
-    WriteRegisters
+    WriteRegisters,
+    PositionRamp
 };
 struct Capability {
     Feature feature;

@@ -3,6 +3,7 @@
 
 #include "drive/mcp_machine.h"
 #include "drive/mcp_motion.h"
+#include "drive/mcp_position.h"
 
 #include <algorithm>
 
@@ -208,6 +209,8 @@ std::unique_ptr<WishTask> McpDrive::taskFor(const Wish &wish) const
         return std::make_unique<SetPointTask>(wish.id, *torque, m_board);
     if (const auto *current = std::get_if<CurrentReference>(&wish.what))
         return std::make_unique<SetPointTask>(wish.id, *current, m_board);
+    if (const auto *position = std::get_if<PositionRamp>(&wish.what))
+        return std::make_unique<PositionTask>(wish.id, *position, m_board);
     return nullptr;
 }
 

@@ -92,6 +92,13 @@ struct Begin {
             "Iq " + number(reference.iqAmps) + " A, Id " + number(reference.idAmps) + " A";
         return true;
     }
+    bool operator()(const PositionRamp &ramp)
+    {
+        record.act = MotionAct::PositionRamp;
+        record.motor = ramp.motor;
+        record.detail = number(ramp.radians) + " rad" + inTime(ramp.duration);
+        return true;
+    }
     bool operator()(const UserLimits &limits)
     {
         const auto text = [](double limit, const char *unit) {

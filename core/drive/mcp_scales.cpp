@@ -123,6 +123,13 @@ std::vector<Capability> capabilitiesOf(const McpBoard &board, const MotorDescrip
         stream = "This build has no datalog.";
     add(Feature::Stream, stream);
     add(Feature::WriteRegisters, readOnly);
+    constexpr unsigned kPositionFlag = 0x0100;
+    std::string position = needs("POSITION_RAMP", "This build has no position control.");
+    if (position.empty()
+        && (board.catalog->find("CURRENT_POSITION") == nullptr || !first.firmware
+            || (first.firmware->flags1 & kPositionFlag) == 0))
+        position = "This build has no position control.";
+    add(Feature::PositionRamp, position);
     return all;
 }
 

@@ -70,6 +70,10 @@ struct Judge {
         reversal(reference.iqAmps);
         mode(true);
     }
+    void operator()(const PositionRamp &)
+    {
+        found.push_back(MotionCaution::Position); // it goes there by itself, and stays
+    }
     template <class Other>
     void operator()(const Other &)
     {

@@ -15,6 +15,7 @@ enum class MotionCaution : std::uint8_t {
     FirstStart, ///< the first START of this motor since the board was met
     Step, ///< a set-point that moves by more than a fifth of its limit, or from nobody knows where
     Reversal, ///< the other way, or torque against the turning, while the rotor turns
+    Position, ///< the shaft goes to an angle, wherever it is now
     OtherMode, ///< speed control becomes torque control or back, while the motor is driven
 };
 

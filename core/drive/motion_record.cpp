@@ -82,6 +82,8 @@ std::string_view wordOf(MotionAct act)
         return "TORQUE_RAMP";
     case MotionAct::CurrentReference:
         return "CURRENT_REFERENCE";
+    case MotionAct::PositionRamp:
+        return "POSITION_RAMP";
     case MotionAct::Write:
         break;
     }

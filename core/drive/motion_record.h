@@ -30,6 +30,7 @@ enum class MotionAct : std::uint8_t {
     SpeedRamp,
     TorqueRamp,
     CurrentReference,
+    PositionRamp,
     Write, ///< of a register that can move or harm something
 };
 

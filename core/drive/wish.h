@@ -65,6 +65,13 @@ struct CurrentReference {
     double idAmps = 0.0;
 };
 
+/// The shaft to an angle, where the board controls positions; the board's own zero.
+struct PositionRamp {
+    int motor = 1;
+    double radians = 0.0; ///< mechanical, turns included
+    std::chrono::milliseconds duration{};
+};
+
 /// What a person allows, whatever a board says its motors stand: the lower of the two counts, for every motor and until
 /// the next such wish. Zero: no limit of one's own. Needs neither a connection nor arming.
 struct UserLimits {
@@ -96,8 +103,8 @@ struct Watch {
 
 struct Wish {
     WishId id = 0;
-    std::variant<Read, Write, Command, SpeedRamp, TorqueRamp, CurrentReference, Stream, Watch,
-        UserLimits, ExpertMode>
+    std::variant<Read, Write, Command, SpeedRamp, TorqueRamp, CurrentReference, PositionRamp,
+        Stream, Watch, UserLimits, ExpertMode>
         what;
     Source source = Source::Person;
 };

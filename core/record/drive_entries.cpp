@@ -225,6 +225,10 @@ std::vector<Entry> DriveEntries::take(const drive::Wish &wish)
         happening = {"current reference",
             {{"motor", std::to_string(reference->motor)}, {"Iq A", text(reference->iqAmps)},
                 {"Id A", text(reference->idAmps)}}};
+    } else if (const auto *position = std::get_if<drive::PositionRamp>(&wish.what)) {
+        happening = {"position ramp",
+            {{"motor", std::to_string(position->motor)}, {"rad", text(position->radians)},
+                {"ms", std::to_string(position->duration.count())}}};
     } else if (const auto *write = std::get_if<drive::Write>(&wish.what)) {
         happening.name = "write";
         for (const RegisterWrite &one : write->writes)

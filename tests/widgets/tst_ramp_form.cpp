@@ -109,6 +109,16 @@ struct RampBench : facts::EditBench {
     }
 };
 
+simulation::BoardOptions positions()
+{
+    simulation::BoardOptions options;
+    options.motor = "servo24";
+    for (const auto &option : simulation::buildOptions())
+        if (option.name == "position")
+            options.with.push_back(&option);
+    return options;
+}
+
 RampProgress::Sight running(double reference, double measured)
 {
     return {MotorState::Running, true, reference, measured};
@@ -306,6 +316,41 @@ private Q_SLOTS:
         QVERIFY2(std::abs(bench.number("I_Q_REF") - 2.0) < 0.01,
             qPrintable(QString::number(bench.number("I_Q_REF"))));
         QVERIFY(bench.form->progress().fraction() == 1.0);
+    }
+
+    void aPositionIsOfferedWhereTheBoardControlsIt()
+    {
+        RampBench plain;
+        QVERIFY(plain.find<QLineEdit>("rampPosition")->isHidden());
+        RampBench bench(positions());
+        QVERIFY(!bench.find<QLineEdit>("rampPosition")->isHidden());
+        QVERIFY(
+            !bench.find<widgets::SetpointEdit>("rampPosition")->sentValue()); // no 0 by accident
+        QVERIFY(bench.start());
+        bench.type("rampPosition", QStringLiteral("90"));
+        bench.type("rampPositionTime", QStringLiteral("1500"));
+        const QString note = bench.label("rampPositionNote");
+        QVERIFY2(note.contains(QStringLiteral("1.5708\u202frad")), qPrintable(note));
+        bench.enter("rampPosition");
+        QCOMPARE(bench.questionsOfMotion, 1);
+        QVERIFY2(bench.reach(Phase::Arrived, 5s), qPrintable(bench.label("rampProgressText")));
+        QVERIFY2(std::abs(bench.number("CURRENT_POSITION") - 1.5708) < 0.05,
+            qPrintable(QString::number(bench.number("CURRENT_POSITION"))));
+        QCOMPARE(bench.picture().plan.back().value, 90.0);
+    }
+
+    void aMoveThatWouldRaceIsNotSent()
+    {
+        RampBench bench(positions());
+        QVERIFY(bench.start());
+        bench.type("rampPosition", QStringLiteral("36000")); // 100 turns
+        for (const char *time : {"0", "1000"}) {
+            bench.type("rampPositionTime", QString::fromLatin1(time));
+            bench.enter("rampPositionTime");
+            QVERIFY2(bench.label("rampPositionNote").contains(QStringLiteral("time")),
+                qPrintable(bench.label("rampPositionNote")));
+        }
+        QVERIFY(bench.sent.size() == 1); // the start
     }
 
     void aStopLeavesNoOldSetPointInTheFields()

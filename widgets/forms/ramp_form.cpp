@@ -19,12 +19,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace widgets {
 namespace {
 
 constexpr int kBarSteps = 1000;
 constexpr std::size_t kMostMeasured = 4000;
+constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
+constexpr double kPositionReached = 2.0; // of POSITION_CTRL_STATE
 
 } // namespace
 
@@ -90,7 +93,8 @@ QWidget *RampForm::makeLines()
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(2);
     int row = 0;
-    for (const RampKind kind : {RampKind::Speed, RampKind::Torque, RampKind::Current}) {
+    for (const RampKind kind :
+        {RampKind::Speed, RampKind::Torque, RampKind::Current, RampKind::Position}) {
         auto *one = new RampLine(kind, m_device, m_registers, *grid, row, box);
         row += 2;
         for (SetpointEdit *edit : {one->first(), one->second()})
@@ -177,8 +181,8 @@ void RampForm::focusFirst()
 std::vector<catalog::RegisterId> RampForm::watchedRegisters() const
 {
     std::vector<catalog::RegisterId> ids;
-    for (const char *name :
-        {"SPEED_REF", "SPEED_MEAS", "I_Q_REF", "I_Q_MEAS", "I_D_REF", "CONTROL_MODE"})
+    for (const char *name : {"SPEED_REF", "SPEED_MEAS", "I_Q_REF", "I_Q_MEAS", "I_D_REF",
+             "CONTROL_MODE", "CURRENT_POSITION", "POSITION_CTRL_STATE"})
         if (const auto id = m_registers.idOf(name))
             ids.push_back(*id);
     return ids;
@@ -221,7 +225,8 @@ void RampForm::wished(const drive::Wish &wish)
     const auto *command = std::get_if<drive::Command>(&wish.what);
     const bool ramp = ofThis(std::get_if<drive::SpeedRamp>(&wish.what))
         || ofThis(std::get_if<drive::TorqueRamp>(&wish.what))
-        || ofThis(std::get_if<drive::CurrentReference>(&wish.what));
+        || ofThis(std::get_if<drive::CurrentReference>(&wish.what))
+        || ofThis(std::get_if<drive::PositionRamp>(&wish.what));
     if (ramp || (ofThis(command) && command->action == drive::MotorAction::StopRamp))
         m_sent = wish;
 }
@@ -252,6 +257,10 @@ void RampForm::ended(const drive::Ended &ended)
     } else if (const auto *current = std::get_if<drive::CurrentReference>(&wish.what)) {
         m_running = RampKind::Current;
         target = current->iqAmps;
+    } else if (const auto *position = std::get_if<drive::PositionRamp>(&wish.what)) {
+        m_running = RampKind::Position;
+        target = position->radians * kDegreesPerRad;
+        duration = position->duration;
     }
     if (m_running != RampKind::Speed)
         step = line(m_running).first()->step();
@@ -266,21 +275,20 @@ void RampForm::ended(const drive::Ended &ended)
 /// What the ramp that was sent should do.
 void RampForm::drawRunning()
 {
-    const double from = m_progress.from(), target = m_progress.target();
-    const double seconds = double(m_progress.duration().count()) / 1000.0;
-    m_runningPicture = {};
-    m_runningPicture.stairs = m_running == RampKind::Speed;
-    m_runningPicture.label = m_running == RampKind::Speed ? tr("Speed [rpm]") : tr("Iq [A]");
-    if (m_running == RampKind::Speed)
-        for (const auto &point : analysis::rampPreview(from, target, seconds))
-            m_runningPicture.plan.push_back({point.time_s, point.speed_rpm});
-    else
-        m_runningPicture.plan = {{0.0, from}, {seconds, target}};
+    m_runningPicture = plannedRamp(m_running, m_progress.from(), m_progress.target(),
+        double(m_progress.duration().count()) / 1000.0);
 }
 
 RampProgress::Sight RampForm::sight() const
 {
     const bool speed = m_running == RampKind::Speed;
+    if (m_running == RampKind::Position) { // the board tells no set-point, only that it has arrived
+        const auto now = shown("CURRENT_POSITION");
+        const bool there = shown("POSITION_CTRL_STATE") == kPositionReached;
+        return {m_device.status(m_device.motor()).state, m_device.answering(),
+            there ? std::optional(m_progress.target()) : std::nullopt,
+            now ? std::optional(*now * kDegreesPerRad) : std::nullopt};
+    }
     return {m_device.status(m_device.motor()).state, m_device.answering(),
         shown(speed ? "SPEED_REF" : "I_Q_REF"), shown(speed ? "SPEED_MEAS" : "I_Q_MEAS")};
 }
@@ -317,7 +325,7 @@ QString RampForm::valueText(double value) const
     return m_running == RampKind::Speed
         ? numberText(value, 0) + QChar(0x202f) + tr("rpm")
         : numberText(value, decimalsFor(line(m_running).first()->step())) + QChar(0x202f)
-            + QLatin1Char('A');
+            + (m_running == RampKind::Position ? QStringLiteral("\u00b0") : QStringLiteral("A"));
 }
 
 QString RampForm::progressText() const

@@ -14,12 +14,15 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace widgets {
 namespace {
 
 constexpr double kFallbackRpm = std::numeric_limits<std::int16_t>::max();
 constexpr double kFallbackAmps = 1000.0; // the board's own limit is enforced below, with the reason
+constexpr double kFarthestDegrees = 360000.0, kDegreeStep = 0.1, kDegreeNotch = 1.0;
+constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
 constexpr double kLongestMs = 65535.0, kFirstMs = 500.0, kNotchMs = 100.0;
 
 QString rpmUnit() { return RampLine::tr("rpm"); }
@@ -52,11 +55,13 @@ RampLine::RampLine(RampKind kind, const Device &device, const RegisterModel &reg
     , m_send(new MotorButton(tr("Send", "a ramp to the board"), parent))
 {
     const bool current = kind == RampKind::Current;
-    const char *const names[] = {"rampSpeed", "rampTorque", "rampCurrent"};
+    const char *const names[] = {"rampSpeed", "rampTorque", "rampCurrent", "rampPosition"};
     const QString name = QLatin1String(names[static_cast<std::size_t>(kind)]);
-    const QString labels[] = {tr("S&peed"), tr("&Iq (torque)"), tr("Iq at once (&q)")};
+    const QString labels[] = {
+        tr("S&peed"), tr("&Iq (torque)"), tr("Iq at once (&q)"), tr("Shaft (&x)")};
     const QString label = labels[static_cast<std::size_t>(kind)];
-    const QString units[] = {rpmUnit(), QStringLiteral("A"), QStringLiteral("A")};
+    const QString units[] = {
+        rpmUnit(), QStringLiteral("A"), QStringLiteral("A"), QStringLiteral("\u00b0")};
     m_first->setObjectName(name);
     m_second->setObjectName(name + (current ? QStringLiteral("Id") : QStringLiteral("Time")));
     m_send->setObjectName(name + QStringLiteral("Send"));
@@ -64,7 +69,7 @@ RampLine::RampLine(RampKind kind, const Device &device, const RegisterModel &reg
     m_note->setTextFormat(Qt::PlainText);
     m_note->setWordWrap(true);
     const QString spoken[] = {tr("Speed to go to, in rpm"), tr("Torque current Iq to go to, in A"),
-        tr("Current reference Iq, in A")};
+        tr("Current reference Iq, in A"), tr("Angle of the shaft to go to, in degrees")};
     m_first->setAccessibleName(spoken[static_cast<std::size_t>(kind)]);
     m_second->setAccessibleName(
         current ? tr("Current reference Id, in A") : tr("Duration of the ramp in ms"));
@@ -80,15 +85,18 @@ RampLine::RampLine(RampKind kind, const Device &device, const RegisterModel &reg
     firstLabel->setBuddy(m_first);
     auto *between = new QLabel(current ? tr("Id") : tr("in", "a time"), parent);
     between->setBuddy(m_second);
-    grid.addWidget(firstLabel, row, 0);
-    grid.addWidget(m_first, row, 1);
-    grid.addWidget(new QLabel(units[static_cast<std::size_t>(kind)], parent), row, 2);
-    grid.addWidget(between, row, 3);
-    grid.addWidget(m_second, row, 4);
-    grid.addWidget(
-        new QLabel(current ? QStringLiteral("A") : QStringLiteral("ms"), parent), row, 5);
-    grid.addWidget(m_send, row, 6);
+    auto *unit = new QLabel(units[static_cast<std::size_t>(kind)], parent);
+    auto *secondUnit = new QLabel(current ? QStringLiteral("A") : QStringLiteral("ms"), parent);
+    m_widgets = {firstLabel, m_first, unit, between, m_second, secondUnit, m_send};
+    for (std::size_t column = 0; column < m_widgets.size(); ++column)
+        grid.addWidget(m_widgets[column], row, static_cast<int>(column));
     grid.addWidget(m_note, row + 1, 1, 1, 6);
+    m_widgets.push_back(m_note);
+    if (kind == RampKind::Position) {
+        m_first->setLimits(kFarthestDegrees, kDegreeStep, QStringLiteral("\u00b0"));
+        m_first->setNotch(kDegreeNotch);
+        m_first->clear(); // zero would be a place to go to
+    }
 
     for (SetpointEdit *edit : {m_first, m_second}) {
         edit->installEventFilter(this);
@@ -106,6 +114,8 @@ QString RampLine::title() const
         return tr("Speed ramp");
     case RampKind::Torque:
         return tr("Torque ramp");
+    case RampKind::Position:
+        return tr("Position ramp");
     case RampKind::Current:
         break;
     }
@@ -114,9 +124,10 @@ QString RampLine::title() const
 
 drive::Feature RampLine::feature() const
 {
-    return m_kind == RampKind::Speed ? drive::Feature::SpeedRamp
-        : m_kind == RampKind::Torque ? drive::Feature::TorqueRamp
-                                     : drive::Feature::CurrentReference;
+    return m_kind == RampKind::Speed   ? drive::Feature::SpeedRamp
+        : m_kind == RampKind::Torque   ? drive::Feature::TorqueRamp
+        : m_kind == RampKind::Position ? drive::Feature::PositionRamp
+                                       : drive::Feature::CurrentReference;
 }
 
 bool RampLine::eventFilter(QObject *watched, QEvent *event)
@@ -138,6 +149,10 @@ std::optional<drive::WishContent> RampLine::content() const
         return drive::SpeedRamp{motor, static_cast<std::int32_t>(std::lround(*first)), time};
     case RampKind::Torque:
         return drive::TorqueRamp{motor, *first, time};
+    case RampKind::Position:
+        if (time.count() < 1 || peakRpm() > boundRpm())
+            return std::nullopt;
+        return drive::PositionRamp{motor, *first / kDegreesPerRad, time};
     case RampKind::Current:
         break;
     }
@@ -149,28 +164,36 @@ std::optional<drive::WishContent> RampLine::content() const
 
 std::optional<double> RampLine::reference() const
 {
-    const auto id = m_registers.idOf(m_kind == RampKind::Speed ? "SPEED_REF" : "I_Q_REF");
-    return id ? m_registers.shownValue(*id) : std::nullopt;
+    const auto id = m_registers.idOf(m_kind == RampKind::Speed ? "SPEED_REF"
+            : m_kind == RampKind::Position                     ? "CURRENT_POSITION"
+                                                               : "I_Q_REF");
+    const auto value = id ? m_registers.shownValue(*id) : std::nullopt;
+    return value && m_kind == RampKind::Position ? *value * kDegreesPerRad : value;
+}
+
+/// Of the way to an angle; 0 where the board does not say where the shaft is: it is looked at again before it is sent.
+double RampLine::peakRpm() const
+{
+    const auto from = reference();
+    if (!from)
+        return 0.0;
+    return analysis::positionPeakSpeed_rpm(
+        (m_first->sentValue().value_or(*from) - *from) / kDegreesPerRad,
+        m_second->sentValue().value_or(0.0) / 1000.0);
+}
+
+double RampLine::boundRpm() const
+{
+    const double bound = m_device.bounds(m_device.motor()).rpm;
+    return bound > 0.0 ? bound : std::numeric_limits<double>::infinity();
 }
 
 RampPicture RampLine::picture() const
 {
-    RampPicture picture;
     if (!content())
-        return picture;
-    const double from = reference().value_or(0.0), to = *m_first->sentValue();
-    const bool current = m_kind == RampKind::Current;
-    const double seconds = current ? 0.0 : *m_second->sentValue() / 1000.0;
-    if (m_kind == RampKind::Speed) {
-        picture.label = tr("Speed [rpm]");
-        picture.stairs = true;
-        for (const auto &point : analysis::rampPreview(from, to, seconds))
-            picture.plan.push_back({point.time_s, point.speed_rpm});
-    } else {
-        picture.label = tr("Iq [A]");
-        picture.plan = {{0.0, from}, {seconds, to}};
-    }
-    return picture;
+        return {};
+    const double seconds = m_kind == RampKind::Current ? 0.0 : *m_second->sentValue() / 1000.0;
+    return plannedRamp(m_kind, reference().value_or(0.0), *m_first->sentValue(), seconds);
 }
 
 RampPreset RampLine::preset(const QString &name) const
@@ -186,6 +209,8 @@ void RampLine::take(const RampPreset &preset)
 
 void RampLine::reset()
 {
+    if (m_kind == RampKind::Position)
+        return m_first->clear();
     m_first->setValue(0.0);
     if (m_kind == RampKind::Current)
         m_second->setValue(0.0);
@@ -201,7 +226,12 @@ double RampLine::ampsPerDigit() const
 void RampLine::updateLimits()
 {
     const drive::MotionBounds bounds = m_device.bounds(m_device.motor());
-    if (m_kind == RampKind::Speed) {
+    if (m_kind == RampKind::Position) {
+        const bool there =
+            m_device.capability(drive::Feature::PositionRamp).available && m_device.identified();
+        for (QWidget *widget : m_widgets)
+            widget->setVisible(there);
+    } else if (m_kind == RampKind::Speed) {
         m_first->setLimits(bounds.rpm > 0.0 ? std::min(bounds.rpm, kFallbackRpm) : kFallbackRpm,
             analysis::kSpeedStep_rpm, rpmUnit());
     } else {
@@ -254,14 +284,30 @@ QString RampLine::currentNote() const
         .arg(numberText(iq, decimals), numberText(id, decimals), amps);
 }
 
+QString RampLine::positionNote() const
+{
+    const double peak = peakRpm();
+    if (*m_second->sentValue() < 1.0)
+        return tr("A move to an angle needs a time.");
+    if (peak > boundRpm())
+        return tr("On the way %1 rpm would be needed: the limit is %2 rpm. Give it more time.")
+            .arg(numberText(peak, 0), numberText(boundRpm(), 0));
+    QStringList parts{
+        m_first->echo(), siText(*m_first->sentValue() / kDegreesPerRad, QStringLiteral("rad"))};
+    if (reference())
+        parts.append(tr("at most %1 rpm on the way").arg(numberText(peak, 0)));
+    return parts.join(QStringLiteral("; "));
+}
+
 QString RampLine::note() const
 {
     for (const SetpointEdit *edit : {m_first, m_second})
         if (!edit->sentValue())
             return edit->echo();
-    return m_kind == RampKind::Speed ? speedNote()
-        : m_kind == RampKind::Torque ? torqueNote()
-                                     : currentNote();
+    return m_kind == RampKind::Speed   ? speedNote()
+        : m_kind == RampKind::Torque   ? torqueNote()
+        : m_kind == RampKind::Position ? positionNote()
+                                       : currentNote();
 }
 
 void RampLine::update()

@@ -58,6 +58,9 @@ private:
     QString speedNote() const;
     QString torqueNote() const;
     QString currentNote() const;
+    QString positionNote() const;
+    double peakRpm() const;
+    double boundRpm() const;
     std::optional<double> reference() const; ///< the board's own set-point
     double ampsPerDigit() const; ///< 0: not known
 
@@ -67,6 +70,7 @@ private:
     SetpointEdit *m_first, *m_second;
     QLabel *m_note;
     MotorButton *m_send;
+    std::vector<QWidget *> m_widgets;
 };
 
 } // namespace widgets

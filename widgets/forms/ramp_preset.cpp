@@ -9,7 +9,7 @@ namespace widgets {
 namespace {
 
 constexpr double kLargest = 1e6;
-constexpr std::array kKinds{"speed", "torque", "current"};
+constexpr std::array kKinds{"speed", "torque", "current", "position"};
 
 } // namespace
 

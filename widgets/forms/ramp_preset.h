@@ -7,12 +7,12 @@
 
 namespace widgets {
 
-enum class RampKind : std::uint8_t { Speed, Torque, Current };
+enum class RampKind : std::uint8_t { Speed, Torque, Current, Position };
 
 struct RampPreset {
     QString name;
     RampKind kind = RampKind::Speed;
-    double target = 0.0; ///< rpm, or A of Iq
+    double target = 0.0; ///< rpm, A of Iq, or degrees of the shaft
     double second = 0.0; ///< ms, or A of Id
     bool operator==(const RampPreset &) const = default;
 };

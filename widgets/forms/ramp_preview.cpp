@@ -1,5 +1,6 @@
 #include "widgets/forms/ramp_preview.h"
 
+#include "analysis/ramp.h"
 #include "widgets/scope/trace_colors.h"
 
 #include <QEvent>
@@ -15,8 +16,36 @@ namespace {
 constexpr int kPlanSlot = 0, kMeasuredSlot = 1;
 constexpr double kMargin = 0.08; ///< of a range, on either side
 constexpr double kShortest_s = 0.1;
+constexpr int kPathPoints = 100;
 
 } // namespace
+
+RampPicture plannedRamp(RampKind kind, double from, double to, double seconds)
+{
+    RampPicture picture;
+    switch (kind) {
+    case RampKind::Speed:
+        picture.label = RampPreview::tr("Speed [rpm]");
+        picture.stairs = true;
+        for (const auto &point : analysis::rampPreview(from, to, seconds))
+            picture.plan.push_back({point.time_s, point.speed_rpm});
+        return picture;
+    case RampKind::Position:
+        picture.label = RampPreview::tr("Shaft [\u00b0]");
+        for (int i = 0; i <= kPathPoints; ++i) {
+            const double share = double(i) / kPathPoints;
+            picture.plan.push_back(
+                {share * seconds, from + (to - from) * analysis::positionShare(share)});
+        }
+        return picture;
+    case RampKind::Torque:
+    case RampKind::Current:
+        break;
+    }
+    picture.label = RampPreview::tr("Iq [A]");
+    picture.plan = {{0.0, from}, {seconds, to}};
+    return picture;
+}
 
 RampPreview::RampPreview(QWidget *parent)
     : QWidget(parent)

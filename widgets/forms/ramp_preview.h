@@ -1,6 +1,8 @@
 // RampPreview: a small picture of a ramp: the set-point that is to come, and, while it runs, what is measured.
 #pragma once
 
+#include "widgets/forms/ramp_preset.h"
+
 #include <QWidget>
 
 #include <vector>
@@ -21,6 +23,9 @@ struct RampPicture {
     QString label; ///< of the value axis, with unit
     bool operator==(const RampPicture &) const = default;
 };
+
+/// What a board makes of a ramp, in the unit of its kind.
+RampPicture plannedRamp(RampKind kind, double from, double to, double seconds);
 
 class RampPreview : public QWidget {
     Q_OBJECT

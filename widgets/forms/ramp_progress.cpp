@@ -22,7 +22,7 @@ void RampProgress::begin(
     m_target = target;
     m_duration = duration;
     m_step = step;
-    m_from = sight.reference.value_or(0.0);
+    m_from = sight.reference.value_or(sight.measured.value_or(0.0));
     m_fromKnown = sight.reference.has_value();
     m_begun = now;
     m_elapsed = {};
