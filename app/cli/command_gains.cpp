@@ -91,6 +91,40 @@ bool swapped(const GainPlan &plan)
         [](const auto &finding) { return finding.warning == GainWarning::LdAboveLq; });
 }
 
+/// What is worth knowing about gains that can be written; empty for what is said elsewhere.
+QString noteOf(const analysis::GainFinding &finding)
+{
+    const auto number = [](double value) { return QString::number(value, 'g', 4); };
+    switch (finding.warning) {
+    case GainWarning::BandwidthBeyondGuide:
+        return QStringLiteral("%1 rad/s is beyond %2 rad/s, what this way of measuring currents "
+                              "is advised for")
+            .arg(number(finding.is), number(finding.limit));
+    case GainWarning::CurrentMarginSmall:
+        return QStringLiteral("the current loop's phase margin of %1 degrees is below %2")
+            .arg(number(finding.is), number(finding.limit));
+    case GainWarning::SpeedMarginSmall:
+        return QStringLiteral("the speed loop's phase margin of %1 degrees is below %2")
+            .arg(number(finding.is), number(finding.limit));
+    case GainWarning::CoarseRounding:
+        return QStringLiteral("%1 is rounded by %2 %")
+            .arg(finding.gain ? textOf(*finding.gain) : QString(), number(100.0 * finding.is));
+    case GainWarning::LdAboveLq:
+        return QStringLiteral("the board says that Ld is above Lq; they may be swapped");
+    default:
+        return {};
+    }
+}
+
+QStringList notesOf(const GainPlan &plan)
+{
+    QStringList notes;
+    for (const analysis::GainFinding &finding : plan.findings)
+        if (const QString note = noteOf(finding); !note.isEmpty())
+            notes.append(note);
+    return notes;
+}
+
 analysis::GainPlant plantOf(const drive::MotorFacts &facts, const TuningArguments &wanted)
 {
     analysis::GainPlant plant = tuning::gainPlant(facts);
@@ -159,7 +193,9 @@ void printJson(
             speed([](const auto &loop) { return loop.step.overshoot; })},
         {QStringLiteral("speed_lag_s"), speed([](const auto &loop) { return loop.lag_s; })},
         {QStringLiteral("speed_missing"), missing.isEmpty() ? QJsonValue() : QJsonValue(missing)},
-        {QStringLiteral("ld_above_lq"), swapped(plan)}, {QStringLiteral("gains"), list}});
+        {QStringLiteral("ld_above_lq"), swapped(plan)},
+        {QStringLiteral("warnings"), QJsonArray::fromStringList(notesOf(plan))},
+        {QStringLiteral("gains"), list}});
 }
 
 void printText(Output &out, const GainPlan &plan, const Present &present)
@@ -188,8 +224,8 @@ void printText(Output &out, const GainPlan &plan, const Present &present)
                     number(100.0 * plan.speed->step.overshoot), number(1e3 * plan.speed->lag_s)));
     if (const QString missing = missingOf(plan); !missing.isEmpty())
         out.line(QStringLiteral("Note: the speed loop stays as it is; say its --%1.").arg(missing));
-    if (swapped(plan))
-        out.line(QStringLiteral("Note: the board says that Ld is above Lq; they may be swapped."));
+    for (const QString &note : notesOf(plan))
+        out.line(QStringLiteral("Note: %1.").arg(note));
 }
 
 drive::Write writeOf(const GainPlan &plan, const Present &present)

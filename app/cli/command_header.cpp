@@ -23,11 +23,15 @@ Outcome<int> runHeader(Desk &desk)
         return tl::make_unexpected(facts.error());
     const QByteArray text = QByteArray::fromStdString(
         tuning::driveParametersHeader(board->snapshot, *motor, facts->ampsPerDigit));
+    const auto macros = text.count("\n#define ") - 1; // without the guard
+    if (macros <= 0)
+        return failure(kRefused,
+            QStringLiteral("This board has none of the values of drive_parameters.h; nothing was "
+                           "written."));
     const QString &path = desk.arguments.tuning.file;
     const auto saved = saveFile(path, text);
     if (!saved)
         return saved;
-    const auto macros = text.count("\n#define ") - 1; // without the guard
     if (desk.out.json())
         desk.out.line(QJsonObject{{QStringLiteral("file"), path},
             {QStringLiteral("macros"), static_cast<qint64>(macros)}});

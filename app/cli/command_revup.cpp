@@ -99,37 +99,38 @@ std::vector<RevUpFinding> findingsOf(const RevUp &stages, const drive::MotorFact
     return analysis::checkRevUp(stages, facts.ampsPerDigit, limits);
 }
 
+void printNotes(Output &out, const std::vector<RevUpFinding> &findings)
+{
+    for (const RevUpFinding &finding : findings)
+        out.line(
+            QStringLiteral("Note: stage %1: %2 (%3, limit %4)")
+                .arg(QString::number(finding.stage + 1), QLatin1String(wordOf(finding.mistake)),
+                    QString::number(finding.is, 'g', 5), QString::number(finding.limit, 'g', 5)));
+}
+
 void print(Output &out, const RevUp &stages, const drive::MotorFacts &facts)
 {
-    QJsonArray findingList;
-    for (std::size_t i = 0; i < stages.size(); ++i) {
-        const analysis::RevUpStage &stage = stages[i];
-        const double amps = stage.current_digits * facts.ampsPerDigit;
-        if (!out.json())
-            out.line(QStringLiteral("Stage %1: %2 rpm, %3 A, %4 ms")
-                         .arg(QString::number(i + 1), QString::number(stage.speed_rpm),
-                             QString::number(amps, 'g', 5), QString::number(stage.duration_ms)));
-    }
-    for (const RevUpFinding &finding : findingsOf(stages, facts)) {
-        const auto stage = static_cast<int>(finding.stage) + 1;
-        findingList.append(
-            QJsonObject{{QStringLiteral("mistake"), QLatin1String(wordOf(finding.mistake))},
-                {QStringLiteral("stage"), stage}, {QStringLiteral("is"), finding.is},
-                {QStringLiteral("limit"), finding.limit}});
-        if (!out.json())
-            out.line(QStringLiteral("Note: stage %1: %2 (%3, limit %4)")
-                         .arg(QString::number(stage), QLatin1String(wordOf(finding.mistake)),
-                             QString::number(finding.is, 'g', 5),
-                             QString::number(finding.limit, 'g', 5)));
-    }
-    if (out.json())
+    const auto findings = findingsOf(stages, facts);
+    const double duration_s = analysis::revUpDuration_s(stages);
+    if (out.json()) {
+        QJsonArray list;
+        for (const RevUpFinding &finding : findings)
+            list.append(
+                QJsonObject{{QStringLiteral("mistake"), QLatin1String(wordOf(finding.mistake))},
+                    {QStringLiteral("stage"), static_cast<int>(finding.stage) + 1},
+                    {QStringLiteral("is"), finding.is}, {QStringLiteral("limit"), finding.limit}});
         out.line(QJsonObject{
             {QStringLiteral("stages"), session::revUpStagesJson(stages, facts.ampsPerDigit)},
-            {QStringLiteral("duration_s"), analysis::revUpDuration_s(stages)},
-            {QStringLiteral("findings"), findingList}});
-    else
-        out.line(
-            QStringLiteral("Total: %1 s").arg(QString::number(analysis::revUpDuration_s(stages))));
+            {QStringLiteral("duration_s"), duration_s}, {QStringLiteral("findings"), list}});
+        return;
+    }
+    for (std::size_t i = 0; i < stages.size(); ++i)
+        out.line(QStringLiteral("Stage %1: %2 rpm, %3 A, %4 ms")
+                     .arg(QString::number(i + 1), QString::number(stages[i].speed_rpm),
+                         QString::number(stages[i].current_digits * facts.ampsPerDigit, 'g', 5),
+                         QString::number(stages[i].duration_ms)));
+    printNotes(out, findings);
+    out.line(QStringLiteral("Total: %1 s").arg(QString::number(duration_s)));
 }
 
 Outcome<int> writeStages(
@@ -141,8 +142,12 @@ Outcome<int> writeStages(
             return failure(kRefused,
                 QStringLiteral("Stage %1 is beyond the limit of %2; nothing was written.")
                     .arg(QString::number(finding.stage + 1), QString::number(finding.limit)));
-    const drive::Write write{{{id, analysis::bytesOf(analysis::completed(stages))}}};
-    return writeAndReport(desk, write, Digits::Shown, QStringLiteral("The writing"));
+    const RevUp all = analysis::completed(stages);
+    const drive::Write write{{{id, analysis::bytesOf(all)}}};
+    const auto written = writeAndReport(desk, write, Digits::Shown, QStringLiteral("The writing"));
+    if (written && !desk.out.json())
+        print(desk.out, all, facts); // bytes alone say little
+    return written;
 }
 
 } // namespace

@@ -30,7 +30,7 @@ Outcome<double> positive(const QCommandLineParser &parser, const char *option, d
     if (number && *number > least && *number < 1e9)
         return *number;
     return failure(kUsage,
-        QStringLiteral("--%1 must be a number above %2, with a point, not \"%3\".")
+        QStringLiteral("--%1 must be a number above %2 and below 1e9, with a point, not \"%3\".")
             .arg(QLatin1String(option), QString::number(least), text));
 }
 

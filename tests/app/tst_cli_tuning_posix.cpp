@@ -266,6 +266,15 @@ void TestCliTuning::gainsAreTheGeneratorsAndAreAppliedTogether()
     QCOMPARE(board.cli("get I_Q_KP I_D_KI").out, QStringLiteral("I_Q_KP = 4621\nI_D_KI = 2696\n"));
     QCOMPARE(board.cli("--json gains --bandwidth 1500 --apply").out, QStringLiteral("[]\n"));
     COMPARE_STATUS(board.cli("gains --bandwidth 20000"), 1); // beyond the control rate
+    QVERIFY(shown.object()[QLatin1String("warnings")].toArray().isEmpty());
+    const CliRun quick = board.cli("gains --bandwidth 9500 --damping 1.2 --inertia 5e-5");
+    COMPARE_STATUS(quick, 0);
+    for (const char *note : {"Note: 9500 rad/s is beyond 9000 rad/s", "Note: the current loop's",
+             "Note: the speed loop's phase margin of 10.39 degrees is below 45.\n"})
+        QVERIFY2(quick.out.contains(QLatin1String(note)), qPrintable(quick.out));
+    const QJsonObject json =
+        board.cli("--json gains --bandwidth 9500 --damping 1.2 --inertia 5e-5").object();
+    QCOMPARE(json[QLatin1String("warnings")].toArray().size(), 3);
 }
 
 void TestCliTuning::theSpeedLoopNeedsAnInertia()
@@ -315,7 +324,10 @@ void TestCliTuning::revUpStagesComeBackFromTheirFile()
     COMPARE_STATUS(board.cli("revup --set", {file.fileName()}), 0);
     QCOMPARE(board.cli("--json revup").out, before.out);
     COMPARE_STATUS(board.cli("revup --set 0,1,200 -900,1,2000"), 0); // backwards
-    COMPARE_STATUS(board.cli("revup --set 300,1,500"), 0);
+    const CliRun slow = board.cli("revup --set 300,1,500");
+    COMPARE_STATUS(slow, 0);
+    QVERIFY(slow.out.contains(QLatin1String("Stage 5: 300 rpm")));
+    QVERIFY(slow.out.contains(QLatin1String("Note: stage 1: ends too slow")));
     QVERIFY(board.cli("revup").out.contains(QLatin1String("Note: stage 1: ends too slow")));
 }
 
@@ -363,6 +375,12 @@ void TestCliTuning::theHeaderHasTheNamesOfTheSdk()
              "#define PHASE2_FINAL_CURRENT_A 2.49934\n"})
         QVERIFY2(text.contains(QLatin1String(line)), line);
     COMPARE_STATUS(board.cli("header -o /no/such/folder/x.h"), 5);
+
+    const Simulator other({QStringLiteral("--profile"), QStringLiteral("hso")});
+    QVERIFY(other.ready());
+    const QString none = other.file("none.h");
+    COMPARE_STATUS(other.cli("header -o", {none}), 1);
+    QVERIFY(!QFile::exists(none));
 }
 
 void TestCliTuning::filesThatAreNoneAreExitStatus5_data()
