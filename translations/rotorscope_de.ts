@@ -135,6 +135,10 @@
         <source>Large numbers</source>
         <translation>Große Zahlen</translation>
     </message>
+    <message>
+        <source>Show the whole recording below</source>
+        <translation>Die ganze Aufzeichnung darunter zeigen</translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -4742,6 +4746,17 @@ mN·m</translation>
     </message>
 </context>
 <context>
+    <name>widgets::ScopeOverview</name>
+    <message>
+        <source>Whole recording</source>
+        <translation>Ganze Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>The whole recording; the box is what the plots show. Drag it or its edges.</source>
+        <translation>Die ganze Aufzeichnung; der Rahmen ist, was die Diagramme zeigen. Ihn oder seine Ränder ziehen.</translation>
+    </message>
+</context>
+<context>
     <name>widgets::ScopeTools</name>
     <message>
         <source>Cursors</source>
@@ -4791,6 +4806,14 @@ mN·m</translation>
         <source>&amp;Drop the reference</source>
         <translation>Referenz &amp;verwerfen</translation>
     </message>
+    <message>
+        <source>&amp;Whole recording below</source>
+        <translation>&amp;Ganze Aufzeichnung darunter</translation>
+    </message>
+    <message>
+        <source>A strip with everything recorded, and a box around what the plots show (O)</source>
+        <translation>Ein Streifen mit allem Aufgezeichneten und ein Rahmen um das, was die Diagramme zeigen (O)</translation>
+    </message>
 </context>
 <context>
     <name>widgets::ScopeView</name>
@@ -4833,6 +4856,10 @@ mN·m</translation>
     <message>
         <source>Cursors	C</source>
         <translation>Cursor	C</translation>
+    </message>
+    <message>
+        <source>Whole recording below	O</source>
+        <translation>Ganze Aufzeichnung darunter	O</translation>
     </message>
 </context>
 <context>

@@ -135,6 +135,10 @@
         <source>Large numbers</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Show the whole recording below</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -4736,6 +4740,17 @@ mN·m</source>
     </message>
 </context>
 <context>
+    <name>widgets::ScopeOverview</name>
+    <message>
+        <source>Whole recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The whole recording; the box is what the plots show. Drag it or its edges.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::ScopeTools</name>
     <message>
         <source>Cursors</source>
@@ -4785,6 +4800,14 @@ mN·m</source>
         <source>&amp;Drop the reference</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Whole recording below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A strip with everything recorded, and a box around what the plots show (O)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::ScopeView</name>
@@ -4826,6 +4849,10 @@ mN·m</source>
     </message>
     <message>
         <source>Cursors	C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole recording below	O</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -99,6 +99,7 @@ void showKeys(QWidget *parent)
         {QStringLiteral("S, T"), About::tr("Take a single record; force a trigger")},
         {About::tr("Page up, page down"), About::tr("Earlier and later records of the trigger")},
         {QStringLiteral("R, Shift+R"), About::tr("Keep the traces as a reference; drop it")},
+        {QStringLiteral("O"), About::tr("Show the whole recording below")},
         {QStringLiteral("C, 1, 2"), About::tr("Cursors; 1 and 2 give one to the mouse")},
         {QStringLiteral("M"), About::tr("Set a marker")},
         {QStringLiteral("\u2190 \u2192"),

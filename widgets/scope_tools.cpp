@@ -41,6 +41,10 @@ ScopeTools::ScopeTools(ScopeView &scope, TriggerControl &trigger, QWidget &windo
     m_groups.append({make(tr("Set a &marker"), Qt::Key_M,
         tr("At the mouse, else at the active cursor, else at the newest sample (M)"),
         &ScopeView::setMarker)});
+    QAction *overview = make(tr("&Whole recording below"), Qt::Key_O,
+        tr("A strip with everything recorded, and a box around what the plots show (O)"),
+        [this] { m_scope.setOverviewVisible(!m_scope.overviewVisible()); });
+    m_groups.append(QList<QAction *>{overview});
     connect(&scope.cursors(), &Cursors::changed, m_cursors,
         [this] { m_cursors->setChecked(m_scope.cursors().visible()); });
 }

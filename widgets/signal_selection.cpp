@@ -5,6 +5,8 @@
 #include "widgets/scope/scope_view.h"
 #include "widgets/value_text.h"
 
+#include <algorithm>
+
 namespace widgets {
 namespace {
 
@@ -51,6 +53,7 @@ SignalSelection::SignalSelection(
         if (const auto info = m_capture.info(channel))
             remove(info->registerId);
     });
+    connect(&scope, &ScopeView::channelMoved, this, &SignalSelection::rememberPlots);
 }
 
 QString SignalSelection::nameOf(catalog::RegisterId id) const
@@ -113,12 +116,13 @@ void SignalSelection::add(quint32 id, int plot)
         std::find_if(m_wanted.begin(), m_wanted.end(), [id](const auto &s) { return s.id == id; });
     if (found == m_wanted.end()) {
         m_wanted.push_back({id, route, wantedPlot});
+        replanSoon();
     } else if (plot >= 0 && found->plot != plot) { // dropped onto another plot: it moves there
-        found->plot = plot;
         if (const auto channel = channelOf(id))
-            m_scope.removeChannel(*channel);
+            m_scope.moveChannel(*channel, plot);
+        else
+            found->plot = plot;
     }
-    replanSoon();
 }
 
 void SignalSelection::remove(quint32 id)
@@ -224,18 +228,52 @@ void SignalSelection::takeReadings(const std::vector<drive::Reading> &readings)
 void SignalSelection::syncScope()
 {
     std::vector<capture::ChannelId> shown;
-    for (const WantedSignal &signal : m_wanted) {
-        const auto channel = channelOf(signal.id);
+    std::vector<const WantedSignal *> ordered; // so that the plots come in their order
+    for (const WantedSignal &signal : m_wanted)
+        ordered.push_back(&signal);
+    std::stable_sort(ordered.begin(), ordered.end(),
+        [](const auto *one, const auto *other) { return one->plot < other->plot; });
+    for (const WantedSignal *signal : ordered) {
+        const auto channel = channelOf(signal->id);
         if (!channel)
             continue;
         shown.push_back(*channel);
         if (m_scope.plotOf(*channel) < 0)
-            m_scope.addChannel(*channel, signal.plot);
+            m_scope.addChannel(*channel, shownPlotOf(*signal));
     }
     const auto there = m_scope.channels();
     for (const capture::ChannelId channel : there)
         if (std::find(shown.begin(), shown.end(), channel) == shown.end())
             m_scope.removeChannel(channel);
+    rememberPlots();
+}
+
+/// Beside a signal that is to be in the same plot; else in that plot if no other signal has it, or in a new one.
+int SignalSelection::shownPlotOf(const WantedSignal &signal) const
+{
+    bool taken = false;
+    for (const WantedSignal &other : m_wanted) {
+        const auto channel = channelOf(other.id);
+        const int plot = channel ? m_scope.plotOf(*channel) : -1;
+        if (plot >= 0 && other.plot == signal.plot)
+            return plot;
+        taken = taken || plot == signal.plot;
+    }
+    return taken ? m_scope.plotCount() : signal.plot;
+}
+
+/// Plots vanish with their last trace: where the signals are is known once all of them are shown.
+void SignalSelection::rememberPlots()
+{
+    std::vector<int> plots;
+    for (const WantedSignal &signal : m_wanted) {
+        const auto channel = channelOf(signal.id);
+        plots.push_back(channel ? m_scope.plotOf(*channel) : -1);
+    }
+    if (std::find(plots.begin(), plots.end(), -1) != plots.end())
+        return;
+    for (std::size_t i = 0; i < plots.size(); ++i)
+        m_wanted[i].plot = plots[i];
 }
 
 } // namespace widgets

@@ -46,6 +46,8 @@ private:
     void sendStream();
     void takeReadings(const std::vector<drive::Reading> &readings);
     void syncScope();
+    void rememberPlots();
+    int shownPlotOf(const WantedSignal &signal) const;
     int plotFor(catalog::RegisterId id) const;
     std::optional<capture::ChannelId> channelOf(catalog::RegisterId id) const;
     void boardChanged();

@@ -1,5 +1,7 @@
 // The scope as a person sees and drives it: pixels of the grabbed widget, keys, mouse, drops.
 #include "capture/capture.h"
+#include "widgets/scope/axis_ticks.h"
+#include "widgets/scope/scope_overview.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QtTest>
@@ -35,6 +37,10 @@ private Q_SLOTS:
     void theWheelZoomsAtTheMouse();
     void aRightDragZoomsIntoTheBox();
     void draggingAnAxisMovesOnlyThatAxis();
+    void theWheelOnAnAxisStepsItsGain();
+    void gainsAreOneTwoFive();
+    void aLegendEntryIsDraggedToAnotherPlot();
+    void theOverviewShowsAndMovesTheView();
     void clickingTheLegendSelectsAndDeleteRemoves();
     void registersDroppedOnAPlotAreReported();
     void whatIsNoListOfRegistersIsNotAccepted();
@@ -544,6 +550,150 @@ void TestScopeView::draggingAnAxisMovesOnlyThatAxis()
     QTest::mouseClick(&plot, Qt::MiddleButton, {}, axis);
     bench.picture();
     QVERIFY(bench.view.valueRangeOf(bench.id(1)).to > 20000);
+}
+
+void TestScopeView::theWheelOnAnAxisStepsItsGain()
+{
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.record(10'000, [](int, int tick) { return tick % 100; });
+    bench.view.fitAll();
+    bench.picture();
+    const QRect area = areaOf(bench.view, 0);
+    const QPoint axis(area.left() - 10, area.center().y());
+    const auto turn = [&](int delta) {
+        QWheelEvent wheel(axis, plotOf(bench.view).mapToGlobal(axis), {}, QPoint(0, delta),
+            Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&plotOf(bench.view), &wheel);
+        const auto range = bench.view.valueRangeOf(bench.id(1));
+        return (range.to - range.from) / 8; // a division
+    };
+    const auto before = bench.view.valueRangeOf(bench.id(1));
+    const double first = turn(120);
+    QCOMPARE(first, 10.0); // from 120 A in all, which is between 10 and 20 a division
+    QCOMPARE(turn(120), 5.0);
+    QCOMPARE(turn(120), 2.0);
+    QCOMPARE(turn(-120), 5.0);
+    QCOMPARE(turn(60), 5.0); // half a notch of a fine wheel
+    QCOMPARE(turn(60), 2.0);
+    const auto now = bench.view.valueRangeOf(bench.id(1));
+    const double middle = before.from + (before.to - before.from) / 2;
+    QVERIFY(
+        std::abs(now.from + (now.to - now.from) / 2 - middle) < 1.0); // what is at the mouse stays
+}
+
+void TestScopeView::gainsAreOneTwoFive()
+{
+    QCOMPARE(steppedScale(1.0, 1), 2.0);
+    QCOMPARE(steppedScale(2.0, 1), 5.0);
+    QCOMPARE(steppedScale(5.0, 1), 10.0);
+    QCOMPARE(steppedScale(1.0, -1), 0.5);
+    QCOMPARE(steppedScale(0.001, -1), 0.0005);
+    QCOMPARE(steppedScale(3.0, 1), 5.0);
+    QCOMPARE(steppedScale(3.0, -1), 2.0);
+    QCOMPARE(steppedScale(1.5, 1), 2.0);
+    QCOMPARE(steppedScale(1.5, -1), 1.0);
+    QCOMPARE(steppedScale(7.0, 1), 10.0);
+    QCOMPARE(steppedScale(7.0, -1), 5.0);
+    QCOMPARE(steppedScale(2e-7, 3), 2e-6);
+    double scale = 1.0;
+    for (int i = 0; i < 30; ++i)
+        scale = steppedScale(scale, 1);
+    QCOMPARE(scale, 1e10);
+    for (int i = 0; i < 60; ++i)
+        scale = steppedScale(scale, -1);
+    QVERIFY(std::abs(scale / 1e-10 - 1.0) < 1e-9);
+    QCOMPARE(steppedScale(0.0, 1), 1.0);
+    QCOMPARE(steppedScale(std::nan(""), 1), 1.0);
+}
+
+void TestScopeView::aLegendEntryIsDraggedToAnotherPlot()
+{
+    Bench bench({signal(1, "A"), signal(2, "A"), signal(3, "V")});
+    bench.view.addChannel(bench.id(1));
+    bench.view.addChannel(bench.id(2));
+    bench.view.addChannel(bench.id(3), 1);
+    bench.record(100, 1);
+    bench.picture();
+    QSignalSpy spy(&bench.view, &ScopeView::channelMoved);
+    QWidget &plot = plotOf(bench.view);
+    const auto entryOf = [&](int index) {
+        return areaOf(bench.view, index).topLeft() + QPoint(20, 12);
+    };
+    const auto drag = [&](const QPoint &from, const QPoint &to) {
+        QTest::mousePress(&plot, Qt::LeftButton, {}, from);
+        QMouseEvent move(
+            QEvent::MouseMove, to, plot.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+        QApplication::sendEvent(&plot, &move);
+        QTest::mouseRelease(&plot, Qt::LeftButton, {}, to);
+        bench.picture();
+    };
+    const auto plots = [&] {
+        return QList<int>{bench.view.plotOf(bench.id(1)), bench.view.plotOf(bench.id(2)),
+            bench.view.plotOf(bench.id(3))};
+    };
+    const QColor color = bench.view.colorOf(bench.id(1));
+    drag(entryOf(0), areaOf(bench.view, 1).center());
+    QCOMPARE(plots(), (QList<int>{1, 0, 1}));
+    QCOMPARE(spy.size(), 1);
+    QCOMPARE(bench.view.colorOf(bench.id(1)), color);
+    QCOMPARE(bench.view.selectedChannel(), bench.id(1)); // the one that was taken
+    drag(entryOf(0), areaOf(bench.view, 0).center()); // where it is already
+    drag(entryOf(0), entryOf(0) + QPoint(3, 0)); // a click of a shaky hand
+    QCOMPARE(spy.size(), 1);
+    const QPoint below(plot.width() / 2, plot.height() - 3);
+    drag(entryOf(1), below); // below all: a plot of its own
+    QCOMPARE(plots(), (QList<int>{1, 0, 2}));
+    drag(entryOf(2), below); // it has one
+    QCOMPARE(spy.size(), 2);
+    drag(entryOf(0), areaOf(bench.view, 2).center()); // the plot it leaves vanishes
+    QCOMPARE(plots(), (QList<int>{0, 1, 1}));
+    QCOMPARE(bench.view.plotCount(), 2);
+    QTest::mousePress(&plot, Qt::LeftButton, {}, entryOf(0));
+    bench.view.removeSelected(); // a key, while the mouse still holds it
+    QTest::mouseRelease(&plot, Qt::LeftButton, {}, below);
+    QCOMPARE(plots(), (QList<int>{-1, 0, 0}));
+}
+
+void TestScopeView::theOverviewShowsAndMovesTheView()
+{
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.record(100'000, [](int, int tick) { return tick % 100; });
+    auto *overview = bench.view.findChild<ScopeOverview *>();
+    QVERIFY(!overview->isVisible());
+    bench.view.setFocus();
+    QTest::keyClick(&bench.view, Qt::Key_O);
+    QVERIFY(overview->isVisible());
+    bench.view.setVisibleRange(40.0, 60.0);
+    bench.picture();
+    QVERIFY(std::abs(overview->box().left() / overview->width() - 0.4) < 0.01);
+    QVERIFY(std::abs(overview->box().right() / overview->width() - 0.6) < 0.01);
+    const QImage strip = overview->grab().toImage();
+    const int middle = strip.width() / 2;
+    int drawn = 0;
+    for (int y = 0; y < strip.height(); ++y)
+        drawn += strip.pixel(middle, y) == bench.view.colorOf(bench.id(1)).rgb() ? 1 : 0;
+    QVERIFY(drawn > strip.height() / 2);
+    const auto at = [&](double share) { return QPoint(int(share * overview->width()), 10); };
+    const auto drag = [&](double from, double to) {
+        QTest::mousePress(overview, Qt::LeftButton, {}, at(from));
+        QMouseEvent move(QEvent::MouseMove, at(to), overview->mapToGlobal(at(to)), Qt::NoButton,
+            Qt::LeftButton, {});
+        QApplication::sendEvent(overview, &move);
+        QTest::mouseRelease(overview, Qt::LeftButton, {}, at(to));
+    };
+    drag(0.5, 0.7);
+    QVERIFY(std::abs(bench.view.visibleRange().from - 60.0) < 0.5);
+    QVERIFY(std::abs(bench.view.visibleRange().to - 80.0) < 0.5);
+    drag(0.8, 0.9); // the right edge
+    QVERIFY(std::abs(bench.view.visibleRange().from - 60.0) < 0.5);
+    QVERIFY(std::abs(bench.view.visibleRange().to - 90.0) < 0.5);
+    QTest::mouseClick(overview, Qt::LeftButton, {}, at(0.2)); // beside it
+    const auto range = bench.view.visibleRange();
+    QVERIFY(std::abs((range.from + range.to) / 2 - 20.0) < 0.5);
+    QTest::keyClick(overview, Qt::Key_Right);
+    QVERIFY(bench.view.visibleRange().from > range.from);
 }
 
 void TestScopeView::clickingTheLegendSelectsAndDeleteRemoves()

@@ -45,6 +45,24 @@ double tickStep(double span, int most)
     return 10.0 * power;
 }
 
+double steppedScale(double scale, int steps)
+{
+    if (!(scale > 0) || !std::isfinite(scale))
+        return 1.0;
+    constexpr double kFactors[] = {1.0, 2.0, 5.0};
+    // Numbers every step: three a decade. A scale between two of them goes to its neighbour first.
+    const double decade = std::floor(std::log10(scale) + 1e-9);
+    const double mantissa = scale / std::pow(10.0, decade);
+    const double place = mantissa < 2.0 * (1 - 1e-9) ? (mantissa > 1.0 + 1e-9 ? 0.5 : 0.0)
+        : mantissa < 5.0 * (1 - 1e-9)                ? (mantissa > 2.0 + 1e-9 ? 1.5 : 1.0)
+        : mantissa > 5.0 * (1 + 1e-9)                ? 2.5
+                                                     : 2.0;
+    const double base = steps > 0 ? std::floor(place) : std::ceil(place);
+    const int index = static_cast<int>(3.0 * decade + base) + steps;
+    const int power = index >= 0 ? index / 3 : -((2 - index) / 3);
+    return kFactors[index - 3 * power] * std::pow(10.0, power);
+}
+
 QVector<double> ticksIn(double from, double to, double step)
 {
     QVector<double> ticks;

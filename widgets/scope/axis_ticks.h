@@ -15,6 +15,10 @@ double leastSpan(const QString &unit, double digit);
 /// The smallest step of the form 1, 2 or 5 times a power of ten that cuts `span` into at most `most` pieces.
 double tickStep(double span, int most);
 
+/// The value of the form 1, 2 or 5 times a power of ten that is `steps` of these above (below 0: under) the one nearest
+/// to `scale`; always another than `scale` for steps that are not 0.
+double steppedScale(double scale, int steps);
+
 /// Multiples of `step` in [from, to]; at most 1000, whatever is asked for.
 QVector<double> ticksIn(double from, double to, double step);
 

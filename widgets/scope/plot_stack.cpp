@@ -12,24 +12,8 @@
 namespace widgets {
 
 namespace {
-constexpr double kMarginBelow = 0.06; ///< of the span
-constexpr double kMarginAbove = 0.14; ///< more, for the legend
 constexpr int kTimeLabelWidth = 90; ///< pixels
 constexpr int kValueLabelHeight = 32;
-
-/// A range that shows [low, high] with some room, and at least `least` of the unit.
-QCPRange roomy(double low, double high, double least)
-{
-    if (!(high > low) && !(least > 0))
-        least = std::max(std::abs(high) * 0.2, 1e-3);
-    if (high - low < least) {
-        const double middle = low + (high - low) / 2;
-        low = middle - least / 2;
-        high = middle + least / 2;
-    }
-    const double span = high - low;
-    return {low - span * kMarginBelow, high + span * kMarginAbove};
-}
 } // namespace
 
 PlotStack::PlotStack(QCustomPlot &plot, const capture::Capture &capture)
@@ -213,6 +197,21 @@ void PlotStack::remove(capture::ChannelId channel)
     labelAxes(from);
 }
 
+bool PlotStack::move(capture::ChannelId channel, int index)
+{
+    const int from = plotOf(channel);
+    index = std::clamp(index, 0, count());
+    const bool alone = from >= 0 && plot(from).traces.size() == 1;
+    if (from < 0 || from == index || (alone && index == count()))
+        return false;
+    const Trace moved = *trace(channel);
+    remove(channel);
+    add(moved.info, alone && from < index ? index - 1 : index);
+    if (moved.selected)
+        select(channel);
+    return true;
+}
+
 const Trace *PlotStack::trace(capture::ChannelId channel) const
 {
     for (const auto &plot : m_plots) {
@@ -304,93 +303,6 @@ std::optional<capture::ChannelId> PlotStack::selected() const
         }
     }
     return std::nullopt;
-}
-
-void PlotStack::setTimeRange(double from, double to)
-{
-    for (const auto &plot : m_plots)
-        plot->timeAxis()->setRange(from, to);
-}
-
-void PlotStack::setTimeOrigin(double seconds)
-{
-    m_origin = seconds;
-    for (const auto &plot : m_plots)
-        plot->timeAxis()->ticker().dynamicCast<AxisTicker>()->setOrigin(seconds);
-}
-
-capture::MinMax PlotStack::extremes(const ScopePlot &plot, const QCPAxis *axis) const
-{
-    const QCPRange range = plot.timeAxis()->range();
-    capture::MinMax all;
-    for (const Trace &trace : plot.traces) {
-        if (trace.valueAxis != axis)
-            continue;
-        all.include(m_capture.extremes(trace.channel, range.lower, range.upper));
-        // A value that only holds into the window is visible too.
-        if (const auto held = m_capture.valueAt(trace.channel, range.lower))
-            all.include({static_cast<float>(*held), static_cast<float>(*held)});
-    }
-    return all;
-}
-
-double PlotStack::leastSpanOf(const ScopePlot &plot, const ValueAxis &axis) const
-{
-    double least = 0.0;
-    for (const Trace &trace : plot.traces) {
-        if (trace.valueAxis != axis.axis)
-            continue;
-        // A polled value comes scaled: what its digit is worth is not known here.
-        const bool scaled = trace.info.kind == capture::ChannelInfo::Kind::Polled;
-        least = std::max(least, leastSpan(axis.unit, scaled ? 0.0 : trace.info.factor));
-    }
-    return least;
-}
-
-void PlotStack::growAxes()
-{
-    for (const auto &plot : m_plots) {
-        for (ValueAxis &axis : plot->axes) {
-            if (!axis.automatic)
-                continue;
-            const capture::MinMax shown = extremes(*plot, axis.axis);
-            if (shown.empty())
-                continue;
-            const double low = double(shown.min);
-            const double high = double(shown.max);
-            QCPRange range = axis.axis->range();
-            if (!axis.fitted || low < range.lower || high > range.upper) {
-                const QCPRange wanted = roomy(low, high, leastSpanOf(*plot, axis));
-                if (axis.fitted)
-                    range.expand(wanted);
-                else
-                    range = wanted;
-                axis.axis->setRange(range);
-                axis.fitted = true;
-            }
-        }
-    }
-}
-
-void PlotStack::fitAxis(ValueAxis &axis)
-{
-    for (const auto &plot : m_plots) {
-        const capture::MinMax shown = extremes(*plot, axis.axis);
-        if (!shown.empty()) {
-            axis.axis->setRange(
-                roomy(double(shown.min), double(shown.max), leastSpanOf(*plot, axis)));
-            axis.fitted = true;
-        }
-    }
-    axis.automatic = true;
-}
-
-void PlotStack::fitValues()
-{
-    for (const auto &plot : m_plots) {
-        for (ValueAxis &axis : plot->axes)
-            fitAxis(axis);
-    }
 }
 
 void PlotStack::setGhosts(std::vector<Ghost> ghosts)

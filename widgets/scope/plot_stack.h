@@ -29,6 +29,9 @@ public:
     /// @param index  of the plot, clipped; count() makes a new one
     void add(const capture::ChannelInfo &channel, int index);
     void remove(capture::ChannelId channel);
+    /// @param index  as in add(); a plot that loses its last trace vanishes
+    /// @return  false if it is not shown, or there already
+    bool move(capture::ChannelId channel, int index);
     const Trace *trace(capture::ChannelId channel) const;
     std::vector<capture::ChannelId> channels() const;
     int plotOf(capture::ChannelId channel) const;

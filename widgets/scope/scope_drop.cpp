@@ -51,6 +51,16 @@ void ScopeView::highlightDrop(int plot)
     m_dropMark->raise();
 }
 
+/// A trace's legend entry was let go there.
+void ScopeView::dropTrace(capture::ChannelId channel, const QPoint &position)
+{
+    m_dropMark->hide();
+    if (!rect().contains(position))
+        return;
+    const int plot = dropPlotAt(position);
+    moveChannel(channel, plot < 0 ? plotCount() : plot);
+}
+
 void ScopeView::dragEnterEvent(QDragEnterEvent *event)
 {
     if (registersIn(*event->mimeData()).isEmpty())

@@ -84,6 +84,9 @@ bool ScopeView::scopeKey(int key, bool shift)
     case Qt::Key_G:
         setGridVisible(!gridVisible());
         return true;
+    case Qt::Key_O:
+        setOverviewVisible(!overviewVisible());
+        return true;
     case Qt::Key_R:
         shift ? dropReference() : keepReference();
         return true;
@@ -118,6 +121,8 @@ void ScopeView::fillContextMenu(QMenu &menu, int plot)
     toggle(tr("Run\tSpace"), m_running, [this](bool on) { setRunning(on); });
     toggle(tr("Follow the newest sample\tEnd"), m_following, [this](bool on) { setFollowing(on); });
     toggle(tr("Grid\tG"), gridVisible(), [this](bool on) { setGridVisible(on); });
+    toggle(tr("Whole recording below\tO"), overviewVisible(),
+        [this](bool on) { setOverviewVisible(on); });
     toggle(tr("Cursors\tC"), m_cursors.visible(), [this] { toggleCursors(); });
     menu.addSeparator();
     menu.addAction(tr("Fit everything\tF"), this, &ScopeView::fitAll);

@@ -1,5 +1,6 @@
 #include "widgets/scope/scope_mouse.h"
 
+#include "widgets/scope/axis_ticks.h"
 #include "widgets/scope/plot_stack.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trace_legend.h"
@@ -15,6 +16,7 @@ namespace widgets {
 namespace {
 constexpr int kClick = 5; ///< pixels a hand may shake during a click
 constexpr double kWheelNotch = 120.0;
+constexpr double kDivisions = 8.0; ///< of a value axis
 constexpr double kZoomPerNotch = 1.25;
 
 double fractionIn(double position, double start, double length)
@@ -119,8 +121,11 @@ void ScopeMouse::pressLeft()
     const auto channel = m_stack.plot(m_plotIndex).legend->channelAt(m_start);
     m_stack.select(channel);
     m_view.redraw();
-    if (channel)
+    if (channel) {
+        m_gesture = Gesture::MoveTrace;
+        m_trace = channel;
         return;
+    }
     m_view.cursors().setActive({});
     m_gesture = Gesture::Pan;
     m_from = m_view.visibleRange().from;
@@ -153,12 +158,14 @@ bool ScopeMouse::move(const QMouseEvent &event)
         const double width = m_stack.plot(0).rect->width();
         const double shift = moved.x() / std::max(width, 1.0) * (m_to - m_from);
         m_view.setVisibleRange(m_from - shift, m_to - shift);
-    } else if (m_gesture == Gesture::MoveAxis) {
-        auto *axis = static_cast<QCPAxis *>(m_axis);
+    } else if (m_gesture == Gesture::MoveAxis && m_axis) { // it may have gone with its last trace
+        auto *axis = static_cast<QCPAxis *>(m_axis.data());
         const double height = axis->axisRect()->height();
         const double shift = moved.y() / std::max(height, 1.0) * (m_to - m_from);
         axis->setRange(m_from + shift, m_to + shift);
         m_view.redraw();
+    } else if (m_gesture == Gesture::MoveTrace && moved.manhattanLength() > 2 * kClick) {
+        m_view.highlightDrop(m_view.dropPlotAt(m_plot.mapTo(&m_view, event.position().toPoint())));
     } else if (m_gesture == Gesture::Box && moved.manhattanLength() > kClick) {
         m_box->setGeometry(QRect(m_start.toPoint(), event.position().toPoint()).normalized());
         m_box->show();
@@ -169,6 +176,9 @@ bool ScopeMouse::move(const QMouseEvent &event)
 bool ScopeMouse::release(const QMouseEvent &event)
 {
     const Gesture gesture = std::exchange(m_gesture, Gesture::None);
+    const double moved = (event.position() - m_start).manhattanLength();
+    if (gesture == Gesture::MoveTrace && moved > 2 * kClick)
+        m_view.dropTrace(*m_trace, m_plot.mapTo(&m_view, event.position().toPoint()));
     if (gesture == Gesture::Box) {
         m_box->hide();
         const QRect box = QRect(m_start.toPoint(), event.position().toPoint()).normalized();
@@ -201,6 +211,20 @@ void ScopeMouse::zoomIntoBox(const QRect &box)
     m_view.setVisibleRange(time.from + left * span, time.from + right * span);
 }
 
+/// A notch is a step of the gain, as on a bench scope: 1, 2 or 5 of the unit for a division. The value under the mouse
+/// stays there.
+void ScopeMouse::turnAxis(QCPAxis &axis, double y, double notches)
+{
+    m_turned = notches * m_turned < 0 ? notches : m_turned + notches; // a turn back counts at once
+    const int steps = static_cast<int>(m_turned);
+    m_turned -= steps;
+    if (steps == 0)
+        return;
+    const double wanted = steppedScale(axis.range().size() / kDivisions, -steps) * kDivisions;
+    axis.scaleRange(wanted / axis.range().size(), axis.pixelToCoord(y));
+    m_view.redraw();
+}
+
 bool ScopeMouse::wheel(const QWheelEvent &event)
 {
     const QPoint angle = event.angleDelta();
@@ -210,10 +234,8 @@ bool ScopeMouse::wheel(const QWheelEvent &event)
         return true;
     const double factor = std::pow(kZoomPerNotch, notches);
     if (ValueAxis *axis = m_stack.valueAxisAt(event.position())) {
-        const double at = axis->axis->pixelToCoord(event.position().y());
-        axis->axis->scaleRange(1.0 / factor, at);
         axis->automatic = false;
-        m_view.redraw();
+        turnAxis(*axis->axis, event.position().y(), notches);
         return true;
     }
     if (event.modifiers().testFlag(Qt::ShiftModifier) || angle.y() == 0) {

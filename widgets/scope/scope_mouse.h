@@ -8,8 +8,10 @@
 #include <QObject>
 #include <QPoint>
 #include <QPointF>
+#include <QPointer>
 #include <QRect>
 
+class QCPAxis;
 class QCustomPlot;
 class QMouseEvent;
 class QRubberBand;
@@ -37,7 +39,7 @@ Q_SIGNALS:
     void menuRequested(const QPoint &globalPosition, int plot);
 
 private:
-    enum class Gesture { None, Pan, MoveAxis, Box, MoveHandle };
+    enum class Gesture { None, Pan, MoveAxis, Box, MoveHandle, MoveTrace };
 
     bool press(const QMouseEvent &event);
     bool move(const QMouseEvent &event);
@@ -47,6 +49,7 @@ private:
     bool takeHandle();
     void pressLeft();
     void hover(const QPointF &position);
+    void turnAxis(QCPAxis &axis, double y, double notches);
     void zoomIntoBox(const QRect &box);
 
     ScopeView &m_view;
@@ -57,12 +60,14 @@ private:
     std::optional<QPointF> m_position;
     std::optional<CursorEnd> m_attached;
     std::optional<Handle> m_handle; ///< being moved
+    std::optional<quint32> m_trace; ///< whose legend entry is being dragged
+    double m_turned = 0.0; ///< of the wheel over an axis, notches not yet acted upon
     Gesture m_gesture = Gesture::None;
     QPointF m_start;
     int m_plotIndex = -1;
     double m_from = 0.0; ///< the range at the start of the gesture
     double m_to = 1.0;
-    void *m_axis = nullptr; ///< QCPAxis being moved; kept opaque so that this header stays light
+    QPointer<QObject> m_axis; ///< QCPAxis being moved; kept opaque so that this header stays light
 };
 
 } // namespace widgets

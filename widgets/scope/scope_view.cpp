@@ -4,6 +4,7 @@
 #include "widgets/scope/plot_stack.h"
 #include "widgets/scope/scope_mouse.h"
 #include "widgets/scope/scope_overlay.h"
+#include "widgets/scope/scope_overview.h"
 #include "widgets/scope/stale_mark.h"
 
 #include <QEvent>
@@ -32,6 +33,7 @@ ScopeView::ScopeView(capture::Capture &capture, QWidget *parent)
     , m_dropMark(new QRubberBand(QRubberBand::Rectangle, this))
     , m_stale(new StaleMark(*this, this))
     , m_lane(new EventLane(*this, m_events, this))
+    , m_overview(new ScopeOverview(*this, capture, this))
     , m_stack(std::make_unique<PlotStack>(*m_plot, capture))
     , m_overlay(new ScopeOverlay(*m_plot, *m_stack, capture, m_cursors, m_events))
     , m_mouse(new ScopeMouse(*this, *m_plot, *m_stack))
@@ -51,6 +53,7 @@ ScopeView::ScopeView(capture::Capture &capture, QWidget *parent)
     layout->setSpacing(0);
     layout->addWidget(m_lane);
     layout->addWidget(m_plot, 1);
+    layout->addWidget(m_overview);
     m_plot->setFocusProxy(this);
     m_hint->setText(tr("Drag a signal here, or select one in the tree and press Enter"));
     m_hint->setTextFormat(Qt::PlainText);
@@ -90,6 +93,15 @@ void ScopeView::removeChannel(capture::ChannelId channel)
     m_stack->remove(channel);
     updateDescription();
     redraw();
+}
+
+void ScopeView::moveChannel(capture::ChannelId channel, int plot)
+{
+    if (!m_stack->move(channel, plot))
+        return;
+    updateDescription();
+    redraw();
+    Q_EMIT channelMoved(channel);
 }
 
 QList<capture::ChannelId> ScopeView::channels() const
@@ -322,6 +334,16 @@ void ScopeView::pan(double fraction)
 void ScopeView::setGridVisible(bool visible)
 {
     m_stack->setGrid(visible);
+    redraw();
+}
+
+std::optional<capture::ChannelId> ScopeView::selectedChannel() const { return m_stack->selected(); }
+
+bool ScopeView::overviewVisible() const { return m_overview->isVisibleTo(this); }
+
+void ScopeView::setOverviewVisible(bool visible)
+{
+    m_overview->setVisible(visible);
     redraw();
 }
 

@@ -24,6 +24,7 @@ namespace widgets {
 class EventLane;
 class PlotStack;
 class ScopeMouse;
+class ScopeOverview;
 class ScopeOverlay;
 class StaleMark;
 
@@ -38,6 +39,8 @@ public:
     /// A channel whose unit an axis of the plot already has shares that axis.
     void addChannel(capture::ChannelId channel, int plot = 0);
     void removeChannel(capture::ChannelId channel);
+    /// To another plot, as in addChannel(); its colour and its samples stay.
+    void moveChannel(capture::ChannelId channel, int plot);
     QList<capture::ChannelId> channels() const;
     int plotCount() const;
     int plotOf(capture::ChannelId channel) const; ///< -1 if it is not shown
@@ -66,6 +69,8 @@ public:
     };
     ValueRange valueRangeOf(capture::ChannelId channel) const; ///< of the axis it is drawn on
     int axisCount(int plot) const; ///< value axes of a plot
+    std::optional<capture::ChannelId> selectedChannel() const; ///< the trace clicked in the legend
+    bool overviewVisible() const;
     /// The step in which a channel's values are written out; 0 if it is not shown.
     double readingStepOf(capture::ChannelId channel) const;
     QString nameOf(capture::ChannelId channel) const; ///< fit to be shown; empty if it is not there
@@ -92,6 +97,7 @@ public Q_SLOTS:
     void pan(double fraction); ///< of the visible span, positive to later
     void setVisibleRange(double from, double to); ///< ends following
     void setGridVisible(bool visible); ///< G
+    void setOverviewVisible(bool visible); ///< O: the whole recording below the plots
     void removeSelected(); ///< Delete: takes the trace that was clicked in the legend off the scope
     void redraw(); ///< something that is drawn changed: redraws at the next frame
     void setTimeOrigin(double seconds);
@@ -122,6 +128,7 @@ Q_SIGNALS:
     void visibleRangeChanged(double from, double to);
     void drawn(); ///< after each redraw
     void captureAdvanced(); ///< there may be new samples; before they are drawn
+    void channelMoved(quint32 channel); ///< to another plot
     void channelsChanged(); ///< what is shown, or in which channel a register is
     void triggerLevelMoved(int level, double value); ///< by a person, in the source's unit
     void triggerPositionMoved(double seconds); ///< by a person
@@ -154,8 +161,10 @@ private:
     void updateDescription();
     void placeGhosts();
     double ghostZero() const;
+    friend class ScopeMouse; // drags traces as drags drop registers
     int dropPlotAt(const QPoint &position) const;
     void highlightDrop(int plot);
+    void dropTrace(capture::ChannelId channel, const QPoint &position);
 
     capture::Capture &m_capture;
     QCustomPlot *m_plot;
@@ -165,6 +174,7 @@ private:
     Cursors m_cursors;
     EventLog m_events;
     EventLane *m_lane;
+    ScopeOverview *m_overview;
     std::unique_ptr<PlotStack> m_stack;
     ScopeOverlay *m_overlay;
     ScopeMouse *m_mouse;
