@@ -598,6 +598,201 @@
     </message>
 </context>
 <context>
+    <name>Measures</name>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>The smallest sample</source>
+        <translation>Der kleinste Messwert</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>The largest sample</source>
+        <translation>Der größte Messwert</translation>
+    </message>
+    <message>
+        <source>Peak to peak</source>
+        <translation>Spitze-Spitze</translation>
+    </message>
+    <message>
+        <source>Maximum minus minimum</source>
+        <translation>Maximum minus Minimum</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>The mean of all samples</source>
+        <translation>Der Mittelwert aller Messwerte</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>Effektivwert</translation>
+    </message>
+    <message>
+        <source>The root of the mean square of all samples</source>
+        <translation>Die Wurzel aus dem Mittel der Quadrate aller Messwerte</translation>
+    </message>
+    <message>
+        <source>Cycle mean</source>
+        <translation>Periodenmittel</translation>
+    </message>
+    <message>
+        <source>The mean over whole periods</source>
+        <translation>Der Mittelwert über ganze Perioden</translation>
+    </message>
+    <message>
+        <source>Cycle RMS</source>
+        <translation>Perioden-Effektivwert</translation>
+    </message>
+    <message>
+        <source>The RMS over whole periods</source>
+        <translation>Der Effektivwert über ganze Perioden</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>Of whole periods, between upward crossings of the middle</source>
+        <translation>Ganzer Perioden, zwischen steigenden Durchgängen durch die Mitte</translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation>Periode</translation>
+    </message>
+    <message>
+        <source>The mean of whole periods</source>
+        <translation>Das Mittel ganzer Perioden</translation>
+    </message>
+    <message>
+        <source>Duty</source>
+        <translation>Tastgrad</translation>
+    </message>
+    <message>
+        <source>Share of a period above the middle level</source>
+        <translation>Anteil einer Periode über dem mittleren Pegel</translation>
+    </message>
+    <message>
+        <source>Rise time</source>
+        <translation>Anstiegszeit</translation>
+    </message>
+    <message>
+        <source>10 to 90 % of the first complete upward edge</source>
+        <translation>10 bis 90 % der ersten vollständigen steigenden Flanke</translation>
+    </message>
+    <message>
+        <source>Fall time</source>
+        <translation>Abfallzeit</translation>
+    </message>
+    <message>
+        <source>90 to 10 % of the first complete downward edge</source>
+        <translation>90 bis 10 % der ersten vollständigen fallenden Flanke</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>Past the final value, in percent of the step</source>
+        <translation>Über den Endwert hinaus, in Prozent des Sprungs</translation>
+    </message>
+    <message>
+        <source>Undershoot</source>
+        <translation>Unterschwingen</translation>
+    </message>
+    <message>
+        <source>To the wrong side of the initial value, in percent of the step</source>
+        <translation>Auf der falschen Seite des Anfangswerts, in Prozent des Sprungs</translation>
+    </message>
+    <message>
+        <source>Peak time</source>
+        <translation>Zeit bis zum Scheitel</translation>
+    </message>
+    <message>
+        <source>From the step to the largest deviation</source>
+        <translation>Vom Sprung bis zur größten Abweichung</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Ausregelzeit</translation>
+    </message>
+    <message>
+        <source>From the step to the last entry into 2 % of the step around the final value, which is the mean of the last 20 %</source>
+        <translation>Vom Sprung bis zum letzten Eintritt in 2 % des Sprungs um den Endwert, das Mittel der letzten 20 %</translation>
+    </message>
+    <message>
+        <source>Dead time</source>
+        <translation>Totzeit</translation>
+    </message>
+    <message>
+        <source>From the step to 5 % of it</source>
+        <translation>Vom Sprung bis zu 5 % davon</translation>
+    </message>
+    <message>
+        <source>Ripple</source>
+        <translation>Welligkeit</translation>
+    </message>
+    <message>
+        <source>Peak to peak once settled</source>
+        <translation>Spitze-Spitze im eingeschwungenen Zustand</translation>
+    </message>
+    <message>
+        <source>Ripple RMS</source>
+        <translation>Welligkeit (effektiv)</translation>
+    </message>
+    <message>
+        <source>RMS around the mean once settled</source>
+        <translation>Effektivwert um das Mittel im eingeschwungenen Zustand</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>By how much the second trace is ahead of the first</source>
+        <translation>Um wie viel die zweite Kurve der ersten voraus ist</translation>
+    </message>
+    <message>
+        <source>no samples</source>
+        <translation>keine Messwerte</translation>
+    </message>
+    <message>
+        <source>samples are missing inside</source>
+        <translation>darin fehlen Messwerte</translation>
+    </message>
+    <message>
+        <source>no full period</source>
+        <translation>keine ganze Periode</translation>
+    </message>
+    <message>
+        <source>no complete edge</source>
+        <translation>keine vollständige Flanke</translation>
+    </message>
+    <message>
+        <source>no step</source>
+        <translation>kein Sprung</translation>
+    </message>
+    <message>
+        <source>not settled</source>
+        <translation>nicht eingeschwungen</translation>
+    </message>
+    <message>
+        <source>no set-point given</source>
+        <translation>kein Sollwert angegeben</translation>
+    </message>
+    <message>
+        <source>not the same frequency</source>
+        <translation>nicht dieselbe Frequenz</translation>
+    </message>
+</context>
+<context>
     <name>Messages</name>
     <message>
         <source>not connected</source>
@@ -3275,6 +3470,103 @@
     <message>
         <source>Large &amp;numbers</source>
         <translation>Große &amp;Zahlen</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MeasurePanel</name>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>dem Bild</translation>
+    </message>
+    <message>
+        <source>between the cursors</source>
+        <translation>zwischen den Cursorn</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Clear statistics</source>
+        <translation>&amp;Statistik leeren</translation>
+    </message>
+    <message>
+        <source>C&amp;opy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Trace</source>
+        <translation>&amp;Kurve</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messung</translation>
+    </message>
+    <message>
+        <source>A&amp;gainst</source>
+        <translation>&amp;Gegen</translation>
+    </message>
+    <message>
+        <source>&amp;In</source>
+        <translation>&amp;In</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MeasureTable</name>
+    <message>
+        <source>%1 to %2</source>
+        <comment>a phase between two traces</comment>
+        <translation>%1 zu %2</translation>
+    </message>
+    <message>
+        <source>too many samples: zoom in</source>
+        <translation>zu viele Messwerte: hineinzoomen</translation>
+    </message>
+    <message>
+        <source>%1 (samples are missing)</source>
+        <translation>%1 (Messwerte fehlen)</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <comment>of a measurement over records</comment>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Records</source>
+        <comment>number of records counted</comment>
+        <translation>Aufnahmen</translation>
     </message>
 </context>
 <context>

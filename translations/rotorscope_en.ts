@@ -598,6 +598,201 @@
     </message>
 </context>
 <context>
+    <name>Measures</name>
+    <message>
+        <source>Minimum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The smallest sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The largest sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak to peak</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Maximum minus minimum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean of all samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The root of the mean square of all samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cycle mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean over whole periods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cycle RMS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The RMS over whole periods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of whole periods, between upward crossings of the middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean of whole periods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of a period above the middle level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rise time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10 to 90 % of the first complete upward edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fall time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>90 to 10 % of the first complete downward edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Past the final value, in percent of the step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undershoot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the wrong side of the initial value, in percent of the step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the step to the largest deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the step to the last entry into 2 % of the step around the final value, which is the mean of the last 20 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dead time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the step to 5 % of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ripple</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak to peak once settled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ripple RMS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMS around the mean once settled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By how much the second trace is ahead of the first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>samples are missing inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no full period</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no complete edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not settled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no set-point given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not the same frequency</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Messages</name>
     <message>
         <source>not connected</source>
@@ -3274,6 +3469,103 @@
     </message>
     <message>
         <source>Large &amp;numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MeasurePanel</name>
+    <message>
+        <source>Measurements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between the cursors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Clear statistics</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;opy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Trace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A&amp;gainst</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;In</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MeasureTable</name>
+    <message>
+        <source>%1 to %2</source>
+        <comment>a phase between two traces</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many samples: zoom in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (samples are missing)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <comment>of a measurement over records</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Records</source>
+        <comment>number of records counted</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>

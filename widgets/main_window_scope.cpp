@@ -2,6 +2,7 @@
 #include "widgets/event_panel.h"
 #include "widgets/event_recorder.h"
 #include "widgets/main_window.h"
+#include "widgets/measure_panel.h"
 #include "widgets/record_panel.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trigger_control.h"
@@ -18,6 +19,8 @@ void MainWindow::makeScopeTools()
     });
     addTool(new RecordPanel(*m_trigger, *m_scope, this), tr("Records"), "recordDock",
         Qt::CTRL | Qt::Key_8);
+    addTool(new MeasurePanel(*m_scope, m_workbench.capture(), *m_trigger, this), tr("Measurements"),
+        "measureDock", Qt::CTRL | Qt::Key_9);
     using Kind = scope::EventTrigger::Kind;
     connect(m_recorder, &EventRecorder::stateChanged, m_trigger,
         [this](double seconds, EventKind kind, quint32 which) {

@@ -24,6 +24,8 @@ void ScopeView::setTriggerMarks(const TriggerMarks &marks)
     m_overlay->setMarks(marks);
 }
 
+void ScopeView::setMeasureMarks(const MeasureMarks &marks) { m_overlay->setMeasure(marks); }
+
 void ScopeView::setGhosts(std::vector<Ghost> ghosts)
 {
     if (ghosts.empty() && m_ghosts.empty())

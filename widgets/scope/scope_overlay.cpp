@@ -56,7 +56,7 @@ void ScopeOverlay::follow()
     const bool marked = std::any_of(events.begin() + std::ptrdiff_t(there.first),
         events.begin() + std::ptrdiff_t(there.last),
         [](const ScopeEvent &event) { return event.kind == EventKind::Marker; });
-    setVisible(m_cursors.visible() || marked || m_marks.position);
+    setVisible(m_cursors.visible() || marked || m_marks.position || !m_measure.empty());
     update();
 }
 
@@ -82,6 +82,7 @@ void ScopeOverlay::paintOn(QPainter &painter) const
 {
     paintMarkers(painter);
     paintTrigger(painter);
+    paintMeasure(painter);
     if (!m_cursors.visible())
         return;
     for (const CursorPair &pair : m_cursors.pairs()) {

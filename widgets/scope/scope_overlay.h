@@ -2,6 +2,7 @@
 // the plot, so that moving a cursor repaints some lines and no trace. Takes no mouse; scope_handles.h knows where its parts can be taken.
 #pragma once
 
+#include "widgets/scope/measure_marks.h"
 #include "widgets/scope/trigger_marks.h"
 
 #include <QWidget>
@@ -27,6 +28,8 @@ public:
         const Cursors &cursors, const EventLog &events);
 
     void setMarks(const TriggerMarks &marks);
+    void setMeasure(const MeasureMarks &marks);
+    const MeasureMarks &measure() const { return m_measure; }
 
     /// On a printer or in a file: the same over a plot drawn with `painter` in this widget's pixels.
     void paintOn(QPainter &painter) const;
@@ -41,6 +44,7 @@ protected:
 private:
     void paintMarkers(QPainter &painter) const;
     void paintTrigger(QPainter &painter) const;
+    void paintMeasure(QPainter &painter) const;
     void paintPair(QPainter &painter, const CursorPair &pair, bool current) const;
     void paintFlag(
         QPainter &painter, double x, const QString &text, bool strong, bool active) const;
@@ -54,6 +58,7 @@ private:
     const Cursors &m_cursors;
     const EventLog &m_events;
     TriggerMarks m_marks;
+    MeasureMarks m_measure;
 };
 
 } // namespace widgets

@@ -6,6 +6,7 @@
 #include "widgets/scope/cursors.h"
 #include "widgets/scope/event_log.h"
 #include "widgets/scope/ghost.h"
+#include "widgets/scope/measure_marks.h"
 #include "widgets/scope/trigger_marks.h"
 
 #include <QElapsedTimer>
@@ -102,6 +103,7 @@ public Q_SLOTS:
     void redraw(); ///< something that is drawn changed: redraws at the next frame
     void setTimeOrigin(double seconds);
     void setTriggerMarks(const TriggerMarks &marks);
+    void setMeasureMarks(const MeasureMarks &marks); ///< what a measurement measured; empty ends it
     void setGhosts(std::vector<Ghost> ghosts); ///< behind the traces; at most kMostGhosts
     /// R: the traces as they are now stay paler behind those that come, at the same place from the trigger or, in a
     /// picture that rolls, from the left edge. Shift+R drops them.

@@ -1,0 +1,23 @@
+// Measurements as text: their names, what they mean, a value with its unit, and why there is none.
+#pragma once
+
+#include "capture/channel.h"
+#include "scope/measurement.h"
+
+#include <QList>
+#include <QLocale>
+#include <QString>
+
+namespace widgets {
+
+/// In the order of a list to choose from.
+QList<scope::Quantity> allQuantities();
+QString quantityText(scope::Quantity quantity);
+QString quantityHelp(scope::Quantity quantity); ///< its definition in one sentence
+QString whyNotText(scope::WhyNot why);
+
+/// @param step  in which the channel's values are written
+QString measuredText(double value, scope::UnitKind unit, const capture::ChannelInfo &channel,
+    double step, const QLocale &locale);
+
+} // namespace widgets
