@@ -2166,6 +2166,25 @@
             <numerusform>%n Signale abgefragt, siehe Kanalleiste</numerusform>
         </translation>
     </message>
+    <message>
+        <source>, measured %1 kB/s</source>
+        <translation>, gemessen %1 kB/s</translation>
+    </message>
+    <message>
+        <source>Planned: %1 kB/s of %2 kB/s; one packet every %3 ms.</source>
+        <translation>Geplant: %1 kB/s von %2 kB/s; alle %3 ms ein Paket.</translation>
+    </message>
+    <message numerus="yes">
+        <source>This link carries %n HF signal(s) at every control period.</source>
+        <translation>
+            <numerusform>Diese Verbindung trägt %n HF-Signal in jeder Regelperiode.</numerusform>
+            <numerusform>Diese Verbindung trägt %n HF-Signale in jeder Regelperiode.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>At the rate wished for it would be %1 kB/s: recorded at one period in %2.</source>
+        <translation>Mit der gewünschten Rate wären es %1 kB/s: aufgezeichnet wird eine von %2 Perioden.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::CommandBox</name>
@@ -5286,6 +5305,17 @@ mN·m</translation>
     <message>
         <source>Recording signals</source>
         <translation>Signale aufzeichnen</translation>
+    </message>
+    <message>
+        <source>These signals would need %1 kB/s, the link carries %2 kB/s: they are recorded at %3 Hz.</source>
+        <translation>Diese Signale bräuchten %1 kB/s, die Verbindung trägt %2 kB/s: sie werden mit %3 Hz aufgezeichnet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s) do not fit into the recording and are read one by one.</source>
+        <translation>
+            <numerusform>%n Signal passt nicht in die Aufzeichnung und wird einzeln gelesen.</numerusform>
+            <numerusform>%n Signale passen nicht in die Aufzeichnung und werden einzeln gelesen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -2166,6 +2166,25 @@
             <numerusform>%n signals polled, see the chips</numerusform>
         </translation>
     </message>
+    <message>
+        <source>, measured %1 kB/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Planned: %1 kB/s of %2 kB/s; one packet every %3 ms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>This link carries %n HF signal(s) at every control period.</source>
+        <translation>
+            <numerusform>This link carries %n HF signal at every control period.</numerusform>
+            <numerusform>This link carries %n HF signals at every control period.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>At the rate wished for it would be %1 kB/s: recorded at one period in %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::CommandBox</name>
@@ -5280,6 +5299,17 @@ mN·m</source>
     <message>
         <source>Recording signals</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These signals would need %1 kB/s, the link carries %2 kB/s: they are recorded at %3 Hz.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s) do not fit into the recording and are read one by one.</source>
+        <translation>
+            <numerusform>%n signal does not fit into the recording and is read one by one.</numerusform>
+            <numerusform>%n signals do not fit into the recording and are read one by one.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

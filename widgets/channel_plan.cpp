@@ -16,6 +16,27 @@ bool streamable(const catalog::RegisterInfo *info)
     return info && info->streaming != catalog::Streaming::Polled;
 }
 
+/// Packets a second: as large as allowed, but never older than a packet may get.
+double packetsPerSecond(double bytes, const drive::StreamLimits &limits)
+{
+    const double room = std::max(32.0, static_cast<double>(limits.maxPacket) - kPacketOverhead);
+    return std::max(bytes / room, kPacketsPerSecondAtLeast);
+}
+
+/// How many fast signals fit beside nothing else, at every control period.
+unsigned fullRateSignals(const drive::StreamLimits &limits)
+{
+    const double budget = limits.linkBytesPerSecond * kStreamShare;
+    unsigned fit = 0;
+    while (fit < limits.maxSignals) {
+        const double bytes = kFastBytes * (fit + 1) * limits.tickHz;
+        if (bytes + kPacketOverhead * packetsPerSecond(bytes, limits) > budget)
+            break;
+        ++fit;
+    }
+    return fit;
+}
+
 } // namespace
 
 double streamBytesPerSecond(
@@ -30,8 +51,7 @@ double streamBytesPerSecond(
         const auto width = info ? static_cast<double>(catalog::widthOf(info->type)) : 4.0;
         bytes += width * blockHz / std::max(1U, stream.slowEvery);
     }
-    const double room = std::max(32.0, static_cast<double>(limits.maxPacket) - kPacketOverhead);
-    return bytes + kPacketOverhead * std::max(bytes / room, kPacketsPerSecondAtLeast);
+    return bytes + kPacketOverhead * packetsPerSecond(bytes, limits);
 }
 
 ChannelPlan planChannels(std::span<const WantedSignal> wanted, const catalog::Catalog &catalog,
@@ -59,6 +79,8 @@ ChannelPlan planChannels(std::span<const WantedSignal> wanted, const catalog::Ca
     const double budget = limits.linkBytesPerSecond * kStreamShare;
     const auto need = [&] { return streamBytesPerSecond(plan.stream, catalog, limits); };
     plan.stream.fastEvery = std::clamp(fastEvery, 1U, kSlowestFast);
+    plan.fullRateBytes = need();
+    plan.fitAtFullRate = streams ? fullRateSignals(limits) : 0;
     if (limits.linkBytesPerSecond > 0.0) {
         while (need() > budget && plan.stream.fastEvery < kSlowestFast) {
             plan.stream.fastEvery =
@@ -77,6 +99,10 @@ ChannelPlan planChannels(std::span<const WantedSignal> wanted, const catalog::Ca
         plan.share = need() / limits.linkBytesPerSecond;
     }
     plan.bytesPerSecond = need();
+    if (plan.bytesPerSecond > 0.0) {
+        const double perSecond = packetsPerSecond(plan.bytesPerSecond, limits);
+        plan.packetSeconds = 1.0 / perSecond;
+    }
     plan.fastHz = plan.stream.fast.empty() ? 0.0 : limits.tickHz / plan.stream.fastEvery;
     return plan;
 }

@@ -40,6 +40,9 @@ struct ChannelPlan {
     double fastHz = 0.0; ///< samples a second of each fast signal
     double bytesPerSecond = 0.0; ///< of the stream, framing included
     double share = 0.0; ///< of the link, 0 to 1
+    double fullRateBytes = 0.0; ///< a second, of the signals wanted at the rate wished for
+    double packetSeconds = 0.0; ///< from one packet to the next; 0: nothing is streamed
+    unsigned fitAtFullRate = 0; ///< fast signals that the link carries at every control period
 };
 
 /// Slow signals are recorded once for so many fast samples.

@@ -21,6 +21,7 @@ namespace widgets {
 namespace {
 
 constexpr unsigned kSlowestRate = 256;
+constexpr Milliseconds kMeasureOver{1000};
 
 struct Channels {
     Q_DECLARE_TR_FUNCTIONS(Channels)
@@ -244,11 +245,14 @@ void ChannelStrip::updateBudget()
         plan.stream.fast.empty() ? m_selection.fastEvery() : plan.stream.fastEvery));
     if (plan.signalList.empty() || link <= 0.0) {
         m_budget->clear();
+        m_budget->setToolTip({});
         return;
     }
     QString text = tr("%1 of %2 kB/s (%3 %)", "used, available, percent")
                        .arg(numberText(plan.bytesPerSecond / 1000.0, 1),
                            numberText(link / 1000.0, 0), numberText(plan.share * 100.0, 0));
+    if (m_measured)
+        text += tr(", measured %1 kB/s").arg(numberText(*m_measured / 1000.0, 1));
     if (plan.rateLowered)
         text += QStringLiteral("  \u2022  ") + tr("rate lowered to fit the link");
     int polled = 0;
@@ -259,6 +263,34 @@ void ChannelStrip::updateBudget()
         text += QStringLiteral("  \u2022  ")
             + tr("%n signal(s) polled, see the chips", nullptr, polled);
     m_budget->setText(text);
+    QStringList lines{
+        tr("Planned: %1 kB/s of %2 kB/s; one packet every %3 ms.")
+            .arg(numberText(plan.bytesPerSecond / 1000.0, 1), numberText(link / 1000.0, 1),
+                numberText(plan.packetSeconds * 1e3, 1)),
+        tr("This link carries %n HF signal(s) at every control period.", nullptr,
+            static_cast<int>(plan.fitAtFullRate))};
+    if (plan.rateLowered)
+        lines.append(tr("At the rate wished for it would be %1 kB/s: recorded at one period in %2.")
+                         .arg(numberText(plan.fullRateBytes / 1000.0, 1),
+                             QString::number(plan.stream.fastEvery)));
+    m_budget->setToolTip(lines.join(QLatin1Char('\n')));
+    m_budget->setAccessibleDescription(lines.join(QLatin1Char(' ')));
+}
+
+void ChannelStrip::measure(Milliseconds now)
+{
+    const std::uint64_t bytes = m_device.counters().bytesIn;
+    const Milliseconds since = now - m_measuredAt;
+    if (since < kMeasureOver)
+        return;
+    const bool counted = m_measuredAt.count() > 0 && bytes >= m_bytesBefore;
+    const bool streams = m_selection.plan().bytesPerSecond > 0.0 && m_device.answering();
+    m_measured.reset();
+    if (counted && streams)
+        m_measured = static_cast<double>(bytes - m_bytesBefore) / toSeconds(since);
+    m_bytesBefore = bytes;
+    m_measuredAt = now;
+    updateBudget();
 }
 
 } // namespace widgets

@@ -18,6 +18,10 @@ class ChannelStrip : public QWidget {
 public:
     ChannelStrip(SignalSelection &selection, Device &device, QWidget *parent = nullptr);
 
+public Q_SLOTS:
+    /// Some times a second: what the link really carries, beside what was planned.
+    void measure(widgets::Milliseconds now);
+
 protected:
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
@@ -36,6 +40,9 @@ private:
     QLabel *m_empty;
     QComboBox *m_rate;
     QLabel *m_budget;
+    std::optional<double> m_measured; ///< bytes a second
+    std::uint64_t m_bytesBefore = 0;
+    Milliseconds m_measuredAt{};
 };
 
 } // namespace widgets

@@ -274,7 +274,9 @@ QWidget *MainWindow::makeCentre()
     connect(&m_workbench, &Workbench::heartbeat, trigger, &TriggerBar::refreshAge);
     layout->addWidget(m_scope, 1);
     layout->addWidget(new CursorPanel(*m_scope, m_workbench.capture(), centre));
-    layout->addWidget(new ChannelStrip(*m_selection, m_device, centre));
+    auto *strip = new ChannelStrip(*m_selection, m_device, centre);
+    layout->addWidget(strip);
+    connect(&m_workbench, &Workbench::heartbeat, strip, &ChannelStrip::measure);
     m_bigNumbers = new BigNumbers(m_device, m_workbench.registers(), centre);
     m_pages = new QStackedWidget(centre);
     m_pages->addWidget(picture);
@@ -325,6 +327,7 @@ void MainWindow::connectParts()
     showMotionQuestions(m_workbench.motion(), m_device, this);
     connect(m_control, &ControlPanel::limitsWanted, this, &MainWindow::askForLimits);
     connect(m_selection, &SignalSelection::failed, this, note);
+    connect(m_selection, &SignalSelection::noticed, this, note);
     connect(m_registerPanel, &RegisterPanel::registersChosen, m_selection,
         [this](const QList<quint32> &ids) {
             for (const quint32 id : ids)

@@ -183,13 +183,37 @@ void SignalSelection::replan()
     if (!catalog)
         return;
     const std::vector<catalog::RegisterId> polledBefore = m_plan.polled;
+    const ChannelPlan before = m_plan;
     m_plan = planChannels(m_wanted, *catalog, m_device.streamLimits(), m_fastEvery);
     for (const catalog::RegisterId id : polledBefore)
         if (std::find(m_plan.polled.begin(), m_plan.polled.end(), id) == m_plan.polled.end())
             m_capture.endPolled(id);
+    tellWhatDoesNotFit(before);
     sendStream();
     syncScope();
     Q_EMIT changed();
+}
+
+/// Nothing that would lose samples starts without a word.
+void SignalSelection::tellWhatDoesNotFit(const ChannelPlan &before)
+{
+    const drive::StreamLimits limits = m_device.streamLimits();
+    const auto kilo = [](double bytes) { return numberText(bytes / 1000.0, 1); };
+    if (m_plan.rateLowered
+        && (!before.rateLowered || before.stream.fastEvery != m_plan.stream.fastEvery))
+        Q_EMIT noticed(tr("These signals would need %1 kB/s, the link carries %2 kB/s: they are "
+                          "recorded at %3 Hz.")
+                           .arg(kilo(m_plan.fullRateBytes), kilo(limits.linkBytesPerSecond),
+                               numberText(m_plan.fastHz, 0)));
+    const auto crowdedOut = [](const ChannelPlan &plan) {
+        return std::count_if(
+            plan.signalList.begin(), plan.signalList.end(), [](const PlannedSignal &signal) {
+                return signal.detour == Detour::TooManySignals || signal.detour == Detour::LinkFull;
+            });
+    };
+    if (crowdedOut(m_plan) > crowdedOut(before))
+        Q_EMIT noticed(tr("%n signal(s) do not fit into the recording and are read one by one.",
+            nullptr, static_cast<int>(crowdedOut(m_plan))));
 }
 
 void SignalSelection::sendStream()

@@ -39,11 +39,14 @@ public Q_SLOTS:
 Q_SIGNALS:
     void changed(); ///< wanted(), plan() or what the scope shows
     void failed(const QString &sentence); ///< the board did not take the stream
+    /// What was wished for does not fit, and what is done instead; before it starts.
+    void noticed(const QString &sentence);
 
 private:
     void replan(); ///< now
     void replanSoon();
     void sendStream();
+    void tellWhatDoesNotFit(const ChannelPlan &before);
     void takeReadings(const std::vector<drive::Reading> &readings);
     void syncScope();
     void rememberPlots();

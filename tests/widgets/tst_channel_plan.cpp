@@ -3,6 +3,8 @@
 
 #include <QTest>
 
+#include <cmath>
+
 using widgets::Detour;
 using widgets::Route;
 using widgets::WantedSignal;
@@ -59,6 +61,34 @@ private Q_SLOTS:
         QCOMPARE(plan.rateLowered, every != 1);
         QVERIFY(plan.share <= widgets::kStreamShare);
         QCOMPARE(plan.fastHz, 16000.0 / every);
+    }
+
+    void thePlanSaysHowManyFitAtFullRate()
+    {
+        const auto fit = [](double tickHz, double baud) {
+            drive::StreamLimits limits{tickHz, 20, 2048, baud / 10.0};
+            return widgets::planChannels(want(1), board(12), limits, 1).fitAtFullRate;
+        };
+        QCOMPARE(fit(16000.0, 1843200.0), 5U);
+        QCOMPARE(fit(20000.0, 1843200.0), 4U);
+        QCOMPARE(
+            fit(30000.0, 1843200.0), 2U); // three need 98 % of it, and something has to stay free
+        QCOMPARE(fit(16000.0, 921600.0), 2U);
+        QCOMPARE(fit(30000.0, 921600.0), 1U);
+        QCOMPARE(fit(16000.0, 115200.0), 0U);
+        drive::StreamLimits none{0.0, 0, 0, 184320.0};
+        QCOMPARE(widgets::planChannels(want(1), board(12), none, 1).fitAtFullRate, 0U);
+    }
+
+    void thePlanTellsThePacketsAndWhatWasWishedFor()
+    {
+        const auto plan = widgets::planChannels(want(6), board(12), limits(1843200.0), 1);
+        QVERIFY(plan.fullRateBytes > 192000.0); // 6 x 2 bytes x 16 kHz, and what frames them
+        QVERIFY(plan.bytesPerSecond < 184320.0);
+        QVERIFY(std::abs(plan.packetSeconds * plan.bytesPerSecond - 2048.0) < 30.0); // full packets
+        const auto slow = widgets::planChannels(want(1), board(12), limits(115200.0), 64);
+        QVERIFY(slow.packetSeconds < 0.06); // rather emptier than late
+        QCOMPARE(widgets::planChannels(want(0), board(12), limits(115200.0), 1).packetSeconds, 0.0);
     }
 
     void aRateThatFitsIsLeftAlone()
