@@ -3494,6 +3494,10 @@
         <source>Measurements</source>
         <translation>Messungen</translation>
     </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MeasurePanel</name>
@@ -3523,7 +3527,7 @@
     </message>
     <message>
         <source>C&amp;opy</source>
-        <translation>&amp;Kopieren</translation>
+        <translation>K&amp;opieren</translation>
     </message>
     <message>
         <source>&amp;Trace</source>
@@ -5666,6 +5670,214 @@ mN·m</translation>
     <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SpectrumPanel</name>
+    <message>
+        <source>Peaks of the spectrum</source>
+        <translation>Spitzen des Spektrums</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>dem Bild</translation>
+    </message>
+    <message>
+        <source>between the cursors</source>
+        <translation>zwischen den Cursorn</translation>
+    </message>
+    <message>
+        <source>Hann</source>
+        <translation>Hann</translation>
+    </message>
+    <message>
+        <source>To look around</source>
+        <translation>Zum Umsehen</translation>
+    </message>
+    <message>
+        <source>Flat top</source>
+        <translation>Flat Top</translation>
+    </message>
+    <message>
+        <source>To read amplitudes: true to 0.1 % everywhere</source>
+        <translation>Um Amplituden abzulesen: überall auf 0,1 % genau</translation>
+    </message>
+    <message>
+        <source>Blackman-Harris</source>
+        <translation>Blackman-Harris</translation>
+    </message>
+    <message>
+        <source>To see small lines beside large ones</source>
+        <translation>Um kleine Linien neben großen zu sehen</translation>
+    </message>
+    <message>
+        <source>Rectangular</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>For whole periods only</source>
+        <translation>Nur für ganze Perioden</translation>
+    </message>
+    <message>
+        <source>all samples</source>
+        <translation>alle Messwerte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>%n Messwert</numerusform>
+            <numerusform>%n Messwerte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Samples of a transform. With fewer than there are, the transforms overlap by half and are averaged.</source>
+        <translation>Messwerte einer Transformation. Sind es weniger als vorhanden, überlappen sich die Transformationen zur Hälfte und werden gemittelt.</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>The mean of so many spectra, one after the other</source>
+        <translation>Das Mittel so vieler Spektren nacheinander</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>decibels</source>
+        <translation>Dezibel</translation>
+    </message>
+    <message>
+        <source>&amp;Trace</source>
+        <translation>&amp;Kurve</translation>
+    </message>
+    <message>
+        <source>&amp;In</source>
+        <translation>&amp;In</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Fenster</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Länge</translation>
+    </message>
+    <message>
+        <source>A&amp;verage</source>
+        <translation>&amp;Mittelung</translation>
+    </message>
+    <message>
+        <source>&amp;Axis</source>
+        <translation>&amp;Achse</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>&amp;Skala</translation>
+    </message>
+    <message>
+        <source>&amp;Begin anew</source>
+        <translation>&amp;Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Forgets what was averaged</source>
+        <translation>Vergisst, was gemittelt wurde</translation>
+    </message>
+    <message>
+        <source>C&amp;opy</source>
+        <translation>K&amp;opieren</translation>
+    </message>
+    <message>
+        <source>The table of peaks</source>
+        <translation>Die Tabelle der Spitzen</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>orders of the largest peak</source>
+        <translation>Ordnungen der höchsten Spitze</translation>
+    </message>
+    <message>
+        <source>orders of %1</source>
+        <translation>Ordnungen von %1</translation>
+    </message>
+    <message>
+        <source>No trace is shown on the scope.</source>
+        <translation>Das Oszilloskop zeigt keine Kurve.</translation>
+    </message>
+    <message>
+        <source>The samples of this trace are not at equal distances, so it has no spectrum.</source>
+        <translation>Die Messwerte dieser Kurve haben keine gleichen Abstände, also hat sie kein Spektrum.</translation>
+    </message>
+    <message>
+        <source>Fewer than 16 samples in one piece: no spectrum.</source>
+        <translation>Weniger als 16 Messwerte am Stück: kein Spektrum.</translation>
+    </message>
+    <message>
+        <source>No orders: the speed or the motor&apos;s pole pairs are not known.</source>
+        <translation>Keine Ordnungen: Die Drehzahl oder die Polpaare des Motors sind nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>%1 samples a transform, a line every %2</source>
+        <comment>a number of samples; a distance of frequencies</comment>
+        <translation>%1 Messwerte je Transformation, alle %2 eine Linie</translation>
+    </message>
+    <message numerus="yes">
+        <source>mean of %n transforms</source>
+        <translation>
+            <numerusform>Mittel von %n Transformation</numerusform>
+            <numerusform>Mittel von %n Transformationen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>only the newest samples</source>
+        <translation>nur die neuesten Messwerte</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SpectrumPeaks</name>
+    <message>
+        <source>Frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <comment>a multiple of the electrical frequency</comment>
+        <translation>Ordnung</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>To largest</source>
+        <comment>a peak compared with the largest one, in decibels</comment>
+        <translation>Zur höchsten</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SpectrumPlot</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
+        <translation>Rad oder + und −: Zoom. Ziehen oder Pfeile: verschieben. F: alles.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <comment>a multiple of the electrical frequency</comment>
+        <translation>Ordnung</translation>
+    </message>
+    <message>
+        <source>dB over 1 %1</source>
+        <comment>level above one of the unit</comment>
+        <translation>dB über 1 %1</translation>
     </message>
 </context>
 <context>

@@ -3494,6 +3494,10 @@
         <source>Measurements</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Spectrum</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::MeasurePanel</name>
@@ -5659,6 +5663,214 @@ mN·m</source>
     </message>
     <message>
         <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SpectrumPanel</name>
+    <message>
+        <source>Peaks of the spectrum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between the cursors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hann</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To look around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flat top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To read amplitudes: true to 0.1 % everywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blackman-Harris</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To see small lines beside large ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rectangular</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For whole periods only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>%n sample</numerusform>
+            <numerusform>%n samples</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Samples of a transform. With fewer than there are, the transforms overlap by half and are averaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean of so many spectra, one after the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>decibels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Trace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;In</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A&amp;verage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Begin anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forgets what was averaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;opy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The table of peaks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orders of the largest peak</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orders of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No trace is shown on the scope.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The samples of this trace are not at equal distances, so it has no spectrum.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fewer than 16 samples in one piece: no spectrum.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No orders: the speed or the motor&apos;s pole pairs are not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 samples a transform, a line every %2</source>
+        <comment>a number of samples; a distance of frequencies</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>mean of %n transforms</source>
+        <translation>
+            <numerusform>mean of %n transform</numerusform>
+            <numerusform>mean of %n transforms</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>only the newest samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SpectrumPeaks</name>
+    <message>
+        <source>Frequency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <comment>a multiple of the electrical frequency</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To largest</source>
+        <comment>a peak compared with the largest one, in decibels</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SpectrumPlot</name>
+    <message>
+        <source>Spectrum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <comment>a multiple of the electrical frequency</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dB over 1 %1</source>
+        <comment>level above one of the unit</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>

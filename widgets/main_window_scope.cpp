@@ -6,6 +6,7 @@
 #include "widgets/record_panel.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trigger_control.h"
+#include "widgets/spectrum_panel.h"
 
 namespace widgets {
 
@@ -21,6 +22,8 @@ void MainWindow::makeScopeTools()
         Qt::CTRL | Qt::Key_8);
     addTool(new MeasurePanel(*m_scope, m_workbench.capture(), *m_trigger, this), tr("Measurements"),
         "measureDock", Qt::CTRL | Qt::Key_9);
+    addTool(new SpectrumPanel(*m_scope, m_workbench.capture(), m_device, this), tr("Spectrum"),
+        "spectrumDock", Qt::CTRL | Qt::Key_0);
     using Kind = scope::EventTrigger::Kind;
     connect(m_recorder, &EventRecorder::stateChanged, m_trigger,
         [this](double seconds, EventKind kind, quint32 which) {

@@ -1,0 +1,288 @@
+// Spectra in the real window: what is computed, shown, averaged and told in orders. The numbers are core's own business;
+// here one of each kind shows that the right samples are asked and that what comes back is what a person sees.
+#include "support/scope_window.h"
+#include "widgets/scope/trace_colors.h"
+#include "widgets/spectrum_job.h"
+#include "widgets/spectrum_panel.h"
+#include "widgets/spectrum_peaks.h"
+#include "widgets/spectrum_plot.h"
+
+#include <QAbstractItemModelTester>
+#include <QClipboard>
+#include <QComboBox>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTreeView>
+
+#include <cmath>
+#include <numbers>
+
+using widgets::SpectrumPanel;
+using widgets::SpectrumPeaks;
+
+namespace {
+int sine(double hertz, double amplitude, int tick)
+{
+    return int(std::lround(amplitude * std::sin(2 * std::numbers::pi * hertz * tick / 1000.0)));
+}
+} // namespace
+
+class TestSpectrumPanel : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init()
+    {
+        QLocale::setDefault(QLocale::c());
+        m_rig = std::make_unique<facts::ScopeWindow>();
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        // I_A: 50 Hz of 1000 A and 150 Hz of 100 A. I_B: 20 Hz of 400 A.
+        m_rig->record(4000, [](int signal, int tick) {
+            return signal == 0 ? sine(50, 1000, tick) + sine(150, 100, tick) : sine(20, 200, tick);
+        });
+        view().setRunning(false);
+        view().setVisibleRange(0.0, 4.0);
+        m_rig->draw();
+        QTest::keyClick(&m_rig->window, Qt::Key_0, Qt::ControlModifier);
+        choose("spectrumTrace", m_rig->id(facts::kCurrentA));
+        update();
+    }
+    void cleanup() { m_rig.reset(); }
+
+    void theLinesOfATraceAreFound();
+    void anotherTraceAndTheCursorsAreAnotherSpectrum();
+    void ordersAreMultiplesOfTheLargestPeak();
+    void ordersOfASpeedNeedThePolePairs();
+    void whereThereIsNoSpectrumTheReasonIsSaid();
+    void spectraAreAveragedAndBegunAnew();
+    void aSpectrumThatStandsIsNotComputedAgain();
+    void thePictureHasAStrokeAPixelAndNotABin();
+    void keysMoveTheFrequencies();
+    void veryLongPicturesAreCutToTheirNewestSamples();
+    void theTableIsAModelAndACopy();
+    void aHiddenPanelComputesNothing();
+
+private:
+    widgets::ScopeView &view() { return m_rig->scope(); }
+    SpectrumPanel &panel() { return *m_rig->window.findChild<SpectrumPanel *>(); }
+    widgets::SpectrumPlot &plot() { return *m_rig->window.findChild<widgets::SpectrumPlot *>(); }
+    SpectrumPeaks &peaks() { return *m_rig->window.findChild<SpectrumPeaks *>(); }
+    QString note() { return m_rig->find<QLabel>("spectrumNote")->text(); }
+    QString why() { return m_rig->find<QLabel>("spectrumWhy")->text(); }
+    QString cell(int row, int column) { return peaks().index(row, column).data().toString(); }
+    void choose(const char *box, const QVariant &data)
+    {
+        auto *combo = m_rig->find<QComboBox>(box);
+        QVERIFY(combo->findData(data) >= 0);
+        combo->setCurrentIndex(combo->findData(data));
+    }
+    /// Until what is chosen now has been computed: heartbeats, as a clock would send them.
+    void update()
+    {
+        const auto beatUntilSettled = [this] {
+            Q_EMIT m_rig->workbench.heartbeat({});
+            return panel().settled();
+        };
+        QTRY_VERIFY(beatUntilSettled());
+    }
+
+    std::unique_ptr<facts::ScopeWindow> m_rig;
+};
+
+void TestSpectrumPanel::theLinesOfATraceAreFound()
+{
+    QVERIFY(peaks().rowCount() >= 2);
+    QCOMPARE(cell(0, SpectrumPeaks::FrequencyColumn), QStringLiteral("50\u202fHz"));
+    QVERIFY(std::abs(peaks().peaks()[0].amplitude - 1000.0) < 3.0);
+    QVERIFY(std::abs(peaks().peaks()[1].hertz - 150.0) < 0.01);
+    QVERIFY(std::abs(peaks().peaks()[1].amplitude - 100.0) < 0.5);
+    QCOMPARE(cell(0, SpectrumPeaks::OrderColumn), QStringLiteral("\u2013"));
+    QCOMPARE(cell(0, SpectrumPeaks::RelativeColumn), QStringLiteral("0.0\u00a0dB"));
+    QCOMPARE(cell(1, SpectrumPeaks::RelativeColumn), QStringLiteral("\u221220.0\u00a0dB"));
+    QVERIFY2(note().startsWith(QStringLiteral("4000 samples a transform")), qPrintable(note()));
+    choose("spectrumSize", 1024);
+    update();
+    QVERIFY2(note().contains(QStringLiteral("mean of 6 transforms")), qPrintable(note()));
+}
+
+void TestSpectrumPanel::anotherTraceAndTheCursorsAreAnotherSpectrum()
+{
+    choose("spectrumTrace", m_rig->id(facts::kCurrentB));
+    update();
+    QVERIFY(std::abs(peaks().peaks()[0].hertz - 20.0) < 0.01);
+    QVERIFY(std::abs(peaks().peaks()[0].amplitude - 400.0) < 2.0); // a digit is 2 A
+    auto *range = m_rig->find<QComboBox>("spectrumRange");
+    range->setCurrentIndex(1);
+    Q_EMIT range->activated(1);
+    QVERIFY(view().cursors().visible());
+    view().cursors().move(widgets::CursorEnd::A, 3.0); // either order
+    view().cursors().move(widgets::CursorEnd::B, 1.0);
+    update();
+    QVERIFY2(note().startsWith(QStringLiteral("2000 samples")), qPrintable(note()));
+}
+
+void TestSpectrumPanel::ordersAreMultiplesOfTheLargestPeak()
+{
+    choose("spectrumAxis", 0);
+    QCOMPARE(cell(0, SpectrumPeaks::OrderColumn), QStringLiteral("1.00"));
+    QCOMPARE(cell(1, SpectrumPeaks::OrderColumn), QStringLiteral("3.00"));
+}
+
+void TestSpectrumPanel::ordersOfASpeedNeedThePolePairs()
+{
+    capture::Capture &capture = m_rig->workbench.capture();
+    const auto speed = capture.addImported("SPEED", "rpm");
+    for (int i = 0; i < 40; ++i)
+        capture.appendImported(speed, i * 100'000'000LL, -750.0, (i + 1) * 100'000'000LL);
+    view().addChannel(speed);
+    choose("spectrumAxis", int(speed));
+    QVERIFY2(note().startsWith(QStringLiteral("No orders")), qPrintable(note()));
+    drive::Identified board = facts::identified();
+    board.limits[0].polePairs = 4.0;
+    facts::feed(m_rig->device(), {board});
+    view().addChannel(speed); // what a new board is asked for says nothing about it
+    choose("spectrumAxis", -1);
+    choose("spectrumAxis", int(speed)); // 750 rpm backwards, 4 pole pairs: 50 Hz
+    QCOMPARE(cell(0, SpectrumPeaks::OrderColumn), QStringLiteral("1.00"));
+    QCOMPARE(cell(1, SpectrumPeaks::OrderColumn), QStringLiteral("3.00"));
+}
+
+void TestSpectrumPanel::whereThereIsNoSpectrumTheReasonIsSaid()
+{
+    view().setVisibleRange(10.0, 20.0);
+    update();
+    QVERIFY2(why().startsWith(QStringLiteral("Fewer than 16")), qPrintable(why()));
+    QVERIFY(m_rig->find<QLabel>("spectrumWhy")->isVisible());
+    QCOMPARE(peaks().rowCount(), 0);
+    view().setVisibleRange(0.0, 4.0);
+    update();
+    QVERIFY(!m_rig->find<QLabel>("spectrumWhy")->isVisible());
+    QVERIFY(peaks().rowCount() > 0);
+}
+
+void TestSpectrumPanel::spectraAreAveragedAndBegunAnew()
+{
+    m_rig->find<QSpinBox>("spectrumAverage")->setValue(8);
+    update();
+    for (int i = 1; i < 4; ++i) { // other samples each time
+        view().setVisibleRange(0.1 * i, 3.0 + 0.1 * i);
+        update();
+    }
+    view().setVisibleRange(0.2, 3.2);
+    update();
+    QVERIFY2(note().contains(QStringLiteral("mean of")), qPrintable(note()));
+    QTest::mouseClick(m_rig->find<QWidget>("spectrumAgain"), Qt::LeftButton);
+    update();
+    QVERIFY2(!note().contains(QStringLiteral("mean of")), qPrintable(note()));
+}
+
+void TestSpectrumPanel::aSpectrumThatStandsIsNotComputedAgain()
+{
+    QSignalSpy shown(&panel(), &SpectrumPanel::shown);
+    Q_EMIT m_rig->workbench.heartbeat({});
+    QVERIFY(panel().settled());
+    m_rig->record(10, [](int, int) { return 5; }); // outside the picture
+    Q_EMIT m_rig->workbench.heartbeat({});
+    QVERIFY(panel().settled());
+    view().setVisibleRange(0.0, 3.0);
+    Q_EMIT m_rig->workbench.heartbeat({});
+    QVERIFY(panel().busy());
+    QVERIFY(shown.wait());
+    QCOMPARE(shown.size(), 1);
+}
+
+void TestSpectrumPanel::thePictureHasAStrokeAPixelAndNotABin()
+{
+    scope::Spectrum many;
+    many.size = 2'000'000;
+    many.binHz = 0.01;
+    many.meanSquares.assign(many.size / 2 + 1, 1e-6);
+    many.meanSquares[123'457] = 4.0;
+    widgets::SpectrumPlot alone;
+    alone.resize(400, 200);
+    alone.setAttribute(Qt::WA_DontShowOnScreen);
+    alone.show();
+    alone.showSpectrum({many, {}, QStringLiteral("A"), {}, false});
+    QVERIFY(alone.points() <= 4 * 400);
+    const QColor ink = widgets::traceColor(0, widgets::isDark(alone.palette()));
+    const auto inked = [&] { // halfway up there is only the one high line, in its column
+        const QImage picture = alone.grab().toImage();
+        int count = 0;
+        for (int x = 0; x < picture.width(); ++x)
+            count += picture.pixelColor(x, picture.height() / 2) == ink ? 1 : 0;
+        return count;
+    };
+    QTRY_VERIFY(inked() >= 1); // it is drawn at the next turn of the loop
+    QVERIFY2(inked() <= 4, qPrintable(QString::number(inked())));
+}
+
+void TestSpectrumPanel::keysMoveTheFrequencies()
+{
+    plot().setFocus();
+    QCOMPARE(plot().from(), 0.0);
+    QCOMPARE(plot().to(), 500.0);
+    const auto scope = view().visibleRange();
+    QTest::keyClick(&plot(), Qt::Key_Plus);
+    QVERIFY(plot().to() - plot().from() < 400.0);
+    const double before = plot().from();
+    QTest::keyClick(&plot(), Qt::Key_Right);
+    QVERIFY(plot().from() > before);
+    for (int i = 0; i < 50; ++i)
+        QTest::keyClick(&plot(), Qt::Key_Right);
+    QVERIFY(plot().to() <= 500.0);
+    for (int i = 0; i < 50; ++i)
+        QTest::keyClick(&plot(), Qt::Key_Plus);
+    QVERIFY(plot().to() - plot().from() > 1.0); // some bins
+    QTest::keyClick(&plot(), Qt::Key_F);
+    QCOMPARE(plot().from(), 0.0);
+    QCOMPARE(plot().to(), 500.0);
+    QCOMPARE(view().visibleRange().from, scope.from); // the scope has the same keys
+    QCOMPARE(view().visibleRange().to, scope.to);
+}
+
+void TestSpectrumPanel::veryLongPicturesAreCutToTheirNewestSamples()
+{
+    capture::Capture capture;
+    capture.begin({1, 16000.0, 0.0, 1, {{1, "A", "A", 1.0, 0.0}}, {}});
+    const auto most = std::uint32_t(widgets::kMostSpectrumSamples);
+    capture::SampleBlock block{1, 0, most + 100'000, {}, {}, 0};
+    for (std::uint32_t i = 0; i < block.count; ++i)
+        block.fast.push_back(i < 100'000 ? std::int16_t(i % 2 == 0 ? 900 : -900)
+                                         : std::int16_t(i % 16 < 8 ? 100 : -100));
+    capture.append(block);
+    const auto id = *capture.find(1);
+    const widgets::SpectrumWanted wanted{id, 0, 1'000'000'000'000LL, 0, scope::Window::Hann, 0};
+    const auto answer = widgets::computeSpectrum(capture.snapshot({&id, 1}), wanted);
+    QVERIFY(answer.cut);
+    QVERIFY(answer.spectrum.has_value());
+    QCOMPARE(answer.spectrum->size, std::size_t(most));
+    QVERIFY(std::abs(scope::findPeaks(*answer.spectrum, 1).front().hertz - 1000.0) < 0.1);
+}
+
+void TestSpectrumPanel::theTableIsAModelAndACopy()
+{
+    QAbstractItemModelTester tester(
+        &peaks(), QAbstractItemModelTester::FailureReportingMode::QtTest);
+    view().setVisibleRange(10.0, 20.0);
+    update();
+    QCOMPARE(peaks().rowCount(), 0);
+    view().setVisibleRange(0.0, 4.0);
+    update();
+    QVERIFY(peaks().rowCount() > 0);
+    QTest::mouseClick(m_rig->find<QWidget>("copyPeaks"), Qt::LeftButton);
+    const QStringList lines = QApplication::clipboard()->text().split(QLatin1Char('\n'));
+    QCOMPARE(lines.size(), peaks().rowCount() + 2);
+    QVERIFY(lines[1].startsWith(QStringLiteral("50\u202fHz\t")));
+}
+
+void TestSpectrumPanel::aHiddenPanelComputesNothing()
+{
+    m_rig->find<QWidget>("spectrumDock")->hide();
+    view().setVisibleRange(1.0, 2.0);
+    Q_EMIT m_rig->workbench.heartbeat({});
+    QVERIFY(!panel().busy());
+    QVERIFY(!panel().settled());
+}
+
+QTEST_MAIN(TestSpectrumPanel)
+#include "tst_spectrum_panel.moc"
