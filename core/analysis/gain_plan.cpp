@@ -192,8 +192,9 @@ SpeedForecast forecastSpeed(
     // From the step to the end of its tail: some turns of the crossover, and of the regulator's zero.
     const double zero_s = gains.ki > 0.0 ? gains.kp / gains.ki : 0.0;
     const double natural_s = std::max(12.0 / forecast.margin.crossover_radps, 4.0 * zero_s);
+    const SpeedPath path{forecast.lag_s - plant.speedDelay_s, 2.0 * plant.speedDelay_s};
     forecast.step = predictSpeedStep(
-        gains, plant.speed(), forecast.lag_s, duration_s > 0.0 ? duration_s : natural_s, kSamples);
+        gains, plant.speed(), path, duration_s > 0.0 ? duration_s : natural_s, kSamples);
     if (known(plant.motor.nominalCurrent_a))
         forecast.largestStep_rpm = plant.motor.nominalCurrent_a / gains.kp * kRpmPerRadps;
     return forecast;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace analysis {
 
@@ -13,6 +14,7 @@ constexpr double kRadpsPerDigit = 2.0 * std::numbers::pi / 10.0; // 0.1 Hz
 
 constexpr double kFar = 1e3; // times the step: an unstable loop need not go on for ever
 constexpr double kStep = 0.02; // of the integration, in units of the lag
+constexpr double kFine = 0.05; // the same for the quick part of an averaged loop
 
 /// Kp K tau and Ki K tau^2: what is left of the gains when the lag is the unit of time.
 PiGains normalised(const PiGains &gains, const SpeedPlant &plant, double lag_s)
@@ -61,6 +63,48 @@ private:
     PiGains m_gains;
     double m_filterRate;
     State m_state;
+};
+
+/// The closed loop in seconds, its speed measured as an average over a window.
+class AveragedLoop {
+public:
+    AveragedLoop(const PiGains &gains, const SpeedPlant &plant, const SpeedPath &path, double h)
+        : m_gains(gains)
+        , m_perAmp(plant.kt_nmpa / plant.inertia_kgm2)
+        , m_h(h)
+        , m_follow(-std::expm1(-h / path.quick_s))
+        , m_window(
+              static_cast<std::size_t>(std::clamp(path.average_s / h + 0.5, 1.0, kLongestWindow)),
+              0.0)
+    {
+    }
+
+    void step()
+    {
+        const double error = 1.0 - measured();
+        m_integral += m_gains.ki * error * m_h;
+        const double before = m_current;
+        m_current += m_follow * (m_gains.kp * error + m_integral - m_current);
+        m_speed += m_perAmp * m_h * (before + m_current) / 2.0;
+        m_sum += m_speed - m_window[m_next];
+        m_window[m_next] = m_speed;
+        m_next = (m_next + 1) % m_window.size();
+    }
+    double measured() const { return m_sum / static_cast<double>(m_window.size()); }
+
+private:
+    static constexpr double kLongestWindow = 100e3;
+
+    PiGains m_gains;
+    double m_perAmp;
+    double m_h;
+    double m_follow; ///< of the way that the current goes in one step
+    std::vector<double> m_window; ///< the newest speeds, a ring
+    std::size_t m_next = 0;
+    double m_sum = 0.0; ///< of the window
+    double m_integral = 0.0;
+    double m_current = 0.0;
+    double m_speed = 0.0;
 };
 
 double overshoot(double damping, bool filtered)
@@ -122,22 +166,22 @@ LoopMargin speedMargin(const PiGains &gains, const SpeedPlant &plant, double lag
     return {low / lag_s, phase * 180.0 / std::numbers::pi};
 }
 
-StepPrediction predictSpeedStep(
-    const PiGains &gains, const SpeedPlant &plant, double lag_s, double duration_s, int samples)
+StepPrediction predictSpeedStep(const PiGains &gains, const SpeedPlant &plant,
+    const SpeedPath &path, double duration_s, int samples)
 {
     constexpr int kMostSamples = 10'000, kMostSteps = 200;
     const int count = std::clamp(samples, 2, kMostSamples);
     StepPrediction step;
     step.period_s = duration_s / (count - 1);
-    const double length = step.period_s / lag_s;
-    const int between =
-        static_cast<int>(std::clamp(std::ceil(length / kStep), 1.0, double{kMostSteps}));
-    NormalLoop loop(normalised(gains, plant, lag_s), 0.0);
+    const double fine = kFine * path.quick_s;
+    const int between = static_cast<int>(
+        std::clamp(std::ceil(step.period_s / fine), 1.0, double{kMostSteps}));
+    AveragedLoop loop(gains, plant, path, step.period_s / between);
     for (int i = 0; i < count; ++i) {
-        const double speed = std::clamp(loop.speed(), -kFar, kFar);
+        const double speed = std::clamp(loop.measured(), -kFar, kFar);
         step.response.push_back(speed);
         for (int k = 0; k < between && std::abs(speed) < kFar; ++k)
-            loop.step(length / between);
+            loop.step();
     }
     measureStep(step);
     return step;

@@ -37,13 +37,20 @@ struct LoopMargin {
 /// @param gains  physical, Kp > 0, Ki >= 0; everything else > 0
 LoopMargin speedMargin(const PiGains &gains, const SpeedPlant &plant, double lag_s);
 
+/// What lies between the current reference and the measured speed, for a prediction in time. A design may take both as
+/// one lag; the step of an average waits longer and then climbs faster than that.
+struct SpeedPath {
+    double quick_s = 0.0; ///< one time constant for the current loop and what is as short, > 0
+    double average_s = 0.0; ///< length of the average that the speed is; it delays by half of it
+};
+
 /// The step of the speed as it is measured, the current having room. It holds while Kp times the step stays below the
 /// current limit. Friction and load are not in it.
 /// @param gains  physical
 /// @param duration_s  of the prediction, > 0
 /// @param samples  how many, 2 to 10000; the steps in between are as fine as they need to be
-StepPrediction predictSpeedStep(
-    const PiGains &gains, const SpeedPlant &plant, double lag_s, double duration_s, int samples);
+StepPrediction predictSpeedStep(const PiGains &gains, const SpeedPlant &plant,
+    const SpeedPath &path, double duration_s, int samples);
 
 double phaseMargin_deg(double damping); ///< atan d - atan 1/d
 double poleDamping(double damping); ///< (d - 1) / 2
