@@ -122,7 +122,12 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
         m_firstSteps->restart();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    // An open tool tells that it goes, when the members that would hear it are gone already.
+    for (QDockWidget *tool : m_tools)
+        tool->disconnect(this);
+}
 
 Settings MainWindow::settings() const
 {

@@ -15,6 +15,7 @@
 #include <QMenu>
 #include <QScrollArea>
 #include <QTabBar>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -68,7 +69,18 @@ QAction *MainWindow::addTool(
     dock->setObjectName(QLatin1String(name));
     // Not floating: a window of its own would have to carry a stop button of its own.
     dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
-    dock->setWidget(scroll);
+    auto *content = new QWidget(dock);
+    auto *layout = new QVBoxLayout(content);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(scroll, 1);
+    if (QWidget *footer = form->footer()) {
+        auto *below = new QHBoxLayout;
+        below->setContentsMargins(8, 2, 8, 4);
+        below->addWidget(footer);
+        layout->addLayout(below);
+    }
+    dock->setWidget(content);
     addDockWidget(Qt::BottomDockWidgetArea, dock);
     if (!m_tools.isEmpty())
         tabifyDockWidget(m_tools.first(), dock);

@@ -174,8 +174,8 @@ StepPrediction predictSpeedStep(const PiGains &gains, const SpeedPlant &plant,
     StepPrediction step;
     step.period_s = duration_s / (count - 1);
     const double fine = kFine * path.quick_s;
-    const int between = static_cast<int>(
-        std::clamp(std::ceil(step.period_s / fine), 1.0, double{kMostSteps}));
+    const int between =
+        static_cast<int>(std::clamp(std::ceil(step.period_s / fine), 1.0, double{kMostSteps}));
     AveragedLoop loop(gains, plant, path, step.period_s / between);
     for (int i = 0; i < count; ++i) {
         const double speed = std::clamp(loop.measured(), -kFar, kFar);

@@ -256,7 +256,8 @@ void TestAnalysisGains::smallLoopsHaveTheirUnits()
 void TestAnalysisGains::anUnstableLoopStaysFinite()
 {
     const StepPrediction current = predictCurrentStep({200.0, 1.0}, {0.35, 0.6e-3}, kStage, 100000);
-    const StepPrediction speed = predictSpeedStep({1e-3, 50.0}, {0.039, 5e-5}, {3e-3, 0.0}, 10.0, 10000);
+    const StepPrediction speed =
+        predictSpeedStep({1e-3, 50.0}, {0.039, 5e-5}, {3e-3, 0.0}, 10.0, 10000);
     for (const StepPrediction &step : {current, speed}) {
         QVERIFY(step.overshoot > 10.0);
         for (const double value : step.response)

@@ -8,6 +8,7 @@
 #include "widgets/forms/gains_form.h"
 
 #include <QAction>
+#include <QLayout>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTest>
@@ -35,6 +36,7 @@ struct GainBench : EditBench {
                 if (heard)
                     heard(nullptr, &block);
             });
+        form.layout()->addWidget(form.footer());
         form.resize(1000, 320);
         form.show();
         arm();

@@ -8,6 +8,7 @@
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
 #include <QLabel>
+#include <QLayout>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTableWidget>
@@ -454,6 +455,21 @@ private Q_SLOTS:
             qPrintable(QStringLiteral("%1 of %2").arg(label.minimumHeight()).arg(narrow)));
         label.say({});
         QCOMPARE(label.minimumHeight(), 0);
+    }
+
+    void aPageThatIsNotSeenMakesTheOtherNoHigher()
+    {
+        GainBench bench; // its board has told what the lab needs for its sentences
+        widgets::GainsForm form(bench.device, bench.model, bench.edits, bench.panel.actions().apply,
+            bench.panel.actions().revert, {});
+        form.resize(1000, 320);
+        form.refresh(bench.ms());
+        form.show();
+        QVERIFY(!form.findChild<widgets::GainLabel *>(QStringLiteral("labSpeedText"))->isVisible());
+        int needed = form.minimumSizeHint().height();
+        if (form.layout()->hasHeightForWidth()) // what a scroll area looks at
+            needed = std::max(needed, form.heightForWidth(1000));
+        QVERIFY2(needed <= 320, qPrintable(QString::number(needed)));
     }
 
     void theWindowOpensItByItsKey()

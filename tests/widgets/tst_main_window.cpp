@@ -77,6 +77,7 @@ private Q_SLOTS:
         QVERIFY(!card->isVisible());
         gains->close();
         QTRY_VERIFY(card->isVisible());
+        m_rig->find<QAction>("gainsDockOpen")->trigger(); // still open when the window goes
     }
 
     void aSilentBoardHatchesTheScopeUntilItAnswers()

@@ -19,6 +19,9 @@ public:
     virtual std::vector<catalog::RegisterId> watchedRegisters() const { return {}; }
     /// A few times a second while the form can be seen: ages, progress. `now` is the workbench's clock.
     virtual void refresh(Milliseconds now) { Q_UNUSED(now) }
+    /// What stays in view below the form when its place is too small for all of it; nullptr: nothing. A child of the form
+    /// that is in no layout of it.
+    virtual QWidget *footer() const { return nullptr; }
     /// Where typing goes when the form is opened by its key.
     virtual void focusFirst() { setFocus(Qt::ShortcutFocusReason); }
 

@@ -24,6 +24,12 @@ void GainLabel::say(const QString &sentence)
     fit();
 }
 
+void GainLabel::showEvent(QShowEvent *event)
+{
+    QLabel::showEvent(event);
+    fit();
+}
+
 void GainLabel::resizeEvent(QResizeEvent *event)
 {
     QLabel::resizeEvent(event);
@@ -38,7 +44,10 @@ void GainLabel::fit()
     setMinimumHeight(0); // the height for a width is never below it
     constexpr int kNarrowest = 20; // characters
     const int least = kNarrowest * fontMetrics().averageCharWidth();
-    setFixedHeight(text().isEmpty() ? 0 : heightForWidth(std::max(width(), least)));
+    // Its width is not known before it is seen, and a page behind another must not make that one scroll.
+    const int needed =
+        isVisible() ? heightForWidth(std::max(width(), least)) : fontMetrics().height();
+    setFixedHeight(text().isEmpty() ? 0 : needed);
 }
 
 } // namespace widgets

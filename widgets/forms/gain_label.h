@@ -14,6 +14,7 @@ public:
     void say(const QString &sentence); ///< plain text
 
 protected:
+    void showEvent(QShowEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:

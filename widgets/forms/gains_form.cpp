@@ -40,10 +40,9 @@ GainsForm::GainsForm(Device &device, RegisterModel &model, RegisterEdits &edits,
     m_pages->addTab(m_table, tr("&Regulators"));
     m_pages->addTab(m_lab, tr("Gain &lab"));
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(4, 0, 4, 4);
+    layout->setContentsMargins(4, 0, 4, 0);
     layout->setSpacing(4);
     layout->addWidget(m_pages, 1);
-    layout->addWidget(m_editBar);
 
     connect(m_pages, &QTabWidget::currentChanged, this, &Form::watchedRegistersChanged);
     connect(m_table, &GainTable::entryRefused, this,
@@ -81,6 +80,8 @@ void GainsForm::refresh(Milliseconds)
     }
     m_lab->refreshPresent();
 }
+
+QWidget *GainsForm::footer() const { return m_editBar; }
 
 void GainsForm::focusFirst()
 {

@@ -30,6 +30,7 @@ public:
 
     std::vector<catalog::RegisterId> watchedRegisters() const override;
     void refresh(Milliseconds now) override;
+    QWidget *footer() const override;
     void focusFirst() override;
 
 Q_SIGNALS:

@@ -44,15 +44,14 @@ RampForm::RampForm(Device &device, RegisterModel &registers, MotionGate &motion,
     left->addWidget(makePresets());
     left->addStretch(1);
     m_preview = new RampPreview(this);
-    auto *right = new QVBoxLayout;
-    right->setSpacing(4);
-    right->addWidget(m_preview, 1);
-    right->addWidget(makeProgress());
+    m_preview->setMinimumHeight(120);
+    m_preview->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+    m_footer = makeProgress();
     auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(8, 6, 8, 6);
+    layout->setContentsMargins(8, 6, 8, 0);
     layout->setSpacing(12);
     layout->addLayout(left);
-    layout->addLayout(right, 1);
+    layout->addWidget(m_preview, 1);
 
     connect(&device, &Device::linkStateChanged, this, &RampForm::updateAll);
     connect(&device, &Device::armedStateChanged, this, &RampForm::updateAll);
@@ -88,6 +87,8 @@ RampForm::RampForm(Device &device, RegisterModel &registers, MotionGate &motion,
 QWidget *RampForm::makeLines()
 {
     auto *box = new QWidget(this);
+    constexpr int kNote = 78; // characters: what is understood of a ramp stays on one line
+    box->setMinimumWidth(kNote * fontMetrics().averageCharWidth());
     auto *grid = new QGridLayout(box);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(6);
@@ -170,6 +171,8 @@ QWidget *RampForm::makeProgress()
     connect(m_stop, &QPushButton::clicked, this, &RampForm::stopRamp);
     return box;
 }
+
+QWidget *RampForm::footer() const { return m_footer; }
 
 void RampForm::focusFirst()
 {

@@ -29,6 +29,7 @@ public:
 
     std::vector<catalog::RegisterId> watchedRegisters() const override;
     void refresh(Milliseconds now) override;
+    QWidget *footer() const override;
     void focusFirst() override;
 
 public Q_SLOTS:
@@ -64,6 +65,7 @@ private:
     RampPreview *m_preview = nullptr;
     QComboBox *m_preset = nullptr;
     QPushButton *m_save = nullptr, *m_delete = nullptr;
+    QWidget *m_footer = nullptr;
     QProgressBar *m_bar = nullptr;
     QLabel *m_text = nullptr;
     MotorButton *m_stop = nullptr;

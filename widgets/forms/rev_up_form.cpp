@@ -77,13 +77,12 @@ RevUpForm::RevUpForm(const Parts &parts, QWidget *parent)
     row->addWidget(makeLeft());
     row->addWidget(makeMiddle(), 1);
     row->addWidget(makeRight());
-    m_bar = new EditBar(parts.edits, parts.registers, parts.apply, parts.revert, true, this);
+    m_footer = makeFooter(parts);
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 6, 8, 4);
+    layout->setContentsMargins(8, 6, 8, 0);
     layout->setSpacing(4);
     layout->addWidget(m_reason);
     layout->addLayout(row, 1);
-    layout->addWidget(m_bar);
     connectParts();
     takeFacts();
     showFacts();
@@ -119,6 +118,23 @@ QWidget *RevUpForm::makeLeft()
         tr("&Up", "move a stage"), "revUpUp", tr("Moves the selected stage up (Alt+Up)"));
     m_down = makeButton(
         tr("Dow&n", "move a stage"), "revUpDown", tr("Moves the selected stage down (Alt+Down)"));
+    auto *buttons = new QHBoxLayout;
+    buttons->setSpacing(4);
+    for (QPushButton *button : {m_add, m_remove, m_up, m_down})
+        buttons->addWidget(button, 1);
+    auto *layout = new QVBoxLayout(left);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(m_table);
+    layout->addLayout(buttons);
+    layout->addStretch(1);
+    return left;
+}
+
+/// Start values and files on the left, Revert and Apply on the right.
+QWidget *RevUpForm::makeFooter(const Parts &parts)
+{
+    auto *footer = new QWidget(this);
     m_usual = makeButton(tr("Start va&lues"), "revUpUsual",
         tr("ST's start values: 2 s of half the nominal current, then 3 s to 30 % of the highest "
            "speed"));
@@ -126,23 +142,14 @@ QWidget *RevUpForm::makeLeft()
         tr("Reads the stages from a file, as rotorscope-cli revup writes them"));
     m_save = makeButton(tr("Save\u2026"), "revUpSave",
         tr("Writes the stages to a file that rotorscope-cli revup reads"));
-    auto *buttons = new QGridLayout;
-    buttons->setSpacing(4);
-    QPushButton *const first[] = {m_add, m_remove, m_up, m_down};
-    for (int i = 0; i < 4; ++i)
-        buttons->addWidget(first[i], 0, 3 * i, 1, 3);
-    QPushButton *const second[] = {m_usual, m_open, m_save};
-    for (int i = 0; i < 3; ++i)
-        buttons->addWidget(second[i], 1, 4 * i, 1, 4);
-    auto *layout = new QVBoxLayout(left);
+    m_bar = new EditBar(parts.edits, parts.registers, parts.apply, parts.revert, true, footer);
+    auto *layout = new QHBoxLayout(footer);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    m_factsText = makeText("revUpFacts", left);
-    layout->addWidget(m_table);
-    layout->addLayout(buttons);
-    layout->addWidget(m_factsText);
-    layout->addStretch(1);
-    return left;
+    for (QPushButton *button : {m_usual, m_open, m_save})
+        layout->addWidget(button);
+    layout->addWidget(m_bar, 1);
+    return footer;
 }
 
 QWidget *RevUpForm::makeMiddle()
@@ -150,7 +157,7 @@ QWidget *RevUpForm::makeMiddle()
     auto *middle = new QWidget(this);
     m_chart = new RevUpChart(*m_model, middle);
     m_chart->setObjectName(QStringLiteral("revUpChart"));
-    m_chart->setMinimumSize(300, 160);
+    m_chart->setMinimumSize(260, 120);
     m_chart->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
     m_hint = makeText("revUpHint", middle);
     m_startText = makeText("revUpLastStart", middle);
@@ -216,8 +223,10 @@ QWidget *RevUpForm::makeRight()
     auto *layout = new QVBoxLayout(right);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
+    m_factsText = makeText("revUpFacts", right);
     layout->addLayout(numbers);
     layout->addWidget(m_findings, 1);
+    layout->addWidget(m_factsText);
     right->setFixedWidth(kRightWidth);
     return right;
 }
@@ -359,6 +368,8 @@ void RevUpForm::refresh(Milliseconds)
     if (!all)
         Q_EMIT watchedRegistersChanged();
 }
+
+QWidget *RevUpForm::footer() const { return m_footer; }
 
 void RevUpForm::focusFirst()
 {

@@ -45,11 +45,13 @@ public:
 
     std::vector<catalog::RegisterId> watchedRegisters() const override;
     void refresh(Milliseconds now) override;
+    QWidget *footer() const override;
     void focusFirst() override;
 
 private:
     QWidget *makeLeft();
     QWidget *makeMiddle();
+    QWidget *makeFooter(const Parts &parts);
     QWidget *makeRight();
     QPushButton *makeButton(const QString &text, const char *name, const QString &toolTip);
     RevUpEdit *makeNumber(const char *name, const QString &unit, double *value);
@@ -73,6 +75,7 @@ private:
     RevUpStart *m_start;
     RevUpTable *m_table = nullptr;
     RevUpChart *m_chart = nullptr;
+    QWidget *m_footer = nullptr;
     EditBar *m_bar = nullptr;
     QLabel *m_reason = nullptr, *m_hint = nullptr, *m_factsText = nullptr, *m_startText = nullptr;
     QListWidget *m_findings = nullptr;
