@@ -109,4 +109,16 @@ Result<Obeyed, std::string> obey(std::string_view line, simulation::SimulatedBoa
     return Obeyed::Done;
 }
 
+Result<Obeyed, std::string> obeyStatic(std::string_view line, const std::function<void()> &reset)
+{
+    const std::string_view word = trimmed(line);
+    if (word == "quit")
+        return Obeyed::Quit;
+    if (word == "reset")
+        reset();
+    else if (!word.empty())
+        return fail("there is no word \"" + std::string(word) + '"');
+    return Obeyed::Done;
+}
+
 } // namespace sim

@@ -4,6 +4,7 @@
 #include "base/result.h"
 #include "simulation/simulated_board.h"
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -13,5 +14,8 @@ enum class Obeyed : std::uint8_t { Done, Quit };
 
 /// Does what one line says; an empty line does nothing. Otherwise one sentence that says what is wrong with it.
 Result<Obeyed, std::string> obey(std::string_view line, simulation::SimulatedBoard &board);
+
+/// The same for a device of a rig file, which knows `reset` and `quit`.
+Result<Obeyed, std::string> obeyStatic(std::string_view line, const std::function<void()> &reset);
 
 } // namespace sim

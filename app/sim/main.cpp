@@ -1,10 +1,10 @@
 // rotorscope-sim: a simulated board behind a pseudo-terminal or a TCP port, in real time. One thread waits for the client, for
 // standard input, for a signal and for the board's next event.
-#include "control_words.h"
 #include "describe.h"
 #include "lists.h"
 #include "options.h"
 #include "pseudo_terminal.h"
+#include "served.h"
 #include "tcp_port.h"
 
 #include <algorithm>
@@ -94,8 +94,9 @@ void askForPromptness()
 
 class Simulator {
 public:
-    Simulator(simulation::SimulatedBoard &board, sim::Port &port, bool control, int signals)
-        : m_board(board)
+    Simulator(const sim::Served &served, sim::Port &port, bool control, int signals)
+        : m_served(served)
+        , m_device(*served.device)
         , m_port(port)
         , m_control(control)
         , m_signals(signals)
@@ -104,7 +105,7 @@ public:
 
     void run()
     {
-        m_board.advance(m_clock.now());
+        m_device.advance(m_clock.now());
         while (!m_ended)
             step();
     }
@@ -114,7 +115,8 @@ private:
     void wait(bool present, std::array<pollfd, 3> &sources);
     void readWords();
 
-    simulation::SimulatedBoard &m_board;
+    const sim::Served &m_served;
+    simulation::Device &m_device;
     sim::Port &m_port;
     bool m_control;
     int m_signals;
@@ -131,7 +133,7 @@ void Simulator::wait(bool present, std::array<pollfd, 3> &sources)
     sources[2] = {present ? m_port.descriptor() : -1, POLLIN, 0};
     const TimePoint now = m_clock.now();
     const Duration left =
-        std::clamp(present ? m_board.nextWake() - now : kIdleStep, Duration(0), kIdleStep);
+        std::clamp(present ? m_device.nextWake() - now : kIdleStep, Duration(0), kIdleStep);
     const timespec timeout{0, left.count()};
     ppoll(sources.data(), sources.size(), &timeout, nullptr);
 }
@@ -145,11 +147,11 @@ void Simulator::step()
     if (sources[0].revents != 0)
         m_ended = true;
     if (present && sources[2].revents != 0)
-        m_board.receive(m_port.read(), now);
-    m_board.advance(now);
+        m_device.receive(m_port.read(), now);
+    m_device.advance(now);
     if (sources[1].revents != 0)
         readWords();
-    const Bytes output = m_board.takeOutput();
+    const Bytes output = m_device.takeOutput();
     if (present && !output.empty())
         m_port.write(output);
 }
@@ -168,7 +170,7 @@ void Simulator::readWords()
                 m_line.push_back(piece[static_cast<std::size_t>(i)]);
             continue;
         }
-        const auto obeyed = sim::obey(m_line, m_board);
+        const auto obeyed = m_served.obey(m_line);
         m_line.clear();
         if (!obeyed)
             say(STDERR_FILENO, "rotorscope-sim: " + obeyed.error() + '\n');
@@ -193,6 +195,11 @@ Result<std::unique_ptr<sim::Port>, std::string> openPort(const sim::Options &opt
 
 int serve(const sim::Options &options)
 {
+    const auto served = sim::makeServed(options);
+    if (!served) {
+        say(STDERR_FILENO, "rotorscope-sim: " + served.error() + '\n');
+        return kUsage;
+    }
     auto port = openPort(options);
     if (!port) {
         say(STDERR_FILENO, "rotorscope-sim: " + port.error() + '\n');
@@ -209,9 +216,8 @@ int serve(const sim::Options &options)
     }
     const int signals = catchSignals();
     askForPromptness();
-    const auto board = simulation::makeBoard(options.board);
     say(STDOUT_FILENO, "ready " + (*port)->address() + '\n');
-    Simulator(*board, **port, options.control, signals).run();
+    Simulator(*served, **port, options.control, signals).run();
     return kDone;
 }
 

@@ -5,6 +5,7 @@
 #include "simulation/plant/presets.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <functional>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::string_view kHelp =
     R"(Usage: rotorscope-sim mcp [OPTION]...
+       rotorscope-sim mcb --rig FILE [--link PATH | --tcp PORT] [--control]
 
 A simulated motor control board behind a pseudo-terminal. The first line it
 prints is "ready PATH"; open PATH as if it were the serial port of a board.
@@ -60,6 +62,12 @@ It serves one client after the other until SIGTERM.
   --list-motors     what --motor can be, and
   --list-liars      what --liar can be
   --help            this text
+
+mcb is a slave of the Motion Control Bus (SPI), static and without a motor: it
+answers each frame with as many bytes, those it would send at the same time.
+
+  --rig FILE        what registers it has: JSON, see docs/simulator.md
+  --control         obeys reset | quit
 )";
 
 struct Flag {
@@ -250,6 +258,10 @@ std::optional<std::string> applyNamed(
         return readLoad(value, options.board.load.emplace());
     if (name == "--liar")
         return readLies(value, options.board.lies);
+    if (name == "--rig") {
+        options.rig = value;
+        return std::nullopt;
+    }
     if (name == "--link") {
         options.link = value;
         return std::nullopt;
@@ -259,6 +271,25 @@ std::optional<std::string> applyNamed(
             return apply(flag, value, options);
     }
     return "there is no option " + quoted(name) + "; see --help";
+}
+
+std::optional<Protocol> protocolOf(std::string_view word)
+{
+    if (word == "mcp")
+        return Protocol::Mcp;
+    if (word == "mcb")
+        return Protocol::Mcb;
+    return std::nullopt;
+}
+
+/// A sentence if that option means nothing to a device of that protocol.
+std::optional<std::string> misplaced(std::string_view name, Protocol protocol)
+{
+    constexpr std::array kOfRigs{"--rig", "--link", "--tcp", "--control"};
+    const bool ofRigs = std::find(kOfRigs.begin(), kOfRigs.end(), name) != kOfRigs.end();
+    if (protocol == Protocol::Mcp ? name == "--rig" : !ofRigs)
+        return std::string(name) + " does not go with this protocol; see --help";
+    return std::nullopt;
 }
 
 /// The lists need nothing else.
@@ -290,11 +321,15 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
     }
     if (options.action != Action::Serve)
         return options;
-    if (words.empty() || words[0] != "mcp")
+    const auto protocol = words.empty() ? std::nullopt : protocolOf(words[0]);
+    if (!protocol)
         return fail(
-            std::string("say what to simulate: rotorscope-sim mcp [OPTION]...; see --help"));
+            std::string("say what to simulate: rotorscope-sim mcp|mcb [OPTION]...; see --help"));
+    options.protocol = *protocol;
     for (std::size_t i = 1; i < words.size(); ++i) {
         const std::string_view word = words[i];
+        if (const auto problem = misplaced(word.substr(0, word.find('=')), *protocol))
+            return fail(*problem);
         if (word == "--control") {
             options.control = true;
             continue;
@@ -318,6 +353,8 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
         if (const auto problem = applyNamed(name, value, options))
             return fail(*problem);
     }
+    if (options.protocol == Protocol::Mcb && options.rig.empty())
+        return fail(std::string("mcb needs --rig FILE; see --help"));
     if (options.tcp && !options.link.empty())
         return fail(std::string("--link goes with a pseudo-terminal, not with --tcp"));
     return options;

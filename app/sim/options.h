@@ -21,10 +21,14 @@ enum class Action : std::uint8_t {
     Describe
 };
 
+enum class Protocol : std::uint8_t { Mcp, Mcb };
+
 struct Options {
     Action action = Action::Serve;
+    Protocol protocol = Protocol::Mcp;
     simulation::BoardOptions board;
     std::string link; ///< path of a symbolic link to the pseudo-terminal; empty: none
+    std::string rig; ///< path of the file that says what a static device is and holds
     std::optional<std::uint16_t> tcp; ///< number of the port; 0: a free one
     bool control = false; ///< obey words on standard input
 };

@@ -9,6 +9,7 @@
 #include "base/bytes.h"
 #include "base/time.h"
 #include "simulation/build.h"
+#include "simulation/device.h"
 #include "simulation/liars.h"
 #include "simulation/plant/parameters.h"
 
@@ -48,16 +49,9 @@ struct BoardOptions {
     std::uint64_t seed = 1;
 };
 
-class SimulatedBoard {
+/// Its nextWake() is tens of microseconds to 1 ms away.
+class SimulatedBoard : public Device {
 public:
-    virtual ~SimulatedBoard() = default;
-
-    virtual void receive(ByteView bytes, TimePoint now) = 0;
-    virtual void advance(TimePoint now) = 0;
-    [[nodiscard]] virtual Bytes takeOutput() = 0;
-    /// When advance() will next have something to do that can be seen from outside; tens of microseconds to 1 ms.
-    [[nodiscard]] virtual TimePoint nextWake() const = 0;
-
     // Control words; each as a person at the board would do it.
     virtual void reset() = 0; ///< power cycle
     virtual void setFaults(

@@ -20,6 +20,9 @@
 #define LLVMFuzzerTestOneInput fuzzRecording
 #include "fuzz/fuzz_recording.cpp"
 #undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput fuzzMcb
+#include "fuzz/fuzz_mcb.cpp"
+#undef LLVMFuzzerTestOneInput
 #define LLVMFuzzerTestOneInput fuzzFormula
 #include "fuzz/fuzz_formula.cpp"
 #undef LLVMFuzzerTestOneInput
@@ -41,6 +44,7 @@ Target targetOf(const QString &name)
 {
     return name == "fuzz_controller" ? fuzzController
         : name == "fuzz_mcp"         ? fuzzMcp
+        : name == "fuzz_mcb"         ? fuzzMcb
         : name == "fuzz_datalog"     ? fuzzDatalog
         : name == "fuzz_trace"       ? fuzzTrace
         : name == "fuzz_recording"   ? fuzzRecording

@@ -89,6 +89,11 @@ void TestSimulatorProgram::aWrongCommandLineIsOneSentenceAndStatus2_data()
     row("unknown load", "mcp --load spring:3");
     row("three motors", "mcp --motors 3");
     row("no port", "mcp --tcp 70000");
+    row("no rig", "mcb --control");
+    row("no such rig", "mcb --rig /nowhere/rig.json");
+    row("a motor in a rig", "mcb --rig /nowhere/rig.json --motor pm24");
+    row("a description of a rig", "mcb --rig /nowhere/rig.json --describe");
+    row("a rig of a board", "mcp --rig /nowhere/rig.json");
     row("link and TCP", "mcp --tcp 0 --link /tmp/x");
 }
 
@@ -109,10 +114,10 @@ void TestSimulatorProgram::helpNamesEveryFlag()
     QVERIFY(program.ended());
     QCOMPARE(program.process.exitCode(), 0);
     const QByteArray text = program.process.readAllStandardOutput();
-    for (const char *flag :
-        {"--profile", "--link", "--rx-max", "--txs-max", "--txa-max", "--crc", "--version",
-            "--liid", "--streams", "--baud", "--hf-hz", "--ts0", "--null-check", "--wide",
-            "--user-cb", "--watchdog", "--seed", "--control", "--liar", "--list-liars", "--help"})
+    for (const char *flag : {"--profile", "--link", "--rx-max", "--txs-max", "--txa-max", "--crc",
+             "--version", "--liid", "--streams", "--baud", "--hf-hz", "--ts0", "--null-check",
+             "--wide", "--user-cb", "--watchdog", "--seed", "--control", "--liar", "--list-liars",
+             "--rig", "--help"})
         QVERIFY2(text.contains(flag), flag);
 }
 

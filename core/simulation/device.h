@@ -1,0 +1,23 @@
+// A simulated device as its stream of bytes sees it, on virtual time: what a program that puts one behind a port needs.
+#pragma once
+
+#include "base/bytes.h"
+#include "base/time.h"
+
+namespace simulation {
+
+class Device {
+public:
+    Device() = default;
+    Device(const Device &) = delete;
+    Device &operator=(const Device &) = delete;
+    virtual ~Device() = default;
+
+    virtual void receive(ByteView bytes, TimePoint now) = 0;
+    virtual void advance(TimePoint now) = 0;
+    [[nodiscard]] virtual Bytes takeOutput() = 0;
+    /// When advance() will next have something to do that can be seen from outside.
+    [[nodiscard]] virtual TimePoint nextWake() const = 0;
+};
+
+} // namespace simulation

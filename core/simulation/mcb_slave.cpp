@@ -1,0 +1,166 @@
+#include "simulation/mcb_slave.h"
+
+#include <algorithm>
+
+namespace simulation {
+
+using mcb::Command;
+using mcb::ErrorCode;
+using mcb::Frame;
+
+McbSlave::McbSlave(const McbRig &rig)
+    : m_registers(rig)
+    , m_replyDelay(rig.replyDelay)
+{
+}
+
+std::size_t McbSlave::frameBytes() const { return mcb::frameBytes(m_cyclic ? m_cyclic->words : 0); }
+
+Frame McbSlave::nextOutput()
+{
+    Frame frame;
+    if (!m_answers.empty() && m_wait > 0) {
+        --m_wait;
+    } else if (!m_answers.empty()) {
+        frame = std::move(m_answers.front());
+        m_answers.pop_front();
+    }
+    if (m_cyclic)
+        frame.cyclic = m_registers.cyclicOutput(*m_cyclic);
+    return frame;
+}
+
+Bytes McbSlave::exchange(ByteView input)
+{
+    ++m_counts.frames;
+    const bool answered = !m_answers.empty() && m_wait == 0;
+    Bytes output = mcb::encodeFrame(nextOutput());
+    if (input.size() != output.size()) {
+        ++m_counts.wrongLength;
+        if (answered)
+            abandonSwitch(); // the ACK is lost
+        output.resize(input.size());
+        return output;
+    }
+    const auto request = mcb::decodeFrame(input);
+    if (request && m_cyclic)
+        m_registers.takeCyclicInput(*m_cyclic, request->cyclic);
+    // The master has seen the ACK, whatever came of its own frame.
+    if (answered && m_switches && m_answers.empty())
+        switchState();
+    if (request)
+        handle(*request);
+    else
+        ++m_counts.badFrames;
+    return output;
+}
+
+void McbSlave::switchState()
+{
+    m_switches = false;
+    m_cyclic.reset();
+    const auto state = m_registers.read(McbRegisters::kState);
+    const auto mapping = m_registers.mapping();
+    if (state && state->front() == McbRegisters::kCyclicState && mapping)
+        m_cyclic = *mapping;
+}
+
+void McbSlave::abandonSwitch()
+{
+    if (std::exchange(m_switches, false))
+        m_registers.setState(m_cyclic ? McbRegisters::kCyclicState : McbRegisters::kConfigState);
+}
+
+void McbSlave::handle(const Frame &request)
+{
+    if (request.command == Command::Idle)
+        return;
+    abandonSwitch(); // what was not yet sent of the answer before never will be
+    switch (request.command) {
+    case Command::Read: {
+        const auto words = m_registers.read(request.address);
+        if (words)
+            return answer(mcb::fragmentsOf(request.address, Command::Ack, *words));
+        return refuse(request, Command::ErrorOfRead, words.error());
+    }
+    case Command::GetInfo:
+        if (const McbRegister *content = m_registers.find(request.address))
+            return answer(
+                {Frame{request.address, Command::Ack, false, mcb::configOf(content->info), {}}});
+        return refuse(request, Command::ErrorOfInfo, ErrorCode::NoSuchRegister);
+    case Command::Write:
+        return handleWrite(request);
+    case Command::Ack:
+    case Command::ErrorOfInfo:
+    case Command::ErrorOfRead:
+    case Command::ErrorOfWrite:
+    case Command::Idle:
+        break;
+    }
+    refuse(request, Command::ErrorOfInfo, ErrorCode::InvalidCommand);
+}
+
+void McbSlave::handleWrite(const Frame &request)
+{
+    using Added = mcb::Gatherer::Added;
+    const Added added = m_written.add(request);
+    if (added == Added::TooLong)
+        return refuse(request, Command::ErrorOfWrite, ErrorCode::General);
+    if (added == Added::Whole) {
+        const auto written = m_registers.write(request.address, m_written.words());
+        if (!written)
+            return refuse(request, Command::ErrorOfWrite, written.error());
+    }
+    // Each fragment is acknowledged alone, with what came.
+    answer({Frame{request.address, Command::Ack, false, request.config, {}}});
+    m_switches = added == Added::Whole && request.address == McbRegisters::kState;
+}
+
+void McbSlave::answer(std::vector<Frame> frames)
+{
+    m_answers.assign(
+        std::make_move_iterator(frames.begin()), std::make_move_iterator(frames.end()));
+    m_wait = m_replyDelay;
+}
+
+void McbSlave::refuse(const Frame &request, Command command, ErrorCode code)
+{
+    m_written.clear();
+    answer({Frame{request.address, command, false, mcb::configOf(code), {}}});
+}
+
+void McbStream::receive(ByteView bytes, TimePoint now)
+{
+    advance(now);
+    if (!bytes.empty())
+        m_lastInput = now;
+    m_input.insert(m_input.end(), bytes.begin(), bytes.end());
+    std::size_t taken = 0;
+    for (std::size_t length = m_slave.frameBytes(); m_input.size() - taken >= length;
+         length = m_slave.frameBytes()) {
+        const Bytes output = m_slave.exchange(ByteView(m_input).subspan(taken, length));
+        m_output.insert(m_output.end(), output.begin(), output.end());
+        taken += length;
+    }
+    m_input.erase(m_input.begin(), m_input.begin() + static_cast<std::ptrdiff_t>(taken));
+}
+
+void McbStream::advance(TimePoint now)
+{
+    if (!m_input.empty() && now - m_lastInput >= kUnfinished)
+        m_input.clear();
+}
+
+TimePoint McbStream::nextWake() const
+{
+    return m_input.empty() ? TimePoint::max() : m_lastInput + kUnfinished;
+}
+
+void McbStream::reset()
+{
+    m_slave = McbSlave(m_rig);
+    m_input.clear();
+    m_output.clear();
+}
+
+} // namespace simulation
