@@ -4292,7 +4292,7 @@
     </message>
     <message>
         <source>Speed [rpm]</source>
-        <translation>Drehzahl [U/min]</translation>
+        <translation>Drehzahl [rpm]</translation>
     </message>
     <message>
         <source>Shaft [°]</source>

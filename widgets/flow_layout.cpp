@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+#include <utility>
+
 namespace widgets {
 
 FlowLayout::FlowLayout(int gap, QWidget *parent)
@@ -25,13 +27,17 @@ QSize FlowLayout::minimumSize() const
     QSize size;
     for (const QLayoutItem *item : m_items)
         size = size.expandedTo(item->minimumSize());
-    return size;
+    // The least height of a window is asked for without a width: that of all lines at the width there is, lest what stands
+    // beside be covered.
+    return m_width > 0 ? size.expandedTo({0, heightForWidth(m_width)}) : size;
 }
 
 void FlowLayout::setGeometry(const QRect &rect)
 {
     QLayout::setGeometry(rect);
     arrange(rect, true);
+    if (rect.width() != std::exchange(m_width, rect.width()))
+        update(); // the least height may be another now
 }
 
 int FlowLayout::arrange(const QRect &rect, bool move) const

@@ -26,6 +26,7 @@ private:
 
     QList<QLayoutItem *> m_items;
     int m_gap;
+    int m_width = 0; ///< where it was placed last
 };
 
 } // namespace widgets

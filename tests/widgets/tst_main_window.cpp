@@ -3,6 +3,7 @@
 #include "widgets/big_numbers.h"
 #include "widgets/connect_bar.h"
 #include "widgets/first_steps.h"
+#include "widgets/flow_layout.h"
 #include "widgets/lamp.h"
 #include "widgets/scope/scope_view.h"
 
@@ -13,6 +14,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QVBoxLayout>
 #include <QWheelEvent>
 
 using drive::LinkReason;
@@ -78,6 +80,34 @@ private Q_SLOTS:
         gains->close();
         QTRY_VERIFY(card->isVisible());
         m_rig->find<QAction>("gainsDockOpen")->trigger(); // still open when the window goes
+    }
+
+    void aSecondLineOfSignalsTakesItsPlaceAndCoversNothing()
+    {
+        auto *flow = new widgets::FlowLayout(5);
+        QWidget page, chips;
+        chips.setLayout(flow);
+        for (int i = 0; i < 4; ++i) {
+            auto *chip = new QWidget;
+            chip->setFixedSize(100, 20);
+            flow->addWidget(chip);
+        }
+        auto *above = new QWidget;
+        above->setMinimumHeight(50);
+        auto *column = new QVBoxLayout(&page);
+        column->setContentsMargins(0, 0, 0, 0);
+        column->setSpacing(0);
+        column->addWidget(above);
+        column->addWidget(&chips);
+        page.resize(500, 70);
+        page.show();
+        QTRY_COMPARE(page.minimumSizeHint().height(), 70);
+        page.resize(250, 70);
+        QTRY_COMPARE(page.minimumSizeHint().height(), 95); // a top-level window grows by itself
+        QTRY_VERIFY(page.height() >= 95);
+        QVERIFY(chips.y() >= 50);
+        page.resize(500, 95);
+        QTRY_COMPARE(page.minimumSizeHint().height(), 70);
     }
 
     void aSilentBoardHatchesTheScopeUntilItAnswers()

@@ -157,7 +157,7 @@ QWidget *RevUpForm::makeMiddle()
     auto *middle = new QWidget(this);
     m_chart = new RevUpChart(*m_model, middle);
     m_chart->setObjectName(QStringLiteral("revUpChart"));
-    m_chart->setMinimumSize(260, 120);
+    m_chart->setMinimumSize(230, 120);
     m_chart->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
     m_hint = makeText("revUpHint", middle);
     m_startText = makeText("revUpLastStart", middle);
