@@ -10,8 +10,8 @@ namespace widgets {
 namespace {
 
 constexpr int kSignificant = 5;
-constexpr std::array kPrefixed{
-    u"\u03a9", u"H", u"s", u"Wb", u"Hz", u"N m", u"N m/A", u"N m s", u"A/digit", u"V/digit"};
+constexpr std::array kPrefixed{u"A", u"V", u"\u03a9", u"H", u"s", u"Wb", u"Hz", u"N m", u"N m/A",
+    u"N m s", u"A/digit", u"V/digit"};
 
 struct Prefix {
     double factor;

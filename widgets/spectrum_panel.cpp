@@ -20,12 +20,13 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 
 namespace widgets {
 
 namespace {
 constexpr int kSideWidth = 230;
-constexpr int kListWidth = 330;
+constexpr std::array kListColumns{88, 52, 96, 84}; // px, as in SpectrumPeaks::Column
 constexpr std::size_t kMostPeaks = 10;
 constexpr int kMostAveraged = 256;
 enum Range { Picture, BetweenCursors };
@@ -61,11 +62,17 @@ SpectrumPanel::SpectrumPanel(
     m_list->setAlternatingRowColors(true);
     m_list->setAllColumnsShowFocus(true);
     m_list->header()->setStretchLastSection(true);
-    m_list->setFixedWidth(kListWidth);
-    for (int column = 0; column < SpectrumPeaks::kColumns; ++column)
-        m_list->setColumnWidth(column, kListWidth / SpectrumPeaks::kColumns - 1);
+    int width = 2 * m_list->frameWidth();
+    for (int column = 0; column < SpectrumPeaks::kColumns; ++column) {
+        const int its = kListColumns[static_cast<std::size_t>(column)];
+        m_list->setColumnWidth(column, its);
+        width += its;
+    }
+    m_list->setFixedWidth(width);
     m_note->setObjectName(QStringLiteral("spectrumNote"));
     m_note->setTextFormat(Qt::PlainText);
+    m_note->setWordWrap(true);
+    m_plot->setMinimumWidth(240);
 
     auto *middle = new QVBoxLayout;
     middle->addWidget(m_plot, 1);
