@@ -138,6 +138,10 @@ void TestTranslations::everyGroupOfRegistersIsTranslated()
         QVERIFY(file.open(QIODevice::ReadOnly));
         const auto lines = QString::fromUtf8(file.readAll()).split(u'\n', Qt::SkipEmptyParts);
         const auto column = lines.first().split(u',').indexOf(QLatin1String("group"));
+        if (name == QLatin1String("mcb.csv")) { // its source knows no groups
+            QCOMPARE(column, -1);
+            continue;
+        }
         QVERIFY(column > 0); // no column before it holds a quoted comma
         for (const QString &line : lines.mid(1)) {
             const QString group = line.split(u',').value(column);
