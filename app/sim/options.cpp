@@ -18,6 +18,8 @@ namespace {
 constexpr std::string_view kHelp =
     R"(Usage: rotorscope-sim mcp [OPTION]...
        rotorscope-sim mcb --rig FILE [--link PATH | --tcp PORT] [--control]
+       rotorscope-sim legacy|powerpc --rig FILE [--link PATH | --tcp PORT]
+                      [--control]
 
 A simulated motor control board behind a pseudo-terminal. The first line it
 prints is "ready PATH"; open PATH as if it were the serial port of a board.
@@ -68,6 +70,14 @@ answers each frame with as many bytes, those it would send at the same time.
 
   --rig FILE        what registers it has: JSON, see docs/simulator.md
   --control         obeys reset | quit
+
+legacy and powerpc are a static board of the older serial protocol at 115200
+baud, without a motor; the rig says which of its dialects it speaks.
+
+  --rig FILE        what the board is and holds: JSON, see docs/simulator.md
+  --control         obeys besides reset, nofault, fault, mute, corrupt, inject
+                    and quit: state N | faults HEX | execute | rx-timeout |
+                    rx-overrun
 )";
 
 struct Flag {
@@ -279,6 +289,8 @@ std::optional<Protocol> protocolOf(std::string_view word)
         return Protocol::Mcp;
     if (word == "mcb")
         return Protocol::Mcb;
+    if (word == "legacy" || word == "powerpc")
+        return Protocol::Legacy;
     return std::nullopt;
 }
 
@@ -323,8 +335,8 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
         return options;
     const auto protocol = words.empty() ? std::nullopt : protocolOf(words[0]);
     if (!protocol)
-        return fail(
-            std::string("say what to simulate: rotorscope-sim mcp|mcb [OPTION]...; see --help"));
+        return fail(std::string("say what to simulate: rotorscope-sim mcp|mcb|legacy|powerpc "
+                                "[OPTION]...; see --help"));
     options.protocol = *protocol;
     for (std::size_t i = 1; i < words.size(); ++i) {
         const std::string_view word = words[i];
@@ -353,8 +365,8 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
         if (const auto problem = applyNamed(name, value, options))
             return fail(*problem);
     }
-    if (options.protocol == Protocol::Mcb && options.rig.empty())
-        return fail(std::string("mcb needs --rig FILE; see --help"));
+    if (options.protocol != Protocol::Mcp && options.rig.empty())
+        return fail(std::string(words[0]) + " needs --rig FILE; see --help");
     if (options.tcp && !options.link.empty())
         return fail(std::string("--link goes with a pseudo-terminal, not with --tcp"));
     return options;

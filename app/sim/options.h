@@ -21,7 +21,7 @@ enum class Action : std::uint8_t {
     Describe
 };
 
-enum class Protocol : std::uint8_t { Mcp, Mcb };
+enum class Protocol : std::uint8_t { Mcp, Mcb, Legacy };
 
 struct Options {
     Action action = Action::Serve;

@@ -1,6 +1,9 @@
 #include "served.h"
 
+#include "legacy_words.h"
+#include "session/legacy_rig_file.h"
 #include "session/mcb_rig_file.h"
+#include "simulation/legacy/legacy_board.h"
 #include "simulation/mcb_slave.h"
 
 namespace sim {
@@ -25,6 +28,17 @@ Result<Served, std::string> mcbOf(const Options &options)
         [&known](std::string_view line) { return obeyStatic(line, [&known] { known.reset(); }); }};
 }
 
+Result<Served, std::string> legacyOf(const Options &options)
+{
+    auto rig = session::readLegacyRigFile(QString::fromStdString(options.rig));
+    if (!rig)
+        return fail(rig.error());
+    auto board = std::make_unique<simulation::LegacyBoard>(std::move(*rig));
+    auto &known = *board;
+    return Served{
+        std::move(board), [&known](std::string_view line) { return obeyLegacy(line, known); }};
+}
+
 } // namespace
 
 Result<Served, std::string> makeServed(const Options &options)
@@ -32,6 +46,8 @@ Result<Served, std::string> makeServed(const Options &options)
     switch (options.protocol) {
     case Protocol::Mcb:
         return mcbOf(options);
+    case Protocol::Legacy:
+        return legacyOf(options);
     case Protocol::Mcp:
         break;
     }

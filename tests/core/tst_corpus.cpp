@@ -26,6 +26,9 @@
 #define LLVMFuzzerTestOneInput fuzzFormula
 #include "fuzz/fuzz_formula.cpp"
 #undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput fuzzLegacy
+#include "fuzz/fuzz_legacy.cpp"
+#undef LLVMFuzzerTestOneInput
 
 class TestCorpus : public QObject {
     Q_OBJECT
@@ -49,6 +52,7 @@ Target targetOf(const QString &name)
         : name == "fuzz_trace"       ? fuzzTrace
         : name == "fuzz_recording"   ? fuzzRecording
         : name == "fuzz_formula"     ? fuzzFormula
+        : name == "fuzz_legacy"      ? fuzzLegacy
                                      : nullptr;
 }
 

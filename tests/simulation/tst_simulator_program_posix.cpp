@@ -59,6 +59,7 @@ private slots:
     void itSaysWhereItIsLinksAndEndsOnSigterm();
     void onlyALeftOverLinkIsReplaced();
     void aClientIsAnsweredAndTheNextOneToo();
+    void aRigIsAnsweredAndObeysItsWords();
     void withControlItEndsWithItsInput();
     void withoutControlItNeverReadsItsInput();
 };
@@ -72,6 +73,11 @@ void TestSimulatorProgram::aWrongCommandLineIsOneSentenceAndStatus2_data()
     };
     row("nothing", "");
     row("unknown protocol", "quantum");
+    row("no rig of the older protocol", "legacy");
+    row("no such rig", "powerpc --rig /nowhere/rig.json");
+    row("a rig that is none", "legacy --rig " ROTORSCOPE_TEST_DATA "/vectors/legacy.jsonl");
+    row("a rig for another protocol", "mcp --rig " ROTORSCOPE_TEST_DATA "/rigs/legacy-A.json");
+    row("a motor for a rig of the older protocol", "legacy --motor pm24");
     row("unknown flag", "mcp --colour red");
     row("unknown profile", "mcp --profile mcsdk-9.9");
     row("no value", "mcp --baud");
@@ -327,6 +333,45 @@ void TestSimulatorProgram::aClientIsAnsweredAndTheNextOneToo()
         QCOMPARE(answer.toHex(), QByteArray("05c70114"));
         ::close(fd);
     }
+}
+
+void TestSimulatorProgram::aRigIsAnsweredAndObeysItsWords()
+{
+    Program program({QStringLiteral("legacy"), QStringLiteral("--control"), QStringLiteral("--rig"),
+        QStringLiteral(ROTORSCOPE_TEST_DATA "/rigs/legacy-P.json")});
+    const QByteArray path = program.firstLine().mid(6).toLocal8Bit();
+    const int fd = ::open(path.constData(), O_RDWR | O_NOCTTY | O_NONBLOCK);
+    QVERIFY(fd >= 0);
+    const auto ask = [fd](const char *hex) {
+        const QByteArray request = QByteArray::fromHex(hex);
+        return ::write(fd, request.constData(), static_cast<std::size_t>(request.size()));
+    };
+    QByteArray answer;
+    const auto heard = [&](qsizetype size) {
+        char piece[64];
+        const ssize_t count = ::read(fd, piece, sizeof piece);
+        if (count > 0)
+            answer.append(piece, count);
+        return answer.size() >= size;
+    };
+    QCOMPARE(ask("03010105"), ssize_t{4}); // the rig speaks PowerPC under either name
+    QTRY_VERIFY(heard(4));
+    QCOMPARE(answer.toHex(), QByteArray("f00101f2"));
+    program.process.write(
+        "state 300\nfaults xyz\nstate 10\nfaults 0x00020040\nexecute\nrx-timeout\n"
+        "rx-overrun\n");
+    answer.clear();
+    QTRY_VERIFY(heard(4)); // the overrun is refused, and all words before it are done
+    QCOMPARE(answer.toHex(), QByteArray("ff010809"));
+    answer.clear();
+    QCOMPARE(ask("02010104"), ssize_t{4});
+    QTRY_VERIFY(heard(7));
+    QCOMPARE(answer.toHex(), QByteArray("f0044000020037"));
+    ::close(fd);
+    program.process.write("quit\n");
+    QVERIFY(program.ended());
+    QCOMPARE(program.process.exitCode(), 0);
+    QCOMPARE(program.process.readAllStandardError().count('\n'), 2);
 }
 
 void TestSimulatorProgram::withControlItEndsWithItsInput()

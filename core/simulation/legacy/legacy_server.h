@@ -1,0 +1,74 @@
+// The frames of the older serial protocol as firmware executes them, on a rig: one good frame in, one answer out. It
+// knows no line and no time.
+// Source: firmware 5.4.3 for STM32, which reads old bytes where a request is too short; the text for PowerPC.
+#pragma once
+
+#include "legacy/frame.h"
+#include "legacy/register_table.h"
+#include "legacy/reply.h"
+#include "simulation/legacy/rig.h"
+#include "simulation/stale_bytes.h"
+
+#include <array>
+#include <optional>
+#include <variant>
+
+namespace simulation {
+
+class LegacyServer {
+public:
+    explicit LegacyServer(LegacyRig rig);
+
+    /// The whole answer to a frame whose checksum was good; empty once the firmware hangs.
+    Bytes answer(const legacy::Frame &frame);
+    /// Payload bytes that came but were not executed: later requests that are too short find them.
+    void remember(ByteView payload);
+
+    // What happens to the board besides the protocol.
+    void setState(std::uint8_t state); ///< of the first motor
+    void setFaults(std::uint32_t flags); ///< of the first motor
+    std::uint32_t faults() const { return m_rig.motors.front().faults; }
+    /// The medium-frequency task: commands that wait take effect in motors that run.
+    void executeBuffered();
+
+    /// The firmware followed a null pointer and answers nothing any more.
+    bool hangs() const { return m_hangs; }
+    const LegacyRig &rig() const { return m_rig; } ///< as it is now
+
+private:
+    /// A command that waits for the motor to run.
+    struct Ramp {
+        std::int32_t speed_rpm = 0;
+    };
+    struct Currents {
+        std::int16_t iq = 0, id = 0;
+    };
+    using Waiting = std::variant<std::monostate, Ramp, Currents>;
+
+    Bytes execute(std::uint8_t code, std::size_t length);
+    Bytes getRegister(std::uint8_t id);
+    Bytes setRegister(std::uint8_t id, StaleBytes value);
+    bool setSpecial(std::uint8_t id, std::int64_t value);
+    Bytes selectMotor(std::uint8_t motor);
+    Bytes setControlMode(std::uint8_t mode);
+    Bytes command(std::uint8_t id);
+    void act(legacy::CommandId id);
+    Bytes getRevUp(std::uint8_t stage) const;
+    Bytes setRevUp(const StaleBytes &content);
+    void ramp(std::int32_t speed_rpm);
+    void wait(Currents currents);
+    bool isBuilt(const legacy::Register &which) const;
+    std::int64_t valueOf(std::uint8_t id) const;
+    std::int32_t inSteps(std::int32_t speed_rpm) const;
+    LegacyMotor &motor() { return m_rig.motors[m_selected]; }
+    const LegacyMotor &motor() const { return m_rig.motors[m_selected]; }
+    bool powerPc() const { return m_rig.dialect == legacy::Dialect::PowerPc; }
+
+    LegacyRig m_rig;
+    std::size_t m_selected = 0; ///< kept from frame to frame
+    std::vector<Waiting> m_waiting; ///< one a motor
+    std::array<std::uint8_t, legacy::kMaxPayload> m_buffer{}; ///< never cleared, as in the firmware
+    bool m_hangs = false;
+};
+
+} // namespace simulation
