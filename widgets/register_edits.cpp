@@ -6,6 +6,7 @@
 #include <QUndoCommand>
 
 #include <algorithm>
+#include <utility>
 
 namespace widgets {
 namespace {
@@ -72,8 +73,12 @@ void RegisterEdits::keepBeforeWriting(AutoSnapshots &snapshots)
     m_snapshots = &snapshots;
     connect(&snapshots, &AutoSnapshots::taken, this, &RegisterEdits::kept);
     connect(&snapshots, &AutoSnapshots::broken, this, &RegisterEdits::notKept);
-    connect(&snapshots, &AutoSnapshots::told, this,
-        [this](const QString &sentence) { Q_EMIT told(sentence, false); });
+    connect(&snapshots, &AutoSnapshots::told, this, [this](const QString &sentence) {
+        if (underWay())
+            m_aside.append(sentence); // the end of the write would take its place at once
+        else
+            Q_EMIT told(sentence, false);
+    });
 }
 
 QString RegisterEdits::writeHint() const
@@ -212,6 +217,8 @@ void RegisterEdits::decline()
         return;
     m_stage = Stage::Idle;
     Q_EMIT changed();
+    if (!m_aside.isEmpty())
+        tellEnd({}, false);
 }
 
 void RegisterEdits::keepOrSend()
@@ -257,7 +264,7 @@ void RegisterEdits::notSent(const QString &why)
     report.text = m_verb == Verb::Write ? m_text : QString();
     report.sentence = why;
     Q_EMIT changed();
-    Q_EMIT told(why, false);
+    tellEnd(why, false);
     Q_EMIT reported(report);
 }
 
@@ -327,8 +334,18 @@ void RegisterEdits::tell(const drive::Ended &ended)
     WriteReport report = writeReport(ended, m_writes, catalog.get(),
         m_verb == Verb::Undo ? WriteSense::Back : WriteSense::Forward);
     report.text = m_verb == Verb::Write ? m_text : QString();
-    Q_EMIT told(report.sentence, report.good());
+    tellEnd(report.sentence, report.good());
     Q_EMIT reported(report);
+}
+
+/// How it ended and, behind it, what was told on the way: one sentence takes the place of the last.
+void RegisterEdits::tellEnd(const QString &sentence, bool good)
+{
+    QStringList sentences = std::exchange(m_aside, {});
+    good = good && sentences.isEmpty();
+    if (!sentence.isEmpty())
+        sentences.prepend(sentence);
+    Q_EMIT told(sentences.join(QLatin1Char(' ')), good);
 }
 
 void RegisterEdits::linkChanged()

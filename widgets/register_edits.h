@@ -77,6 +77,7 @@ private:
     void end(const drive::Ended &ended);
     void keep(const drive::Ended &ended);
     void tell(const drive::Ended &ended);
+    void tellEnd(const QString &sentence, bool good);
     tuning::BoardFacts facts() const;
     void linkChanged();
     void forget();
@@ -89,6 +90,7 @@ private:
     Verb m_verb = Verb::Apply;
     bool m_confirmed = false; ///< a person has said yes to this very list
     std::vector<drive::RegisterWrite> m_writes;
+    QStringList m_aside; ///< told while the write is under way
     QString m_text; ///< of the step; empty: what was written
     drive::WishId m_wish = 0;
 };

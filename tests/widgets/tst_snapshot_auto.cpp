@@ -130,16 +130,32 @@ private Q_SLOTS:
         QVERIFY(bench.told.join(QLatin1Char('\n')).contains(QStringLiteral("Nothing was written")));
     }
 
+    void aDiskThatDoesNotTakeItIsToldAndTheWriteGoesOn_data()
+    {
+        QTest::addColumn<bool>("beforeTheEnd");
+        QTest::newRow("before the write has ended") << true;
+        QTest::newRow("whenever it is") << false;
+    }
     void aDiskThatDoesNotTakeItIsToldAndTheWriteGoesOn()
     {
+        QFETCH(const bool, beforeTheEnd);
         Bench bench;
+        const QSignalSpy warned(&bench.snapshots, &widgets::AutoSnapshots::told);
         QFile inTheWay(bench.home.filePath(QStringLiteral("snapshots"))); // a file, not a folder
         QVERIFY(inTheWay.open(QIODevice::WriteOnly));
         inTheWay.close();
         bench.typeTwo(77, 78);
-        QVERIFY(bench.apply());
+        bench.edits.apply();
+        if (beforeTheEnd) {
+            QVERIFY(bench.link.runUntil(
+                [&] { return !bench.snapshots.kept().empty(); }, 1s)); // read, not yet written
+            QTRY_COMPARE(warned.size(), 1);
+            QVERIFY(bench.edits.underWay());
+        }
+        QVERIFY(bench.settle());
         QVERIFY(bench.held("SPEED_KP") == Value(std::int64_t{77}));
         QTRY_VERIFY(bench.told.last().contains(QStringLiteral("in memory only")));
+        QVERIFY(bench.told.filter(QStringLiteral("2 register")).size() == 1); // nor is the end lost
         QCOMPARE(bench.snapshots.kept().size(), 1U);
         QVERIFY(bench.snapshots.kept().front().file.isEmpty());
         QCOMPARE(bench.edits.steps().count(), 1); // it can be taken back, too
