@@ -4,6 +4,7 @@
 #include "widgets/measure_text.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trigger_control.h"
+#include "widgets/table_text.h"
 #include "widgets/wheel_guard.h"
 
 #include <QApplication>
@@ -121,7 +122,7 @@ void MeasurePanel::makeSide(QWidget *side)
     connect(remove, &QPushButton::clicked, this, &MeasurePanel::removeChosen);
     connect(again, &QPushButton::clicked, m_table, &MeasureTable::clearStatistics);
     connect(copyIt, &QPushButton::clicked, this,
-        [this] { QApplication::clipboard()->setText(m_table->asText()); });
+        [this] { QApplication::clipboard()->setText(tableText(*m_table)); });
 }
 
 void MeasurePanel::fillTraces()

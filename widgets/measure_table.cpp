@@ -178,20 +178,6 @@ QString MeasureTable::valueText(const Row &row) const
     return row.result.partial ? tr("%1 (samples are missing)").arg(number) : number;
 }
 
-QString MeasureTable::asText() const
-{
-    QString text;
-    for (int row = -1; row < rowCount(); ++row) {
-        QStringList cells;
-        for (int column = 0; column < kColumns; ++column)
-            cells.append((row < 0 ? headerData(column, Qt::Horizontal, Qt::DisplayRole)
-                                  : index(row, column).data())
-                             .toString());
-        text += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
-    }
-    return text;
-}
-
 int MeasureTable::rowCount(const QModelIndex &parent) const
 {
     return parent.isValid() ? 0 : static_cast<int>(m_rows.size());

@@ -51,7 +51,6 @@ public:
     /// @param record  everything, and counts it in the statistics
     void measure(double from, double to, bool record);
     MeasureMarks marks(int row) const; ///< what that row measured; empty if it did not
-    QString asText() const;
 
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;

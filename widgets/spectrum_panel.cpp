@@ -5,6 +5,7 @@
 #include "widgets/si_text.h"
 #include "widgets/spectrum_peaks.h"
 #include "widgets/spectrum_plot.h"
+#include "widgets/table_text.h"
 #include "widgets/wheel_guard.h"
 
 #include <QApplication>
@@ -171,7 +172,7 @@ QWidget *SpectrumPanel::makeSide()
     connect(m_average, &QSpinBox::valueChanged, this, begin);
     connect(again, &QPushButton::clicked, this, begin);
     connect(copyIt, &QPushButton::clicked, this,
-        [this] { QApplication::clipboard()->setText(m_peaks->asText()); });
+        [this] { QApplication::clipboard()->setText(tableText(*m_peaks)); });
     return side;
 }
 

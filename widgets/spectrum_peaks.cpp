@@ -35,20 +35,6 @@ void SpectrumPeaks::show(
         Q_EMIT dataChanged(index(0, 0), index(now - 1, kColumns - 1));
 }
 
-QString SpectrumPeaks::asText() const
-{
-    QString text;
-    for (int row = -1; row < rowCount(); ++row) {
-        QStringList cells;
-        for (int column = 0; column < kColumns; ++column)
-            cells.append((row < 0 ? headerData(column, Qt::Horizontal, Qt::DisplayRole)
-                                  : index(row, column).data())
-                             .toString());
-        text += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
-    }
-    return text;
-}
-
 int SpectrumPeaks::rowCount(const QModelIndex &parent) const
 {
     return parent.isValid() ? 0 : static_cast<int>(m_peaks.size());

@@ -18,7 +18,6 @@ public:
     /// @param orders  not valid: there are none to be told
     void show(std::vector<scope::SpectrumPeak> peaks, const QString &unit, scope::OrderAxis orders);
     const std::vector<scope::SpectrumPeak> &peaks() const { return m_peaks; }
-    QString asText() const; ///< with headings, tabs between columns
 
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;

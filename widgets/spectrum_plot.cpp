@@ -1,5 +1,6 @@
 #include "widgets/spectrum_plot.h"
 
+#include "widgets/plot_look.h"
 #include "widgets/scope/axis_ticker.h"
 #include "widgets/scope/axis_ticks.h"
 #include "widgets/scope/trace_colors.h"
@@ -75,20 +76,7 @@ void SpectrumPlot::applyPalette()
     const QPalette colors = palette();
     const bool dark = isDark(colors);
     const QColor text = colors.color(QPalette::Text);
-    QColor faint = text;
-    faint.setAlpha(38);
-    m_plot->setBackground(colors.brush(QPalette::Base));
-    for (QCPAxis *axis : {m_plot->xAxis, m_plot->yAxis}) {
-        axis->setBasePen(QPen(text, 0));
-        axis->setTickPen(QPen(text, 0));
-        axis->setTickLabelColor(text);
-        axis->setLabelColor(text);
-        axis->setTickLabelFont(font());
-        axis->setLabelFont(font());
-        axis->setSubTicks(false);
-        axis->grid()->setPen(QPen(faint, 0));
-        axis->grid()->setZeroLinePen(Qt::NoPen);
-    }
+    dressPlot(*m_plot, *this);
     m_trace->setPen(QPen(traceColor(kTraceSlot, dark), 0));
     const QColor peak = traceColor(kPeakSlot, dark);
     m_dots->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, peak, 6));

@@ -1,6 +1,7 @@
 #include "widgets/forms/ramp_preview.h"
 
 #include "analysis/ramp.h"
+#include "widgets/plot_look.h"
 #include "widgets/scope/trace_colors.h"
 
 #include <QEvent>
@@ -81,21 +82,9 @@ void RampPreview::applyPalette()
     const QPalette colors = palette();
     const bool dark = isDark(colors);
     const QColor text = colors.color(QPalette::Text);
-    QColor faint = text;
-    faint.setAlpha(38);
-    m_plot->setBackground(colors.brush(QPalette::Base));
-    for (QCPAxis *axis : {m_plot->xAxis, m_plot->yAxis}) {
-        axis->setBasePen(QPen(text, 0));
-        axis->setTickPen(QPen(text, 0));
-        axis->setTickLabelColor(text);
-        axis->setLabelColor(text);
-        axis->setTickLabelFont(font());
-        axis->setLabelFont(font());
-        axis->setSubTicks(false);
-        axis->grid()->setPen(QPen(faint, 0));
-        axis->grid()->setZeroLinePen(QPen(faint, 0));
+    dressPlot(*m_plot, *this);
+    for (QCPAxis *axis : {m_plot->xAxis, m_plot->yAxis})
         axis->ticker()->setTickCount(4);
-    }
     m_plan->setPen(QPen(traceColor(kPlanSlot, dark), 2));
     m_measured->setPen(QPen(traceColor(kMeasuredSlot, dark), 1.5, Qt::DashLine));
     m_now->setPen(QPen(text, 0, Qt::DotLine));
