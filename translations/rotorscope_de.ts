@@ -3637,6 +3637,10 @@
         <comment>old, new, time</comment>
         <translation>Position %1 → %2 in %3 ms</translation>
     </message>
+    <message>
+        <source>The question was withdrawn, and nothing was sent: the board stopped answering for a moment. Press again to be asked again.</source>
+        <translation>Die Frage wurde zurückgezogen, und nichts wurde gesendet: Die Platine antwortete einen Moment nicht. Drücken Sie noch einmal, um wieder gefragt zu werden.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MotionLogModel</name>

@@ -3637,6 +3637,10 @@
         <comment>old, new, time</comment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The question was withdrawn, and nothing was sent: the board stopped answering for a moment. Press again to be asked again.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::MotionLogModel</name>

@@ -51,8 +51,13 @@ MotionGate::MotionGate(Device &device, RegisterModel &registers, QObject *parent
             withdraw();
     });
     connect(&device, &Device::linkStateChanged, this, [this] {
-        if (!m_device.answering())
-            withdraw();
+        if (m_device.answering())
+            return;
+        const bool asked = asking();
+        withdraw();
+        if (asked)
+            Q_EMIT failed(tr("The question was withdrawn, and nothing was sent: the board stopped "
+                             "answering for a moment. Press again to be asked again."));
     });
 }
 

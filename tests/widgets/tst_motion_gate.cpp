@@ -205,6 +205,7 @@ private Q_SLOTS:
         bench.arm();
         bench.look();
         QSignalSpy withdrawn(&bench.gate, &widgets::MotionGate::withdrawn);
+        const QSignalSpy failed(&bench.gate, &widgets::MotionGate::failed);
         bench.gate.want(QStringLiteral("Start"), bench.start());
         switch (what) {
         case 0:
@@ -221,6 +222,7 @@ private Q_SLOTS:
             bench.device.setMotor(2);
         }
         QCOMPARE(withdrawn.size(), 1);
+        QCOMPARE(failed.size(), what == 2 ? 1 : 0); // the others were somebody's own act
         bench.gate.confirm(); // too late
         QCOMPARE(bench.sent, 0);
     }
