@@ -4683,6 +4683,10 @@
         <source>What the selected register is</source>
         <translation>Was das gewählte Register ist</translation>
     </message>
+    <message>
+        <source>No register has &quot;%1&quot; in its name or its help.</source>
+        <translation>Kein Register hat „%1“ im Namen oder in der Hilfe.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RevUpChart</name>

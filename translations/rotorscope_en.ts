@@ -4683,6 +4683,10 @@
         <source>What the selected register is</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>No register has &quot;%1&quot; in its name or its help.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::RevUpChart</name>

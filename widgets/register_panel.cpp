@@ -167,9 +167,13 @@ QStringList RegisterPanel::columns() const
 void RegisterPanel::updateDetails()
 {
     const QVariant id = m_tree->currentIndex().siblingAtColumn(0).data(RegisterModel::IdRole);
-    const QString text = id.isValid() ? m_model.details(id.toUInt()) : QString();
+    const QString sought = m_search->text().trimmed();
+    const bool noHits = !sought.isEmpty() && m_proxy->rowCount() == 0;
+    const QString text = noHits ? tr("No register has \"%1\" in its name or its help.").arg(sought)
+        : id.isValid()          ? m_model.details(id.toUInt())
+                                : QString();
     m_details->setText(text);
-    m_details->setVisible(!text.isEmpty() && height() >= kDetailsFrom);
+    m_details->setVisible(noHits || (!text.isEmpty() && height() >= kDetailsFrom));
     if (m_actions.pin != nullptr)
         m_actions.pin->setEnabled(id.isValid());
 }
@@ -351,6 +355,7 @@ void RegisterPanel::search(const QString &text)
         expandDefaults();
     else
         m_tree->expandAll();
+    updateDetails();
     m_settled.start();
 }
 

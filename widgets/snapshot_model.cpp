@@ -200,7 +200,9 @@ QVariant SnapshotModel::headerData(int section, Qt::Orientation orientation, int
         return {};
     if (role == Qt::TextAlignmentRole)
         return QVariant(
-            (section == NameColumn || section == UnitColumn ? Qt::AlignLeft : Qt::AlignRight)
+            (section == NameColumn          ? Qt::AlignLeft
+                    : section == UnitColumn ? Qt::AlignHCenter // "B" ends where it begins
+                                            : Qt::AlignRight)
             | Qt::AlignVCenter);
     if (role != Qt::DisplayRole)
         return {};

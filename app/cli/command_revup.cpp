@@ -181,8 +181,9 @@ Outcome<int> runRevUp(Desk &desk)
     const auto stages = analysis::revUpOfBytes(bytes != nullptr ? *bytes : Bytes{});
     if (bytes == nullptr || !stages)
         return failure(kRefused,
-            QStringLiteral("The board does not give REVUP_DATA; it starts with a sensor, or its "
-                           "firmware is a small one."));
+            QStringLiteral("The board does not give REVUP_DATA; it starts with a sensor, its "
+                           "firmware is a small one, or it answers in packets that are too "
+                           "short for the list of stages."));
     print(desk.out, *stages, *facts);
     return kDone;
 }

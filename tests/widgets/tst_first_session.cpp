@@ -93,6 +93,17 @@ private Q_SLOTS:
         QTRY_COMPARE(int(m_rig->window.scope()->channels().size()), before);
     }
 
+    void aSearchWithoutHitsSaysSo()
+    {
+        auto *search = m_rig->find<QLineEdit>("registerSearch");
+        auto *details = m_rig->find<QLabel>("registerDetails");
+        search->setText(QStringLiteral("no such thing"));
+        QVERIFY(details->isVisible());
+        QVERIFY(details->text().contains(QStringLiteral("\"no such thing\"")));
+        search->clear();
+        QVERIFY(!details->text().contains(QStringLiteral("no such thing")));
+    }
+
     void withoutArmStartDoesNothing()
     {
         QVERIFY(!m_rig->find<QPushButton>("start")->isEnabled());
