@@ -221,6 +221,53 @@
     </message>
 </context>
 <context>
+    <name>Exports</name>
+    <message>
+        <source>No WAV file: there is no time at which all fast signals were recorded.</source>
+        <translation>Keine WAV-Datei: Es gibt keine Zeit, zu der alle schnellen Signale aufgezeichnet wurden.</translation>
+    </message>
+    <message>
+        <source>No WAV file: the signals have different rates.</source>
+        <translation>Keine WAV-Datei: Die Signale haben verschiedene Raten.</translation>
+    </message>
+    <message>
+        <source>No WAV file: there are more than 64 signals.</source>
+        <translation>Keine WAV-Datei: Es sind mehr als 64 Signale.</translation>
+    </message>
+    <message>
+        <source>No WAV file: it would be longer than 4 GiB. Choose a shorter range.</source>
+        <translation>Keine WAV-Datei: Sie wäre länger als 4 GiB. Wählen Sie einen kürzeren Bereich.</translation>
+    </message>
+    <message>
+        <source>WAV files (*.wav)</source>
+        <translation>WAV-Dateien (*.wav)</translation>
+    </message>
+    <message>
+        <source>MATLAB files (*.mat)</source>
+        <translation>MATLAB-Dateien (*.mat)</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG-Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>SVG pictures (*.svg)</source>
+        <translation>SVG-Bilder (*.svg)</translation>
+    </message>
+    <message>
+        <source>PDF files (*.pdf)</source>
+        <translation>PDF-Dateien (*.pdf)</translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv)</source>
+        <translation>CSV-Dateien (*.csv)</translation>
+    </message>
+    <message>
+        <source>No MATLAB file: a signal would be longer than 2 GiB. Choose a shorter range.</source>
+        <translation>Keine MATLAB-Datei: Ein Signal wäre länger als 2 GiB. Wählen Sie einen kürzeren Bereich.</translation>
+    </message>
+</context>
+<context>
     <name>Fault</name>
     <message>
         <source>The motor did not come up to a speed at which it can be seen without a sensor.</source>
@@ -595,6 +642,61 @@
     <message>
         <source>Ld is above Lq: are they swapped?</source>
         <translation>Ld ist größer als Lq: vertauscht?</translation>
+    </message>
+</context>
+<context>
+    <name>Imports</name>
+    <message>
+        <source>there is no heading with the names of signals</source>
+        <translation>es gibt keine Kopfzeile mit Signalnamen</translation>
+    </message>
+    <message>
+        <source>there is one column only</source>
+        <translation>es gibt nur eine Spalte</translation>
+    </message>
+    <message>
+        <source>there are too many columns</source>
+        <translation>es sind zu viele Spalten</translation>
+    </message>
+    <message>
+        <source>the line is too long for a line of numbers</source>
+        <translation>die Zeile ist zu lang für eine Zeile von Zahlen</translation>
+    </message>
+    <message>
+        <source>the line has another number of fields than the heading</source>
+        <translation>die Zeile hat eine andere Zahl von Feldern als die Kopfzeile</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no time</source>
+        <translation>„%1“ ist keine Zeit</translation>
+    </message>
+    <message>
+        <source>the time %1 is before the one above it</source>
+        <translation>die Zeit %1 liegt vor der darüber</translation>
+    </message>
+    <message>
+        <source>there is a heading and nothing else</source>
+        <translation>es gibt eine Kopfzeile und sonst nichts</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <translation>Zeile %1, Spalte %2: %3</translation>
+    </message>
+    <message>
+        <source>Importing %1</source>
+        <translation>%1 wird importiert</translation>
+    </message>
+    <message>
+        <source>%1 cannot be imported (%2).</source>
+        <translation>%1 kann nicht importiert werden (%2).</translation>
     </message>
 </context>
 <context>
@@ -1477,6 +1579,44 @@
     <message>
         <source>Keys that are not known were passed over.</source>
         <translation>Unbekannte Schlüssel wurden übergangen.</translation>
+    </message>
+</context>
+<context>
+    <name>Opening</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened (%2).</source>
+        <translation>%1 kann nicht geöffnet werden (%2).</translation>
+    </message>
+    <message>
+        <source>Opened %1.</source>
+        <translation>%1 ist geöffnet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) in it are damaged; what lies before and after is shown.</source>
+        <translation>
+            <numerusform>Eine Stelle darin ist beschädigt; was davor und dahinter liegt, wird gezeigt.</numerusform>
+            <numerusform>%n Stellen darin sind beschädigt; was davor und dahinter liegt, wird gezeigt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 samples are missing, because the disk was too slow.</source>
+        <translation>%1 Werte fehlen, weil die Platte zu langsam war.</translation>
+    </message>
+    <message>
+        <source>The recording was interrupted.</source>
+        <translation>Die Aufzeichnung wurde unterbrochen.</translation>
+    </message>
+    <message>
+        <source>It ends where the disk was full.</source>
+        <translation>Sie endet, wo die Platte voll war.</translation>
+    </message>
+    <message>
+        <source>It ends where the disk failed.</source>
+        <translation>Sie endet, wo die Platte versagte.</translation>
     </message>
 </context>
 <context>
@@ -2589,10 +2729,6 @@
 <context>
     <name>widgets::ExportDialog</name>
     <message>
-        <source>Export CSV</source>
-        <translation>CSV exportieren</translation>
-    </message>
-    <message>
         <source>What the scope shows</source>
         <translation>Was das Oszilloskop zeigt</translation>
     </message>
@@ -2609,39 +2745,86 @@
         <translation>Eine Datei je Takt</translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation>Fortschritt des Exports</translation>
-    </message>
-    <message>
         <source>Export…</source>
         <translation>Exportieren…</translation>
-    </message>
-    <message>
-        <source>Range</source>
-        <translation>Bereich</translation>
-    </message>
-    <message>
-        <source>Rates</source>
-        <translation>Takte</translation>
     </message>
     <message>
         <source>Nothing has been recorded yet.</source>
         <translation>Es wurde noch nichts aufgezeichnet.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n signal(s). The first column is the time in seconds; numbers have a decimal point and columns are separated by commas. Lost samples have no row.</source>
-        <translation>
-            <numerusform>%n Signal. Die erste Spalte ist die Zeit in Sekunden; Zahlen haben einen Dezimalpunkt, Spalten sind durch Kommas getrennt. Verlorene Abtastwerte haben keine Zeile.</numerusform>
-            <numerusform>%n Signale. Die erste Spalte ist die Zeit in Sekunden; Zahlen haben einen Dezimalpunkt, Spalten sind durch Kommas getrennt. Verlorene Abtastwerte haben keine Zeile.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>CSV files (*.csv)</source>
-        <translation>CSV-Dateien (*.csv)</translation>
-    </message>
     <message>
         <source>%1 exists already. Choose another name.</source>
         <translation>%1 gibt es schon. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>CSV, decimal point and commas</source>
+        <translation>CSV, Dezimalpunkt und Kommas</translation>
+    </message>
+    <message>
+        <source>CSV, decimal comma and semicolons</source>
+        <translation>CSV, Dezimalkomma und Semikolons</translation>
+    </message>
+    <message>
+        <source>WAV, the fast signals as sound</source>
+        <translation>WAV, die schnellen Signale als Ton</translation>
+    </message>
+    <message>
+        <source>MATLAB file</source>
+        <translation>MATLAB-Datei</translation>
+    </message>
+    <message>
+        <source>Picture of the scope, PNG</source>
+        <translation>Bild des Oszilloskops, PNG</translation>
+    </message>
+    <message>
+        <source>Picture of the plots, SVG</source>
+        <translation>Bild der Diagramme, SVG</translation>
+    </message>
+    <message>
+        <source>Picture of the plots, PDF</source>
+        <translation>Bild der Diagramme, PDF</translation>
+    </message>
+    <message>
+        <source>Between the cursors A and B</source>
+        <translation>Zwischen den Cursorn A und B</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>&amp;Range</source>
+        <translation>&amp;Bereich</translation>
+    </message>
+    <message>
+        <source>R&amp;ates</source>
+        <translation>&amp;Takte</translation>
+    </message>
+    <message>
+        <source>The scope as it is on the screen now.</source>
+        <translation>Das Oszilloskop, wie es jetzt auf dem Bildschirm ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s). The first column is the time in seconds. Lost samples have no row.</source>
+        <translation>
+            <numerusform>Ein Signal. Die erste Spalte ist die Zeit in Sekunden. Verlorene Werte haben keine Zeile.</numerusform>
+            <numerusform>%n Signale. Die erste Spalte ist die Zeit in Sekunden. Verlorene Werte haben keine Zeile.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The 16-bit codes of the fast signals, a channel each, at their own rate; where samples were lost the next ones follow at once.</source>
+        <translation>Die 16-Bit-Werte der schnellen Signale, je ein Kanal, in ihrer eigenen Rate; wo Werte verloren gingen, folgen sofort die nächsten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s) in a structure for each rate, with time and units; what is unknown is NaN.</source>
+        <translation>
+            <numerusform>Ein Signal in einer Struktur je Rate, mit Zeit und Einheiten; Unbekanntes ist NaN.</numerusform>
+            <numerusform>%n Signale in einer Struktur je Rate, mit Zeit und Einheiten; Unbekanntes ist NaN.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2665,6 +2848,22 @@
     <message>
         <source>Over, to be acknowledged</source>
         <translation>Vorbei, zu quittieren</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FileJob</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Being cancelled…</source>
+        <translation>Wird abgebrochen …</translation>
+    </message>
+    <message>
+        <source>%1: about %2 s left</source>
+        <comment>what is done, a number</comment>
+        <translation>%1: noch etwa %2 s</translation>
     </message>
 </context>
 <context>
@@ -3215,18 +3414,6 @@
         <translation>Zeigt die doppelte Zeit (−)</translation>
     </message>
     <message>
-        <source>Export CSV…</source>
-        <translation>CSV exportieren…</translation>
-    </message>
-    <message>
-        <source>Writes the visible samples, or all, to a file (Ctrl+Shift+E)</source>
-        <translation>Schreibt die sichtbaren oder alle Werte in eine Datei (Strg+Umschalt+E)</translation>
-    </message>
-    <message>
-        <source>Export CSV</source>
-        <translation>CSV exportieren</translation>
-    </message>
-    <message>
         <source>Registers</source>
         <translation>Register</translation>
     </message>
@@ -3497,6 +3684,74 @@
     <message>
         <source>Spectrum</source>
         <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Record to disk</source>
+        <translation>Auf Platte aufzeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren …</translation>
+    </message>
+    <message>
+        <source>Writes samples or a picture to a file: CSV, WAV, MATLAB, PNG, SVG, PDF (Ctrl+Shift+E)</source>
+        <translation>Schreibt Abtastwerte oder ein Bild in eine Datei: CSV, WAV, MATLAB, PNG, SVG, PDF (Strg+Umschalt+E)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Open a recording…</source>
+        <translation>Aufzeichnung ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>&amp;Import CSV…</source>
+        <translation>CSV &amp;importieren …</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Disconnect first (Ctrl+D): a recording takes the place of what the scope shows.</source>
+        <translation>Zuerst trennen (Strg+D): Eine Aufzeichnung tritt an die Stelle dessen, was das Oszilloskop zeigt.</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.pcapng)</source>
+        <translation>Aufzeichnungen (*.pcapng)</translation>
+    </message>
+    <message>
+        <source>Disconnect first (Ctrl+D): what is imported takes the place of what the scope shows.</source>
+        <translation>Zuerst trennen (Strg+D): Was importiert wird, tritt an die Stelle dessen, was das Oszilloskop zeigt.</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>CSV importieren</translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv *.txt)</source>
+        <translation>CSV-Dateien (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>Imported %1.</source>
+        <translation>%1 ist importiert.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
+    </message>
+    <message>
+        <source>The picture of the scope is in the clipboard.</source>
+        <translation>Das Bild des Oszilloskops ist in der Zwischenablage.</translation>
     </message>
 </context>
 <context>
@@ -4332,6 +4587,113 @@
     <message>
         <source>Power stage</source>
         <translation>Leistungsteil</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RecordControl</name>
+    <message>
+        <source>With the bytes of the &amp;line</source>
+        <translation>Mit den Bytes der &amp;Leitung</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Twice the size; keeps what was on the line byte for byte</source>
+        <translation>Doppelt so groß; bewahrt Byte für Byte, was auf der Leitung war</translation>
+    </message>
+    <message>
+        <source>E&amp;nd the recording</source>
+        <translation>Aufzeichnung been&amp;den</translation>
+    </message>
+    <message>
+        <source>&amp;Record to disk…</source>
+        <translation>Auf Platte auf&amp;zeichnen …</translation>
+    </message>
+    <message>
+        <source>Ends the file on the disk (Ctrl+R)</source>
+        <translation>Beendet die Datei auf der Platte (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Writes all samples, values and events to a file while they come (Ctrl+R)</source>
+        <translation>Schreibt alle Abtastwerte, Werte und Ereignisse laufend in eine Datei (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Connect first: a recording is of a connection (Ctrl+R)</source>
+        <translation>Zuerst verbinden: Aufgezeichnet wird eine Verbindung (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Record to disk</source>
+        <translation>Auf Platte aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.pcapng)</source>
+        <translation>Aufzeichnungen (*.pcapng)</translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation>Aufzeichnung nach %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 MB</source>
+        <comment>duration, size</comment>
+        <translation>%1, %2 MB</translation>
+    </message>
+    <message>
+        <source>, disk full in %1</source>
+        <comment>duration</comment>
+        <translation>, Platte voll in %1</translation>
+    </message>
+    <message>
+        <source>, %1 GB free</source>
+        <comment>on the disk</comment>
+        <translation>, %1 GB frei</translation>
+    </message>
+    <message>
+        <source>, %1 samples lost</source>
+        <translation>, %1 Werte verloren</translation>
+    </message>
+    <message>
+        <source>%1 cannot be recorded (%2). Choose a name that is not there yet, in a folder that takes files.</source>
+        <translation>%1 kann nicht aufgezeichnet werden (%2). Wählen Sie einen Namen, den es noch nicht gibt, in einem beschreibbaren Ordner.</translation>
+    </message>
+    <message>
+        <source>Recording ended: %1</source>
+        <translation>Aufzeichnung beendet: %1</translation>
+    </message>
+    <message>
+        <source>Recorded to %1: %2 MB.</source>
+        <comment>path, size</comment>
+        <translation>Aufgezeichnet in %1: %2 MB.</translation>
+    </message>
+    <message>
+        <source>Recorded to %1: %2 MB, without %3 samples, because the disk was too slow.</source>
+        <translation>Aufgezeichnet in %1: %2 MB, ohne %3 Werte, weil die Platte zu langsam war.</translation>
+    </message>
+    <message>
+        <source>ended, disk full</source>
+        <translation>beendet, Platte voll</translation>
+    </message>
+    <message>
+        <source>Recording ended: disk full</source>
+        <translation>Aufzeichnung beendet: Platte voll</translation>
+    </message>
+    <message>
+        <source>The disk is full: the recording %1 ends here, with %2 MB. What was recorded is in it, and the connection goes on.</source>
+        <translation>Die Platte ist voll: Die Aufzeichnung %1 endet hier, mit %2 MB. Was bis dahin kam, ist in ihr, und die Verbindung läuft weiter.</translation>
+    </message>
+    <message>
+        <source>ended, disk failed</source>
+        <translation>beendet, Plattenfehler</translation>
+    </message>
+    <message>
+        <source>Recording ended: disk failed</source>
+        <translation>Aufzeichnung beendet: Plattenfehler</translation>
+    </message>
+    <message>
+        <source>The disk failed (%3): the recording %1 ends here, with %2 MB. What was recorded is in it, and the connection goes on.</source>
+        <translation>Die Platte versagt (%3): Die Aufzeichnung %1 endet hier, mit %2 MB. Was bis dahin kam, ist in ihr, und die Verbindung läuft weiter.</translation>
     </message>
 </context>
 <context>

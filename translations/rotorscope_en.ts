@@ -221,6 +221,53 @@
     </message>
 </context>
 <context>
+    <name>Exports</name>
+    <message>
+        <source>No WAV file: there is no time at which all fast signals were recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No WAV file: the signals have different rates.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No WAV file: there are more than 64 signals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No WAV file: it would be longer than 4 GiB. Choose a shorter range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>WAV files (*.wav)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MATLAB files (*.mat)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SVG pictures (*.svg)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PDF files (*.pdf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No MATLAB file: a signal would be longer than 2 GiB. Choose a shorter range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Fault</name>
     <message>
         <source>The motor did not come up to a speed at which it can be seen without a sensor.</source>
@@ -594,6 +641,61 @@
     </message>
     <message>
         <source>Ld is above Lq: are they swapped?</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Imports</name>
+    <message>
+        <source>there is no heading with the names of signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is one column only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are too many columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line is too long for a line of numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line has another number of fields than the heading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the time %1 is before the one above it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is a heading and nothing else</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Importing %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be imported (%2).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1476,6 +1578,44 @@
     </message>
     <message>
         <source>Keys that are not known were passed over.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Opening</name>
+    <message>
+        <source>Opening %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened (%2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opened %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) in it are damaged; what lies before and after is shown.</source>
+        <translation>
+            <numerusform>One place in it is damaged; what lies before and after is shown.</numerusform>
+            <numerusform>%n places in it are damaged; what lies before and after is shown.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 samples are missing, because the disk was too slow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording was interrupted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It ends where the disk was full.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It ends where the disk failed.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2589,10 +2729,6 @@
 <context>
     <name>widgets::ExportDialog</name>
     <message>
-        <source>Export CSV</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>What the scope shows</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2609,39 +2745,86 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Export…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Range</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rates</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Nothing has been recorded yet.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>%n signal(s). The first column is the time in seconds; numbers have a decimal point and columns are separated by commas. Lost samples have no row.</source>
-        <translation>
-            <numerusform>%n signal. The first column is the time in seconds; numbers have a decimal point and columns are separated by commas. Lost samples have no row.</numerusform>
-            <numerusform>%n signals. The first column is the time in seconds; numbers have a decimal point and columns are separated by commas. Lost samples have no row.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>CSV files (*.csv)</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>%1 exists already. Choose another name.</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV, decimal point and commas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV, decimal comma and semicolons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>WAV, the fast signals as sound</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MATLAB file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture of the scope, PNG</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture of the plots, SVG</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture of the plots, PDF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Between the cursors A and B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R&amp;ates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scope as it is on the screen now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s). The first column is the time in seconds. Lost samples have no row.</source>
+        <translation>
+            <numerusform>One signal. The first column is the time in seconds. Lost samples have no row.</numerusform>
+            <numerusform>%n signals. The first column is the time in seconds. Lost samples have no row.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The 16-bit codes of the fast signals, a channel each, at their own rate; where samples were lost the next ones follow at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s) in a structure for each rate, with time and units; what is unknown is NaN.</source>
+        <translation>
+            <numerusform>One signal in a structure for each rate, with time and units; what is unknown is NaN.</numerusform>
+            <numerusform>%n signals in a structure for each rate, with time and units; what is unknown is NaN.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2664,6 +2847,22 @@
     </message>
     <message>
         <source>Over, to be acknowledged</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FileJob</name>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Being cancelled…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: about %2 s left</source>
+        <comment>what is done, a number</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3215,18 +3414,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Export CSV…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Writes the visible samples, or all, to a file (Ctrl+Shift+E)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Export CSV</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Registers</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3496,6 +3683,74 @@
     </message>
     <message>
         <source>Spectrum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record to disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes samples or a picture to a file: CSV, WAV, MATLAB, PNG, SVG, PDF (Ctrl+Shift+E)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open a recording…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Import CSV…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnect first (Ctrl+D): a recording takes the place of what the scope shows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings (*.pcapng)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnect first (Ctrl+D): what is imported takes the place of what the scope shows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv *.txt)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Imported %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture of the scope is in the clipboard.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4331,6 +4586,113 @@
     </message>
     <message>
         <source>Power stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RecordControl</name>
+    <message>
+        <source>With the bytes of the &amp;line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Twice the size; keeps what was on the line byte for byte</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E&amp;nd the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Record to disk…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends the file on the disk (Ctrl+R)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes all samples, values and events to a file while they come (Ctrl+R)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect first: a recording is of a connection (Ctrl+R)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record to disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings (*.pcapng)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 MB</source>
+        <comment>duration, size</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, disk full in %1</source>
+        <comment>duration</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, %1 GB free</source>
+        <comment>on the disk</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, %1 samples lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be recorded (%2). Choose a name that is not there yet, in a folder that takes files.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording ended: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded to %1: %2 MB.</source>
+        <comment>path, size</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded to %1: %2 MB, without %3 samples, because the disk was too slow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ended, disk full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording ended: disk full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The disk is full: the recording %1 ends here, with %2 MB. What was recorded is in it, and the connection goes on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ended, disk failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording ended: disk failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The disk failed (%3): the recording %1 ends here, with %2 MB. What was recorded is in it, and the connection goes on.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

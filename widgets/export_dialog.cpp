@@ -2,9 +2,7 @@
 
 #include "widgets/device_text.h"
 #include "widgets/file_prompt.h"
-#include "widgets/messages.h"
 #include "widgets/scope/scope_view.h"
-#include "widgets/value_text.h"
 
 #include <QComboBox>
 #include <QDateTime>
@@ -13,15 +11,11 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
-#include <QMessageBox>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 namespace widgets {
 namespace {
-
-constexpr int kProgressSteps = 1000;
 
 /// "x.csv" and "HF" make "x_HF.csv".
 QString partPath(const QString &path, const QString &part)
@@ -52,10 +46,10 @@ QString partName(const capture::Channel &channel)
 
 } // namespace
 
-QString suggestedCaptureName(const QDateTime &now)
+QString suggestedCaptureName(const QDateTime &now, ExportFormat format)
 {
     return QLocale::c().toString(now, QStringLiteral("yyyy-MM-dd_HH-mm-ss"))
-        + QStringLiteral("_motor_capture.csv");
+        + QStringLiteral("_motor_capture.") + suffixOf(format);
 }
 
 ExportDialog::ExportDialog(capture::Capture &capture, ScopeView &scope, FilePrompt &files,
@@ -65,117 +59,144 @@ ExportDialog::ExportDialog(capture::Capture &capture, ScopeView &scope, FileProm
     , m_scope(scope)
     , m_files(files)
     , m_folder(folder)
+    , m_format(new QComboBox(this))
     , m_range(new QComboBox(this))
     , m_rates(new QComboBox(this))
     , m_summary(new QLabel(this))
-    , m_progress(new QProgressBar(this))
 {
     setObjectName(QStringLiteral("exportDialog"));
-    setWindowTitle(tr("Export CSV"));
+    setWindowTitle(tr("Export"));
     setModal(true);
+    m_format->setObjectName(QStringLiteral("exportFormat"));
+    const std::pair<ExportFormat, QString> formats[] = {
+        {ExportFormat::Csv, tr("CSV, decimal point and commas")},
+        {ExportFormat::CsvContinental, tr("CSV, decimal comma and semicolons")},
+        {ExportFormat::Wav, tr("WAV, the fast signals as sound")},
+        {ExportFormat::Mat, tr("MATLAB file")},
+        {ExportFormat::Png, tr("Picture of the scope, PNG")},
+        {ExportFormat::Svg, tr("Picture of the plots, SVG")},
+        {ExportFormat::Pdf, tr("Picture of the plots, PDF")}};
+    for (const auto &[format, text] : formats)
+        m_format->addItem(text, static_cast<int>(format));
     m_range->setObjectName(QStringLiteral("exportRange"));
-    m_range->addItem(tr("What the scope shows"));
-    m_range->addItem(tr("Everything recorded"));
+    m_range->addItem(tr("What the scope shows"), Visible);
+    m_range->addItem(tr("Everything recorded"), Everything);
+    if (m_scope.cursors().visible())
+        m_range->addItem(tr("Between the cursors A and B"), Cursors);
     m_rates->setObjectName(QStringLiteral("exportRates"));
     m_rates->addItem(tr("One file; slower signals keep their last value"));
     m_rates->addItem(tr("One file for each rate"));
     m_summary->setTextFormat(Qt::PlainText);
     m_summary->setWordWrap(true);
     m_summary->setEnabled(false);
-    m_progress->setRange(0, kProgressSteps);
-    m_progress->setAccessibleName(tr("Progress of the export"));
-    m_progress->setVisible(false);
 
     auto *buttons = new QDialogButtonBox(this);
     m_save = buttons->addButton(tr("Export\u2026"), QDialogButtonBox::AcceptRole);
     m_save->setObjectName(QStringLiteral("exportSave"));
-    m_cancel = buttons->addButton(QDialogButtonBox::Cancel);
-    m_cancel->setObjectName(QStringLiteral("exportCancel"));
+    buttons->addButton(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("exportCancel"));
     connect(m_save, &QPushButton::clicked, this, &ExportDialog::ask);
-    connect(m_cancel, &QPushButton::clicked, this, &ExportDialog::reject);
-    connect(m_range, &QComboBox::currentIndexChanged, this, &ExportDialog::updateSummary);
+    connect(buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
+    for (const QComboBox *choice : {m_format, m_range})
+        connect(choice, &QComboBox::currentIndexChanged, this, &ExportDialog::updateSummary);
 
     auto *form = new QFormLayout;
-    form->addRow(tr("Range"), m_range);
-    form->addRow(tr("Rates"), m_rates);
+    form->addRow(tr("&Format"), m_format);
+    form->addRow(tr("&Range"), m_range);
+    form->addRow(tr("R&ates"), m_rates);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(18, 16, 18, 14);
     layout->setSpacing(12);
     layout->addLayout(form);
     layout->addWidget(m_summary);
-    layout->addWidget(m_progress);
     layout->addWidget(buttons);
     setMinimumWidth(420);
     updateSummary();
 }
 
-bool ExportDialog::running() const { return m_export != nullptr; }
+ExportFormat ExportDialog::format() const
+{
+    return static_cast<ExportFormat>(m_format->currentData().toInt());
+}
 
-bool ExportDialog::visibleOnly() const { return m_range->currentIndex() == 0; }
-
-bool ExportDialog::ratesApart() const { return m_rates->currentIndex() == 1; }
+std::optional<capture::TimeSpan> ExportDialog::range() const
+{
+    if (m_range->currentData() == Visible) {
+        const ScopeView::TimeRange shown = m_scope.visibleRange();
+        return capture::TimeSpan{shown.from, shown.to};
+    }
+    if (m_range->currentData() == Cursors) {
+        const CursorPair &pair = m_scope.cursors().pair();
+        return capture::TimeSpan{std::min(pair.a, pair.b), std::max(pair.a, pair.b)};
+    }
+    return {};
+}
 
 capture::Snapshot ExportDialog::snapshot() const
 {
     std::vector<capture::ChannelId> ids;
-    if (visibleOnly()) {
-        const auto shown = m_scope.channels();
-        ids.assign(shown.begin(), shown.end());
-    } else {
+    if (m_range->currentData() == Everything) {
         for (const capture::ChannelInfo &info : m_capture.channels())
             ids.push_back(info.id);
+    } else {
+        const auto shown = m_scope.channels();
+        ids.assign(shown.begin(), shown.end());
     }
     return m_capture.snapshot(ids);
 }
 
 void ExportDialog::updateSummary()
 {
+    const bool picture = isPicture(format());
+    const bool csv = format() == ExportFormat::Csv || format() == ExportFormat::CsvContinental;
+    m_range->setEnabled(!picture);
+    m_rates->setEnabled(csv);
     const auto channels = snapshot();
+    m_save->setEnabled(!channels->empty());
     if (channels->empty()) {
         m_summary->setText(tr("Nothing has been recorded yet."));
-        m_save->setEnabled(false);
-        return;
-    }
-    m_save->setEnabled(true);
-    m_summary->setText(
-        tr("%n signal(s). The first column is the time in seconds; numbers have a decimal point "
-           "and columns are separated by commas. Lost samples have no row.",
+    } else if (picture) {
+        m_summary->setText(tr("The scope as it is on the screen now."));
+    } else if (csv) {
+        m_summary->setText(
+            tr("%n signal(s). The first column is the time in seconds. Lost samples have no row.",
+                nullptr, static_cast<int>(channels->size())));
+    } else if (format() == ExportFormat::Wav) {
+        m_summary->setText(tr("The 16-bit codes of the fast signals, a channel each, at their own "
+                              "rate; where samples were lost the next ones follow at once."));
+    } else {
+        m_summary->setText(tr("%n signal(s) in a structure for each rate, with time and units; "
+                              "what is unknown is NaN.",
             nullptr, static_cast<int>(channels->size())));
+    }
 }
 
 void ExportDialog::ask()
 {
     SaveQuestion question;
-    question.title = tr("Export CSV");
+    question.title = tr("Export");
     question.folder = m_folder.isEmpty() ? QDir::homePath() : m_folder;
-    question.suggestedName = suggestedCaptureName(QDateTime::currentDateTime());
-    question.filter = tr("CSV files (*.csv)");
-    question.suffix = QStringLiteral("csv");
-    m_files.askSave(this, question, [this](const QString &path) { begin(path); });
+    question.suggestedName = suggestedCaptureName(QDateTime::currentDateTime(), format());
+    question.filter = filterOf(format());
+    question.suffix = suffixOf(format());
+    m_files.askSave(this, question, [this](const QString &path) { order(path); });
 }
 
-void ExportDialog::begin(const QString &path)
+void ExportDialog::order(const QString &path)
 {
-    if (running())
-        return;
-    m_options = {};
-    if (visibleOnly()) {
-        const ScopeView::TimeRange range = m_scope.visibleRange();
-        m_options.range = capture::TimeSpan{range.from, range.to};
-    }
+    ExportOrder made{format(), path, {}, range()};
     const capture::Snapshot all = snapshot();
-    m_parts.clear();
-    if (ratesApart()) {
+    if (m_rates->isEnabled() && m_rates->currentIndex() == 1) {
         for (const capture::Snapshot &part : capture::splitByRate(all))
-            m_parts.append({partPath(path, partName(part->front())), part});
-    } else {
-        m_parts.append({path, all});
+            made.parts.append({partPath(path, partName(part->front())), part});
+    } else if (!isPicture(made.format)) {
+        made.parts.append({path, all});
     }
-    m_done = 0;
-    m_rows = 0;
-    m_folder = QFileInfo(path).path();
+    if (made.parts.isEmpty() && !isPicture(made.format)) {
+        m_summary->setText(tr("Nothing has been recorded yet."));
+        return;
+    }
     QStringList taken;
-    for (const Part &part : m_parts)
+    for (const ExportOrder::Part &part : made.parts)
         if (part.path != path && QFileInfo::exists(part.path))
             taken.append(QFileInfo(part.path).fileName());
     if (!taken.isEmpty()) { // the prompt has asked about the name that was typed, not about these
@@ -183,55 +204,8 @@ void ExportDialog::begin(const QString &path)
                                .arg(deviceText(taken.join(QStringLiteral(", ")))));
         return;
     }
-    m_progress->setValue(0);
-    m_progress->setVisible(true);
-    for (QWidget *widget : std::initializer_list<QWidget *>{m_save, m_range, m_rates})
-        widget->setEnabled(false);
-    nextPart();
-}
-
-void ExportDialog::nextPart()
-{
-    const Part &part = m_parts.at(m_done);
-    m_export = std::make_unique<session::CsvExport>(part.path, part.channels, m_options);
-    connect(m_export.get(), &session::CsvExport::progressed, this, [this](double fraction) {
-        const double all =
-            (static_cast<double>(m_done) + fraction) / static_cast<double>(m_parts.size());
-        m_progress->setValue(static_cast<int>(all * kProgressSteps));
-    });
-    connect(m_export.get(), &session::CsvExport::finished, this, &ExportDialog::partFinished,
-        Qt::QueuedConnection);
-    m_export->start();
-}
-
-void ExportDialog::partFinished(const session::CsvResult &result)
-{
-    m_export.reset();
-    m_rows += result.rows;
-    if (result.error == session::CsvError::None && ++m_done < m_parts.size()) {
-        nextPart();
-        return;
-    }
-    for (QWidget *widget : std::initializer_list<QWidget *>{m_save, m_range, m_rates})
-        widget->setEnabled(true);
-    m_progress->setVisible(false);
-    if (result.error == session::CsvError::None) {
-        Q_EMIT exported(m_parts.first().path);
-        accept();
-        return;
-    }
-    const QString sentence = csvErrorText(result);
-    m_summary->setText(sentence);
-    m_summary->setEnabled(true);
-    Q_EMIT failed(sentence);
-}
-
-void ExportDialog::reject()
-{
-    if (running())
-        m_export->cancel();
-    else
-        QDialog::reject();
+    Q_EMIT wanted(made);
+    accept();
 }
 
 } // namespace widgets

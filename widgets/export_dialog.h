@@ -1,18 +1,13 @@
-// ExportDialog: what of the recording goes into a CSV file, and how. The file is written in a thread of its own and
-// appears whole or not at all; the dialog shows how far it is and can cancel.
+// ExportDialog: what of the recording goes into a file, in which format, and where. It makes the order; whoever opened
+// the dialog carries it out, so that nothing is covered while files are written.
 #pragma once
 
-#include "capture/capture.h"
-#include "session/csv_file.h"
+#include "widgets/export_order.h"
 
 #include <QDialog>
 
-#include <functional>
-#include <memory>
-
 class QComboBox;
 class QLabel;
-class QProgressBar;
 class QPushButton;
 
 namespace widgets {
@@ -27,48 +22,31 @@ public:
     ExportDialog(capture::Capture &capture, ScopeView &scope, FilePrompt &files,
         const QString &folder, QWidget *parent = nullptr);
 
-    bool running() const;
-
 Q_SIGNALS:
-    void exported(const QString &path);
-    void failed(const QString &sentence);
-
-protected:
-    void reject() override; ///< cancels a running export first
+    void wanted(const widgets::ExportOrder &order); ///< the dialog closes behind it
 
 private:
-    struct Part {
-        QString path;
-        capture::Snapshot channels;
-    };
+    enum Range { Visible, Cursors, Everything };
 
     void ask();
-    void begin(const QString &path);
-    void nextPart();
-    void partFinished(const session::CsvResult &result);
+    void order(const QString &path);
     void updateSummary();
-    bool visibleOnly() const;
-    bool ratesApart() const;
+    ExportFormat format() const;
+    std::optional<capture::TimeSpan> range() const;
     capture::Snapshot snapshot() const;
 
     capture::Capture &m_capture;
     ScopeView &m_scope;
     FilePrompt &m_files;
     QString m_folder;
+    QComboBox *m_format;
     QComboBox *m_range;
     QComboBox *m_rates;
     QLabel *m_summary;
-    QProgressBar *m_progress;
     QPushButton *m_save;
-    QPushButton *m_cancel;
-    QList<Part> m_parts;
-    qsizetype m_done = 0;
-    capture::CsvOptions m_options;
-    std::unique_ptr<session::CsvExport> m_export;
-    quint64 m_rows = 0;
 };
 
 /// "2026-05-04_13-02-59_motor_capture.csv"
-QString suggestedCaptureName(const QDateTime &now);
+QString suggestedCaptureName(const QDateTime &now, ExportFormat format);
 
 } // namespace widgets

@@ -18,6 +18,7 @@
 #include "widgets/messages.h"
 #include "widgets/motion_question.h"
 #include "widgets/motor_button.h"
+#include "widgets/record_control.h"
 #include "widgets/register_panel.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trigger_control.h"
@@ -106,6 +107,7 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     m_connectBar->setEndpoint(settings.port, settings.baud);
 
     makeScopeActions();
+    makeRecording();
     setCentralWidget(makeCentre());
     makeDocks();
     makeTools();
@@ -143,6 +145,7 @@ Settings MainWindow::settings() const
     now.registerColumns = m_registerPanel->columns();
     now.snapshotFolder = m_snapshotPanel->folder();
     now.ramps = m_ramps->presets();
+    now.recordFolder = m_record->folder();
     return now;
 }
 
@@ -251,16 +254,24 @@ QWidget *MainWindow::makeScopeBar()
         layout->addWidget(button);
     }
     layout->addStretch(1);
+    auto *record = new QToolButton(bar);
+    record->setDefaultAction(m_record->toggle());
+    record->setFocusPolicy(Qt::TabFocus);
+    record->setMinimumHeight(26);
+    record->setAccessibleName(tr("Record to disk"));
+    layout->addWidget(record);
     auto *save = new QToolButton(bar);
-    m_export = new QAction(tr("Export CSV\u2026"), this);
+    m_export = new QAction(tr("&Export\u2026"), this);
+    m_export->setIconText(tr("Export\u2026"));
     m_export->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_E);
-    m_export->setToolTip(tr("Writes the visible samples, or all, to a file (Ctrl+Shift+E)"));
+    m_export->setToolTip(tr(
+        "Writes samples or a picture to a file: CSV, WAV, MATLAB, PNG, SVG, PDF (Ctrl+Shift+E)"));
     QMainWindow::addAction(m_export);
     connect(m_export, &QAction::triggered, this, &MainWindow::exportCsv);
     save->setDefaultAction(m_export);
     save->setFocusPolicy(Qt::TabFocus);
     save->setMinimumHeight(26);
-    save->setAccessibleName(tr("Export CSV"));
+    save->setAccessibleName(tr("Export"));
     layout->addWidget(save);
     return bar;
 }
@@ -274,6 +285,7 @@ QWidget *MainWindow::makeCentre()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(makeScopeBar());
+    layout->addWidget(m_record->line());
     auto *trigger = new TriggerBar(*m_trigger, *m_scope, centre);
     layout->addWidget(trigger);
     connect(&m_workbench, &Workbench::heartbeat, trigger, &TriggerBar::refreshAge);
@@ -465,7 +477,7 @@ void MainWindow::exportCsv()
     auto *dialog =
         new ExportDialog(m_workbench.capture(), *m_scope, m_files, m_settings.exportFolder, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &ExportDialog::exported, this, &MainWindow::exported);
+    connect(dialog, &ExportDialog::wanted, this, &MainWindow::runExport);
     dialog->open();
 }
 

@@ -25,6 +25,9 @@ class FilePrompt;
 class FirstSteps;
 class Form;
 class RampForm;
+class RecordControl;
+struct ExportOrder;
+struct OpenedRecording;
 class RegisterPanel;
 class ScopeTools;
 class ScopeView;
@@ -74,6 +77,14 @@ private:
     void makeScopeTools();
     void makeSnapshots();
     bool anyToolOpen() const;
+    void makeRecording();
+    void say(Banner::Kind kind, const QString &sentence);
+    void runExport(const ExportOrder &order);
+    void copyPicture();
+    void askForCsv();
+    void askForRecording();
+    void openRecording(const QString &path);
+    void showRecording(OpenedRecording &opened);
     QAction *addTool(Form *form, const QString &title, const char *name, const QKeySequence &keys);
     void makeScopeActions();
     void makeMenus(QMenuBar &bar);
@@ -127,6 +138,7 @@ private:
     Banner *m_banner = nullptr;
     FirstSteps *m_firstSteps = nullptr;
     StatusStrip *m_status = nullptr;
+    RecordControl *m_record = nullptr;
     StopAlarm *m_alarm;
     Shutdown *m_shutdown;
     Shutdown *m_parting; ///< the same for a disconnection
@@ -139,6 +151,9 @@ private:
     QAction *m_zoomIn = nullptr;
     QAction *m_zoomOut = nullptr;
     QAction *m_export = nullptr;
+    QAction *m_open = nullptr;
+    QAction *m_import = nullptr;
+    QAction *m_copyPicture = nullptr;
     QList<QAction *> m_dockActions;
     QList<QAction *> m_toolActions;
     QList<QDockWidget *> m_tools; ///< tabs beside one another, as long as nobody moves them

@@ -5,6 +5,7 @@
 #include "widgets/device_text.h"
 #include "widgets/first_steps.h"
 #include "widgets/main_window.h"
+#include "widgets/record_control.h"
 #include "widgets/register_panel.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope_tools.h"
@@ -28,7 +29,12 @@ QAction *MainWindow::addAction(QMenu *menu, const QString &text, const QKeySeque
 void MainWindow::makeMenus(QMenuBar &bar)
 {
     QMenu *file = bar.addMenu(tr("&File"));
-    file->addAction(m_export);
+    file->addActions({m_open, m_import});
+    file->addSeparator();
+    file->addActions({m_record->toggle(), m_record->withLink()});
+    file->setToolTipsVisible(true);
+    file->addSeparator();
+    file->addActions({m_export, m_copyPicture});
     file->addSeparator();
     connect(addAction(file, tr("&Quit"), Qt::CTRL | Qt::Key_Q), &QAction::triggered, this,
         &QWidget::close);

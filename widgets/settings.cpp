@@ -71,6 +71,7 @@ QByteArray toJson(const Settings &settings)
     object[QStringLiteral("baud")] = double(settings.baud);
     object[QStringLiteral("theme")] = themeName(settings.theme);
     object[QStringLiteral("exportFolder")] = settings.exportFolder;
+    object[QStringLiteral("recordFolder")] = settings.recordFolder;
     object[QStringLiteral("snapshotFolder")] = settings.snapshotFolder;
     object[QStringLiteral("pinned")] = QJsonArray::fromStringList(settings.pinned);
     object[QStringLiteral("inertias")] = inertiasObject(settings.inertias);
@@ -95,6 +96,7 @@ Settings settingsFromJson(const QByteArray &json)
         settings.baud = static_cast<quint32>(baud);
     settings.theme = themeOf(object[QStringLiteral("theme")].toString());
     settings.exportFolder = object[QStringLiteral("exportFolder")].toString();
+    settings.recordFolder = object[QStringLiteral("recordFolder")].toString();
     settings.snapshotFolder = object[QStringLiteral("snapshotFolder")].toString();
     if (object[QStringLiteral("pinned")].isArray()) {
         settings.pinned.clear();

@@ -20,6 +20,7 @@ struct Settings {
     quint32 baud = 1843200;
     Theme theme = Theme::System;
     QString exportFolder;
+    QString recordFolder;
     QString snapshotFolder;
     QStringList pinned{QStringLiteral("SPEED_REF"), QStringLiteral("SPEED_MEAS"),
         QStringLiteral("I_Q_REF"), QStringLiteral("BUS_VOLTAGE"), QStringLiteral("HEATS_TEMP"),

@@ -12,6 +12,9 @@ namespace {
 
 using Kind = capture::ChannelInfo::Kind;
 
+constexpr qsizetype kMostFromFile = 32; ///< signals that are shown of a file
+constexpr int kMostPlotsFromFile = 4;
+
 Kind kindOf(Route route)
 {
     return route == Route::Fast ? Kind::Fast : route == Route::Slow ? Kind::Slow : Kind::Polled;
@@ -29,6 +32,7 @@ SignalSelection::SignalSelection(
     m_soon.setSingleShot(true);
     m_soon.setInterval(0); // several drops in one turn of the loop make one stream
     connect(&m_soon, &QTimer::timeout, this, &SignalSelection::replan);
+    connect(&device, &Device::openWished, this, &SignalSelection::leaveFile);
     connect(&device, &Device::identityChanged, this, &SignalSelection::boardChanged);
     connect(&device, &Device::readingsArrived, this, &SignalSelection::takeReadings);
     connect(&device, &Device::streamStarted, this, [this](const capture::StreamLayout &layout) {
@@ -151,11 +155,47 @@ void SignalSelection::setFastEvery(unsigned ticks)
     replanSoon();
 }
 
-void SignalSelection::clearRecorded()
+void SignalSelection::takeOffScope()
 {
     const auto shown = m_scope.channels();
     for (const capture::ChannelId channel : shown)
         m_scope.removeChannel(channel);
+}
+
+void SignalSelection::showFile(capture::Capture file)
+{
+    takeOffScope();
+    m_capture.adopt(std::move(file));
+    m_fromFile = true;
+    std::vector<std::string> units; // a plot each, as long as there is room
+    for (const capture::ChannelInfo &info : m_capture.channels()) {
+        if (m_scope.channels().size() == kMostFromFile)
+            break;
+        const auto found = std::find(units.begin(), units.end(), info.unit);
+        const int plot = static_cast<int>(found - units.begin());
+        if (found == units.end())
+            units.push_back(info.unit);
+        m_scope.addChannel(info.id, std::min(plot, kMostPlotsFromFile - 1));
+    }
+    m_scope.captureChanged();
+    m_scope.fitAll();
+    Q_EMIT changed();
+}
+
+/// A board's samples do not follow a file's.
+void SignalSelection::leaveFile()
+{
+    if (!m_fromFile)
+        return;
+    m_scope.events().clear();
+    clearRecorded();
+    m_scope.setFollowing(true);
+}
+
+void SignalSelection::clearRecorded()
+{
+    takeOffScope();
+    m_fromFile = false;
     m_capture.clear();
     syncScope();
     m_scope.captureChanged();
@@ -251,6 +291,8 @@ void SignalSelection::takeReadings(const std::vector<drive::Reading> &readings)
 
 void SignalSelection::syncScope()
 {
+    if (m_fromFile)
+        return;
     std::vector<capture::ChannelId> shown;
     std::vector<const WantedSignal *> ordered; // so that the plots come in their order
     for (const WantedSignal &signal : m_wanted)

@@ -27,6 +27,8 @@ public:
     void addDefaults();
     QString nameOf(catalog::RegisterId id) const;
     QColor colorOf(catalog::RegisterId id) const;
+    /// Shows what was read from a file, in the place of everything recorded; until the next connection.
+    void showFile(capture::Capture file);
 
 public Q_SLOTS:
     /// `plot` as in ScopeView::addChannel(); -1: a plot that already has its unit, or a new one.
@@ -54,6 +56,8 @@ private:
     int plotFor(catalog::RegisterId id) const;
     std::optional<capture::ChannelId> channelOf(catalog::RegisterId id) const;
     void boardChanged();
+    void takeOffScope();
+    void leaveFile();
 
     Device &m_device;
     capture::Capture &m_capture;
@@ -63,6 +67,7 @@ private:
     unsigned m_fastEvery = 1;
     drive::WishId m_streamWish = 0; ///< the one that has not ended
     bool m_streamStale = false; ///< the plan changed while it was under way
+    bool m_fromFile = false; ///< the capture is a file's
     bool m_streamed = false; ///< something may be streaming that has to be ended
     QTimer m_soon;
 };

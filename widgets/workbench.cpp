@@ -7,9 +7,12 @@ constexpr int kHeartbeatMs = 200;
 
 } // namespace
 
-Workbench::Workbench(QObject *parent)
+Workbench::Workbench(session::MakeSink makeSink, QObject *parent)
     : QObject(parent)
     , m_watchList(m_device, m_registers)
+    , m_tap(std::make_shared<session::RecordingTap>())
+    , m_recording(m_tap, {}, std::move(makeSink))
+    , m_thread(session::tapped(session::realParts(), m_tap))
 {
     m_clock.start();
     connectSession();

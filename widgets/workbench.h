@@ -5,6 +5,7 @@
 #pragma once
 
 #include "capture/capture.h"
+#include "session/recording.h"
 #include "session/session_thread.h"
 #include "widgets/device.h"
 #include "widgets/motion_gate.h"
@@ -24,7 +25,9 @@ namespace widgets {
 class Workbench : public QObject {
     Q_OBJECT
 public:
-    explicit Workbench(QObject *parent = nullptr);
+    /// @param makeSink  where recordings go; tests bring disks that are full
+    explicit Workbench(
+        session::MakeSink makeSink = session::makeDiskSink, QObject *parent = nullptr);
     ~Workbench() override;
 
     Device &device() { return m_device; }
@@ -34,6 +37,7 @@ public:
     MotionGate &motion() { return m_motion; } ///< what moves a motor goes through here
     MotionLogModel &motionLog() { return m_motionLog; }
     capture::Capture &capture() { return m_capture; }
+    session::Recording &recording() { return m_recording; }
     WatchList &watchList() { return m_watchList; }
     Milliseconds now() const
     {
@@ -58,6 +62,8 @@ private:
     WatchList m_watchList;
     StopFilter m_stopFilter;
     QTimer m_heart;
+    std::shared_ptr<session::RecordingTap> m_tap;
+    session::Recording m_recording;
     session::SessionThread m_thread; // last: ends first, while the device it tells still exists
 };
 

@@ -244,6 +244,17 @@ void Capture::clear()
     ++m_channelRevision;
 }
 
+void Capture::adopt(Capture other)
+{
+    m_layout = {};
+    clear();
+    const std::vector<Entry> entries = std::move(other.m_entries);
+    for (const Entry &entry : entries)
+        m_entries.push_back({std::make_unique<Channel>(*entry.channel, m_nextId++), ++m_revision});
+    m_streamEnd = other.m_streamEnd;
+    m_shift = 0;
+}
+
 std::vector<ChannelInfo> Capture::channels() const
 {
     std::vector<ChannelInfo> result;

@@ -67,6 +67,10 @@ public:
     /// new channels.
     void clear();
 
+    /// Forgets all samples and channels and takes those of another capture, under ids of its own. A stream in effect
+    /// has ended; begin() comes before the next block.
+    void adopt(Capture other);
+
     std::vector<ChannelInfo> channels() const; ///< oldest first
     const Channel *channel(
         ChannelId id) const; ///< nullptr if there is none; valid until the next change

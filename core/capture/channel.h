@@ -50,6 +50,13 @@ public:
     /// @param memory  for the samples of a fast channel; nullptr: its own
     explicit Channel(ChannelInfo info, std::shared_ptr<SampleMemory> memory = nullptr);
 
+    /// The same samples under another id: no copy, a pointer a chunk.
+    Channel(const Channel &other, ChannelId id)
+        : Channel(other)
+    {
+        m_info.id = id;
+    }
+
     const ChannelInfo &info() const { return m_info; }
     const FastColumn *fast() const { return std::get_if<FastColumn>(&m_column); }
     FastColumn *fast() { return std::get_if<FastColumn>(&m_column); }

@@ -19,6 +19,8 @@ using capture::ChannelInfo;
 using capture::Rows;
 
 constexpr std::size_t kMostRows = (std::size_t{1} << 31) / sizeof(double) - 1024;
+constexpr double kGathered = 0.3; ///< of all the time, about
+constexpr double kPacked = 0.95;
 constexpr qsizetype kLongestName = 31; ///< that libmatio and old MATLAB keep
 
 struct CloseMat {
@@ -175,10 +177,14 @@ QString matName(const QString &name, const QStringList &taken)
 }
 
 MatResult writeMatFile(const QString &path, const capture::Snapshot &channels,
-    const std::optional<capture::TimeSpan> &range)
+    const std::optional<capture::TimeSpan> &range, const std::function<bool(double)> &proceed)
 {
     MatResult result;
+    result.file.error = FileError::Cancelled;
     std::vector<Group> groups = groupsOf(channels, range);
+    if (proceed && !proceed(kGathered))
+        return result;
+    result.file.error = FileError::None;
     for (const Group &group : groups) {
         result.rows += group.rows.time.size();
         result.tooLong = result.tooLong || group.rows.time.size() > kMostRows;
@@ -195,6 +201,9 @@ MatResult writeMatFile(const QString &path, const capture::Snapshot &channels,
         result.file.systemText = QStringLiteral("there is no room for it in %1").arg(folder.path());
         return result;
     }
+    result.file.error = FileError::Cancelled;
+    if (proceed && !proceed(kPacked))
+        return result;
     bool whole = true;
     result.file = writePieces(
         path,
@@ -205,7 +214,7 @@ MatResult writeMatFile(const QString &path, const capture::Snapshot &channels,
             piece.assign(bytes.constData(), static_cast<std::size_t>(bytes.size()));
             return !piece.empty() || !whole;
         },
-        [&] { return whole; });
+        [&] { return whole && (!proceed || proceed(1.0)); });
     if (!whole)
         result.file = {FileError::CannotWrite, made.errorString()};
     return result;

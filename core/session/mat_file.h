@@ -18,7 +18,9 @@ struct MatResult {
 };
 
 /// @param channels  those that are empty are left out
+/// @param proceed  told 0..1 after each step of it; false cancels
 MatResult writeMatFile(const QString &path, const capture::Snapshot &channels,
-    const std::optional<capture::TimeSpan> &range = {});
+    const std::optional<capture::TimeSpan> &range = {},
+    const std::function<bool(double)> &proceed = {});
 
 } // namespace session

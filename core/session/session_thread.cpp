@@ -9,7 +9,12 @@ constexpr unsigned long kMostWait_ms = 2000;
 } // namespace
 
 SessionThread::SessionThread()
-    : m_session(new Session)
+    : SessionThread(realParts())
+{
+}
+
+SessionThread::SessionThread(Parts parts)
+    : m_session(new Session(std::move(parts)))
 {
     m_thread.setObjectName(QStringLiteral("session"));
     m_session->moveToThread(&m_thread);

@@ -7,10 +7,12 @@
 namespace session {
 
 class Session;
+struct Parts;
 
 class SessionThread {
 public:
-    SessionThread();
+    SessionThread(); ///< with realParts()
+    explicit SessionThread(Parts parts);
     SessionThread(const SessionThread &) = delete;
     SessionThread &operator=(const SessionThread &) = delete;
     /// Closes the port (streaming ends, at most 300 ms), then ends the thread; waits 2 s for both

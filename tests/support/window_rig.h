@@ -41,8 +41,10 @@ struct WindowRig {
     widgets::Workbench workbench;
     widgets::MainWindow window;
 
-    explicit WindowRig(const widgets::Settings &settings = quietSettings())
-        : window(workbench, ports, files, settings)
+    explicit WindowRig(const widgets::Settings &settings = quietSettings(),
+        session::MakeSink makeSink = session::makeDiskSink)
+        : workbench(std::move(makeSink))
+        , window(workbench, ports, files, settings)
     {
         window.show();
     }

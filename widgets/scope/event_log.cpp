@@ -131,6 +131,13 @@ void EventLog::setText(quint32 id, const QString &text)
     Q_EMIT dataChanged(cell, cell);
 }
 
+void EventLog::clear()
+{
+    beginResetModel();
+    m_events.clear();
+    endResetModel();
+}
+
 bool EventLog::removeMarker(quint32 id)
 {
     const auto index = indexOf(id);

@@ -44,6 +44,7 @@ public:
     /// Returns the id; 0 if it was not taken (no time, or too many markers).
     quint32 add(EventKind kind, double seconds, const QString &text);
     void setText(quint32 id, const QString &text);
+    void clear(); ///< markers, too: another recording is shown
     bool removeMarker(quint32 id); ///< false if there is no such marker
     QString freeMarkerName() const;
     void setTimeOrigin(double seconds); ///< what the time column calls zero

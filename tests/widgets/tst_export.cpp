@@ -1,0 +1,278 @@
+// Export and import through the real window: every format, every range, read back; and work that takes long.
+#include "capture/csv_import.h"
+#include "support/window_rig.h"
+#include "widgets/banner.h"
+#include "widgets/export_order.h"
+#include "widgets/file_job.h"
+#include "widgets/scope/scope_view.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QComboBox>
+#include <QFile>
+#include <QGuiApplication>
+#include <QImage>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QSemaphore>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QThread>
+
+#include <atomic>
+
+using namespace capture;
+using widgets::Banner;
+using widgets::ExportFormat;
+
+namespace {
+
+constexpr double kTick = 1.0 / 16000.0;
+
+/// Two fast signals with a gap at [1.0 s, 1.1 s), and a slow one.
+Capture recording()
+{
+    Capture capture;
+    capture.begin(
+        {1, 16000.0, 0.0, 1, {{1, "I_A", "A", 0.00123, 0.0}, {2, "I_B", "A", 0.00123, 0.0}},
+            {{3, "SPEED", "rpm", 6.0, 0.0}}});
+    for (Tick tick = 0; tick < 32000; tick += 100) {
+        if (tick >= 16000 && tick < 17600)
+            continue;
+        SampleBlock block{1, tick, 100, {}, {{tick + 99, {static_cast<std::int32_t>(tick / 100)}}},
+            tick == 17600 ? 1600 : 0};
+        for (Tick i = 0; i < 200; ++i)
+            block.fast.push_back(static_cast<std::int16_t>(i * 317 + tick * 11));
+        capture.append(block);
+    }
+    return capture;
+}
+
+} // namespace
+
+class TestExport : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_rig = std::make_unique<facts::WindowRig>();
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        const quint64 before = scope()->redraws();
+        m_rig->window.selection()->showFile(recording());
+        QTRY_VERIFY(scope()->redraws() > before);
+        QCOMPARE(scope()->channels().size(), 3);
+    }
+    void cleanup() { m_rig.reset(); }
+
+    void whatIsExportedIsImportedIdentically_data()
+    {
+        QTest::addColumn<int>("format");
+        QTest::newRow("decimal point") << int(ExportFormat::Csv);
+        QTest::newRow("decimal comma") << int(ExportFormat::CsvContinental);
+    }
+    void whatIsExportedIsImportedIdentically()
+    {
+        QFETCH(int, format);
+        const QString path = m_folder.filePath(QStringLiteral("%1.csv").arg(format));
+        exportAs(ExportFormat(format), kEverything, path);
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Exported to ")));
+        const Capture original = recording();
+        m_rig->files.answer = path;
+        m_rig->find<QAction>("importCsv")->trigger();
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Imported ")));
+        const auto &capture = m_rig->workbench.capture();
+        QCOMPARE(capture.channels().size(), std::size_t(3));
+        for (const ChannelId id : {original.channels()[0].id, original.channels()[1].id}) {
+            const Channel *from = original.channel(id);
+            const Channel *to = capture.channel(scope()->channels().at(qsizetype(id) - 1));
+            QCOMPARE(
+                QString::fromStdString(to->info().name), QString::fromStdString(from->info().name));
+            QCOMPARE(QString::fromStdString(to->info().unit), QStringLiteral("A"));
+            QCOMPARE(to->end() - to->begin(), from->end() - from->begin());
+            for (Index i = 0; i < from->end(); ++i) {
+                QCOMPARE(to->timeOf(to->begin() + i), from->timeOf(i));
+                QCOMPARE(to->at(to->begin() + i), from->at(i));
+            }
+            QVERIFY(!to->valueAt(1.05)); // the gap is one again
+        }
+    }
+
+    void theCursorsCutExactly()
+    {
+        auto &cursors = scope()->cursors();
+        cursors.setVisible(true);
+        cursors.move(widgets::CursorEnd::A, 0.5);
+        cursors.move(widgets::CursorEnd::B, 0.25); // either may be first
+        const QString path = m_folder.filePath(QStringLiteral("cursors.csv"));
+        exportAs(ExportFormat::Csv, kCursors, path);
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Exported to ")));
+        const QList<QByteArray> lines = linesOf(path);
+        QCOMPARE(lines.size(), 4000 + 1);
+        QVERIFY(lines.at(1).startsWith("0.25,"));
+        QVERIFY(lines.last().startsWith(QByteArray::number(0.5 - kTick, 'g', 10) + ','));
+    }
+
+    void whatTheScopeShowsIsCutExactly()
+    {
+        scope()->setVisibleRange(1.5, 1.75);
+        const QString path = m_folder.filePath(QStringLiteral("visible.csv"));
+        exportAs(ExportFormat::Csv, kVisible, path);
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Exported to ")));
+        QCOMPARE(linesOf(path).size(), 4000 + 1);
+    }
+
+    void otherFormatsAreWhatTheirNameSays_data()
+    {
+        QTest::addColumn<int>("format");
+        QTest::addColumn<QByteArray>("begin");
+        QTest::addColumn<int>("atLeast");
+        QTest::newRow("WAV") << int(ExportFormat::Wav) << QByteArray("RIFF") << 30400 * 4;
+        QTest::newRow("MATLAB") << int(ExportFormat::Mat) << QByteArray("MATLAB 5.0") << 10000;
+        QTest::newRow("PDF") << int(ExportFormat::Pdf) << QByteArray("%PDF-") << 2000;
+    }
+    void otherFormatsAreWhatTheirNameSays()
+    {
+        QFETCH(int, format);
+        QFETCH(QByteArray, begin);
+        QFETCH(int, atLeast);
+        const QString path = m_folder.filePath(QStringLiteral("other.%1").arg(format));
+        exportAs(ExportFormat(format), kEverything, path);
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Exported to ")));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.size() >= atLeast);
+        QVERIFY(file.readAll().startsWith(begin));
+    }
+
+    void picturesShowTheScope()
+    {
+        const QSize size = pixels(); // before a banner takes some of it
+        const QString png = m_folder.filePath(QStringLiteral("a.png"));
+        exportAs(ExportFormat::Png, kEverything, png);
+        QVERIFY(banner()->text().startsWith(QStringLiteral("Exported to ")));
+        const QImage image(png);
+        QCOMPARE(image.size(), size);
+        QVERIFY(hasTraceIn(image));
+        const QString svg = m_folder.filePath(QStringLiteral("a.svg"));
+        exportAs(ExportFormat::Svg, kEverything, svg);
+        QImage drawn(svg);
+        QVERIFY(!drawn.isNull());
+        QVERIFY(hasTraceIn(drawn));
+    }
+
+    void thePictureIsCopied()
+    {
+        QGuiApplication::clipboard()->clear();
+        const QSize size = pixels();
+        m_rig->find<QAction>("copyPicture")->trigger();
+        const QImage image = QGuiApplication::clipboard()->image();
+        QCOMPARE(image.size(), size);
+        QVERIFY(hasTraceIn(image));
+    }
+
+    void aFileThatIsNoTableLeavesThePicture()
+    {
+        const QString path = m_folder.filePath(QStringLiteral("bad.csv"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("time [s],I [A]\n0,1\n0.1,oops\n");
+        file.close();
+        const auto shown = scope()->channels();
+        m_rig->files.answer = path;
+        m_rig->find<QAction>("importCsv")->trigger();
+        QTRY_VERIFY(
+            banner()->text().contains(QStringLiteral("line 3, column 2: \"oops\" is no number")));
+        QCOMPARE(scope()->channels(), shown);
+    }
+
+    void aPlaceThatTakesNoFileIsOneSentence()
+    {
+        exportAs(ExportFormat::Mat, kEverything,
+            m_folder.filePath(QStringLiteral("no/such/folder/a.mat")));
+        QTRY_VERIFY(banner()->text().contains(QStringLiteral("cannot be written")));
+        QCOMPARE(banner()->kind(), Banner::Kind::Warning);
+    }
+
+    void longWorkShowsItsProgressAndIsCancelled()
+    {
+        QSemaphore asked;
+        std::atomic<bool> proceeds = true;
+        bool finished = false;
+        auto *job = new widgets::FileJob(
+            QStringLiteral("Working"),
+            [&](const widgets::FileJob::Proceed &proceed) -> widgets::FileJob::Finish {
+                while (proceed(0.5))
+                    asked.tryAcquire(1, 5);
+                proceeds = false;
+                return [&finished] { finished = true; };
+            },
+            &m_rig->window);
+        QSignalSpy over(job, &widgets::FileJob::over);
+        QVERIFY(!m_rig->find<QProgressDialog>("fileJob")); // short work is quiet
+        QTRY_VERIFY(m_rig->find<QProgressDialog>("fileJob"));
+        auto *dialog = m_rig->find<QProgressDialog>("fileJob");
+        QVERIFY(!dialog->isModal());
+        QTRY_COMPARE(dialog->value(), 500);
+        QVERIFY(dialog->labelText().startsWith(QStringLiteral("Working: about ")));
+        QTest::mouseClick(m_rig->find<QPushButton>("fileJobCancel"), Qt::LeftButton);
+        QTRY_COMPARE(over.count(), 1);
+        QVERIFY(finished && !proceeds);
+        QVERIFY(!m_rig->find<QProgressDialog>("fileJob"));
+    }
+
+    void workEndsWithItsWindow()
+    {
+        bool used = false;
+        new widgets::FileJob(
+            QStringLiteral("Working"),
+            [&used](const widgets::FileJob::Proceed &proceed) -> widgets::FileJob::Finish {
+                while (proceed(0.1))
+                    QThread::yieldCurrentThread();
+                return [&used] { used = true; };
+            },
+            &m_rig->window);
+        m_rig.reset(); // waits for the work, and uses nothing of it
+        QCoreApplication::processEvents();
+        QVERIFY(!used);
+    }
+
+private:
+    static constexpr int kVisible = 0, kEverything = 1, kCursors = 2; ///< rows of the choice
+
+    void exportAs(ExportFormat format, int range, const QString &path)
+    {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // a dialog of before
+        m_rig->files.answer = path;
+        m_rig->window.exportCsv();
+        auto *choice = m_rig->find<QComboBox>("exportFormat");
+        choice->setCurrentIndex(choice->findData(int(format)));
+        m_rig->find<QComboBox>("exportRange")->setCurrentIndex(range);
+        QTest::mouseClick(m_rig->find<QPushButton>("exportSave"), Qt::LeftButton);
+    }
+    static QList<QByteArray> linesOf(const QString &path)
+    {
+        QFile file(path);
+        if (!file.open(QIODevice::ReadOnly))
+            return {};
+        return file.readAll().trimmed().split('\n');
+    }
+    QSize pixels() { return scope()->size() * scope()->devicePixelRatio(); }
+    bool hasTraceIn(const QImage &image)
+    {
+        const QRgb wanted = scope()->colorOf(scope()->channels().first()).rgb();
+        int found = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                found += (image.pixel(x, y) | 0xff000000U) == (wanted | 0xff000000U);
+        return found > 200;
+    }
+    Banner *banner() { return m_rig->window.findChild<Banner *>(); }
+    widgets::ScopeView *scope() { return m_rig->window.scope(); }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<facts::WindowRig> m_rig;
+};
+
+QTEST_MAIN(TestExport)
+#include "tst_export.moc"

@@ -1,0 +1,293 @@
+// Recording to a disk and opening it again, through the real window, the real session thread and the simulated board.
+#include "session/recording_reader.h"
+#include "support/window_rig.h"
+#include "widgets/banner.h"
+#include "widgets/connect_bar.h"
+#include "widgets/lamp.h"
+#include "widgets/record_control.h"
+#include "widgets/scope/scope_view.h"
+
+#include <QAction>
+#include <QFile>
+#include <QLabel>
+#include <QTemporaryDir>
+#include <QTranslator>
+
+#include <atomic>
+
+using widgets::Banner;
+using widgets::Lamp;
+
+namespace {
+
+/// A disk that is full after so many blocks.
+class SmallDisk : public session::BlockSink {
+public:
+    SmallDisk(std::unique_ptr<BlockSink> inner, int blocks)
+        : m_inner(std::move(inner))
+        , m_blocks(blocks)
+    {
+    }
+    bool append(ByteView bytes) override { return m_blocks-- > 0 && m_inner->append(bytes); }
+    bool overwrite(std::size_t offset, ByteView bytes) override
+    {
+        return m_inner->overwrite(offset, bytes);
+    }
+    bool sync() override { return m_inner->sync(); }
+    qint64 freeBytes() const override { return 1'000'000'000; }
+    bool isFull() const override { return true; }
+    QString systemText() const override { return QStringLiteral("No space left on device"); }
+
+private:
+    std::unique_ptr<BlockSink> m_inner;
+    int m_blocks;
+};
+
+std::unique_ptr<session::BlockSink> smallDisk(const QString &path, QString &text)
+{
+    auto inner = session::makeDiskSink(path, text);
+    return inner ? std::make_unique<SmallDisk>(std::move(inner), 4) : nullptr;
+}
+
+} // namespace
+
+class TestRecordControl : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { m_rig.reset(); }
+    void cleanup() { m_rig.reset(); }
+
+    void withoutAConnectionThereIsNothingToRecord()
+    {
+        makeRig();
+        QVERIFY(!action("record")->isEnabled());
+        QVERIFY(action("record")->toolTip().startsWith(QStringLiteral("Connect first")));
+        QVERIFY(!line()->isVisible());
+    }
+
+    void whatIsRecordedOpensAgain()
+    {
+        makeRig();
+        connectToBoard();
+        const QString path = m_folder.filePath(QStringLiteral("a.pcapng"));
+        record(path);
+        QVERIFY(m_rig->files.asked.suggestedName.endsWith(QStringLiteral("_motor.pcapng")));
+        QTRY_VERIFY(line()->text().contains(QStringLiteral(" MB, ")));
+        QVERIFY(line()->text().contains(QStringLiteral("a.pcapng: 0:00:0")));
+        QVERIFY(line()->isVisible());
+        QVERIFY(action("record")->isChecked());
+        QVERIFY(eventTexts().contains(QStringLiteral("Recording to a.pcapng")));
+        auto &events = scope()->events();
+        const double now = capture().timeSpan()->to;
+        scope()->setMarkerAt(now);
+        const auto marker = std::find_if(events.events().begin(), events.events().end(),
+            [](const auto &event) { return event.kind == widgets::EventKind::Marker; });
+        QVERIFY(marker != events.events().end());
+        events.setText(marker->id, QStringLiteral("look here"));
+        const auto before = capture().timeSpan()->to;
+        QTRY_VERIFY(capture().timeSpan()->to > before + 0.3);
+        QTest::keyClick(&m_rig->window, Qt::Key_R, Qt::ControlModifier);
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Recorded to ")));
+        QVERIFY(!action("record")->isChecked());
+        QVERIFY(!line()->isVisible());
+        QVERIFY(device().answering());
+
+        capture::Capture independent;
+        const auto report = session::readRecording(path, independent);
+        QVERIFY(report.has_value());
+        QVERIFY(report->damage.empty() && report->ending);
+        QCOMPARE(report->ending->reason, record::End::Reason::Stopped);
+        QVERIFY(report->samples > 1000);
+        QCOMPARE(report->notes.back().text, std::string("look here"));
+
+        disconnectFromBoard();
+        openRecording(path);
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Opened ")));
+        QCOMPARE(banner()->kind(), Banner::Kind::Note);
+        QCOMPARE(capture().channels().size(), independent.channels().size());
+        QVERIFY(scope()->channels().size() >= 4);
+        compare(capture(), independent);
+        QVERIFY(eventTexts().contains(QStringLiteral("look here")));
+        QCOMPARE(eventTexts().count(QStringLiteral("look here")), 1);
+        QVERIFY(!eventTexts().contains(QStringLiteral("Recording to a.pcapng"))); // of before
+        const auto range = scope()->visibleRange();
+        QVERIFY(
+            range.from <= independent.timeSpan()->from && range.to >= independent.timeSpan()->to);
+    }
+
+    void aConnectionAfterAnOpenedFileStartsAfresh()
+    {
+        makeRig();
+        openRecording(m_folder.filePath(QStringLiteral("a.pcapng")));
+        QTRY_VERIFY(!scope()->channels().isEmpty());
+        const auto opened = capture().channels();
+        connectToBoard();
+        for (const auto &info : opened)
+            QVERIFY(!capture().channel(info.id)); // ids are not used again
+        QVERIFY(!eventTexts().contains(QStringLiteral("look here")));
+        const auto &refused = capture().refused();
+        QCOMPARE(
+            refused.otherStream + refused.malformed + refused.backwards + refused.notFinite, 0U);
+    }
+
+    void aFullDiskEndsTheRecordingAndLeavesTheLink()
+    {
+        makeRig(&smallDisk);
+        connectToBoard();
+        record(m_folder.filePath(QStringLiteral("full.pcapng")));
+        QTRY_COMPARE_WITH_TIMEOUT(line()->light(), Lamp::Light::Bad, 20'000);
+        QVERIFY(line()->isVisible());
+        QCOMPARE(banner()->kind(), Banner::Kind::Bad);
+        QVERIFY(banner()->text().contains(QStringLiteral("full.pcapng")));
+        QVERIFY(eventTexts().contains(QStringLiteral("Recording ended: disk full")));
+        QVERIFY(!action("record")->isChecked());
+        QVERIFY(device().answering());
+        const auto before = capture().timeSpan()->to;
+        QTRY_VERIFY(capture().timeSpan()->to > before + 0.2);
+        QCOMPARE(device().counters().streamLostTicks, 0U);
+        capture::Capture independent;
+        const auto report =
+            session::readRecording(m_folder.filePath(QStringLiteral("full.pcapng")), independent);
+        QVERIFY(report && report->ending);
+        QCOMPARE(report->ending->reason, record::End::Reason::DiskFull);
+    }
+
+    void recordingMakesNoWindowWider()
+    {
+        QTranslator german;
+        QVERIFY(german.load(QStringLiteral(":/i18n/rotorscope_de")));
+        QCoreApplication::installTranslator(&german);
+        makeRig();
+        m_rig->window.resize(1280, 720);
+        connectToBoard();
+        record(m_folder.filePath(QStringLiteral("wide.pcapng")));
+        QTRY_VERIFY(line()->text().contains(QStringLiteral(" MB, ")));
+        QCoreApplication::processEvents();
+        QCOMPARE(m_rig->window.size(), QSize(1280, 720));
+        m_rig.reset();
+        QCoreApplication::removeTranslator(&german);
+    }
+
+    void aFileThatIsThereIsNotRecordedOver()
+    {
+        makeRig();
+        connectToBoard();
+        const QString path = m_folder.filePath(QStringLiteral("there.pcapng"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("mine");
+        file.close();
+        record(path);
+        QTRY_VERIFY(banner()->text().contains(QStringLiteral("cannot be recorded")));
+        QVERIFY(!action("record")->isChecked());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), QByteArray("mine"));
+    }
+
+    void whileConnectedNothingIsOpened()
+    {
+        makeRig();
+        connectToBoard();
+        openRecording(m_folder.filePath(QStringLiteral("a.pcapng")));
+        QVERIFY(banner()->text().startsWith(QStringLiteral("Disconnect first")));
+        QVERIFY(device().answering());
+    }
+
+    void aFileThatIsNoRecordingLeavesThePicture()
+    {
+        makeRig();
+        openRecording(m_folder.filePath(QStringLiteral("a.pcapng")));
+        QTRY_VERIFY(!scope()->channels().isEmpty());
+        const auto shown = scope()->channels();
+        openRecording(m_folder.filePath(QStringLiteral("there.pcapng")));
+        QTRY_VERIFY(banner()->text().contains(QStringLiteral("cannot be opened")));
+        QCOMPARE(scope()->channels(), shown);
+        QVERIFY(capture().channel(shown.first()));
+    }
+
+    void disconnectingEndsTheFile()
+    {
+        makeRig();
+        connectToBoard();
+        const QString path = m_folder.filePath(QStringLiteral("b.pcapng"));
+        record(path);
+        QTRY_VERIFY(line()->text().contains(QStringLiteral(" MB, ")));
+        disconnectFromBoard();
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Recorded to ")));
+        capture::Capture independent;
+        const auto report = session::readRecording(path, independent);
+        QVERIFY(report && report->ending);
+    }
+
+    void durationsAreHoursMinutesSeconds()
+    {
+        QCOMPARE(widgets::durationText(0.9), QStringLiteral("0:00:00"));
+        QCOMPARE(widgets::durationText(3723.2), QStringLiteral("1:02:03"));
+        QCOMPARE(widgets::durationText(-1.0), QStringLiteral("0:00:00"));
+    }
+
+private:
+    void makeRig(session::MakeSink sink = session::makeDiskSink)
+    {
+        m_rig =
+            std::make_unique<facts::WindowRig>(facts::WindowRig::quietSettings(), std::move(sink));
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+    }
+    void connectToBoard()
+    {
+        m_rig->window.connectBar()->connectOrDisconnect();
+        QTRY_VERIFY(device().answering() && device().identified());
+        QTRY_COMPARE(scope()->channels().size(), 4);
+        QTRY_VERIFY(capture().size(scope()->channels().first()) > 1000);
+    }
+    void disconnectFromBoard()
+    {
+        m_rig->window.connectBar()->disconnectNow();
+        QTRY_VERIFY(!device().portOpen());
+    }
+    void record(const QString &path)
+    {
+        m_rig->files.answer = path;
+        QTest::keyClick(&m_rig->window, Qt::Key_R, Qt::ControlModifier);
+    }
+    void openRecording(const QString &path)
+    {
+        m_rig->files.answer = path;
+        QTest::keyClick(&m_rig->window, Qt::Key_O, Qt::ControlModifier);
+    }
+    static void compare(const capture::Capture &a, const capture::Capture &b)
+    {
+        const auto ofA = a.channels(), ofB = b.channels();
+        for (std::size_t c = 0; c < ofA.size(); ++c) {
+            QCOMPARE(ofA[c].name, ofB[c].name);
+            const capture::Channel *one = a.channel(ofA[c].id);
+            const capture::Channel *other = b.channel(ofB[c].id);
+            QCOMPARE(one->end() - one->begin(), other->end() - other->begin());
+            for (capture::Index i = one->begin(); i < one->end(); ++i) {
+                QCOMPARE(one->timeOf(i), other->timeOf(i));
+                QCOMPARE(one->at(i), other->at(i));
+            }
+        }
+    }
+
+    QStringList eventTexts()
+    {
+        QStringList texts;
+        for (const auto &event : scope()->events().events())
+            texts.append(event.text);
+        return texts;
+    }
+    QAction *action(const char *name) { return m_rig->find<QAction>(name); }
+    Lamp *line() { return m_rig->find<Lamp>("recordLine"); }
+    Banner *banner() { return m_rig->window.findChild<Banner *>(); }
+    widgets::Device &device() { return m_rig->workbench.device(); }
+    widgets::ScopeView *scope() { return m_rig->window.scope(); }
+    capture::Capture &capture() { return m_rig->workbench.capture(); }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<facts::WindowRig> m_rig;
+};
+
+QTEST_MAIN(TestRecordControl)
+#include "tst_record_control.moc"

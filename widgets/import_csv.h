@@ -1,0 +1,23 @@
+// Reading signals from a CSV file, in a thread of the pool, into a capture of its own.
+#pragma once
+
+#include "capture/csv_import.h"
+
+#include <QString>
+
+#include <functional>
+
+class QWidget;
+
+namespace widgets {
+
+class FileJob;
+
+/// Calls `take` in the GUI thread, or `fail` with a sentence that names line and column; nothing if it was cancelled.
+FileJob *importCsv(const QString &path, QWidget *window,
+    std::function<void(capture::Capture &)> take, std::function<void(const QString &)> fail);
+
+/// What is wrong with a file and where.
+QString csvImportErrorText(const capture::CsvError &error);
+
+} // namespace widgets

@@ -1,0 +1,109 @@
+#include "widgets/open_recording.h"
+
+#include "widgets/device_text.h"
+#include "widgets/file_job.h"
+#include "widgets/scope/event_log.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <map>
+
+namespace widgets {
+namespace {
+
+struct Opening {
+    Q_DECLARE_TR_FUNCTIONS(Opening)
+};
+
+constexpr std::size_t kMostMemory = 4'000'000'000;
+
+EventKind kindOf(const record::Happening &happening)
+{
+    const auto has = [&happening](const char *key, const char *value) {
+        return std::any_of(happening.fields.begin(), happening.fields.end(),
+            [=](const auto &field) { return field.first == key && field.second == value; });
+    };
+    if (happening.name == "motor state")
+        return has("state", "fault now") ? EventKind::Fault : EventKind::State;
+    if (happening.name == "link trouble")
+        return EventKind::Loss;
+    if (happening.name == "link")
+        return has("state", "lost") ? EventKind::Loss : EventKind::Recovery;
+    return happening.name == "write" ? EventKind::Write : EventKind::Command;
+}
+
+QString textOf(const record::Happening &happening)
+{
+    QString text = deviceText(happening.name);
+    for (const auto &[key, value] : happening.fields)
+        if (!value.empty())
+            text += QStringLiteral(" %1=%2").arg(deviceText(key), deviceText(value));
+    return text;
+}
+
+} // namespace
+
+FileJob *openRecording(const QString &path, QWidget *window,
+    std::function<void(OpenedRecording &)> take, std::function<void(const QString &)> fail)
+{
+    return new FileJob(
+        Opening::tr("Opening %1").arg(deviceText(QFileInfo(path).fileName())),
+        [path, take = std::move(take), fail = std::move(fail)](
+            const FileJob::Proceed &proceed) -> FileJob::Finish {
+            auto opened = std::make_shared<OpenedRecording>(
+                OpenedRecording{path, capture::Capture({.maxBytes = kMostMemory}), {}});
+            bool cancelled = false;
+            auto report = session::readRecording(path, opened->capture, [&](double fraction) {
+                cancelled = !proceed(fraction);
+                return !cancelled;
+            });
+            if (cancelled)
+                return {};
+            if (!report)
+                return [path, fail, why = report.error()] {
+                    fail(Opening::tr("%1 cannot be opened (%2).")
+                             .arg(deviceText(path), deviceText(why)));
+                };
+            opened->report = std::move(*report);
+            return [opened, take] { take(*opened); };
+        },
+        window);
+}
+
+QString openedText(const OpenedRecording &opened, bool &whole)
+{
+    const session::RecordingReport &report = opened.report;
+    QStringList sentences{Opening::tr("Opened %1.").arg(deviceText(opened.path))};
+    if (report.damagedPlaces > 0)
+        sentences.append(
+            Opening::tr("%n place(s) in it are damaged; what lies before and after is shown.",
+                nullptr, static_cast<int>(report.damagedPlaces)));
+    if (report.lost.samples > 0)
+        sentences.append(Opening::tr("%1 samples are missing, because the disk was too slow.")
+                             .arg(QString::number(report.lost.samples)));
+    if (!report.ending)
+        sentences.append(Opening::tr("The recording was interrupted."));
+    else if (report.ending->reason == record::End::Reason::DiskFull)
+        sentences.append(Opening::tr("It ends where the disk was full."));
+    else if (report.ending->reason == record::End::Reason::WriteFailed)
+        sentences.append(Opening::tr("It ends where the disk failed."));
+    whole = sentences.size() == 1;
+    return sentences.join(QLatin1Char(' '));
+}
+
+void fillEvents(EventLog &events, const session::RecordingReport &report)
+{
+    events.clear();
+    for (const auto &[at, happening] : report.happenings)
+        events.add(kindOf(happening), capture::toSeconds(at), textOf(happening));
+    // A marker whose text was changed is in it again.
+    std::map<record::Nanos, QString> notes;
+    for (const record::Note &note : report.notes)
+        notes[note.from] = deviceText(note.text);
+    for (const auto &[at, text] : notes)
+        events.add(EventKind::Marker, capture::toSeconds(at), text);
+}
+
+} // namespace widgets
