@@ -4,10 +4,19 @@
 #include "widgets/stop_alarm.h"
 #include "widgets/theme.h"
 
+#include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAccessible>
+#include <QAction>
+#include <QApplication>
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QScrollArea>
+#include <QSet>
 #include <QTabBar>
 #include <QTranslator>
 
@@ -51,6 +60,41 @@ private Q_SLOTS:
             ++checked;
         }
         QVERIFY(checked > 25);
+    }
+
+    /// With each tool open in its turn: Tab alone comes by everything that can take the focus, and out again.
+    void tabReachesEveryControl()
+    {
+        QApplication::setActiveWindow(&m_rig->window);
+        m_rig->window.resize(1600, 1000);
+        QList<QAction *> tools{nullptr};
+        for (QAction *action : m_rig->window.findChildren<QAction *>())
+            if (action->objectName().endsWith(QStringLiteral("DockOpen")))
+                tools.append(action);
+        QVERIFY(tools.size() > 5);
+        qsizetype bare = 0;
+        for (QAction *tool : tools) {
+            if (tool != nullptr)
+                tool->trigger();
+            QCoreApplication::processEvents();
+            QSet<QWidget *> wanted = tabStops();
+            QVERIFY(wanted.size() > (tool ? bare : 15)); // the tool's own are among them
+            if (tool == nullptr)
+                bare = wanted.size();
+            m_rig->find<QWidget>("registerSearch")->setFocus();
+            for (int i = 0; i < 400 && !wanted.isEmpty(); ++i) {
+                QVERIFY(QApplication::focusWidget());
+                wanted.remove(QApplication::focusWidget());
+                QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+            }
+            QStringList missed;
+            for (const QWidget *widget : wanted)
+                missed.append(QLatin1String(widget->metaObject()->className()) + QLatin1Char(' ')
+                    + widget->objectName());
+            QVERIFY2(missed.isEmpty(),
+                qPrintable((tool ? tool->objectName() : QStringLiteral("no tool"))
+                    + QStringLiteral(": ") + missed.join(QStringLiteral(", "))));
+        }
     }
 
     void whatCannotBePressedSaysWhy()
@@ -132,6 +176,27 @@ private:
             if (parent->inherits("QAbstractSpinBox") || parent->inherits("QComboBox"))
                 return true;
         return false;
+    }
+
+    /// What Tab has to come by; of buttons that exclude each other one is enough, the arrows do the rest.
+    QSet<QWidget *> tabStops() const
+    {
+        QSet<QWidget *> stops;
+        for (QWidget *widget : m_rig->window.findChildren<QWidget *>()) {
+            const auto *button = qobject_cast<QAbstractButton *>(widget);
+            const bool oneOfMany = button != nullptr && !button->isChecked()
+                && (button->autoExclusive() || (button->group() && button->group()->exclusive()));
+            const bool acts = button != nullptr || qobject_cast<QComboBox *>(widget)
+                || (qobject_cast<QAbstractItemView *>(widget)
+                    && !qobject_cast<QHeaderView *>(widget))
+                || qobject_cast<QLineEdit *>(widget);
+            if ((acts || (widget->focusPolicy() & Qt::TabFocus)) && widget->isVisible()
+                && widget->isEnabled() && !widget->focusProxy() && !widget->isWindow()
+                && !isInside(widget) && !oneOfMany
+                && !widget->objectName().startsWith(QStringLiteral("qt_"))) // a menu does the same
+                stops.insert(widget);
+        }
+        return stops;
     }
 
     std::unique_ptr<facts::WindowRig> m_rig;
