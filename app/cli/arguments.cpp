@@ -91,6 +91,15 @@ QString commandList()
                          "error, 128 + signal when interrupted.");
 }
 
+/// The words of --protocol.
+QString protocolWords(const QString &between)
+{
+    QStringList words;
+    for (const drive::ProtocolChoice &choice : drive::protocolChoices())
+        words.append(QString::fromLatin1(choice.word.data(), int(choice.word.size())));
+    return words.join(between);
+}
+
 void addCommonOptions(QCommandLineParser &parser)
 {
     parser.addOptions({
@@ -99,6 +108,9 @@ void addCommonOptions(QCommandLineParser &parser)
             QStringLiteral("PORT")},
         {QStringLiteral("baud"), QStringLiteral("Bits per second, 1843200 if not given."),
             QStringLiteral("N")},
+        {QStringLiteral("protocol"),
+            QStringLiteral("What is spoken on the line, auto if not given: it is found out."),
+            protocolWords(QStringLiteral("|"))},
         {QStringLiteral("patience"),
             QStringLiteral("How many milliseconds later than usual an answer may come, 0 if not "
                            "given; for computers that stall."),
@@ -268,6 +280,14 @@ Outcome<bool> takeCommon(const QCommandLineParser &parser, Arguments &arguments)
         if (!baud)
             return tl::make_unexpected(baud.error());
         arguments.baud = static_cast<std::uint32_t>(*baud);
+    }
+    if (parser.isSet(QStringLiteral("protocol"))) {
+        const QString word = parser.value(QStringLiteral("protocol"));
+        const auto protocol = drive::protocolOf(word.toStdString());
+        if (!protocol)
+            return usage(QStringLiteral("--protocol is one of %1, not \"%2\".")
+                             .arg(protocolWords(QStringLiteral(", ")), word));
+        arguments.protocol = *protocol;
     }
     if (parser.isSet(QStringLiteral("patience"))) {
         const auto patience = wholeNumber(

@@ -1,6 +1,7 @@
 // The command line, taken apart. It knows which options each command has, not what they mean to a board.
 #pragma once
 
+#include "drive/protocol.h"
 #include "drive/wish.h"
 #include "failure.h"
 #include "recording_arguments.h"
@@ -35,6 +36,7 @@ struct CaptureArguments {
 struct Arguments {
     QString port;
     std::uint32_t baud = 1843200;
+    drive::Protocol protocol = drive::Protocol::Auto;
     int patience_ms = 0;
     bool json = false;
     bool raw = false;

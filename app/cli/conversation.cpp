@@ -29,7 +29,8 @@ session::Endpoint endpointOf(const Arguments &arguments)
         .baud = arguments.baud,
         .board = {},
         .reopen = false,
-        .patience = std::chrono::milliseconds(arguments.patience_ms)};
+        .patience = std::chrono::milliseconds(arguments.patience_ms),
+        .protocol = arguments.protocol};
 }
 
 } // namespace

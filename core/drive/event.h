@@ -154,6 +154,7 @@ struct MotorStatus {
     int motor = 1;
     MotorState state = MotorState::Unknown;
     std::int64_t rawState = 0;
+    bool waitsForBus = false; ///< starting, but nothing drives the motor until the bus has risen
     std::string stateName; ///< the firmware's name, e.g. "CHARGE_BOOT_CAP"
     std::vector<std::string> faultsNow; ///< by name, present
     std::vector<std::string> faultsPast; ///< occurred and not acknowledged

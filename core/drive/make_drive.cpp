@@ -4,11 +4,11 @@
 
 namespace drive {
 
-std::unique_ptr<Drive> makeDrive(std::uint32_t baud, Duration patience)
+std::unique_ptr<Drive> makeDrive(const LineOptions &options)
 {
     McpDriveConfig config;
-    config.baud = baud;
-    config.patience = patience;
+    config.baud = options.baud;
+    config.patience = options.patience;
     return makeMcpDrive(config);
 }
 

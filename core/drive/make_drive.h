@@ -1,14 +1,19 @@
-// The drive for a line, without naming its protocol: today every line speaks the same one.
+// The drive for a line, by the protocol that is spoken on it.
 #pragma once
 
 #include "drive/drive.h"
+#include "drive/protocol.h"
 
 #include <memory>
 
 namespace drive {
 
-/// @param baud  the speed the port is open at; time-outs and stream sizes follow from it
-/// @param patience  what is added to the time-out of every reply
-std::unique_ptr<Drive> makeDrive(std::uint32_t baud, Duration patience = {});
+struct LineOptions {
+    Protocol protocol = Protocol::Auto;
+    std::uint32_t baud = 1843200; ///< of the open port; time-outs and stream sizes follow from it
+    Duration patience{}; ///< added to the time-out of every reply
+};
+
+std::unique_ptr<Drive> makeDrive(const LineOptions &options);
 
 } // namespace drive

@@ -4,7 +4,7 @@
 
 #include "drive/mcp_reader.h"
 #include "drive/mcp_start_check.h"
-#include "drive/mcp_task.h"
+#include "drive/task.h"
 
 namespace drive {
 

@@ -95,18 +95,6 @@ void McpDrive::on(const Link::NoResponse &event, TimePoint now)
     }
 }
 
-void McpDrive::afterTask(TimePoint now)
-{
-    auto *wish = dynamic_cast<WishTask *>(std::exchange(m_task, nullptr));
-    const bool cut = std::exchange(m_cutAfterAnswer, false);
-    if (wish == nullptr)
-        return;
-    if (cut)
-        wish->cut("stopped");
-    if (wish->finished() && wish->permission() == Permission::Armed)
-        m_vitals.hurry(now); // whatever became of it, look at once
-}
-
 void McpDrive::tellIdentity()
 {
     Identified event{m_identification.identity(), m_board.catalog, m_board.limits,

@@ -1,7 +1,8 @@
 // What an MCP drive sends, most urgent first, and what it tells its owner.
 #include "drive/mcp_machine.h"
-#include "drive/mcp_motion.h"
+#include "drive/motion_of.h"
 #include "mcp/protocol.h"
+#include "mcp/request.h"
 
 #include <algorithm>
 
@@ -9,9 +10,12 @@ namespace drive {
 
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr Duration kCountersEvery = 250ms;
+/// The motion log has only what can change something.
+bool onlyReads(ByteView request)
+{
+    const auto decoded = mcp::decodeRequest(request);
+    return decoded && decoded->command == static_cast<std::uint16_t>(mcp::CommandId::GetRegister);
+}
 
 } // namespace
 
@@ -32,14 +36,14 @@ void McpDrive::work(TimePoint now)
     }
     if (m_mode == Mode::Open && m_stop.active())
         sendStop(now);
-    m_heartbeat.setWanted(!m_stop.active() && (m_armed || m_vitals.motorDriven()));
+    m_heartbeat.setWanted(!m_stop.active() && (armed() || m_vitals.motorDriven()));
     if (linkIsFree())
         sendNext(now);
     collect();
     if (m_mode == Mode::Closing)
         close(now);
-    tellLink();
-    tellCounters(now);
+    tellLinkState();
+    tellLinkCounters(now);
 }
 
 bool McpDrive::sendStop(TimePoint now)
@@ -52,19 +56,13 @@ bool McpDrive::sendStop(TimePoint now)
     m_stopUnderWay = true;
     m_stopMotor = *motor;
     m_stopSince = now;
-    m_stop.stopSent(*motor, now);
     const auto word =
         static_cast<unsigned>(mcp::CommandId::StopMotor) << 3 | static_cast<unsigned>(*motor);
     const Bytes request = ByteWriter().u16(word).take();
-    noteSent(m_stopsSent[*motor], request);
+    noteStop(*motor, request, now);
     m_link.sendUrgent(request, now);
     onLinkEvents(now);
     return true;
-}
-
-bool McpDrive::stopHoldsBack(TimePoint now) const
-{
-    return m_stop.exclusive() && (!m_stop.alarmed() || m_stop.blind(now));
 }
 
 void McpDrive::sendNext(TimePoint now)
@@ -72,7 +70,7 @@ void McpDrive::sendNext(TimePoint now)
     if (m_mode == Mode::Open
         && (sendIdentification(now) || give(m_heartbeat, now) || give(m_vitals, now)))
         return;
-    while (WishTask *wish = m_wishes.next(m_armed)) {
+    while (WishTask *wish = m_wishes.next(armed())) {
         if (give(*wish, now))
             return;
         if (!wish->finished())
@@ -109,7 +107,8 @@ bool McpDrive::give(Task &task, TimePoint now)
     if (!request)
         return false;
     m_task = &task;
-    if (auto *wish = dynamic_cast<WishTask *>(&task); wish != nullptr && wish->motion())
+    if (auto *wish = dynamic_cast<WishTask *>(&task);
+        wish != nullptr && wish->motion() && !onlyReads(*request))
         noteSent(*wish->motion(), *request);
     m_link.sendRequest(*request, now);
     return true;
@@ -135,30 +134,12 @@ void McpDrive::close(TimePoint now)
 
 void McpDrive::collect()
 {
-    m_wishes.collect(m_events, m_workedAt);
     m_watch.setStreamLoad(m_stream.load());
     if (auto readings = m_watch.takeReadings(); !readings.empty())
         m_events.emplace_back(RegistersRead{std::move(readings)});
     for (Event &event : m_stream.takeEvents())
         m_events.push_back(std::move(event));
-    for (const StopProgress &progress : m_stop.takeProgress()) {
-        m_events.emplace_back(logged(progress, std::exchange(m_stopsSent[progress.motor], {})));
-        m_events.emplace_back(progress);
-    }
-}
-
-/// The word of a stop as the motion log has it, with the STOPs that left since the word before.
-MotionRecord McpDrive::logged(const StopProgress &progress, MotionRecord record) const
-{
-    record.act = MotionAct::Stop;
-    record.motor = progress.motor;
-    record.asked = m_stopAsked;
-    record.ended = std::max(m_stopAsked, progress.at);
-    record.stop = progress.word;
-    const bool sure =
-        progress.word != StopWord::Requested && progress.word != StopWord::NotConfirmed;
-    record.outcome = sure ? Outcome::Ok : Outcome::Unknown;
-    return record;
+    collectWishes();
 }
 
 void McpDrive::tellVitals()
@@ -169,14 +150,7 @@ void McpDrive::tellVitals()
     }
 }
 
-void McpDrive::tell(LinkState state, LinkReason reason)
-{
-    m_toldState = state;
-    m_toldReason = reason;
-    m_events.emplace_back(LinkChanged{state, reason});
-}
-
-void McpDrive::tellLink()
+void McpDrive::tellLinkState()
 {
     LinkState state = LinkState::Connecting;
     LinkReason reason = LinkReason::None;
@@ -191,14 +165,11 @@ void McpDrive::tellLink()
     } else if (m_link.state() == Link::State::Recovering) {
         state = m_suspect ? LinkState::Suspect : LinkState::Recovering;
     }
-    if (state != m_toldState || reason != m_toldReason)
-        tell(state, reason);
+    tellLink(state, reason);
 }
 
-void McpDrive::tellCounters(TimePoint now)
+void McpDrive::tellLinkCounters(TimePoint now)
 {
-    if (now < m_countersAt)
-        return;
     const Link::Stats &link = m_link.stats();
     LinkCounters counters;
     counters.bytesIn = link.bytesIn;
@@ -213,11 +184,7 @@ void McpDrive::tellCounters(TimePoint now)
     counters.streamPackets = m_stream.packets();
     counters.streamLostTicks = m_stream.lostTicks();
     counters.streamSkipped = m_stream.skipped();
-    if (counters == m_counters)
-        return;
-    m_counters = counters;
-    m_countersAt = now + kCountersEvery;
-    m_events.emplace_back(counters);
+    tellCounters(counters, now);
 }
 
 } // namespace drive

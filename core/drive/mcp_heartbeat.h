@@ -4,7 +4,7 @@
 // Contract: docs/drive-watchdog.md.
 #pragma once
 
-#include "drive/mcp_task.h"
+#include "drive/task.h"
 
 #include <string_view>
 

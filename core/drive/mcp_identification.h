@@ -8,7 +8,7 @@
 #pragma once
 
 #include "drive/mcp_reader.h"
-#include "drive/mcp_task.h"
+#include "drive/task.h"
 #include "mcp/structures.h"
 
 #include <map>

@@ -1,23 +1,15 @@
-// The clamps of motion: no speed or current beyond what the board says it stands, or beyond what a person allows, is
-// ever sent, and nothing is started whose limits are not known (drive/motion_limits.h). They live here, below every
-// window and script. Nothing is clipped silently: a set-point beyond the limit is refused with the reason.
+// The clamps of motion for writes of this protocol's registers: the set-points among them, and the raw ones that hold
+// set-points.
 #pragma once
 
 #include "drive/mcp_board.h"
-#include "drive/wish.h"
+#include "drive/set_point_check.h"
 
 #include <string>
 
 namespace drive {
 
-/// Why this motor must not be started: a limit that is not known, named; empty if it may.
-std::string refuseStart(const McpBoard &board, int motor);
-
-/// Why this set-point must not be sent; empty if it may. A limit that is not known refuses too.
-std::string refuseSpeed(const McpBoard &board, int motor, double rpm);
-std::string refuseCurrent(const McpBoard &board, int motor, double amps);
-
-/// The same for a write of a register that is a set-point; empty for all others.
+/// Why this register must not be written; empty for all that are no set-points.
 std::string refuseSetPoint(const McpBoard &board, const RegisterWrite &write);
 
 } // namespace drive

@@ -9,30 +9,20 @@
 #include "drive/mcp_heartbeat.h"
 #include "drive/mcp_identification.h"
 #include "drive/mcp_polling.h"
-#include "drive/mcp_stop.h"
 #include "drive/mcp_stream.h"
 #include "drive/mcp_vitals.h"
-#include "drive/mcp_wishes.h"
-#include "drive/motion_record.h"
-
-#include <map>
+#include "drive/mcp_writes.h"
+#include "drive/wish_drive.h"
 
 namespace drive {
 
 using Link = aspep::Controller;
 
-/// Takes the answer that belongs to a wish which has ended meanwhile.
-class NobodysTask : public Task {
-public:
-    std::optional<Bytes> nextRequest(TimePoint) override { return std::nullopt; }
-    void takeResponse(ByteView, TimePoint) override { }
-    void takeNoResponse(std::optional<bool>, TimePoint) override { }
-};
-
-class McpDrive : public Drive {
+class McpDrive : public WishDrive {
 public:
     explicit McpDrive(const McpDriveConfig &config)
-        : m_config(config)
+        : WishDrive(m_board)
+        , m_config(config)
         , m_link(linkConfig(config))
     {
         m_board.baud = config.baud;
@@ -44,13 +34,7 @@ public:
     void handleTimeout(TimePoint now) override;
     void handleSent(TimePoint now) override;
     std::vector<Output> takeOutput() override { return m_link.takeOutput(); }
-    std::vector<Event> takeEvents() override { return std::exchange(m_events, {}); }
     std::optional<TimePoint> nextTimeout() const override;
-    void submit(Wish wish, TimePoint now) override;
-    void stop(TimePoint now) override;
-    void arm() override;
-    void disarm() override;
-    bool armed() const override { return m_armed; }
 
 private:
     static Link::Config linkConfig(const McpDriveConfig &config)
@@ -63,14 +47,9 @@ private:
     }
 
     // what is asked of it
-    void setArmed(bool armed);
-    bool takeAtOnce(const Wish &wish, TimePoint now); ///< false: it takes a task
-    void takeLimits(const Wish &wish, const UserLimits &limits, TimePoint now);
-    void takeExpert(const Wish &wish, const ExpertMode &expert, TimePoint now);
-    std::unique_ptr<WishTask> taskFor(const Wish &wish) const;
-
-    /// What the owner wants of the link.
-    enum class Mode : std::uint8_t { Closed, Open, Closing };
+    std::unique_ptr<WishTask> taskFor(const Wish &wish) override;
+    void watch(const Watch &watch, TimePoint now) override { m_watch.watch(watch, now); }
+    void lookAtOnce(TimePoint now) override { m_vitals.hurry(now); }
 
     // what the link tells
     void onLinkEvents(TimePoint now);
@@ -81,29 +60,23 @@ private:
     void on(const Link::Recovered &event, TimePoint now);
     void on(const Link::Suspect &, TimePoint) { m_suspect = true; }
     void on(const Link::Async &event, TimePoint now) { m_stream.receive(event.payload, now); }
-    void afterTask(TimePoint now);
     void onIdentified(TimePoint now);
     void tellIdentity();
 
     // what goes out
-    void work(TimePoint now);
+    void work(TimePoint now) override;
     bool sendStop(TimePoint now);
     void sendNext(TimePoint now);
     bool sendIdentification(TimePoint now);
     bool give(Task &task, TimePoint now);
-    bool stopHoldsBack(TimePoint now) const;
     bool linkIsFree() const { return m_link.canSend() && m_task == nullptr && !m_stopUnderWay; }
     void close(TimePoint now);
 
     // what is told
-    void tellLink();
-    void tell(LinkState state, LinkReason reason);
+    void tellLinkState();
     void tellVitals();
-    void tellCounters(TimePoint now);
+    void tellLinkCounters(TimePoint now);
     void collect();
-    void cutAllWishes(const std::string &reason);
-    void endNow(const Wish &wish, Outcome outcome, std::string reason, TimePoint now);
-    MotionRecord logged(const StopProgress &progress, MotionRecord record) const;
     bool connected() const { return m_link.state() == Link::State::Connected; }
 
     McpDriveConfig m_config;
@@ -114,31 +87,15 @@ private:
     Heartbeat m_heartbeat{m_board};
     WatchPoll m_watch{m_board};
     StreamControl m_stream{m_board};
-    StopSequence m_stop;
-    WishQueue m_wishes;
 
-    Mode m_mode = Mode::Closed;
-    NobodysTask m_nobody;
-    Task *m_task = nullptr; ///< whose answer the link is waiting for
     int m_stopMotor = 0; ///< with a stop on its way: whose
     bool m_stopUnderWay =
         false; ///< handed to the link, not answered; may wait behind m_task's answer
     TimePoint m_stopSince;
-    TimePoint m_stopAsked; ///< by a person
-    std::map<int, MotionRecord> m_stopsSent; ///< by motor: the STOPs since the log was last told
-    bool m_cutAfterAnswer = false;
-    bool m_armed = false;
     bool m_suspect = false;
     bool m_resetSeen = false; ///< the connection under way follows a reset of the board
-    LinkState m_toldState = LinkState::Closed;
-    LinkReason m_toldReason = LinkReason::None;
-    std::optional<LinkReason> m_lost; ///< since the link was lost, until it is there again
     std::optional<TimePoint> m_reconnectAt;
     TimePoint m_closeBy;
-    TimePoint m_workedAt;
-    TimePoint m_countersAt;
-    LinkCounters m_counters;
-    std::vector<Event> m_events;
 };
 
 } // namespace drive

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "drive/mcp_reader.h"
-#include "drive/mcp_task.h"
+#include "drive/task.h"
 
 namespace drive {
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "drive/mcp_board.h"
-#include "drive/mcp_task.h"
+#include "drive/task.h"
 #include "mcp/datalog_decoder.h"
 
 #include <deque>

@@ -5,6 +5,7 @@
 #include "base/result.h"
 #include "catalog/catalog.h"
 #include "drive/event.h"
+#include "drive/values.h"
 
 #include <optional>
 #include <string>
@@ -22,9 +23,6 @@ std::optional<Value> readValue(ByteReader &bytes, RegisterId id, catalog::ValueT
 
 /// What follows the id in a SET. Fails (with the reason) on text, on non-finite numbers and out of the type's range.
 Result<Bytes, std::string> encodeValue(const catalog::RegisterInfo &info, const Value &value);
-
-/// The number in a value, if it is one.
-std::optional<double> asNumber(const Value &value);
 
 /// The firmware's word for a status byte, or the byte in hex.
 std::string statusWord(std::uint8_t status);

@@ -2,6 +2,7 @@
 
 #include "catalog/names.h"
 #include "drive/mcp_values.h"
+#include "drive/stop_sequence.h"
 #include "mcp/protocol.h"
 
 #include <algorithm>
@@ -9,6 +10,8 @@
 namespace drive {
 
 namespace {
+
+constexpr std::int64_t kInrushWait = 12;
 
 RegisterId idOf(mcp::RegisterId id, int motor)
 {
@@ -63,13 +66,6 @@ std::vector<StateStep> stateSteps()
             steps.back().names.push_back(catalog::valueName("STATUS", number));
     }
     return steps;
-}
-
-bool isDriveIdle(const MotorStatus &status)
-{
-    constexpr std::int64_t kInrushWait = 12;
-    return status.state == MotorState::Idle || status.state == MotorState::FaultNow
-        || status.state == MotorState::FaultOver || status.rawState == kInrushWait;
 }
 
 void VitalPoll::restart(TimePoint now)
@@ -169,6 +165,7 @@ void VitalPoll::publish(TimePoint now)
         if (state != nullptr) {
             status.rawState = std::get<std::int64_t>(*state);
             status.state = motorStateOf(status.rawState);
+            status.waitsForBus = status.rawState == kInrushWait;
             status.stateName = catalog::valueName("STATUS", status.rawState);
         }
         if (const Value *faults = find(m_round, idOf(mcp::reg::kFaultsFlags, motor))) {

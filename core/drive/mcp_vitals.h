@@ -3,7 +3,7 @@
 #pragma once
 
 #include "drive/mcp_reader.h"
-#include "drive/mcp_task.h"
+#include "drive/task.h"
 
 #include <map>
 #include <set>
@@ -61,7 +61,5 @@ private:
 MotorState motorStateOf(std::int64_t status);
 /// The states of a run in their order; those before the start, and those that are rare, share a step.
 std::vector<StateStep> stateSteps();
-/// Nothing drives the motor in this state: idle, fault, or waiting for the bus.
-bool isDriveIdle(const MotorStatus &status);
 
 } // namespace drive

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "drive/mcp_reader.h"
-#include "drive/mcp_task.h"
+#include "drive/task.h"
 
 #include <vector>
 
@@ -19,8 +19,8 @@ public:
     std::optional<Bytes> nextRequest(TimePoint now) override;
     void takeResponse(ByteView response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
-
-    std::vector<Reading> takeReadings() { return std::exchange(m_readings, {}); }
+    std::vector<Reading> takeReadings() override { return std::exchange(m_readings, {}); }
+    bool onlyReads() const override { return true; }
 
 private:
     const McpBoard &m_board;
@@ -39,9 +39,8 @@ public:
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
     void cut(const std::string &reason) override;
 
-    /// A newer write of these registers was asked for: what has not left yet is not sent any more.
-    void supersede(const Write &newer);
-    std::vector<Reading> takeReadings() { return std::exchange(m_readings, {}); }
+    void supersede(const Write &newer) override;
+    std::vector<Reading> takeReadings() override { return std::exchange(m_readings, {}); }
 
 private:
     enum class Phase : std::uint8_t { Before, Setting, After };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/time.h"
+#include "drive/protocol.h"
 #include "simulation/simulated_board.h"
 
 #include <QMetaType>
@@ -17,6 +18,7 @@ struct Endpoint {
     simulation::BoardOptions board; ///< for Kind::Simulator; its baud rate is the one above
     bool reopen = true; ///< after an unplugged cable, until the port is closed by hand
     Duration patience{}; ///< added to the time-out of every reply, for computers that stall
+    drive::Protocol protocol = drive::Protocol::Auto;
 };
 
 /// What can end a port, apart from the user. Neutral; the window and the command line turn it into

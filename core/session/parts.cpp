@@ -26,7 +26,7 @@ Parts realParts()
 {
     return {
         .clock = makeClock(), .transport = makeTransport, .drive = [](const Endpoint &endpoint) {
-            return drive::makeDrive(endpoint.baud, endpoint.patience);
+            return drive::makeDrive({endpoint.protocol, endpoint.baud, endpoint.patience});
         }};
 }
 

@@ -1,5 +1,5 @@
 // The stop of McpDrive: first on the wire, repeated, and claimed only on evidence.
-#include "drive/mcp_stop.h"
+#include "drive/stop_sequence.h"
 #include "support/link_pair.h"
 
 #include <QTest>

@@ -1,4 +1,4 @@
-#include "drive/mcp_wishes.h"
+#include "drive/wish_queue.h"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@ namespace drive {
 
 bool WishQueue::add(std::unique_ptr<WishTask> task)
 {
-    Queue &queue = dynamic_cast<ReadTask *>(task.get()) != nullptr ? m_reading : m_acting;
+    Queue &queue = task->onlyReads() ? m_reading : m_acting;
     if (queue.size() >= kMaxWaiting)
         return false;
     queue.push_back(std::move(task));
@@ -18,8 +18,7 @@ void WishQueue::addFirst(std::unique_ptr<WishTask> task) { m_acting.push_front(s
 void WishQueue::supersede(const Write &newer)
 {
     for (const auto &task : m_acting)
-        if (auto *write = dynamic_cast<WriteTask *>(task.get()))
-            write->supersede(newer);
+        task->supersede(newer);
 }
 
 WishTask *WishQueue::next(bool armed)
@@ -59,12 +58,7 @@ void WishQueue::collect(std::vector<Event> &events, TimePoint now)
 void WishQueue::collectFrom(Queue &queue, std::vector<Event> &events, TimePoint now)
 {
     for (const auto &task : queue) {
-        std::vector<Reading> readings;
-        if (auto *read = dynamic_cast<ReadTask *>(task.get()))
-            readings = read->takeReadings();
-        else if (auto *write = dynamic_cast<WriteTask *>(task.get()))
-            readings = write->takeReadings();
-        if (!readings.empty())
+        if (auto readings = task->takeReadings(); !readings.empty())
             events.emplace_back(RegistersRead{std::move(readings)});
         if (auto &motion = task->motion(); task->finished() && motion) {
             motion->ended = std::max(motion->asked, now);

@@ -2,8 +2,7 @@
 // once, as an Ended event.
 #pragma once
 
-#include "drive/mcp_task.h"
-#include "drive/mcp_writes.h"
+#include "drive/task.h"
 
 #include <deque>
 #include <memory>

@@ -1,11 +1,15 @@
-#include "drive/mcp_stop.h"
-
-#include "drive/mcp_vitals.h"
+#include "drive/stop_sequence.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace drive {
+
+bool isDriveIdle(const MotorStatus &status)
+{
+    return status.state == MotorState::Idle || status.state == MotorState::FaultNow
+        || status.state == MotorState::FaultOver || status.waitsForBus;
+}
 
 void StopSequence::begin(int motors, TimePoint now)
 {

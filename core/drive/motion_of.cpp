@@ -1,8 +1,6 @@
-#include "drive/mcp_motion.h"
+#include "drive/motion_of.h"
 
-#include "drive/mcp_values.h"
-#include "mcp/protocol.h"
-#include "mcp/request.h"
+#include "drive/values.h"
 
 #include <charconv>
 
@@ -36,19 +34,19 @@ std::string hexOf(const Bytes &bytes)
     return text;
 }
 
-std::string valueText(const McpBoard &board, const RegisterWrite &write)
+std::string valueText(const catalog::Catalog &catalog, const RegisterWrite &write)
 {
     if (const auto *bytes = std::get_if<Bytes>(&write.value))
         return hexOf(*bytes);
     const auto value = asNumber(write.value);
     if (!value)
         return "?";
-    const catalog::Scale scale = board.catalog->readScale(write.id);
+    const catalog::Scale scale = catalog.readScale(write.id);
     return number(*value * scale.factor) + (scale.unit.empty() ? "" : " " + scale.unit);
 }
 
 struct Begin {
-    const McpBoard &board;
+    const catalog::Catalog &catalog;
     MotionRecord record;
 
     bool operator()(const Command &command)
@@ -119,15 +117,15 @@ struct Begin {
         record.act = MotionAct::Write;
         std::size_t named = 0;
         for (const RegisterWrite &one : write.writes) {
-            const auto *info = board.catalog->find(one.id);
+            const auto *info = catalog.find(one.id);
             if (info == nullptr || (!info->dangerous && info->setPoint == catalog::SetPoint::None))
                 continue;
             if (++named > kMostNamed)
                 continue;
             if (named == 1 && info->perMotor)
-                record.motor = board.catalog->motorOf(one.id);
-            record.detail += (named > 1 ? "; " : "") + board.catalog->nameOf(one.id) + " = "
-                + valueText(board, one);
+                record.motor = catalog.motorOf(one.id);
+            record.detail +=
+                (named > 1 ? "; " : "") + catalog.nameOf(one.id) + " = " + valueText(catalog, one);
         }
         if (named > kMostNamed)
             record.detail += "; and " + std::to_string(named - kMostNamed) + " more";
@@ -140,9 +138,10 @@ struct Begin {
 
 } // namespace
 
-std::optional<MotionRecord> motionOf(const Wish &wish, const McpBoard &board, TimePoint now)
+std::optional<MotionRecord> motionOf(
+    const Wish &wish, const catalog::Catalog &catalog, TimePoint now)
 {
-    Begin begin{board, {}};
+    Begin begin{catalog, {}};
     begin.record.asked = begin.record.ended = now;
     begin.record.source = wish.source;
     if (!std::visit(begin, wish.what))
@@ -152,9 +151,6 @@ std::optional<MotionRecord> motionOf(const Wish &wish, const McpBoard &board, Ti
 
 void noteSent(MotionRecord &record, ByteView request)
 {
-    const auto decoded = mcp::decodeRequest(request);
-    if (decoded && decoded->command == static_cast<std::uint16_t>(mcp::CommandId::GetRegister))
-        return;
     ++record.requests;
     if (record.sent.size() < MotionRecord::kMostSent)
         record.sent.emplace_back(request.begin(), request.end());

@@ -1,4 +1,4 @@
-// A piece of work that asks the board something, one request after the other. McpDrive sends the request of the most
+// A piece of work that asks the board something, one request after the other. A drive sends the request of the most
 // urgent task whenever the link is free and hands the answer back to it. Tasks know no link and no clock.
 #pragma once
 
@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace drive {
 
@@ -23,7 +24,7 @@ public:
     /// The next request's payload; nothing if it has nothing to ask now.
     virtual std::optional<Bytes> nextRequest(TimePoint now) = 0;
     virtual void takeResponse(ByteView response, TimePoint now) = 0;
-    /// The answer was lost. `executed` as in aspep::Controller::NoResponse.
+    /// The answer was lost. `executed`: whether the board did what was asked, if the link can tell.
     virtual void takeNoResponse(std::optional<bool> executed, TimePoint now) = 0;
 };
 
@@ -45,6 +46,13 @@ public:
 
     /// The act that the motion log is told of when this ends; empty: it is none.
     std::optional<MotionRecord> &motion() { return m_motion; }
+
+    /// What it has read since the last call.
+    virtual std::vector<Reading> takeReadings() { return {}; }
+    /// A newer write of these registers was asked for: what has not left yet is not sent any more.
+    virtual void supersede(const Write &) { }
+    /// It acts on nothing, and waits behind those that do.
+    virtual bool onlyReads() const { return false; }
 
     /// Nothing more will be sent for it (stop, link lost, disarmed): ends with what is known until now.
     virtual void cut(const std::string &reason)

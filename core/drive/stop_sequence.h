@@ -15,6 +15,9 @@
 
 namespace drive {
 
+/// Nothing drives the motor in this state: idle, fault, or waiting for the bus.
+bool isDriveIdle(const MotorStatus &status);
+
 class StopSequence {
 public:
     static constexpr Duration kRepeat = std::chrono::milliseconds(100);

@@ -1,0 +1,57 @@
+// What a drive knows of the board at its other end whatever the protocol: motors, registers, scales, limits, what it can
+// do. Plain data; filled by the identification, read by everybody else.
+#pragma once
+
+#include "catalog/catalog.h"
+#include "drive/event.h"
+#include "drive/motion_limits.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <vector>
+
+namespace drive {
+
+struct BoardFacts {
+    bool identified = false;
+    bool knownFirmware = false;
+    int motors = 1;
+    std::shared_ptr<const catalog::Catalog> catalog = std::make_shared<const catalog::Catalog>();
+    std::vector<catalog::Scales> scales; ///< one a motor
+    std::vector<MotorLimits> limits; ///< one a motor
+    StreamLimits streaming;
+    std::vector<Capability> capabilities;
+
+    UserLimits user; ///< a person's; outlives the connection
+    std::set<int> expert; ///< motors that a person moves without all limits known
+
+    bool hasMotor(int motor) const { return motor >= 1 && motor <= motors; }
+
+    MotorLimits limitsOf(int motor) const
+    {
+        const auto at = static_cast<std::size_t>(motor - 1);
+        return hasMotor(motor) && at < limits.size() ? limits[at] : MotorLimits{};
+    }
+
+    MotionBounds boundsOf(int motor) const
+    {
+        return drive::boundsOf(limitsOf(motor), user, expert.contains(motor));
+    }
+
+    double ampsPerDigit(int motor) const
+    {
+        const auto at = static_cast<std::size_t>(motor - 1);
+        return hasMotor(motor) && at < scales.size() ? scales[at].ampsPerDigit : 0.0;
+    }
+
+    /// Why a feature is not there; empty if it is.
+    std::string reasonAgainst(Feature feature) const
+    {
+        const auto at = std::find_if(capabilities.begin(), capabilities.end(),
+            [&](const Capability &c) { return c.feature == feature; });
+        return at == capabilities.end() || at->available ? std::string() : at->reason;
+    }
+};
+
+} // namespace drive

@@ -1,0 +1,22 @@
+// Register values as numbers, with the range checks that keep nonsense from being encoded. Neutral.
+#pragma once
+
+#include "base/result.h"
+#include "catalog/register_info.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace drive {
+
+using catalog::Value;
+
+/// The number in a value, if it is one.
+std::optional<double> asNumber(const Value &value);
+
+/// The whole number in a value, also where it came as a floating-point one, if a register of the type holds it. Fails
+/// with the reason.
+Result<std::int64_t, std::string> wholeNumberFor(catalog::ValueType type, const Value &value);
+
+} // namespace drive

@@ -1,0 +1,192 @@
+#include "drive/wish_drive.h"
+
+#include "drive/motion_of.h"
+
+#include <algorithm>
+
+namespace drive {
+
+namespace {
+
+constexpr Duration kCountersEvery = std::chrono::milliseconds(250);
+
+} // namespace
+
+void WishDrive::stop(TimePoint now)
+{
+    if (m_mode != Mode::Open)
+        return;
+    m_workedAt = now;
+    setArmed(false);
+    m_cutAfterAnswer = m_task != nullptr;
+    m_wishes.cutAll("stopped", dynamic_cast<WishTask *>(m_task));
+    m_stopAsked = now;
+    m_stopsSent.clear();
+    m_stop.begin(m_facts.motors, now);
+    lookAtOnce(now);
+    work(now);
+}
+
+void WishDrive::arm()
+{
+    if (m_mode != Mode::Open || !m_facts.identified || !m_facts.knownFirmware || m_lost)
+        return;
+    if (m_stop.exclusive())
+        return; // first the stop that was asked for has to be confirmed
+    m_stop.end();
+    setArmed(true);
+}
+
+void WishDrive::disarm()
+{
+    setArmed(false);
+    m_wishes.cutArmed("disarmed", dynamic_cast<WishTask *>(m_task));
+    m_wishes.collect(m_events, m_workedAt);
+}
+
+void WishDrive::cutAllWishes(const std::string &reason)
+{
+    m_wishes.cutAll(reason, nullptr);
+    if (m_wishes.contains(m_task))
+        m_task = &m_nobody;
+    m_cutAfterAnswer = false;
+    m_wishes.collect(m_events, m_workedAt);
+}
+
+void WishDrive::setArmed(bool armed)
+{
+    if (std::exchange(m_armed, armed) == armed)
+        return;
+    MotionRecord record;
+    record.act = armed ? MotionAct::Arm : MotionAct::Disarm;
+    record.asked = record.ended = m_workedAt;
+    m_events.emplace_back(std::move(record));
+}
+
+void WishDrive::endNow(const Wish &wish, Outcome outcome, std::string reason, TimePoint now)
+{
+    if (auto motion = motionOf(wish, *m_facts.catalog, now)) {
+        motion->outcome = outcome;
+        motion->reason = reason;
+        m_events.emplace_back(std::move(*motion));
+    }
+    if (wish.id != 0)
+        m_events.emplace_back(Ended{wish.id, outcome, std::move(reason), {}});
+}
+
+void WishDrive::takeLimits(const Wish &wish, const UserLimits &limits, TimePoint now)
+{
+    if (!isPlausible(limits))
+        return endNow(wish, Outcome::Refused, "no limit is like that", now);
+    m_facts.user = limits;
+    endNow(wish, Outcome::Ok, {}, now);
+}
+
+void WishDrive::takeExpert(const Wish &wish, const ExpertMode &expert, TimePoint now)
+{
+    if (!m_facts.identified || !m_facts.hasMotor(expert.motor))
+        return endNow(wish, Outcome::Refused, "there is no such motor", now);
+    if (gapsIn(m_facts.limitsOf(expert.motor)).empty())
+        return endNow(wish, Outcome::Refused, "every limit of this motor is known", now);
+    m_facts.expert.insert(expert.motor);
+    endNow(wish, Outcome::Ok, {}, now);
+}
+
+bool WishDrive::takeAtOnce(const Wish &wish, TimePoint now)
+{
+    if (const auto *watched = std::get_if<Watch>(&wish.what)) {
+        watch(*watched, now);
+        endNow(wish, Outcome::Ok, {}, now);
+        work(now);
+    } else if (const auto *limits = std::get_if<UserLimits>(&wish.what)) {
+        takeLimits(wish, *limits, now);
+    } else if (m_mode != Mode::Open || m_lost) {
+        endNow(wish, Outcome::NotSent, "not connected", now);
+    } else if (const auto *expert = std::get_if<ExpertMode>(&wish.what)) {
+        takeExpert(wish, *expert, now);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void WishDrive::submit(Wish wish, TimePoint now)
+{
+    if (takeAtOnce(wish, now))
+        return;
+    std::unique_ptr<WishTask> task = taskFor(wish);
+    if (task->permission() == Permission::Armed && !m_armed)
+        return endNow(wish, Outcome::NotSent,
+            m_stop.active() ? "stopped; arm again first" : "not armed", now);
+    task->motion() = motionOf(wish, *m_facts.catalog, now);
+    if (const auto *write = std::get_if<Write>(&wish.what))
+        m_wishes.supersede(*write);
+    if (!m_wishes.add(std::move(task)))
+        return endNow(wish, Outcome::NotSent, "too many wishes wait already", now);
+    work(now);
+}
+
+void WishDrive::afterTask(TimePoint now)
+{
+    auto *wish = dynamic_cast<WishTask *>(std::exchange(m_task, nullptr));
+    const bool cut = std::exchange(m_cutAfterAnswer, false);
+    if (wish == nullptr)
+        return;
+    if (cut)
+        wish->cut("stopped");
+    if (wish->finished() && wish->permission() == Permission::Armed)
+        lookAtOnce(now); // whatever became of it
+}
+
+void WishDrive::noteStop(int motor, ByteView request, TimePoint now)
+{
+    m_stop.stopSent(motor, now);
+    noteSent(m_stopsSent[motor], request);
+}
+
+void WishDrive::collectWishes()
+{
+    m_wishes.collect(m_events, m_workedAt);
+    for (const StopProgress &progress : m_stop.takeProgress()) {
+        m_events.emplace_back(logged(progress, std::exchange(m_stopsSent[progress.motor], {})));
+        m_events.emplace_back(progress);
+    }
+}
+
+/// The word of a stop as the motion log has it, with the STOPs that left since the word before.
+MotionRecord WishDrive::logged(const StopProgress &progress, MotionRecord record) const
+{
+    record.act = MotionAct::Stop;
+    record.motor = progress.motor;
+    record.asked = m_stopAsked;
+    record.ended = std::max(m_stopAsked, progress.at);
+    record.stop = progress.word;
+    const bool sure =
+        progress.word != StopWord::Requested && progress.word != StopWord::NotConfirmed;
+    record.outcome = sure ? Outcome::Ok : Outcome::Unknown;
+    return record;
+}
+
+void WishDrive::tell(LinkState state, LinkReason reason)
+{
+    m_toldState = state;
+    m_toldReason = reason;
+    m_events.emplace_back(LinkChanged{state, reason});
+}
+
+void WishDrive::tellLink(LinkState state, LinkReason reason)
+{
+    if (state != m_toldState || reason != m_toldReason)
+        tell(state, reason);
+}
+
+void WishDrive::tellCounters(const LinkCounters &counters, TimePoint now)
+{
+    if (now < m_countersAt || counters == m_counters)
+        return;
+    m_counters = counters;
+    m_countersAt = now + kCountersEvery;
+    m_events.emplace_back(counters);
+}
+
+} // namespace drive

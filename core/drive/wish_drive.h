@@ -1,0 +1,98 @@
+// What the drives of all protocols have in common: wishes and how they end, arming, a person's limits, the stop and its
+// words, the motion log, what is told of the link. What goes over the wire, and when, is the business of the class made
+// from this one.
+#pragma once
+
+#include "drive/board_facts.h"
+#include "drive/drive.h"
+#include "drive/motion_record.h"
+#include "drive/stop_sequence.h"
+#include "drive/wish_queue.h"
+
+#include <map>
+
+namespace drive {
+
+/// Takes the answer that belongs to a wish which has ended meanwhile.
+class NobodysTask : public Task {
+public:
+    std::optional<Bytes> nextRequest(TimePoint) override { return std::nullopt; }
+    void takeResponse(ByteView, TimePoint) override { }
+    void takeNoResponse(std::optional<bool>, TimePoint) override { }
+};
+
+class WishDrive : public Drive {
+public:
+    std::vector<Event> takeEvents() override { return std::exchange(m_events, {}); }
+    void submit(Wish wish, TimePoint now) override;
+    void stop(TimePoint now) override;
+    void arm() override;
+    void disarm() override;
+    bool armed() const override { return m_armed; }
+
+protected:
+    /// What the owner wants of the link.
+    enum class Mode : std::uint8_t { Closed, Open, Closing };
+
+    /// @param facts  of the class made from this one; outlives it
+    explicit WishDrive(BoardFacts &facts)
+        : m_facts(facts)
+    {
+    }
+
+    // What a protocol brings.
+    virtual void work(TimePoint now) = 0; ///< sends what is due, tells what has happened
+    virtual std::unique_ptr<WishTask> taskFor(
+        const Wish &wish) = 0; ///< for all but those done at once
+    virtual void watch(const Watch &watch, TimePoint now) = 0;
+    virtual void lookAtOnce(
+        TimePoint now) = 0; ///< at the states of the motors, and often for a while
+
+    void setArmed(bool armed);
+    void endNow(const Wish &wish, Outcome outcome, std::string reason, TimePoint now);
+    void cutAllWishes(const std::string &reason);
+    /// The answer to m_task has come, or never will: the link is free. What acts is looked at at once.
+    void afterTask(TimePoint now);
+
+    /// A STOP leaves: notes it for the log.
+    void noteStop(int motor, ByteView request, TimePoint now);
+    /// Nothing may leave but STOP and the reading of states.
+    bool stopHoldsBack(TimePoint now) const
+    {
+        return m_stop.exclusive() && (!m_stop.alarmed() || m_stop.blind(now));
+    }
+    /// Wishes that have ended, and the words of the stop, become events.
+    void collectWishes();
+
+    /// Tells the state of the link if it is another than was told last.
+    void tellLink(LinkState state, LinkReason reason);
+    void tell(LinkState state, LinkReason reason);
+    void tellCounters(const LinkCounters &counters, TimePoint now);
+
+    BoardFacts &m_facts;
+    StopSequence m_stop;
+    WishQueue m_wishes;
+    Mode m_mode = Mode::Closed;
+    NobodysTask m_nobody;
+    Task *m_task = nullptr; ///< whose answer the link is waiting for
+    std::optional<LinkReason> m_lost; ///< since the link was lost, until it is there again
+    LinkState m_toldState = LinkState::Closed;
+    LinkReason m_toldReason = LinkReason::None;
+    TimePoint m_workedAt;
+    std::vector<Event> m_events;
+
+private:
+    bool takeAtOnce(const Wish &wish, TimePoint now); ///< false: it takes a task
+    void takeLimits(const Wish &wish, const UserLimits &limits, TimePoint now);
+    void takeExpert(const Wish &wish, const ExpertMode &expert, TimePoint now);
+    MotionRecord logged(const StopProgress &progress, MotionRecord record) const;
+
+    TimePoint m_stopAsked; ///< by a person
+    std::map<int, MotionRecord> m_stopsSent; ///< by motor: the STOPs since the log was last told
+    bool m_cutAfterAnswer = false;
+    bool m_armed = false;
+    TimePoint m_countersAt;
+    LinkCounters m_counters;
+};
+
+} // namespace drive
