@@ -1,7 +1,7 @@
 #include "widgets/register_model.h"
 
 #include "widgets/device_text.h"
-#include "widgets/register_group_messages.h"
+#include "widgets/register_texts.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/value_text.h"
 

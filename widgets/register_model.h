@@ -32,7 +32,7 @@ public:
     };
     enum Role {
         IdRole = Qt::UserRole, ///< quint32; invalid for groups
-        SearchRole, ///< name, aliases and help in one text
+        SearchRole, ///< name, aliases and help, in English too, in one text
         StaleRole, ///< bool
         PinnedRole, ///< bool
         EditStateRole, ///< EditState as int

@@ -1,6 +1,7 @@
 // What the cells of a RegisterModel show: values in both unit systems, access and help, and the words around them.
 #include "widgets/device_text.h"
 #include "widgets/register_model.h"
+#include "widgets/register_texts.h"
 #include "widgets/value_text.h"
 
 #include <QApplication>
@@ -53,8 +54,8 @@ QVariant RegisterModel::cell(const Row &row, int column, int role) const
     case IdRole:
         return quint32(row.id);
     case SearchRole: {
-        QStringList words{
-            QString::fromStdString(row.info->name), QString::fromStdString(row.info->help)};
+        QStringList words{QString::fromStdString(row.info->name),
+            QString::fromStdString(row.info->help), registerHelpText(*row.info)};
         for (const std::string &alias : row.info->aliases)
             words.append(QString::fromStdString(alias));
         return words.join(QLatin1Char('\n'));
@@ -95,7 +96,7 @@ QVariant RegisterModel::display(const Row &row, int column) const
     if (column == AccessColumn)
         return accessText(row);
     if (column == HelpColumn)
-        return deviceText(row.info->help);
+        return deviceText(registerHelpText(*row.info));
     const Edit *edit = editOf(row.id);
     const bool wanted = edit && edit->state != EditState::Verified;
     if (column == ValueColumn)
@@ -133,7 +134,7 @@ QString RegisterModel::details(catalog::RegisterId id) const
             unit.isEmpty() || unit == QLatin1String("-") ? range : range + QChar(0x202f) + unit);
     }
     const QString head = parts.join(QStringLiteral(" \u00b7 "));
-    const QString help = QString::fromStdString(row->info->help).simplified();
+    const QString help = registerHelpText(*row->info);
     return help.isEmpty() ? head : head + QLatin1Char('\n') + help;
 }
 
@@ -151,7 +152,7 @@ QVariant RegisterModel::editText(const Row &row, int column) const
 QString RegisterModel::toolTip(const Row &row) const
 {
     const QString name = deviceToolTip(m_catalog->nameOf(row.id));
-    const QString help = QString::fromStdString(row.info->help).toHtmlEscaped();
+    const QString help = registerHelpText(*row.info).toHtmlEscaped();
     QString state;
     if (row.known == Known::Value && row.stale)
         state = tr("This value is old: it is not being read.");

@@ -1,7 +1,7 @@
 #include "widgets/snapshot_model.h"
 
 #include "widgets/device_text.h"
-#include "widgets/register_group_messages.h"
+#include "widgets/register_texts.h"
 #include "widgets/snapshot_text.h"
 #include "widgets/value_text.h"
 

@@ -29,6 +29,7 @@ void loadLanguage(QApplication &application, const std::string &language)
     QLocale::setDefault(locale);
     const std::pair<QString, QString> catalogues[] = {
         {QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath)},
+        {QStringLiteral("registers"), QStringLiteral(":/i18n")},
         {QStringLiteral("rotorscope"), QStringLiteral(":/i18n")},
     };
     for (const auto &[name, folder] : catalogues) {

@@ -11,6 +11,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QTest>
+#include <QTranslator>
 
 #include <bit>
 
@@ -103,6 +104,31 @@ private Q_SLOTS:
             details->text().startsWith(QStringLiteral("SPEED_KP \u00b7 RW \u00b7 -32768 to 32767")),
             qPrintable(details->text()));
         QVERIFY(details->text().contains(QLatin1Char('\n'))); // and its help
+    }
+
+    void aRegisterIsExplainedAndFoundInGermanAndFoundInEnglish()
+    {
+        QTranslator german;
+        QVERIFY(german.load(QStringLiteral(":/i18n/registers_de.qm")));
+        QCoreApplication::installTranslator(&german);
+        EditBench bench;
+        const auto *details = bench.panel.findChild<QLabel *>(QStringLiteral("registerDetails"));
+        select(bench, "SPEED_KP");
+        const QString word = QStringLiteral("Drehzahlregler");
+        QVERIFY(textOf(bench, "SPEED_KP", RegisterModel::HelpColumn).contains(word));
+        QVERIFY2(details->text().contains(word), qPrintable(details->text()));
+        const QModelIndex cell = cellOf(bench, "SPEED_KP", RegisterModel::ValueColumn);
+        QVERIFY(cell.data(Qt::ToolTipRole).toString().contains(word));
+        auto *search = bench.panel.findChild<QLineEdit *>(QStringLiteral("registerSearch"));
+        QVERIFY(search != nullptr);
+        const auto *proxy = qobject_cast<const QAbstractProxyModel *>(bench.panel.tree()->model());
+        for (const char *typed : {"drehzahlregler", "speed regulator"}) {
+            search->setText(QLatin1String(typed));
+            QVERIFY2(proxy->mapFromSource(cell).isValid(), typed);
+            QVERIFY2(!proxy->mapFromSource(cellOf(bench, "I_Q_KP", RegisterModel::ValueColumn))
+                          .isValid(),
+                typed);
+        }
     }
 
     void aRegisterIsPinnedByAKey()

@@ -1,0 +1,1382 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en_US">
+<context>
+    <name>RegisterGroups</name>
+    <message>
+        <source>Motor state</source>
+        <translation>Motorzustand</translation>
+    </message>
+    <message>
+        <source>Start-up</source>
+        <translation>Anlauf</translation>
+    </message>
+    <message>
+        <source>PFC</source>
+        <translation>PFC</translation>
+    </message>
+    <message>
+        <source>Profiler</source>
+        <translation>Profiler</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Six-step</source>
+        <translation>Blockkommutierung</translation>
+    </message>
+    <message>
+        <source>Speed loop</source>
+        <translation>Drehzahlregler</translation>
+    </message>
+    <message>
+        <source>Current loop</source>
+        <translation>Stromregler</translation>
+    </message>
+    <message>
+        <source>Observer + PLL</source>
+        <translation>Beobachter + PLL</translation>
+    </message>
+    <message>
+        <source>Observer + CORDIC</source>
+        <translation>Beobachter + CORDIC</translation>
+    </message>
+    <message>
+        <source>Flux weakening</source>
+        <translation>Feldschwächung</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>DAC and debug</source>
+        <translation>DAC und Fehlersuche</translation>
+    </message>
+    <message>
+        <source>Ramps and references</source>
+        <translation>Rampen und Sollwerte</translation>
+    </message>
+    <message>
+        <source>Encoder and Hall</source>
+        <translation>Encoder und Hall</translation>
+    </message>
+    <message>
+        <source>Feed forward</source>
+        <translation>Vorsteuerung</translation>
+    </message>
+    <message>
+        <source>Identity</source>
+        <translation>Identität</translation>
+    </message>
+    <message>
+        <source>Configuration</source>
+        <translation>Konfiguration</translation>
+    </message>
+    <message>
+        <source>Datalog</source>
+        <translation>Datenaufzeichnung</translation>
+    </message>
+    <message>
+        <source>Modulation</source>
+        <translation>Modulation</translation>
+    </message>
+    <message>
+        <source>Motor parameters</source>
+        <translation>Motorparameter</translation>
+    </message>
+    <message>
+        <source>Sensing and offsets</source>
+        <translation>Messung und Offsets</translation>
+    </message>
+    <message>
+        <source>HSO and ZeST observer</source>
+        <translation>HSO- und ZeST-Beobachter</translation>
+    </message>
+</context>
+<context>
+    <name>RegisterHelp</name>
+    <message>
+        <source>Control modality. SET acts on 3 speed and 4 torque (plus 1/2 with open-loop debug); other values answer OK and do nothing</source>
+        <translation>Regelungsart. SET wirkt bei 3 Drehzahl und 4 Drehmoment (dazu 1/2 mit Fehlersuche im gesteuerten Betrieb); andere Werte werden mit OK beantwortet und bewirken nichts</translation>
+    </message>
+    <message>
+        <source>Number of rev-up stages</source>
+        <translation>Anzahl der Anlaufstufen</translation>
+    </message>
+    <message>
+        <source>PFC state; GET answers OK with a stale byte, SET answers RO</source>
+        <translation>Zustand der PFC; GET antwortet OK mit einem veralteten Byte, SET antwortet RO</translation>
+    </message>
+    <message>
+        <source>PFC on/off; SET and GET answer OK but carry no data</source>
+        <translation>PFC ein/aus; SET und GET antworten OK, übertragen aber keine Daten</translation>
+    </message>
+    <message>
+        <source>Always 1: profiler present</source>
+        <translation>Immer 1: Profiler vorhanden</translation>
+    </message>
+    <message>
+        <source>Profiler progress: self-commissioning state plus one-touch-tuning state (sum)</source>
+        <translation>Fortschritt des Profilers: Zustand der Selbstinbetriebnahme plus Zustand der automatischen Einstellung (Summe)</translation>
+    </message>
+    <message>
+        <source>Total number of profiler states (max value SC_STATE reaches)</source>
+        <translation>Anzahl aller Profilerzustände (größter Wert, den SC_STATE erreicht)</translation>
+    </message>
+    <message>
+        <source>Pole pair number used or found by the profiler; SET rewrites it in the speed sensors too</source>
+        <translation>Polpaarzahl, die der Profiler benutzt oder gefunden hat; SET schreibt sie auch in die Drehzahlsensoren</translation>
+    </message>
+    <message>
+        <source>FOC execution rate used by the profiler</source>
+        <translation>Takt der FOC, den der Profiler benutzt</translation>
+    </message>
+    <message>
+        <source>1 once the motor has been profiled</source>
+        <translation>1, sobald der Motor vermessen ist</translation>
+    </message>
+    <message>
+        <source>0 ready 1 moving 2 target reached 3 following</source>
+        <translation>0 bereit 1 in Bewegung 2 Ziel erreicht 3 folgt</translation>
+    </message>
+    <message>
+        <source>0 awaiting 1 zero-alignment running 2 completed 3 absolute not supported 4 absolute supported 5 error</source>
+        <translation>0 wartet 1 Nullausrichtung läuft 2 fertig 3 Absolutlage nicht unterstützt 4 Absolutlage unterstützt 5 Fehler</translation>
+    </message>
+    <message>
+        <source>Hall tuning state machine 0..19</source>
+        <translation>Zustand der Hall-Einmessung 0..19</translation>
+    </message>
+    <message>
+        <source>Hall tuning progress</source>
+        <translation>Fortschritt der Hall-Einmessung</translation>
+    </message>
+    <message>
+        <source>Detected Hall placement: 0 unknown or 60 or 120 degrees</source>
+        <translation>Erkannte Anordnung der Hallsensoren: 0 unbekannt oder 60 oder 120 Grad</translation>
+    </message>
+    <message>
+        <source>Wanted mechanical direction for Hall tuning</source>
+        <translation>Gewünschte mechanische Drehrichtung für die Hall-Einmessung</translation>
+    </message>
+    <message>
+        <source>Bit i (0..5): low-side modulation in step i+1. Id 27 was FAST_DEMAG up to 6.2</source>
+        <translation>Bit i (0..5): Modulation der unteren Schalter in Schritt i+1. Id 27 war bis 6.2 FAST_DEMAG</translation>
+    </message>
+    <message>
+        <source>Quasi-synchronous rectification; only the value 1 enables</source>
+        <translation>Quasisynchrone Gleichrichtung; nur der Wert 1 schaltet sie ein</translation>
+    </message>
+    <message>
+        <source>Selects power-board characterisation in the profiler (implementation not public)</source>
+        <translation>Wählt die Vermessung des Leistungsteils im Profiler (Umsetzung nicht öffentlich)</translation>
+    </message>
+    <message>
+        <source>Open-loop duty-cycle reference</source>
+        <translation>Tastgrad-Sollwert im gesteuerten Betrieb</translation>
+    </message>
+    <message>
+        <source>Averaging depth applied to the open-loop duty reference. Id 31 was COMMUTATION_STEPBUFSIZE in 6.3</source>
+        <translation>Mittelungstiefe für den Tastgrad-Sollwert im gesteuerten Betrieb. Id 31 war in 6.3 COMMUTATION_STEPBUFSIZE</translation>
+    </message>
+    <message>
+        <source>Open-loop on/off</source>
+        <translation>Gesteuerter Betrieb ein/aus</translation>
+    </message>
+    <message>
+        <source>Run the rev-up while in open loop</source>
+        <translation>Den Anlauf im gesteuerten Betrieb durchfahren</translation>
+    </message>
+    <message>
+        <source>Voltage-mode factor of open loop</source>
+        <translation>Faktor des gesteuerten Betriebs bei Spannungsvorgabe</translation>
+    </message>
+    <message>
+        <source>BEMF sensing during PWM on-time; GET ORs the request with the actual status</source>
+        <translation>Messung der Gegen-EMK während der Einschaltzeit der PWM; GET verknüpft Anforderung und tatsächlichen Zustand durch ODER</translation>
+    </message>
+    <message>
+        <source>Use initial position detection at start</source>
+        <translation>Beim Start die Anfangslage des Rotors bestimmen</translation>
+    </message>
+    <message>
+        <source>IPD debug mode</source>
+        <translation>Fehlersuche bei der Anfangslagebestimmung (IPD)</translation>
+    </message>
+    <message>
+        <source>Proportional gain numerator of the speed regulator; effective gain = value / 2^SPEED_KP_DIV</source>
+        <translation>Zähler der Proportionalverstärkung des Drehzahlreglers; wirksame Verstärkung = Wert / 2^SPEED_KP_DIV</translation>
+    </message>
+    <message>
+        <source>Integral gain numerator of the speed regulator; effective gain = value / 2^SPEED_KI_DIV</source>
+        <translation>Zähler der Integralverstärkung des Drehzahlreglers; wirksame Verstärkung = Wert / 2^SPEED_KI_DIV</translation>
+    </message>
+    <message>
+        <source>Derivative gain numerator of the speed regulator; effective gain = value / 2^SPEED_KD_DIV; stored but unused: the loop is PI</source>
+        <translation>Zähler der Differentialverstärkung des Drehzahlreglers; wirksame Verstärkung = Wert / 2^SPEED_KD_DIV; gespeichert, aber ungenutzt: der Regler ist PI</translation>
+    </message>
+    <message>
+        <source>Proportional gain numerator of the q current regulator; effective gain = value / 2^I_Q_KP_DIV</source>
+        <translation>Zähler der Proportionalverstärkung des q-Stromreglers; wirksame Verstärkung = Wert / 2^I_Q_KP_DIV</translation>
+    </message>
+    <message>
+        <source>Integral gain numerator of the q current regulator; effective gain = value / 2^I_Q_KI_DIV</source>
+        <translation>Zähler der Integralverstärkung des q-Stromreglers; wirksame Verstärkung = Wert / 2^I_Q_KI_DIV</translation>
+    </message>
+    <message>
+        <source>Derivative gain numerator of the q current regulator; effective gain = value / 2^I_Q_KD_DIV; stored but unused: the loop is PI</source>
+        <translation>Zähler der Differentialverstärkung des q-Stromreglers; wirksame Verstärkung = Wert / 2^I_Q_KD_DIV; gespeichert, aber ungenutzt: der Regler ist PI</translation>
+    </message>
+    <message>
+        <source>Proportional gain numerator of the d current regulator; effective gain = value / 2^I_D_KP_DIV</source>
+        <translation>Zähler der Proportionalverstärkung des d-Stromreglers; wirksame Verstärkung = Wert / 2^I_D_KP_DIV</translation>
+    </message>
+    <message>
+        <source>Integral gain numerator of the d current regulator; effective gain = value / 2^I_D_KI_DIV</source>
+        <translation>Zähler der Integralverstärkung des d-Stromreglers; wirksame Verstärkung = Wert / 2^I_D_KI_DIV</translation>
+    </message>
+    <message>
+        <source>Derivative gain numerator of the d current regulator; effective gain = value / 2^I_D_KD_DIV; stored but unused: the loop is PI</source>
+        <translation>Zähler der Differentialverstärkung des d-Stromreglers; wirksame Verstärkung = Wert / 2^I_D_KD_DIV; gespeichert, aber ungenutzt: der Regler ist PI</translation>
+    </message>
+    <message>
+        <source>State observer gain (STOPLL_C1)</source>
+        <translation>Verstärkung des Zustandsbeobachters (STOPLL_C1)</translation>
+    </message>
+    <message>
+        <source>State observer gain (STOPLL_C2)</source>
+        <translation>Verstärkung des Zustandsbeobachters (STOPLL_C2)</translation>
+    </message>
+    <message>
+        <source>State observer gain (STOCORDIC_C1)</source>
+        <translation>Verstärkung des Zustandsbeobachters (STOCORDIC_C1)</translation>
+    </message>
+    <message>
+        <source>State observer gain (STOCORDIC_C2)</source>
+        <translation>Verstärkung des Zustandsbeobachters (STOCORDIC_C2)</translation>
+    </message>
+    <message>
+        <source>PLL regulator gain numerator (STOPLL_KI)</source>
+        <translation>Zähler der Verstärkung des PLL-Reglers (STOPLL_KI)</translation>
+    </message>
+    <message>
+        <source>PLL regulator gain numerator (STOPLL_KP)</source>
+        <translation>Zähler der Verstärkung des PLL-Reglers (STOPLL_KP)</translation>
+    </message>
+    <message>
+        <source>Flux-weakening regulator gain numerator (FLUXWK_KP)</source>
+        <translation>Zähler der Verstärkung des Feldschwächreglers (FLUXWK_KP)</translation>
+    </message>
+    <message>
+        <source>Flux-weakening regulator gain numerator (FLUXWK_KI)</source>
+        <translation>Zähler der Verstärkung des Feldschwächreglers (FLUXWK_KI)</translation>
+    </message>
+    <message>
+        <source>Voltage level at which flux weakening acts</source>
+        <translation>Spannungspegel, ab dem die Feldschwächung wirkt</translation>
+    </message>
+    <message>
+        <source>Averaged DC bus voltage; a virtual sensor returns the configured value</source>
+        <translation>Gemittelte Zwischenkreisspannung; ein virtueller Sensor liefert den eingestellten Wert</translation>
+    </message>
+    <message>
+        <source>Averaged power-stage temperature</source>
+        <translation>Gemittelte Temperatur des Leistungsteils</translation>
+    </message>
+    <message>
+        <source>Id of the HF register shown on this DAC channel</source>
+        <translation>Id des HF-Registers, das dieser DAC-Kanal zeigt</translation>
+    </message>
+    <message>
+        <source>Defined but no handler in any version seen: UNKNOWN_REG</source>
+        <translation>Definiert, aber in keiner bekannten Version behandelt: UNKNOWN_REG</translation>
+    </message>
+    <message>
+        <source>Measured average voltage level</source>
+        <translation>Gemessener mittlerer Spannungspegel</translation>
+    </message>
+    <message>
+        <source>Measured phase current (I_A)</source>
+        <translation>Gemessener Strangstrom (I_A)</translation>
+    </message>
+    <message>
+        <source>Measured phase current (I_B)</source>
+        <translation>Gemessener Strangstrom (I_B)</translation>
+    </message>
+    <message>
+        <source>Stationary-frame current (I_ALPHA_MEAS)</source>
+        <translation>Strom im statorfesten System (I_ALPHA_MEAS)</translation>
+    </message>
+    <message>
+        <source>Stationary-frame current (I_BETA_MEAS)</source>
+        <translation>Strom im statorfesten System (I_BETA_MEAS)</translation>
+    </message>
+    <message>
+        <source>Measured rotor-frame current (I_Q_MEAS)</source>
+        <translation>Gemessener Strom im rotorfesten System (I_Q_MEAS)</translation>
+    </message>
+    <message>
+        <source>Measured rotor-frame current (I_D_MEAS)</source>
+        <translation>Gemessener Strom im rotorfesten System (I_D_MEAS)</translation>
+    </message>
+    <message>
+        <source>Rotor-frame current reference (I_Q_REF); SET applies both components at once with the other one kept</source>
+        <translation>Stromsollwert im rotorfesten System (I_Q_REF); SET übernimmt beide Komponenten zugleich, die andere bleibt erhalten</translation>
+    </message>
+    <message>
+        <source>Rotor-frame current reference (I_D_REF); SET applies both components at once with the other one kept</source>
+        <translation>Stromsollwert im rotorfesten System (I_D_REF); SET übernimmt beide Komponenten zugleich, die andere bleibt erhalten</translation>
+    </message>
+    <message>
+        <source>Rotor-frame voltage command (V_Q)</source>
+        <translation>Spannungsvorgabe im rotorfesten System (V_Q)</translation>
+    </message>
+    <message>
+        <source>Rotor-frame voltage command (V_D)</source>
+        <translation>Spannungsvorgabe im rotorfesten System (V_D)</translation>
+    </message>
+    <message>
+        <source>Stationary-frame voltage command (V_ALPHA)</source>
+        <translation>Spannungsvorgabe im statorfesten System (V_ALPHA)</translation>
+    </message>
+    <message>
+        <source>Stationary-frame voltage command (V_BETA)</source>
+        <translation>Spannungsvorgabe im statorfesten System (V_BETA)</translation>
+    </message>
+    <message>
+        <source>Encoder electrical angle</source>
+        <translation>Elektrischer Winkel des Encoders</translation>
+    </message>
+    <message>
+        <source>Encoder averaged mechanical speed</source>
+        <translation>Gemittelte mechanische Drehzahl des Encoders</translation>
+    </message>
+    <message>
+        <source>Estimated electrical angle</source>
+        <translation>Geschätzter elektrischer Winkel</translation>
+    </message>
+    <message>
+        <source>Estimated averaged mechanical speed</source>
+        <translation>Geschätzte gemittelte mechanische Drehzahl</translation>
+    </message>
+    <message>
+        <source>Observer estimated current (STOPLL_I_ALPHA)</source>
+        <translation>Vom Beobachter geschätzter Strom (STOPLL_I_ALPHA)</translation>
+    </message>
+    <message>
+        <source>Observer estimated current (STOPLL_I_BETA)</source>
+        <translation>Vom Beobachter geschätzter Strom (STOPLL_I_BETA)</translation>
+    </message>
+    <message>
+        <source>Observer estimated back-emf (STOPLL_BEMF_ALPHA)</source>
+        <translation>Vom Beobachter geschätzte Gegen-EMK (STOPLL_BEMF_ALPHA)</translation>
+    </message>
+    <message>
+        <source>Observer estimated back-emf (STOPLL_BEMF_BETA)</source>
+        <translation>Vom Beobachter geschätzte Gegen-EMK (STOPLL_BEMF_BETA)</translation>
+    </message>
+    <message>
+        <source>Observer estimated current (STOCORDIC_I_ALPHA)</source>
+        <translation>Vom Beobachter geschätzter Strom (STOCORDIC_I_ALPHA)</translation>
+    </message>
+    <message>
+        <source>Observer estimated current (STOCORDIC_I_BETA)</source>
+        <translation>Vom Beobachter geschätzter Strom (STOCORDIC_I_BETA)</translation>
+    </message>
+    <message>
+        <source>Observer estimated back-emf (STOCORDIC_BEMF_ALPHA)</source>
+        <translation>Vom Beobachter geschätzte Gegen-EMK (STOCORDIC_BEMF_ALPHA)</translation>
+    </message>
+    <message>
+        <source>Observer estimated back-emf (STOCORDIC_BEMF_BETA)</source>
+        <translation>Vom Beobachter geschätzte Gegen-EMK (STOCORDIC_BEMF_BETA)</translation>
+    </message>
+    <message>
+        <source>Placeholder for user DAC variables; SET/GET answer OK and carry no data</source>
+        <translation>Platzhalter für eigene DAC-Größen; SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>Hall electrical angle</source>
+        <translation>Elektrischer Winkel der Hallsensoren</translation>
+    </message>
+    <message>
+        <source>Hall averaged mechanical speed</source>
+        <translation>Gemittelte mechanische Drehzahl der Hallsensoren</translation>
+    </message>
+    <message>
+        <source>Feed-forward voltage (FF_VQ)</source>
+        <translation>Spannung der Vorsteuerung (FF_VQ)</translation>
+    </message>
+    <message>
+        <source>Feed-forward voltage (FF_VD)</source>
+        <translation>Spannung der Vorsteuerung (FF_VD)</translation>
+    </message>
+    <message>
+        <source>Averaged current-regulator output without feed-forward (FF_VQ_PIOUT)</source>
+        <translation>Gemittelter Ausgang des Stromreglers ohne Vorsteuerung (FF_VQ_PIOUT)</translation>
+    </message>
+    <message>
+        <source>Averaged current-regulator output without feed-forward (FF_VD_PIOUT)</source>
+        <translation>Gemittelter Ausgang des Stromreglers ohne Vorsteuerung (FF_VD_PIOUT)</translation>
+    </message>
+    <message>
+        <source>PFC variable (PFC_DCBUS_REF); SET/GET answer OK and carry no data</source>
+        <translation>PFC-Größe (PFC_DCBUS_REF); SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>PFC variable (PFC_DCBUS_MEAS); SET/GET answer OK and carry no data</source>
+        <translation>PFC-Größe (PFC_DCBUS_MEAS); SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>PFC variable (PFC_ACBUS_FREQ); SET/GET answer OK and carry no data</source>
+        <translation>PFC-Größe (PFC_ACBUS_FREQ); SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>PFC variable (PFC_ACBUS_RMS); SET/GET answer OK and carry no data</source>
+        <translation>PFC-Größe (PFC_ACBUS_RMS); SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>PFC variable (PFC_I_KP); SET/GET answer OK and carry no data</source>
+        <translation>PFC-Größe (PFC_I_KP); SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>PFC variable (PFC_I_KI); SET/GET answer OK and carry no data</source>
+        <translation>PFC-Größe (PFC_I_KI); SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>PFC variable (PFC_I_KD); SET/GET answer OK and carry no data</source>
+        <translation>PFC-Größe (PFC_I_KD); SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>PFC variable (PFC_V_KP); SET/GET answer OK and carry no data</source>
+        <translation>PFC-Größe (PFC_V_KP); SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>PFC variable (PFC_V_KI); SET/GET answer OK and carry no data</source>
+        <translation>PFC-Größe (PFC_V_KI); SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>PFC variable (PFC_V_KD); SET/GET answer OK and carry no data</source>
+        <translation>PFC-Größe (PFC_V_KD); SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>PFC variable (PFC_STARTUP_DURATION); SET/GET answer OK and carry no data</source>
+        <translation>PFC-Größe (PFC_STARTUP_DURATION); SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>PWM frequency used by the profiler</source>
+        <translation>PWM-Frequenz, die der Profiler benutzt</translation>
+    </message>
+    <message>
+        <source>Proportional gain numerator of the position regulator</source>
+        <translation>Zähler der Proportionalverstärkung des Positionsreglers</translation>
+    </message>
+    <message>
+        <source>Integral gain numerator of the position regulator</source>
+        <translation>Zähler der Integralverstärkung des Positionsreglers</translation>
+    </message>
+    <message>
+        <source>Derivative gain numerator of the position regulator</source>
+        <translation>Zähler der Differentialverstärkung des Positionsreglers</translation>
+    </message>
+    <message>
+        <source>Divisor exponent of SPEED_KP</source>
+        <translation>Exponent des Teilers von SPEED_KP</translation>
+    </message>
+    <message>
+        <source>Divisor exponent of SPEED_KI; SET also rescales the integral limits</source>
+        <translation>Exponent des Teilers von SPEED_KI; SET skaliert auch die Grenzen des Integrators um</translation>
+    </message>
+    <message>
+        <source>Divisor exponent of SPEED_KD; unused: the loop is PI</source>
+        <translation>Exponent des Teilers von SPEED_KD; ungenutzt: der Regler ist PI</translation>
+    </message>
+    <message>
+        <source>Divisor exponent of I_D_KP</source>
+        <translation>Exponent des Teilers von I_D_KP</translation>
+    </message>
+    <message>
+        <source>Divisor exponent of I_D_KI; SET also rescales the integral limits</source>
+        <translation>Exponent des Teilers von I_D_KI; SET skaliert auch die Grenzen des Integrators um</translation>
+    </message>
+    <message>
+        <source>Divisor exponent of I_D_KD; unused: the loop is PI</source>
+        <translation>Exponent des Teilers von I_D_KD; ungenutzt: der Regler ist PI</translation>
+    </message>
+    <message>
+        <source>Divisor exponent of I_Q_KP</source>
+        <translation>Exponent des Teilers von I_Q_KP</translation>
+    </message>
+    <message>
+        <source>Divisor exponent of I_Q_KI; SET also rescales the integral limits</source>
+        <translation>Exponent des Teilers von I_Q_KI; SET skaliert auch die Grenzen des Integrators um</translation>
+    </message>
+    <message>
+        <source>Divisor exponent of I_Q_KD; unused: the loop is PI</source>
+        <translation>Exponent des Teilers von I_Q_KD; ungenutzt: der Regler ist PI</translation>
+    </message>
+    <message>
+        <source>Divisor exponent of POSITION_KP</source>
+        <translation>Exponent des Teilers von POSITION_KP</translation>
+    </message>
+    <message>
+        <source>Divisor exponent of POSITION_KI; SET also rescales the integral limits</source>
+        <translation>Exponent des Teilers von POSITION_KI; SET skaliert auch die Grenzen des Integrators um</translation>
+    </message>
+    <message>
+        <source>Divisor exponent of POSITION_KD</source>
+        <translation>Exponent des Teilers von POSITION_KD</translation>
+    </message>
+    <message>
+        <source>PFC variable (PFC_I_KP_DIV); SET/GET answer OK and carry no data</source>
+        <translation>PFC-Größe (PFC_I_KP_DIV); SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>PFC variable (PFC_I_KI_DIV); SET/GET answer OK and carry no data</source>
+        <translation>PFC-Größe (PFC_I_KI_DIV); SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>PFC variable (PFC_I_KD_DIV); SET/GET answer OK and carry no data</source>
+        <translation>PFC-Größe (PFC_I_KD_DIV); SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>PFC variable (PFC_V_KP_DIV); SET/GET answer OK and carry no data</source>
+        <translation>PFC-Größe (PFC_V_KP_DIV); SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>PFC variable (PFC_V_KI_DIV); SET/GET answer OK and carry no data</source>
+        <translation>PFC-Größe (PFC_V_KI_DIV); SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>PFC variable (PFC_V_KD_DIV); SET/GET answer OK and carry no data</source>
+        <translation>PFC-Größe (PFC_V_KD_DIV); SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>PLL regulator gain divisor exponent (STOPLL_KI_DIV)</source>
+        <translation>Exponent des Teilers der Verstärkung des PLL-Reglers (STOPLL_KI_DIV)</translation>
+    </message>
+    <message>
+        <source>PLL regulator gain divisor exponent (STOPLL_KP_DIV)</source>
+        <translation>Exponent des Teilers der Verstärkung des PLL-Reglers (STOPLL_KP_DIV)</translation>
+    </message>
+    <message>
+        <source>Flux-weakening regulator gain divisor exponent (FLUXWK_KP_DIV)</source>
+        <translation>Exponent des Teilers der Verstärkung des Feldschwächreglers (FLUXWK_KP_DIV)</translation>
+    </message>
+    <message>
+        <source>Flux-weakening regulator gain divisor exponent (FLUXWK_KI_DIV)</source>
+        <translation>Exponent des Teilers der Verstärkung des Feldschwächreglers (FLUXWK_KI_DIV)</translation>
+    </message>
+    <message>
+        <source>Open-loop voltage reference (was FOC_VDREF in 6.0/6.1)</source>
+        <translation>Spannungssollwert im gesteuerten Betrieb (in 6.0/6.1 FOC_VDREF)</translation>
+    </message>
+    <message>
+        <source>Current-mode factor of open loop; only 8 bits are kept. Id 108 was BEMF_ZCR up to 6.2</source>
+        <translation>Faktor des gesteuerten Betriebs bei Stromvorgabe; nur 8 Bit bleiben erhalten. Id 108 war bis 6.2 BEMF_ZCR</translation>
+    </message>
+    <message>
+        <source>Monitored bus current. Id 109 was BEMF_U up to 6.2</source>
+        <translation>Überwachter Zwischenkreisstrom. Id 109 war bis 6.2 BEMF_U</translation>
+    </message>
+    <message>
+        <source>Sampling point distance from the PWM edge. Id 110 was BEMF_V up to 6.2</source>
+        <translation>Abstand des Abtastpunkts von der PWM-Flanke. Id 110 war bis 6.2 BEMF_V</translation>
+    </message>
+    <message>
+        <source>Averaging depth; only 8 bits are kept. Id 111 was BEMF_W up to 6.2</source>
+        <translation>Mittelungstiefe; nur 8 Bit bleiben erhalten. Id 111 war bis 6.2 BEMF_W</translation>
+    </message>
+    <message>
+        <source>Bus protection threshold (OVERVOLTAGETHRESHOLD)</source>
+        <translation>Schutzschwelle des Zwischenkreises (OVERVOLTAGETHRESHOLD)</translation>
+    </message>
+    <message>
+        <source>Bus protection threshold (UNDERVOLTAGETHRESHOLD)</source>
+        <translation>Schutzschwelle des Zwischenkreises (UNDERVOLTAGETHRESHOLD)</translation>
+    </message>
+    <message>
+        <source>BEMF samples required before RUN; SET uses only the low byte</source>
+        <translation>Für RUN nötige Messwerte der Gegen-EMK; SET benutzt nur das untere Byte</translation>
+    </message>
+    <message>
+        <source>Angle of the virtual (open-loop) speed sensor; GET and SET answer UNKNOWN_REG</source>
+        <translation>Winkel des virtuellen Drehzahlsensors (gesteuerter Betrieb); GET und SET antworten UNKNOWN_REG</translation>
+    </message>
+    <message>
+        <source>Valid zero-speed steps required before RUN; SET uses only the low byte</source>
+        <translation>Für RUN nötige gültige Schritte bei Drehzahl null; SET benutzt nur das untere Byte</translation>
+    </message>
+    <message>
+        <source>Low half: past unacknowledged faults; high half: faults present now</source>
+        <translation>Untere Hälfte: vergangene, nicht quittierte Fehler; obere Hälfte: jetzt anliegende Fehler</translation>
+    </message>
+    <message>
+        <source>Average mechanical speed</source>
+        <translation>Mittlere mechanische Drehzahl</translation>
+    </message>
+    <message>
+        <source>Speed reference; SET is a zero-duration ramp and keeps only 16 bits (+-32767 rpm, resolution 6 rpm)</source>
+        <translation>Drehzahlsollwert; SET ist eine Rampe ohne Dauer und behält nur 16 Bit (+-32767 rpm, Auflösung 6 rpm)</translation>
+    </message>
+    <message>
+        <source>Back-emf level for tuning the observer (STOPLL_EST_BEMF)</source>
+        <translation>Pegel der Gegen-EMK zum Einstellen des Beobachters (STOPLL_EST_BEMF)</translation>
+    </message>
+    <message>
+        <source>Back-emf level for tuning the observer (STOPLL_OBS_BEMF)</source>
+        <translation>Pegel der Gegen-EMK zum Einstellen des Beobachters (STOPLL_OBS_BEMF)</translation>
+    </message>
+    <message>
+        <source>Back-emf level for tuning the observer (STOCORDIC_EST_BEMF)</source>
+        <translation>Pegel der Gegen-EMK zum Einstellen des Beobachters (STOCORDIC_EST_BEMF)</translation>
+    </message>
+    <message>
+        <source>Back-emf level for tuning the observer (STOCORDIC_OBS_BEMF)</source>
+        <translation>Pegel der Gegen-EMK zum Einstellen des Beobachters (STOCORDIC_OBS_BEMF)</translation>
+    </message>
+    <message>
+        <source>Feed-forward constant (FF_1Q)</source>
+        <translation>Konstante der Vorsteuerung (FF_1Q)</translation>
+    </message>
+    <message>
+        <source>Feed-forward constant (FF_1D)</source>
+        <translation>Konstante der Vorsteuerung (FF_1D)</translation>
+    </message>
+    <message>
+        <source>Feed-forward constant (FF_2)</source>
+        <translation>Konstante der Vorsteuerung (FF_2)</translation>
+    </message>
+    <message>
+        <source>PFC fault bits; SET/GET answer OK and carry no data</source>
+        <translation>Fehlerbits der PFC; SET/GET antworten OK und übertragen keine Daten</translation>
+    </message>
+    <message>
+        <source>Current mechanical position</source>
+        <translation>Jetzige mechanische Position</translation>
+    </message>
+    <message>
+        <source>Motor-control CPU load (PERF_CPU_LOAD)</source>
+        <translation>CPU-Last der Motorregelung (PERF_CPU_LOAD)</translation>
+    </message>
+    <message>
+        <source>Motor-control CPU load (PERF_MIN_CPU_LOAD)</source>
+        <translation>CPU-Last der Motorregelung (PERF_MIN_CPU_LOAD)</translation>
+    </message>
+    <message>
+        <source>Motor-control CPU load (PERF_MAX_CPU_LOAD)</source>
+        <translation>CPU-Last der Motorregelung (PERF_MAX_CPU_LOAD)</translation>
+    </message>
+    <message>
+        <source>Measured stator resistance</source>
+        <translation>Gemessener Statorwiderstand</translation>
+    </message>
+    <message>
+        <source>Measured stator inductance</source>
+        <translation>Gemessene Statorinduktivität</translation>
+    </message>
+    <message>
+        <source>Measured back-emf constant; the unit is the usual one of ST tools and is not stated by the firmware</source>
+        <translation>Gemessene Spannungskonstante; die Einheit ist die in Werkzeugen von ST übliche, die Firmware nennt sie nicht</translation>
+    </message>
+    <message>
+        <source>Bus voltage measured by the profiler</source>
+        <translation>Vom Profiler gemessene Zwischenkreisspannung</translation>
+    </message>
+    <message>
+        <source>Nominal speed estimated by the profiler</source>
+        <translation>Vom Profiler geschätzte Nenndrehzahl</translation>
+    </message>
+    <message>
+        <source>Nominal current for the procedure; SET accepted only while idle or after calibration, else RO_REG</source>
+        <translation>Nennstrom für den Vorgang; SET nur in Ruhe oder nach dem Abgleich, sonst RO_REG</translation>
+    </message>
+    <message>
+        <source>Target speed-loop bandwidth</source>
+        <translation>Angestrebte Bandbreite des Drehzahlreglers</translation>
+    </message>
+    <message>
+        <source>Ld/Lq ratio</source>
+        <translation>Verhältnis Ld/Lq</translation>
+    </message>
+    <message>
+        <source>Nominal speed given to the profiler</source>
+        <translation>Dem Profiler vorgegebene Nenndrehzahl</translation>
+    </message>
+    <message>
+        <source>Target current-loop bandwidth</source>
+        <translation>Angestrebte Bandbreite des Stromreglers</translation>
+    </message>
+    <message>
+        <source>Estimated inertia</source>
+        <translation>Geschätzte Trägheit</translation>
+    </message>
+    <message>
+        <source>Estimated viscous friction</source>
+        <translation>Geschätzte viskose Reibung</translation>
+    </message>
+    <message>
+        <source>Start-up current used by the profiler</source>
+        <translation>Anlaufstrom, den der Profiler benutzt</translation>
+    </message>
+    <message>
+        <source>Estimated maximum open-loop speed</source>
+        <translation>Geschätzte höchste Drehzahl im gesteuerten Betrieb</translation>
+    </message>
+    <message>
+        <source>Estimated maximum acceleration</source>
+        <translation>Geschätzte größte Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Power-board resistance offset</source>
+        <translation>Widerstandsoffset des Leistungsteils</translation>
+    </message>
+    <message>
+        <source>Average electrical motor power; a SET is answered UNKNOWN_REG (firmware lists it in the wrong switch)</source>
+        <translation>Mittlere elektrische Motorleistung; ein SET wird mit UNKNOWN_REG beantwortet (die Firmware führt es an der falschen Stelle)</translation>
+    </message>
+    <message>
+        <source>Firmware name</source>
+        <translation>Name der Firmware</translation>
+    </message>
+    <message>
+        <source>Control board name</source>
+        <translation>Name der Steuerplatine</translation>
+    </message>
+    <message>
+        <source>Power board name</source>
+        <translation>Name der Leistungsplatine</translation>
+    </message>
+    <message>
+        <source>Motor name</source>
+        <translation>Name des Motors</translation>
+    </message>
+    <message>
+        <source>Version, motor count, transports and stream counts; 10 bytes</source>
+        <translation>Version, Anzahl der Motoren, Übertragungswege und Anzahl der Datenströme; 10 Byte</translation>
+    </message>
+    <message>
+        <source>Motor parameters; 60 bytes</source>
+        <translation>Motorparameter; 60 Byte</translation>
+    </message>
+    <message>
+        <source>Operating limits and drive type; 16 bytes; 14 up to 6.1</source>
+        <translation>Betriebsgrenzen und Antriebsart; 16 Byte; 14 bis 6.1</translation>
+    </message>
+    <message>
+        <source>Firmware drive configuration; 14 bytes FOC/ACIM; six-step 10/11/13</source>
+        <translation>Antriebskonfiguration der Firmware; 14 Byte bei FOC/ACIM; Blockkommutierung 10/11/13</translation>
+    </message>
+    <message>
+        <source>Digit-to-unit factors for voltage, current, frequency; no SET case: UNKNOWN_REG; 12 bytes</source>
+        <translation>Faktoren von Digits zu Einheiten für Spannung, Strom, Frequenz; kein SET: UNKNOWN_REG; 12 Byte</translation>
+    </message>
+    <message>
+        <source>s32 rpm + u16 ms; SET starts a ramp, GET returns the last one; 6 bytes</source>
+        <translation>s32 rpm + u16 ms; SET startet eine Rampe, GET liefert die letzte; 6 Byte</translation>
+    </message>
+    <message>
+        <source>SET s32 s16A + u16 ms; GET s16 s16A + u16 ms; SET 6 bytes; GET 4 bytes</source>
+        <translation>SET s32 s16A + u16 ms; GET s16 s16A + u16 ms; SET 6 Byte; GET 4 Byte</translation>
+    </message>
+    <message>
+        <source>Rev-up stages: s32 rpm; u16 final torque (s16A) or pulse; u16 ms; n x 8 bytes; n &lt;= 5</source>
+        <translation>Anlaufstufen: s32 rpm; u16 Endmoment (s16A) oder Puls; u16 ms; n x 8 Byte; n &lt;= 5</translation>
+    </message>
+    <message>
+        <source>s16 Iq + s16 Id in s16A; 4 bytes</source>
+        <translation>s16 Iq + s16 Id in s16A; 4 Byte</translation>
+    </message>
+    <message>
+        <source>f32 target position rad + f32 duration s; GET swaps the two fields in 6.1/6.2; 8 bytes</source>
+        <translation>f32 Zielposition rad + f32 Dauer s; GET vertauscht die beiden Felder in 6.1/6.2; 8 Byte</translation>
+    </message>
+    <message>
+        <source>Datalog configuration (ASYNC_UARTA); GET is answered UNKNOWN_REG; 7+2n bytes</source>
+        <translation>Konfiguration der Datenaufzeichnung (ASYNC_UARTA); GET wird mit UNKNOWN_REG beantwortet; 7+2n Byte</translation>
+    </message>
+    <message>
+        <source>Datalog configuration (ASYNC_UARTB); GET is answered UNKNOWN_REG; 7+2n bytes</source>
+        <translation>Konfiguration der Datenaufzeichnung (ASYNC_UARTB); GET wird mit UNKNOWN_REG beantwortet; 7+2n Byte</translation>
+    </message>
+    <message>
+        <source>Datalog configuration for the ST-LINK link; 7+2n bytes</source>
+        <translation>Konfiguration der Datenaufzeichnung für die ST-LINK-Verbindung; 7+2n Byte</translation>
+    </message>
+    <message>
+        <source>New Hall input order: 3 u8 + pad; 4 bytes</source>
+        <translation>Neue Reihenfolge der Hall-Eingänge: 3 u8 + Füllbyte; 4 Byte</translation>
+    </message>
+    <message>
+        <source>Connected Hall inputs: 3 u8 + pad; 4 bytes</source>
+        <translation>Angeschlossene Hall-Eingänge: 3 u8 + Füllbyte; 4 Byte</translation>
+    </message>
+    <message>
+        <source>14 s16 Hall phase-shift values; 28 bytes</source>
+        <translation>14 s16 Phasenverschiebungen der Hallsensoren; 28 Byte</translation>
+    </message>
+    <message>
+        <source>13 u16 sensing and demagnetisation parameters; 26 bytes</source>
+        <translation>13 u16 Parameter der Messung und Entmagnetisierung; 26 Byte</translation>
+    </message>
+    <message>
+        <source>Fast demagnetisation; this id is LOWSIDE_MODULATION from 6.3 on. Shown read-only: its writing side was not read</source>
+        <translation>Schnelle Entmagnetisierung; diese Id ist ab 6.3 LOWSIDE_MODULATION. Nur zum Lesen gezeigt: ihr Schreibpfad ist nicht untersucht</translation>
+    </message>
+    <message>
+        <source>Commutation step buffer; this id is OPENLOOP_DC_FILTER from 6.4 on. Shown read-only: its writing side was not read</source>
+        <translation>Puffer der Kommutierungsschritte; diese Id ist ab 6.4 OPENLOOP_DC_FILTER. Nur zum Lesen gezeigt: ihr Schreibpfad ist nicht untersucht</translation>
+    </message>
+    <message>
+        <source>Pulse value; gone in 6.4.2. Shown read-only: its writing side was not read</source>
+        <translation>Pulswert; entfallen in 6.4.2. Nur zum Lesen gezeigt: sein Schreibpfad ist nicht untersucht</translation>
+    </message>
+    <message>
+        <source>Open-loop voltage reference; this id is FOC_VQREF from 6.2 on. Shown read-only: its writing side was not read</source>
+        <translation>Spannungssollwert im gesteuerten Betrieb; diese Id ist ab 6.2 FOC_VQREF. Nur zum Lesen gezeigt: ihr Schreibpfad ist nicht untersucht</translation>
+    </message>
+    <message>
+        <source>Back-emf zero crossing; this id is OPENLOOP_CURRFACTOR from 6.3 on</source>
+        <translation>Nulldurchgang der Gegen-EMK; diese Id ist ab 6.3 OPENLOOP_CURRFACTOR</translation>
+    </message>
+    <message>
+        <source>Back-emf of phase U; this id is CURR_MONITOR from 6.4 on</source>
+        <translation>Gegen-EMK der Phase U; diese Id ist ab 6.4 CURR_MONITOR</translation>
+    </message>
+    <message>
+        <source>Back-emf of phase V; this id is CURR_MONITOR_SAMPL_NS from 6.4 on</source>
+        <translation>Gegen-EMK der Phase V; diese Id ist ab 6.4 CURR_MONITOR_SAMPL_NS</translation>
+    </message>
+    <message>
+        <source>Back-emf of phase W; this id is CURR_MONITOR_AVG from 6.4 on</source>
+        <translation>Gegen-EMK der Phase W; diese Id ist ab 6.4 CURR_MONITOR_AVG</translation>
+    </message>
+    <message>
+        <source>Sensing parameters; this id is BEMF_ADC_CONF from 6.3 on</source>
+        <translation>Messparameter; diese Id ist ab 6.3 BEMF_ADC_CONF</translation>
+    </message>
+    <message>
+        <source>Sensing parameters while the PWM is on; gone in 6.3</source>
+        <translation>Messparameter bei eingeschalteter PWM; entfallen in 6.3</translation>
+    </message>
+    <message>
+        <source>Motor state; 30 = DC resistance estimation in addition to the common codes</source>
+        <translation>Motorzustand; 30 = Schätzung des Gleichstromwiderstands, zusätzlich zu den üblichen Nummern</translation>
+    </message>
+    <message>
+        <source>Control mode (same enum as CONTROL_MODE)</source>
+        <translation>Regelungsart (dieselbe Aufzählung wie CONTROL_MODE)</translation>
+    </message>
+    <message>
+        <source>Control mode as used by the core; SET is UNKNOWN_REG</source>
+        <translation>Regelungsart, wie sie der Kern benutzt; SET ist UNKNOWN_REG</translation>
+    </message>
+    <message>
+        <source>0 sine 1 centred 2 shifted centre 3 min-low 4 max-high 5 up-down; out-of-range SET becomes 0; 0..5</source>
+        <translation>0 Sinus 1 zentriert 2 verschobene Mitte 3 min-low 4 max-high 5 auf-ab; SET außerhalb des Bereichs wird 0; 0..5</translation>
+    </message>
+    <message>
+        <source>Defined but no handler</source>
+        <translation>Definiert, aber nicht behandelt</translation>
+    </message>
+    <message>
+        <source>0 speed reference from the protocol 1 from the potentiometer; 0..1</source>
+        <translation>0 Drehzahlsollwert vom Protokoll 1 vom Potentiometer; 0..1</translation>
+    </message>
+    <message>
+        <source>0 no resistance update 1 automatic (ZeST); 0..1</source>
+        <translation>0 Widerstand wird nicht nachgeführt 1 automatisch (ZeST); 0..1</translation>
+    </message>
+    <message>
+        <source>Oversampling sample used as single sample</source>
+        <translation>Abtastwert der Überabtastung, der als Einzelwert dient</translation>
+    </message>
+    <message>
+        <source>Current reconstruction enable</source>
+        <translation>Rekonstruktion der Ströme einschalten</translation>
+    </message>
+    <message>
+        <source>Profiler command; GET answers WO_REG; 0 none 1 start 2 reset</source>
+        <translation>Befehl an den Profiler; GET antwortet WO_REG; 0 keiner 1 starten 2 zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Profiler state; 0..6</source>
+        <translation>Zustand des Profilers; 0..6</translation>
+    </message>
+    <message>
+        <source>Current reconstruction limit (motor 1 only)</source>
+        <translation>Grenze der Rekonstruktion der Ströme (nur Motor 1)</translation>
+    </message>
+    <message>
+        <source>bit0 DC resistance estimate, bit1 dynamic ZeST configuration, bit2 offset measurement, bit3 pole pulses, bit4 fast DC resistance</source>
+        <translation>Bit 0 Schätzung des Gleichstromwiderstands, Bit 1 dynamische ZeST-Konfiguration, Bit 2 Offsetmessung, Bit 3 Polimpulse, Bit 4 schneller Gleichstromwiderstand</translation>
+    </message>
+    <message>
+        <source>Id shown on DAC channel 1</source>
+        <translation>Id, die DAC-Kanal 1 zeigt</translation>
+    </message>
+    <message>
+        <source>Id shown on DAC channel 2</source>
+        <translation>Id, die DAC-Kanal 2 zeigt</translation>
+    </message>
+    <message>
+        <source>Pole pulse length</source>
+        <translation>Länge des Polimpulses</translation>
+    </message>
+    <message>
+        <source>Pole pulse decay length</source>
+        <translation>Abklingdauer des Polimpulses</translation>
+    </message>
+    <message>
+        <source>Power-stage temperature</source>
+        <translation>Temperatur des Leistungsteils</translation>
+    </message>
+    <message>
+        <source>Same layout as the standard family; a motor-scope SET answers OK and does nothing</source>
+        <translation>Aufbau wie in der Standardfamilie; ein SET für einen Motor antwortet OK und bewirkt nichts</translation>
+    </message>
+    <message>
+        <source>Phase current (ADC_I_U)</source>
+        <translation>Strangstrom (ADC_I_U)</translation>
+    </message>
+    <message>
+        <source>Phase current (ADC_I_V)</source>
+        <translation>Strangstrom (ADC_I_V)</translation>
+    </message>
+    <message>
+        <source>Phase current (ADC_I_W)</source>
+        <translation>Strangstrom (ADC_I_W)</translation>
+    </message>
+    <message>
+        <source>Phase voltage (ADC_U_U)</source>
+        <translation>Strangspannung (ADC_U_U)</translation>
+    </message>
+    <message>
+        <source>Phase voltage (ADC_U_V)</source>
+        <translation>Strangspannung (ADC_U_V)</translation>
+    </message>
+    <message>
+        <source>Phase voltage (ADC_U_W)</source>
+        <translation>Strangspannung (ADC_U_W)</translation>
+    </message>
+    <message>
+        <source>Stationary-frame current (I_ALPHA)</source>
+        <translation>Strom im statorfesten System (I_ALPHA)</translation>
+    </message>
+    <message>
+        <source>Stationary-frame current (I_BETA)</source>
+        <translation>Strom im statorfesten System (I_BETA)</translation>
+    </message>
+    <message>
+        <source>Stationary-frame voltage (U_ALPHA)</source>
+        <translation>Spannung im statorfesten System (U_ALPHA)</translation>
+    </message>
+    <message>
+        <source>Stationary-frame voltage (U_BETA)</source>
+        <translation>Spannung im statorfesten System (U_BETA)</translation>
+    </message>
+    <message>
+        <source>Rotor-frame current (I_D)</source>
+        <translation>Strom im rotorfesten System (I_D)</translation>
+    </message>
+    <message>
+        <source>Rotor-frame current (I_Q)</source>
+        <translation>Strom im rotorfesten System (I_Q)</translation>
+    </message>
+    <message>
+        <source>Rotor-frame voltage (U_D)</source>
+        <translation>Spannung im rotorfesten System (U_D)</translation>
+    </message>
+    <message>
+        <source>Rotor-frame voltage (U_Q)</source>
+        <translation>Spannung im rotorfesten System (U_Q)</translation>
+    </message>
+    <message>
+        <source>Unreconstructed phase current (ADC_I_RAW_U)</source>
+        <translation>Nicht rekonstruierter Strangstrom (ADC_I_RAW_U)</translation>
+    </message>
+    <message>
+        <source>Unreconstructed phase current (ADC_I_RAW_V)</source>
+        <translation>Nicht rekonstruierter Strangstrom (ADC_I_RAW_V)</translation>
+    </message>
+    <message>
+        <source>Unreconstructed phase current (ADC_I_RAW_W)</source>
+        <translation>Nicht rekonstruierter Strangstrom (ADC_I_RAW_W)</translation>
+    </message>
+    <message>
+        <source>Observer electrical frequency</source>
+        <translation>Elektrische Frequenz des Beobachters</translation>
+    </message>
+    <message>
+        <source>Observer flux (HSO_FLUX_A)</source>
+        <translation>Fluss des Beobachters (HSO_FLUX_A)</translation>
+    </message>
+    <message>
+        <source>Observer flux (HSO_FLUX_B)</source>
+        <translation>Fluss des Beobachters (HSO_FLUX_B)</translation>
+    </message>
+    <message>
+        <source>DC bus voltage</source>
+        <translation>Zwischenkreisspannung</translation>
+    </message>
+    <message>
+        <source>Calibrated offset (ADC_I_U_OFFSET); stale bytes when no calibration is available</source>
+        <translation>Abgeglichener Offset (ADC_I_U_OFFSET); veraltete Bytes, wenn es keinen Abgleich gibt</translation>
+    </message>
+    <message>
+        <source>Calibrated offset (ADC_I_V_OFFSET); stale bytes when no calibration is available</source>
+        <translation>Abgeglichener Offset (ADC_I_V_OFFSET); veraltete Bytes, wenn es keinen Abgleich gibt</translation>
+    </message>
+    <message>
+        <source>Calibrated offset (ADC_I_W_OFFSET); stale bytes when no calibration is available</source>
+        <translation>Abgeglichener Offset (ADC_I_W_OFFSET); veraltete Bytes, wenn es keinen Abgleich gibt</translation>
+    </message>
+    <message>
+        <source>Calibrated offset (ADC_U_U_OFFSET); stale bytes when no calibration is available</source>
+        <translation>Abgeglichener Offset (ADC_U_U_OFFSET); veraltete Bytes, wenn es keinen Abgleich gibt</translation>
+    </message>
+    <message>
+        <source>Calibrated offset (ADC_U_V_OFFSET); stale bytes when no calibration is available</source>
+        <translation>Abgeglichener Offset (ADC_U_V_OFFSET); veraltete Bytes, wenn es keinen Abgleich gibt</translation>
+    </message>
+    <message>
+        <source>Calibrated offset (ADC_U_W_OFFSET); stale bytes when no calibration is available</source>
+        <translation>Abgeglichener Offset (ADC_U_W_OFFSET); veraltete Bytes, wenn es keinen Abgleich gibt</translation>
+    </message>
+    <message>
+        <source>Open-loop angle</source>
+        <translation>Winkel im gesteuerten Betrieb</translation>
+    </message>
+    <message>
+        <source>Mechanical speed; SET is UNKNOWN_REG</source>
+        <translation>Mechanische Drehzahl; SET ist UNKNOWN_REG</translation>
+    </message>
+    <message>
+        <source>Open-loop d-axis duty reference</source>
+        <translation>Tastgrad-Sollwert der d-Achse im gesteuerten Betrieb</translation>
+    </message>
+    <message>
+        <source>Torque reference</source>
+        <translation>Drehmomentsollwert</translation>
+    </message>
+    <message>
+        <source>Throttle input (THROTTLE_ADC)</source>
+        <translation>Fahrhebel-Eingang (THROTTLE_ADC)</translation>
+    </message>
+    <message>
+        <source>Throttle input (THROTTLE_POS)</source>
+        <translation>Fahrhebel-Eingang (THROTTLE_POS)</translation>
+    </message>
+    <message>
+        <source>Deprecated alias of FOC_RS_ACTIVE</source>
+        <translation>Veralteter Name von FOC_RS_ACTIVE</translation>
+    </message>
+    <message>
+        <source>Deprecated alias of FOC_LS_ACTIVE</source>
+        <translation>Veralteter Name von FOC_LS_ACTIVE</translation>
+    </message>
+    <message>
+        <source>Regulator gain (FOC_KP_IDQ)</source>
+        <translation>Verstärkung des Reglers (FOC_KP_IDQ)</translation>
+    </message>
+    <message>
+        <source>Regulator gain (FOC_WI_IDQ)</source>
+        <translation>Verstärkung des Reglers (FOC_WI_IDQ)</translation>
+    </message>
+    <message>
+        <source>Regulator gain (FOC_KP_SPD)</source>
+        <translation>Verstärkung des Reglers (FOC_KP_SPD)</translation>
+    </message>
+    <message>
+        <source>Regulator gain (FOC_KI_SPD)</source>
+        <translation>Verstärkung des Reglers (FOC_KI_SPD)</translation>
+    </message>
+    <message>
+        <source>Speed reference</source>
+        <translation>Drehzahlsollwert</translation>
+    </message>
+    <message>
+        <source>Ramped speed reference</source>
+        <translation>Drehzahlsollwert hinter der Rampe</translation>
+    </message>
+    <message>
+        <source>Speed ramp rate</source>
+        <translation>Steilheit der Drehzahlrampe</translation>
+    </message>
+    <message>
+        <source>Not implemented</source>
+        <translation>Nicht umgesetzt</translation>
+    </message>
+    <message>
+        <source>Torque estimate; SET is UNKNOWN_REG</source>
+        <translation>Geschätztes Drehmoment; SET ist UNKNOWN_REG</translation>
+    </message>
+    <message>
+        <source>Average electrical frequency</source>
+        <translation>Mittlere elektrische Frequenz</translation>
+    </message>
+    <message>
+        <source>ZeST injected current</source>
+        <translation>Von ZeST eingeprägter Strom</translation>
+    </message>
+    <message>
+        <source>Deprecated active resistance</source>
+        <translation>Wirksamer Widerstand, veraltet</translation>
+    </message>
+    <message>
+        <source>Current limit</source>
+        <translation>Stromgrenze</translation>
+    </message>
+    <message>
+        <source>Deprecated active inductance</source>
+        <translation>Wirksame Induktivität, veraltet</translation>
+    </message>
+    <message>
+        <source>Rated flux</source>
+        <translation>Nennfluss</translation>
+    </message>
+    <message>
+        <source>Active flux; SET is UNKNOWN_REG</source>
+        <translation>Wirksamer Fluss; SET ist UNKNOWN_REG</translation>
+    </message>
+    <message>
+        <source>ZeST injection frequency</source>
+        <translation>Einprägefrequenz von ZeST</translation>
+    </message>
+    <message>
+        <source>ZeST feedback gain (FOC_GAIN_D)</source>
+        <translation>Rückführverstärkung von ZeST (FOC_GAIN_D)</translation>
+    </message>
+    <message>
+        <source>ZeST feedback gain (FOC_GAIN_Q)</source>
+        <translation>Rückführverstärkung von ZeST (FOC_GAIN_Q)</translation>
+    </message>
+    <message>
+        <source>Filtered duty (FOC_DUTYCYCLE_D); SET is UNKNOWN_REG</source>
+        <translation>Gefilterter Tastgrad (FOC_DUTYCYCLE_D); SET ist UNKNOWN_REG</translation>
+    </message>
+    <message>
+        <source>Filtered duty (FOC_DUTYCYCLE_Q); SET is UNKNOWN_REG</source>
+        <translation>Gefilterter Tastgrad (FOC_DUTYCYCLE_Q); SET ist UNKNOWN_REG</translation>
+    </message>
+    <message>
+        <source>Park angle</source>
+        <translation>Winkel der Park-Transformation</translation>
+    </message>
+    <message>
+        <source>Rated resistance; SET also retunes the current regulator</source>
+        <translation>Nennwiderstand; SET stellt auch den Stromregler neu ein</translation>
+    </message>
+    <message>
+        <source>Active resistance</source>
+        <translation>Wirksamer Widerstand</translation>
+    </message>
+    <message>
+        <source>Rated inductance; SET also retunes the current regulator</source>
+        <translation>Nenninduktivität; SET stellt auch den Stromregler neu ein</translation>
+    </message>
+    <message>
+        <source>Active inductance</source>
+        <translation>Wirksame Induktivität</translation>
+    </message>
+    <message>
+        <source>Maximum modulation index</source>
+        <translation>Größter Modulationsgrad</translation>
+    </message>
+    <message>
+        <source>ZeST output (FOC_ZEST_OUTD)</source>
+        <translation>Ausgang von ZeST (FOC_ZEST_OUTD)</translation>
+    </message>
+    <message>
+        <source>ZeST output (FOC_ZEST_OUTQ)</source>
+        <translation>Ausgang von ZeST (FOC_ZEST_OUTQ)</translation>
+    </message>
+    <message>
+        <source>Angle compensation factor</source>
+        <translation>Faktor der Winkelkompensation</translation>
+    </message>
+    <message>
+        <source>q current reference from the speed loop; SET is UNKNOWN_REG</source>
+        <translation>q-Stromsollwert vom Drehzahlregler; SET ist UNKNOWN_REG</translation>
+    </message>
+    <message>
+        <source>Current reference (FOC_IDREF)</source>
+        <translation>Stromsollwert (FOC_IDREF)</translation>
+    </message>
+    <message>
+        <source>Current reference (FOC_IQREF)</source>
+        <translation>Stromsollwert (FOC_IQREF)</translation>
+    </message>
+    <message>
+        <source>Pole pairs</source>
+        <translation>Polpaare</translation>
+    </message>
+    <message>
+        <source>Profiled resistance (PROFILER_RS_DC)</source>
+        <translation>Vom Profiler bestimmter Widerstand (PROFILER_RS_DC)</translation>
+    </message>
+    <message>
+        <source>Profiled resistance (PROFILER_RS_AC)</source>
+        <translation>Vom Profiler bestimmter Widerstand (PROFILER_RS_AC)</translation>
+    </message>
+    <message>
+        <source>Profiled inductance</source>
+        <translation>Vom Profiler bestimmte Induktivität</translation>
+    </message>
+    <message>
+        <source>Profiled flux</source>
+        <translation>Vom Profiler bestimmter Fluss</translation>
+    </message>
+    <message>
+        <source>Power used while profiling</source>
+        <translation>Leistung während der Vermessung</translation>
+    </message>
+    <message>
+        <source>Frequency used for flux estimation</source>
+        <translation>Frequenz für die Flussschätzung</translation>
+    </message>
+    <message>
+        <source>Phase duty (FOC_DUTYCYCLE_R)</source>
+        <translation>Tastgrad des Strangs (FOC_DUTYCYCLE_R)</translation>
+    </message>
+    <message>
+        <source>Phase duty (FOC_DUTYCYCLE_S)</source>
+        <translation>Tastgrad des Strangs (FOC_DUTYCYCLE_S)</translation>
+    </message>
+    <message>
+        <source>Phase duty (FOC_DUTYCYCLE_T)</source>
+        <translation>Tastgrad des Strangs (FOC_DUTYCYCLE_T)</translation>
+    </message>
+    <message>
+        <source>Pole pulse current goal</source>
+        <translation>Zielstrom des Polimpulses</translation>
+    </message>
+    <message>
+        <source>Pole pulse duty</source>
+        <translation>Tastgrad des Polimpulses</translation>
+    </message>
+    <message>
+        <source>Angle found by the pole pulses</source>
+        <translation>Winkel, den die Polimpulse ergaben</translation>
+    </message>
+    <message>
+        <source>Sample delay factor</source>
+        <translation>Faktor der Abtastverzögerung</translation>
+    </message>
+    <message>
+        <source>Resistance estimate (RSEST_RSOHM); 0.0 without ZeST</source>
+        <translation>Geschätzter Widerstand (RSEST_RSOHM); 0.0 ohne ZeST</translation>
+    </message>
+    <message>
+        <source>Resistance estimate (RSEST_RSPOWEROHM); 0.0 without ZeST</source>
+        <translation>Geschätzter Widerstand (RSEST_RSPOWEROHM); 0.0 ohne ZeST</translation>
+    </message>
+    <message>
+        <source>Skin factor; without ZeST GET is 0.0 and SET is ignored</source>
+        <translation>Faktor des Skineffekts; ohne ZeST liefert GET 0.0, und SET wird ignoriert</translation>
+    </message>
+    <message>
+        <source>ZeST angle correction; 0 without ZeST</source>
+        <translation>Winkelkorrektur von ZeST; 0 ohne ZeST</translation>
+    </message>
+    <message>
+        <source>ZeST internal signal (ANG_SPEED)</source>
+        <translation>Internes Signal von ZeST (ANG_SPEED)</translation>
+    </message>
+    <message>
+        <source>ZeST internal signal (ZEST_CORR_LP)</source>
+        <translation>Internes Signal von ZeST (ZEST_CORR_LP)</translation>
+    </message>
+    <message>
+        <source>ZeST internal signal (DEMOD_EQDQRIP_D)</source>
+        <translation>Internes Signal von ZeST (DEMOD_EQDQRIP_D)</translation>
+    </message>
+    <message>
+        <source>ZeST internal signal (DEMOD_EQDQRIP_Q)</source>
+        <translation>Internes Signal von ZeST (DEMOD_EQDQRIP_Q)</translation>
+    </message>
+    <message>
+        <source>ZeST internal signal (ZEST_FRACTION)</source>
+        <translation>Internes Signal von ZeST (ZEST_FRACTION)</translation>
+    </message>
+    <message>
+        <source>Resistance seen by the algorithm (FOC_RS_TEMP_ALGO)</source>
+        <translation>Widerstand, wie ihn der Algorithmus sieht (FOC_RS_TEMP_ALGO)</translation>
+    </message>
+    <message>
+        <source>Resistance seen by the algorithm (FOC_RS_EST_ALGO)</source>
+        <translation>Widerstand, wie ihn der Algorithmus sieht (FOC_RS_EST_ALGO)</translation>
+    </message>
+    <message>
+        <source>ZeST revision</source>
+        <translation>Revision von ZeST</translation>
+    </message>
+    <message>
+        <source>ZeST library version</source>
+        <translation>Version der ZeST-Bibliothek</translation>
+    </message>
+    <message>
+        <source>Name (FW_NAME)</source>
+        <translation>Name (FW_NAME)</translation>
+    </message>
+    <message>
+        <source>Name (CTRL_STAGE_NAME)</source>
+        <translation>Name (CTRL_STAGE_NAME)</translation>
+    </message>
+    <message>
+        <source>Name (PWR_STAGE_NAME)</source>
+        <translation>Name (PWR_STAGE_NAME)</translation>
+    </message>
+    <message>
+        <source>Name (MOTOR_NAME)</source>
+        <translation>Name (MOTOR_NAME)</translation>
+    </message>
+    <message>
+        <source>As in the standard family; 10 bytes</source>
+        <translation>Wie in der Standardfamilie; 10 Byte</translation>
+    </message>
+    <message>
+        <source>As in the standard family; 60 bytes</source>
+        <translation>Wie in der Standardfamilie; 60 Byte</translation>
+    </message>
+    <message>
+        <source>As in the standard family; 16 bytes</source>
+        <translation>Wie in der Standardfamilie; 16 Byte</translation>
+    </message>
+    <message>
+        <source>As in the standard family; primary sensor 5 HSO or 6 ZeST; 14 bytes</source>
+        <translation>Wie in der Standardfamilie; erster Sensor 5 HSO oder 6 ZeST; 14 Byte</translation>
+    </message>
+    <message>
+        <source>Per-unit base voltage, current and frequency; 12 bytes</source>
+        <translation>Bezugsgrößen (per unit) für Spannung, Strom und Frequenz; 12 Byte</translation>
+    </message>
+    <message>
+        <source>6 x s32: three current offsets then three voltage offsets; status 0x0C when not calibrated; 24 bytes</source>
+        <translation>6 x s32: drei Stromoffsets, dann drei Spannungsoffsets; Status 0x0C, wenn nicht abgeglichen; 24 Byte</translation>
+    </message>
+    <message>
+        <source>Datalog configuration (ASYNC_UARTA); 7+2n bytes</source>
+        <translation>Konfiguration der Datenaufzeichnung (ASYNC_UARTA); 7+2n Byte</translation>
+    </message>
+    <message>
+        <source>Datalog configuration (ASYNC_UARTB); 7+2n bytes</source>
+        <translation>Konfiguration der Datenaufzeichnung (ASYNC_UARTB); 7+2n Byte</translation>
+    </message>
+    <message>
+        <source>Datalog configuration (ASYNC_STLNK); 7+2n bytes</source>
+        <translation>Konfiguration der Datenaufzeichnung (ASYNC_STLNK); 7+2n Byte</translation>
+    </message>
+    <message>
+        <source>Defined in the HSO header only; no handler: UNKNOWN_REG</source>
+        <translation>Nur im HSO-Header definiert; nicht behandelt: UNKNOWN_REG</translation>
+    </message>
+    <message>
+        <source>State of the motor</source>
+        <translation>Zustand des Motors</translation>
+    </message>
+</context>
+</TS>
