@@ -3,6 +3,7 @@
 
 #include "simulation/build.h"
 #include "simulation/liars.h"
+#include "simulation/mcb/mcb_faults.h"
 #include "simulation/plant/presets.h"
 #include "simulation/profile.h"
 #include "simulation/simulated_board.h"
@@ -83,6 +84,9 @@ std::string liarList()
             name += " (" + std::to_string(info.oneIn) + ')';
         text += row(std::move(name), info.help);
     }
+    text += "\nOf rotorscope-sim mcb, one frame in a hundred if no chance is given\n";
+    for (const simulation::McbFaultRow &fault : simulation::mcbFaultList())
+        text += row("  " + std::string(fault.name), fault.help);
     return text;
 }
 

@@ -1,6 +1,8 @@
 // Reading the flags: a table from flag to the member it fills and what it may be.
 #include "options.h"
 
+#include "mcb_options.h"
+
 #include "session/motor_file.h"
 #include "simulation/plant/presets.h"
 
@@ -17,7 +19,7 @@ namespace {
 
 constexpr std::string_view kHelp =
     R"(Usage: rotorscope-sim mcp [OPTION]...
-       rotorscope-sim mcb --rig FILE [--link PATH | --tcp PORT] [--control]
+       rotorscope-sim mcb [--rig FILE] [OPTION]...
        rotorscope-sim legacy|powerpc --rig FILE [--link PATH | --tcp PORT]
                       [--control]
 
@@ -65,11 +67,16 @@ It serves one client after the other until SIGTERM.
   --list-liars      what --liar can be
   --help            this text
 
-mcb is a slave of the Motion Control Bus (SPI), static and without a motor: it
+mcb is a drive on the Motion Control Bus (SPI), a servo with an encoder: it
 answers each frame with as many bytes, those it would send at the same time.
+It takes --motor (servo24), --load, --hf-hz, --link, --tcp, --seed, --control,
+and besides:
 
-  --rig FILE        what registers it has: JSON, see docs/simulator.md
-  --control         obeys reset | quit
+  --profile P       whose registers: summit-1.12, or newer with other types
+  --reply-delay N   so many IDLE frames before each answer, 0 to 1000 (0)
+  --liar NAME[:N],..  see the last part of --list-liars
+  --rig FILE        instead of all that a slave that stands still, with these
+                    registers: JSON, see docs/simulator.md; obeys reset | quit
 
 legacy and powerpc are a static board of the older serial protocol at 115200
 baud, without a motor; the rig says which of its dialects it speaks.
@@ -114,6 +121,10 @@ const std::vector<Flag> &flags()
         {"--watchdog", 0, 60'000, 1, into(&B::watchdogMs)},
         {"--seed", 0, UINT64_MAX, 1, into(&B::seed)},
         {"--motors", 1, 2, 1, into(&B::motors)},
+        {"--reply-delay", 0, 1000, 1,
+            [](Options &options, std::uint64_t value) {
+                options.mcb.replyDelay = static_cast<int>(value);
+            }},
         {"--tcp", 0, UINT16_MAX, 1,
             [](Options &options, std::uint64_t value) {
                 options.tcp = static_cast<std::uint16_t>(value);
@@ -252,6 +263,9 @@ std::optional<std::string> readLoad(std::string_view list, simulation::LoadParam
 std::optional<std::string> applyNamed(
     std::string_view name, std::string_view value, Options &options)
 {
+    const bool mcb = options.protocol == Protocol::Mcb;
+    if (name == "--profile" && mcb)
+        return readServoProfile(value, options.mcb.servo);
     if (name == "--profile") {
         options.board.profile = value;
         for (const std::string &known : simulation::profileNames()) {
@@ -267,7 +281,7 @@ std::optional<std::string> applyNamed(
     if (name == "--load")
         return readLoad(value, options.board.load.emplace());
     if (name == "--liar")
-        return readLies(value, options.board.lies);
+        return mcb ? readMcbFaults(value, options.mcb.faults) : readLies(value, options.board.lies);
     if (name == "--rig") {
         options.rig = value;
         return std::nullopt;
@@ -294,12 +308,25 @@ std::optional<Protocol> protocolOf(std::string_view word)
     return std::nullopt;
 }
 
+bool isOfRigs(std::string_view name)
+{
+    constexpr std::array kNames{"--rig", "--link", "--tcp", "--control"};
+    return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
+}
+
+bool isOfServos(std::string_view name)
+{
+    constexpr std::array kNames{
+        "--motor", "--load", "--hf-hz", "--seed", "--profile", "--reply-delay", "--liar"};
+    return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
+}
+
 /// A sentence if that option means nothing to a device of that protocol.
 std::optional<std::string> misplaced(std::string_view name, Protocol protocol)
 {
-    constexpr std::array kOfRigs{"--rig", "--link", "--tcp", "--control"};
-    const bool ofRigs = std::find(kOfRigs.begin(), kOfRigs.end(), name) != kOfRigs.end();
-    if (protocol == Protocol::Mcp ? name == "--rig" : !ofRigs)
+    if (protocol == Protocol::Mcp
+            ? name == "--rig" || name == "--reply-delay"
+            : !isOfRigs(name) && !(protocol == Protocol::Mcb && isOfServos(name)))
         return std::string(name) + " does not go with this protocol; see --help";
     return std::nullopt;
 }
@@ -338,10 +365,13 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
         return fail(std::string("say what to simulate: rotorscope-sim mcp|mcb|legacy|powerpc "
                                 "[OPTION]...; see --help"));
     options.protocol = *protocol;
+    std::string_view ofServo; // an option that a rig leaves no room for
     for (std::size_t i = 1; i < words.size(); ++i) {
         const std::string_view word = words[i];
         if (const auto problem = misplaced(word.substr(0, word.find('=')), *protocol))
             return fail(*problem);
+        if (isOfServos(word.substr(0, word.find('='))))
+            ofServo = word;
         if (word == "--control") {
             options.control = true;
             continue;
@@ -365,7 +395,9 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
         if (const auto problem = applyNamed(name, value, options))
             return fail(*problem);
     }
-    if (options.protocol != Protocol::Mcp && options.rig.empty())
+    if (options.protocol == Protocol::Mcb && !options.rig.empty() && !ofServo.empty())
+        return fail(std::string(ofServo) + " does not go with --rig; see --help");
+    if (options.protocol == Protocol::Legacy && options.rig.empty())
         return fail(std::string(words[0]) + " needs --rig FILE; see --help");
     if (options.tcp && !options.link.empty())
         return fail(std::string("--link goes with a pseudo-terminal, not with --tcp"));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "simulation/mcb/mcb_board.h"
 #include "simulation/simulated_board.h"
 
 #include <optional>
@@ -27,6 +28,7 @@ struct Options {
     Action action = Action::Serve;
     Protocol protocol = Protocol::Mcp;
     simulation::BoardOptions board;
+    simulation::McbBoardOptions mcb; ///< without its board, which is the one above
     std::string link; ///< path of a symbolic link to the pseudo-terminal; empty: none
     std::string rig; ///< path of the file that says what a static device is and holds
     std::optional<std::uint16_t> tcp; ///< number of the port; 0: a free one

@@ -4,6 +4,7 @@
 #include "session/legacy_rig_file.h"
 #include "session/mcb_rig_file.h"
 #include "simulation/legacy/legacy_board.h"
+#include "simulation/mcb/mcb_board.h"
 #include "simulation/mcb_slave.h"
 
 namespace sim {
@@ -17,8 +18,19 @@ Served boardOf(const Options &options)
     return {std::move(board), [&known](std::string_view line) { return obey(line, known); }};
 }
 
+Served servoOf(const Options &options)
+{
+    simulation::McbBoardOptions wanted = options.mcb;
+    wanted.board = options.board;
+    auto board = simulation::makeMcbBoard(wanted);
+    auto &known = *board;
+    return {std::move(board), [&known](std::string_view line) { return obey(line, known); }};
+}
+
 Result<Served, std::string> mcbOf(const Options &options)
 {
+    if (options.rig.empty())
+        return servoOf(options);
     auto rig = session::readMcbRigFile(QString::fromStdString(options.rig));
     if (!rig)
         return fail(options.rig + ": " + rig.error().toStdString());

@@ -91,6 +91,15 @@ Result<void, ErrorCode> McbRegisters::write(std::uint16_t address, mcb::WordView
     return {};
 }
 
+void McbRegisters::put(std::uint16_t address, mcb::WordView words)
+{
+    const auto found = m_registers.find(address);
+    if (found == m_registers.end())
+        return;
+    mcb::Words &value = found->second.words;
+    std::copy_n(words.begin(), std::min(value.size(), words.size()), value.begin());
+}
+
 Result<void, ErrorCode> McbRegisters::check(std::uint16_t address, mcb::WordView words) const
 {
     if (isEntry(address))

@@ -43,6 +43,9 @@ public:
     /// @param words  may hold padding; a text that is shorter is filled up with zeros
     Result<void, mcb::ErrorCode> write(std::uint16_t address, mcb::WordView words);
 
+    /// A value that lives; nothing if there is no such register.
+    void put(std::uint16_t address, mcb::WordView words);
+
     /// What 0x640 reads: the state that is in force, not one that was asked for in vain.
     void setState(std::uint16_t state) { m_registers.at(kState).words = {state}; }
 

@@ -8,8 +8,9 @@ using mcb::Command;
 using mcb::ErrorCode;
 using mcb::Frame;
 
-McbSlave::McbSlave(const McbRig &rig)
+McbSlave::McbSlave(const McbRig &rig, McbLife *life)
     : m_registers(rig)
+    , m_life(life)
     , m_replyDelay(rig.replyDelay)
 {
 }
@@ -33,6 +34,8 @@ Frame McbSlave::nextOutput()
 Bytes McbSlave::exchange(ByteView input)
 {
     ++m_counts.frames;
+    if (m_life != nullptr)
+        m_life->show(m_registers);
     const bool answered = !m_answers.empty() && m_wait == 0;
     Bytes output = mcb::encodeFrame(nextOutput());
     if (input.size() != output.size()) {
@@ -43,8 +46,11 @@ Bytes McbSlave::exchange(ByteView input)
         return output;
     }
     const auto request = mcb::decodeFrame(input);
-    if (request && m_cyclic)
+    if (request && m_cyclic) {
         m_registers.takeCyclicInput(*m_cyclic, request->cyclic);
+        if (m_life != nullptr && !m_cyclic->rx.empty())
+            m_life->look(m_registers);
+    }
     // The master has seen the ACK, whatever came of its own frame.
     if (answered && m_switches && m_answers.empty())
         switchState();
@@ -107,9 +113,15 @@ void McbSlave::handleWrite(const Frame &request)
     if (added == Added::TooLong)
         return refuse(request, Command::ErrorOfWrite, ErrorCode::General);
     if (added == Added::Whole) {
+        if (const auto code = m_life != nullptr
+                ? m_life->refusal(request.address, m_written.words())
+                : std::nullopt)
+            return refuse(request, Command::ErrorOfWrite, *code);
         const auto written = m_registers.write(request.address, m_written.words());
         if (!written)
             return refuse(request, Command::ErrorOfWrite, written.error());
+        if (m_life != nullptr)
+            m_life->look(m_registers);
     }
     // Each fragment is acknowledged alone, with what came.
     answer({Frame{request.address, Command::Ack, false, request.config, {}}});
@@ -131,36 +143,15 @@ void McbSlave::refuse(const Frame &request, Command command, ErrorCode code)
 
 void McbStream::receive(ByteView bytes, TimePoint now)
 {
-    advance(now);
-    if (!bytes.empty())
-        m_lastInput = now;
-    m_input.insert(m_input.end(), bytes.begin(), bytes.end());
-    std::size_t taken = 0;
-    for (std::size_t length = m_slave.frameBytes(); m_input.size() - taken >= length;
-         length = m_slave.frameBytes()) {
-        const Bytes output = m_slave.exchange(ByteView(m_input).subspan(taken, length));
-        m_output.insert(m_output.end(), output.begin(), output.end());
-        taken += length;
-    }
-    m_input.erase(m_input.begin(), m_input.begin() + static_cast<std::ptrdiff_t>(taken));
-}
-
-void McbStream::advance(TimePoint now)
-{
-    if (!m_input.empty() && now - m_lastInput >= kUnfinished)
-        m_input.clear();
-}
-
-TimePoint McbStream::nextWake() const
-{
-    return m_input.empty() ? TimePoint::max() : m_lastInput + kUnfinished;
+    m_framing.receive(
+        bytes, now, [this] { return m_slave.frameBytes(); },
+        [this](ByteView input) { return m_slave.exchange(input); });
 }
 
 void McbStream::reset()
 {
     m_slave = McbSlave(m_rig);
-    m_input.clear();
-    m_output.clear();
+    m_framing.clear();
 }
 
 } // namespace simulation

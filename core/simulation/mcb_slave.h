@@ -1,5 +1,5 @@
-// The slave half of MCB: one call a frame, because both sides send at once. It answers as a static device, so that every
-// answer can be foretold; motors are another's business.
+// The slave half of MCB: one call a frame, because both sides send at once. Alone it answers as a static device, so that
+// every answer can be foretold; a motor behind its registers is another's business (McbLife).
 //
 //   Config state: frames of 12 bytes.  Cyclic state: frames of 12 + 2 n bytes, n words of the mapping.
 //   A write of 0x640 changes the state when its ACK has been sent: the frame after it has the new length.
@@ -10,7 +10,8 @@
 
 #include "mcb/fragments.h"
 #include "simulation/device.h"
-#include "simulation/mcb_registers.h"
+#include "simulation/mcb/mcb_framing.h"
+#include "simulation/mcb/mcb_life.h"
 
 #include <deque>
 #include <optional>
@@ -23,7 +24,8 @@ public:
         std::uint64_t frames = 0, wrongLength = 0, badFrames = 0;
     };
 
-    explicit McbSlave(const McbRig &rig);
+    /// @param life  what changes the registers and is moved by them; outlives the slave
+    explicit McbSlave(const McbRig &rig, McbLife *life = nullptr);
 
     /// How long a frame is now.
     std::size_t frameBytes() const;
@@ -46,6 +48,7 @@ private:
     void abandonSwitch();
 
     McbRegisters m_registers;
+    McbLife *m_life;
     int m_replyDelay;
     int m_wait = 0; ///< IDLE frames before the answer
     std::deque<mcb::Frame> m_answers;
@@ -55,12 +58,10 @@ private:
     Counts m_counts;
 };
 
-/// A slave behind a byte stream: whenever a whole frame has come in, as many bytes go out. The end of the answer means
-/// that the ready line is high again; a frame that stays unfinished for kUnfinished is dropped, as when chip select
-/// goes high.
+/// A static slave behind a byte stream.
 class McbStream final : public Device {
 public:
-    static constexpr Duration kUnfinished = std::chrono::milliseconds(50);
+    static constexpr Duration kUnfinished = McbFraming::kUnfinished;
 
     explicit McbStream(McbRig rig)
         : m_rig(std::move(rig))
@@ -69,9 +70,9 @@ public:
     }
 
     void receive(ByteView bytes, TimePoint now) override;
-    void advance(TimePoint now) override;
-    [[nodiscard]] Bytes takeOutput() override { return std::exchange(m_output, {}); }
-    [[nodiscard]] TimePoint nextWake() const override;
+    void advance(TimePoint now) override { m_framing.advance(now); }
+    [[nodiscard]] Bytes takeOutput() override { return m_framing.takeOutput(); }
+    [[nodiscard]] TimePoint nextWake() const override { return m_framing.nextWake(); }
 
     void reset(); ///< as by a power cycle: config state, values of the rig
     const McbSlave &slave() const { return m_slave; }
@@ -79,8 +80,7 @@ public:
 private:
     McbRig m_rig;
     McbSlave m_slave;
-    Bytes m_input, m_output;
-    TimePoint m_lastInput{};
+    McbFraming m_framing;
 };
 
 } // namespace simulation

@@ -95,7 +95,9 @@ void TestSimulatorProgram::aWrongCommandLineIsOneSentenceAndStatus2_data()
     row("unknown load", "mcp --load spring:3");
     row("three motors", "mcp --motors 3");
     row("no port", "mcp --tcp 70000");
-    row("no rig", "mcb --control");
+    row("no rig", "legacy --control");
+    row("a fault that a frame has not", "mcb --liar twice");
+    row("a profile of another protocol", "mcb --profile mcsdk-6.4");
     row("no such rig", "mcb --rig /nowhere/rig.json");
     row("a motor in a rig", "mcb --rig /nowhere/rig.json --motor pm24");
     row("a description of a rig", "mcb --rig /nowhere/rig.json --describe");

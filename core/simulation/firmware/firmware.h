@@ -93,6 +93,7 @@ public:
         return m_signals;
     } ///< for what others measure: the load of the processor
     Tuning &tuning() { return m_tuning; }
+    const Tuning &tuning() const { return m_tuning; }
     Commissioning &commissioning() { return m_commissioning; }
     const Plant &plant() const { return m_plant; }
     const DriveDesign &design() const { return m_design; }
