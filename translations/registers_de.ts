@@ -1378,5 +1378,1721 @@
         <source>State of the motor</source>
         <translation>Zustand des Motors</translation>
     </message>
+    <message>
+        <source>Motor that frames without a motor number are for, counted from 0</source>
+        <translation>Motor, dem Rahmen ohne Motornummer gelten, ab 0 gezählt</translation>
+    </message>
+    <message>
+        <source>Faults: those present now in the upper half, those not acknowledged yet in the lower</source>
+        <translation>Fehler: die jetzt anliegenden in der oberen Hälfte, die noch nicht quittierten in der unteren</translation>
+    </message>
+    <message>
+        <source>What is controlled: torque (0) or speed (1)</source>
+        <translation>Was geregelt wird: Drehmoment (0) oder Drehzahl (1)</translation>
+    </message>
+    <message>
+        <source>Speed that the speed loop follows now, ramps included</source>
+        <translation>Drehzahl, der der Drehzahlregler jetzt folgt, Rampen eingeschlossen</translation>
+    </message>
+    <message>
+        <source>Speed loop: proportional gain, to be divided by SPEED_KP_DIV</source>
+        <translation>Drehzahlregler: Proportionalverstärkung, durch SPEED_KP_DIV zu teilen</translation>
+    </message>
+    <message>
+        <source>Speed loop: integral gain, to be divided by SPEED_KI_DIV</source>
+        <translation>Drehzahlregler: Integralverstärkung, durch SPEED_KI_DIV zu teilen</translation>
+    </message>
+    <message>
+        <source>Speed loop: derivative gain</source>
+        <translation>Drehzahlregler: Differentialverstärkung</translation>
+    </message>
+    <message>
+        <source>Reference of Iq in force; a write changes to torque control and waits until the motor runs</source>
+        <translation>Geltender Sollwert von Iq; Schreiben wechselt zur Drehmomentregelung und wartet, bis der Motor läuft</translation>
+    </message>
+    <message>
+        <source>Loop of Iq: proportional gain</source>
+        <translation>Iq-Regler: Proportionalverstärkung</translation>
+    </message>
+    <message>
+        <source>Loop of Iq: integral gain</source>
+        <translation>Iq-Regler: Integralverstärkung</translation>
+    </message>
+    <message>
+        <source>Loop of Iq: derivative gain</source>
+        <translation>Iq-Regler: Differentialverstärkung</translation>
+    </message>
+    <message>
+        <source>Reference of Id in force; a write changes to torque control and waits until the motor runs</source>
+        <translation>Geltender Sollwert von Id; Schreiben wechselt zur Drehmomentregelung und wartet, bis der Motor läuft</translation>
+    </message>
+    <message>
+        <source>Loop of Id: proportional gain</source>
+        <translation>Id-Regler: Proportionalverstärkung</translation>
+    </message>
+    <message>
+        <source>Loop of Id: integral gain</source>
+        <translation>Id-Regler: Integralverstärkung</translation>
+    </message>
+    <message>
+        <source>Loop of Id: derivative gain</source>
+        <translation>Id-Regler: Differentialverstärkung</translation>
+    </message>
+    <message>
+        <source>Observer: gain C1; written with 4 bytes of which the lower 2 count</source>
+        <translation>Beobachter: Verstärkung C1; mit 4 Byte geschrieben, von denen die unteren 2 zählen</translation>
+    </message>
+    <message>
+        <source>Observer: gain C2; written with 4 bytes of which the lower 2 count</source>
+        <translation>Beobachter: Verstärkung C2; mit 4 Byte geschrieben, von denen die unteren 2 zählen</translation>
+    </message>
+    <message>
+        <source>CORDIC observer: gain C1; firmware refuses writes</source>
+        <translation>CORDIC-Beobachter: Verstärkung C1; die Firmware weist Schreiben ab</translation>
+    </message>
+    <message>
+        <source>CORDIC observer: gain C2; firmware refuses writes</source>
+        <translation>CORDIC-Beobachter: Verstärkung C2; die Firmware weist Schreiben ab</translation>
+    </message>
+    <message>
+        <source>Observer&apos;s PLL: integral gain</source>
+        <translation>PLL des Beobachters: Integralverstärkung</translation>
+    </message>
+    <message>
+        <source>Observer&apos;s PLL: proportional gain</source>
+        <translation>PLL des Beobachters: Proportionalverstärkung</translation>
+    </message>
+    <message>
+        <source>Flux weakening: proportional gain</source>
+        <translation>Feldschwächung: Proportionalverstärkung</translation>
+    </message>
+    <message>
+        <source>Flux weakening: integral gain</source>
+        <translation>Feldschwächung: Integralverstärkung</translation>
+    </message>
+    <message>
+        <source>Voltage that flux weakening leaves to the drive, in tenths of a percent of the bus</source>
+        <translation>Spannung, die die Feldschwächung dem Antrieb lässt, in Zehntelprozent der Zwischenkreisspannung</translation>
+    </message>
+    <message>
+        <source>Bus voltage</source>
+        <translation>Zwischenkreisspannung</translation>
+    </message>
+    <message>
+        <source>Temperature of the heat sink; signed from STM32 boards, unsigned by the text</source>
+        <translation>Temperatur des Kühlkörpers; von STM32-Boards mit Vorzeichen, laut Beschreibung ohne</translation>
+    </message>
+    <message>
+        <source>Electrical power into the motor; signed from STM32 boards (negative when braking), unsigned by the text</source>
+        <translation>Elektrische Leistung in den Motor; von STM32-Boards mit Vorzeichen (negativ beim Bremsen), laut Beschreibung ohne</translation>
+    </message>
+    <message>
+        <source>Number of the register that DAC channel 1 shows</source>
+        <translation>Nummer des Registers, das DAC-Kanal 1 zeigt</translation>
+    </message>
+    <message>
+        <source>Number of the register that DAC channel 2 shows</source>
+        <translation>Nummer des Registers, das DAC-Kanal 2 zeigt</translation>
+    </message>
+    <message>
+        <source>Mean speed measured</source>
+        <translation>Gemessene mittlere Drehzahl</translation>
+    </message>
+    <message>
+        <source>Iq measured</source>
+        <translation>Iq, gemessen</translation>
+    </message>
+    <message>
+        <source>Id measured</source>
+        <translation>Id, gemessen</translation>
+    </message>
+    <message>
+        <source>Voltage in use, in tenths of a percent of the bus</source>
+        <translation>Genutzte Spannung in Zehntelprozent der Zwischenkreisspannung</translation>
+    </message>
+    <message>
+        <source>Stages of the start-up without sensor; 0 where there is none</source>
+        <translation>Stufen des Anlaufs ohne Sensor; 0, wo es keinen gibt</translation>
+    </message>
+    <message>
+        <source>Current of phase A</source>
+        <translation>Strom der Phase A</translation>
+    </message>
+    <message>
+        <source>Current of phase B</source>
+        <translation>Strom der Phase B</translation>
+    </message>
+    <message>
+        <source>Stator current, alpha</source>
+        <translation>Statorstrom, Alpha</translation>
+    </message>
+    <message>
+        <source>Stator current, beta</source>
+        <translation>Statorstrom, Beta</translation>
+    </message>
+    <message>
+        <source>Reference of Iq</source>
+        <translation>Sollwert von Iq</translation>
+    </message>
+    <message>
+        <source>Reference of Id</source>
+        <translation>Sollwert von Id</translation>
+    </message>
+    <message>
+        <source>Voltage of the q axis</source>
+        <translation>Spannung der q-Achse</translation>
+    </message>
+    <message>
+        <source>Voltage of the d axis</source>
+        <translation>Spannung der d-Achse</translation>
+    </message>
+    <message>
+        <source>Voltage, alpha</source>
+        <translation>Spannung, Alpha</translation>
+    </message>
+    <message>
+        <source>Voltage, beta</source>
+        <translation>Spannung, Beta</translation>
+    </message>
+    <message>
+        <source>Electrical angle of the position sensor</source>
+        <translation>Elektrischer Winkel des Lagesensors</translation>
+    </message>
+    <message>
+        <source>Speed of the position sensor</source>
+        <translation>Drehzahl des Lagesensors</translation>
+    </message>
+    <message>
+        <source>Electrical angle as the PLL observer sees it</source>
+        <translation>Elektrischer Winkel, wie ihn der PLL-Beobachter sieht</translation>
+    </message>
+    <message>
+        <source>Speed as the PLL observer sees it</source>
+        <translation>Drehzahl, wie sie der PLL-Beobachter sieht</translation>
+    </message>
+    <message>
+        <source>Current, alpha, as the PLL observer sees it</source>
+        <translation>Strom, Alpha, wie ihn der PLL-Beobachter sieht</translation>
+    </message>
+    <message>
+        <source>Current, beta, as the PLL observer sees it</source>
+        <translation>Strom, Beta, wie ihn der PLL-Beobachter sieht</translation>
+    </message>
+    <message>
+        <source>Back-EMF, alpha, as the PLL observer sees it</source>
+        <translation>Gegen-EMK, Alpha, wie sie der PLL-Beobachter sieht</translation>
+    </message>
+    <message>
+        <source>Back-EMF, beta, as the PLL observer sees it</source>
+        <translation>Gegen-EMK, Beta, wie sie der PLL-Beobachter sieht</translation>
+    </message>
+    <message>
+        <source>Electrical angle as the CORDIC observer sees it</source>
+        <translation>Elektrischer Winkel, wie ihn der CORDIC-Beobachter sieht</translation>
+    </message>
+    <message>
+        <source>Speed as the CORDIC observer sees it</source>
+        <translation>Drehzahl, wie sie der CORDIC-Beobachter sieht</translation>
+    </message>
+    <message>
+        <source>Current, alpha, as the CORDIC observer sees it</source>
+        <translation>Strom, Alpha, wie ihn der CORDIC-Beobachter sieht</translation>
+    </message>
+    <message>
+        <source>Current, beta, as the CORDIC observer sees it</source>
+        <translation>Strom, Beta, wie ihn der CORDIC-Beobachter sieht</translation>
+    </message>
+    <message>
+        <source>Back-EMF, alpha, as the CORDIC observer sees it</source>
+        <translation>Gegen-EMK, Alpha, wie sie der CORDIC-Beobachter sieht</translation>
+    </message>
+    <message>
+        <source>Back-EMF, beta, as the CORDIC observer sees it</source>
+        <translation>Gegen-EMK, Beta, wie sie der CORDIC-Beobachter sieht</translation>
+    </message>
+    <message>
+        <source>Number from the application for channel 1</source>
+        <translation>Zahl der Anwendung für Kanal 1</translation>
+    </message>
+    <message>
+        <source>Number from the application for channel 2</source>
+        <translation>Zahl der Anwendung für Kanal 2</translation>
+    </message>
+    <message>
+        <source>Highest speed of the application; firmware 5.4.3 does not answer it</source>
+        <translation>Höchste Drehzahl der Anwendung; Firmware 5.4.3 beantwortet das nicht</translation>
+    </message>
+    <message>
+        <source>Lowest speed of the application; firmware 5.4.3 does not answer it</source>
+        <translation>Niedrigste Drehzahl der Anwendung; Firmware 5.4.3 beantwortet das nicht</translation>
+    </message>
+    <message>
+        <source>Reference of Id, in spite of its name</source>
+        <translation>Sollwert von Id, trotz des Namens</translation>
+    </message>
+    <message>
+        <source>Back-EMF expected of this speed</source>
+        <translation>Gegen-EMK, die bei dieser Drehzahl zu erwarten ist</translation>
+    </message>
+    <message>
+        <source>Back-EMF observed</source>
+        <translation>Beobachtete Gegen-EMK</translation>
+    </message>
+    <message>
+        <source>Feed forward: constant 1 of the q axis</source>
+        <translation>Vorsteuerung: Konstante 1 der q-Achse</translation>
+    </message>
+    <message>
+        <source>Feed forward: constant 1 of the d axis</source>
+        <translation>Vorsteuerung: Konstante 1 der d-Achse</translation>
+    </message>
+    <message>
+        <source>Feed forward: constant 2</source>
+        <translation>Vorsteuerung: Konstante 2</translation>
+    </message>
+    <message>
+        <source>Part of Vq that is fed forward</source>
+        <translation>Anteil der Vorsteuerung an Vq</translation>
+    </message>
+    <message>
+        <source>Part of Vd that is fed forward</source>
+        <translation>Anteil der Vorsteuerung an Vd</translation>
+    </message>
+    <message>
+        <source>Part of Vq that the current loop adds</source>
+        <translation>Anteil des Stromreglers an Vq</translation>
+    </message>
+    <message>
+        <source>Part of Vd that the current loop adds</source>
+        <translation>Anteil des Stromreglers an Vd</translation>
+    </message>
+    <message>
+        <source>State of the power-factor corrector</source>
+        <translation>Zustand der Leistungsfaktorkorrektur</translation>
+    </message>
+    <message>
+        <source>Faults of the power-factor corrector</source>
+        <translation>Fehler der Leistungsfaktorkorrektur</translation>
+    </message>
+    <message>
+        <source>Bus voltage that the corrector keeps</source>
+        <translation>Zwischenkreisspannung, die die Leistungsfaktorkorrektur hält</translation>
+    </message>
+    <message>
+        <source>Bus voltage that the corrector measures</source>
+        <translation>Zwischenkreisspannung, die die Leistungsfaktorkorrektur misst</translation>
+    </message>
+    <message>
+        <source>Frequency of the mains</source>
+        <translation>Netzfrequenz</translation>
+    </message>
+    <message>
+        <source>Peak voltage of the mains, in spite of its name</source>
+        <translation>Scheitelwert der Netzspannung, trotz des Namens</translation>
+    </message>
+    <message>
+        <source>Corrector&apos;s current loop: proportional gain</source>
+        <translation>Stromregler der Leistungsfaktorkorrektur: Proportionalverstärkung</translation>
+    </message>
+    <message>
+        <source>Corrector&apos;s current loop: integral gain</source>
+        <translation>Stromregler der Leistungsfaktorkorrektur: Integralverstärkung</translation>
+    </message>
+    <message>
+        <source>Corrector&apos;s current loop: derivative gain</source>
+        <translation>Stromregler der Leistungsfaktorkorrektur: Differentialverstärkung</translation>
+    </message>
+    <message>
+        <source>Corrector&apos;s voltage loop: proportional gain</source>
+        <translation>Spannungsregler der Leistungsfaktorkorrektur: Proportionalverstärkung</translation>
+    </message>
+    <message>
+        <source>Corrector&apos;s voltage loop: integral gain</source>
+        <translation>Spannungsregler der Leistungsfaktorkorrektur: Integralverstärkung</translation>
+    </message>
+    <message>
+        <source>Corrector&apos;s voltage loop: derivative gain</source>
+        <translation>Spannungsregler der Leistungsfaktorkorrektur: Differentialverstärkung</translation>
+    </message>
+    <message>
+        <source>Time of the corrector&apos;s start-up</source>
+        <translation>Dauer des Hochlaufs der Leistungsfaktorkorrektur</translation>
+    </message>
+    <message>
+        <source>Whether the corrector is on</source>
+        <translation>Ob die Leistungsfaktorkorrektur eingeschaltet ist</translation>
+    </message>
+    <message>
+        <source>Last final speed asked for; a write is a ramp of 0 ms</source>
+        <translation>Zuletzt verlangte Enddrehzahl; Schreiben ist eine Rampe von 0 ms</translation>
+    </message>
+    <message>
+        <source>Duration of ramps that a write of RAMP_FINAL_SPEED starts; STM32 boards do not answer it</source>
+        <translation>Dauer der Rampen, die ein Schreiben von RAMP_FINAL_SPEED startet; STM32-Boards beantworten das nicht</translation>
+    </message>
+    <message>
+        <source>Angle found by injection</source>
+        <translation>Durch Einprägung gefundener Winkel</translation>
+    </message>
+    <message>
+        <source>Speed found by injection</source>
+        <translation>Durch Einprägung gefundene Drehzahl</translation>
+    </message>
+    <message>
+        <source>Current injected</source>
+        <translation>Eingeprägter Strom</translation>
+    </message>
+    <message>
+        <source>Angle at the start found by injection</source>
+        <translation>Durch Einprägung gefundener Winkel beim Start</translation>
+    </message>
+    <message>
+        <source>Difference of saturation that decides the polarity</source>
+        <translation>Unterschied der Sättigung, der über die Polarität entscheidet</translation>
+    </message>
+    <message>
+        <source>Injection&apos;s PLL: proportional gain; firmware 5.4.3 has nothing behind it</source>
+        <translation>PLL der Einprägung: Proportionalverstärkung; in Firmware 5.4.3 ohne Wirkung</translation>
+    </message>
+    <message>
+        <source>Injection&apos;s PLL: integral gain; firmware 5.4.3 has nothing behind it</source>
+        <translation>PLL der Einprägung: Integralverstärkung; in Firmware 5.4.3 ohne Wirkung</translation>
+    </message>
+    <message>
+        <source>Injection&apos;s tracking: proportional gain</source>
+        <translation>Nachführung der Einprägung: Proportionalverstärkung</translation>
+    </message>
+    <message>
+        <source>Injection&apos;s tracking: integral gain</source>
+        <translation>Nachführung der Einprägung: Integralverstärkung</translation>
+    </message>
+    <message>
+        <source>Whether the profiler is there</source>
+        <translation>Ob der Profiler vorhanden ist</translation>
+    </message>
+    <message>
+        <source>State of the profiler</source>
+        <translation>Zustand des Profilers</translation>
+    </message>
+    <message>
+        <source>Resistance found</source>
+        <translation>Gefundener Widerstand</translation>
+    </message>
+    <message>
+        <source>Inductance found</source>
+        <translation>Gefundene Induktivität</translation>
+    </message>
+    <message>
+        <source>Back-EMF constant found</source>
+        <translation>Gefundene Spannungskonstante</translation>
+    </message>
+    <message>
+        <source>Bus voltage during the profile</source>
+        <translation>Zwischenkreisspannung während der Vermessung</translation>
+    </message>
+    <message>
+        <source>Nominal speed found</source>
+        <translation>Gefundene Nenndrehzahl</translation>
+    </message>
+    <message>
+        <source>Steps of the profile</source>
+        <translation>Schritte der Vermessung</translation>
+    </message>
+    <message>
+        <source>Divisor of SPEED_KP</source>
+        <translation>Teiler von SPEED_KP</translation>
+    </message>
+    <message>
+        <source>Divisor of SPEED_KI</source>
+        <translation>Teiler von SPEED_KI</translation>
+    </message>
+    <message>
+        <source>Number of the firmware build</source>
+        <translation>Nummer des Firmware-Builds</translation>
+    </message>
+    <message>
+        <source>In the list only, nothing behind it</source>
+        <translation>Nur in der Liste, nichts dahinter</translation>
+    </message>
+    <message>
+        <source>Number of the control board; 2 bytes from firmware, 4 by the text</source>
+        <translation>Nummer der Steuerplatine; 2 Byte von der Firmware, laut Beschreibung 4</translation>
+    </message>
+    <message>
+        <source>Number of the power board; 2 bytes from firmware, 4 by the text</source>
+        <translation>Nummer der Leistungsplatine; 2 Byte von der Firmware, laut Beschreibung 4</translation>
+    </message>
+    <message>
+        <source>Pole pairs for the profile</source>
+        <translation>Polpaare für die Vermessung</translation>
+    </message>
+    <message>
+        <source>Current for the profile</source>
+        <translation>Strom für die Vermessung</translation>
+    </message>
+    <message>
+        <source>Bandwidth wanted of the speed loop</source>
+        <translation>Gewünschte Bandbreite des Drehzahlreglers</translation>
+    </message>
+    <message>
+        <source>Ratio of Ld to Lq for the profile</source>
+        <translation>Verhältnis von Ld zu Lq für die Vermessung</translation>
+    </message>
+    <message>
+        <source>Nominal speed for the profile</source>
+        <translation>Nenndrehzahl für die Vermessung</translation>
+    </message>
+    <message>
+        <source>Bandwidth wanted of the current loops</source>
+        <translation>Gewünschte Bandbreite der Stromregler</translation>
+    </message>
+    <message>
+        <source>Inertia found</source>
+        <translation>Gefundene Trägheit</translation>
+    </message>
+    <message>
+        <source>Friction found</source>
+        <translation>Gefundene Reibung</translation>
+    </message>
+    <message>
+        <source>Greatest current of the profile</source>
+        <translation>Größter Strom der Vermessung</translation>
+    </message>
+    <message>
+        <source>Speed at which the profile starts</source>
+        <translation>Drehzahl, mit der die Vermessung beginnt</translation>
+    </message>
+    <message>
+        <source>Acceleration at which the profile starts</source>
+        <translation>Beschleunigung, mit der die Vermessung beginnt</translation>
+    </message>
+    <message>
+        <source>Frequency of the PWM</source>
+        <translation>PWM-Frequenz</translation>
+    </message>
+    <message>
+        <source>PWM periods to one step of the current loops</source>
+        <translation>PWM-Perioden je Schritt der Stromregler</translation>
+    </message>
+    <message>
+        <source>Number of the power board of motor 2; firmware 5.4.3 does not answer it</source>
+        <translation>Nummer der Leistungsplatine von Motor 2; Firmware 5.4.3 beantwortet das nicht</translation>
+    </message>
+    <message>
+        <source>Whether the profile is done</source>
+        <translation>Ob die Vermessung abgeschlossen ist</translation>
+    </message>
+    <message>
+        <source>Position measured</source>
+        <translation>Gemessene Position</translation>
+    </message>
+    <message>
+        <source>Position wanted</source>
+        <translation>Gewünschte Position</translation>
+    </message>
+    <message>
+        <source>Time of the move</source>
+        <translation>Dauer der Bewegung</translation>
+    </message>
+    <message>
+        <source>Position loop: proportional gain</source>
+        <translation>Positionsregler: Proportionalverstärkung</translation>
+    </message>
+    <message>
+        <source>Position loop: integral gain</source>
+        <translation>Positionsregler: Integralverstärkung</translation>
+    </message>
+    <message>
+        <source>Position loop: derivative gain</source>
+        <translation>Positionsregler: Differentialverstärkung</translation>
+    </message>
+    <message>
+        <source>Code of the latest error</source>
+        <translation>Code des letzten Fehlers</translation>
+    </message>
+    <message>
+        <source>Control word of the drive state machine (DS402 bits)</source>
+        <translation>Steuerwort der Zustandsmaschine des Antriebs (DS402-Bits)</translation>
+    </message>
+    <message>
+        <source>Status word of the drive state machine (DS402 bits)</source>
+        <translation>Statuswort der Zustandsmaschine des Antriebs (DS402-Bits)</translation>
+    </message>
+    <message>
+        <source>Operation mode wanted</source>
+        <translation>Gewünschte Betriebsart</translation>
+    </message>
+    <message>
+        <source>Operation mode in force</source>
+        <translation>Geltende Betriebsart</translation>
+    </message>
+    <message>
+        <source>Set-point of the quadrature voltage</source>
+        <translation>Sollwert der Querspannung</translation>
+    </message>
+    <message>
+        <source>Set-point of the direct voltage</source>
+        <translation>Sollwert der Längsspannung</translation>
+    </message>
+    <message>
+        <source>Set-point of the quadrature (torque) current</source>
+        <translation>Sollwert des Querstroms (Moment)</translation>
+    </message>
+    <message>
+        <source>Set-point of the direct (flux) current</source>
+        <translation>Sollwert des Längsstroms (Fluss)</translation>
+    </message>
+    <message>
+        <source>Set-point of phase A current</source>
+        <translation>Sollwert des Stroms der Phase A</translation>
+    </message>
+    <message>
+        <source>Set-point of phase B current</source>
+        <translation>Sollwert des Stroms der Phase B</translation>
+    </message>
+    <message>
+        <source>Position set-point</source>
+        <translation>Positionssollwert</translation>
+    </message>
+    <message>
+        <source>Velocity set-point</source>
+        <translation>Drehzahlsollwert</translation>
+    </message>
+    <message>
+        <source>Torque set-point</source>
+        <translation>Drehmomentsollwert</translation>
+    </message>
+    <message>
+        <source>Options of the position profiler</source>
+        <translation>Optionen des Positionsprofilgebers</translation>
+    </message>
+    <message>
+        <source>Highest velocity of the profiler</source>
+        <translation>Höchste Drehzahl des Profilgebers</translation>
+    </message>
+    <message>
+        <source>Highest acceleration of the profiler</source>
+        <translation>Höchste Beschleunigung des Profilgebers</translation>
+    </message>
+    <message>
+        <source>Highest deceleration of the profiler</source>
+        <translation>Höchste Verzögerung des Profilgebers</translation>
+    </message>
+    <message>
+        <source>Measured position</source>
+        <translation>Gemessene Position</translation>
+    </message>
+    <message>
+        <source>Measured velocity</source>
+        <translation>Gemessene Drehzahl</translation>
+    </message>
+    <message>
+        <source>Value of the auxiliary sensor</source>
+        <translation>Wert des Hilfssensors</translation>
+    </message>
+    <message>
+        <source>Raw converter reading of the bus current</source>
+        <translation>Rohwert des Wandlers für den Zwischenkreisstrom</translation>
+    </message>
+    <message>
+        <source>Measured phase A current</source>
+        <translation>Gemessener Strom der Phase A</translation>
+    </message>
+    <message>
+        <source>Measured phase B current</source>
+        <translation>Gemessener Strom der Phase B</translation>
+    </message>
+    <message>
+        <source>Measured phase C current</source>
+        <translation>Gemessener Strom der Phase C</translation>
+    </message>
+    <message>
+        <source>Measured quadrature current</source>
+        <translation>Gemessener Querstrom</translation>
+    </message>
+    <message>
+        <source>Measured direct current</source>
+        <translation>Gemessener Längsstrom</translation>
+    </message>
+    <message>
+        <source>Raw converter reading of phase A</source>
+        <translation>Rohwert des Wandlers für Phase A</translation>
+    </message>
+    <message>
+        <source>Raw converter reading of phase B</source>
+        <translation>Rohwert des Wandlers für Phase B</translation>
+    </message>
+    <message>
+        <source>Raw converter reading of phase C</source>
+        <translation>Rohwert des Wandlers für Phase C</translation>
+    </message>
+    <message>
+        <source>Commutation angle in use</source>
+        <translation>Benutzter Kommutierungswinkel</translation>
+    </message>
+    <message>
+        <source>Reference angle</source>
+        <translation>Referenzwinkel</translation>
+    </message>
+    <message>
+        <source>Position of absolute encoder 1 (BiSS-C or SSI)</source>
+        <translation>Position des Absolutwertgebers 1 (BiSS-C oder SSI)</translation>
+    </message>
+    <message>
+        <source>Present value of the internal generator</source>
+        <translation>Jetziger Wert des internen Generators</translation>
+    </message>
+    <message>
+        <source>Position of the second SSI encoder</source>
+        <translation>Position des zweiten SSI-Gebers</translation>
+    </message>
+    <message>
+        <source>Position of the second BiSS-C encoder in the chain</source>
+        <translation>Position des zweiten BiSS-C-Gebers in der Kette</translation>
+    </message>
+    <message>
+        <source>Raw converter reading of the bus voltage</source>
+        <translation>Rohwert des Wandlers für die Zwischenkreisspannung</translation>
+    </message>
+    <message>
+        <source>Measured DC bus voltage</source>
+        <translation>Gemessene Zwischenkreisspannung</translation>
+    </message>
+    <message>
+        <source>Temperature of the power stage, first sensor</source>
+        <translation>Temperatur des Leistungsteils, erster Sensor</translation>
+    </message>
+    <message>
+        <source>Raw converter reading of that temperature</source>
+        <translation>Rohwert des Wandlers für diese Temperatur</translation>
+    </message>
+    <message>
+        <source>Motor temperature</source>
+        <translation>Motortemperatur</translation>
+    </message>
+    <message>
+        <source>Temperature of the redundant sensor</source>
+        <translation>Temperatur des redundanten Sensors</translation>
+    </message>
+    <message>
+        <source>Power stage temperature used for protection</source>
+        <translation>Temperatur des Leistungsteils, die dem Schutz dient</translation>
+    </message>
+    <message>
+        <source>Phase A voltage share</source>
+        <translation>Spannungsanteil der Phase A</translation>
+    </message>
+    <message>
+        <source>Phase B voltage share</source>
+        <translation>Spannungsanteil der Phase B</translation>
+    </message>
+    <message>
+        <source>Phase C voltage share</source>
+        <translation>Spannungsanteil der Phase C</translation>
+    </message>
+    <message>
+        <source>Quadrature voltage demanded</source>
+        <translation>Verlangte Querspannung</translation>
+    </message>
+    <message>
+        <source>Direct voltage demanded</source>
+        <translation>Verlangte Längsspannung</translation>
+    </message>
+    <message>
+        <source>Quadrature current demanded</source>
+        <translation>Verlangter Querstrom</translation>
+    </message>
+    <message>
+        <source>Direct current demanded</source>
+        <translation>Verlangter Längsstrom</translation>
+    </message>
+    <message>
+        <source>Phase A current demanded</source>
+        <translation>Verlangter Strom der Phase A</translation>
+    </message>
+    <message>
+        <source>Phase B current demanded</source>
+        <translation>Verlangter Strom der Phase B</translation>
+    </message>
+    <message>
+        <source>Modulus of the measured current</source>
+        <translation>Betrag des gemessenen Stroms</translation>
+    </message>
+    <message>
+        <source>Modulus of the commanded current</source>
+        <translation>Betrag des vorgegebenen Stroms</translation>
+    </message>
+    <message>
+        <source>Position demanded by the profiler</source>
+        <translation>Vom Profilgeber verlangte Position</translation>
+    </message>
+    <message>
+        <source>Velocity demanded</source>
+        <translation>Verlangte Drehzahl</translation>
+    </message>
+    <message>
+        <source>Acceleration demanded</source>
+        <translation>Verlangte Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Offset added at the velocity loop input</source>
+        <translation>Offset am Eingang des Drehzahlreglers</translation>
+    </message>
+    <message>
+        <source>Offset added at the quadrature current loop input</source>
+        <translation>Offset am Eingang des Querstromreglers</translation>
+    </message>
+    <message>
+        <source>Offset added at the direct current loop input</source>
+        <translation>Offset am Eingang des Längsstromreglers</translation>
+    </message>
+    <message>
+        <source>Raw reading of analog input 1</source>
+        <translation>Rohwert des Analogeingangs 1</translation>
+    </message>
+    <message>
+        <source>Raw reading of analog input 2</source>
+        <translation>Rohwert des Analogeingangs 2</translation>
+    </message>
+    <message>
+        <source>Command into the position loop</source>
+        <translation>Vorgabe an den Positionsregler</translation>
+    </message>
+    <message>
+        <source>Command into the velocity loop</source>
+        <translation>Vorgabe an den Drehzahlregler</translation>
+    </message>
+    <message>
+        <source>Command into the quadrature current loop</source>
+        <translation>Vorgabe an den Querstromregler</translation>
+    </message>
+    <message>
+        <source>Command into the direct current loop</source>
+        <translation>Vorgabe an den Längsstromregler</translation>
+    </message>
+    <message>
+        <source>Rated motor current</source>
+        <translation>Nennstrom des Motors</translation>
+    </message>
+    <message>
+        <source>Peak current</source>
+        <translation>Spitzenstrom</translation>
+    </message>
+    <message>
+        <source>Time the peak current may last</source>
+        <translation>Zulässige Dauer des Spitzenstroms</translation>
+    </message>
+    <message>
+        <source>Pole pairs of the motor</source>
+        <translation>Polpaare des Motors</translation>
+    </message>
+    <message>
+        <source>Highest motor voltage</source>
+        <translation>Höchste Motorspannung</translation>
+    </message>
+    <message>
+        <source>Motor temperature limit</source>
+        <translation>Temperaturgrenze des Motors</translation>
+    </message>
+    <message>
+        <source>Kind of motor temperature sensor</source>
+        <translation>Art des Temperatursensors im Motor</translation>
+    </message>
+    <message>
+        <source>Bus voltage that switches the brake resistor on</source>
+        <translation>Zwischenkreisspannung, die den Bremswiderstand einschaltet</translation>
+    </message>
+    <message>
+        <source>Bus voltage that switches the brake resistor off</source>
+        <translation>Zwischenkreisspannung, die den Bremswiderstand ausschaltet</translation>
+    </message>
+    <message>
+        <source>Duty cycle that holds the brake open</source>
+        <translation>Tastgrad, der die Bremse offen hält</translation>
+    </message>
+    <message>
+        <source>Delay before the brake acts</source>
+        <translation>Verzögerung, bevor die Bremse wirkt</translation>
+    </message>
+    <message>
+        <source>Delay after the brake has acted</source>
+        <translation>Verzögerung, nachdem die Bremse gewirkt hat</translation>
+    </message>
+    <message>
+        <source>Kind of commutation</source>
+        <translation>Art der Kommutierung</translation>
+    </message>
+    <message>
+        <source>Offset of the commutation angle</source>
+        <translation>Offset des Kommutierungswinkels</translation>
+    </message>
+    <message>
+        <source>Sensor used for commutation</source>
+        <translation>Sensor für die Kommutierung</translation>
+    </message>
+    <message>
+        <source>Sensor used as angle reference</source>
+        <translation>Sensor als Winkelreferenz</translation>
+    </message>
+    <message>
+        <source>Way of finding the start angle</source>
+        <translation>Verfahren zur Bestimmung des Startwinkels</translation>
+    </message>
+    <message>
+        <source>Current used to find the start angle</source>
+        <translation>Strom zur Bestimmung des Startwinkels</translation>
+    </message>
+    <message>
+        <source>Time limit for finding the start angle</source>
+        <translation>Zeitgrenze für die Bestimmung des Startwinkels</translation>
+    </message>
+    <message>
+        <source>Accuracy wanted for the start angle</source>
+        <translation>Gewünschte Genauigkeit des Startwinkels</translation>
+    </message>
+    <message>
+        <source>Velocity limit</source>
+        <translation>Drehzahlgrenze</translation>
+    </message>
+    <message>
+        <source>Lowest position allowed</source>
+        <translation>Kleinste zulässige Position</translation>
+    </message>
+    <message>
+        <source>Highest position allowed</source>
+        <translation>Größte zulässige Position</translation>
+    </message>
+    <message>
+        <source>Largest tracking error allowed</source>
+        <translation>Größter zulässiger Schleppfehler</translation>
+    </message>
+    <message>
+        <source>Time the tracking error may last</source>
+        <translation>Zulässige Dauer des Schleppfehlers</translation>
+    </message>
+    <message>
+        <source>Tracking error now</source>
+        <translation>Jetziger Schleppfehler</translation>
+    </message>
+    <message>
+        <source>Window for position reached</source>
+        <translation>Fenster, in dem die Position als erreicht gilt</translation>
+    </message>
+    <message>
+        <source>Time inside the window for position reached</source>
+        <translation>Zeit im Fenster, bis die Position als erreicht gilt</translation>
+    </message>
+    <message>
+        <source>Window for velocity reached</source>
+        <translation>Fenster, in dem die Drehzahl als erreicht gilt</translation>
+    </message>
+    <message>
+        <source>Time inside the window for velocity reached</source>
+        <translation>Zeit im Fenster, bis die Drehzahl als erreicht gilt</translation>
+    </message>
+    <message>
+        <source>Deceleration of a quick stop</source>
+        <translation>Verzögerung beim Schnellhalt</translation>
+    </message>
+    <message>
+        <source>Where the set-point comes from</source>
+        <translation>Woher der Sollwert kommt</translation>
+    </message>
+    <message>
+        <source>Sensors that the drive offers, one bit each</source>
+        <translation>Sensoren, die der Antrieb bietet, je ein Bit</translation>
+    </message>
+    <message>
+        <source>Sensor used for velocity</source>
+        <translation>Sensor für die Drehzahl</translation>
+    </message>
+    <message>
+        <source>Sensor used for position</source>
+        <translation>Sensor für die Position</translation>
+    </message>
+    <message>
+        <source>Sensor used as auxiliary</source>
+        <translation>Hilfssensor</translation>
+    </message>
+    <message>
+        <source>Ratio from position sensor to velocity sensor</source>
+        <translation>Verhältnis von Positionssensor zu Drehzahlsensor</translation>
+    </message>
+    <message>
+        <source>Protocol of absolute encoder 1</source>
+        <translation>Protokoll des Absolutwertgebers 1</translation>
+    </message>
+    <message>
+        <source>Frame length of absolute encoder 1</source>
+        <translation>Rahmenlänge des Absolutwertgebers 1</translation>
+    </message>
+    <message>
+        <source>Direction of absolute encoder 1</source>
+        <translation>Zählrichtung des Absolutwertgebers 1</translation>
+    </message>
+    <message>
+        <source>Position bits of absolute encoder 1</source>
+        <translation>Positionsbits des Absolutwertgebers 1</translation>
+    </message>
+    <message>
+        <source>Single-turn bits of absolute encoder 1</source>
+        <translation>Singleturn-Bits des Absolutwertgebers 1</translation>
+    </message>
+    <message>
+        <source>Kind of signal of the internal generator</source>
+        <translation>Signalart des internen Generators</translation>
+    </message>
+    <message>
+        <source>Frequency of the internal generator</source>
+        <translation>Frequenz des internen Generators</translation>
+    </message>
+    <message>
+        <source>Gain of the internal generator</source>
+        <translation>Verstärkung des internen Generators</translation>
+    </message>
+    <message>
+        <source>Offset of the internal generator</source>
+        <translation>Offset des internen Generators</translation>
+    </message>
+    <message>
+        <source>Number of cycles of the internal generator</source>
+        <translation>Anzahl der Perioden des internen Generators</translation>
+    </message>
+    <message>
+        <source>Starts the internal generator again</source>
+        <translation>Startet den internen Generator neu</translation>
+    </message>
+    <message>
+        <source>Counts per turn of digital encoder 1</source>
+        <translation>Inkremente je Umdrehung des Inkrementalgebers 1</translation>
+    </message>
+    <message>
+        <source>Direction of digital encoder 1</source>
+        <translation>Zählrichtung des Inkrementalgebers 1</translation>
+    </message>
+    <message>
+        <source>Filter of digital encoder 1</source>
+        <translation>Filter des Inkrementalgebers 1</translation>
+    </message>
+    <message>
+        <source>Count of digital encoder 1</source>
+        <translation>Zählerstand des Inkrementalgebers 1</translation>
+    </message>
+    <message>
+        <source>Counts per turn of digital encoder 2</source>
+        <translation>Inkremente je Umdrehung des Inkrementalgebers 2</translation>
+    </message>
+    <message>
+        <source>Direction of digital encoder 2</source>
+        <translation>Zählrichtung des Inkrementalgebers 2</translation>
+    </message>
+    <message>
+        <source>Count of digital encoder 2</source>
+        <translation>Zählerstand des Inkrementalgebers 2</translation>
+    </message>
+    <message>
+        <source>Direction of the Hall sensors</source>
+        <translation>Zählrichtung der Hallsensoren</translation>
+    </message>
+    <message>
+        <source>Filter of the Hall sensors</source>
+        <translation>Filter der Hallsensoren</translation>
+    </message>
+    <message>
+        <source>Pole pairs of the Hall sensors</source>
+        <translation>Polpaare der Hallsensoren</translation>
+    </message>
+    <message>
+        <source>State of the Hall sensors</source>
+        <translation>Zustand der Hallsensoren</translation>
+    </message>
+    <message>
+        <source>Homing method</source>
+        <translation>Verfahren der Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>Offset of the home position</source>
+        <translation>Offset der Referenzposition</translation>
+    </message>
+    <message>
+        <source>Time limit of homing</source>
+        <translation>Zeitgrenze der Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>Search speed of homing</source>
+        <translation>Suchdrehzahl der Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>Final speed of homing</source>
+        <translation>Enddrehzahl der Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>Input of the positive homing switch</source>
+        <translation>Eingang des positiven Referenzschalters</translation>
+    </message>
+    <message>
+        <source>Source of the index pulse</source>
+        <translation>Quelle des Indeximpulses</translation>
+    </message>
+    <message>
+        <source>Range of the current measurement</source>
+        <translation>Messbereich des Stroms</translation>
+    </message>
+    <message>
+        <source>Quadrature current loop, proportional gain</source>
+        <translation>Querstromregler, Proportionalverstärkung</translation>
+    </message>
+    <message>
+        <source>Quadrature current loop, integral gain</source>
+        <translation>Querstromregler, Integralverstärkung</translation>
+    </message>
+    <message>
+        <source>Quadrature current loop, highest output</source>
+        <translation>Querstromregler, größte Ausgangsgröße</translation>
+    </message>
+    <message>
+        <source>Quadrature current loop, lowest output</source>
+        <translation>Querstromregler, kleinste Ausgangsgröße</translation>
+    </message>
+    <message>
+        <source>Direct current loop, proportional gain</source>
+        <translation>Längsstromregler, Proportionalverstärkung</translation>
+    </message>
+    <message>
+        <source>Direct current loop, integral gain</source>
+        <translation>Längsstromregler, Integralverstärkung</translation>
+    </message>
+    <message>
+        <source>Direct current loop, highest output</source>
+        <translation>Längsstromregler, größte Ausgangsgröße</translation>
+    </message>
+    <message>
+        <source>Direct current loop, lowest output</source>
+        <translation>Längsstromregler, kleinste Ausgangsgröße</translation>
+    </message>
+    <message>
+        <source>Velocity loop, proportional gain</source>
+        <translation>Drehzahlregler, Proportionalverstärkung</translation>
+    </message>
+    <message>
+        <source>Velocity loop, integral gain</source>
+        <translation>Drehzahlregler, Integralverstärkung</translation>
+    </message>
+    <message>
+        <source>Velocity loop, derivative gain</source>
+        <translation>Drehzahlregler, Differentialverstärkung</translation>
+    </message>
+    <message>
+        <source>Velocity loop, filter of the derivative part</source>
+        <translation>Drehzahlregler, Filter des Differentialanteils</translation>
+    </message>
+    <message>
+        <source>Velocity loop, highest output</source>
+        <translation>Drehzahlregler, größte Ausgangsgröße</translation>
+    </message>
+    <message>
+        <source>Velocity loop, lowest output</source>
+        <translation>Drehzahlregler, kleinste Ausgangsgröße</translation>
+    </message>
+    <message>
+        <source>Position loop, proportional gain</source>
+        <translation>Positionsregler, Proportionalverstärkung</translation>
+    </message>
+    <message>
+        <source>Position loop, integral gain</source>
+        <translation>Positionsregler, Integralverstärkung</translation>
+    </message>
+    <message>
+        <source>Position loop, derivative gain</source>
+        <translation>Positionsregler, Differentialverstärkung</translation>
+    </message>
+    <message>
+        <source>Position loop, filter of the derivative part</source>
+        <translation>Positionsregler, Filter des Differentialanteils</translation>
+    </message>
+    <message>
+        <source>Position loop, highest output</source>
+        <translation>Positionsregler, größte Ausgangsgröße</translation>
+    </message>
+    <message>
+        <source>Position loop, lowest output</source>
+        <translation>Positionsregler, kleinste Ausgangsgröße</translation>
+    </message>
+    <message>
+        <source>State of the current loop</source>
+        <translation>Zustand des Stromreglers</translation>
+    </message>
+    <message>
+        <source>State of the velocity loop</source>
+        <translation>Zustand des Drehzahlreglers</translation>
+    </message>
+    <message>
+        <source>State of the position loop</source>
+        <translation>Zustand des Positionsreglers</translation>
+    </message>
+    <message>
+        <source>State of safe torque off</source>
+        <translation>Zustand der sicheren Momentenabschaltung (STO)</translation>
+    </message>
+    <message>
+        <source>Rate of the position and velocity loops</source>
+        <translation>Takt von Positions- und Drehzahlregler</translation>
+    </message>
+    <message>
+        <source>Choice of the PWM frequency (index into 0x700-0x703)</source>
+        <translation>Wahl der PWM-Frequenz (Index in 0x700-0x703)</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the position feedback: kind</source>
+        <translation>Filter 1 des Positionsistwerts: Art</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the position feedback: frequency</source>
+        <translation>Filter 1 des Positionsistwerts: Frequenz</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the position feedback: quality factor</source>
+        <translation>Filter 1 des Positionsistwerts: Güte</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the position feedback: gain</source>
+        <translation>Filter 1 des Positionsistwerts: Verstärkung</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the position feedback: kind</source>
+        <translation>Filter 2 des Positionsistwerts: Art</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the position feedback: frequency</source>
+        <translation>Filter 2 des Positionsistwerts: Frequenz</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the position feedback: quality factor</source>
+        <translation>Filter 2 des Positionsistwerts: Güte</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the position feedback: gain</source>
+        <translation>Filter 2 des Positionsistwerts: Verstärkung</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the position reference: kind</source>
+        <translation>Filter 1 des Positionssollwerts: Art</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the position reference: frequency</source>
+        <translation>Filter 1 des Positionssollwerts: Frequenz</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the position reference: quality factor</source>
+        <translation>Filter 1 des Positionssollwerts: Güte</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the position reference: gain</source>
+        <translation>Filter 1 des Positionssollwerts: Verstärkung</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the position reference: kind</source>
+        <translation>Filter 2 des Positionssollwerts: Art</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the position reference: frequency</source>
+        <translation>Filter 2 des Positionssollwerts: Frequenz</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the position reference: quality factor</source>
+        <translation>Filter 2 des Positionssollwerts: Güte</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the position reference: gain</source>
+        <translation>Filter 2 des Positionssollwerts: Verstärkung</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the velocity feedback: kind</source>
+        <translation>Filter 1 des Drehzahlistwerts: Art</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the velocity feedback: frequency</source>
+        <translation>Filter 1 des Drehzahlistwerts: Frequenz</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the velocity feedback: quality factor</source>
+        <translation>Filter 1 des Drehzahlistwerts: Güte</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the velocity feedback: gain</source>
+        <translation>Filter 1 des Drehzahlistwerts: Verstärkung</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the velocity feedback: kind</source>
+        <translation>Filter 2 des Drehzahlistwerts: Art</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the velocity feedback: frequency</source>
+        <translation>Filter 2 des Drehzahlistwerts: Frequenz</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the velocity feedback: quality factor</source>
+        <translation>Filter 2 des Drehzahlistwerts: Güte</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the velocity feedback: gain</source>
+        <translation>Filter 2 des Drehzahlistwerts: Verstärkung</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the velocity reference: kind</source>
+        <translation>Filter 1 des Drehzahlsollwerts: Art</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the velocity reference: frequency</source>
+        <translation>Filter 1 des Drehzahlsollwerts: Frequenz</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the velocity reference: quality factor</source>
+        <translation>Filter 1 des Drehzahlsollwerts: Güte</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the velocity reference: gain</source>
+        <translation>Filter 1 des Drehzahlsollwerts: Verstärkung</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the velocity reference: kind</source>
+        <translation>Filter 2 des Drehzahlsollwerts: Art</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the velocity reference: frequency</source>
+        <translation>Filter 2 des Drehzahlsollwerts: Frequenz</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the velocity reference: quality factor</source>
+        <translation>Filter 2 des Drehzahlsollwerts: Güte</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the velocity reference: gain</source>
+        <translation>Filter 2 des Drehzahlsollwerts: Verstärkung</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the current feedback: kind</source>
+        <translation>Filter 1 des Stromistwerts: Art</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the current feedback: frequency</source>
+        <translation>Filter 1 des Stromistwerts: Frequenz</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the current feedback: quality factor</source>
+        <translation>Filter 1 des Stromistwerts: Güte</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the current feedback: gain</source>
+        <translation>Filter 1 des Stromistwerts: Verstärkung</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the current feedback: kind</source>
+        <translation>Filter 2 des Stromistwerts: Art</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the current feedback: frequency</source>
+        <translation>Filter 2 des Stromistwerts: Frequenz</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the current feedback: quality factor</source>
+        <translation>Filter 2 des Stromistwerts: Güte</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the current feedback: gain</source>
+        <translation>Filter 2 des Stromistwerts: Verstärkung</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the current reference: kind</source>
+        <translation>Filter 1 des Stromsollwerts: Art</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the current reference: frequency</source>
+        <translation>Filter 1 des Stromsollwerts: Frequenz</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the current reference: quality factor</source>
+        <translation>Filter 1 des Stromsollwerts: Güte</translation>
+    </message>
+    <message>
+        <source>Filter 1 of the current reference: gain</source>
+        <translation>Filter 1 des Stromsollwerts: Verstärkung</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the current reference: kind</source>
+        <translation>Filter 2 des Stromsollwerts: Art</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the current reference: frequency</source>
+        <translation>Filter 2 des Stromsollwerts: Frequenz</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the current reference: quality factor</source>
+        <translation>Filter 2 des Stromsollwerts: Güte</translation>
+    </message>
+    <message>
+        <source>Filter 2 of the current reference: gain</source>
+        <translation>Filter 2 des Stromsollwerts: Verstärkung</translation>
+    </message>
+    <message>
+        <source>Velocity loop, acceleration feed-forward</source>
+        <translation>Drehzahlregler, Beschleunigungsvorsteuerung</translation>
+    </message>
+    <message>
+        <source>Position loop, velocity feed-forward</source>
+        <translation>Positionsregler, Drehzahlvorsteuerung</translation>
+    </message>
+    <message>
+        <source>Position loop, acceleration feed-forward</source>
+        <translation>Positionsregler, Beschleunigungsvorsteuerung</translation>
+    </message>
+    <message>
+        <source>Function of digital output 1</source>
+        <translation>Funktion des Digitalausgangs 1</translation>
+    </message>
+    <message>
+        <source>Function of digital output 2</source>
+        <translation>Funktion des Digitalausgangs 2</translation>
+    </message>
+    <message>
+        <source>Function of digital output 3</source>
+        <translation>Funktion des Digitalausgangs 3</translation>
+    </message>
+    <message>
+        <source>Function of digital output 4</source>
+        <translation>Funktion des Digitalausgangs 4</translation>
+    </message>
+    <message>
+        <source>Digital inputs, one bit each</source>
+        <translation>Digitaleingänge, je ein Bit</translation>
+    </message>
+    <message>
+        <source>Digital outputs as they are, one bit each</source>
+        <translation>Digitalausgänge, wie sie sind, je ein Bit</translation>
+    </message>
+    <message>
+        <source>Digital outputs wanted, one bit each</source>
+        <translation>Gewünschte Digitalausgänge, je ein Bit</translation>
+    </message>
+    <message>
+        <source>Polarity of the digital outputs</source>
+        <translation>Polarität der Digitalausgänge</translation>
+    </message>
+    <message>
+        <source>Input of the positive limit switch</source>
+        <translation>Eingang des positiven Endschalters</translation>
+    </message>
+    <message>
+        <source>Input of the negative limit switch</source>
+        <translation>Eingang des negativen Endschalters</translation>
+    </message>
+    <message>
+        <source>Input of the quick stop</source>
+        <translation>Eingang des Schnellhalts</translation>
+    </message>
+    <message>
+        <source>What a quick stop does</source>
+        <translation>Was ein Schnellhalt bewirkt</translation>
+    </message>
+    <message>
+        <source>What happens on position out of limits</source>
+        <translation>Was geschieht, wenn die Position ihre Grenzen verlässt</translation>
+    </message>
+    <message>
+        <source>What happens on velocity out of limits</source>
+        <translation>Was geschieht, wenn die Drehzahl ihre Grenzen verlässt</translation>
+    </message>
+    <message>
+        <source>What happens on a tracking error</source>
+        <translation>Was bei einem Schleppfehler geschieht</translation>
+    </message>
+    <message>
+        <source>What happens on power stage over-temperature</source>
+        <translation>Was bei Übertemperatur des Leistungsteils geschieht</translation>
+    </message>
+    <message>
+        <source>What happens on motor over-temperature</source>
+        <translation>Was bei Übertemperatur des Motors geschieht</translation>
+    </message>
+    <message>
+        <source>What happens on over-voltage</source>
+        <translation>Was bei Überspannung geschieht</translation>
+    </message>
+    <message>
+        <source>What happens on under-voltage</source>
+        <translation>Was bei Unterspannung geschieht</translation>
+    </message>
+    <message>
+        <source>What happens on over-current</source>
+        <translation>Was bei Überstrom geschieht</translation>
+    </message>
+    <message>
+        <source>User over-voltage limit</source>
+        <translation>Überspannungsgrenze des Anwenders</translation>
+    </message>
+    <message>
+        <source>User under-voltage limit</source>
+        <translation>Unterspannungsgrenze des Anwenders</translation>
+    </message>
+    <message>
+        <source>User over-temperature limit</source>
+        <translation>Übertemperaturgrenze des Anwenders</translation>
+    </message>
+    <message>
+        <source>User under-temperature limit</source>
+        <translation>Untertemperaturgrenze des Anwenders</translation>
+    </message>
+    <message>
+        <source>Communication state: 1 = config access, 2 = cyclic access</source>
+        <translation>Zustand der Kommunikation: 1 = Konfigurationszugriff, 2 = zyklischer Zugriff</translation>
+    </message>
+    <message>
+        <source>Synchronisation signal: 0 none, 1 SYNC0, 2 SYNC1, 3 both</source>
+        <translation>Synchronisationssignal: 0 keines, 1 SYNC0, 2 SYNC1, 3 beide</translation>
+    </message>
+    <message>
+        <source>Number of errors stored</source>
+        <translation>Anzahl der gespeicherten Fehler</translation>
+    </message>
+    <message>
+        <source>Index into the error list</source>
+        <translation>Index in der Fehlerliste</translation>
+    </message>
+    <message>
+        <source>Error code at that index</source>
+        <translation>Fehlercode an diesem Index</translation>
+    </message>
+    <message>
+        <source>Number of mapped registers from master to drive (0-15)</source>
+        <translation>Anzahl der abgebildeten Register vom Master zum Antrieb (0-15)</translation>
+    </message>
+    <message>
+        <source>Mapping entry 1 from master to drive: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 1 vom Master zum Antrieb: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 2 from master to drive: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 2 vom Master zum Antrieb: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 3 from master to drive: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 3 vom Master zum Antrieb: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 4 from master to drive: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 4 vom Master zum Antrieb: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 5 from master to drive: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 5 vom Master zum Antrieb: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 6 from master to drive: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 6 vom Master zum Antrieb: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 7 from master to drive: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 7 vom Master zum Antrieb: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 8 from master to drive: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 8 vom Master zum Antrieb: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 9 from master to drive: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 9 vom Master zum Antrieb: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 10 from master to drive: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 10 vom Master zum Antrieb: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 11 from master to drive: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 11 vom Master zum Antrieb: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 12 from master to drive: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 12 vom Master zum Antrieb: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 13 from master to drive: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 13 vom Master zum Antrieb: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 14 from master to drive: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 14 vom Master zum Antrieb: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 15 from master to drive: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 15 vom Master zum Antrieb: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Number of mapped registers from drive to master (0-15)</source>
+        <translation>Anzahl der abgebildeten Register vom Antrieb zum Master (0-15)</translation>
+    </message>
+    <message>
+        <source>Mapping entry 1 from drive to master: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 1 vom Antrieb zum Master: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 2 from drive to master: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 2 vom Antrieb zum Master: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 3 from drive to master: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 3 vom Antrieb zum Master: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 4 from drive to master: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 4 vom Antrieb zum Master: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 5 from drive to master: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 5 vom Antrieb zum Master: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 6 from drive to master: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 6 vom Antrieb zum Master: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 7 from drive to master: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 7 vom Antrieb zum Master: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 8 from drive to master: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 8 vom Antrieb zum Master: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 9 from drive to master: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 9 vom Antrieb zum Master: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 10 from drive to master: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 10 vom Antrieb zum Master: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 11 from drive to master: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 11 vom Antrieb zum Master: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 12 from drive to master: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 12 vom Antrieb zum Master: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 13 from drive to master: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 13 vom Antrieb zum Master: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 14 from drive to master: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 14 vom Antrieb zum Master: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Mapping entry 15 from drive to master: size in bytes in the upper word, address in the lower</source>
+        <translation>Abbildungseintrag 15 vom Antrieb zum Master: Größe in Byte im oberen Wort, Adresse im unteren</translation>
+    </message>
+    <message>
+        <source>Stores all settings when the right key is written</source>
+        <translation>Speichert alle Einstellungen, wenn der richtige Schlüssel geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Restores default settings when the right key is written</source>
+        <translation>Stellt die Voreinstellungen her, wenn der richtige Schlüssel geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Password for protected registers</source>
+        <translation>Passwort für geschützte Register</translation>
+    </message>
+    <message>
+        <source>Enters the boot loader</source>
+        <translation>Startet den Bootloader</translation>
+    </message>
+    <message>
+        <source>Resets the drive</source>
+        <translation>Setzt den Antrieb zurück</translation>
+    </message>
+    <message>
+        <source>Vendor id</source>
+        <translation>Herstellernummer</translation>
+    </message>
+    <message>
+        <source>Product code</source>
+        <translation>Produktcode</translation>
+    </message>
+    <message>
+        <source>Revision number</source>
+        <translation>Revisionsnummer</translation>
+    </message>
+    <message>
+        <source>Firmware version, text</source>
+        <translation>Firmwareversion, Text</translation>
+    </message>
+    <message>
+        <source>Web address of the maker, text</source>
+        <translation>Webadresse des Herstellers, Text</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>PWM frequency choice 1</source>
+        <translation>Wählbare PWM-Frequenz 1</translation>
+    </message>
+    <message>
+        <source>PWM frequency choice 2</source>
+        <translation>Wählbare PWM-Frequenz 2</translation>
+    </message>
+    <message>
+        <source>PWM frequency choice 3</source>
+        <translation>Wählbare PWM-Frequenz 3</translation>
+    </message>
+    <message>
+        <source>PWM frequency choice 4</source>
+        <translation>Wählbare PWM-Frequenz 4</translation>
+    </message>
+    <message>
+        <source>Dead time of the power stage</source>
+        <translation>Totzeit des Leistungsteils</translation>
+    </message>
+    <message>
+        <source>Over-temperature limit of the maker</source>
+        <translation>Übertemperaturgrenze des Herstellers</translation>
+    </message>
+    <message>
+        <source>Under-temperature limit of the maker</source>
+        <translation>Untertemperaturgrenze des Herstellers</translation>
+    </message>
+    <message>
+        <source>Over-voltage limit of the maker</source>
+        <translation>Überspannungsgrenze des Herstellers</translation>
+    </message>
+    <message>
+        <source>Under-voltage limit of the maker</source>
+        <translation>Unterspannungsgrenze des Herstellers</translation>
+    </message>
+    <message>
+        <source>Highest continuous current of the drive</source>
+        <translation>Höchster Dauerstrom des Antriebs</translation>
+    </message>
+    <message>
+        <source>Highest peak current of the drive</source>
+        <translation>Höchster Spitzenstrom des Antriebs</translation>
+    </message>
+    <message>
+        <source>Current measuring range 1</source>
+        <translation>Strommessbereich 1</translation>
+    </message>
+    <message>
+        <source>Bus voltage measuring range</source>
+        <translation>Messbereich der Zwischenkreisspannung</translation>
+    </message>
+    <message>
+        <source>How safe torque off is built</source>
+        <translation>Wie die sichere Momentenabschaltung (STO) ausgeführt ist</translation>
+    </message>
+    <message>
+        <source>Input of the negative homing switch</source>
+        <translation>Eingang des negativen Referenzschalters</translation>
+    </message>
 </context>
 </TS>

@@ -149,10 +149,12 @@ void TestTranslations::everyTextOfTheRegisterTablesIsTranslated_data()
     QTest::addColumn<QByteArray>("table");
     QTest::addColumn<QByteArray>("column");
     QTest::addColumn<QByteArray>("context");
-    QTest::newRow("what a register is")
-        << QByteArray("mcp") << QByteArray("description") << QByteArray("RegisterHelp");
-    QTest::newRow("groups") << QByteArray("mcp") << QByteArray("group")
-                            << QByteArray("RegisterGroups");
+    for (const char *name : {"mcp", "legacy", "mcb"})
+        QTest::addRow("%s: what a register is", name)
+            << QByteArray(name) << QByteArray("description") << QByteArray("RegisterHelp");
+    for (const char *name : {"mcp", "legacy"}) // the source of the third knows no groups
+        QTest::addRow("%s: groups", name)
+            << QByteArray(name) << QByteArray("group") << QByteArray("RegisterGroups");
 }
 
 // As the program asks for it: by the text that core read, from the file that is built in.
