@@ -3658,6 +3658,104 @@
         <source>The picture of the scope is in the clipboard.</source>
         <translation>Das Bild des Oszilloskops ist in der Zwischenablage.</translation>
     </message>
+    <message>
+        <source>Math</source>
+        <translation>Mathematik</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MathPanel</name>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Math channels</source>
+        <translation>Mathematik-Kanäle</translation>
+    </message>
+    <message>
+        <source>Letters of A to Z, digits and _; other formulas use it by this name.</source>
+        <translation>Buchstaben A bis Z, Ziffern und _; andere Formeln benutzen den Kanal unter diesem Namen.</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>Rea&amp;dy formulas</source>
+        <translation>Ferti&amp;ge Formeln</translation>
+    </message>
+    <message>
+        <source>&amp;Insert</source>
+        <translation>E&amp;infügen</translation>
+    </message>
+    <message>
+        <source>Na&amp;me</source>
+        <translation>Na&amp;me</translation>
+    </message>
+    <message>
+        <source>&amp;Formula</source>
+        <translation>&amp;Formel</translation>
+    </message>
+    <message>
+        <source>There is no signal in it.</source>
+        <translation>Es kommt kein Signal darin vor.</translation>
+    </message>
+    <message>
+        <source>The name has to be of letters A to Z, digits and _.</source>
+        <translation>Der Name muss aus Buchstaben A bis Z, Ziffern und _ bestehen.</translation>
+    </message>
+    <message>
+        <source>The name is taken by a signal or a function.</source>
+        <translation>So heißt schon ein Signal oder eine Funktion.</translation>
+    </message>
+    <message>
+        <source>Right; its unit does not follow, or it is a plain number.</source>
+        <translation>Richtig; die Einheit ergibt sich nicht, oder es ist eine reine Zahl.</translation>
+    </message>
+    <message>
+        <source>Right; its unit is %1.</source>
+        <translation>Richtig; die Einheit ist %1.</translation>
+    </message>
+    <message>
+        <source>C&amp;hange</source>
+        <translation>Än&amp;dern</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Hinzufügen</translation>
+    </message>
+    <message>
+        <source>There is no room for more than %1.</source>
+        <translation>Mehr als %1 haben nicht Platz.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MathTable</name>
+    <message>
+        <source>waits for its signals</source>
+        <translation>wartet auf seine Signale</translation>
+    </message>
+    <message>
+        <source>no value yet</source>
+        <translation>noch kein Wert</translation>
+    </message>
+    <message>
+        <source>The tick draws it. It is computed either way.</source>
+        <translation>Das Häkchen zeichnet den Kanal. Berechnet wird er so oder so.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>Formel</translation>
+    </message>
+    <message>
+        <source>Last value</source>
+        <translation>Letzter Wert</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MeasurePanel</name>
@@ -4492,6 +4590,126 @@
     <message>
         <source>Power stage</source>
         <translation>Leistungsteil</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ReadyFormulas</name>
+    <message>
+        <source>needs I_A and I_B in the recording</source>
+        <translation>braucht I_A und I_B in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>needs two phase currents and an electrical angle</source>
+        <translation>braucht zwei Phasenströme und einen elektrischen Winkel</translation>
+    </message>
+    <message>
+        <source>needs a signal in the recording</source>
+        <translation>braucht ein Signal in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Clarke: current α</source>
+        <translation>Clarke: Strom α</translation>
+    </message>
+    <message>
+        <source>Clarke: current β</source>
+        <translation>Clarke: Strom β</translation>
+    </message>
+    <message>
+        <source>Park: current d</source>
+        <translation>Park: Strom d</translation>
+    </message>
+    <message>
+        <source>Park: current q</source>
+        <translation>Park: Strom q</translation>
+    </message>
+    <message>
+        <source>Electrical power</source>
+        <translation>Elektrische Leistung</translation>
+    </message>
+    <message>
+        <source>needs the voltages and currents of d and q</source>
+        <translation>braucht die Spannungen und Ströme von d und q</translation>
+    </message>
+    <message>
+        <source>Derivative</source>
+        <translation>Ableitung</translation>
+    </message>
+    <message>
+        <source>Integral</source>
+        <translation>Integral</translation>
+    </message>
+    <message>
+        <source>Low-pass, 100 Hz</source>
+        <translation>Tiefpass, 100 Hz</translation>
+    </message>
+    <message>
+        <source>High-pass, 10 Hz</source>
+        <translation>Hochpass, 10 Hz</translation>
+    </message>
+    <message>
+        <source>Median of 5</source>
+        <translation>Median von 5</translation>
+    </message>
+    <message>
+        <source>Angle without jumps</source>
+        <translation>Winkel ohne Sprünge</translation>
+    </message>
+    <message>
+        <source>needs an angle in the recording</source>
+        <translation>braucht einen Winkel in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>No formula yet.</source>
+        <translation>Noch keine Formel.</translation>
+    </message>
+    <message>
+        <source>The formula is too long.</source>
+        <translation>Die Formel ist zu lang.</translation>
+    </message>
+    <message>
+        <source>Too many parentheses inside one another, or too many functions.</source>
+        <translation>Zu viele Klammern ineinander oder zu viele Funktionen.</translation>
+    </message>
+    <message>
+        <source>This sign is not known here: %1</source>
+        <translation>Dieses Zeichen ist hier nicht bekannt: %1</translation>
+    </message>
+    <message>
+        <source>This is no number: %1</source>
+        <translation>Das ist keine Zahl: %1</translation>
+    </message>
+    <message>
+        <source>No signal or function of this name is there: %1</source>
+        <translation>Kein Signal und keine Funktion heißt so: %1</translation>
+    </message>
+    <message>
+        <source>Something is missing at the end.</source>
+        <translation>Am Ende fehlt etwas.</translation>
+    </message>
+    <message>
+        <source>The formula cannot be read from here on: %1</source>
+        <translation>Ab hier ist die Formel nicht zu lesen: %1</translation>
+    </message>
+    <message>
+        <source>The number of arguments is wrong: %1</source>
+        <translation>Die Anzahl der Argumente stimmt nicht: %1</translation>
+    </message>
+    <message>
+        <source>This has to be a number, not a signal: %1</source>
+        <translation>Hier muss eine Zahl stehen, kein Signal: %1</translation>
+    </message>
+    <message>
+        <source>This number is outside what makes sense: %1</source>
+        <translation>Diese Zahl ergibt hier keinen Sinn: %1</translation>
+    </message>
+    <message>
+        <source>This has to be an angle, in degrees or rad: %1</source>
+        <translation>Das muss ein Winkel sein, in Grad oder rad: %1</translation>
+    </message>
+    <message>
+        <source>At character %1: %2</source>
+        <comment>a place in the formula, and what is wrong there</comment>
+        <translation>Bei Zeichen %1: %2</translation>
     </message>
 </context>
 <context>

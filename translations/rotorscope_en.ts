@@ -3658,6 +3658,104 @@
         <source>The picture of the scope is in the clipboard.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Math</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MathPanel</name>
+    <message>
+        <source>&amp;Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Math channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Letters of A to Z, digits and _; other formulas use it by this name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rea&amp;dy formulas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Insert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Na&amp;me</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Formula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no signal in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name has to be of letters A to Z, digits and _.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name is taken by a signal or a function.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right; its unit does not follow, or it is a plain number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right; its unit is %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;hange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no room for more than %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MathTable</name>
+    <message>
+        <source>waits for its signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no value yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tick draws it. It is computed either way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last value</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::MeasurePanel</name>
@@ -4491,6 +4589,126 @@
     </message>
     <message>
         <source>Power stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ReadyFormulas</name>
+    <message>
+        <source>needs I_A and I_B in the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs two phase currents and an electrical angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs a signal in the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clarke: current α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clarke: current β</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Park: current d</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Park: current q</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Electrical power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs the voltages and currents of d and q</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Derivative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Integral</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Low-pass, 100 Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>High-pass, 10 Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median of 5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle without jumps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs an angle in the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No formula yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The formula is too long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too many parentheses inside one another, or too many functions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This sign is not known here: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is no number: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No signal or function of this name is there: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something is missing at the end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The formula cannot be read from here on: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The number of arguments is wrong: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This has to be a number, not a signal: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This number is outside what makes sense: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This has to be an angle, in degrees or rad: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At character %1: %2</source>
+        <comment>a place in the formula, and what is wrong there</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -15,6 +15,7 @@
 #include "widgets/forms/ramp_form.h"
 #include "widgets/lamp.h"
 #include "widgets/limits_dialog.h"
+#include "widgets/math_channels.h"
 #include "widgets/messages.h"
 #include "widgets/motion_question.h"
 #include "widgets/motor_button.h"
@@ -89,6 +90,7 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     , m_settings(settings)
     , m_scope(new ScopeView(workbench.capture(), this))
     , m_selection(new SignalSelection(m_device, workbench.capture(), *m_scope, this))
+    , m_math(new MathChannels(workbench.capture(), *m_scope, this))
     , m_recorder(new EventRecorder(
           m_device, workbench.capture(), m_scope->events(),
           [&workbench] { return workbench.now(); }, this))
@@ -146,6 +148,7 @@ Settings MainWindow::settings() const
     now.snapshotFolder = m_snapshotPanel->folder();
     now.ramps = m_ramps->presets();
     now.recordFolder = m_record->folder();
+    now.formulas = m_math->formulas();
     return now;
 }
 

@@ -24,6 +24,7 @@ class EventRecorder;
 class FilePrompt;
 class FirstSteps;
 class Form;
+class MathChannels;
 class RampForm;
 class RecordControl;
 struct ExportOrder;
@@ -124,6 +125,7 @@ private:
     ScopeView *m_scope;
     SignalSelection *m_selection;
     ScopeTools *m_scopeTools = nullptr;
+    MathChannels *m_math; ///< before the trigger, which may watch one of them
     EventRecorder *m_recorder;
     TriggerControl *m_trigger;
     ConnectBar *m_connectBar = nullptr;

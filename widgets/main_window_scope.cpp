@@ -2,6 +2,8 @@
 #include "widgets/event_panel.h"
 #include "widgets/event_recorder.h"
 #include "widgets/main_window.h"
+#include "widgets/math_channels.h"
+#include "widgets/math_panel.h"
 #include "widgets/measure_panel.h"
 #include "widgets/record_panel.h"
 #include "widgets/scope/scope_view.h"
@@ -24,6 +26,10 @@ void MainWindow::makeScopeTools()
         "measureDock", Qt::CTRL | Qt::Key_9);
     addTool(new SpectrumPanel(*m_scope, m_workbench.capture(), m_device, this), tr("Spectrum"),
         "spectrumDock", Qt::CTRL | Qt::Key_0);
+    m_math->setPolled([this] { return m_selection->plan().polled; });
+    m_math->setFormulas(m_settings.formulas);
+    addTool(new MathPanel(*m_math, *m_scope, m_workbench.capture(), this), tr("Math"), "mathDock",
+        Qt::CTRL | Qt::SHIFT | Qt::Key_M);
     using Kind = scope::EventTrigger::Kind;
     connect(m_recorder, &EventRecorder::stateChanged, m_trigger,
         [this](double seconds, EventKind kind, quint32 which) {

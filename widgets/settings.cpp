@@ -81,6 +81,7 @@ QByteArray toJson(const Settings &settings)
     object[QStringLiteral("maxCurrentAmps")] = settings.maxCurrentAmps;
     object[QStringLiteral("firstStepsDone")] = settings.firstStepsDone;
     object[QStringLiteral("ramps")] = rampPresetsJson(settings.ramps);
+    object[QStringLiteral("formulas")] = mathFormulasJson(settings.formulas);
     return QJsonDocument(object).toJson();
 }
 
@@ -115,6 +116,7 @@ Settings settingsFromJson(const QByteArray &json)
     settings.maxCurrentAmps = limitOf(object[QStringLiteral("maxCurrentAmps")]);
     settings.firstStepsDone = object[QStringLiteral("firstStepsDone")].toBool(false);
     settings.ramps = rampPresetsOf(object[QStringLiteral("ramps")].toArray());
+    settings.formulas = mathFormulasOf(object[QStringLiteral("formulas")].toArray());
     return settings;
 }
 

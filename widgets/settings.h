@@ -3,6 +3,7 @@
 #pragma once
 
 #include "widgets/forms/ramp_preset.h"
+#include "widgets/math_formula.h"
 
 #include <QByteArray>
 #include <QMap>
@@ -31,6 +32,7 @@ struct Settings {
     double maxCurrentAmps = 0.0;
     bool firstStepsDone = false;
     QList<RampPreset> ramps; ///< that a person has named
+    QList<MathFormula> formulas; ///< of math channels
     bool operator==(const Settings &) const = default;
 };
 

@@ -308,9 +308,12 @@ void SignalSelection::syncScope()
             m_scope.addChannel(*channel, shownPlotOf(*signal));
     }
     const auto there = m_scope.channels();
-    for (const capture::ChannelId channel : there)
-        if (std::find(shown.begin(), shown.end(), channel) == shown.end())
+    for (const capture::ChannelId channel : there) {
+        const auto info = m_capture.info(channel);
+        const bool anothers = info && !info->isBoards(); // such as what is computed
+        if (!anothers && std::find(shown.begin(), shown.end(), channel) == shown.end())
             m_scope.removeChannel(channel);
+    }
     rememberPlots();
 }
 

@@ -12,8 +12,8 @@ using Kind = ChannelInfo::Kind;
 /// channels.
 constexpr std::uint64_t kSamplesBetweenChecks = 65536;
 
-/// Registers of imported channels are numbered from here on: no board has such ones.
-constexpr catalog::RegisterId kImportedRegister = 0xF0000000;
+/// Registers of imported channels that nobody named are numbered from here on.
+constexpr catalog::RegisterId kImportedRegister = kFirstOwnRegister + 0x10000000;
 
 /// How far new streams may be moved in all: far from where 64 bits end.
 constexpr Nanos kMostShift = Nanos{4'000'000'000} * 1'000'000'000;
@@ -203,10 +203,10 @@ void Capture::endPolled(catalog::RegisterId id)
         mutableChannel(*found)->values()->breakHere();
 }
 
-ChannelId Capture::addImported(std::string name, std::string unit)
+ChannelId Capture::addImported(std::string name, std::string unit, catalog::RegisterId id)
 {
     ChannelInfo info;
-    info.registerId = kImportedRegister + m_nextId;
+    info.registerId = id != 0 ? std::max(id, kFirstOwnRegister) : kImportedRegister + m_nextId;
     info.name = std::move(name);
     info.unit = std::move(unit);
     info.kind = Kind::Slow;
@@ -232,6 +232,23 @@ void Capture::breakImported(ChannelId id)
     Channel *channel = mutableChannel(id);
     if (ValueColumn *column = channel ? channel->values() : nullptr)
         column->breakHere();
+}
+
+void Capture::keepNewest(ChannelId id, std::uint64_t most)
+{
+    Channel *channel = mutableChannel(id);
+    while (channel && channel->size() > most && channel->canRelease())
+        channel->releaseOldest();
+}
+
+void Capture::removeImported(ChannelId id)
+{
+    const Channel *found = channel(id);
+    if (!found || found->info().isBoards())
+        return;
+    std::erase_if(m_entries, [id](const Entry &entry) { return entry.channel->info().id == id; });
+    ++m_revision;
+    ++m_channelRevision;
 }
 
 void Capture::clear()

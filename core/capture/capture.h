@@ -56,12 +56,17 @@ public:
     /// Nobody asks for this register any more: its last value is not held any longer.
     void endPolled(catalog::RegisterId id);
 
-    /// A channel of values that came from a file; kind Slow. No other call finds it by its register.
-    ChannelId addImported(std::string name, std::string unit);
+    /// A channel of values that came from a file or were computed; kind Slow.
+    /// @param id  it is found by, at least kFirstOwnRegister; 0: one that nobody knows
+    ChannelId addImported(std::string name, std::string unit, catalog::RegisterId id = 0);
     /// Appends a value to it. Instants must rise.
     void appendImported(ChannelId id, Nanos time, double value, Nanos holdUntil);
     /// Nothing is known between its last value and the next one.
     void breakImported(ChannelId id);
+    /// Lets go of its oldest values, a chunk at a time, until there are at most so many.
+    void keepNewest(ChannelId id, std::uint64_t most);
+    /// Forgets a channel of addImported(); nothing happens to others.
+    void removeImported(ChannelId id);
 
     /// Forgets all samples and channels; ids are not used again. A stream in effect goes on with
     /// new channels.

@@ -14,6 +14,9 @@ namespace capture {
 /// Names a channel for as long as the capture lives.
 using ChannelId = std::uint32_t;
 
+/// Channels that no board sent (computed, or from a file) have registers from here on: no board has such ones.
+inline constexpr catalog::RegisterId kFirstOwnRegister = 0xE0000000;
+
 struct ChannelInfo {
     ChannelId id = 0;
     catalog::RegisterId registerId = 0;
@@ -26,6 +29,10 @@ struct ChannelInfo {
         Slow, ///< recorded by the board, less often
         Polled, ///< asked for by us, whenever the link had time
     } kind = Kind::Fast;
+
+    bool isBoards() const { return registerId < kFirstOwnRegister; }
+    /// What one digit is worth; 0 if that is not known, because the values came scaled already.
+    double digit() const { return kind == Kind::Polled || !isBoards() ? 0.0 : factor; }
 };
 
 /// Seconds on the session's axis, half-open.

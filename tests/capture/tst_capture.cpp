@@ -28,6 +28,7 @@ private Q_SLOTS:
     void aSnapshotStaysAsItWas();
     void clearingForgetsEverythingAndTheStreamGoesOn();
     void timesAreExactToTheNanosecond();
+    void whatWasComputedIsFoundCutAndForgotten();
 };
 
 namespace {
@@ -381,6 +382,36 @@ void TestCapture::aSnapshotStaysAsItWas()
     QCOMPARE(snapshot->at(1).size(), std::uint64_t(3));
     QCOMPARE(snapshot->at(1).at(2), 1.5);
     QCOMPARE(snapshot->at(0).info().registerId, 9U);
+}
+
+void TestCapture::whatWasComputedIsFoundCutAndForgotten()
+{
+    Capture capture;
+    capture.begin(layout(1, {7}));
+    capture.append(block(1, 0, {1, 2, 3}));
+    const ChannelId id = capture.addImported("M", "A", kFirstOwnRegister + 5);
+    QCOMPARE(capture.find(kFirstOwnRegister + 5), std::optional(id));
+    QVERIFY(!capture.info(id)->isBoards());
+    QCOMPARE(capture.info(id)->digit(), 0.0);
+    QCOMPARE(capture.info(*capture.find(7))->digit(), 0.5);
+    const Nanos count = 3 * Nanos(ValueColumn::kChunkSamples);
+    for (Nanos i = 0; i < count; ++i)
+        capture.appendImported(id, i * 1000, double(i), (i + 1) * 1000);
+    capture.keepNewest(id, 5000); // a chunk at a time
+    QCOMPARE(capture.size(id), std::uint64_t(ValueColumn::kChunkSamples));
+    QCOMPARE(capture.lastValue(id), std::optional(double(count - 1)));
+    capture.removeImported(*capture.find(7)); // not its business
+    QCOMPARE(capture.size(*capture.find(7)), std::uint64_t(3));
+    const auto revision = capture.channelRevision();
+    capture.removeImported(id);
+    QVERIFY(!capture.info(id) && !capture.find(kFirstOwnRegister + 5));
+    QVERIFY(capture.channelRevision() > revision);
+    capture.appendImported(
+        id, count * 1000, 1.0, count * 1000 + 1); // it is gone, and nothing happens
+    capture.append(block(1, 3, {4}));
+    QCOMPARE(capture.size(*capture.find(7)), std::uint64_t(4));
+    const ChannelId other = capture.addImported("N", "A", 3); // never under a board's register
+    QVERIFY(!capture.info(other)->isBoards());
 }
 
 void TestCapture::clearingForgetsEverythingAndTheStreamGoesOn()

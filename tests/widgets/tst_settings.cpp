@@ -24,6 +24,8 @@ private Q_SLOTS:
         settings.maxSpeedRpm = 1500.0;
         settings.maxCurrentAmps = 2.5;
         settings.firstStepsDone = true;
+        settings.formulas = {{QStringLiteral("M1"), QStringLiteral("I_A + 1"), false},
+            {QStringLiteral("M2"), QStringLiteral("[I_A (2)]"), true}};
         QVERIFY(widgets::saveSettings(settings, path));
         QCOMPARE(widgets::loadSettings(path), settings);
     }

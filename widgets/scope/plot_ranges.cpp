@@ -60,9 +60,7 @@ double PlotStack::leastSpanOf(const ScopePlot &plot, const ValueAxis &axis) cons
     for (const Trace &trace : plot.traces) {
         if (trace.valueAxis != axis.axis)
             continue;
-        // A polled value comes scaled: what its digit is worth is not known here.
-        const bool scaled = trace.info.kind == capture::ChannelInfo::Kind::Polled;
-        least = std::max(least, leastSpan(axis.unit, scaled ? 0.0 : trace.info.factor));
+        least = std::max(least, leastSpan(axis.unit, trace.info.digit()));
     }
     return least;
 }

@@ -25,9 +25,8 @@ QString paddedReading(const Trace &trace, double value, const QLocale &locale)
 double readingStep(const Trace &trace)
 {
     // A polled value comes scaled: what its digit is worth is not known here.
-    if (trace.info.kind == capture::ChannelInfo::Kind::Polled || !(std::abs(trace.info.factor) > 0))
-        return tickStep(trace.valueAxis->range().size(), 200);
-    return std::abs(trace.info.factor);
+    const double digit = std::abs(trace.info.digit());
+    return digit > 0 ? digit : tickStep(trace.valueAxis->range().size(), 200);
 }
 
 TraceLegend::TraceLegend(const ScopePlot &plot, const capture::Capture &capture)

@@ -303,7 +303,8 @@ void TriggerControl::levelToMiddle()
         if (!swing.empty()) {
             const double low = double(swing.min);
             const double high = double(swing.max);
-            const double digit = std::abs(source->info().factor);
+            const double known = std::abs(source->info().digit());
+            const double digit = known > 0.0 ? known : std::max((high - low) * 1e-3, 1e-6);
             m_setup.level = low + (high - low) / 2;
             if (fieldsOf(m_setup.type).upper) {
                 m_setup.level = low + (high - low) * 0.1;
