@@ -2,6 +2,7 @@
 
 #include "widgets/device_text.h"
 #include "widgets/file_job.h"
+#include "widgets/open_recording.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -14,11 +15,10 @@ struct Imports {
     Q_DECLARE_TR_FUNCTIONS(Imports)
 };
 
-constexpr std::size_t kMostMemory = 4'000'000'000; ///< of samples
 constexpr qint64 kPiece = 1 << 20;
 
 struct Imported {
-    capture::Capture capture{{.maxBytes = kMostMemory}};
+    capture::Capture capture{{.maxBytes = kMostMemoryOfFile}};
     QString wrong; ///< empty: nothing
     bool cancelled = false;
 };

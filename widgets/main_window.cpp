@@ -372,6 +372,7 @@ void MainWindow::connectParts()
     connect(&m_workbench, &Workbench::heartbeat, m_control, &ControlPanel::refresh);
     connect(&m_workbench, &Workbench::heartbeat, m_status, &StatusStrip::refresh);
     connect(&m_device, &Device::batchApplied, m_scope, &ScopeView::captureChanged);
+    connect(&m_workbench, &Workbench::heartbeat, this, &MainWindow::tellReleased);
     connect(&m_device, &Device::linkStateChanged, this, &MainWindow::linkChanged);
     connect(&m_device, &Device::portStateChanged, this, &MainWindow::linkChanged);
     connect(&m_device, &Device::armedStateChanged, this, &MainWindow::updateFrame);

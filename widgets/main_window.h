@@ -84,6 +84,9 @@ private:
     void copyPicture();
     void askForCsv();
     void askForRecording();
+    void replaceRecorded(std::function<void()> goOn);
+    void tellReleased();
+    void showImported(const QString &path, capture::Capture &imported);
     void openRecording(const QString &path);
     void showRecording(OpenedRecording &opened);
     QAction *addTool(Form *form, const QString &title, const char *name, const QKeySequence &keys);
@@ -141,6 +144,8 @@ private:
     FirstSteps *m_firstSteps = nullptr;
     StatusStrip *m_status = nullptr;
     RecordControl *m_record = nullptr;
+    std::uint64_t m_exportedRevision = 0; ///< of the capture, when all of it was exported
+    bool m_toldReleased = false;
     StopAlarm *m_alarm;
     Shutdown *m_shutdown;
     Shutdown *m_parting; ///< the same for a disconnection

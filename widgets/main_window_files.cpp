@@ -11,6 +11,7 @@
 #include "widgets/record_control.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope_picture.h"
+#include "widgets/value_text.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -18,6 +19,8 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QImage>
+#include <QMessageBox>
+#include <QPushButton>
 
 namespace widgets {
 
@@ -50,6 +53,54 @@ void MainWindow::say(Banner::Kind kind, const QString &sentence)
     m_banner->say(kind, sentence);
 }
 
+/// Asks before samples of a board go that are in no exported file; goes on at once if there are none.
+void MainWindow::replaceRecorded(std::function<void()> goOn)
+{
+    const capture::Capture &capture = m_workbench.capture();
+    if (m_selection->showsFile() || !capture.timeSpan()
+        || capture.revision() == m_exportedRevision) {
+        goOn();
+        return;
+    }
+    auto *box = new QMessageBox(QMessageBox::Warning, tr("Replace what was recorded?"),
+        tr("The scope holds samples of the last connection that were not exported. A file that is "
+           "opened takes their place."),
+        QMessageBox::NoButton, this);
+    box->setObjectName(QStringLiteral("replaceQuestion"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    box->setInformativeText(
+        tr("What was recorded to a disk stays there. The scope's own samples cannot be brought "
+           "back."));
+    QPushButton *save = box->addButton(tr("&Export first\u2026"), QMessageBox::AcceptRole);
+    QPushButton *replace = box->addButton(tr("&Replace"), QMessageBox::DestructiveRole);
+    replace->setObjectName(QStringLiteral("replaceYes"));
+    replace->setAutoDefault(false);
+    QPushButton *cancel = box->addButton(QMessageBox::Cancel);
+    box->setDefaultButton(cancel);
+    box->setEscapeButton(cancel);
+    connect(box, &QMessageBox::buttonClicked, this,
+        [this, save, replace, goOn = std::move(goOn)](QAbstractButton *button) {
+            if (button == replace)
+                goOn();
+            else if (button == save)
+                exportCsv();
+        });
+    box->open();
+}
+
+/// Once: memory is bounded, and what it let go is only where somebody recorded it.
+void MainWindow::tellReleased()
+{
+    const bool released = m_workbench.capture().released() > 0;
+    if (released && !m_selection->showsFile() && !m_toldReleased)
+        say(Banner::Kind::Warning,
+            tr("The samples fill their memory (%1 GB): from now on the oldest ones are let go. "
+               "Record to disk (Ctrl+R) to keep what comes.")
+                .arg(numberText(static_cast<double>(m_workbench.capture().maxBytes()) / 1e9, 1)));
+    m_toldReleased = released;
+}
+
 void MainWindow::askForRecording()
 {
     if (m_connectBar->connecting()) {
@@ -61,7 +112,9 @@ void MainWindow::askForRecording()
     question.title = tr("Open a recording");
     question.folder = m_record->folder().isEmpty() ? QDir::homePath() : m_record->folder();
     question.filter = tr("Recordings (*.pcapng)");
-    m_files.askOpen(this, question, [this](const QString &path) { openRecording(path); });
+    replaceRecorded([this, question] {
+        m_files.askOpen(this, question, [this](const QString &path) { openRecording(path); });
+    });
 }
 
 void MainWindow::askForCsv()
@@ -77,23 +130,39 @@ void MainWindow::askForCsv()
     question.folder =
         m_settings.exportFolder.isEmpty() ? QDir::homePath() : m_settings.exportFolder;
     question.filter = tr("CSV files (*.csv *.txt)");
-    m_files.askOpen(this, question, [this](const QString &path) {
-        importCsv(
-            path, this,
-            [this, path](capture::Capture &capture) {
-                if (m_connectBar->connecting())
-                    return;
-                m_selection->showFile(std::move(capture));
-                m_scope->events().clear();
-                say(Banner::Kind::Note, tr("Imported %1.").arg(deviceText(path)));
-            },
-            [this](const QString &sentence) { say(Banner::Kind::Warning, sentence); });
+    replaceRecorded([this, question] {
+        m_files.askOpen(this, question, [this](const QString &path) {
+            importCsv(
+                path, this,
+                [this, path](capture::Capture &capture) { showImported(path, capture); },
+                [this](const QString &sentence) { say(Banner::Kind::Warning, sentence); });
+        });
     });
+}
+
+void MainWindow::showImported(const QString &path, capture::Capture &imported)
+{
+    if (m_connectBar->connecting()) // meanwhile: what lives goes first
+        return;
+    const QString released = releasedText(imported);
+    m_selection->showFile(std::move(imported));
+    m_scope->events().clear();
+    const QString sentence = tr("Imported %1.").arg(deviceText(path));
+    if (released.isEmpty())
+        say(Banner::Kind::Note, sentence);
+    else
+        say(Banner::Kind::Warning, sentence + QLatin1Char(' ') + released);
 }
 
 void MainWindow::runExport(const ExportOrder &order)
 {
-    const auto done = [this, order](const ExportResult &result) {
+    // Everything in it, as it is now: then nothing is lost when a file takes its place.
+    const bool all = !isPicture(order.format) && !order.range && order.format != ExportFormat::Wav;
+    const auto done = [this, order,
+                          revision = all ? m_workbench.capture().revision() : m_exportedRevision](
+                          const ExportResult &result) {
+        if (result.ok())
+            m_exportedRevision = revision;
         if (!result.ok()) {
             say(Banner::Kind::Warning, exportErrorText(result));
         } else if (isPicture(order.format)) {

@@ -3,6 +3,7 @@
 #include "widgets/device_text.h"
 #include "widgets/file_job.h"
 #include "widgets/scope/event_log.h"
+#include "widgets/value_text.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -16,8 +17,6 @@ namespace {
 struct Opening {
     Q_DECLARE_TR_FUNCTIONS(Opening)
 };
-
-constexpr std::size_t kMostMemory = 4'000'000'000;
 
 EventKind kindOf(const record::Happening &happening)
 {
@@ -34,11 +33,27 @@ EventKind kindOf(const record::Happening &happening)
     return happening.name == "write" ? EventKind::Write : EventKind::Command;
 }
 
+/// What of a happening is news beside the others: a line of the motion log tells the end of what has an entry already.
+bool isShown(const record::Happening &happening)
+{
+    const auto is = [&happening](std::string_view key, std::string_view value) {
+        return std::find(happening.fields.begin(), happening.fields.end(),
+                   std::pair<std::string, std::string>(key, value))
+            != happening.fields.end();
+    };
+    if (happening.name == "motion")
+        return is("act", "ARM") || is("act", "DISARM") || is("act", "LIMITS")
+            || is("act", "EXPERT_MODE");
+    return happening.name != "ended" || !is("outcome", "ok");
+}
+
 QString textOf(const record::Happening &happening)
 {
+    if (happening.name == "motion")
+        return deviceText(happening.fields.front().second);
     QString text = deviceText(happening.name);
     for (const auto &[key, value] : happening.fields)
-        if (!value.empty())
+        if (!value.empty() && key != "wish")
             text += QStringLiteral(" %1=%2").arg(deviceText(key), deviceText(value));
     return text;
 }
@@ -46,14 +61,15 @@ QString textOf(const record::Happening &happening)
 } // namespace
 
 FileJob *openRecording(const QString &path, QWidget *window,
-    std::function<void(OpenedRecording &)> take, std::function<void(const QString &)> fail)
+    std::function<void(OpenedRecording &)> take, std::function<void(const QString &)> fail,
+    std::size_t mostMemory)
 {
     return new FileJob(
         Opening::tr("Opening %1").arg(deviceText(QFileInfo(path).fileName())),
-        [path, take = std::move(take), fail = std::move(fail)](
+        [path, mostMemory, take = std::move(take), fail = std::move(fail)](
             const FileJob::Proceed &proceed) -> FileJob::Finish {
             auto opened = std::make_shared<OpenedRecording>(
-                OpenedRecording{path, capture::Capture({.maxBytes = kMostMemory}), {}});
+                OpenedRecording{path, capture::Capture({.maxBytes = mostMemory}), {}});
             bool cancelled = false;
             auto report = session::readRecording(path, opened->capture, [&](double fraction) {
                 cancelled = !proceed(fraction);
@@ -72,10 +88,23 @@ FileJob *openRecording(const QString &path, QWidget *window,
         window);
 }
 
+QString releasedText(const capture::Capture &capture)
+{
+    const auto span = capture.timeSpan();
+    if (capture.released() == 0 || !span)
+        return {};
+    return Opening::tr("It is larger than the %1 GB of memory for it: %2 samples before %3 s are "
+                       "not shown, and marked as a gap.")
+        .arg(numberText(static_cast<double>(capture.maxBytes()) / 1e9, 1),
+            QString::number(capture.released()), numberText(span->from, 1));
+}
+
 QString openedText(const OpenedRecording &opened, bool &whole)
 {
     const session::RecordingReport &report = opened.report;
     QStringList sentences{Opening::tr("Opened %1.").arg(deviceText(opened.path))};
+    if (const QString released = releasedText(opened.capture); !released.isEmpty())
+        sentences.append(released);
     if (report.damagedPlaces > 0)
         sentences.append(
             Opening::tr("%n place(s) in it are damaged; what lies before and after is shown.",
@@ -97,7 +126,8 @@ void fillEvents(EventLog &events, const session::RecordingReport &report)
 {
     events.clear();
     for (const auto &[at, happening] : report.happenings)
-        events.add(kindOf(happening), capture::toSeconds(at), textOf(happening));
+        if (isShown(happening))
+            events.add(kindOf(happening), capture::toSeconds(at), textOf(happening));
     // A marker whose text was changed is in it again.
     std::map<record::Nanos, QString> notes;
     for (const record::Note &note : report.notes)

@@ -18,12 +18,19 @@ struct OpenedRecording {
     session::RecordingReport report;
 };
 
+constexpr std::size_t kMostMemoryOfFile = 4'000'000'000; ///< of the samples of a file
+
 /// Reads it and calls `take` in the GUI thread, or `fail` with a sentence; nothing if it was cancelled.
+/// @param mostMemory  beyond it the oldest samples are let go, which is told
 FileJob *openRecording(const QString &path, QWidget *window,
-    std::function<void(OpenedRecording &)> take, std::function<void(const QString &)> fail);
+    std::function<void(OpenedRecording &)> take, std::function<void(const QString &)> fail,
+    std::size_t mostMemory = kMostMemoryOfFile);
 
 /// One sentence: what was opened and what is missing from it. True in `whole` if nothing is.
 QString openedText(const OpenedRecording &opened, bool &whole);
+
+/// That the oldest samples of a file had no room in memory; empty if all are there.
+QString releasedText(const capture::Capture &capture);
 
 /// What happened during the recording and the marks in it.
 void fillEvents(EventLog &events, const session::RecordingReport &report);

@@ -15,13 +15,6 @@ namespace {
 
 constexpr int kDotsPerInch = 96; ///< a pixel of the screen is a pixel of the picture
 
-void drawPlots(ScopeView &scope, QPaintDevice &device)
-{
-    QCustomPlot &plot = scope.plotWidget();
-    QCPPainter painter(&device);
-    plot.toPainter(&painter, plot.width(), plot.height());
-}
-
 QByteArray svgOf(ScopeView &scope)
 {
     QBuffer buffer;
@@ -33,7 +26,7 @@ QByteArray svgOf(ScopeView &scope)
     svg.setSize(size);
     svg.setViewBox(QRect({}, size));
     svg.setTitle(QStringLiteral("Rotorscope"));
-    drawPlots(scope, svg);
+    scope.drawShapes(svg);
     return buffer.data();
 }
 
@@ -47,7 +40,7 @@ QByteArray pdfOf(ScopeView &scope)
         const QSizeF points = QSizeF(scope.plotWidget().size()) * 72.0 / kDotsPerInch;
         pdf.setPageSize(QPageSize(points, QPageSize::Point));
         pdf.setPageMargins(QMarginsF());
-        drawPlots(scope, pdf);
+        scope.drawShapes(pdf);
     }
     return buffer.data();
 }

@@ -12,7 +12,7 @@ class ScopeView;
 
 QImage scopeImage(ScopeView &scope); ///< all of it, in the screen's pixels
 
-/// PNG of the whole view; SVG and PDF of its plots, with axes and words as such and the traces as an image.
+/// PNG of the whole view; SVG and PDF of its plots, traces and cursors as shapes.
 session::CsvResult writePicture(ScopeView &scope, ExportFormat format, const QString &path);
 
 } // namespace widgets

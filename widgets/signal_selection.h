@@ -29,6 +29,7 @@ public:
     QColor colorOf(catalog::RegisterId id) const;
     /// Shows what was read from a file, in the place of everything recorded; until the next connection.
     void showFile(capture::Capture file);
+    bool showsFile() const { return m_fromFile; }
 
 public Q_SLOTS:
     /// `plot` as in ScopeView::addChannel(); -1: a plot that already has its unit, or a new one.

@@ -257,6 +257,7 @@ void Capture::clear()
     m_streamEnd = std::numeric_limits<Nanos>::min();
     makeStreamChannels();
     m_sinceCheck = 0;
+    m_released = 0;
     ++m_revision;
     ++m_channelRevision;
 }
@@ -269,6 +270,7 @@ void Capture::adopt(Capture other)
     for (const Entry &entry : entries)
         m_entries.push_back({std::make_unique<Channel>(*entry.channel, m_nextId++), ++m_revision});
     m_streamEnd = other.m_streamEnd;
+    m_released = other.m_released;
     m_shift = 0;
 }
 
@@ -411,7 +413,9 @@ void Capture::keepWithinLimit()
         }
         if (!oldest)
             return;
+        const std::uint64_t before = oldest->size();
         oldest->releaseOldest();
+        m_released += before - oldest->size();
     }
 }
 

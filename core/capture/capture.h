@@ -107,6 +107,9 @@ public:
     } ///< grows when channels() changes
     std::size_t bytes() const; ///< of the columns
     const Refused &refused() const { return m_refused; }
+    /// Samples that were let go since the last clear(), because memory is bounded.
+    std::uint64_t released() const { return m_released; }
+    std::size_t maxBytes() const { return m_config.maxBytes; }
 
 private:
     struct Entry {
@@ -138,6 +141,7 @@ private:
     std::uint64_t m_revision = 0;
     std::uint64_t m_channelRevision = 0;
     std::uint64_t m_sinceCheck = 0;
+    std::uint64_t m_released = 0;
     Refused m_refused;
 };
 

@@ -158,6 +158,8 @@ std::vector<TimeSpan> Channel::gaps(double from, double to, double least) const
     const Index near = atOrAfter(edgeOf(from));
     if (empty())
         return result;
+    if (m_released && near == begin())
+        add(*m_released, timeOf(begin()));
     const Index start = near > begin() ? near - 1 : near;
     if (const FastColumn *column = fast()) {
         const std::vector<Segment> &segments = column->segments();
@@ -190,6 +192,8 @@ bool Channel::canRelease() const
 
 void Channel::releaseOldest()
 {
+    if (!m_released && canRelease())
+        m_released = oldest();
     std::visit([](auto &column) { column.releaseOldest(); }, m_column);
 }
 

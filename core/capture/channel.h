@@ -98,13 +98,13 @@ public:
     std::uint64_t countIn(double from, double to) const;
 
     /// Where nothing is known between two samples that touch [from, to), if wider than `least`
-    /// seconds.
+    /// seconds; also where the oldest samples were let go.
     std::vector<TimeSpan> gaps(double from, double to, double least) const;
 
     double toShown(double stored) const { return (stored + m_info.offset) * m_info.factor; }
     std::size_t bytes() const;
     bool canRelease() const;
-    void releaseOldest();
+    void releaseOldest(); ///< from then on gaps() tells where samples were
     Nanos oldest() const { return timeOf(begin()); } ///< not on an empty channel
 
 private:
@@ -112,6 +112,7 @@ private:
 
     ChannelInfo m_info;
     Column m_column;
+    std::optional<Nanos> m_released; ///< where the first sample was that is not kept any more
 };
 
 } // namespace capture

@@ -15,6 +15,17 @@ std::string text(double value)
     return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + 32, value).ptr};
 }
 
+std::string hex(const Bytes &bytes)
+{
+    std::string hex;
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    for (const std::uint8_t byte : bytes) {
+        hex += kDigits[byte >> 4];
+        hex += kDigits[byte & 0xF];
+    }
+    return hex;
+}
+
 std::string text(const catalog::Value &value)
 {
     if (const auto *number = std::get_if<std::int64_t>(&value))
@@ -23,13 +34,7 @@ std::string text(const catalog::Value &value)
         return text(*number);
     if (const auto *words = std::get_if<std::string>(&value))
         return *words;
-    std::string hex;
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    for (const std::uint8_t byte : std::get<Bytes>(value)) {
-        hex += kDigits[byte >> 4];
-        hex += kDigits[byte & 0xF];
-    }
-    return hex;
+    return hex(std::get<Bytes>(value));
 }
 
 std::string text(const std::vector<std::string> &words)
@@ -56,7 +61,7 @@ constexpr std::array kStopWords{
     "requested", "accepted", "drive idle", "standstill", "NOT CONFIRMED"};
 constexpr std::array kMotorStates{
     "unknown", "idle", "starting", "running", "stopping", "fault now", "fault over"};
-constexpr std::array kActions{"start", "stop ramp", "acknowledge faults"};
+constexpr std::array kActions{"start", "stop motor", "stop ramp", "acknowledge faults"};
 
 double numberOf(const catalog::Value &value, bool &isNumber)
 {
@@ -73,6 +78,29 @@ Happening linkHappening(const drive::LinkChanged &link)
 {
     return {"link",
         {{"state", word(kLinkStates, link.state)}, {"reason", word(kLinkReasons, link.reason)}}};
+}
+
+/// A line of the motion log, with what it says and no more.
+Happening motionHappening(const drive::MotionRecord &motion)
+{
+    const auto milliseconds = [](Duration time) {
+        return text(std::chrono::duration<double, std::milli>(time).count());
+    };
+    Happening happening{"motion",
+        {{"act", std::string(wordOf(motion.act))}, {"source", std::string(wordOf(motion.source))},
+            {"asked s", text(toSeconds(motion.asked.time_since_epoch()))},
+            {"took ms", milliseconds(motion.ended - motion.asked)},
+            {"outcome", std::string(motion.stop ? wordOf(*motion.stop) : wordOf(motion.outcome))},
+            {"requests", std::to_string(motion.requests)}}};
+    if (motion.motor > 0)
+        happening.fields.emplace_back("motor", std::to_string(motion.motor));
+    if (!motion.detail.empty())
+        happening.fields.emplace_back("detail", motion.detail);
+    if (!motion.reason.empty())
+        happening.fields.emplace_back("reason", motion.reason);
+    for (const Bytes &request : motion.sent)
+        happening.fields.emplace_back("bytes", hex(request));
+    return happening;
 }
 
 Happening statusHappening(const drive::MotorStatus &status)
@@ -110,6 +138,8 @@ std::vector<Entry> DriveEntries::take(const drive::Event &event)
         return counters(*link);
     if (const auto *end = std::get_if<drive::Ended>(&event))
         return ended(*end);
+    if (const auto *motion = std::get_if<drive::MotionRecord>(&event))
+        return {motionHappening(*motion)};
     if (const auto *link = std::get_if<drive::LinkChanged>(&event)) {
         m_link = *link;
         return {linkHappening(*link)};

@@ -364,6 +364,15 @@ void TestCapture::theOldestSamplesAreReleasedFirst()
     const double firstValue = *capture.valueAt(id, span->from);
     QCOMPARE(firstValue, std::floor(span->from * 16) * 0.5);
     QCOMPARE(capture.columns(id, 0.0, 125.0, 100).front().empty(), true);
+    // What was let go is counted, and shown as the gap that it is.
+    QCOMPARE(capture.released(), 2'000'000 - capture.size(id));
+    const auto gaps = capture.channel(id)->gaps(0.0, 125.0, 0.001);
+    QCOMPARE(gaps.size(), std::size_t(1));
+    QCOMPARE(gaps[0].from, 0.0);
+    QCOMPARE(gaps[0].to, span->from);
+    QVERIFY(capture.channel(id)->gaps(span->from + 1.0, 125.0, 0.001).empty());
+    capture.clear();
+    QCOMPARE(capture.released(), 0U);
 }
 
 void TestCapture::aSnapshotStaysAsItWas()

@@ -16,6 +16,7 @@ class TestRecordingLive : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void everythingThatIsToldIsInTheFile();
+    void theMotionLogIsInTheFile();
     void aRecordingThatBeginsLateKnowsWhatHolds();
     void theBytesOfTheLineAreThereIfAskedFor();
     void aSlowDiskStallsNobodyAndItsLossIsTold();
@@ -167,6 +168,36 @@ void TestRecordingLive::everythingThatIsToldIsInTheFile()
     QCOMPARE(bench.results[0].last.counts.samples, 2000U);
     QCOMPARE(qint64(bench.results[0].last.counts.bytes), QFileInfo(bench.path).size());
     QCOMPARE(bench.tap->waiting(), std::size_t(0));
+}
+
+void TestRecordingLive::theMotionLogIsInTheFile()
+{
+    using drive::MotorAction;
+    Bench bench;
+    bench.start();
+    for (const MotorAction action : {MotorAction::Start, MotorAction::StopMotor,
+             MotorAction::StopRamp, MotorAction::AcknowledgeFaults})
+        bench.session.submit({1, drive::Command{action, 2}});
+    bench.tell(drive::MotionRecord{drive::MotionAct::SpeedRamp, 2, drive::Source::CommandLine,
+        TimePoint(3500ms), TimePoint(3512ms), "500 rpm in 1000 ms", drive::Outcome::Refused,
+        "motor is not running", std::nullopt, 1, {Bytes{0x31, 0xAB}}});
+    drive::MotionRecord stop;
+    stop.act = drive::MotionAct::Stop;
+    stop.stop = drive::StopWord::NotConfirmed;
+    bench.tell(stop);
+    bench.stop();
+    const auto happenings = support::readRecording(bench.path).all<record::Happening>();
+    QCOMPARE(happenings.size(), std::size_t(6));
+    const char *actions[] = {"start", "stop motor", "stop ramp", "acknowledge faults"};
+    for (std::size_t i = 0; i < 4; ++i)
+        QCOMPARE(happenings[i].fields[1], std::pair(std::string("action"), std::string(actions[i])));
+    const record::Happening ramp{"motion",
+        {{"act", "SPEED_RAMP"}, {"source", "command line"}, {"asked s", "3.5"}, {"took ms", "12"},
+            {"outcome", "refused"}, {"requests", "1"}, {"motor", "2"},
+            {"detail", "500 rpm in 1000 ms"}, {"reason", "motor is not running"},
+            {"bytes", "31ab"}}};
+    QVERIFY(happenings[4] == ramp);
+    QCOMPARE(happenings[5].fields[4], std::pair(std::string("outcome"), std::string("NOT confirmed")));
 }
 
 void TestRecordingLive::aRecordingThatBeginsLateKnowsWhatHolds()

@@ -19,6 +19,8 @@
 #include <QTemporaryDir>
 #include <QThread>
 
+#include <qcustomplot.h>
+
 #include <atomic>
 
 using namespace capture;
@@ -156,9 +158,12 @@ private Q_SLOTS:
         QVERIFY(hasTraceIn(image));
         const QString svg = m_folder.filePath(QStringLiteral("a.svg"));
         exportAs(ExportFormat::Svg, kEverything, svg);
+        QFile text(svg);
+        QVERIFY(text.open(QIODevice::ReadOnly));
+        QVERIFY(!text.readAll().contains("<image")); // shapes, at any size
         QImage drawn(svg);
         QVERIFY(!drawn.isNull());
-        QVERIFY(hasTraceIn(drawn));
+        QVERIFY(traceShare(drawn) > 0.1);
     }
 
     void thePictureIsCopied()
@@ -184,6 +189,26 @@ private Q_SLOTS:
         QTRY_VERIFY(
             banner()->text().contains(QStringLiteral("line 3, column 2: \"oops\" is no number")));
         QCOMPARE(scope()->channels(), shown);
+    }
+
+    void atAnyDensityTracesAreShapes()
+    {
+        for (const double span : {2.0, 0.001}) { // bands, and steps with dots
+            scope()->setVisibleRange(0.2, 0.2 + span);
+            const QString svg = m_folder.filePath(QStringLiteral("dense%1.svg").arg(span));
+            const quint64 before = scope()->redraws();
+            QTRY_VERIFY(scope()->redraws() > before);
+            const QImage screen = scope()->plotWidget().grab().toImage();
+            exportAs(ExportFormat::Svg, kVisible, svg);
+            QFile text(svg);
+            QVERIFY(text.open(QIODevice::ReadOnly));
+            const QByteArray content = text.readAll();
+            QVERIFY(!content.contains("<image"));
+            QVERIFY(content.size() < 3'000'000);
+            const QImage drawn(svg);
+            const double ratio = traceShare(drawn) / traceShare(screen);
+            QVERIFY2(ratio > 0.5 && ratio < 2.0, qPrintable(QString::number(ratio)));
+        }
     }
 
     void aPlaceThatTakesNoFileIsOneSentence()
@@ -266,6 +291,15 @@ private:
             for (int x = 0; x < image.width(); ++x)
                 found += (image.pixel(x, y) | 0xff000000U) == (wanted | 0xff000000U);
         return found > 200;
+    }
+    /// Of the pixels, how many are much nearer to a trace's colour than to grey.
+    static double traceShare(const QImage &image)
+    {
+        int found = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                found += image.pixelColor(x, y).hslSaturation() > 60 ? 1 : 0;
+        return double(found) / (double(image.width()) * double(image.height()));
     }
     Banner *banner() { return m_rig->window.findChild<Banner *>(); }
     widgets::ScopeView *scope() { return m_rig->window.scope(); }

@@ -4,12 +4,16 @@
 #include "widgets/banner.h"
 #include "widgets/connect_bar.h"
 #include "widgets/lamp.h"
+#include "widgets/motion_log_model.h"
+#include "widgets/open_recording.h"
 #include "widgets/record_control.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QAction>
 #include <QFile>
 #include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTranslator>
 
@@ -114,6 +118,87 @@ private Q_SLOTS:
         const auto range = scope()->visibleRange();
         QVERIFY(
             range.from <= independent.timeSpan()->from && range.to >= independent.timeSpan()->to);
+    }
+
+    void whatWasDoneToAMotorIsInTheFile()
+    {
+        makeRig();
+        connectToBoard();
+        const QString path = m_folder.filePath(QStringLiteral("motion.pcapng"));
+        record(path);
+        QTRY_VERIFY(line()->text().contains(QStringLiteral(" MB, ")));
+        device().setArmed(true);
+        QTRY_VERIFY(device().armed());
+        device().submit(drive::Command{drive::MotorAction::AcknowledgeFaults, 1});
+        device().setArmed(false);
+        QTRY_VERIFY(m_rig->workbench.motionLog().rowCount() >= 3);
+        disconnectFromBoard();
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Recorded to ")));
+        capture::Capture independent;
+        const auto report = session::readRecording(path, independent);
+        std::vector<std::string> acts;
+        for (const auto &[at, happening] : report->happenings)
+            if (happening.name == "motion")
+                acts.push_back(happening.fields.front().second);
+        QVERIFY(std::count(acts.begin(), acts.end(), "ARM") == 1);
+        QVERIFY(std::count(acts.begin(), acts.end(), "FAULT_ACK") == 1);
+        QVERIFY(std::count(acts.begin(), acts.end(), "DISARM") == 1);
+    }
+
+    void samplesThatAreNowhereElseAreAskedAbout()
+    {
+        makeRig();
+        connectToBoard();
+        disconnectFromBoard();
+        const auto live = capture().channels().front().id;
+        m_rig->files.answer = m_folder.filePath(QStringLiteral("a.pcapng"));
+        QTest::keyClick(&m_rig->window, Qt::Key_O, Qt::ControlModifier);
+        auto *question = m_rig->find<QMessageBox>("replaceQuestion");
+        QVERIFY(question);
+        QTest::keyClick(question, Qt::Key_Return); // neither Enter nor Esc replaces
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
+        QVERIFY(capture().channel(live));
+        m_rig->find<QAction>("importCsv")->trigger();
+        question = m_rig->find<QMessageBox>("replaceQuestion");
+        QVERIFY(question);
+        QTest::keyClick(question, Qt::Key_Escape);
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
+        QVERIFY(capture().channel(live));
+        openRecording(m_folder.filePath(QStringLiteral("a.pcapng"))); // says yes
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Opened ")));
+        QVERIFY(!capture().channel(live));
+        // What is on a disk already goes without a question.
+        action("openRecording")->trigger();
+        QVERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
+    }
+
+    void whatHasNoRoomInMemoryIsTold()
+    {
+        const QString path = m_folder.filePath(QStringLiteral("long.pcapng"));
+        QString text;
+        session::RecordingFile file(session::makeDiskSink(path, text), {0, "test", ""});
+        QVERIFY(file.open());
+        file.add(0, capture::StreamLayout{1, 16000.0, 0.0, 1, {{1, "A", "A", 0.1, 0.0}}, {}});
+        for (capture::Tick tick = 0; tick < 500'000; tick += 1000)
+            file.add(tick,
+                capture::SampleBlock{
+                    1, tick, 1000, std::vector<std::int16_t>(1000, std::int16_t(tick / 1000)), {}});
+        QVERIFY(file.end());
+        makeRig();
+        QString sentence;
+        bool whole = true;
+        std::uint64_t kept = 0;
+        widgets::openRecording(
+            path, &m_rig->window,
+            [&](widgets::OpenedRecording &opened) {
+                sentence = widgets::openedText(opened, whole);
+                kept = opened.capture.size(opened.capture.channels().front().id);
+            },
+            [](const QString &why) { QFAIL(qPrintable(why)); }, 600'000);
+        QTRY_VERIFY(!sentence.isEmpty());
+        QVERIFY(!whole);
+        QVERIFY(kept > 100'000 && kept < 400'000);
+        QVERIFY(sentence.contains(QString::number(500'000 - kept) + QStringLiteral(" samples")));
     }
 
     void aConnectionAfterAnOpenedFileStartsAfresh()
@@ -254,7 +339,9 @@ private:
     void openRecording(const QString &path)
     {
         m_rig->files.answer = path;
-        QTest::keyClick(&m_rig->window, Qt::Key_O, Qt::ControlModifier);
+        action("openRecording")->trigger(); // once a question was closed, nothing is active offscreen
+        if (auto *replace = m_rig->find<QPushButton>("replaceYes"))
+            QTest::mouseClick(replace, Qt::LeftButton);
     }
     static void compare(const capture::Capture &a, const capture::Capture &b)
     {

@@ -221,6 +221,14 @@ void ScopeView::drawFrame()
     Q_EMIT drawn();
 }
 
+void ScopeView::drawShapes(QPaintDevice &device)
+{
+    QCPPainter painter(&device);
+    painter.setMode(QCPPainter::pmVectorized);
+    m_plot->toPainter(&painter, m_plot->width(), m_plot->height());
+    m_overlay->paintOn(painter);
+}
+
 void ScopeView::setRunning(bool running)
 {
     if (m_running == running)

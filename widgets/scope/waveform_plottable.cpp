@@ -18,6 +18,8 @@ constexpr double kDotSpacing = 8.0;
 constexpr int kBandHeight = 8;
 constexpr int kBandShare = 16; ///< of the picture that is a band at least, as one part in so many
 constexpr int kStripeWidth = 3;
+/// Columns a pixel in a picture without pixels.
+constexpr int kShapeColumns = 4;
 
 /// Where a value lies, in rows from the top of the picture.
 struct Rows {
@@ -86,19 +88,46 @@ void WaveformPlottable::draw(QCPPainter *painter)
     if (rect.isEmpty() || m_scopePlot.traces.empty())
         return;
     shadeGaps(painter);
+    if (painter->modes().testFlag(QCPPainter::pmVectorized)) {
+        drawShapes(painter);
+        drawLastValues(painter);
+        return;
+    }
     const double ratio = painter->device()->devicePixelRatioF();
     const QSize size(qRound(rect.width() * ratio), qRound(rect.height() * ratio));
     if (m_image.size() != size)
         m_image = QImage(size, QImage::Format_ARGB32_Premultiplied);
     m_image.setDevicePixelRatio(ratio);
     m_image.fill(Qt::transparent);
-    const QCPRange range = keyAxis()->range();
-    const View view{
-        range.lower, range.upper, size.width(), size.height(), std::max(1, qRound(ratio))};
-    drawGhosts(view);
-    drawTraces(view);
+    const View view = viewOf(size, std::max(1, qRound(ratio)));
+    ImageInk ink(m_image);
+    drawGhosts(view, ink);
+    drawTraces(view, ink);
     painter->drawImage(rect.topLeft(), m_image);
     drawLastValues(painter);
+}
+
+WaveformPlottable::View WaveformPlottable::viewOf(QSize size, int thickness) const
+{
+    const QCPRange range = keyAxis()->range();
+    return {range.lower, range.upper, size.width(), size.height(), thickness};
+}
+
+void WaveformPlottable::drawShapes(QCPPainter *painter) const
+{
+    const QRect rect = m_scopePlot.rect->rect();
+    const QSize size = rect.size() * kShapeColumns;
+    painter->save();
+    painter->setAntialiasing(false);
+    painter->translate(rect.topLeft());
+    painter->scale(1.0 / kShapeColumns, 1.0 / kShapeColumns);
+    {
+        const View view = viewOf(size, kShapeColumns);
+        ShapeInk ink(*painter, size);
+        drawGhosts(view, ink);
+        drawTraces(view, ink);
+    }
+    painter->restore();
 }
 
 void WaveformPlottable::shadeGaps(QCPPainter *painter) const
@@ -137,7 +166,7 @@ void WaveformPlottable::shadeGaps(QCPPainter *painter) const
 }
 
 /// Bands first, in stripes where they overlap; lines over them, so that no band hides one.
-void WaveformPlottable::drawTraces(const View &view)
+void WaveformPlottable::drawTraces(const View &view, TraceInk &ink) const
 {
     struct Dense {
         QRgb color;
@@ -171,19 +200,20 @@ void WaveformPlottable::drawTraces(const View &view)
         if (trace.bands.empty())
             continue;
         if (stripes.own == 0)
-            fillColumns(m_image, trace.bands, trace.color);
+            ink.columns(trace.bands, trace.color);
         else
-            fillStriped(m_image, trace.bands, trace.color, stripes);
+            ink.striped(trace.bands, trace.color, stripes);
         ++stripes.own;
     }
     for (const Dense &trace : dense)
-        fillColumns(m_image, trace.lines, trace.color);
+        ink.columns(trace.lines, trace.color);
     for (const auto &[trace, channel] : sparse)
-        drawSteps(view, *trace, *channel, traceColor(trace->colorSlot, m_scopePlot.dark).rgba());
+        drawSteps(
+            view, *trace, *channel, traceColor(trace->colorSlot, m_scopePlot.dark).rgba(), ink);
 }
 
 /// The same traces of another time, paler and behind.
-void WaveformPlottable::drawGhosts(const View &view)
+void WaveformPlottable::drawGhosts(const View &view, TraceInk &ink) const
 {
     for (const Ghost &ghost : m_scopePlot.ghosts) {
         View then = view;
@@ -197,9 +227,9 @@ void WaveformPlottable::drawGhosts(const View &view)
             color.setAlpha(ghost.alpha);
             const QRgb paint = qPremultiply(color.rgba());
             if (channel->countIn(then.from, then.to) <= kSamplesAColumn * std::uint64_t(view.width))
-                drawSteps(then, trace, *channel, paint);
+                drawSteps(then, trace, *channel, paint, ink);
             else
-                fillColumns(m_image, columnsOf(then, trace, *channel), paint);
+                ink.columns(columnsOf(then, trace, *channel), paint);
         }
     }
 }
@@ -239,8 +269,8 @@ PixelColumns WaveformPlottable::columnsOf(
     return columns;
 }
 
-void WaveformPlottable::drawSteps(
-    const View &view, const Trace &trace, const capture::Channel &channel, QRgb color)
+void WaveformPlottable::drawSteps(const View &view, const Trace &trace,
+    const capture::Channel &channel, QRgb color, TraceInk &ink) const
 {
     const Rows rows = view.rows(*trace.valueAxis);
     const int line = view.thickness;
@@ -256,14 +286,14 @@ void WaveformPlottable::drawSteps(
         const int left = xOf(sample.time);
         const int right = xOf(sample.holdUntil);
         const int row = rows.of(sample.value);
-        fillBox(m_image, left, row - line / 2, std::max(line, right - left), line, color);
+        ink.box(left, row - line / 2, std::max(line, right - left), line, color);
         if (joined && !sample.first)
-            fillBox(m_image, left, std::min(row, lastRow) - line / 2, line,
+            ink.box(left, std::min(row, lastRow) - line / 2, line,
                 std::abs(row - lastRow) + line, color);
         lastRow = row;
         joined = true;
         if ((sample.holdUntil - sample.time) * view.perSecond() >= kDotSpacing * line)
-            fillBox(m_image, left - line, row - line - line / 2, 3 * line, 3 * line, color);
+            ink.box(left - line, row - line - line / 2, 3 * line, 3 * line, color);
     }
 }
 

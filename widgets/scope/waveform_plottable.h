@@ -4,7 +4,7 @@
 #pragma once
 
 #include "widgets/scope/scope_plot.h"
-#include "widgets/scope/trace_image.h"
+#include "widgets/scope/trace_ink.h"
 
 namespace widgets {
 
@@ -25,13 +25,15 @@ protected:
 private:
     struct View; ///< the picture's size and time range, for one redraw
     void shadeGaps(QCPPainter *painter) const;
-    void drawGhosts(const View &view);
-    void drawTraces(const View &view);
+    void drawGhosts(const View &view, TraceInk &ink) const;
+    void drawTraces(const View &view, TraceInk &ink) const;
+    void drawShapes(QCPPainter *painter) const;
+    View viewOf(QSize size, int thickness) const;
     const capture::Channel *channelOf(const Ghost &ghost, const Trace &trace) const;
     PixelColumns columnsOf(
         const View &view, const Trace &trace, const capture::Channel &channel) const;
-    void drawSteps(
-        const View &view, const Trace &trace, const capture::Channel &channel, QRgb color);
+    void drawSteps(const View &view, const Trace &trace, const capture::Channel &channel,
+        QRgb color, TraceInk &ink) const;
     void drawLastValues(QCPPainter *painter) const;
 
     const ScopePlot &m_scopePlot;
