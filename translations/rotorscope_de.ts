@@ -1618,6 +1618,10 @@
         <source>It ends where the disk failed.</source>
         <translation>Sie endet, wo die Platte versagte.</translation>
     </message>
+    <message>
+        <source>It is larger than the %1 GB of memory for it: %2 samples before %3 s are not shown, and marked as a gap.</source>
+        <translation>Sie ist größer als die %1 GB Speicher dafür: %2 Messwerte vor %3 s werden nicht gezeigt und sind als Lücke markiert.</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -3596,11 +3600,11 @@
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation>&amp;Exportieren …</translation>
+        <translation>&amp;Exportieren…</translation>
     </message>
     <message>
         <source>Export…</source>
-        <translation>Exportieren …</translation>
+        <translation>Exportieren…</translation>
     </message>
     <message>
         <source>Writes samples or a picture to a file: CSV, WAV, MATLAB, PNG, SVG, PDF (Ctrl+Shift+E)</source>
@@ -3661,6 +3665,39 @@
     <message>
         <source>Math</source>
         <translation>Mathematik</translation>
+    </message>
+    <message>
+        <source>Replace what was recorded?</source>
+        <translation>Aufgezeichnetes ersetzen?</translation>
+    </message>
+    <message>
+        <source>The scope holds samples of the last connection that were not exported. A file that is opened takes their place.</source>
+        <translation>Das Oszilloskop hält Messwerte der letzten Verbindung, die nicht exportiert wurden. Eine Datei, die geöffnet wird, tritt an ihre Stelle.</translation>
+    </message>
+    <message>
+        <source>What was recorded to a disk stays there. The scope&apos;s own samples cannot be brought back.</source>
+        <translation>Was auf einen Datenträger aufgezeichnet wurde, bleibt dort. Die Messwerte des Oszilloskops selbst sind nicht wiederzubringen.</translation>
+    </message>
+    <message>
+        <source>&amp;Export first…</source>
+        <translation>Erst &amp;exportieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>E&amp;rsetzen</translation>
+    </message>
+    <message>
+        <source>The samples fill their memory (%1 GB): from now on the oldest ones are let go. Record to disk (Ctrl+R) to keep what comes.</source>
+        <translation>Die Messwerte füllen ihren Speicher (%1 GB): Ab jetzt werden die ältesten verworfen. Aufzeichnen (Strg+R) behält, was kommt.</translation>
+    </message>
+    <message>
+        <source>%1, read one by one</source>
+        <comment>a signal</comment>
+        <translation>%1, einzeln gelesen</translation>
+    </message>
+    <message>
+        <source>Signals of the &amp;file</source>
+        <translation>Signale der &amp;Datei</translation>
     </message>
 </context>
 <context>

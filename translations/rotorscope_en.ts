@@ -1618,6 +1618,10 @@
         <source>It ends where the disk failed.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>It is larger than the %1 GB of memory for it: %2 samples before %3 s are not shown, and marked as a gap.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -3660,6 +3664,39 @@
     </message>
     <message>
         <source>Math</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace what was recorded?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scope holds samples of the last connection that were not exported. A file that is opened takes their place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was recorded to a disk stays there. The scope&apos;s own samples cannot be brought back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Export first…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The samples fill their memory (%1 GB): from now on the oldest ones are let go. Record to disk (Ctrl+R) to keep what comes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, read one by one</source>
+        <comment>a signal</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signals of the &amp;file</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -86,6 +86,7 @@ private:
     void askForRecording();
     void replaceRecorded(std::function<void()> goOn);
     void tellReleased();
+    void fillFileSignals();
     void showImported(const QString &path, capture::Capture &imported);
     void openRecording(const QString &path);
     void showRecording(OpenedRecording &opened);
@@ -161,6 +162,7 @@ private:
     QAction *m_open = nullptr;
     QAction *m_import = nullptr;
     QAction *m_copyPicture = nullptr;
+    QMenu *m_fileSignals = nullptr;
     QList<QAction *> m_dockActions;
     QList<QAction *> m_toolActions;
     QList<QDockWidget *> m_tools; ///< tabs beside one another, as long as nobody moves them

@@ -19,6 +19,7 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QImage>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -198,6 +199,33 @@ void MainWindow::openRecording(const QString &path)
     widgets::openRecording(
         path, this, [this](OpenedRecording &opened) { showRecording(opened); },
         [this](const QString &sentence) { say(Banner::Kind::Warning, sentence); });
+}
+
+/// A file's signals, those that were streamed first; the ticked ones are shown.
+void MainWindow::fillFileSignals()
+{
+    m_fileSignals->clear();
+    m_fileSignals->setEnabled(m_selection->showsFile());
+    if (!m_selection->showsFile())
+        return;
+    std::vector<capture::ChannelInfo> all = m_workbench.capture().channels();
+    std::stable_sort(all.begin(), all.end(), [](const auto &one, const auto &other) {
+        return one.kind != capture::ChannelInfo::Kind::Polled
+            && other.kind == capture::ChannelInfo::Kind::Polled;
+    });
+    for (const capture::ChannelInfo &info : all) {
+        QString text = deviceText(info.name);
+        if (!info.unit.empty())
+            text += QStringLiteral(" [%1]").arg(deviceText(info.unit));
+        if (info.kind == capture::ChannelInfo::Kind::Polled)
+            text = tr("%1, read one by one", "a signal").arg(text);
+        QAction *action =
+            m_fileSignals->addAction(text.replace(QLatin1Char('&'), QLatin1String("&&")));
+        action->setCheckable(true);
+        action->setChecked(m_scope->plotOf(info.id) >= 0);
+        connect(action, &QAction::triggered, this,
+            [this, id = info.id](bool on) { m_selection->showOfFile(id, on); });
+    }
 }
 
 void MainWindow::showRecording(OpenedRecording &opened)

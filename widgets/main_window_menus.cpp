@@ -68,6 +68,9 @@ void MainWindow::makeMenus(QMenuBar &bar)
         scope->addActions(group);
     }
     scope->addSeparator();
+    m_fileSignals = scope->addMenu(tr("Signals of the &file"));
+    m_fileSignals->setObjectName(QStringLiteral("fileSignals"));
+    connect(scope, &QMenu::aboutToShow, this, &MainWindow::fillFileSignals);
     connect(addAction(scope, tr("&Clear what was recorded")), &QAction::triggered, m_selection,
         &SignalSelection::clearRecorded);
 

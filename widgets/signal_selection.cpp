@@ -167,19 +167,36 @@ void SignalSelection::showFile(capture::Capture file)
     takeOffScope();
     m_capture.adopt(std::move(file));
     m_fromFile = true;
-    std::vector<std::string> units; // a plot each, as long as there is room
-    for (const capture::ChannelInfo &info : m_capture.channels()) {
-        if (m_scope.channels().size() == kMostFromFile)
-            break;
-        const auto found = std::find(units.begin(), units.end(), info.unit);
-        const int plot = static_cast<int>(found - units.begin());
-        if (found == units.end())
-            units.push_back(info.unit);
-        m_scope.addChannel(info.id, std::min(plot, kMostPlotsFromFile - 1));
-    }
+    // What was only read now and then, for the tables of the window, would bury what somebody wanted to see.
+    const std::vector<capture::ChannelInfo> all = m_capture.channels();
+    const bool streamed = std::any_of(
+        all.begin(), all.end(), [](const auto &info) { return info.kind != Kind::Polled; });
+    for (const capture::ChannelInfo &info : all)
+        if (!streamed || info.kind != Kind::Polled)
+            showOfFile(info.id, true);
     m_scope.captureChanged();
     m_scope.fitAll();
     Q_EMIT changed();
+}
+
+/// A plot for each unit, as long as there is room.
+void SignalSelection::showOfFile(capture::ChannelId id, bool shown)
+{
+    const auto info = m_capture.info(id);
+    if (!m_fromFile || !info || (m_scope.plotOf(id) >= 0) == shown)
+        return;
+    if (!shown) {
+        m_scope.removeChannel(id);
+        return;
+    }
+    const QList<capture::ChannelId> there = m_scope.channels();
+    if (there.size() >= kMostFromFile)
+        return;
+    int plot = there.isEmpty() ? 0 : std::min(m_scope.plotCount(), kMostPlotsFromFile - 1);
+    for (const capture::ChannelId other : there)
+        if (m_capture.info(other)->unit == info->unit)
+            plot = m_scope.plotOf(other);
+    m_scope.addChannel(id, plot);
 }
 
 /// A board's samples do not follow a file's.

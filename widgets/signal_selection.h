@@ -30,6 +30,8 @@ public:
     /// Shows what was read from a file, in the place of everything recorded; until the next connection.
     void showFile(capture::Capture file);
     bool showsFile() const { return m_fromFile; }
+    /// Shows or hides one of the file's signals.
+    void showOfFile(capture::ChannelId id, bool shown);
 
 public Q_SLOTS:
     /// `plot` as in ScopeView::addChannel(); -1: a plot that already has its unit, or a new one.

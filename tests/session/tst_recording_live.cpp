@@ -190,14 +190,16 @@ void TestRecordingLive::theMotionLogIsInTheFile()
     QCOMPARE(happenings.size(), std::size_t(6));
     const char *actions[] = {"start", "stop motor", "stop ramp", "acknowledge faults"};
     for (std::size_t i = 0; i < 4; ++i)
-        QCOMPARE(happenings[i].fields[1], std::pair(std::string("action"), std::string(actions[i])));
+        QCOMPARE(
+            happenings[i].fields[1], std::pair(std::string("action"), std::string(actions[i])));
     const record::Happening ramp{"motion",
         {{"act", "SPEED_RAMP"}, {"source", "command line"}, {"asked s", "3.5"}, {"took ms", "12"},
             {"outcome", "refused"}, {"requests", "1"}, {"motor", "2"},
             {"detail", "500 rpm in 1000 ms"}, {"reason", "motor is not running"},
             {"bytes", "31ab"}}};
     QVERIFY(happenings[4] == ramp);
-    QCOMPARE(happenings[5].fields[4], std::pair(std::string("outcome"), std::string("NOT confirmed")));
+    QCOMPARE(
+        happenings[5].fields[4], std::pair(std::string("outcome"), std::string("NOT confirmed")));
 }
 
 void TestRecordingLive::aRecordingThatBeginsLateKnowsWhatHolds()

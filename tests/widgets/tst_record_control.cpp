@@ -12,6 +12,7 @@
 #include <QAction>
 #include <QFile>
 #include <QLabel>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -112,6 +113,7 @@ private Q_SLOTS:
         QCOMPARE(capture().channels().size(), independent.channels().size());
         QVERIFY(scope()->channels().size() >= 4);
         compare(capture(), independent);
+        chooseOfFile();
         QVERIFY(eventTexts().contains(QStringLiteral("look here")));
         QCOMPARE(eventTexts().count(QStringLiteral("look here")), 1);
         QVERIFY(!eventTexts().contains(QStringLiteral("Recording to a.pcapng"))); // of before
@@ -326,6 +328,23 @@ private:
         QTRY_COMPARE(scope()->channels().size(), 4);
         QTRY_VERIFY(capture().size(scope()->channels().first()) > 1000);
     }
+    /// What was only read one by one is not shown by itself, and can be.
+    void chooseOfFile()
+    {
+        const qsizetype shown = scope()->channels().size();
+        for (const auto id : scope()->channels())
+            QVERIFY(capture().info(id)->kind != capture::ChannelInfo::Kind::Polled);
+        auto *menu = m_rig->find<QMenu>("fileSignals");
+        Q_EMIT qobject_cast<QMenu *>(menu->parentWidget())->aboutToShow();
+        QVERIFY(menu->isEnabled());
+        QCOMPARE(menu->actions().size(), qsizetype(capture().channels().size()));
+        QAction *last = menu->actions().last();
+        QVERIFY(last->text().contains(QStringLiteral("one by one")) && !last->isChecked());
+        last->trigger();
+        QCOMPARE(scope()->channels().size(), shown + 1);
+        menu->actions().first()->trigger();
+        QCOMPARE(scope()->channels().size(), shown);
+    }
     void disconnectFromBoard()
     {
         m_rig->window.connectBar()->disconnectNow();
@@ -339,7 +358,8 @@ private:
     void openRecording(const QString &path)
     {
         m_rig->files.answer = path;
-        action("openRecording")->trigger(); // once a question was closed, nothing is active offscreen
+        action("openRecording")
+            ->trigger(); // once a question was closed, nothing is active offscreen
         if (auto *replace = m_rig->find<QPushButton>("replaceYes"))
             QTest::mouseClick(replace, Qt::LeftButton);
     }

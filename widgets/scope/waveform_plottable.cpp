@@ -288,8 +288,8 @@ void WaveformPlottable::drawSteps(const View &view, const Trace &trace,
         const int row = rows.of(sample.value);
         ink.box(left, row - line / 2, std::max(line, right - left), line, color);
         if (joined && !sample.first)
-            ink.box(left, std::min(row, lastRow) - line / 2, line,
-                std::abs(row - lastRow) + line, color);
+            ink.box(left, std::min(row, lastRow) - line / 2, line, std::abs(row - lastRow) + line,
+                color);
         lastRow = row;
         joined = true;
         if ((sample.holdUntil - sample.time) * view.perSecond() >= kDotSpacing * line)
