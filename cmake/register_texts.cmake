@@ -1,5 +1,6 @@
-# Writes OUTPUT: what a person reads in TABLES (descriptions, names of groups), marked for lupdate. It is never compiled: the
-# program finds the same texts in the tables that core holds, and asks for their translations by them.
+# Writes OUTPUT: what a person reads in TABLES (descriptions, names of groups) and in NAMES (those of values, which core has
+# in C++), marked for lupdate. It is never compiled: the program gets the same texts from core, and asks for their
+# translations by them.
 cmake_minimum_required(VERSION 3.25)
 
 # The field of a CSV line at an index; nothing behind the last one.
@@ -35,7 +36,7 @@ function(append_texts lines name context)
     set(text "${text}" PARENT_SCOPE)
 endfunction()
 
-set(text "// Generated from resources/registers, for lupdate only.\n")
+set(text "// Generated from what core knows, for lupdate only.\n")
 string(ASCII 31 semicolon) # of the texts: a real one would end an element of a list
 foreach(table ${TABLES})
     file(READ ${table} lines)
@@ -48,4 +49,14 @@ foreach(table ${TABLES})
     append_texts("${lines}" group RegisterGroups)
 endforeach()
 string(REPLACE "${semicolon}" ";" text "${text}")
+
+# {3, "speed"}; what is all in capitals is the firmware's own word.
+file(READ ${NAMES} source)
+string(REGEX MATCHALL "{[0-9][0-9A-Fa-fx]*, \"[^\"]+\"}" values "${source}")
+foreach(value IN LISTS values)
+    string(REGEX REPLACE ".*(\".*\").*" "\\1" name "${value}")
+    if(name MATCHES "[a-z]")
+        string(APPEND text "QT_TRANSLATE_NOOP(\"RegisterValues\", ${name})\n")
+    endif()
+endforeach()
 file(WRITE ${OUTPUT} "${text}")

@@ -3095,4 +3095,335 @@
         <translation>Eingang des negativen Referenzschalters</translation>
     </message>
 </context>
+<context>
+    <name>RegisterValues</name>
+    <message>
+        <source>observing</source>
+        <translation>beobachten</translation>
+    </message>
+    <message>
+        <source>open-loop voltage</source>
+        <translation>gesteuerte Spannung</translation>
+    </message>
+    <message>
+        <source>open-loop current</source>
+        <translation>gesteuerter Strom</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>Drehmoment</translation>
+    </message>
+    <message>
+        <source>profiling</source>
+        <translation>Vermessung</translation>
+    </message>
+    <message>
+        <source>shorted</source>
+        <translation>kurzgeschlossen</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>duty</source>
+        <translation>Tastgrad</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>in Bewegung</translation>
+    </message>
+    <message>
+        <source>target reached</source>
+        <translation>Ziel erreicht</translation>
+    </message>
+    <message>
+        <source>following</source>
+        <translation>folgt</translation>
+    </message>
+    <message>
+        <source>awaiting</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>aligning</source>
+        <translation>richtet aus</translation>
+    </message>
+    <message>
+        <source>completed</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>absolute not supported</source>
+        <translation>Absolutlage nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>absolute supported</source>
+        <translation>Absolutlage unterstützt</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>sine</source>
+        <translation>Sinus</translation>
+    </message>
+    <message>
+        <source>centred</source>
+        <translation>zentriert</translation>
+    </message>
+    <message>
+        <source>shifted centre</source>
+        <translation>verschobene Mitte</translation>
+    </message>
+    <message>
+        <source>min-low</source>
+        <translation>min-low</translation>
+    </message>
+    <message>
+        <source>max-high</source>
+        <translation>max-high</translation>
+    </message>
+    <message>
+        <source>up-down</source>
+        <translation>auf-ab</translation>
+    </message>
+    <message>
+        <source>protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>potentiometer</source>
+        <translation>Potentiometer</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ohne</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>starten</translation>
+    </message>
+    <message>
+        <source>reset</source>
+        <translation>zurücksetzen</translation>
+    </message>
+    <message>
+        <source>software</source>
+        <translation>Software</translation>
+    </message>
+    <message>
+        <source>hardware</source>
+        <translation>Hardware</translation>
+    </message>
+    <message>
+        <source>software over-voltage</source>
+        <translation>Überspannung (Software)</translation>
+    </message>
+    <message>
+        <source>software over-current</source>
+        <translation>Überstrom (Software)</translation>
+    </message>
+    <message>
+        <source>mains frequency</source>
+        <translation>Netzfrequenz</translation>
+    </message>
+    <message>
+        <source>mains voltage</source>
+        <translation>Netzspannung</translation>
+    </message>
+    <message>
+        <source>DC resistance estimate</source>
+        <translation>Schätzung des Gleichstromwiderstands</translation>
+    </message>
+    <message>
+        <source>dynamic ZeST configuration</source>
+        <translation>dynamische ZeST-Konfiguration</translation>
+    </message>
+    <message>
+        <source>offset measurement</source>
+        <translation>Offsetmessung</translation>
+    </message>
+    <message>
+        <source>pole pulses</source>
+        <translation>Polimpulse</translation>
+    </message>
+    <message>
+        <source>fast DC resistance</source>
+        <translation>schneller Gleichstromwiderstand</translation>
+    </message>
+    <message>
+        <source>step 1</source>
+        <translation>Schritt 1</translation>
+    </message>
+    <message>
+        <source>step 2</source>
+        <translation>Schritt 2</translation>
+    </message>
+    <message>
+        <source>step 3</source>
+        <translation>Schritt 3</translation>
+    </message>
+    <message>
+        <source>step 4</source>
+        <translation>Schritt 4</translation>
+    </message>
+    <message>
+        <source>step 5</source>
+        <translation>Schritt 5</translation>
+    </message>
+    <message>
+        <source>step 6</source>
+        <translation>Schritt 6</translation>
+    </message>
+    <message>
+        <source>six-step</source>
+        <translation>Blockkommutierung</translation>
+    </message>
+    <message>
+        <source>observer + PLL</source>
+        <translation>Beobachter + PLL</translation>
+    </message>
+    <message>
+        <source>observer + CORDIC</source>
+        <translation>Beobachter + CORDIC</translation>
+    </message>
+    <message>
+        <source>encoder</source>
+        <translation>Encoder</translation>
+    </message>
+    <message>
+        <source>Hall</source>
+        <translation>Hall</translation>
+    </message>
+    <message>
+        <source>ZeST</source>
+        <translation>ZeST</translation>
+    </message>
+    <message>
+        <source>three shunts</source>
+        <translation>drei Shunts</translation>
+    </message>
+    <message>
+        <source>single shunt, active window</source>
+        <translation>ein Shunt, aktives Fenster</translation>
+    </message>
+    <message>
+        <source>single shunt, phase shift</source>
+        <translation>ein Shunt, Phasenverschiebung</translation>
+    </message>
+    <message>
+        <source>isolated sensors</source>
+        <translation>isolierte Sensoren</translation>
+    </message>
+    <message>
+        <source>voltage</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>flux weakening</source>
+        <translation>Feldschwächung</translation>
+    </message>
+    <message>
+        <source>feed forward</source>
+        <translation>Vorsteuerung</translation>
+    </message>
+    <message>
+        <source>inrush limiter</source>
+        <translation>Einschaltstrombegrenzung</translation>
+    </message>
+    <message>
+        <source>resistive brake</source>
+        <translation>Bremswiderstand</translation>
+    </message>
+    <message>
+        <source>over-current protection disable</source>
+        <translation>Überstromschutz abschaltbar</translation>
+    </message>
+    <message>
+        <source>STGAP drivers</source>
+        <translation>STGAP-Treiber</translation>
+    </message>
+    <message>
+        <source>position control</source>
+        <translation>Positionsregelung</translation>
+    </message>
+    <message>
+        <source>bus voltage sensing</source>
+        <translation>Messung der Zwischenkreisspannung</translation>
+    </message>
+    <message>
+        <source>temperature sensing</source>
+        <translation>Temperaturmessung</translation>
+    </message>
+    <message>
+        <source>phase voltage sensing</source>
+        <translation>Messung der Strangspannungen</translation>
+    </message>
+    <message>
+        <source>flash configuration</source>
+        <translation>Konfiguration im Flash</translation>
+    </message>
+    <message>
+        <source>DAC channel 1</source>
+        <translation>DAC-Kanal 1</translation>
+    </message>
+    <message>
+        <source>DAC channel 2</source>
+        <translation>DAC-Kanal 2</translation>
+    </message>
+    <message>
+        <source>on-the-fly start-up</source>
+        <translation>Start bei drehendem Motor</translation>
+    </message>
+    <message>
+        <source>over-modulation</source>
+        <translation>Übermodulation</translation>
+    </message>
+    <message>
+        <source>discontinuous PWM</source>
+        <translation>diskontinuierliche PWM</translation>
+    </message>
+    <message>
+        <source>quasi-synchronous</source>
+        <translation>quasisynchron</translation>
+    </message>
+    <message>
+        <source>IPD start-up</source>
+        <translation>Anlauf mit IPD</translation>
+    </message>
+    <message>
+        <source>current monitor</source>
+        <translation>Stromüberwachung</translation>
+    </message>
+    <message>
+        <source>profiler</source>
+        <translation>Profiler</translation>
+    </message>
+    <message>
+        <source>CPU load measurement</source>
+        <translation>Messung der CPU-Last</translation>
+    </message>
+    <message>
+        <source>open-loop debug</source>
+        <translation>Fehlersuche im gesteuerten Betrieb</translation>
+    </message>
+</context>
 </TS>

@@ -1,6 +1,7 @@
 #include "widgets/flags_edit.h"
 
 #include "catalog/names.h"
+#include "widgets/register_texts.h"
 
 #include <QKeyEvent>
 
@@ -20,8 +21,7 @@ FlagsEdit::FlagsEdit(std::string_view registerName, QWidget *parent)
     setObjectName(QStringLiteral("registerFlags"));
     setUniformItemSizes(true);
     for (const catalog::NamedValue &flag : catalog::namedFlags(registerName)) {
-        auto *item = new QListWidgetItem(
-            QString::fromUtf8(flag.name.data(), qsizetype(flag.name.size())), this);
+        auto *item = new QListWidgetItem(valueNameText(flag.name), this);
         item->setData(kMask, qint64(flag.value));
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
         item->setCheckState(Qt::Unchecked);

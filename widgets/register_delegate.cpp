@@ -2,6 +2,7 @@
 
 #include "catalog/names.h"
 #include "widgets/flags_edit.h"
+#include "widgets/register_texts.h"
 #include "widgets/value_text.h"
 #include "widgets/wheel_guard.h"
 
@@ -25,8 +26,7 @@ QList<std::pair<QString, qint64>> choicesOf(const catalog::RegisterInfo &info)
         return {{booleanText(false), 0}, {booleanText(true), 1}};
     if (info.meaning == catalog::Meaning::Enumeration)
         for (const catalog::NamedValue &named : catalog::namedValues(info.name))
-            choices.append(
-                {QString::fromUtf8(named.name.data(), qsizetype(named.name.size())), named.value});
+            choices.append({valueNameText(named.name), named.value});
     return choices;
 }
 

@@ -3,6 +3,7 @@
 #include "catalog/names.h"
 #include "drive/motion_limits.h"
 #include "widgets/device_text.h"
+#include "widgets/register_texts.h"
 #include "widgets/setpoint_text.h"
 #include "widgets/value_text.h"
 
@@ -103,16 +104,6 @@ Result<QString, EntryError> withoutUnit(const QString &text, const EntryRules &r
                                                                    : EntryError::NotANumber);
 }
 
-std::optional<std::int64_t> named(std::span<const catalog::NamedValue> names, const QString &word)
-{
-    for (const catalog::NamedValue &name : names)
-        if (word.compare(QString::fromUtf8(name.name.data(), qsizetype(name.name.size())),
-                Qt::CaseInsensitive)
-            == 0)
-            return name.value;
-    return {};
-}
-
 Result<Value, EntryError> readFlags(const QString &text, const EntryRules &rules)
 {
     std::int64_t bits = 0;
@@ -120,7 +111,7 @@ Result<Value, EntryError> readFlags(const QString &text, const EntryRules &rules
     static const QRegularExpression kBetween(QStringLiteral("[,|+;]"));
     for (const QString &part : text.split(kBetween)) {
         const QString word = part.trimmed();
-        const auto flag = named(names, word);
+        const auto flag = valueNamed(names, word);
         if (!flag
             && !(word == Entry::tr("none", "no flag is set") || word == QLatin1String("none")))
             return fail(word.isEmpty() ? EntryError::Empty : EntryError::NoSuchName);
@@ -144,11 +135,11 @@ std::optional<Result<Value, EntryError>> readName(const QString &text, const Ent
                 return Value(std::int64_t{yes});
         return fail(EntryError::NoSuchName);
     case Meaning::Enumeration:
-        if (const auto value = named(catalog::namedValues(rules.info->name), text))
+        if (const auto value = valueNamed(catalog::namedValues(rules.info->name), text))
             return bounded(static_cast<double>(*value), rules);
         break;
     case Meaning::Flags:
-        if (!startsAsNumber || named(catalog::namedFlags(rules.info->name), text))
+        if (!startsAsNumber || valueNamed(catalog::namedFlags(rules.info->name), text))
             return readFlags(text, rules);
         break;
     case Meaning::Number:
@@ -180,7 +171,7 @@ QString flagsEntryText(std::int64_t bits, const catalog::RegisterInfo &info)
     QStringList words;
     for (const catalog::NamedValue &flag : catalog::namedFlags(info.name))
         if ((bits & flag.value) != 0) {
-            words.append(QString::fromUtf8(flag.name.data(), qsizetype(flag.name.size())));
+            words.append(valueNameText(flag.name));
             bits &= ~flag.value;
         }
     if (bits != 0)
@@ -276,7 +267,7 @@ QString shownEntryText(const Value &value, const EntryRules &rules)
     case Meaning::Boolean:
         return *whole == 0 || *whole == 1 ? booleanText(*whole == 1) : QString::number(*whole);
     case Meaning::Enumeration:
-        return QString::fromStdString(catalog::valueName(rules.info->name, *whole));
+        return valueNameText(catalog::valueName(rules.info->name, *whole));
     case Meaning::Flags: {
         const QString words = flagsEntryText(*whole, *rules.info);
         return words.isEmpty() ? QString::number(*whole) : words;

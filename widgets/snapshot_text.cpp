@@ -2,6 +2,7 @@
 
 #include "catalog/names.h"
 #include "widgets/device_text.h"
+#include "widgets/register_texts.h"
 #include "widgets/value_text.h"
 
 #include <QCoreApplication>
@@ -21,9 +22,7 @@ struct SnapshotText {
 
 QString joined(const std::vector<std::string> &names)
 {
-    QStringList words;
-    for (const std::string &name : names)
-        words.append(deviceText(name));
+    const QStringList words = valueNameTexts(names);
     return words.isEmpty() ? SnapshotText::tr("none", "no flag is set")
                            : words.join(QStringLiteral(" | "));
 }
@@ -31,7 +30,7 @@ QString joined(const std::vector<std::string> &names)
 QString wholeText(const tuning::Entry &entry, std::int64_t raw)
 {
     if (!catalog::namedValues(entry.name).empty())
-        return deviceText(catalog::valueName(entry.name, raw));
+        return valueNameText(catalog::valueName(entry.name, raw));
     if (!catalog::namedFlags(entry.name).empty() && !catalog::holdsPastFaults(entry.name))
         return joined(catalog::flagNames(entry.name, static_cast<std::uint32_t>(raw)));
     const double shown = entry.shown.value_or(static_cast<double>(raw));

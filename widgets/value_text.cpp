@@ -1,7 +1,7 @@
 #include "widgets/value_text.h"
 
-#include "catalog/names.h"
 #include "widgets/device_text.h"
+#include "widgets/register_texts.h"
 
 #include <QLocale>
 
@@ -40,10 +40,7 @@ QString withUnit(const QString &number, const std::string &unit)
 
 QString joined(const std::vector<std::string> &names)
 {
-    QStringList words;
-    for (const std::string &name : names)
-        words.append(QString::fromStdString(name));
-    return words.join(QLatin1String(" | "));
+    return valueNameTexts(names).join(QLatin1String(" | "));
 }
 
 /// By name; in hexadecimal digits where no bit has one.
@@ -119,7 +116,7 @@ QString shownText(
     case catalog::Meaning::Boolean:
         return booleanText(integer != 0);
     case catalog::Meaning::Enumeration:
-        return QString::fromStdString(catalog::valueName(info.name, integer));
+        return valueNameText(catalog::valueName(info.name, integer));
     case catalog::Meaning::Number:
         break;
     }

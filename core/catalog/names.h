@@ -1,5 +1,5 @@
-// Names of numbers: states, modes, faults and configuration flags, as the firmware calls them. Not
-// translated: they are the field's own words. Facts: firmware 6.0 to 6.4.2.
+// Names of numbers: states, modes, faults and configuration flags, in English. Those in capitals are the firmware's own
+// words; a window may translate the others. Facts: firmware 6.0 to 6.4.2.
 #pragma once
 
 #include <cstdint>

@@ -1,9 +1,11 @@
 // The translations as files: complete, with the same place holders as their sources, and inside the program.
 // Looks at translations/*.ts in the source folder, never at the wording.
 #include "catalog/csv.h"
+#include "catalog/names.h"
 #include "catalog/tables.h"
 
 #include <QFile>
+#include <QMap>
 #include <QRegularExpression>
 #include <QTest>
 #include <QTranslator>
@@ -103,6 +105,12 @@ QString flaw(const Message &message, const QString &translation)
     return {};
 }
 
+/// Not the firmware's own word, which is all in capitals, nor the number of a bit.
+bool isWord(const QString &name)
+{
+    return name != name.toUpper() && !name.startsWith(QLatin1String("bit "));
+}
+
 } // namespace
 
 class TestTranslations : public QObject {
@@ -112,6 +120,8 @@ private Q_SLOTS:
     void germanIsCompleteAndKeepsPlaceHolders();
     void everyTextOfTheRegisterTablesIsTranslated_data();
     void everyTextOfTheRegisterTablesIsTranslated();
+    void everyNameOfAValueIsTranslatedAndMeansOneValue();
+    void everyNameInAStructureIsTranslated();
     void englishHasItsPlurals();
     void theProgramHoldsThem_data();
     void theProgramHoldsThem();
@@ -179,6 +189,61 @@ void TestTranslations::everyTextOfTheRegisterTablesIsTranslated()
             missing << QString::fromStdString(text);
     }
     QVERIFY2(missing.isEmpty(), qPrintable(missing.join(u'\n')));
+}
+
+// Names are typed, too: one that meant a second value could move a motor otherwise than was asked.
+void TestTranslations::everyNameOfAValueIsTranslatedAndMeansOneValue()
+{
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral(":/i18n/registers_de.qm")));
+    const auto rows = catalog::readCsv(catalog::builtInTable("mcp"));
+    QVERIFY(rows && rows->front().fields.at(1) == "name");
+    int named = 0;
+    for (const catalog::CsvRow &row : *rows) {
+        const std::string &name = row.fields.at(1);
+        const bool flags = !catalog::namedFlags(name).empty();
+        QMap<QString, std::int64_t> meanings;
+        for (const auto &value : flags ? catalog::namedFlags(name) : catalog::namedValues(name)) {
+            const QByteArray english(value.name.data(), qsizetype(value.name.size()));
+            QStringList words{QString::fromLatin1(english)};
+            if (isWord(words.first()))
+                words << translator.translate("RegisterValues", english.constData());
+            for (const QString &word : words) {
+                QVERIFY2(!word.isEmpty(), english.constData());
+                QVERIFY2(!flags || !word.contains(QRegularExpression(QStringLiteral("[,|+;]"))),
+                    qPrintable(word)); // they stand between flags
+                const std::int64_t first = meanings.value(word.toLower(), value.value);
+                QVERIFY2(first == value.value, qPrintable(word));
+                meanings.insert(word.toLower(), value.value);
+            }
+            ++named;
+        }
+    }
+    QVERIFY(named > 50);
+}
+
+void TestTranslations::everyNameInAStructureIsTranslated()
+{
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral(":/i18n/registers_de.qm")));
+    std::vector<std::string> names = catalog::configurationFlag1Names(0xFFFF);
+    const auto append = [&names](const std::vector<std::string> &more) {
+        names.insert(names.end(), more.begin(), more.end());
+    };
+    append(catalog::configurationFlag2Names(0xFFFF));
+    append(catalog::transportNames(0xFF));
+    for (std::uint8_t number = 0; number < 16; ++number)
+        append({catalog::driveTypeName(number), catalog::speedSensorName(number),
+            catalog::currentSensingName(number), catalog::driveModeName(number)});
+    int words = 0;
+    for (const std::string &name : names) {
+        const QString text = QString::fromStdString(name);
+        if (!isWord(text))
+            continue;
+        QVERIFY2(!translator.translate("RegisterValues", name.c_str()).isEmpty(), qPrintable(text));
+        ++words;
+    }
+    QVERIFY(words > 30);
 }
 
 void TestTranslations::englishHasItsPlurals()

@@ -12,6 +12,7 @@
 #include <QListWidget>
 #include <QPointer>
 #include <QTest>
+#include <QTranslator>
 #include <QWheelEvent>
 
 using catalog::Value;
@@ -206,6 +207,35 @@ private Q_SLOTS:
         const QModelIndex cell =
             bench.model.indexOf(bench.id("CONTROL_MODE"), RegisterModel::ValueColumn);
         QCOMPARE(cell.data().toString(), QStringLiteral("torque"));
+    }
+
+    void namesAreInThePersonsLanguageAndTypedInEnglishToo()
+    {
+        QTranslator german;
+        QVERIFY(german.load(QStringLiteral(":/i18n/registers_de.qm")));
+        QCoreApplication::installTranslator(&german);
+        simulation::BoardOptions options;
+        options.profile = "six-step";
+        EditBench bench(options);
+        auto *box = open<QComboBox>(bench, "CONTROL_MODE");
+        QVERIFY(box && box->findText(QStringLiteral("torque")) < 0);
+        QVERIFY(box->currentIndex() >= 0); // what the board holds is among them
+        box->setCurrentText(QStringLiteral("Drehmoment"));
+        bench.panel.tree()->setFocus();
+        QTRY_COMPARE(bench.edits.pendingCount(), 1);
+        QVERIFY(bench.model.pending().front().value == Value(std::int64_t{4}));
+        const QModelIndex cell =
+            bench.model.indexOf(bench.id("CONTROL_MODE"), RegisterModel::ValueColumn);
+        QCOMPARE(cell.data().toString(), QStringLiteral("Drehmoment"));
+        const drive::RegisterId steps = bench.id("LOWSIDE_MODULATION");
+        for (const char *typed : {"step 2 | Schritt 4", "SCHRITT 2, step 4"}) {
+            const auto read =
+                bench.model.readEntry(steps, RegisterModel::ValueColumn, QLatin1String(typed));
+            QVERIFY2(read && *read == Value(std::int64_t{0x0A}), typed);
+        }
+        QVERIFY(bench.type("LOWSIDE_MODULATION", QStringLiteral("10")));
+        QCOMPARE(bench.model.indexOf(steps, RegisterModel::ValueColumn).data().toString(),
+            QStringLiteral("Schritt 2 | Schritt 4"));
     }
 
     void keysAndTheFocusedWheelStepWithinTheLimits()

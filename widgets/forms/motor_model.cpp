@@ -2,6 +2,7 @@
 
 #include "widgets/device_text.h"
 #include "widgets/forms/motor_messages.h"
+#include "widgets/register_texts.h"
 #include "widgets/si_text.h"
 
 #include <QFont>
@@ -17,14 +18,6 @@ constexpr quintptr kGroup = ~quintptr{0}; ///< internal id of groups; of rows: t
 constexpr double kGcm2PerKgm2 = 1e7;
 
 QString textOf(const std::string &text) { return QString::fromStdString(text); }
-
-QString joined(const std::vector<std::string> &names)
-{
-    QStringList words;
-    for (const std::string &name : names)
-        words.append(deviceText(name));
-    return words.join(QStringLiteral(", "));
-}
 
 QString hexText(std::int64_t bits)
 {
@@ -139,7 +132,7 @@ MotorModel::Group MotorModel::structureGroup(const drive::StructureView &structu
         if (field.flags && field.names.empty())
             row.value = tr("nothing of it", "no flag is set");
         else if (!field.names.empty())
-            row.value = joined(field.names);
+            row.value = valueNameTexts(field.names).join(QStringLiteral(", "));
         else if (const auto *words = std::get_if<std::string>(&field.value))
             row.value = deviceText(*words);
         else if (const auto *whole = std::get_if<std::int64_t>(&field.value))

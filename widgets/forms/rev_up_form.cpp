@@ -10,6 +10,7 @@
 #include "widgets/forms/rev_up_edit.h"
 #include "widgets/forms/rev_up_start.h"
 #include "widgets/forms/rev_up_texts.h"
+#include "widgets/register_texts.h"
 #include "widgets/value_text.h"
 
 #include <QFileInfo>
@@ -319,7 +320,7 @@ void RevUpForm::takeFacts()
             : motor.limits;
         facts.ampsPerDigit = motor.ampsPerDigit;
         facts.sixStep = motor.sixStep;
-        facts.angleSensor = deviceText(motor.angleSensor);
+        facts.angleSensor = valueNameText(motor.angleSensor);
         const drive::UserLimits &own = m_device.userLimits();
         facts.boardSpeed_rpm = limits.maxSpeedRpm;
         facts.limits.maxSpeed_rpm = lowerLimit(limits.maxSpeedRpm, own.maxSpeedRpm);
