@@ -96,7 +96,7 @@ QVariant RegisterModel::display(const Row &row, int column) const
     if (column == AccessColumn)
         return accessText(row);
     if (column == HelpColumn)
-        return deviceText(registerHelpText(*row.info));
+        return registerHelpText(*row.info);
     const Edit *edit = editOf(row.id);
     const bool wanted = edit && edit->state != EditState::Verified;
     if (column == ValueColumn)

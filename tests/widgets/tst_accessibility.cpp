@@ -135,9 +135,12 @@ private Q_SLOTS:
         QFETCH(QString, language);
         widgets::applyTheme(static_cast<widgets::Theme>(theme));
         QTranslator translator;
+        QTranslator registers;
         if (!language.isEmpty()) {
             QVERIFY(translator.load(QStringLiteral(":/i18n/rotorscope_") + language));
+            QVERIFY(registers.load(QStringLiteral(":/i18n/registers_") + language));
             QCoreApplication::installTranslator(&translator);
+            QCoreApplication::installTranslator(&registers);
             cleanup();
             init();
         }

@@ -115,7 +115,9 @@ private Q_SLOTS:
         const auto *details = bench.panel.findChild<QLabel *>(QStringLiteral("registerDetails"));
         select(bench, "SPEED_KP");
         const QString word = QStringLiteral("Drehzahlregler");
-        QVERIFY(textOf(bench, "SPEED_KP", RegisterModel::HelpColumn).contains(word));
+        const QString help = textOf(bench, "SPEED_KP", RegisterModel::HelpColumn);
+        QVERIFY2(help.contains(word), qPrintable(help));
+        QVERIFY2(help.endsWith(QLatin1String("2^SPEED_KP_DIV")), qPrintable(help)); // all of it
         QVERIFY2(details->text().contains(word), qPrintable(details->text()));
         const QModelIndex cell = cellOf(bench, "SPEED_KP", RegisterModel::ValueColumn);
         QVERIFY(cell.data(Qt::ToolTipRole).toString().contains(word));
