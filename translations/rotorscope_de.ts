@@ -124,10 +124,6 @@
         <translation>Frühere und spätere Aufnahmen des Triggers</translation>
     </message>
     <message>
-        <source>Keep the traces as a reference; drop it</source>
-        <translation>Die Kurven als Referenz behalten; sie verwerfen</translation>
-    </message>
-    <message>
         <source>Motion log</source>
         <translation>Bewegungsprotokoll</translation>
     </message>
@@ -138,6 +134,14 @@
     <message>
         <source>Show the whole recording below</source>
         <translation>Die ganze Aufzeichnung darunter zeigen</translation>
+    </message>
+    <message>
+        <source>Keep the traces as reference A, B; with Shift: drop it</source>
+        <translation>Kurven als Referenz A, B behalten; mit Umschalt: verwerfen</translation>
+    </message>
+    <message>
+        <source>Math channels; XY picture</source>
+        <translation>Mathematik-Kanäle; XY-Bild</translation>
     </message>
 </context>
 <context>
@@ -3699,6 +3703,10 @@
         <source>Signals of the &amp;file</source>
         <translation>Signale der &amp;Datei</translation>
     </message>
+    <message>
+        <source>XY</source>
+        <translation>XY</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MathPanel</name>
@@ -4748,6 +4756,10 @@
         <comment>a place in the formula, and what is wrong there</comment>
         <translation>Bei Zeichen %1: %2</translation>
     </message>
+    <message>
+        <source>What opens here is not closed: %1</source>
+        <translation>Was hier aufgeht, wird nicht geschlossen: %1</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RecordControl</name>
@@ -4871,18 +4883,6 @@
         <translation>&amp;Zeigen</translation>
     </message>
     <message>
-        <source>Keep as &amp;reference</source>
-        <translation>Als &amp;Referenz behalten</translation>
-    </message>
-    <message>
-        <source>Keeps the traces of the picture paler behind those that come (R)</source>
-        <translation>Behält die Kurven des Bildes blasser hinter den kommenden (R)</translation>
-    </message>
-    <message>
-        <source>&amp;Drop the reference</source>
-        <translation>Referenz &amp;verwerfen</translation>
-    </message>
-    <message>
         <source>off</source>
         <translation>aus</translation>
     </message>
@@ -4893,6 +4893,26 @@
     <message>
         <source>&amp;Persistence</source>
         <translation>Nach&amp;leuchten</translation>
+    </message>
+    <message>
+        <source>Keeps the traces of the picture dashed and paler behind those that come (%1)</source>
+        <translation>Behält die Kurven des Bildes gestrichelt und blasser hinter denen, die kommen (%1)</translation>
+    </message>
+    <message>
+        <source>Keep as &amp;reference A</source>
+        <translation>Als &amp;Referenz A behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Drop A</source>
+        <translation>A &amp;verwerfen</translation>
+    </message>
+    <message>
+        <source>Keep as reference &amp;B</source>
+        <translation>Als Referenz &amp;B behalten</translation>
+    </message>
+    <message>
+        <source>Dr&amp;op B</source>
+        <translation>B ver&amp;werfen</translation>
     </message>
 </context>
 <context>
@@ -5644,20 +5664,28 @@ mN·m</translation>
         <translation>&amp;Nächste Aufnahme</translation>
     </message>
     <message>
-        <source>Keep as &amp;reference</source>
-        <translation>Als &amp;Referenz behalten</translation>
-    </message>
-    <message>
-        <source>&amp;Drop the reference</source>
-        <translation>Referenz &amp;verwerfen</translation>
-    </message>
-    <message>
         <source>&amp;Whole recording below</source>
         <translation>&amp;Ganze Aufzeichnung darunter</translation>
     </message>
     <message>
         <source>A strip with everything recorded, and a box around what the plots show (O)</source>
         <translation>Ein Streifen mit allem Aufgezeichneten und ein Rahmen um das, was die Diagramme zeigen (O)</translation>
+    </message>
+    <message>
+        <source>Keep as &amp;reference A</source>
+        <translation>Als &amp;Referenz A behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Drop reference A</source>
+        <translation>Referenz A &amp;verwerfen</translation>
+    </message>
+    <message>
+        <source>Keep as reference &amp;B</source>
+        <translation>Als Referenz &amp;B behalten</translation>
+    </message>
+    <message>
+        <source>Drop re&amp;ference B</source>
+        <translation>Referenz B ver&amp;werfen</translation>
     </message>
 </context>
 <context>
@@ -6268,10 +6296,6 @@ mN·m</translation>
         <translation>aus</translation>
     </message>
     <message>
-        <source>The mean of so many spectra, one after the other</source>
-        <translation>Das Mittel so vieler Spektren nacheinander</translation>
-    </message>
-    <message>
         <source>amplitude</source>
         <translation>Amplitude</translation>
     </message>
@@ -6366,6 +6390,10 @@ mN·m</translation>
     <message>
         <source>only the newest samples</source>
         <translation>nur die neuesten Messwerte</translation>
+    </message>
+    <message>
+        <source>The mean of so many spectra, one after the other, of samples that do not overlap</source>
+        <translation>Der Mittelwert so vieler Spektren nacheinander, aus Abtastwerten, die sich nicht überlappen</translation>
     </message>
 </context>
 <context>
@@ -6676,6 +6704,154 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>Not understood: a number from %1 to %2</source>
         <translation>Nicht verstanden: eine Zahl von %1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::XyPanel</name>
+    <message>
+        <source>E&amp;qual scales</source>
+        <translation>Glei&amp;che Maßstäbe</translation>
+    </message>
+    <message>
+        <source>Currents α β</source>
+        <translation>Ströme α β</translation>
+    </message>
+    <message>
+        <source>Currents d q</source>
+        <translation>Ströme d q</translation>
+    </message>
+    <message>
+        <source>Voltages α β</source>
+        <translation>Spannungen α β</translation>
+    </message>
+    <message>
+        <source>Voltages d q</source>
+        <translation>Spannungen d q</translation>
+    </message>
+    <message>
+        <source>Two traces</source>
+        <translation>Zwei Kurven</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>dem Bild</translation>
+    </message>
+    <message>
+        <source>its newest 100 ms</source>
+        <translation>seinen neuesten 100 ms</translation>
+    </message>
+    <message>
+        <source>between the cursors</source>
+        <translation>zwischen den Cursorn</translation>
+    </message>
+    <message>
+        <source>the older the paler</source>
+        <translation>je älter, desto blasser</translation>
+    </message>
+    <message>
+        <source>all alike</source>
+        <translation>überall gleich</translation>
+    </message>
+    <message>
+        <source>the newest only</source>
+        <translation>nur das Neueste</translation>
+    </message>
+    <message>
+        <source>&amp;Draw</source>
+        <translation>&amp;Zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;X</source>
+        <translation>&amp;X</translation>
+    </message>
+    <message>
+        <source>&amp;Y</source>
+        <translation>&amp;Y</translation>
+    </message>
+    <message>
+        <source>&amp;In</source>
+        <translation>&amp;In</translation>
+    </message>
+    <message>
+        <source>&amp;Trail</source>
+        <translation>S&amp;pur</translation>
+    </message>
+    <message>
+        <source>Record I_A and I_B, or the currents α and β, to see this.</source>
+        <translation>Dafür I_A und I_B oder die Ströme α und β aufzeichnen.</translation>
+    </message>
+    <message>
+        <source>Record the measured currents d and q to see this.</source>
+        <translation>Dafür die gemessenen Ströme d und q aufzeichnen.</translation>
+    </message>
+    <message>
+        <source>Record V_ALPHA and V_BETA to see this.</source>
+        <translation>Dafür V_ALPHA und V_BETA aufzeichnen.</translation>
+    </message>
+    <message>
+        <source>Record V_D and V_Q to see this.</source>
+        <translation>Dafür V_D und V_Q aufzeichnen.</translation>
+    </message>
+    <message>
+        <source>No trace is shown on the scope.</source>
+        <translation>Auf dem Oszilloskop ist keine Kurve zu sehen.</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <comment>a signal and its unit</comment>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded of both at the same time in this stretch.</source>
+        <translation>In diesem Abschnitt ist von beiden nichts zur selben Zeit aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Newest: %1 at %2°</source>
+        <comment>the length and the angle of a vector</comment>
+        <translation>Neuester: %1 bei %2°</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n Punkt</numerusform>
+            <numerusform>%n Punkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, each of %1 instants</source>
+        <comment>a number, such as 4</comment>
+        <translation>, je einer für %1 Zeitpunkte</translation>
+    </message>
+    <message>
+        <source>Computed from I_A and I_B, β as the board counts it.</source>
+        <translation>Berechnet aus I_A und I_B, β wie es das Board zählt.</translation>
+    </message>
+    <message>
+        <source>only the newest samples</source>
+        <translation>nur die neuesten Messwerte</translation>
+    </message>
+    <message>
+        <source>Dashed: what the bus allows; dotted: without distortion.</source>
+        <translation>Gestrichelt: was der Zwischenkreis zulässt; gepunktet: ohne Verzerrung.</translation>
+    </message>
+    <message>
+        <source>The bus voltage is not known, so its limits are not drawn.</source>
+        <translation>Die Zwischenkreisspannung ist nicht bekannt, darum fehlen ihre Grenzen.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::XyPlot</name>
+    <message>
+        <source>XY picture</source>
+        <translation>XY-Bild</translation>
+    </message>
+    <message>
+        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
+        <translation>Rad oder + und −: zoomen. Ziehen oder Pfeile: verschieben. F: alles.</translation>
+    </message>
+    <message>
+        <source>bus %1 V</source>
+        <translation>Zwischenkreis %1 V</translation>
     </message>
 </context>
 </TS>

@@ -124,10 +124,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep the traces as a reference; drop it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Motion log</source>
         <translation type="unfinished"></translation>
     </message>
@@ -137,6 +133,14 @@
     </message>
     <message>
         <source>Show the whole recording below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the traces as reference A, B; with Shift: drop it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Math channels; XY picture</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3699,6 +3703,10 @@
         <source>Signals of the &amp;file</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>XY</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::MathPanel</name>
@@ -4748,6 +4756,10 @@
         <comment>a place in the formula, and what is wrong there</comment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>What opens here is not closed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::RecordControl</name>
@@ -4871,18 +4883,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep as &amp;reference</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keeps the traces of the picture paler behind those that come (R)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Drop the reference</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>off</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4892,6 +4892,26 @@
     </message>
     <message>
         <source>&amp;Persistence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the traces of the picture dashed and paler behind those that come (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep as &amp;reference A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Drop A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep as reference &amp;B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dr&amp;op B</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5638,19 +5658,27 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep as &amp;reference</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Drop the reference</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Whole recording below</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A strip with everything recorded, and a box around what the plots show (O)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep as &amp;reference A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Drop reference A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep as reference &amp;B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop re&amp;ference B</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6262,10 +6290,6 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The mean of so many spectra, one after the other</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>amplitude</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6359,6 +6383,10 @@ mN·m</source>
     </message>
     <message>
         <source>only the newest samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean of so many spectra, one after the other, of samples that do not overlap</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6668,6 +6696,154 @@ A program on a PC is no replacement for a switch that removes the power.</source
     <name>widgets::ValueEdit</name>
     <message>
         <source>Not understood: a number from %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::XyPanel</name>
+    <message>
+        <source>E&amp;qual scales</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Currents α β</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Currents d q</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Voltages α β</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Voltages d q</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two traces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its newest 100 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between the cursors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the older the paler</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all alike</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the newest only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Draw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;In</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Trail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record I_A and I_B, or the currents α and β, to see this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record the measured currents d and q to see this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record V_ALPHA and V_BETA to see this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record V_D and V_Q to see this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No trace is shown on the scope.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <comment>a signal and its unit</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is recorded of both at the same time in this stretch.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Newest: %1 at %2°</source>
+        <comment>the length and the angle of a vector</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, each of %1 instants</source>
+        <comment>a number, such as 4</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computed from I_A and I_B, β as the board counts it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only the newest samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dashed: what the bus allows; dotted: without distortion.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bus voltage is not known, so its limits are not drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::XyPlot</name>
+    <message>
+        <source>XY picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bus %1 V</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -12,6 +12,7 @@
 #include "widgets/export_dialog.h"
 #include "widgets/file_prompt.h"
 #include "widgets/first_steps.h"
+#include "widgets/flow_layout.h"
 #include "widgets/forms/ramp_form.h"
 #include "widgets/lamp.h"
 #include "widgets/limits_dialog.h"
@@ -245,6 +246,8 @@ QWidget *MainWindow::makeScopeBar()
     auto *layout = new QHBoxLayout(bar);
     layout->setContentsMargins(8, 4, 8, 4);
     layout->setSpacing(4);
+    auto *buttons = new QWidget(bar); // two lines where the words are long and the screen is small
+    auto *flow = new FlowLayout(4, buttons);
     for (QAction *action :
         {m_run, m_follow, m_fit, m_fitValues, m_zoomIn, m_zoomOut, m_scopeTools->cursors()}) {
         auto *button = new QToolButton(bar);
@@ -254,15 +257,15 @@ QWidget *MainWindow::makeScopeBar()
         button->setFocusPolicy(Qt::TabFocus);
         button->setMinimumHeight(26);
         button->setAccessibleName(action->text());
-        layout->addWidget(button);
+        flow->addWidget(button);
     }
-    layout->addStretch(1);
+    layout->addWidget(buttons, 1);
     auto *record = new QToolButton(bar);
     record->setDefaultAction(m_record->toggle());
     record->setFocusPolicy(Qt::TabFocus);
     record->setMinimumHeight(26);
     record->setAccessibleName(tr("Record to disk"));
-    layout->addWidget(record);
+    layout->addWidget(record, 0, Qt::AlignTop);
     auto *save = new QToolButton(bar);
     m_export = new QAction(tr("&Export\u2026"), this);
     m_export->setIconText(tr("Export\u2026"));
@@ -275,7 +278,7 @@ QWidget *MainWindow::makeScopeBar()
     save->setFocusPolicy(Qt::TabFocus);
     save->setMinimumHeight(26);
     save->setAccessibleName(tr("Export"));
-    layout->addWidget(save);
+    layout->addWidget(save, 0, Qt::AlignTop);
     return bar;
 }
 

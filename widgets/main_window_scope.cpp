@@ -9,6 +9,7 @@
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trigger_control.h"
 #include "widgets/spectrum_panel.h"
+#include "widgets/xy_panel.h"
 
 namespace widgets {
 
@@ -30,6 +31,8 @@ void MainWindow::makeScopeTools()
     m_math->setFormulas(m_settings.formulas);
     addTool(new MathPanel(*m_math, *m_scope, m_workbench.capture(), this), tr("Math"), "mathDock",
         Qt::CTRL | Qt::SHIFT | Qt::Key_M);
+    addTool(new XyPanel(*m_scope, m_workbench.capture(), m_workbench.registers(), this), tr("XY"),
+        "xyDock", Qt::CTRL | Qt::SHIFT | Qt::Key_X);
     using Kind = scope::EventTrigger::Kind;
     connect(m_recorder, &EventRecorder::stateChanged, m_trigger,
         [this](double seconds, EventKind kind, quint32 which) {

@@ -123,6 +123,15 @@ std::vector<ReadyFormula> readyFormulas(
 }
 
 namespace {
+/// It begins with a parenthesis or bracket that nothing closes.
+bool isOpen(const QString &rest)
+{
+    if (rest.startsWith(QLatin1Char('[')))
+        return !rest.contains(QLatin1Char(']'));
+    return rest.startsWith(QLatin1Char('('))
+        && rest.count(QLatin1Char('(')) > rest.count(QLatin1Char(')'));
+}
+
 QString whatIsWrong(scope::FormulaError error, const QString &rest)
 {
     using Error = scope::FormulaError;
@@ -164,7 +173,9 @@ QString faultText(const scope::FormulaFault &fault, const QString &formula)
     const QString rest = formula.mid(character);
     const QString shown =
         deviceText(rest.size() > kShown ? rest.left(kShown) + QStringLiteral("\u2026") : rest);
-    const QString sentence = whatIsWrong(fault.error, shown);
+    const bool open = fault.error == scope::FormulaError::Syntax && isOpen(rest);
+    const QString sentence = open ? Ready::tr("What opens here is not closed: %1").arg(shown)
+                                  : whatIsWrong(fault.error, shown);
     if (fault.error == scope::FormulaError::Empty || rest.isEmpty())
         return sentence;
     return Ready::tr("At character %1: %2", "a place in the formula, and what is wrong there")

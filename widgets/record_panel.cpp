@@ -5,6 +5,7 @@
 #include "widgets/scope/trigger_control.h"
 #include "widgets/wheel_guard.h"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -48,11 +49,6 @@ RecordPanel::RecordPanel(TriggerControl &control, ScopeView &scope, QWidget *par
 
     auto *show = new QPushButton(tr("&Show"), this);
     show->setObjectName(QStringLiteral("showRecord"));
-    auto *keep = new QPushButton(tr("Keep as &reference"), this);
-    keep->setObjectName(QStringLiteral("keepReference"));
-    keep->setToolTip(tr("Keeps the traces of the picture paler behind those that come (R)"));
-    auto *drop = new QPushButton(tr("&Drop the reference"), this);
-    drop->setObjectName(QStringLiteral("dropReference"));
     m_persistence->setObjectName(QStringLiteral("persistence"));
     m_persistence->setRange(0, ScopeView::kMostGhosts);
     m_persistence->setSpecialValueText(tr("off"));
@@ -62,8 +58,10 @@ RecordPanel::RecordPanel(TriggerControl &control, ScopeView &scope, QWidget *par
     label->setBuddy(m_persistence);
 
     auto *side = new QVBoxLayout;
-    for (QWidget *widget : std::initializer_list<QWidget *>{show, keep, drop, label, m_persistence})
-        side->addWidget(widget);
+    side->addWidget(show);
+    side->addWidget(makeReferences(scope));
+    side->addWidget(label);
+    side->addWidget(m_persistence);
     side->addStretch(1);
     auto *layout = new QHBoxLayout(this);
     layout->addWidget(m_list, 1);
@@ -71,10 +69,40 @@ RecordPanel::RecordPanel(TriggerControl &control, ScopeView &scope, QWidget *par
 
     connect(m_list, &QTreeView::doubleClicked, this, &RecordPanel::showChosen);
     connect(show, &QPushButton::clicked, this, &RecordPanel::showChosen);
-    connect(keep, &QPushButton::clicked, &scope, &ScopeView::keepReference);
-    connect(drop, &QPushButton::clicked, &scope, &ScopeView::dropReference);
     connect(m_persistence, &QSpinBox::valueChanged, &control, &TriggerControl::setPersistence);
     connect(&control, &TriggerControl::stateChanged, this, &RecordPanel::followShown);
+}
+
+/// A row for each reference: keep the traces of the picture, let them go.
+QWidget *RecordPanel::makeReferences(ScopeView &scope)
+{
+    auto *box = new QWidget(this);
+    auto *grid = new QGridLayout(box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    const auto add = [&](Reference which, int row, const char *keepName, const char *dropName,
+                         const QString &keepText, const QString &dropText, const QString &key) {
+        auto *keep = new QPushButton(keepText, box);
+        keep->setObjectName(QLatin1String(keepName));
+        keep->setToolTip(
+            tr("Keeps the traces of the picture dashed and paler behind those that come (%1)")
+                .arg(key));
+        auto *drop = new QPushButton(dropText, box);
+        drop->setObjectName(QLatin1String(dropName));
+        grid->addWidget(keep, row, 0);
+        grid->addWidget(drop, row, 1);
+        connect(
+            keep, &QPushButton::clicked, &scope, [&scope, which] { scope.keepReference(which); });
+        connect(
+            drop, &QPushButton::clicked, &scope, [&scope, which] { scope.dropReference(which); });
+        const auto enable = [&scope, drop, which] { drop->setEnabled(scope.hasReference(which)); };
+        connect(&scope, &ScopeView::referencesChanged, drop, enable);
+        enable();
+    };
+    add(Reference::A, 0, "keepReference", "dropReference", tr("Keep as &reference A"),
+        tr("&Drop A"), QStringLiteral("R"));
+    add(Reference::B, 1, "keepReferenceB", "dropReferenceB", tr("Keep as reference &B"),
+        tr("Dr&op B"), QStringLiteral("B"));
+    return box;
 }
 
 void RecordPanel::showEvent(QShowEvent *event)

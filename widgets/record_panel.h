@@ -28,6 +28,7 @@ protected:
 private:
     void showChosen();
     void followShown();
+    QWidget *makeReferences(ScopeView &scope);
 
     TriggerControl &m_control;
     RecordTable *m_table;

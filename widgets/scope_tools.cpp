@@ -58,10 +58,24 @@ void ScopeTools::makeTrigger(TriggerControl &trigger)
         make(tr("&Previous record"), Qt::Key_PageUp, {}, [&trigger] { trigger.step(-1); });
     QAction *after =
         make(tr("&Next record"), Qt::Key_PageDown, {}, [&trigger] { trigger.step(1); });
-    QAction *keep = make(tr("Keep as &reference"), Qt::Key_R, {}, &ScopeView::keepReference);
-    QAction *drop =
-        make(tr("&Drop the reference"), Qt::SHIFT | Qt::Key_R, {}, &ScopeView::dropReference);
-    m_groups.append({before, after, keep, drop});
+    m_groups.append(QList<QAction *>{before, after});
+    QList<QAction *> references;
+    const std::tuple<Reference, Qt::Key, QString, QString> all[] = {
+        {Reference::A, Qt::Key_R, tr("Keep as &reference A"), tr("&Drop reference A")},
+        {Reference::B, Qt::Key_B, tr("Keep as reference &B"), tr("Drop re&ference B")}};
+    for (const auto &[which, key, keep, drop] : all) {
+        references.append(
+            make(keep, key, {}, [this, which = which] { m_scope.keepReference(which); }));
+        QAction *away = make(
+            drop, Qt::SHIFT | key, {}, [this, which = which] { m_scope.dropReference(which); });
+        const auto enable = [this, away, which = which] {
+            away->setEnabled(m_scope.hasReference(which));
+        };
+        connect(&m_scope, &ScopeView::referencesChanged, away, enable);
+        enable();
+        references.append(away);
+    }
+    m_groups.append(references);
 }
 
 } // namespace widgets

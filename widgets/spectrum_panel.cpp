@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace widgets {
 
@@ -122,7 +123,8 @@ QFormLayout *SpectrumPanel::makeChoices()
                           "overlap by half and are averaged."));
     m_average->setRange(1, kMostAveraged);
     m_average->setSpecialValueText(tr("off"));
-    m_average->setToolTip(tr("The mean of so many spectra, one after the other"));
+    m_average->setToolTip(
+        tr("The mean of so many spectra, one after the other, of samples that do not overlap"));
     m_scale->addItems({tr("amplitude"), tr("decibels")});
 
     auto *form = new QFormLayout;
@@ -166,6 +168,7 @@ QWidget *SpectrumPanel::makeSide()
     connect(m_scale, &QComboBox::currentIndexChanged, this, &SpectrumPanel::showMean);
     const auto begin = [this] {
         m_mean = scope::SpectrumAverage(static_cast<std::uint32_t>(m_average->value()));
+        m_averaged.clear();
         m_answered.reset();
         compute();
     };
@@ -236,7 +239,7 @@ void SpectrumPanel::compute()
     if (m_busy || !isVisible())
         return;
     const SpectrumWanted next = wanted();
-    if (next == m_answered)
+    if (next == m_answered || waits(next))
         return;
     if (m_scope.channels().isEmpty()) {
         m_answered.reset();
@@ -254,20 +257,52 @@ void SpectrumPanel::compute()
     });
 }
 
+/// Some of its samples are in the mean already.
+bool SpectrumPanel::overlaps(const SpectrumWanted &stretch) const
+{
+    return std::any_of(
+        m_averaged.begin(), m_averaged.end(), [&stretch](const SpectrumWanted &there) {
+            return stretch.from < there.to && there.from < stretch.to;
+        });
+}
+
+/// Of the same trace, made in the same way, and about as long.
+bool SpectrumPanel::continues(const SpectrumWanted &stretch) const
+{
+    if (!m_answered || m_averaged.empty())
+        return false;
+    const double length = capture::toSeconds(m_answered->to - m_answered->from);
+    const double other = capture::toSeconds(stretch.to - stretch.from);
+    constexpr double kAlike = 1e-3;
+    return m_answered->channel == stretch.channel && m_answered->window == stretch.window
+        && m_answered->size == stretch.size && std::abs(length - other) <= kAlike * length;
+}
+
+/// A picture that runs moves on a little at a time: what is averaged takes the next whole one.
+bool SpectrumPanel::waits(const SpectrumWanted &next) const
+{
+    return m_average->value() > 1 && m_scope.running() && continues(next)
+        && next.from > m_answered->from && overlaps(next);
+}
+
 void SpectrumPanel::take(const SpectrumAnswer &answer)
 {
     m_busy = false;
-    const bool other = !m_answered || m_answered->channel != answer.wanted.channel
-        || m_answered->window != answer.wanted.window || m_answered->size != answer.wanted.size;
+    if (!continues(answer.wanted) || overlaps(answer.wanted)) {
+        m_mean = scope::SpectrumAverage(static_cast<std::uint32_t>(m_average->value()));
+        m_averaged.clear();
+    }
     m_answered = answer.wanted;
     m_cut = answer.cut;
-    if (other)
-        m_mean = scope::SpectrumAverage(static_cast<std::uint32_t>(m_average->value()));
     if (answer.spectrum) {
         m_mean.add(*answer.spectrum);
+        if (m_averaged.size() >= kMostAveraged)
+            m_averaged.erase(m_averaged.begin());
+        m_averaged.push_back(answer.wanted);
         showMean();
     } else {
         m_mean.clear();
+        m_averaged.clear();
         m_peaks->show({}, {}, {});
         m_note->clear();
         m_plot->showNothing(whyNot(answer.spectrum.error()));

@@ -33,10 +33,12 @@ public:
     void focusFirst() override;
 
     bool busy() const { return m_busy; } ///< a spectrum is being computed
+    /// What is shown is what is chosen, or what is averaged waits for samples that it has not seen.
     bool settled() const
     {
-        return !m_busy && m_answered == wanted();
-    } ///< what is shown is what is chosen
+        const SpectrumWanted next = wanted();
+        return !m_busy && (m_answered == next || waits(next));
+    }
 
 Q_SIGNALS:
     void shown(); ///< a spectrum, or why there is none
@@ -48,6 +50,9 @@ private:
     void fillAxes();
     void compute();
     SpectrumWanted wanted() const;
+    bool overlaps(const SpectrumWanted &stretch) const;
+    bool continues(const SpectrumWanted &stretch) const;
+    bool waits(const SpectrumWanted &next) const;
     void take(const SpectrumAnswer &answer);
     void showMean();
     void showNote(const scope::Spectrum &spectrum);
@@ -69,7 +74,8 @@ private:
     QSpinBox *m_average;
     QLabel *m_note;
     scope::SpectrumAverage m_mean{1};
-    std::optional<SpectrumWanted> m_answered; ///< what m_mean is of
+    std::optional<SpectrumWanted> m_answered; ///< the newest in m_mean
+    std::vector<SpectrumWanted> m_averaged; ///< all of m_mean: samples count once
     bool m_busy = false;
     bool m_cut = false;
     QThreadPool m_pool; // last: its job ends before anything that it tells

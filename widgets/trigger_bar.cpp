@@ -1,5 +1,6 @@
 #include "widgets/trigger_bar.h"
 
+#include "widgets/flow_layout.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trigger_control.h"
 #include "widgets/value_edit.h"
@@ -111,11 +112,13 @@ void TriggerBar::makeBar()
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 0, 8, 4);
     layout->setSpacing(4);
+    auto *fields = new QWidget(this); // two lines where the words are long and the screen is small
+    auto *flow = new FlowLayout(4, fields);
     for (QWidget *widget : std::initializer_list<QWidget *>{
              m_mode, m_single, m_force, m_type, m_source, m_way, m_level, m_more})
-        layout->addWidget(widget);
-    layout->addStretch(1);
-    layout->addWidget(m_state);
+        flow->addWidget(widget);
+    layout->addWidget(fields, 1);
+    layout->addWidget(m_state, 0, Qt::AlignTop);
 
     connect(m_mode, &QComboBox::activated, this, [this](int index) {
         m_control.setMode(static_cast<Mode>(m_mode->itemData(index).toInt()));

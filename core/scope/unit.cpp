@@ -1,6 +1,7 @@
 #include "scope/unit.h"
 
 #include <array>
+#include <numbers>
 #include <utility>
 
 namespace scope {
@@ -139,6 +140,13 @@ std::string Unit::text() const
     if (below.empty())
         return above;
     return (above.empty() ? "1" : above) + "/" + (factors > 1 ? "(" + below + ")" : below);
+}
+
+double turnOf(std::string_view unit)
+{
+    if (unit == "°")
+        return 360.0;
+    return unit == "rad" ? 2.0 * std::numbers::pi : 0.0;
 }
 
 } // namespace scope

@@ -32,4 +32,7 @@ private:
     std::map<std::string, int, std::less<>> m_halves;
 };
 
+/// One turn of an angle that is measured in this; 0 if it is none.
+double turnOf(std::string_view unit);
+
 } // namespace scope

@@ -134,6 +134,9 @@ void TestMathPanel::whatIsWrongIsSaidWhereItIs()
     QVERIFY(refused());
     QTest::keyClick(m_rig->find<QLineEdit>("mathFormula"), Qt::Key_Return);
     QCOMPARE(list()->model()->rowCount(), 0);
+    write(QStringLiteral("X"), QStringLiteral("min(I_A, (I_B)"));
+    QVERIFY2(verdict().contains(QStringLiteral("character 4: What opens here is not closed")),
+        qPrintable(verdict()));
     write(QStringLiteral("X"), QStringLiteral("lowpass(I_A, I_B)"));
     QVERIFY2(verdict().contains(QStringLiteral("not a signal")), qPrintable(verdict()));
     write(QStringLiteral("X"), QStringLiteral("1 + 1"));

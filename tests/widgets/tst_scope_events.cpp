@@ -42,6 +42,7 @@ private Q_SLOTS:
     void mSetsAMarkerAtTheMouse();
     void aDoubleClickOnTheTimeAxisOrTheLaneSetsAMarker();
     void closeEventsAreCounted();
+    void theNameOfTheLaneIsNeverCut();
     void arrowsGoFromEventToEvent();
     void theListJumpsEditsAndDeletes();
     void theListShowsMarkersOnlyAndCopies();
@@ -227,6 +228,16 @@ void TestScopeEvents::closeEventsAreCounted()
         log().add(EventKind::Write, 150.0, QStringLiteral("x"));
     scope().setVisibleRange(100.0, 200.0);
     QVERIFY(lane().textOf(lane().clusters()[1]).endsWith(QStringLiteral("and 28 more")));
+}
+
+void TestScopeEvents::theNameOfTheLaneIsNeverCut()
+{
+    QFont large = scope().font(); // a long word of another language is no different
+    large.setPixelSize(30);
+    scope().setFont(large);
+    m_rig->draw();
+    QVERIFY(lane().nameWidth() > 80);
+    QVERIFY(scope().plotRect(0).left() >= lane().nameWidth());
 }
 
 void TestScopeEvents::arrowsGoFromEventToEvent()

@@ -55,6 +55,7 @@ private Q_SLOTS:
     void ordersOfASpeedNeedThePolePairs();
     void whereThereIsNoSpectrumTheReasonIsSaid();
     void spectraAreAveragedAndBegunAnew();
+    void eachSampleIsAveragedOnce();
     void aSpectrumThatStandsIsNotComputedAgain();
     void thePictureHasAStrokeAPixelAndNotABin();
     void keysMoveTheFrequencies();
@@ -164,14 +165,38 @@ void TestSpectrumPanel::spectraAreAveragedAndBegunAnew()
 {
     m_rig->find<QSpinBox>("spectrumAverage")->setValue(8);
     update();
-    for (int i = 1; i < 4; ++i) { // other samples each time
-        view().setVisibleRange(0.1 * i, 3.0 + 0.1 * i);
+    for (int i = 0; i < 4; ++i) { // other samples each time
+        view().setVisibleRange(1.0 * i, 1.0 * i + 1.0);
         update();
     }
-    view().setVisibleRange(0.2, 3.2);
-    update();
-    QVERIFY2(note().contains(QStringLiteral("mean of")), qPrintable(note()));
+    QVERIFY2(note().contains(QStringLiteral("mean of 4")), qPrintable(note()));
     QTest::mouseClick(m_rig->find<QWidget>("spectrumAgain"), Qt::LeftButton);
+    update();
+    QVERIFY2(!note().contains(QStringLiteral("mean of")), qPrintable(note()));
+}
+
+void TestSpectrumPanel::eachSampleIsAveragedOnce()
+{
+    m_rig->find<QSpinBox>("spectrumAverage")->setValue(8);
+    view().setVisibleRange(0.0, 1.0);
+    update();
+    view().setVisibleRange(1.0, 2.0);
+    update();
+    QVERIFY2(note().contains(QStringLiteral("mean of 2")), qPrintable(note()));
+    view().setVisibleRange(1.5, 2.5); // moved by hand, over the same samples
+    update();
+    QVERIFY2(!note().contains(QStringLiteral("mean of")), qPrintable(note()));
+    QSignalSpy shown(&panel(), &SpectrumPanel::shown);
+    view().setRunning(true);
+    for (int i = 1; i < 10; ++i) { // running: it waits until all of it is new
+        view().setVisibleRange(1.5 + 0.1 * i, 2.5 + 0.1 * i);
+        update();
+    }
+    QCOMPARE(shown.size(), 0);
+    view().setVisibleRange(2.5, 3.5);
+    update();
+    QVERIFY2(note().contains(QStringLiteral("mean of 2")), qPrintable(note()));
+    view().setVisibleRange(3.5, 4.0); // another length
     update();
     QVERIFY2(!note().contains(QStringLiteral("mean of")), qPrintable(note()));
 }

@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QSpinBox>
 #include <QToolButton>
+#include <QTranslator>
 #include <QTreeView>
 
 #include <cmath>
@@ -53,9 +54,12 @@ private Q_SLOTS:
     void theRecordsAreAModel();
     void endGoesBackToRoll();
     void fittingStopsFirst();
+    void cursorsKeepTheirPlaceFromTheTrigger();
     void aReferenceStaysBehind();
     void persistenceKeepsEarlierRecords();
+    void singleKeysActWhereNoTextIsTyped();
     void theBarFits();
+    void longWordsTakeTwoLines();
 
 private:
     widgets::ScopeView &view() { return m_rig->scope(); }
@@ -452,6 +456,25 @@ void TestTriggerBar::fittingStopsFirst()
     QVERIFY(near(control().setup().length, 0.05));
 }
 
+void TestTriggerBar::cursorsKeepTheirPlaceFromTheTrigger()
+{
+    normal(0.02);
+    square(500);
+    view().toggleCursors();
+    const auto fromTrigger = [this] {
+        const double zero = capture::toSeconds(control().shown()->trigger);
+        return std::pair(view().cursors().pair().a - zero, view().cursors().pair().b - zero);
+    };
+    const auto before = fromTrigger();
+    const scope::RecordId shown = control().shown()->id;
+    square(500);
+    QVERIFY(control().shown()->id != shown);
+    QVERIFY(std::abs(fromTrigger().first - before.first) < 1e-9);
+    QVERIFY(std::abs(fromTrigger().second - before.second) < 1e-9);
+    QTest::keyClick(&m_rig->window, Qt::Key_PageUp); // an earlier one, too
+    QVERIFY(std::abs(fromTrigger().first - before.first) < 1e-9);
+}
+
 void TestTriggerBar::aReferenceStaysBehind()
 {
     normal();
@@ -466,6 +489,18 @@ void TestTriggerBar::aReferenceStaysBehind()
     m_rig->draw();
     const QImage with = m_rig->plot().grab().toImage();
     QTest::keyClick(&view(), Qt::Key_R, Qt::ShiftModifier);
+    QVERIFY(!view().hasReference());
+    QTest::keyClick(&view(), Qt::Key_B); // the other one
+    QVERIFY(view().hasReference(widgets::Reference::B));
+    QVERIFY(!view().hasReference(widgets::Reference::A));
+    QTest::keyClick(&m_rig->window, Qt::Key_8, Qt::ControlModifier);
+    QVERIFY(!m_rig->find<QWidget>("dropReference")->isEnabled());
+    QTest::mouseClick(m_rig->find<QWidget>("dropReferenceB"), Qt::LeftButton);
+    QVERIFY(!view().hasReference());
+    QVERIFY(!m_rig->find<QWidget>("dropReferenceB")->isEnabled());
+    QTest::mouseClick(m_rig->find<QWidget>("keepReferenceB"), Qt::LeftButton);
+    QVERIFY(view().hasReference(widgets::Reference::B));
+    QTest::keyClick(&view(), Qt::Key_B, Qt::ShiftModifier);
     QVERIFY(!view().hasReference());
     m_rig->draw();
     const QImage without = m_rig->plot().grab().toImage();
@@ -488,6 +523,26 @@ void TestTriggerBar::persistenceKeepsEarlierRecords()
     QCOMPARE(view().ghostCount(), 0);
 }
 
+void TestTriggerBar::singleKeysActWhereNoTextIsTyped()
+{
+    normal();
+    auto *type = m_rig->find<QComboBox>("triggerType");
+    type->setFocus();
+    const int before = type->currentIndex();
+    QTest::keyClick(type, Qt::Key_C);
+    QVERIFY(view().cursors().visible());
+    QCOMPARE(type->currentIndex(), before); // not the first entry with a C
+    auto *button = m_rig->find<QAbstractButton>("triggerSingle");
+    button->setFocus();
+    QTest::keyClick(button, Qt::Key_C);
+    QVERIFY(!view().cursors().visible());
+    QTest::keyClick(&m_rig->window, Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
+    auto *text = m_rig->find<QLineEdit>("mathFormula");
+    QTest::keyClicks(text, QStringLiteral("cos"));
+    QVERIFY(!view().cursors().visible());
+    QCOMPARE(text->text(), QStringLiteral("cos"));
+}
+
 void TestTriggerBar::theBarFits()
 {
     normal();
@@ -502,6 +557,29 @@ void TestTriggerBar::theBarFits()
     QVERIFY(bar->rect().contains(state->geometry()));
     QVERIFY2(bar->minimumSizeHint().width() <= bar->width(),
         qPrintable(QString::number(bar->minimumSizeHint().width())));
+}
+
+void TestTriggerBar::longWordsTakeTwoLines()
+{
+    QTranslator german;
+    QVERIFY(german.load(QStringLiteral(":/i18n/rotorscope_de")));
+    QCoreApplication::installTranslator(&german);
+    m_rig.reset();
+    init();
+    normal();
+    square(500);
+    const auto *bar = m_rig->find<QWidget>("triggerBar");
+    const auto *level = m_rig->find<QWidget>("triggerLevel");
+    const auto *mode = m_rig->find<QWidget>("triggerMode");
+    QVERIFY2(
+        bar->minimumSizeHint().width() < 400, // it never makes the window wider than the screen
+        qPrintable(QString::number(bar->minimumSizeHint().width())));
+    m_rig->window.resize(m_rig->window.minimumSizeHint());
+    m_rig->draw();
+    QVERIFY(m_rig->window.width() <= 1280);
+    for (const QWidget *field : {level, mode})
+        QVERIFY(bar->rect().contains(QRect(field->mapTo(bar, QPoint()), field->size())));
+    QVERIFY(level->mapTo(bar, QPoint()).y() > mode->mapTo(bar, QPoint()).y());
 }
 
 QTEST_MAIN(TestTriggerBar)

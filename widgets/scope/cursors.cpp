@@ -38,6 +38,17 @@ void Cursors::move(CursorEnd end, double seconds)
     Q_EMIT changed();
 }
 
+void Cursors::shift(double seconds)
+{
+    if (!std::isfinite(seconds))
+        return;
+    for (CursorPair &pair : m_pairs) {
+        pair.a += seconds;
+        pair.b += seconds;
+    }
+    Q_EMIT changed();
+}
+
 void Cursors::setCurrent(int index)
 {
     if (index == m_current || index < 0 || index >= static_cast<int>(m_pairs.size()))

@@ -40,6 +40,7 @@ public Q_SLOTS:
     void setActive(std::optional<widgets::CursorEnd> end);
     void move(
         widgets::CursorEnd end, double seconds); ///< of the current pair; ignores what is no number
+    void shift(double seconds); ///< all pairs
     void setCurrent(int index);
     /// A further pair at these times becomes the current one; nothing if there are kMostPairs.
     void addPair(double a, double b);

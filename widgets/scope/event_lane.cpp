@@ -18,6 +18,7 @@ namespace widgets {
 namespace {
 constexpr double kSign = 11.0; ///< side of a sign, pixels
 constexpr double kRoom = 4.0;
+constexpr int kNameRoom = 10; ///< pixels around the name
 constexpr double kClose = 16.0; ///< nearer than this they are one
 constexpr double kLeastText = 36.0;
 constexpr std::size_t kMostLines = 12; ///< of a tool tip
@@ -38,6 +39,11 @@ EventLane::EventLane(ScopeView &scope, EventLog &log, QWidget *parent)
 }
 
 QSize EventLane::sizeHint() const { return {200, fontMetrics().height() + 6}; }
+
+int EventLane::nameWidth() const
+{
+    return fontMetrics().horizontalAdvance(tr("Events")) + kNameRoom;
+}
 
 QRect EventLane::lane() const
 {

@@ -17,6 +17,7 @@ public:
     EventLane(ScopeView &scope, EventLog &log, QWidget *parent);
 
     QSize sizeHint() const override;
+    int nameWidth() const; ///< pixels that its name needs left of the plots
     /// Events so close that they are drawn as one, with their place in pixels.
     struct Cluster {
         double x = 0.0;

@@ -33,7 +33,7 @@ ScopePlot &PlotStack::append()
 {
     auto plot = std::make_unique<ScopePlot>();
     plot->rect = new QCPAxisRect(&m_plot, false);
-    plot->rect->setMinimumMargins(QMargins(8, 6, 30, 6)); // right: half a time label
+    plot->rect->setMinimumMargins(margins());
     plot->rect->setMarginGroup(QCP::msLeft | QCP::msRight, m_margins);
     plot->dark = isDark(m_palette);
     QCPAxis *time = plot->rect->addAxis(QCPAxis::atBottom);
@@ -50,6 +50,18 @@ ScopePlot &PlotStack::append()
     m_plots.push_back(std::move(plot));
     showTimeLabels();
     return *m_plots.back();
+}
+
+QMargins PlotStack::margins() const
+{
+    return {m_leastLeft, 6, 30, 6}; // right: half a time label
+}
+
+void PlotStack::setLeastLeft(int pixels)
+{
+    m_leastLeft = pixels;
+    for (const auto &plot : m_plots)
+        plot->rect->setMinimumMargins(margins());
 }
 
 void PlotStack::removePlot(std::size_t index)

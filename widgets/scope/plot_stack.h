@@ -50,6 +50,8 @@ public:
     void fitAxis(ValueAxis &axis);
 
     void setGhosts(std::vector<Ghost> ghosts); ///< drawn in every plot that shows their registers
+    void setLeastLeft(
+        int pixels); ///< room left of the plots, at least, for what stands above and below there
     void setGrid(bool visible);
     bool grid() const { return m_grid; }
     void applyPalette(const QPalette &palette);
@@ -59,6 +61,7 @@ private:
     ScopePlot &append();
     void removePlot(std::size_t index);
     void showTimeLabels();
+    QMargins margins() const;
     ValueAxis &axisFor(ScopePlot &plot, const QString &unit);
     void dropUnusedAxes(ScopePlot &plot);
     void styleAxis(QCPAxis &axis) const;
@@ -75,6 +78,7 @@ private:
     QCPMarginGroup *m_margins = nullptr;
     QPalette m_palette;
     double m_origin = 0.0;
+    int m_leastLeft = 8; ///< pixels
     bool m_grid = true;
 };
 

@@ -39,26 +39,34 @@ void ScopeView::setGhosts(std::vector<Ghost> ghosts)
 /// The time in the picture that a reference is laid upon.
 double ScopeView::ghostZero() const { return m_marks.position.value_or(m_range.from); }
 
-void ScopeView::keepReference()
+void ScopeView::keepReference(Reference which)
 {
     const std::vector<capture::ChannelId> shown = m_stack->channels();
     if (shown.empty())
         return;
-    m_reference = {m_capture.snapshot(shown), ghostZero(), kReferenceAlpha};
+    const char mark = which == Reference::A ? 'A' : 'B';
+    m_references[static_cast<std::size_t>(which)] = {
+        m_capture.snapshot(shown), ghostZero(), kReferenceAlpha, mark};
+    Q_EMIT referencesChanged();
     redraw();
 }
 
-void ScopeView::dropReference()
+void ScopeView::dropReference(Reference which)
 {
-    m_reference = {};
+    m_references[static_cast<std::size_t>(which)] = {};
+    Q_EMIT referencesChanged();
     redraw();
 }
 
 void ScopeView::placeGhosts()
 {
     std::vector<Ghost> all;
-    if (hasReference())
-        all.push_back({m_reference.kept, m_reference.shift - ghostZero(), m_reference.alpha});
+    for (const Ghost &reference : m_references) {
+        if (!reference.kept)
+            continue;
+        all.push_back(reference);
+        all.back().shift -= ghostZero();
+    }
     all.insert(all.end(), m_ghosts.begin(), m_ghosts.end());
     m_stack->setGhosts(std::move(all));
 }

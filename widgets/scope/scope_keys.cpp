@@ -88,7 +88,10 @@ bool ScopeView::scopeKey(int key, bool shift)
         setOverviewVisible(!overviewVisible());
         return true;
     case Qt::Key_R:
-        shift ? dropReference() : keepReference();
+        shift ? dropReference(Reference::A) : keepReference(Reference::A);
+        return true;
+    case Qt::Key_B:
+        shift ? dropReference(Reference::B) : keepReference(Reference::B);
         return true;
     case Qt::Key_Delete:
         removeSelected();

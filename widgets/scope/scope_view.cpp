@@ -68,6 +68,7 @@ ScopeView::ScopeView(capture::Capture &capture, QWidget *parent)
     connect(m_lane, &EventLane::markerWanted, this, &ScopeView::setMarkerAt);
     connect(m_lane, &EventLane::noteWanted, this, &ScopeView::noteWanted);
     m_stack->applyPalette(palette());
+    m_stack->setLeastLeft(m_lane->nameWidth());
     applyRange(m_range);
     updateDescription();
 }
@@ -381,10 +382,12 @@ void ScopeView::changeEvent(QEvent *event)
     // QCustomPlot keeps the colours and fonts it was made with.
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         m_stack->applyPalette(palette());
+        m_stack->setLeastLeft(m_lane->nameWidth());
         redraw();
     } else if (event->type() == QEvent::LanguageChange) {
         m_hint->setText(tr("Drag a signal here, or select one in the tree and press Enter"));
         setAccessibleName(tr("Scope"));
+        m_stack->setLeastLeft(m_lane->nameWidth());
         updateDescription();
     } else if (event->type() == QEvent::LocaleChange) {
         redraw();

@@ -13,6 +13,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <array>
 #include <memory>
 
 class QCustomPlot;
@@ -78,7 +79,8 @@ public:
     const TriggerMarks &triggerMarks() const { return m_marks; }
     static constexpr int kMostGhosts = 16;
     int ghostCount() const { return static_cast<int>(m_ghosts.size()); }
-    bool hasReference() const { return m_reference.kept != nullptr; }
+    bool hasReference(Reference which) const { return referenceOf(which).kept != nullptr; }
+    bool hasReference() const { return hasReference(Reference::A) || hasReference(Reference::B); }
     Cursors &cursors() { return m_cursors; }
     const Cursors &cursors() const { return m_cursors; }
     EventLog &events() { return m_events; } ///< what the lane above the traces shows
@@ -107,10 +109,10 @@ public Q_SLOTS:
     void setTriggerMarks(const TriggerMarks &marks);
     void setMeasureMarks(const MeasureMarks &marks); ///< what a measurement measured; empty ends it
     void setGhosts(std::vector<Ghost> ghosts); ///< behind the traces; at most kMostGhosts
-    /// R: the traces as they are now stay paler behind those that come, at the same place from the trigger or, in a
-    /// picture that rolls, from the left edge. Shift+R drops them.
-    void keepReference();
-    void dropReference();
+    /// R, B: the traces as they are now stay dashed and paler behind those that come, at the same place from the trigger
+    /// or, in a picture that rolls, from the left edge. With Shift they go.
+    void keepReference(widgets::Reference which);
+    void dropReference(widgets::Reference which);
     void showTime(double seconds); ///< moves the picture just so far; not while it follows
     void centerOn(double seconds); ///< ends following
     /// M: sets a marker at the mouse, else at the active cursor, else at the newest sample or in the middle.
@@ -133,6 +135,7 @@ Q_SIGNALS:
     void drawn(); ///< after each redraw
     void captureAdvanced(); ///< there may be new samples; before they are drawn
     void channelMoved(quint32 channel); ///< to another plot
+    void referencesChanged(); ///< hasReference()
     void channelsChanged(); ///< what is shown, or in which channel a register is
     void triggerLevelMoved(int level, double value); ///< by a person, in the source's unit
     void triggerPositionMoved(double seconds); ///< by a person
@@ -165,6 +168,10 @@ private:
     void updateDescription();
     void placeGhosts();
     double ghostZero() const;
+    const Ghost &referenceOf(Reference which) const
+    {
+        return m_references[static_cast<std::size_t>(which)];
+    }
     friend class ScopeMouse; // drags traces as drags drop registers
     int dropPlotAt(const QPoint &position) const;
     void highlightDrop(int plot);
@@ -190,7 +197,7 @@ private:
     double m_origin = 0.0;
     TriggerMarks m_marks;
     std::vector<Ghost> m_ghosts;
-    Ghost m_reference; ///< its shift is the time that lies at ghostZero()
+    std::array<Ghost, 2> m_references; ///< their shift is the time that lies at ghostZero()
     bool m_running = true;
     bool m_following = true;
 };

@@ -129,6 +129,36 @@ void PixelColumns::joinNeighbours()
     }
 }
 
+void PixelColumns::joinTurning(PixelColumns &other, int half)
+{
+    struct Piece {
+        std::int16_t top;
+        std::int16_t bottom;
+    };
+    const auto pieceAt = [](const PixelColumns &of, std::size_t x) {
+        return Piece{of.top[x], of.bottom[x]};
+    };
+    Piece before[2] = {{kNoTop, kNoBottom}, {kNoTop, kNoBottom}};
+    for (std::size_t x = 0; x < top.size(); ++x) {
+        const Piece now[2] = {pieceAt(*this, x), pieceAt(other, x)};
+        for (const Piece &last : before) {
+            for (int i = 0; i < 2; ++i) {
+                if (last.top > last.bottom || now[i].top > now[i].bottom)
+                    continue;
+                PixelColumns &target = i == 0 ? *this : other;
+                if (last.bottom < now[i].top && now[i].top - last.bottom <= half)
+                    target.top[x] =
+                        std::min(target.top[x], static_cast<std::int16_t>(last.bottom + 1));
+                else if (last.top > now[i].bottom && last.top - now[i].bottom <= half)
+                    target.bottom[x] =
+                        std::max(target.bottom[x], static_cast<std::int16_t>(last.top - 1));
+            }
+        }
+        before[0] = now[0];
+        before[1] = now[1];
+    }
+}
+
 void PixelColumns::thicken(int rows)
 {
     for (std::size_t x = 0; x < top.size(); ++x) {
@@ -150,6 +180,18 @@ PixelColumns PixelColumns::takeThin(int rows)
         }
     }
     return thin;
+}
+
+PixelColumns PixelColumns::dashed(int on, int off) const
+{
+    PixelColumns dashes(width());
+    for (int x = 0; x < width(); ++x) {
+        if (x % (on + off) < on) {
+            dashes.top[std::size_t(x)] = top[std::size_t(x)];
+            dashes.bottom[std::size_t(x)] = bottom[std::size_t(x)];
+        }
+    }
+    return dashes;
 }
 
 int PixelColumns::tallerThan(int rows) const

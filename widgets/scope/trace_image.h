@@ -20,8 +20,13 @@ struct PixelColumns {
     void set(int x, int from, int to); ///< bounded to what an image can have; from <= to
     void extend(int x, int from, int to); ///< as set(), but keeps what the column already covers
     void joinNeighbours(); ///< lets each filled column touch the filled one before it
+    /// The same for a value that turns: together with `other`, which holds the far piece of columns in which it passed
+    /// its end; what is further apart than `half` a turn is not joined.
+    void joinTurning(PixelColumns &other, int half);
     void thicken(int rows); ///< at least `rows` high each
     PixelColumns takeThin(int rows); ///< moves the columns of at most `rows` into the result
+    PixelColumns dashed(
+        int on, int off) const; ///< `on` of each `on` + `off` columns, the others empty
     int tallerThan(int rows) const; ///< how many columns are
     bool empty() const; ///< nothing in any column
 };

@@ -2,6 +2,8 @@
 
 #include <QPainter>
 
+#include <algorithm>
+
 namespace widgets {
 namespace {
 
@@ -57,6 +59,19 @@ void ShapeInk::fill(const QPainterPath &path, QRgb color)
 {
     if (!path.isEmpty())
         m_painter.fillPath(path, QColor::fromRgba(qUnpremultiply(color)));
+}
+
+void DashedInk::box(int left, int top, int width, int height, QRgb color)
+{
+    const int period = m_on + m_off;
+    const int right = left + width;
+    // Those of the dashes that the box touches; left of the picture there are none.
+    for (int dash = std::max(left, 0) / period * period; dash < right; dash += period) {
+        const int from = std::max(left, dash);
+        const int to = std::min(right, dash + m_on);
+        if (to > from)
+            m_ink.box(from, top, to - from, height, color);
+    }
 }
 
 void ShapeInk::columns(const PixelColumns &columns, QRgb color)

@@ -47,6 +47,31 @@ private:
     QImage &m_image;
 };
 
+/// Draws with another ink, in dashes: `on` of each `on` + `off` columns of the picture.
+class DashedInk : public TraceInk {
+public:
+    DashedInk(TraceInk &ink, int on, int off)
+        : m_ink(ink)
+        , m_on(on)
+        , m_off(off)
+    {
+    }
+    void columns(const PixelColumns &columns, QRgb color) override
+    {
+        m_ink.columns(columns.dashed(m_on, m_off), color);
+    }
+    void striped(const PixelColumns &columns, QRgb color, const Stripes &stripes) override
+    {
+        m_ink.striped(columns.dashed(m_on, m_off), color, stripes);
+    }
+    void box(int left, int top, int width, int height, QRgb color) override;
+
+private:
+    TraceInk &m_ink;
+    int m_on;
+    int m_off;
+};
+
 /// One shape for each run of columns and each trace of steps, cut at the picture's edges: not every writer of vector
 /// files can cut. Bands that share their place have upright stripes.
 class ShapeInk : public TraceInk {

@@ -26,7 +26,9 @@ double readingStep(const Trace &trace)
 {
     // A polled value comes scaled: what its digit is worth is not known here.
     const double digit = std::abs(trace.info.digit());
-    return digit > 0 ? digit : tickStep(trace.valueAxis->range().size(), 200);
+    // What was computed has as good a value as what it was computed from.
+    const int steps = trace.info.isBoards() ? 200 : 2000;
+    return digit > 0 ? digit : tickStep(trace.valueAxis->range().size(), steps);
 }
 
 TraceLegend::TraceLegend(const ScopePlot &plot, const capture::Capture &capture)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace widgets {
 
@@ -209,9 +210,11 @@ void TriggerControl::follow()
 void TriggerControl::show(const scope::Record &record)
 {
     const bool other = !m_shown || m_shown->id != record.id || m_shown->state != record.state;
-    m_shown = record;
+    const std::optional<scope::Record> before = std::exchange(m_shown, record);
     if (!other)
         return;
+    if (before && before->id != record.id) // cursors stay where they are from the trigger
+        m_scope.cursors().shift(capture::toSeconds(record.trigger - before->trigger));
     const QScopedValueRollback showing(m_showing, true);
     m_scope.setTimeOrigin(capture::toSeconds(record.trigger));
     m_scope.setVisibleRange(capture::toSeconds(record.from), capture::toSeconds(record.to));

@@ -1,5 +1,6 @@
 #include "widgets/scope/waveform_plottable.h"
 
+#include "scope/unit.h"
 #include "widgets/scope/axis_ticks.h"
 #include "widgets/scope/trace_colors.h"
 
@@ -18,6 +19,13 @@ constexpr double kDotSpacing = 8.0;
 constexpr int kBandHeight = 8;
 constexpr int kBandShare = 16; ///< of the picture that is a band at least, as one part in so many
 constexpr int kStripeWidth = 3;
+constexpr int kLongDash = 10; ///< pixels, of reference A
+constexpr int kShortDash = 3; ///< of reference B
+constexpr double kMarkPlace = 0.01; ///< of a reference's letter, as a share of the width
+constexpr double kMarkNext = 0.03; ///< B is beside A
+/// An angle that passes its end in more than one of so many columns is a band.
+constexpr int kTurnShare = 4;
+constexpr std::size_t kSlices = 16; ///< of a column, to find where it does
 /// Columns a pixel in a picture without pixels.
 constexpr int kShapeColumns = 4;
 
@@ -90,6 +98,7 @@ void WaveformPlottable::draw(QCPPainter *painter)
     shadeGaps(painter);
     if (painter->modes().testFlag(QCPPainter::pmVectorized)) {
         drawShapes(painter);
+        drawMarks(painter);
         drawLastValues(painter);
         return;
     }
@@ -104,6 +113,7 @@ void WaveformPlottable::draw(QCPPainter *painter)
     drawGhosts(view, ink);
     drawTraces(view, ink);
     painter->drawImage(rect.topLeft(), m_image);
+    drawMarks(painter);
     drawLastValues(painter);
 }
 
@@ -184,7 +194,8 @@ void WaveformPlottable::drawTraces(const View &view, TraceInk &ink) const
             sparse.emplace_back(&trace, channel);
             continue;
         }
-        PixelColumns bands = columnsOf(view, trace, *channel);
+        Strokes strokes = strokesOf(view, trace, *channel);
+        PixelColumns bands = std::move(strokes.columns);
         const int height = kBandHeight * view.thickness;
         // A few peaks make no band: they stay whole, and leave the others' stripes as they are.
         const bool peaks = bands.tallerThan(height) < view.width / kBandShare;
@@ -192,6 +203,8 @@ void WaveformPlottable::drawTraces(const View &view, TraceInk &ink) const
             peaks ? std::exchange(bands, PixelColumns(view.width)) : bands.takeThin(height);
         const QRgb color = traceColor(trace.colorSlot, m_scopePlot.dark).rgba();
         dense.push_back({color, std::move(bands), std::move(lines)});
+        if (strokes.beyond.width() > 0)
+            dense.push_back({color, PixelColumns(), std::move(strokes.beyond)});
     }
     Stripes stripes{kStripeWidth * view.thickness, 0, 0};
     for (const Dense &trace : dense)
@@ -212,24 +225,63 @@ void WaveformPlottable::drawTraces(const View &view, TraceInk &ink) const
             view, *trace, *channel, traceColor(trace->colorSlot, m_scopePlot.dark).rgba(), ink);
 }
 
-/// The same traces of another time, paler and behind.
+/// The same traces of another time, paler and behind; references dashed, so that they are not told by their colour alone.
 void WaveformPlottable::drawGhosts(const View &view, TraceInk &ink) const
 {
     for (const Ghost &ghost : m_scopePlot.ghosts) {
-        View then = view;
-        then.from += ghost.shift;
-        then.to += ghost.shift;
+        if (ghost.mark == 0) {
+            drawGhost(ghost, view, ink);
+            continue;
+        }
+        const int on = (ghost.mark == 'A' ? kLongDash : kShortDash) * view.thickness;
+        DashedInk dashed(ink, on, on / 2 + view.thickness);
+        drawGhost(ghost, view, dashed);
+    }
+}
+
+void WaveformPlottable::drawGhost(const Ghost &ghost, const View &view, TraceInk &ink) const
+{
+    View then = view;
+    then.from += ghost.shift;
+    then.to += ghost.shift;
+    for (const Trace &trace : m_scopePlot.traces) {
+        const capture::Channel *channel = channelOf(ghost, trace);
+        if (!channel || channel->empty() || !(then.to > then.from))
+            continue;
+        QColor color = traceColor(trace.colorSlot, m_scopePlot.dark);
+        color.setAlpha(ghost.alpha);
+        const QRgb paint = qPremultiply(color.rgba());
+        if (channel->countIn(then.from, then.to) <= kSamplesAColumn * std::uint64_t(view.width)) {
+            drawSteps(then, trace, *channel, paint, ink);
+            continue;
+        }
+        const Strokes strokes = strokesOf(then, trace, *channel);
+        ink.columns(strokes.columns, paint);
+        if (strokes.beyond.width() > 0)
+            ink.columns(strokes.beyond, paint);
+    }
+}
+
+/// The letter of each reference at the left end of its traces.
+void WaveformPlottable::drawMarks(QCPPainter *painter) const
+{
+    const QRectF area = m_scopePlot.rect->rect();
+    const QCPRange range = keyAxis()->range();
+    const QFontMetricsF metrics(painter->font());
+    for (const Ghost &ghost : m_scopePlot.ghosts) {
+        const double share = kMarkPlace + (ghost.mark == 'B' ? kMarkNext : 0.0);
         for (const Trace &trace : m_scopePlot.traces) {
-            const capture::Channel *channel = channelOf(ghost, trace);
-            if (!channel || channel->empty() || !(then.to > then.from))
+            const capture::Channel *channel = ghost.mark != 0 ? channelOf(ghost, trace) : nullptr;
+            if (!channel)
                 continue;
-            QColor color = traceColor(trace.colorSlot, m_scopePlot.dark);
-            color.setAlpha(ghost.alpha);
-            const QRgb paint = qPremultiply(color.rgba());
-            if (channel->countIn(then.from, then.to) <= kSamplesAColumn * std::uint64_t(view.width))
-                drawSteps(then, trace, *channel, paint, ink);
-            else
-                ink.columns(columnsOf(then, trace, *channel), paint);
+            const auto value = channel->valueAt(range.lower + ghost.shift + share * range.size());
+            const double y = value ? trace.valueAxis->coordToPixel(*value) : area.bottom() + 1;
+            if (y < area.top() || y > area.bottom())
+                continue;
+            const QPointF place(
+                area.left() + share * area.width(), std::max(y - 2, area.top() + metrics.ascent()));
+            painter->setPen(traceColor(trace.colorSlot, m_scopePlot.dark));
+            painter->drawText(place, QString(QLatin1Char(ghost.mark)));
         }
     }
 }
@@ -247,26 +299,73 @@ const capture::Channel *WaveformPlottable::channelOf(const Ghost &ghost, const T
     return nullptr;
 }
 
-PixelColumns WaveformPlottable::columnsOf(
+WaveformPlottable::Strokes WaveformPlottable::strokesOf(
     const View &view, const Trace &trace, const capture::Channel &channel) const
 {
     const Rows rows = view.rows(*trace.valueAxis);
     const auto extremes = channel.columns(view.from, view.to, std::size_t(view.width));
-    PixelColumns columns(view.width);
+    Strokes strokes{PixelColumns(view.width), PixelColumns()};
     const bool held = trace.info.kind != capture::ChannelInfo::Kind::Fast;
     for (int x = 0; x < view.width; ++x) {
         const capture::MinMax &column = extremes[std::size_t(x)];
         if (!column.empty()) {
-            columns.set(x, rows.of(double(column.max)), rows.of(double(column.min)));
+            strokes.columns.set(x, rows.of(double(column.max)), rows.of(double(column.min)));
         } else if (held) {
             // Irregular values: a column between two of them shows the one that still holds.
             if (const auto value = channel.valueAt(view.from + (x + 0.5) / view.perSecond()))
-                columns.set(x, rows.of(*value), rows.of(*value));
+                strokes.columns.set(x, rows.of(*value), rows.of(*value));
         }
     }
-    columns.joinNeighbours();
-    columns.thicken(view.thickness);
-    return columns;
+    const double turn = scope::turnOf(trace.info.unit);
+    if (turn > 0.0)
+        splitTurns(view, trace, channel, extremes, strokes);
+    if (strokes.beyond.width() > 0)
+        strokes.columns.joinTurning(strokes.beyond, static_cast<int>(turn / 2 * rows.perUnit));
+    else
+        strokes.columns.joinNeighbours();
+    strokes.columns.thicken(view.thickness);
+    strokes.beyond.thicken(view.thickness);
+    return strokes;
+}
+
+/// Where an angle passes its end, the two ends of that column instead of all between them. Only where the picture is within one turn: what goes
+/// beyond it counts turns, and jumps where it jumps.
+void WaveformPlottable::splitTurns(const View &view, const Trace &trace,
+    const capture::Channel &channel, const std::vector<capture::MinMax> &extremes,
+    Strokes &strokes) const
+{
+    const double turn = scope::turnOf(trace.info.unit);
+    capture::MinMax all;
+    int turns = 0;
+    for (const capture::MinMax &column : extremes) {
+        all.include(column);
+        turns += double(column.max) - double(column.min) > turn / 2 ? 1 : 0;
+    }
+    const double span = double(all.max) - double(all.min);
+    constexpr double kInexact = 1.001;
+    if (all.empty() || span <= turn / 2 || span > turn * kInexact
+        || turns > view.width / kTurnShare)
+        return;
+    const Rows rows = view.rows(*trace.valueAxis);
+    const float middle = all.min + (all.max - all.min) / 2;
+    strokes.beyond = PixelColumns(view.width);
+    for (int x = 0; x < view.width; ++x) {
+        const capture::MinMax &column = extremes[std::size_t(x)];
+        if (column.empty() || double(column.max) - double(column.min) <= turn / 2)
+            continue;
+        capture::MinMax high{column.max, column.max};
+        capture::MinMax low{column.min, column.min};
+        const double from = view.from + x / view.perSecond();
+        const double to = view.from + (x + 1) / view.perSecond();
+        for (const capture::MinMax &slice : channel.columns(from, to, kSlices)) {
+            if (!slice.empty() && slice.min >= middle)
+                high.include(slice);
+            else if (!slice.empty() && slice.max < middle)
+                low.include(slice);
+        }
+        strokes.columns.set(x, rows.of(double(high.max)), rows.of(double(high.min)));
+        strokes.beyond.set(x, rows.of(double(low.max)), rows.of(double(low.min)));
+    }
 }
 
 void WaveformPlottable::drawSteps(const View &view, const Trace &trace,
@@ -280,17 +379,21 @@ void WaveformPlottable::drawSteps(const View &view, const Trace &trace,
         const double x = (time - view.from) * view.perSecond();
         return static_cast<int>(std::floor(std::clamp(x, -10.0, view.width + 10.0)));
     };
+    const double halfTurn = scope::turnOf(trace.info.unit) / 2;
     int lastRow = 0;
+    double lastValue = 0.0;
     bool joined = false; // to the sample before it, which may be left of the picture
     for (const capture::Sample &sample : samples) {
         const int left = xOf(sample.time);
         const int right = xOf(sample.holdUntil);
         const int row = rows.of(sample.value);
         ink.box(left, row - line / 2, std::max(line, right - left), line, color);
-        if (joined && !sample.first)
+        const bool turned = halfTurn > 0.0 && std::abs(sample.value - lastValue) > halfTurn;
+        if (joined && !sample.first && !turned)
             ink.box(left, std::min(row, lastRow) - line / 2, line, std::abs(row - lastRow) + line,
                 color);
         lastRow = row;
+        lastValue = sample.value;
         joined = true;
         if ((sample.holdUntil - sample.time) * view.perSecond() >= kDotSpacing * line)
             ink.box(left - line, row - line - line / 2, 3 * line, 3 * line, color);

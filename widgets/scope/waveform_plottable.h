@@ -26,12 +26,20 @@ private:
     struct View; ///< the picture's size and time range, for one redraw
     void shadeGaps(QCPPainter *painter) const;
     void drawGhosts(const View &view, TraceInk &ink) const;
+    void drawGhost(const Ghost &ghost, const View &view, TraceInk &ink) const;
+    void drawMarks(QCPPainter *painter) const;
     void drawTraces(const View &view, TraceInk &ink) const;
     void drawShapes(QCPPainter *painter) const;
     View viewOf(QSize size, int thickness) const;
     const capture::Channel *channelOf(const Ghost &ghost, const Trace &trace) const;
-    PixelColumns columnsOf(
-        const View &view, const Trace &trace, const capture::Channel &channel) const;
+    /// A trace as pixels; of an angle the pieces beyond its end beside them, so that no stroke joins the two.
+    struct Strokes {
+        PixelColumns columns;
+        PixelColumns beyond;
+    };
+    Strokes strokesOf(const View &view, const Trace &trace, const capture::Channel &channel) const;
+    void splitTurns(const View &view, const Trace &trace, const capture::Channel &channel,
+        const std::vector<capture::MinMax> &extremes, Strokes &strokes) const;
     void drawSteps(const View &view, const Trace &trace, const capture::Channel &channel,
         QRgb color, TraceInk &ink) const;
     void drawLastValues(QCPPainter *painter) const;
