@@ -3,8 +3,6 @@
 #include "bench/paired.h"
 #include "support/link_pair.h"
 
-#include <ctime>
-
 namespace {
 
 using namespace bench;
@@ -32,8 +30,6 @@ struct Running : support::Session {
     }
     double samples = 0.0, lost = 0.0;
 };
-
-double cpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void tell(benchmark::State &state, double virtualSeconds, double cpu, const std::string &what)
 {

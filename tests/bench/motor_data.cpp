@@ -83,4 +83,32 @@ void recordMotor(capture::Capture &capture, std::size_t count, std::size_t batch
     }
 }
 
+void MotorStream::record(capture::Capture &capture, std::size_t count)
+{
+    constexpr std::size_t kBatch = 5000;
+    for (int s = 0; s < static_cast<int>(layout.fast.size()); ++s)
+        m_signals.push_back(motorSignal(s, std::min(count + kBatch, kPeriod)));
+    capture.begin(layout);
+    for (std::size_t done = 0; done < count; done += kBatch)
+        append(capture, std::min(kBatch, count - done));
+}
+
+void MotorStream::append(capture::Capture &capture, std::size_t count)
+{
+    capture::SampleBlock block{layout.id, m_ticks, static_cast<std::uint32_t>(count), {}, {}, 0};
+    block.fast.reserve(count * m_signals.size());
+    for (const auto &codes : m_signals) {
+        auto at = static_cast<std::size_t>(m_ticks) % codes.size();
+        for (std::size_t left = count; left > 0;) {
+            const std::size_t part = std::min(left, codes.size() - at);
+            const auto from = codes.begin() + static_cast<std::ptrdiff_t>(at);
+            block.fast.insert(block.fast.end(), from, from + static_cast<std::ptrdiff_t>(part));
+            left -= part;
+            at = 0;
+        }
+    }
+    capture.append(block);
+    m_ticks += static_cast<capture::Tick>(count);
+}
+
 } // namespace bench

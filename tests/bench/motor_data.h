@@ -23,4 +23,23 @@ capture::StreamLayout motorLayout();
 /// Appends `count` samples of each signal in packets of `batch`.
 void recordMotor(capture::Capture &capture, std::size_t count, std::size_t batch = 1000);
 
+/// Hours of the same, fast: repeats the first fifty seconds.
+class MotorStream {
+public:
+    static constexpr std::size_t kPeriod = 1'000'000; ///< samples
+
+    /// Begins the stream and appends `count` samples of each signal.
+    void record(capture::Capture &capture, std::size_t count);
+    /// Appends so many more, as one packet.
+    void append(capture::Capture &capture, std::size_t count);
+    capture::Tick ticks() const { return m_ticks; } ///< so far
+
+    capture::StreamLayout layout =
+        motorLayout(); ///< its first fast signals may be all; set before record()
+
+private:
+    std::vector<std::vector<std::int16_t>> m_signals;
+    capture::Tick m_ticks = 0;
+};
+
 } // namespace bench

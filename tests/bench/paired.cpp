@@ -23,18 +23,30 @@ std::vector<Figure> &figures()
     return all;
 }
 
-double cpuSeconds(const std::function<void()> &work)
+struct LeftOut {
+    std::string id, what, why;
+};
+
+std::vector<LeftOut> &leftOut()
 {
-    const std::clock_t start = std::clock();
-    work();
-    return double(std::clock() - start) / double(CLOCKS_PER_SEC);
+    static std::vector<LeftOut> all;
+    return all;
 }
 
-double quantile(std::vector<double> values, double share)
+double secondsOf(const std::function<void()> &work)
 {
-    std::sort(values.begin(), values.end());
-    return values[static_cast<std::size_t>(std::lround(share * double(values.size() - 1)))];
+    const double start = cpuSeconds();
+    work();
+    return cpuSeconds() - start;
 }
+
+/// P2 before P10.
+struct ByNumber {
+    bool operator()(const std::string &a, const std::string &b) const
+    {
+        return a.size() != b.size() ? a.size() < b.size() : a < b;
+    }
+};
 
 std::string quoted(const std::string &text)
 {
@@ -50,9 +62,33 @@ std::string quoted(const std::string &text)
 
 void report(Figure figure) { figures().push_back(std::move(figure)); }
 
+void leaveOut(const std::string &id, const std::string &what, const std::string &why)
+{
+    leftOut().push_back({id, what, why});
+}
+
+std::vector<std::string> withoutFigure(const std::vector<std::string> &wanted)
+{
+    std::vector<std::string> missing;
+    for (const std::string &id : wanted) {
+        if (std::none_of(figures().begin(), figures().end(),
+                [&id](const Figure &figure) { return figure.id == id; }))
+            missing.push_back(id);
+    }
+    return missing;
+}
+
+double cpuSeconds() { return double(std::clock()) / double(CLOCKS_PER_SEC); }
+
+double quantile(std::vector<double> values, double share)
+{
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(std::lround(share * double(values.size() - 1)))];
+}
+
 bool writeFigures(const std::string &path)
 {
-    std::map<std::string, std::vector<Figure>> byId;
+    std::map<std::string, std::vector<Figure>, ByNumber> byId;
     for (const Figure &figure : figures())
         byId[figure.id].push_back(figure);
     std::cout << "\nRatios (median of pairs, CPU time)\n";
@@ -63,6 +99,8 @@ bool writeFigures(const std::string &path)
                       << figure.against << "; goal: " << figure.goal << '\n';
         }
     }
+    for (const LeftOut &one : leftOut())
+        std::cout << one.id << "  LEFT OUT: " << one.what << ": " << one.why << '\n';
     std::ofstream file(path);
     file << std::setprecision(6) << "{";
     const char *separator = "\n";
@@ -74,6 +112,16 @@ bool writeFigures(const std::string &path)
             file << comma << "    {\"what\": " << quoted(figure.what)
                  << ", \"ratio\": " << figure.ratio << ", \"goal\": " << quoted(figure.goal)
                  << ", \"against\": " << quoted(figure.against) << "}";
+            comma = ",\n";
+        }
+        file << "\n  ]";
+    }
+    if (!leftOut().empty()) {
+        file << separator << "  \"left out\": [";
+        const char *comma = "\n";
+        for (const LeftOut &one : leftOut()) {
+            file << comma << "    {\"id\": " << quoted(one.id) << ", \"what\": " << quoted(one.what)
+                 << ", \"why\": " << quoted(one.why) << "}";
             comma = ",\n";
         }
         file << "\n  ]";
@@ -96,11 +144,11 @@ Pair pairedRatio(
         double aTime = 0;
         double bTime = 0;
         if (first) {
-            aTime = cpuSeconds(a);
-            bTime = cpuSeconds(b);
+            aTime = secondsOf(a);
+            bTime = secondsOf(b);
         } else {
-            bTime = cpuSeconds(b);
-            aTime = cpuSeconds(a);
+            bTime = secondsOf(b);
+            aTime = secondsOf(a);
         }
         first = !first;
         aTimes.push_back(aTime);

@@ -22,6 +22,12 @@ struct Figure {
 /// Adds a line; figures of one run are kept until writeFigures().
 void report(Figure figure);
 
+/// Says that a figure cannot be taken here, and why: printed and written like a figure, but it counts as none.
+void leaveOut(const std::string &id, const std::string &what, const std::string &why);
+
+/// Those of `wanted` that have no figure.
+std::vector<std::string> withoutFigure(const std::vector<std::string> &wanted);
+
 /// Prints the table and writes the JSON file. False if the file could not be written.
 bool writeFigures(const std::string &path);
 
@@ -35,6 +41,12 @@ struct Pair {
 /// p90, a_ms and b_ms. Each should take a millisecond or more: the clock counts microseconds.
 Pair pairedRatio(
     benchmark::State &state, const std::function<void()> &a, const std::function<void()> &b);
+
+/// Seconds that all threads of this process have computed.
+double cpuSeconds();
+
+/// The value below which a share of them lies, 0 to 1.
+double quantile(std::vector<double> values, double share);
 
 /// Resident memory of this process, bytes; 0 where the system does not say.
 double residentBytes();

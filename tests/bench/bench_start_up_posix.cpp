@@ -1,0 +1,205 @@
+// P11, second half: from the start of the program to its first picture on an X server, against PulseView in turn with
+// it on the same server. A program's time is what its process has computed until half of the places looked at in its
+// window are painted. Left out, with the reason, where there is no PulseView or no server of our own to start.
+#include "bench/paired.h"
+
+#if ROTORSCOPE_HAS_X11
+
+#include <QElapsedTimer>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+#include <X11/Xlib.h>
+#include <X11/Xutil.h>
+
+#include <csignal>
+#include <fcntl.h>
+#include <poll.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+using namespace bench;
+
+constexpr int kPatience_ms = 20'000;
+constexpr int kLeastSize = 300; ///< pixels: smaller windows are none to work in
+constexpr int kPlaces = 8; ///< looked at in a window, across and down
+
+/// In a child between fork and exec: it ends with this process, whatever ends that, and says nothing into its output.
+void prepareChild(bool silent)
+{
+#ifdef __linux__
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+    const int nothing = ::open("/dev/null", O_RDWR);
+    if (silent)
+        ::dup2(nothing, STDOUT_FILENO);
+    ::dup2(nothing, STDERR_FILENO);
+}
+
+/// An X server without a screen and without a window manager.
+class Server {
+public:
+    Server()
+    {
+        m_process.setChildProcessModifier([] { prepareChild(false); });
+        m_process.start(QStringLiteral("Xvfb"),
+            {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
+                QStringLiteral("0"), QStringLiteral("1920x1080x24"), QStringLiteral("-nolisten"),
+                QStringLiteral("tcp")});
+        if (m_process.waitForStarted() && m_process.waitForReadyRead(kPatience_ms))
+            m_name = ':' + m_process.readLine().trimmed();
+        if (!m_name.isEmpty())
+            m_display = XOpenDisplay(m_name.constData());
+        // A window can be gone between two questions about it; by default such an error ends the program.
+        XSetErrorHandler([](Display *, XErrorEvent *) { return 0; });
+    }
+    Server(const Server &) = delete;
+    Server &operator=(const Server &) = delete;
+    ~Server()
+    {
+        if (m_display != nullptr)
+            XCloseDisplay(m_display);
+        m_process.terminate();
+        m_process.waitForFinished(kPatience_ms);
+    }
+    Display *display() const { return m_display; } ///< nullptr if there is none
+    const QByteArray &name() const { return m_name; }
+
+private:
+    QProcess m_process;
+    QByteArray m_name;
+    Display *m_display = nullptr;
+};
+
+/// Half of the places in it have another colour than the bare screen.
+bool painted(Display *display, Window window, const XWindowAttributes &is)
+{
+    XImage *image = XGetImage(display, window, 0, 0, static_cast<unsigned>(is.width),
+        static_cast<unsigned>(is.height), AllPlanes, ZPixmap);
+    if (image == nullptr)
+        return false;
+    int bright = 0;
+    for (int place = 0; place < kPlaces * kPlaces; ++place) {
+        const int x = (2 * (place % kPlaces) + 1) * is.width / (2 * kPlaces);
+        const int y = (2 * (place / kPlaces) + 1) * is.height / (2 * kPlaces);
+        bright += (XGetPixel(image, x, y) & 0xFFFFFFU) != 0 ? 1 : 0;
+    }
+    XDestroyImage(image);
+    return bright * 2 >= kPlaces * kPlaces;
+}
+
+/// For a millisecond, or until the server has something to say.
+void pause(Display *display)
+{
+    pollfd server{ConnectionNumber(display), POLLIN, 0};
+    ::poll(&server, 1, 1);
+}
+
+bool anyWindowPainted(Display *display)
+{
+    Window root{}, parent{}, *windows = nullptr;
+    unsigned count = 0;
+    if (XQueryTree(display, DefaultRootWindow(display), &root, &parent, &windows, &count) == 0)
+        return false;
+    bool found = false;
+    for (unsigned i = 0; i < count && !found; ++i) {
+        XWindowAttributes is{};
+        found = XGetWindowAttributes(display, windows[i], &is) != 0 && is.map_state == IsViewable
+            && is.width >= kLeastSize && is.height >= kLeastSize && is.x >= 0 && is.y >= 0
+            && is.x + is.width <= 1920 && is.y + is.height <= 1080
+            && painted(display, windows[i], is);
+    }
+    if (windows != nullptr)
+        XFree(windows);
+    return found;
+}
+
+struct StartUp {
+    double cpu = 0.0;
+    double wall = 0.0;
+};
+
+/// A person's home as it is before the first start, the server, and a program to its first picture.
+StartUp startOnce(const Server &server, const std::vector<QByteArray> &words)
+{
+    const QTemporaryDir home;
+    const QByteArray folder = home.path().toLocal8Bit();
+    std::vector<QByteArray> environment{"DISPLAY=" + server.name(), "HOME=" + folder,
+        "XDG_RUNTIME_DIR=" + folder, "QT_QPA_PLATFORM=xcb", "LC_ALL=C.UTF-8",
+        "PATH=" + qgetenv("PATH")};
+    std::vector<char *> arguments, variables;
+    std::vector<QByteArray> held = words;
+    for (QByteArray &word : held)
+        arguments.push_back(word.data());
+    for (QByteArray &variable : environment)
+        variables.push_back(variable.data());
+    arguments.push_back(nullptr);
+    variables.push_back(nullptr);
+    QElapsedTimer clock;
+    clock.start();
+    const pid_t child = ::fork();
+    if (child == 0) {
+        prepareChild(true);
+        ::execve(arguments[0], arguments.data(), variables.data());
+        ::_exit(127);
+    }
+    while (!anyWindowPainted(server.display()) && clock.elapsed() < kPatience_ms)
+        pause(server.display());
+    const double wall = double(clock.nsecsElapsed()) * 1e-9;
+    ::kill(child, SIGKILL);
+    int status = 0;
+    rusage use{};
+    ::wait4(child, &status, 0, &use);
+    require(wall * 1e3 < kPatience_ms && WIFSIGNALED(status), "a program painted no window");
+    while (anyWindowPainted(server.display()))
+        pause(server.display());
+    const auto seconds = [](const timeval &time) {
+        return double(time.tv_sec) + double(time.tv_usec) * 1e-6;
+    };
+    return {seconds(use.ru_utime) + seconds(use.ru_stime), wall};
+}
+
+void startUp(benchmark::State &state)
+{
+    const QByteArray peer =
+        QStandardPaths::findExecutable(QStringLiteral("pulseview")).toLocal8Bit();
+    const Server server;
+    const char *const what = "start to first picture";
+    if (peer.isEmpty() || server.display() == nullptr) {
+        leaveOut("P11", what, peer.isEmpty() ? "PulseView is not installed" : "Xvfb does not run");
+        state.SkipWithError("no PulseView, or no Xvfb");
+        return;
+    }
+    const std::vector<QByteArray> ours{ROTORSCOPE_BIN "/rotorscope"};
+    const std::vector<QByteArray> theirs{
+        peer}; // as it starts by itself: its window comes after a search for devices
+    startOnce(server, ours); // from the disk into memory
+    startOnce(server, theirs);
+    std::vector<double> cpu, wall;
+    for ([[maybe_unused]] auto _ : state) {
+        const StartUp own = startOnce(server, ours);
+        const StartUp other = startOnce(server, theirs);
+        cpu.push_back(own.cpu / other.cpu);
+        wall.push_back(own.wall / other.wall);
+        state.counters["ours_ms"] = own.cpu * 1e3;
+        state.counters["pulseview_ms"] = other.cpu * 1e3;
+        state.SetIterationTime(own.cpu);
+    }
+    report({"P11", std::string(what) + ", computing time: times as long", quantile(cpu, 0.5),
+        "<= 0.25", "PulseView, as it starts by itself"});
+    report({"P11", std::string(what) + ", real time: times as long", quantile(wall, 0.5), "<= 0.25",
+        "PulseView, as it starts by itself"});
+}
+
+} // namespace
+
+BENCHMARK(startUp)->Iterations(9)->UseManualTime();
+
+#endif
