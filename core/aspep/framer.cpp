@@ -23,6 +23,9 @@ Framer::Step stepOf(PacketError error)
     return Framer::Step::Inconsistent;
 }
 
+/// Whether a header of any type can begin with this byte: 5, 6, 9, A or F in its lower half.
+bool mayBeginHeader(std::uint8_t byte) { return (0x8660U >> (byte & 0xFU) & 1U) != 0; }
+
 /// Firmware that was forced to promise a payload CRC sends the constant CA FE in its place.
 bool crcFits(ByteView payload, std::uint8_t low, std::uint8_t high)
 {
@@ -121,14 +124,16 @@ bool Framer::tooLong(const Data &data) const
 
 void Framer::scan(ByteView bytes)
 {
-    while (!bytes.empty()) {
-        const std::size_t skipped = std::min(m_scanSkip, bytes.size());
+    for (std::size_t at = 0; at < bytes.size();) {
+        const std::size_t skipped = std::min(m_scanSkip, bytes.size() - at);
         m_scanSkip -= skipped;
-        bytes = bytes.subspan(skipped);
-        if (bytes.empty())
+        at += skipped;
+        // Most of what is discarded: passed over where it lies.
+        while (m_scanSize == 0 && at + kHeaderSize <= bytes.size() && !mayBeginHeader(bytes[at]))
+            ++at;
+        if (at == bytes.size())
             return;
-        m_scanWindow[m_scanSize++] = bytes.front();
-        bytes = bytes.subspan(1);
+        m_scanWindow[m_scanSize++] = bytes[at++];
         if (m_scanSize < kHeaderSize)
             continue;
         const auto header = decodeHeader(m_scanWindow);
@@ -137,6 +142,10 @@ void Framer::scan(ByteView bytes)
             m_scanSize = 0;
             if (data && data->length > 0)
                 m_scanSkip = data->length + (m_limits.dataCrc ? kCrcSize : 0);
+        } else if (at
+            >= kHeaderSize - 1) { // all but the first of them are here: go on with the second
+            m_scanSize = 0;
+            at -= kHeaderSize - 1;
         } else {
             std::copy(m_scanWindow.begin() + 1, m_scanWindow.end(), m_scanWindow.begin());
             --m_scanSize;

@@ -5,6 +5,42 @@
 
 namespace capture {
 
+namespace {
+
+/// Extremes of some entries: minima and maxima lie side by side, so both are taken of all, and half of each counts.
+CodeRange extremesOfAll(const CodeRange *entries, std::size_t count)
+{
+    CodeRange range = CodeRange::nothing();
+    std::size_t i = 0;
+#ifdef __SSE2__
+    static_assert(sizeof(CodeRange) == 2 * sizeof(std::int16_t));
+    constexpr std::size_t kTogether = 4;
+    if (count >= kTogether) {
+        const auto load = [entries](std::size_t at) {
+            return _mm_loadu_si128(reinterpret_cast<const __m128i *>(entries + at));
+        };
+        __m128i low = load(0);
+        __m128i high = low;
+        for (i = kTogether; i + kTogether <= count; i += kTogether) {
+            const __m128i next = load(i);
+            low = _mm_min_epi16(low, next);
+            high = _mm_max_epi16(high, next);
+        }
+        low = _mm_min_epi16(low, _mm_shuffle_epi32(low, _MM_SHUFFLE(1, 0, 3, 2)));
+        low = _mm_min_epi16(low, _mm_shuffle_epi32(low, _MM_SHUFFLE(2, 3, 0, 1)));
+        high = _mm_max_epi16(high, _mm_shuffle_epi32(high, _MM_SHUFFLE(1, 0, 3, 2)));
+        high = _mm_max_epi16(high, _mm_shuffle_epi32(high, _MM_SHUFFLE(2, 3, 0, 1)));
+        range = {static_cast<std::int16_t>(_mm_extract_epi16(low, 0)),
+            static_cast<std::int16_t>(_mm_extract_epi16(high, 1))};
+    }
+#endif
+    for (; i < count; ++i)
+        range.include(entries[i]);
+    return range;
+}
+
+} // namespace
+
 Index Segment::atOrAfter(Nanos time) const
 {
     if (count == 0 || time <= start())
@@ -55,12 +91,10 @@ CodeRange FastColumn::Chunk::extremes(std::size_t from, std::size_t to) const
         const std::size_t lowUp = (low + kFanOut - 1) / kFanOut;
         const std::size_t highUp = high / kFanOut;
         const bool last = level + 1 == kLevels || lowUp >= highUp;
-        for (std::size_t i = low, stop = last ? high : lowUp * kFanOut; i < stop; ++i)
-            range.include(entries[i]);
+        range.include(extremesOfAll(entries + low, (last ? high : lowUp * kFanOut) - low));
         if (last)
             return range;
-        for (std::size_t i = highUp * kFanOut; i < high; ++i)
-            range.include(entries[i]);
+        range.include(extremesOfAll(entries + highUp * kFanOut, high - highUp * kFanOut));
         low = lowUp;
         high = highUp;
     }
@@ -165,7 +199,8 @@ Index FastColumn::atOrAfter(Nanos time) const
 /// segment. `segment` is where the search starts and ends: edges are asked for in rising order.
 Index FastColumn::edge(double time, std::uint64_t block, std::size_t &segment) const
 {
-    const auto wanted = static_cast<Nanos>(std::ceil(time));
+    auto wanted = static_cast<Nanos>(time);
+    wanted += static_cast<double>(wanted) < time ? 1 : 0; // rounded up, without a call
     // Gallop, then halve: cheap for the neighbour, logarithmic for a long way.
     std::size_t low = segment;
     std::size_t reach = 1;
@@ -180,9 +215,15 @@ Index FastColumn::edge(double time, std::uint64_t block, std::size_t &segment) c
     }
     segment = low;
     const Segment &here = m_segments[segment];
-    const Index index = here.atOrAfter(wanted);
-    if (index == here.first || index == here.end() || block == 1)
-        return std::max(index, m_begin);
+    if (block == 1)
+        return std::max(here.atOrAfter(wanted), m_begin);
+    // An estimate may be one sample off, which the rounding below makes nothing of.
+    const double after = static_cast<double>(wanted - here.start()) / here.stepNanos();
+    if (!(after > 0.0))
+        return std::max(here.first, m_begin);
+    if (after >= static_cast<double>(here.count))
+        return here.end();
+    const Index index = here.first + static_cast<Index>(after);
     const Index rounded = (index + block / 2) / block * block;
     return std::clamp(rounded, std::max(here.first, m_begin), here.end());
 }

@@ -16,41 +16,6 @@ constexpr std::int16_t kNoBottom = std::numeric_limits<std::int16_t>::min();
 
 std::int16_t bounded(int row) { return static_cast<std::int16_t>(std::clamp(row, -2, 32000)); }
 
-/// As fillRow(), but over other colours only where `own` (an entry a column) has all bits set.
-void fillRowStriped(QRgb *row, const PixelColumns &columns, std::int16_t y, std::size_t from,
-    std::size_t to, QRgb color, const std::uint32_t *own)
-{
-    std::size_t x = from;
-#ifdef __SSE2__
-    const __m128i here = _mm_set1_epi16(y);
-    const __m128i paint = _mm_set1_epi32(static_cast<int>(color));
-    const auto mix = [&](__m128i *pixels, __m128i outside, std::size_t at) {
-        const __m128i old = _mm_loadu_si128(pixels);
-        const __m128i mine = _mm_loadu_si128(reinterpret_cast<const __m128i *>(own + at));
-        const __m128i may = _mm_or_si128(mine, _mm_cmpeq_epi32(old, _mm_setzero_si128()));
-        const __m128i take = _mm_andnot_si128(outside, may);
-        _mm_storeu_si128(
-            pixels, _mm_or_si128(_mm_and_si128(take, paint), _mm_andnot_si128(take, old)));
-    };
-    for (; x + 8 <= to; x += 8) {
-        const __m128i top = _mm_loadu_si128(reinterpret_cast<const __m128i *>(&columns.top[x]));
-        const __m128i bottom =
-            _mm_loadu_si128(reinterpret_cast<const __m128i *>(&columns.bottom[x]));
-        const __m128i outside =
-            _mm_or_si128(_mm_cmpgt_epi16(top, here), _mm_cmpgt_epi16(here, bottom));
-        if (_mm_movemask_epi8(outside) == 0xFFFF)
-            continue;
-        auto *pixels = reinterpret_cast<__m128i *>(row + x);
-        mix(pixels, _mm_unpacklo_epi16(outside, outside), x);
-        mix(pixels + 1, _mm_unpackhi_epi16(outside, outside), x + 4);
-    }
-#endif
-    for (; x < to; ++x) {
-        if (columns.top[x] <= y && y <= columns.bottom[x] && (own[x] != 0 || row[x] == 0))
-            row[x] = color;
-    }
-}
-
 /// Colours the pixels of one row whose column covers it.
 void fillRow(QRgb *row, const PixelColumns &columns, std::int16_t y, std::size_t from,
     std::size_t to, QRgb color)
@@ -241,19 +206,6 @@ void fillColumns(QImage &image, const PixelColumns &columns, QRgb color)
 {
     forRows(image, columns, [&](QRgb *row, std::int16_t y, std::size_t from, std::size_t to) {
         fillRow(row, columns, y, from, to, color);
-    });
-}
-
-void fillStriped(QImage &image, const PixelColumns &columns, QRgb color, const Stripes &stripes)
-{
-    const auto period = std::size_t(stripes.width) * std::size_t(stripes.count);
-    std::vector<std::uint32_t> pattern(std::size_t(columns.width()) + period);
-    for (std::size_t i = 0; i < pattern.size(); ++i) {
-        const auto owner = i / std::size_t(stripes.width) % std::size_t(stripes.count);
-        pattern[i] = owner == std::size_t(stripes.own) ? ~std::uint32_t{0} : 0;
-    }
-    forRows(image, columns, [&](QRgb *row, std::int16_t y, std::size_t from, std::size_t to) {
-        fillRowStriped(row, columns, y, from, to, color, &pattern[std::size_t(y) % period]);
     });
 }
 

@@ -35,16 +35,6 @@ struct PixelColumns {
 /// @param image  Format_ARGB32_Premultiplied or Format_RGB32, at least columns.width() wide
 void fillColumns(QImage &image, const PixelColumns &columns, QRgb color);
 
-/// Where several traces cover the same pixels each shows in slanting stripes of its own, so that none hides another.
-struct Stripes {
-    int width = 1; ///< pixels
-    int count = 1; ///< how many traces share
-    int own = 0; ///< which of them this is, from 0
-};
-
-/// Like fillColumns(), but paints over what is there in its own stripes only.
-void fillStriped(QImage &image, const PixelColumns &columns, QRgb color, const Stripes &stripes);
-
 /// Fills a rectangle clipped to the image; for steps and dots.
 void fillBox(QImage &image, int left, int top, int width, int height, QRgb color);
 

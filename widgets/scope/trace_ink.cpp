@@ -61,6 +61,18 @@ void ShapeInk::fill(const QPainterPath &path, QRgb color)
         m_painter.fillPath(path, QColor::fromRgba(qUnpremultiply(color)));
 }
 
+void DashedInk::bands(std::span<const Band> bands, int stripeWidth)
+{
+    std::vector<PixelColumns> dashes;
+    dashes.reserve(bands.size());
+    std::vector<Band> dashed;
+    for (const Band &band : bands) {
+        dashes.push_back(band.columns->dashed(m_on, m_off));
+        dashed.push_back({band.color, &dashes.back()});
+    }
+    m_ink.bands(dashed, stripeWidth);
+}
+
 void DashedInk::box(int left, int top, int width, int height, QRgb color)
 {
     const int period = m_on + m_off;
@@ -80,24 +92,21 @@ void ShapeInk::columns(const PixelColumns &columns, QRgb color)
     fill(pathOf(columns, m_size), color);
 }
 
-void ShapeInk::striped(const PixelColumns &columns, QRgb color, const Stripes &stripes)
+void ShapeInk::bands(std::span<const Band> bands, int stripeWidth)
 {
     flush();
-    fill(pathOf(columns, m_size), color);
-    m_bands.emplace_back(columns, color);
-    if (stripes.own + 1 < stripes.count)
-        return;
+    for (const Band &band : bands)
+        fill(pathOf(*band.columns, m_size), band.color);
     // The last one hides the others where they share: they come through in stripes.
-    m_bands.pop_back();
-    for (std::size_t own = 0; own < m_bands.size(); ++own) {
-        auto &[band, paint] = m_bands[own];
-        PixelColumns part(band.width());
-        for (int x = 0; x < band.width(); ++x)
-            if (!band.emptyAt(x) && x / stripes.width % stripes.count == static_cast<int>(own))
-                part.set(x, band.top[std::size_t(x)], band.bottom[std::size_t(x)]);
-        fill(pathOf(part, m_size), paint);
+    const auto count = static_cast<int>(bands.size());
+    for (int own = 0; own + 1 < count; ++own) {
+        const PixelColumns &columns = *bands[std::size_t(own)].columns;
+        PixelColumns part(columns.width());
+        for (int x = 0; x < columns.width(); ++x)
+            if (!columns.emptyAt(x) && x / stripeWidth % count == own)
+                part.set(x, columns.top[std::size_t(x)], columns.bottom[std::size_t(x)]);
+        fill(pathOf(part, m_size), bands[std::size_t(own)].color);
     }
-    m_bands.clear();
 }
 
 void ShapeInk::box(int left, int top, int width, int height, QRgb color)

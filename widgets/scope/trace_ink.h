@@ -2,7 +2,7 @@
 // printer). Knows no axes and no samples; everything is in the units of the picture's width and height.
 #pragma once
 
-#include "widgets/scope/trace_image.h"
+#include "widgets/scope/trace_bands.h"
 
 #include <QPainterPath>
 #include <QSize>
@@ -20,31 +20,40 @@ public:
 
     /// @param color  premultiplied, as in the image
     virtual void columns(const PixelColumns &columns, QRgb color) = 0;
-    virtual void striped(const PixelColumns &columns, QRgb color, const Stripes &stripes) = 0;
+    /// All bands of the picture, so that none hides another. Once, before lines and boxes.
+    virtual void bands(std::span<const Band> bands, int stripeWidth) = 0;
     virtual void box(int left, int top, int width, int height, QRgb color) = 0;
 };
 
 class ImageInk : public TraceInk {
 public:
-    explicit ImageInk(QImage &image)
+    /// @param uncovered  whether the bands clear what they do not cover
+    ImageInk(QImage &image, Uncovered uncovered)
         : m_image(image)
+        , m_uncovered(uncovered)
     {
     }
     void columns(const PixelColumns &columns, QRgb color) override
     {
         fillColumns(m_image, columns, color);
     }
-    void striped(const PixelColumns &columns, QRgb color, const Stripes &stripes) override
+    void bands(std::span<const Band> bands, int stripeWidth) override
     {
-        fillStriped(m_image, columns, color, stripes);
+        m_covered = paintBands(m_image, bands, stripeWidth, m_uncovered);
     }
     void box(int left, int top, int width, int height, QRgb color) override
     {
         fillBox(m_image, left, top, width, height, color);
     }
+    const std::vector<RowRun> &covered() const
+    {
+        return m_covered;
+    } ///< rows of bands without a hole
 
 private:
     QImage &m_image;
+    Uncovered m_uncovered;
+    std::vector<RowRun> m_covered;
 };
 
 /// Draws with another ink, in dashes: `on` of each `on` + `off` columns of the picture.
@@ -60,10 +69,7 @@ public:
     {
         m_ink.columns(columns.dashed(m_on, m_off), color);
     }
-    void striped(const PixelColumns &columns, QRgb color, const Stripes &stripes) override
-    {
-        m_ink.striped(columns.dashed(m_on, m_off), color, stripes);
-    }
+    void bands(std::span<const Band> bands, int stripeWidth) override;
     void box(int left, int top, int width, int height, QRgb color) override;
 
 private:
@@ -83,7 +89,7 @@ public:
     }
     ~ShapeInk() override { flush(); }
     void columns(const PixelColumns &columns, QRgb color) override;
-    void striped(const PixelColumns &columns, QRgb color, const Stripes &stripes) override;
+    void bands(std::span<const Band> bands, int stripeWidth) override;
     void box(int left, int top, int width, int height, QRgb color) override;
     void flush(); ///< draws the boxes that were gathered
 
@@ -92,7 +98,6 @@ private:
 
     QPainter &m_painter;
     QSize m_size;
-    std::vector<std::pair<PixelColumns, QRgb>> m_bands; ///< until the last one that shares is known
     QPainterPath m_boxes;
     QRgb m_color = 0;
 };

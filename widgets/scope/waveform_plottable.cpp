@@ -35,8 +35,9 @@ struct Rows {
     double perUnit;
     int of(double value) const
     {
-        const double row = std::floor((top - value) * perUnit);
-        return static_cast<int>(std::clamp(row, -4.0, 31000.0));
+        // Rounds down without a call, which std::floor() is on processors without SSE4.
+        const double row = std::clamp((top - value) * perUnit, -4.0, 31000.0);
+        return static_cast<int>(row + 4.0) - 4;
     }
 };
 } // namespace
@@ -107,14 +108,42 @@ void WaveformPlottable::draw(QCPPainter *painter)
     if (m_image.size() != size)
         m_image = QImage(size, QImage::Format_ARGB32_Premultiplied);
     m_image.setDevicePixelRatio(ratio);
-    m_image.fill(Qt::transparent);
+    const bool ghosts = !m_scopePlot.ghosts.empty();
+    if (ghosts)
+        m_image.fill(Qt::transparent);
     const View view = viewOf(size, std::max(1, qRound(ratio)));
-    ImageInk ink(m_image);
+    ImageInk ink(m_image, ghosts ? Uncovered::Keep : Uncovered::Clear);
     drawGhosts(view, ink);
     drawTraces(view, ink);
-    painter->drawImage(rect.topLeft(), m_image);
+    showImage(painter, ink.covered());
     drawMarks(painter);
     drawLastValues(painter);
+}
+
+/// Rows that are covered from side to side are copied, the others are laid over the grid.
+void WaveformPlottable::showImage(QCPPainter *painter, const std::vector<RowRun> &covered) const
+{
+    const QPoint corner = m_scopePlot.rect->rect().topLeft();
+    // Only where a pixel of the image is one of the device.
+    if (m_image.devicePixelRatio() != 1.0 || painter->device()->devType() != QInternal::Pixmap) {
+        painter->drawImage(corner, m_image);
+        return;
+    }
+    const auto show = [&](int from, int to, QPainter::CompositionMode mode) {
+        if (from >= to)
+            return;
+        painter->setCompositionMode(mode);
+        painter->drawImage(
+            corner + QPoint(0, from), m_image, QRect(0, from, m_image.width(), to - from));
+    };
+    int shown = 0;
+    for (const RowRun &run : covered) {
+        show(shown, run.from, QPainter::CompositionMode_SourceOver);
+        show(run.from, run.to, QPainter::CompositionMode_Source);
+        shown = run.to;
+    }
+    show(shown, m_image.height(), QPainter::CompositionMode_SourceOver);
+    painter->setCompositionMode(QPainter::CompositionMode_SourceOver);
 }
 
 WaveformPlottable::View WaveformPlottable::viewOf(QSize size, int thickness) const
@@ -206,18 +235,12 @@ void WaveformPlottable::drawTraces(const View &view, TraceInk &ink) const
         if (strokes.beyond.width() > 0)
             dense.push_back({color, PixelColumns(), std::move(strokes.beyond)});
     }
-    Stripes stripes{kStripeWidth * view.thickness, 0, 0};
-    for (const Dense &trace : dense)
-        stripes.count += trace.bands.empty() ? 0 : 1;
+    std::vector<Band> bands;
     for (const Dense &trace : dense) {
-        if (trace.bands.empty())
-            continue;
-        if (stripes.own == 0)
-            ink.columns(trace.bands, trace.color);
-        else
-            ink.striped(trace.bands, trace.color, stripes);
-        ++stripes.own;
+        if (!trace.bands.empty())
+            bands.push_back({trace.color, &trace.bands});
     }
+    ink.bands(bands, kStripeWidth * view.thickness);
     for (const Dense &trace : dense)
         ink.columns(trace.lines, trace.color);
     for (const auto &[trace, channel] : sparse)
