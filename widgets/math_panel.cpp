@@ -41,6 +41,7 @@ MathPanel::MathPanel(
     setObjectName(QStringLiteral("mathPanel"));
     makeList();
     auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(9, 4, 9, 4);
     layout->addWidget(makeEditor());
     layout->addWidget(m_list, 1);
 

@@ -71,6 +71,7 @@ XyPanel::XyPanel(ScopeView &scope, const capture::Capture &capture, const Regist
     side->setContentsMargins(0, 0, 0, 0);
     sideWidget->setLayout(side);
     auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(9, 4, 9, 4);
     layout->addWidget(sideWidget);
     layout->addWidget(m_plot, 1);
 
@@ -151,6 +152,7 @@ void XyPanel::kindChosen()
     }
     m_equal->setVisible(any); // vectors have no other
     Q_EMIT watchedRegistersChanged();
+    m_answered.reset(); // what is missing is another thing now
     compute();
 }
 

@@ -70,7 +70,7 @@ XyPlot::XyPlot(QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_plot);
-    setMinimumSize(220, 160);
+    setMinimumSize(220, 140);
     connect(m_plot, &QCustomPlot::afterReplot, m_glass, qOverload<>(&QWidget::update));
     dressPlot(*m_plot, *this);
 }

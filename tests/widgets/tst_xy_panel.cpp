@@ -203,6 +203,8 @@ void TestXyPanel::whatIsMissingIsSaid()
 {
     choose(XyPanel::Kind::VoltageDq);
     QVERIFY2(why().contains(QStringLiteral("V_D")), qPrintable(why()));
+    choose(XyPanel::Kind::VoltageAlphaBeta); // not there either, and it is said which
+    QVERIFY2(why().contains(QStringLiteral("V_ALPHA")), qPrintable(why()));
     choose(XyPanel::Kind::CurrentAlphaBeta);
     QCOMPARE(why(), QString());
     view().setVisibleRange(100.0, 101.0);

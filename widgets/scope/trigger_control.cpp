@@ -213,11 +213,11 @@ void TriggerControl::show(const scope::Record &record)
     const std::optional<scope::Record> before = std::exchange(m_shown, record);
     if (!other)
         return;
-    if (before && before->id != record.id) // cursors stay where they are from the trigger
-        m_scope.cursors().shift(capture::toSeconds(record.trigger - before->trigger));
     const QScopedValueRollback showing(m_showing, true);
     m_scope.setTimeOrigin(capture::toSeconds(record.trigger));
     m_scope.setVisibleRange(capture::toSeconds(record.from), capture::toSeconds(record.to));
+    if (before && before->id != record.id) // cursors stay where they are from the trigger
+        m_scope.cursors().shift(capture::toSeconds(record.trigger - before->trigger));
     markPicture();
     showPersistence();
     Q_EMIT stateChanged();

@@ -152,7 +152,8 @@ QString ageText(double seconds)
     if (seconds < 0.95)
         return Trigger::tr("%1 s ago").arg(locale.toString(std::max(seconds, 0.0), 'f', 1));
     if (seconds < 120.0)
-        return Trigger::tr("%1 s ago").arg(locale.toString(std::floor(seconds), 'f', 0));
+        return Trigger::tr("%1 s ago")
+            .arg(locale.toString(std::floor(std::max(seconds, 1.0)), 'f', 0));
     return Trigger::tr("%1 min ago").arg(locale.toString(std::floor(seconds / 60.0), 'f', 0));
 }
 
