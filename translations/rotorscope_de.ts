@@ -1201,6 +1201,14 @@
         <source>Position ramp</source>
         <translation>Positionsrampe</translation>
     </message>
+    <message>
+        <source>The drive does not say that it is ready. Check its power and the ready line.</source>
+        <translation>Der Antrieb meldet nicht, dass er bereit ist. Bitte Versorgung und Bereit-Leitung prüfen.</translation>
+    </message>
+    <message>
+        <source>Nobody drives the line to this computer. Check the wiring, the chip select and the drive&apos;s power.</source>
+        <translation>Niemand treibt die Leitung zu diesem Rechner. Bitte Verdrahtung, Chip-Select und Versorgung des Antriebs prüfen.</translation>
+    </message>
 </context>
 <context>
     <name>Motion</name>
@@ -2356,6 +2364,10 @@
         <source>Motor %1: %2</source>
         <comment>number, name</comment>
         <translation>Motor %1: %2</translation>
+    </message>
+    <message>
+        <source>Simulated board (%1)</source>
+        <translation>Simuliertes Board (%1)</translation>
     </message>
 </context>
 <context>

@@ -1201,6 +1201,14 @@
         <source>Position ramp</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The drive does not say that it is ready. Check its power and the ready line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody drives the line to this computer. Check the wiring, the chip select and the drive&apos;s power.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Motion</name>
@@ -2355,6 +2363,10 @@
     <message>
         <source>Motor %1: %2</source>
         <comment>number, name</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated board (%1)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

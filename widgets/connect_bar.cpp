@@ -45,9 +45,10 @@ protected:
 
 QString choiceText(const session::PortChoice &choice)
 {
-    if (choice.kind == session::PortChoice::Kind::Simulator)
-        return ConnectBar::tr("Simulated board");
     const QString title = deviceText(choice.title);
+    if (choice.kind == session::PortChoice::Kind::Simulator)
+        return title.isEmpty() ? ConnectBar::tr("Simulated board")
+                               : ConnectBar::tr("Simulated board (%1)").arg(title);
     const QString mark =
         choice.kind == session::PortChoice::Kind::StLink ? QStringLiteral("ST-LINK") : title;
     return mark.isEmpty() ? deviceText(choice.path)
@@ -175,9 +176,7 @@ void ConnectBar::connectOrDisconnect()
             disconnectNow();
         return;
     }
-    session::Endpoint endpoint;
-    endpoint.path = path();
-    endpoint.baud = baud();
+    session::Endpoint endpoint = session::endpointFor(path(), baud());
     if (endpoint.path.isEmpty()) {
         Q_EMIT refused(tr("Choose a port, or type its path."));
         return;
@@ -186,10 +185,6 @@ void ConnectBar::connectOrDisconnect()
         Q_EMIT refused(tr("\"%1\" is not a baud rate.").arg(deviceText(m_baud->currentText())));
         return;
     }
-    const bool simulator = endpoint.path == QLatin1String(session::kSimulatorPath);
-    endpoint.kind =
-        simulator ? session::Endpoint::Kind::Simulator : session::Endpoint::Kind::Serial;
-    endpoint.board.baud = endpoint.baud;
     m_wanted = true;
     m_device.open(endpoint);
     updateLink();

@@ -58,6 +58,12 @@ QString linkReasonText(drive::LinkReason reason)
     case LinkReason::OldProtocol:
         return Messages::tr("The board speaks an older protocol that this version does not. Its "
                             "firmware needs version 6 of the SDK.");
+    case LinkReason::NotReady:
+        return Messages::tr("The drive does not say that it is ready. Check its power and the "
+                            "ready line.");
+    case LinkReason::DeadLine:
+        return Messages::tr("Nobody drives the line to this computer. Check the wiring, the "
+                            "chip select and the drive's power.");
     }
     return {};
 }

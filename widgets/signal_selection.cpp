@@ -68,9 +68,13 @@ QString SignalSelection::nameOf(catalog::RegisterId id) const
 
 std::optional<capture::ChannelId> SignalSelection::channelOf(catalog::RegisterId id) const
 {
-    for (const PlannedSignal &planned : m_plan.signalList)
-        if (planned.id == id)
-            return m_capture.find(id, kindOf(planned.route));
+    for (const PlannedSignal &planned : m_plan.signalList) {
+        if (planned.id != id)
+            continue;
+        const auto channel = m_capture.find(id, kindOf(planned.route));
+        // A drive whose samples are wider than a fast column records them as slow ones, however fast they come.
+        return channel || planned.route != Route::Fast ? channel : m_capture.find(id, Kind::Slow);
+    }
     return {};
 }
 

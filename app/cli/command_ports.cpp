@@ -29,7 +29,8 @@ QString titleOf(const PortChoice &port)
     const QString title = plainText(port.title.toStdString());
     switch (port.kind) {
     case PortChoice::Kind::Simulator:
-        return QStringLiteral("Simulated board");
+        return title.isEmpty() ? QStringLiteral("Simulated board")
+                               : QStringLiteral("Simulated board, ") + title;
     case PortChoice::Kind::StLink:
         return QStringLiteral("ST-LINK: ") + title;
     case PortChoice::Kind::Serial:

@@ -22,15 +22,11 @@ constexpr auto kFarewell = 500ms;
 
 session::Endpoint endpointOf(const Arguments &arguments)
 {
-    using Kind = session::Endpoint::Kind;
-    const bool simulated = arguments.port == QLatin1String(session::kSimulatorPath);
-    return {.kind = simulated ? Kind::Simulator : Kind::Serial,
-        .path = arguments.port,
-        .baud = arguments.baud,
-        .board = {},
-        .reopen = false,
-        .patience = std::chrono::milliseconds(arguments.patience_ms),
-        .protocol = arguments.protocol};
+    session::Endpoint endpoint =
+        session::endpointFor(arguments.port, arguments.baud, arguments.protocol);
+    endpoint.reopen = false;
+    endpoint.patience = std::chrono::milliseconds(arguments.patience_ms);
+    return endpoint;
 }
 
 } // namespace

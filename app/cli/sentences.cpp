@@ -78,6 +78,14 @@ QString sentenceOf(LinkReason reason, const Arguments &arguments)
         return QStringLiteral("The board at %1 stopped answering; check cable and power. A motor "
                               "may still be turning.")
             .arg(port);
+    case LinkReason::NotReady:
+        return QStringLiteral(
+            "The drive at %1 does not say that it is ready; check its power and the ready line.")
+            .arg(port);
+    case LinkReason::DeadLine:
+        return QStringLiteral(
+            "Nobody drives the line from %1; check wiring, chip select and power.")
+            .arg(port);
     case LinkReason::None:
     case LinkReason::NoAnswer:
         break;

@@ -1,6 +1,7 @@
 #include "capture/capture.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace capture {
@@ -150,8 +151,14 @@ void Capture::appendSlow(const SampleBlock &block)
         ValueColumn *column = mutableChannel(m_slow[i])->values();
         for (const SlowGroup &group : block.slow) {
             const Nanos time = m_base.timeOf(group.tick);
-            if (column->empty() || time > column->timeOf(column->end() - 1))
-                column->append(time, group.values[i], std::max(time + 1, m_streamEnd));
+            const double value = m_layout.slow[i].real
+                ? double{std::bit_cast<float>(group.values[i])}
+                : static_cast<double>(group.values[i]);
+            if (!std::isfinite(value)) {
+                ++m_refused.notFinite;
+                column->breakHere();
+            } else if (column->empty() || time > column->timeOf(column->end() - 1))
+                column->append(time, value, std::max(time + 1, m_streamEnd));
             else
                 ++m_refused.backwards;
         }

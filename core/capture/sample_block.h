@@ -22,6 +22,7 @@ struct StreamSignal {
     std::string unit; ///< of the shown value
     double factor = 1.0; ///< shown = (stored + offset) * factor
     double offset = 0.0; ///< 32768 for unsigned 16-bit signals, which are stored signed; else 0
+    bool real = false; ///< slow signals: a value is the bits of a 32-bit float
 };
 
 struct StreamLayout {

@@ -120,6 +120,8 @@ Scale Catalog::scaleOf(RegisterId id, double rpmPerDigit) const
         return digits(rpmPerDigit, "rpm", *info, fixedPoint);
     case Quantity::Angle:
         return {360.0 * (info->fractionBits > 0 ? fixedPoint : 1.0 / 65536.0), "°"};
+    case Quantity::TurnsPerSecond:
+        return {60.0 * fixedPoint, "rpm"};
     case Quantity::Plain:
         break;
     }

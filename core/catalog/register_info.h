@@ -30,6 +30,7 @@ enum class Quantity : std::uint8_t {
     Angle, ///< 65536 digits a turn -> degrees (electrical)
     SpeedTenthHz, ///< 0.1 Hz mechanical -> rpm, as the datalog carries it
     Frequency, ///< digits of the frequency scale -> Hz (electrical)
+    TurnsPerSecond, ///< of the shaft -> rpm
 };
 
 /// Part of a regulator's gain: value / 2^exponent.

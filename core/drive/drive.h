@@ -29,6 +29,9 @@ public:
     virtual void receive(ByteView bytes, TimePoint now) = 0;
     virtual void handleTimeout(TimePoint now) = 0; ///< early or repeated calls do nothing
     virtual void handleSent(TimePoint now) = 0; ///< all output taken so far has left
+    /// An edge of the line by which the board says that it is ready for the next output; where there is none it is never
+    /// called.
+    virtual void handleReady(bool high, TimePoint now);
     [[nodiscard]] virtual std::vector<Output> takeOutput() = 0;
     [[nodiscard]] virtual std::vector<Event> takeEvents() = 0;
     [[nodiscard]] virtual std::optional<TimePoint> nextTimeout() const = 0;
@@ -44,5 +47,7 @@ public:
     virtual void disarm() = 0;
     virtual bool armed() const = 0;
 };
+
+inline void Drive::handleReady(bool, TimePoint) { }
 
 } // namespace drive

@@ -34,6 +34,8 @@ enum class LinkReason : std::uint8_t {
     RecoveryFailed,
     BoardReset, ///< connected again, but the board had been reset
     OldProtocol, ///< the board speaks an older protocol
+    NotReady, ///< the line by which the drive says that it is ready stays low
+    DeadLine, ///< only zeros, or only ones: nobody drives the line
 };
 
 struct LinkChanged {

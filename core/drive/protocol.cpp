@@ -13,6 +13,7 @@ std::span<const ProtocolChoice> protocolChoices()
         ProtocolChoice{Mcp, "mcp", "MCP over ASPEP", "STM32 motor control SDK 6", true},
         ProtocolChoice{Legacy, "legacy", "MCP legacy", "STM32 motor control SDK 3 to 5", true},
         ProtocolChoice{PowerPc, "powerpc", "MCP PowerPC", "PowerPC boards", true},
+        ProtocolChoice{Mcb, "mcb", "MCB over SPI", "servo drives of Ingenia and Celera", false},
     };
     return kChoices;
 }

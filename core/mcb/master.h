@@ -33,7 +33,7 @@ public:
         /// Ready line high again after a frame; mcblib's time-out of a transfer.
         Duration readyWithin = std::chrono::milliseconds(1000);
         /// All bytes of an exchange are back. SPI needs none; ours, for byte streams.
-        Duration exchangeWithin = std::chrono::milliseconds(100);
+        Duration exchangeWithin = std::chrono::milliseconds(200);
         /// Nothing is sent after a torn exchange: longer than our slaves keep an unfinished frame (50 ms).
         Duration quiet = std::chrono::milliseconds(60);
         Duration patience{}; ///< added to all of these, for computers that stall

@@ -119,6 +119,10 @@ ByteWriter put(const StreamLayout &layout, Repeat repeat)
         putSignal(out, signal);
     for (const StreamSignal &signal : layout.slow)
         putSignal(out, signal);
+    // Behind what older readers know, and only where it says something.
+    if (std::any_of(layout.slow.begin(), layout.slow.end(), [](const auto &s) { return s.real; }))
+        for (const StreamSignal &signal : layout.slow)
+            out.u8(signal.real ? 1 : 0);
     return out;
 }
 
@@ -248,6 +252,9 @@ std::optional<Decoded> takeLayout(ByteReader &in)
             return std::nullopt;
         (i < fastCount ? layout.fast : layout.slow).push_back(std::move(signal));
     }
+    if (in.left() >= slowCount)
+        for (StreamSignal &signal : layout.slow)
+            signal.real = in.u8() != 0;
     return Decoded{std::move(layout), repeat};
 }
 

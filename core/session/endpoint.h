@@ -21,6 +21,12 @@ struct Endpoint {
     drive::Protocol protocol = drive::Protocol::Auto;
 };
 
+/// The endpoint of a port as a person names it: "sim" and "sim:PROTOCOL" for simulated boards, else the path of a device.
+Endpoint endpointFor(
+    const QString &path, std::uint32_t baud, drive::Protocol protocol = drive::Protocol::Auto);
+/// An SPI device: /dev/spidev0.0, with the ready line behind an @ where there is one.
+bool isSpiPath(const QString &path);
+
 /// What can end a port, apart from the user. Neutral; the window and the command line turn it into
 /// a sentence.
 enum class PortProblem : std::uint8_t {

@@ -1,5 +1,8 @@
 #include "session/port_list.h"
 
+#include "drive/protocol.h"
+
+#include <QDir>
 #include <QSerialPortInfo>
 
 #include <algorithm>
@@ -39,6 +42,14 @@ QList<SystemPort> SystemPortSource::ports() const
             .vendor = info.vendorIdentifier(),
             .product = info.productIdentifier()});
     }
+    const QStringList buses =
+        QDir(QStringLiteral("/dev"))
+            .entryList({QStringLiteral("spidev*")}, QDir::System | QDir::Files, QDir::Name);
+    for (const QString &name : buses)
+        ports.append({.path = QStringLiteral("/dev/") + name,
+            .description = QStringLiteral("SPI"),
+            .manufacturer = {},
+            .serialNumber = {}});
     return ports;
 }
 
@@ -53,13 +64,22 @@ QList<PortChoice> portChoices(const PortSource &source)
 {
     using Kind = PortChoice::Kind;
     QList<PortChoice> choices{{Kind::Simulator, QString::fromLatin1(kSimulatorPath), {}}};
+    for (const drive::ProtocolChoice &choice : drive::protocolChoices()) {
+        if (choice.serial)
+            continue; // where a serial port is to be heard, the board above is one
+        choices.append({Kind::Simulator,
+            QString::fromLatin1(kSimulatorPath) + QLatin1Char(':')
+                + QString::fromLatin1(choice.word.data(), qsizetype(choice.word.size())),
+            QString::fromLatin1(choice.title.data(), qsizetype(choice.title.size()))});
+    }
+    const auto boards = choices.size();
     const QList<SystemPort> ports = source.ports();
     for (const SystemPort &port : ports) {
         const Kind kind = isStLink(port.vendor, port.product) ? Kind::StLink : Kind::Serial;
         choices.append({kind, port.path, titleOf(port)});
     }
     std::stable_sort(
-        choices.begin() + 1, choices.end(), [](const PortChoice &a, const PortChoice &b) {
+        choices.begin() + boards, choices.end(), [](const PortChoice &a, const PortChoice &b) {
             return std::pair(a.kind, a.path) < std::pair(b.kind, b.path);
         });
     return choices;

@@ -28,7 +28,7 @@ public:
 
 struct PortChoice {
     enum class Kind : std::uint8_t {
-        Simulator, ///< path is "sim"
+        Simulator, ///< path is "sim", or "sim:" and what it speaks; the title says that
         StLink, ///< the debugger on ST's boards, whose serial port leads to the motor's controller
         Serial,
     };

@@ -104,6 +104,7 @@ PortError Session::tryOpen(TimePoint now)
     qCInfo(lcLink) << "opened" << m_endpoint.path << "at" << m_endpoint.baud;
     connect(transport.get(), &Transport::received, this, &Session::onReceived);
     connect(transport.get(), &Transport::failed, this, &Session::onFailed);
+    connect(transport.get(), &Transport::readyChanged, this, &Session::onReady);
     m_transport = std::move(transport);
     m_drive = m_parts.drive(m_endpoint);
     m_outbox = Outbox(m_endpoint.baud);
@@ -185,6 +186,16 @@ void Session::onReceived(const QByteArray &bytes)
     qCDebug(lcLinkBytes).noquote() << "<" << bytes.toHex(' ');
     const TimePoint now = m_parts.clock();
     m_drive->receive(viewOf(bytes), now);
+    if (!m_stepping)
+        step(now);
+}
+
+void Session::onReady(bool high)
+{
+    if (!m_drive)
+        return;
+    const TimePoint now = m_parts.clock();
+    m_drive->handleReady(high, now);
     if (!m_stepping)
         step(now);
 }

@@ -91,6 +91,7 @@ private:
     PortError tryOpen(TimePoint now);
     void onReceived(const QByteArray &bytes);
     void onFailed(const PortError &error);
+    void onReady(bool high);
     void reopen(TimePoint now);
     void runLink(TimePoint now);
     void exchange(TimePoint now);

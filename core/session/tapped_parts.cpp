@@ -25,6 +25,7 @@ public:
             Q_EMIT received(bytes);
         });
         connect(m_inner.get(), &Transport::failed, this, &Transport::failed);
+        connect(m_inner.get(), &Transport::readyChanged, this, &Transport::readyChanged);
     }
 
     PortError open(TimePoint now) override { return m_inner->open(now); }
@@ -77,6 +78,11 @@ public:
     {
         m_now = now;
         m_inner->handleSent(now);
+    }
+    void handleReady(bool high, TimePoint now) override
+    {
+        m_now = now;
+        m_inner->handleReady(high, now);
     }
     std::vector<Output> takeOutput() override { return m_inner->takeOutput(); }
     std::vector<drive::Event> takeEvents() override

@@ -35,6 +35,7 @@ public:
 Q_SIGNALS:
     void received(const QByteArray &bytes);
     void failed(const session::PortError &error); ///< once; the line is closed already
+    void readyChanged(bool high); ///< an edge of the board's ready line, where there is one
 };
 
 std::unique_ptr<Transport> makeTransport(const Endpoint &endpoint);

@@ -1,7 +1,9 @@
 // Which transport an endpoint needs.
 #include "session/serial_transport.h"
 #include "session/simulator_transport.h"
+#include "session/spi_transport.h"
 #include "session/trace_transport.h"
+#include "simulation/mcb/mcb_board.h"
 
 namespace session {
 
@@ -11,10 +13,18 @@ std::unique_ptr<Transport> makeTransport(const Endpoint &endpoint)
     case Endpoint::Kind::Simulator: {
         simulation::BoardOptions options = endpoint.board;
         options.baud = endpoint.baud;
+        if (endpoint.protocol == drive::Protocol::Mcb)
+            return std::make_unique<SimulatorTransport>([options] {
+                simulation::McbBoardOptions servo;
+                servo.board = options;
+                return simulation::makeMcbBoard(servo);
+            });
         return std::make_unique<SimulatorTransport>(
             [options] { return simulation::makeBoard(options); });
     }
     case Endpoint::Kind::Serial:
+        if (isSpiPath(endpoint.path))
+            return makeSpiTransport(endpoint.path, endpoint.baud);
         return std::make_unique<SerialTransport>(endpoint.path, endpoint.baud);
     case Endpoint::Kind::Trace:
         return std::make_unique<TraceTransport>(endpoint.path);

@@ -17,6 +17,7 @@ private Q_SLOTS:
     void theChecksumIsThatOfZlib();
     void everyKindOfEntryReadsBack();
     void samplesReadBackAtTheirExtremes();
+    void aSlowSignalOfFloatsReadsBackAsOne();
     void whatDoesNotFitIsRefused();
     void everyCutPayloadIsOneError();
     void absurdLengthsAllocateNothing();
@@ -101,6 +102,17 @@ void TestRecordCodec::samplesReadBackAtTheirExtremes()
     QCOMPARE(read.slow.size(), std::size_t(2));
     QCOMPARE(read.slow[1].tick, samples().slow[1].tick);
     QCOMPARE(read.slow[1].values, samples().slow[1].values);
+}
+
+void TestRecordCodec::aSlowSignalOfFloatsReadsBackAsOne()
+{
+    capture::StreamLayout mixed = layout();
+    mixed.slow.push_back({0x19, "CURRENT", "A", 1.0, 0.0, true});
+    const auto decoded = decodeEntry(encodeEntry(mixed).value());
+    QVERIFY(decoded);
+    const auto &read = std::get<capture::StreamLayout>(decoded->entry);
+    QCOMPARE(read.slow.size(), std::size_t{2});
+    QVERIFY(!read.slow[0].real && read.slow[1].real);
 }
 
 void TestRecordCodec::whatDoesNotFitIsRefused()

@@ -30,8 +30,9 @@ void TestPortList::theSimulatedBoardIsFirstThenStLinksThenOthers()
     for (const PortChoice &choice : session::portChoices(source))
         paths.append(choice.path);
     QCOMPARE(paths,
-        QStringList({QStringLiteral("sim"), QStringLiteral("/dev/ttyACM0"),
-            QStringLiteral("/dev/ttyACM1"), QStringLiteral("/dev/ttyUSB0")}));
+        QStringList(
+            {QStringLiteral("sim"), QStringLiteral("sim:mcb"), QStringLiteral("/dev/ttyACM0"),
+                QStringLiteral("/dev/ttyACM1"), QStringLiteral("/dev/ttyUSB0")}));
 }
 
 void TestPortList::titlesAreTheDevicesWordsWithoutRepetition()
@@ -39,7 +40,7 @@ void TestPortList::titlesAreTheDevicesWordsWithoutRepetition()
     FakeSource source;
     source.list = {{QStringLiteral("/dev/ttyACM0"), QStringLiteral("STLINK-V3"),
         QStringLiteral("ST"), QStringLiteral("ST"), 0, 0}};
-    QCOMPARE(session::portChoices(source).at(1).title, QStringLiteral("ST STLINK-V3"));
+    QCOMPARE(session::portChoices(source).back().title, QStringLiteral("ST STLINK-V3"));
 }
 
 void TestPortList::onlyStLinksWithAPortAreMarked()

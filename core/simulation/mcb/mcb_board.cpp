@@ -39,9 +39,10 @@ Bytes McbBoard::exchange(ByteView input, TimePoint now)
         return {};
     Bytes heard(input.begin(), input.end());
     m_spoiler.spoilInput(heard);
+    const bool whole = input.size() == m_slave.frameBytes();
     Bytes output = m_slave.exchange(heard);
     if (!m_spoiler.honest())
-        output = m_spoiler.spoilOutput(std::move(output));
+        output = m_spoiler.spoilOutput(std::move(output), whole);
     damage(output);
     return output;
 }

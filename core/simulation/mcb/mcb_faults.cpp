@@ -129,9 +129,9 @@ void McbSpoiler::spoilAnswer(Frame &frame)
             word = static_cast<std::uint16_t>(random());
 }
 
-Bytes McbSpoiler::spoilOutput(Bytes output)
+Bytes McbSpoiler::spoilOutput(Bytes output, bool whole)
 {
-    if (auto frame = mcb::decodeAnswer(output)) {
+    if (auto frame = mcb::decodeAnswer(output); frame && whole) {
         spoilAnswer(*frame);
         output = mcb::encodeFrame(*frame);
     }

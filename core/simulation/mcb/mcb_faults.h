@@ -56,7 +56,8 @@ public:
     /// Nothing is heard and nothing comes back.
     bool silent();
     void spoilInput(Bytes &input);
-    Bytes spoilOutput(Bytes output);
+    /// @param whole  it is a frame, and not one that was cut or filled up
+    Bytes spoilOutput(Bytes output, bool whole = true);
     std::uint64_t struck() const { return m_struck; }
 
 private:

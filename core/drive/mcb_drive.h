@@ -1,0 +1,26 @@
+// Drive for servo drives that speak MCB on SPI. It joins the link (mcb::Master) with the pieces of work that want
+// something of the drive (Task) and gives the link to the most urgent one whenever it is free:
+//
+//   the stop > identification > state poll > wishes that act > wishes that read > watched registers
+//
+// After every connection: which registers there are, who it is, what bounds it; only then anything else. No motion and no
+// write is ever sent that a wish of this session did not ask for, but the return to the config state of a drive that is
+// found cycling. Output is exchanges: as many bytes come in as go out, and handleReady() tells the ready line where there
+// is one.
+#pragma once
+
+#include "drive/drive.h"
+
+#include <memory>
+
+namespace drive {
+
+struct McbDriveConfig {
+    Duration patience{}; ///< added to every time-out
+    Duration reconnectEvery =
+        std::chrono::milliseconds(500); ///< after a lost link, until disconnect()
+};
+
+std::unique_ptr<Drive> makeMcbDrive(const McbDriveConfig &config);
+
+} // namespace drive

@@ -1,0 +1,39 @@
+#include "session/endpoint.h"
+
+#include "session/port_list.h"
+
+namespace session {
+
+namespace {
+
+constexpr QLatin1Char kOf(':'); ///< between the simulated board and what it speaks
+constexpr char kSpiDevice[] = "/dev/spidev";
+
+} // namespace
+
+Endpoint endpointFor(const QString &path, std::uint32_t baud, drive::Protocol protocol)
+{
+    Endpoint endpoint;
+    endpoint.path = path;
+    endpoint.baud = baud;
+    endpoint.protocol = protocol;
+    endpoint.kind = Endpoint::Kind::Serial;
+    const QString simulator = QString::fromLatin1(kSimulatorPath);
+    if (path == simulator) {
+        endpoint.kind = Endpoint::Kind::Simulator;
+    } else if (path.startsWith(simulator + kOf)) {
+        const auto spoken = drive::protocolOf(path.section(kOf, 1).toStdString());
+        if (spoken && *spoken != drive::Protocol::Auto) {
+            endpoint.kind = Endpoint::Kind::Simulator;
+            endpoint.protocol = *spoken;
+        }
+    } else if (isSpiPath(path) && protocol == drive::Protocol::Auto) {
+        endpoint.protocol = drive::Protocol::Mcb; // nothing else is spoken there
+    }
+    endpoint.board.baud = baud;
+    return endpoint;
+}
+
+bool isSpiPath(const QString &path) { return path.startsWith(QLatin1String(kSpiDevice)); }
+
+} // namespace session

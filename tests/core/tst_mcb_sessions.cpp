@@ -1,0 +1,198 @@
+// Sessions with a drive and a wire that do wrong, from seeds, on virtual time: whatever happens, every wish ends once,
+// nothing is written to a drive that was not identified, and no sample is stored under a name that is not its own.
+// All 10,000 with ROTORSCOPE_LONG=1.
+#include "support/mcb_pair.h"
+
+#include <QtTest>
+
+#include <bit>
+#include <cmath>
+
+using namespace drive;
+using namespace std::chrono_literals;
+using support::McbPair;
+
+class TestMcbSessions : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void everythingEndsOnceWhateverHappens();
+};
+
+namespace {
+
+class Random {
+public:
+    explicit Random(std::uint64_t seed)
+        : m_state(seed)
+    {
+    }
+    std::uint64_t below(std::uint64_t bound)
+    {
+        std::uint64_t z = m_state += 0x9E3779B97F4A7C15ULL;
+        z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9ULL;
+        z = (z ^ z >> 27) * 0x94D049BB133111EBULL;
+        return (z ^ z >> 31) % bound;
+    }
+
+private:
+    std::uint64_t m_state;
+};
+
+simulation::McbBoardOptions optionsOf(Random &random, std::uint64_t seed)
+{
+    simulation::McbBoardOptions options;
+    options.board.seed = seed;
+    options.board.hfHz = 1000; // the motor is not what is looked at
+    options.replyDelay = static_cast<int>(random.below(3));
+    options.servo.newer = random.below(2) == 0;
+    const auto faults = simulation::mcbFaultList();
+    const std::uint64_t kinds = 1 + random.below(3);
+    for (std::uint64_t i = 0; i < kinds; ++i) {
+        const auto fault = faults[random.below(faults.size())].fault;
+        const bool rare = fault == simulation::McbFault::Reset
+            || fault == simulation::McbFault::DeadLow || fault == simulation::McbFault::DeadHigh;
+        options.faults.push_back({fault,
+            static_cast<std::uint32_t>((rare ? 700 : 40) + random.below(rare ? 2000 : 400))});
+    }
+    return options;
+}
+
+/// What a sample of each of the mapped registers can be, so that a sample of another one stands out.
+struct Signal {
+    const char *name;
+    double least, greatest;
+};
+constexpr Signal kSignals[] = {{"DRV_PROT_VBUS_VALUE", 20.0, 28.0}, // V
+    {"DRV_STATE_STATUS", 512.0, 8191.0}, {"DRV_OP_VALUE", 2.0, 40.0}};
+
+struct Session {
+    explicit Session(std::uint64_t seed)
+        : random(seed)
+        , pair(optionsOf(random, seed))
+    {
+        pair.onEvent = [this](const Event &event) { look(event); };
+    }
+
+    Random random;
+    McbPair pair;
+    std::vector<WishId> asked;
+    QString wrong;
+    std::uint64_t samples = 0;
+
+    void look(const Event &event)
+    {
+        const auto *block = std::get_if<capture::SampleBlock>(&event);
+        if (block == nullptr)
+            return;
+        if (!pair.layout || block->stream != pair.layout->id)
+            wrong = QStringLiteral("a block of no stream");
+        for (const auto &group : block->slow) {
+            for (std::size_t i = 0; wrong.isEmpty() && i < group.values.size(); ++i)
+                check(pair.layout->slow[i], group.values[i]);
+            ++samples;
+        }
+    }
+    void check(const capture::StreamSignal &signal, std::int32_t stored)
+    {
+        const double value = signal.real ? double{std::bit_cast<float>(stored)} : double(stored);
+        for (const Signal &known : kSignals)
+            if (signal.name == known.name && !(value >= known.least && value <= known.greatest))
+                wrong = QStringLiteral("%1 = %2").arg(QLatin1String(known.name)).arg(value);
+    }
+    RegisterId idOf(const char *name) const
+    {
+        return pair.identified ? pair.id(name) : RegisterId{8};
+    }
+
+    void act()
+    {
+        switch (random.below(12)) {
+        case 0:
+            pair.drive->arm();
+            break;
+        case 1:
+            asked.push_back(pair.submit(Command{}));
+            break;
+        case 2:
+            asked.push_back(pair.submit(SpeedRamp{1, 600, 50ms}));
+            break;
+        case 3:
+            pair.stopped = true;
+            pair.drive->stop(pair.now);
+            break;
+        case 4:
+            asked.push_back(pair.submit(Write{{{idOf("CL_VEL_PID_KP"), 0.1}}}));
+            break;
+        case 5:
+            asked.push_back(
+                pair.submit(Read{{idOf("DRV_ID_SOFTWARE_VERSION"), idOf("MOT_PAIR_POLES")}}));
+            break;
+        case 6:
+            asked.push_back(pair.submit(Command{MotorAction::AcknowledgeFaults, 1}));
+            break;
+        case 7:
+            pair.board->reset();
+            break;
+        case 8:
+            asked.push_back(pair.submit(Stream{}));
+            break;
+        default: {
+            Stream stream;
+            for (const Signal &signal : kSignals)
+                if (random.below(2) == 0)
+                    stream.fast.push_back(idOf(signal.name));
+            stream.fastEvery = 1 + static_cast<unsigned>(random.below(5));
+            asked.push_back(pair.submit(stream));
+            break;
+        }
+        }
+        pair.exchange();
+    }
+
+    QString run()
+    {
+        pair.connect();
+        pair.runUntil([this] { return pair.identified.has_value(); }, 8s);
+        const std::uint64_t acts = 4 + random.below(8);
+        for (std::uint64_t i = 0; i < acts && wrong.isEmpty(); ++i) {
+            act();
+            pair.runFor(std::chrono::milliseconds(1 + random.below(120)));
+        }
+        pair.runFor(200ms);
+        pair.drive->disconnect(pair.now);
+        pair.runUntil([this] { return pair.link == LinkState::Closed; }, 2s);
+        if (pair.link != LinkState::Closed)
+            return QStringLiteral("it does not close");
+        if (pair.drive->nextTimeout())
+            return QStringLiteral("a closed drive wants to be woken");
+        if (pair.wroteUnidentified)
+            return QStringLiteral("it wrote to %1 of a drive that it did not know")
+                .arg(*pair.wroteUnidentified, 0, 16);
+        for (const WishId id : asked)
+            if (pair.ended[id].size() != 1)
+                return QStringLiteral("wish %1 ended %2 times").arg(id).arg(pair.ended[id].size());
+        return wrong;
+    }
+};
+
+} // namespace
+
+void TestMcbSessions::everythingEndsOnceWhateverHappens()
+{
+    const bool all = qEnvironmentVariableIsSet("ROTORSCOPE_LONG");
+    const std::uint64_t sessions = all ? 10'000 : 150;
+    std::uint64_t identified = 0, samples = 0;
+    for (std::uint64_t seed = 1; seed <= sessions; ++seed) {
+        Session session(seed);
+        const QString wrong = session.run();
+        QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("seed %1: %2").arg(seed).arg(wrong)));
+        identified += session.pair.identified ? 1 : 0;
+        samples += session.samples;
+    }
+    // That nothing went wrong because nothing went on would prove nothing.
+    QVERIFY2(identified * 10 >= sessions * 8, qPrintable(QString::number(identified)));
+    QVERIFY2(samples >= sessions * 20, qPrintable(QString::number(samples)));
+}
+
+QTEST_GUILESS_MAIN(TestMcbSessions)
+#include "tst_mcb_sessions.moc"
