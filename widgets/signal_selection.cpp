@@ -109,6 +109,12 @@ int SignalSelection::plotFor(catalog::RegisterId id) const
             return signal.plot;
         last = std::max(last, signal.plot + 1);
     }
+    const auto shown = m_scope.channels(); // what is computed has its plots, too
+    for (const capture::ChannelId channel : shown) {
+        const auto info = m_capture.info(channel);
+        if (info && !info->isBoards())
+            last = std::max(last, m_scope.plotOf(channel) + 1);
+    }
     return last;
 }
 

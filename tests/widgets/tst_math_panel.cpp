@@ -37,6 +37,7 @@ private Q_SLOTS:
     void theTriggerTakesIt();
     void clearingTheRecordingBeginsItAnew();
     void aNewStreamLeavesItOnTheScope();
+    void aSignalOfAnotherUnitDoesNotMoveIn();
     void itIsKeptAndWaitsForItsSignals();
     void aRemovedOneIsGoneEverywhere();
     void readyFormulasAreFilledIn();
@@ -238,6 +239,17 @@ void TestMathPanel::aNewStreamLeavesItOnTheScope()
     QVERIFY(view().plotOf(own) >= 0);
     m_rig->record(100, ramp);
     QCOMPARE(capture().size(own), std::uint64_t(1100));
+}
+
+void TestMathPanel::aSignalOfAnotherUnitDoesNotMoveIn()
+{
+    add("D", "derivative(I_A)");
+    add("I", "integral(I_A)");
+    const int own = view().plotOf(channel(1));
+    QVERIFY(own > view().plotOf(channel(0)));
+    widgets::SignalSelection &selection = *m_rig->window.selection();
+    selection.add(facts::kVoltage);
+    QCOMPARE(selection.wanted().back().plot, own + 1);
 }
 
 void TestMathPanel::itIsKeptAndWaitsForItsSignals()
