@@ -23,6 +23,7 @@ private Q_SLOTS:
     void aStoppedPictureStandsStillWhileRecordingGoesOn();
     void manyChangesMakeOneRedraw();
     void coloursStayWithTheRegisterAndFollowTheTheme();
+    void moreTracesThanColoursShareThemEvenly();
     void aClearedCaptureKeepsItsTracesByRegister();
     void nonsenseRangesChangeNothing();
     void screenReadersHearWhatIsShown();
@@ -294,6 +295,23 @@ void TestScopeView::coloursStayWithTheRegisterAndFollowTheTheme()
     QCOMPARE(QColor(bench.picture().pixel(3, 3)), QColor(20, 20, 20));
     QVERIFY(bench.view.colorOf(bench.id(2)).lightness() > second.lightness());
     QVERIFY(std::abs(bench.view.colorOf(bench.id(2)).hue() - second.hue()) < 25);
+}
+
+void TestScopeView::moreTracesThanColoursShareThemEvenly()
+{
+    std::vector<capture::StreamSignal> many;
+    for (catalog::RegisterId reg = 1; reg <= 16; ++reg)
+        many.push_back(signal(reg, "V"));
+    Bench bench(many);
+    bench.record(10, 1);
+    QMap<QRgb, int> uses;
+    for (catalog::RegisterId reg = 1; reg <= 16; ++reg) {
+        bench.view.addChannel(bench.id(reg));
+        ++uses[bench.view.colorOf(bench.id(reg)).rgb()];
+    }
+    QCOMPARE(uses.size(), 8);
+    for (const int count : uses)
+        QCOMPARE(count, 2);
 }
 
 void TestScopeView::aClearedCaptureKeepsItsTracesByRegister()

@@ -7,6 +7,7 @@
 #include "widgets/scope/waveform_plottable.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace widgets {
@@ -169,16 +170,20 @@ int PlotStack::slotFor(const capture::ChannelInfo &channel)
     const auto known = m_slots.find(channel.registerId);
     if (known != m_slots.end())
         return known->second;
-    std::set<int> shown;
+    std::array<int, kTraceColors> uses{};
     for (const auto &plot : m_plots) {
         for (const Trace &trace : plot->traces)
-            shown.insert(trace.colorSlot);
+            ++uses[std::size_t(trace.colorSlot)];
     }
-    int slot = preferredSlot(QString::fromStdString(channel.unit));
-    for (int tried = 0; tried < kTraceColors && shown.count(slot % kTraceColors) != 0; ++tried)
-        ++slot;
-    m_slots[channel.registerId] = slot % kTraceColors;
-    return slot % kTraceColors;
+    // The first free one of its family's; where none is free, one that the fewest have.
+    const int preferred = preferredSlot(QString::fromStdString(channel.unit));
+    int slot = preferred;
+    for (int next = preferred; next < preferred + kTraceColors; ++next) {
+        if (uses[std::size_t(next % kTraceColors)] < uses[std::size_t(slot)])
+            slot = next % kTraceColors;
+    }
+    m_slots[channel.registerId] = slot;
+    return slot;
 }
 
 void PlotStack::add(const capture::ChannelInfo &channel, int index)
