@@ -3,6 +3,7 @@
 #include "simulation/axis.h"
 #include "simulation/cpu_load.h"
 #include "simulation/datalog_recorder.h"
+#include "simulation/legacy/legacy_motor_board.h"
 #include "simulation/performer.h"
 #include "simulation/profile.h"
 #include "simulation/register_file.h"
@@ -301,6 +302,8 @@ void Board::measureLoad()
 
 std::unique_ptr<SimulatedBoard> makeBoard(const BoardOptions &options)
 {
+    if (isLegacyProfile(options.profile))
+        return makeLegacyBoard(options);
     const Traits *traits = findTraits(options.profile);
     if (traits == nullptr)
         return nullptr;

@@ -9,9 +9,11 @@ constexpr Duration kNothingToDo = std::chrono::hours(1);
 
 } // namespace
 
-LegacyBoard::LegacyBoard(LegacyRig rig, std::uint32_t baud, Duration answerDelay)
+LegacyBoard::LegacyBoard(
+    LegacyRig rig, std::uint32_t baud, Duration answerDelay, LegacyMachine *machine)
     : m_rig(std::move(rig))
-    , m_server(m_rig)
+    , m_machine(machine)
+    , m_server(m_rig, machine)
     , m_baud(std::max<std::uint32_t>(baud, 1))
     , m_answerDelay(answerDelay)
 {
@@ -47,9 +49,11 @@ void LegacyBoard::advance(TimePoint now)
         }
         const TimedByte byte = m_incoming.front();
         m_incoming.pop_front();
+        advanceMachine(byte.end);
         take(byte);
     }
     m_now = std::max(m_now, now);
+    advanceMachine(m_now);
 }
 
 void LegacyBoard::take(const TimedByte &byte)
@@ -137,7 +141,7 @@ TimePoint LegacyBoard::nextWake() const
 
 void LegacyBoard::reset()
 {
-    m_server = LegacyServer(m_rig);
+    m_server = LegacyServer(m_rig, m_machine);
     m_framer.reset();
     m_frameEnd.reset();
     m_incoming.clear();

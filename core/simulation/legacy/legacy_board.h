@@ -11,10 +11,12 @@
 
 namespace simulation {
 
-class LegacyBoard final : public SimulatedBoard {
+class LegacyBoard : public SimulatedBoard {
 public:
     /// @param answerDelay  between the end of a request and the start of its answer
-    explicit LegacyBoard(LegacyRig rig, std::uint32_t baud = 115200, Duration answerDelay = {});
+    /// @param machine  the motors behind it; outlives the board
+    explicit LegacyBoard(LegacyRig rig, std::uint32_t baud = 115200, Duration answerDelay = {},
+        LegacyMachine *machine = nullptr);
 
     void receive(ByteView bytes, TimePoint now) override;
     void advance(TimePoint now) override;
@@ -39,6 +41,10 @@ public:
     const LegacyServer &server() const { return m_server; }
     static constexpr std::size_t kMaxQueued = 65536; ///< what exceeds it is lost
 
+protected:
+    /// What happens besides the line, up to that time.
+    virtual void advanceMachine(TimePoint) { }
+
 private:
     struct TimedByte {
         TimePoint end;
@@ -50,6 +56,7 @@ private:
     void send(const Bytes &frame, TimePoint at);
 
     LegacyRig m_rig; ///< as at power-on
+    LegacyMachine *m_machine;
     LegacyServer m_server;
     legacy::Framer m_framer{legacy::Framer::Side::Board};
     legacy::Frame m_frame;

@@ -51,8 +51,9 @@ Bytes littleEndian(std::int64_t value, std::size_t width)
 
 } // namespace
 
-LegacyServer::LegacyServer(LegacyRig rig)
+LegacyServer::LegacyServer(LegacyRig rig, LegacyMachine *machine)
     : m_rig(std::move(rig))
+    , m_machine(machine)
 {
     if (m_rig.motors.empty())
         m_rig.motors.emplace_back();
@@ -82,6 +83,8 @@ Bytes LegacyServer::answer(const legacy::Frame &frame)
         return encodeNack(ErrorCode::BadMotor);
     if (wanted > 0)
         m_selected = wanted - 1;
+    if (m_machine != nullptr)
+        m_machine->refresh(m_selected, motor());
     const auto code = static_cast<std::uint8_t>(frame.header & 0x1FU);
     if (!powerPc() && (code == 0 || code == static_cast<std::uint8_t>(FrameCode::SetPosition)))
         return encodeNack(ErrorCode::Undefined);
@@ -102,12 +105,15 @@ Bytes LegacyServer::execute(std::uint8_t code, std::size_t length)
         return command(in.u8(0));
     case FrameCode::GetBoardInfo: {
         const auto version = legacy::firmwareVersionOf(m_rig.firmware);
-        return encodeAck(legacy::encodeBoardInfo({version.version, version.name}));
+        Bytes info = legacy::encodeBoardInfo({version.version, version.name});
+        for (std::size_t i = 0; m_rig.integersInBoardInfo && i < 3; ++i)
+            info[i] = static_cast<std::uint8_t>(info[i] - '0');
+        return encodeAck(info);
     }
     case FrameCode::GetFirmwareVersion:
         return encodeAck(legacy::encodeFirmwareVersion(m_rig.firmware));
     case FrameCode::SetRamp:
-        ramp(in.s32(0));
+        ramp(in.s32(0), in.u16(4));
         return encodeAck();
     case FrameCode::GetRevUp:
         return getRevUp(in.u8(0));
@@ -119,7 +125,7 @@ Bytes LegacyServer::execute(std::uint8_t code, std::size_t length)
     case FrameCode::GetProfilerInfo: // a count of registers for each step: a rig shows none
         return m_rig.profiler ? encodeAck(Bytes(length, 0)) : encodeNack(ErrorCode::NoProfiler);
     case FrameCode::SetTorqueRamp:
-        wait({in.s16(0), static_cast<std::int16_t>(valueOf(kFluxRef))});
+        torqueRamp(in.s16(0), in.u16(4));
         return encodeAck();
     case FrameCode::SetPosition:
         break;
@@ -201,8 +207,11 @@ Bytes LegacyServer::setRegister(std::uint8_t id, StaleBytes value)
         return ignored ? encodeAck() : encodeNack(ErrorCode::WrongSet);
     }
     const std::int64_t number = rawNumber(which->info.type, value);
-    if (!setSpecial(id, number))
-        motor().registers[id] = number;
+    if (setSpecial(id, number))
+        return encodeAck();
+    motor().registers[id] = number;
+    if (m_machine != nullptr)
+        m_machine->written(m_selected, id, number);
     return encodeAck();
 }
 
@@ -221,7 +230,7 @@ bool LegacyServer::setSpecial(std::uint8_t id, std::int64_t value)
         wait({now(kTorqueRef), digits});
         return true;
     case kRampFinalSpeed:
-        ramp(static_cast<std::int32_t>(value));
+        ramp(static_cast<std::int32_t>(value), 0);
         return true;
     default:
         return false;
@@ -238,10 +247,13 @@ Bytes LegacyServer::selectMotor(std::uint8_t motor)
 
 Bytes LegacyServer::setControlMode(std::uint8_t mode)
 {
-    if (mode == kTorqueMode || mode == kSpeedMode)
+    if (mode == kTorqueMode || mode == kSpeedMode) {
         motor().controlMode = mode;
-    else if (powerPc())
+        if (m_machine != nullptr)
+            m_machine->setControlMode(m_selected, mode == kTorqueMode);
+    } else if (powerPc()) {
         return encodeNack(ErrorCode::WrongSet);
+    }
     return encodeAck();
 }
 
@@ -259,6 +271,8 @@ Bytes LegacyServer::command(std::uint8_t id)
 
 void LegacyServer::act(CommandId id)
 {
+    if (m_machine != nullptr)
+        return m_machine->execute(m_selected, id);
     LegacyMotor &motor = this->motor();
     const bool starts = id == CommandId::StartMotor || id == CommandId::StartStop;
     const bool stops =
@@ -297,6 +311,8 @@ Bytes LegacyServer::setRevUp(const StaleBytes &content)
     }
     if (stage < stages.size())
         stages[stage] = {inSteps(content.s32(1)), content.s16(5), content.u16(7)};
+    if (stage < stages.size() && m_machine != nullptr)
+        m_machine->setRevUp(m_selected, stage, stages[stage]);
     return encodeAck(); // from stage 5 on firmware writes somewhere else
 }
 
@@ -307,18 +323,30 @@ std::int32_t LegacyServer::inSteps(std::int32_t speed_rpm) const
     return static_cast<std::int32_t>(std::int64_t{steps} * m_rig.speedStep_rpm);
 }
 
-void LegacyServer::ramp(std::int32_t speed_rpm)
+void LegacyServer::ramp(std::int32_t speed_rpm, std::uint16_t duration_ms)
 {
     const std::int32_t speed = inSteps(speed_rpm);
     motor().registers[kRampFinalSpeed] = speed;
     motor().controlMode = kSpeedMode;
     m_waiting[m_selected] = Ramp{speed};
+    if (m_machine != nullptr)
+        m_machine->rampSpeed(m_selected, speed, duration_ms);
 }
 
 void LegacyServer::wait(Currents currents)
 {
     motor().controlMode = kTorqueMode;
     m_waiting[m_selected] = currents;
+    if (m_machine != nullptr)
+        m_machine->setCurrents(m_selected, currents.iq, currents.id);
+}
+
+void LegacyServer::torqueRamp(std::int16_t torque, std::uint16_t duration_ms)
+{
+    if (m_machine == nullptr)
+        return wait({torque, static_cast<std::int16_t>(valueOf(kFluxRef))});
+    motor().controlMode = kTorqueMode;
+    m_machine->rampTorque(m_selected, torque, duration_ms);
 }
 
 void LegacyServer::setState(std::uint8_t state) { m_rig.motors.front().state = state; }

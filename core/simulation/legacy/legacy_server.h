@@ -6,6 +6,7 @@
 #include "legacy/frame.h"
 #include "legacy/register_table.h"
 #include "legacy/reply.h"
+#include "simulation/legacy/machine.h"
 #include "simulation/legacy/rig.h"
 #include "simulation/stale_bytes.h"
 
@@ -17,7 +18,8 @@ namespace simulation {
 
 class LegacyServer {
 public:
-    explicit LegacyServer(LegacyRig rig);
+    /// @param machine  the motors behind it; none: a static board, whose values are the rig's
+    explicit LegacyServer(LegacyRig rig, LegacyMachine *machine = nullptr);
 
     /// The whole answer to a frame whose checksum was good; empty once the firmware hangs.
     Bytes answer(const legacy::Frame &frame);
@@ -55,7 +57,8 @@ private:
     void act(legacy::CommandId id);
     Bytes getRevUp(std::uint8_t stage) const;
     Bytes setRevUp(const StaleBytes &content);
-    void ramp(std::int32_t speed_rpm);
+    void ramp(std::int32_t speed_rpm, std::uint16_t duration_ms);
+    void torqueRamp(std::int16_t torque, std::uint16_t duration_ms);
     void wait(Currents currents);
     bool isBuilt(const legacy::Register &which) const;
     std::int64_t valueOf(std::uint8_t id) const;
@@ -65,6 +68,7 @@ private:
     bool powerPc() const { return m_rig.dialect == legacy::Dialect::PowerPc; }
 
     LegacyRig m_rig;
+    LegacyMachine *m_machine;
     std::size_t m_selected = 0; ///< kept from frame to frame
     std::vector<Waiting> m_waiting; ///< one a motor
     std::array<std::uint8_t, legacy::kMaxPayload> m_buffer{}; ///< never cleared, as in the firmware

@@ -30,6 +30,7 @@ struct LegacyRig {
     std::vector<LegacyMotor> motors{LegacyMotor{}}; ///< 1 to 7
     bool fluxWeakening = false, feedForward = false, pfc = false, profiler = false, dac = false;
     std::string firmware = "ST MC SDK\tVer.5.4.3"; ///< answer of GET_FW_VERSION
+    bool integersInBoardInfo = false; ///< its version as the text has it, not as digits
     std::int32_t speedStep_rpm = 6; ///< speeds are kept in whole steps, 1 or more rpm each
     std::optional<Duration>
         frameTimer; ///< from the header; none: a broken frame stays half received, as in 5.4.3
