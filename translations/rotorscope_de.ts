@@ -949,10 +949,6 @@
         <translation>Das Board wurde zurückgesetzt. Es ist wieder verbunden; geben Sie es frei, bevor Sie weitermachen.</translation>
     </message>
     <message>
-        <source>The board speaks an older protocol that this version does not. Its firmware needs version 6 of the SDK.</source>
-        <translation>Das Board spricht ein älteres Protokoll, das diese Version nicht beherrscht. Seine Firmware braucht Version 6 des SDK.</translation>
-    </message>
-    <message>
         <source>Link lost. The motor may still be turning; the drive is to stop it by itself after %1 ms.</source>
         <translation>Verbindung verloren. Der Motor dreht vielleicht noch; der Antrieb soll ihn nach %1 ms selbst anhalten.</translation>
     </message>
@@ -1208,6 +1204,14 @@
     <message>
         <source>Nobody drives the line to this computer. Check the wiring, the chip select and the drive&apos;s power.</source>
         <translation>Niemand treibt die Leitung zu diesem Rechner. Bitte Verdrahtung, Chip-Select und Versorgung des Antriebs prüfen.</translation>
+    </message>
+    <message>
+        <source>The board speaks the protocol of older firmware. Choose that one, or Auto, and connect again.</source>
+        <translation>Das Board spricht das Protokoll älterer Firmware. Wählen Sie dieses oder „Auto“ und verbinden Sie neu.</translation>
+    </message>
+    <message>
+        <source>The board speaks the protocol of newer firmware. Choose that one, or Auto, and connect again.</source>
+        <translation>Das Board spricht das Protokoll neuerer Firmware. Wählen Sie dieses oder „Auto“ und verbinden Sie neu.</translation>
     </message>
 </context>
 <context>
@@ -2368,6 +2372,22 @@
     <message>
         <source>Simulated board (%1)</source>
         <translation>Simuliertes Board (%1)</translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <translation>Auto</translation>
+    </message>
+    <message>
+        <source>Finds out what the board speaks; nothing that is sent for it can move a motor</source>
+        <translation>Findet heraus, was das Board spricht; nichts, was dafür gesendet wird, kann einen Motor bewegen</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>What the board speaks; Auto finds it out</source>
+        <translation>Was das Board spricht; „Auto“ findet es heraus</translation>
     </message>
 </context>
 <context>

@@ -949,10 +949,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The board speaks an older protocol that this version does not. Its firmware needs version 6 of the SDK.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Link lost. The motor may still be turning; the drive is to stop it by itself after %1 ms.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1207,6 +1203,14 @@
     </message>
     <message>
         <source>Nobody drives the line to this computer. Check the wiring, the chip select and the drive&apos;s power.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board speaks the protocol of older firmware. Choose that one, or Auto, and connect again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board speaks the protocol of newer firmware. Choose that one, or Auto, and connect again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2367,6 +2371,22 @@
     </message>
     <message>
         <source>Simulated board (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finds out what the board speaks; nothing that is sent for it can move a motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the board speaks; Auto finds it out</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1,5 +1,6 @@
 #include "widgets/connect_bar.h"
 
+#include "drive/protocol.h"
 #include "widgets/device_text.h"
 #include "widgets/lamp.h"
 #include "widgets/messages.h"
@@ -43,6 +44,26 @@ protected:
     }
 };
 
+QString fromCore(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+void fillProtocols(QComboBox &box)
+{
+    for (const drive::ProtocolChoice &choice : drive::protocolChoices()) {
+        if (!choice.serial)
+            continue;
+        box.addItem(choice.title.empty() ? ConnectBar::tr("Auto") : fromCore(choice.title),
+            fromCore(choice.word));
+        box.setItemData(box.count() - 1,
+            choice.title.empty() ? ConnectBar::tr("Finds out what the board speaks; nothing that "
+                                                  "is sent for it can move a motor")
+                                 : fromCore(choice.help),
+            Qt::ToolTipRole);
+    }
+}
+
 QString choiceText(const session::PortChoice &choice)
 {
     const QString title = deviceText(choice.title);
@@ -63,6 +84,7 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     , m_source(ports)
     , m_port(new QComboBox(this))
     , m_baud(new QComboBox(this))
+    , m_protocol(new QComboBox(this))
     , m_connect(new QPushButton(this))
     , m_portLamp(new Lamp(tr("Port"), this))
     , m_boardLamp(new Lamp(tr("Board"), this))
@@ -84,12 +106,16 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     m_baud->setInsertPolicy(QComboBox::NoInsert);
     for (const quint32 baud : kBauds)
         m_baud->addItem(QString::number(baud), baud);
+    m_protocol->setObjectName(QStringLiteral("protocol"));
+    m_protocol->setAccessibleName(tr("Protocol"));
+    m_protocol->setToolTip(tr("What the board speaks; Auto finds it out"));
+    fillProtocols(*m_protocol);
     m_connect->setObjectName(QStringLiteral("connect"));
     m_connect->setMinimumWidth(110);
     m_motor->setObjectName(QStringLiteral("motor"));
     m_motor->setAccessibleName(tr("Motor"));
     m_motor->hide();
-    for (QComboBox *choice : {m_port, m_baud, m_motor})
+    for (QComboBox *choice : {m_port, m_baud, m_protocol, m_motor})
         new WheelGuard(choice);
     m_portLamp->setObjectName(QStringLiteral("portLamp"));
     m_boardLamp->setObjectName(QStringLiteral("boardLamp"));
@@ -114,6 +140,7 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     layout->setSpacing(8);
     layout->addWidget(m_port);
     layout->addWidget(m_baud);
+    layout->addWidget(m_protocol);
     layout->addWidget(m_connect);
     layout->addSpacing(4);
     layout->addLayout(lamps);
@@ -167,6 +194,14 @@ quint32 ConnectBar::baud() const
     return ok && baud >= kSlowestBaud && baud <= kFastestBaud ? baud : 0;
 }
 
+void ConnectBar::setProtocol(const QString &word)
+{
+    if (const int found = m_protocol->findData(word); found >= 0)
+        m_protocol->setCurrentIndex(found);
+}
+
+QString ConnectBar::protocol() const { return m_protocol->currentData().toString(); }
+
 void ConnectBar::connectOrDisconnect()
 {
     if (connecting()) {
@@ -176,7 +211,8 @@ void ConnectBar::connectOrDisconnect()
             disconnectNow();
         return;
     }
-    session::Endpoint endpoint = session::endpointFor(path(), baud());
+    session::Endpoint endpoint = session::endpointFor(path(), baud(),
+        drive::protocolOf(protocol().toStdString()).value_or(drive::Protocol::Auto));
     if (endpoint.path.isEmpty()) {
         Q_EMIT refused(tr("Choose a port, or type its path."));
         return;
@@ -243,6 +279,7 @@ void ConnectBar::updateLink()
                                        : tr("Opens the port and looks for a board (Ctrl+D)"));
     m_port->setEnabled(!connecting());
     m_baud->setEnabled(!connecting());
+    m_protocol->setEnabled(!connecting());
 }
 
 void ConnectBar::updateIdentity()
@@ -260,7 +297,9 @@ void ConnectBar::updateIdentity()
     m_firmware->setText(
         firmware.contains(version) ? firmware : QStringLiteral("%1 %2").arg(firmware, version));
     m_firmware->setToolTip(deviceToolTip(identity.firmware) + QStringLiteral("<br>")
-        + deviceToolTip(identity.protocol));
+        + deviceToolTip(identity.protocol)
+        + (identity.evidence.empty() ? QString()
+                                     : QStringLiteral("<br>") + deviceToolTip(identity.evidence)));
     QStringList boards{deviceText(identity.controlBoard)};
     for (const std::string &power : identity.powerBoards)
         boards.append(deviceText(power));

@@ -24,6 +24,8 @@ public:
     void setEndpoint(const QString &path, quint32 baud); ///< "sim" for the simulated board
     QString path() const; ///< as chosen or typed
     quint32 baud() const; ///< 0 if the text is not a baud rate
+    void setProtocol(const QString &word); ///< as drive::wordOf(); unknown ones are passed over
+    QString protocol() const;
     /// A connection is open, or wanted and being looked for.
     bool connecting() const { return m_wanted || m_device.portOpen(); }
 
@@ -49,6 +51,7 @@ private:
     const session::PortSource &m_source;
     QComboBox *m_port;
     QComboBox *m_baud;
+    QComboBox *m_protocol;
     QPushButton *m_connect;
     Lamp *m_portLamp;
     Lamp *m_boardLamp;

@@ -108,6 +108,7 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     m_workbench.registers().setPinned(settings.pinned);
     m_device.setUserLimits({settings.maxSpeedRpm, settings.maxCurrentAmps});
     m_connectBar->setEndpoint(settings.port, settings.baud);
+    m_connectBar->setProtocol(settings.protocol);
 
     makeScopeActions();
     makeRecording();
@@ -142,6 +143,7 @@ Settings MainWindow::settings() const
     now.port = m_connectBar->path();
     if (m_connectBar->baud() > 0)
         now.baud = m_connectBar->baud();
+    now.protocol = m_connectBar->protocol();
     now.maxSpeedRpm = m_device.userLimits().maxSpeedRpm;
     now.maxCurrentAmps = m_device.userLimits().maxCurrentAmps;
     now.pinned = m_workbench.registers().pinned();
@@ -363,7 +365,7 @@ void MainWindow::connectParts()
         m_firstSteps, &FirstSteps::finished, this, [this] { m_settings.firstStepsDone = true; });
 
     WatchList &watch = m_workbench.watchList();
-    watch.addSource([this] { return m_selection->plan().polled; });
+    watch.addDrawnSource([this] { return m_selection->plan().polled; });
     watch.addSource([this] { return m_control->watchedRegisters(); });
     watch.addSource([this] { return m_bigNumbers->watchedRegisters(); });
     watch.addSource([this] { return m_registerPanel->visibleRegisters(); });

@@ -56,8 +56,11 @@ QString linkReasonText(drive::LinkReason reason)
     case LinkReason::BoardReset:
         return Messages::tr("The board was reset. It is connected again; arm it before you go on.");
     case LinkReason::OldProtocol:
-        return Messages::tr("The board speaks an older protocol that this version does not. Its "
-                            "firmware needs version 6 of the SDK.");
+        return Messages::tr("The board speaks the protocol of older firmware. Choose that one, or "
+                            "Auto, and connect again.");
+    case LinkReason::OtherProtocol:
+        return Messages::tr("The board speaks the protocol of newer firmware. Choose that one, or "
+                            "Auto, and connect again.");
     case LinkReason::NotReady:
         return Messages::tr("The drive does not say that it is ready. Check its power and the "
                             "ready line.");

@@ -69,6 +69,7 @@ QByteArray toJson(const Settings &settings)
     object[QStringLiteral("layout")] = QString::fromLatin1(settings.layout.toBase64());
     object[QStringLiteral("port")] = settings.port;
     object[QStringLiteral("baud")] = double(settings.baud);
+    object[QStringLiteral("protocol")] = settings.protocol;
     object[QStringLiteral("theme")] = themeName(settings.theme);
     object[QStringLiteral("exportFolder")] = settings.exportFolder;
     object[QStringLiteral("recordFolder")] = settings.recordFolder;
@@ -95,6 +96,7 @@ Settings settingsFromJson(const QByteArray &json)
     const double baud = object[QStringLiteral("baud")].toDouble(settings.baud);
     if (baud >= 1.0 && baud <= 4294967295.0)
         settings.baud = static_cast<quint32>(baud);
+    settings.protocol = object[QStringLiteral("protocol")].toString(settings.protocol);
     settings.theme = themeOf(object[QStringLiteral("theme")].toString());
     settings.exportFolder = object[QStringLiteral("exportFolder")].toString();
     settings.recordFolder = object[QStringLiteral("recordFolder")].toString();

@@ -19,6 +19,7 @@ struct Settings {
     QByteArray layout; ///< of its docks
     QString port = QStringLiteral("sim");
     quint32 baud = 1843200;
+    QString protocol = QStringLiteral("auto");
     Theme theme = Theme::System;
     QString exportFolder;
     QString recordFolder;

@@ -33,6 +33,7 @@ void WatchList::changed()
 void WatchList::forget()
 {
     m_asked.clear();
+    m_drawn.clear();
     changed();
 }
 
@@ -42,14 +43,21 @@ void WatchList::send()
         return;
     std::vector<catalog::RegisterId> sum;
     std::unordered_set<catalog::RegisterId> seen;
-    for (const Source &source : m_sources)
-        for (const catalog::RegisterId id : source())
-            if (m_model.pollable(id) && seen.insert(id).second)
-                sum.push_back(id);
-    if (sum == m_asked)
+    std::vector<catalog::RegisterId> drawn;
+    for (const Named &source : m_sources) {
+        for (const catalog::RegisterId id : source.registers()) {
+            if (!m_model.pollable(id) || !seen.insert(id).second)
+                continue;
+            sum.push_back(id);
+            if (source.drawn)
+                drawn.push_back(id);
+        }
+    }
+    if (sum == m_asked && drawn == m_drawn)
         return;
     m_asked = sum;
-    m_device.submit(drive::Watch{std::move(sum), kPeriod});
+    m_drawn = drawn;
+    m_device.submit(drive::Watch{std::move(sum), kPeriod, std::move(drawn)});
 }
 
 } // namespace widgets

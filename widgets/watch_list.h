@@ -20,7 +20,9 @@ public:
     WatchList(Device &device, const RegisterModel &model, QObject *parent = nullptr);
 
     /// Sources are asked in this order; the earlier ones are the more important.
-    void addSource(Source source) { m_sources.push_back(std::move(source)); }
+    void addSource(Source source) { m_sources.push_back({std::move(source), false}); }
+    /// What it names is drawn: read more often where a board records nothing by itself.
+    void addDrawnSource(Source source) { m_sources.push_back({std::move(source), true}); }
     const std::vector<catalog::RegisterId> &registers() const { return m_asked; }
 
 public Q_SLOTS:
@@ -32,8 +34,12 @@ private:
 
     Device &m_device;
     const RegisterModel &m_model;
-    std::vector<Source> m_sources;
-    std::vector<catalog::RegisterId> m_asked;
+    struct Named {
+        Source registers;
+        bool drawn = false;
+    };
+    std::vector<Named> m_sources;
+    std::vector<catalog::RegisterId> m_asked, m_drawn;
     QTimer m_soon;
 };
 

@@ -104,9 +104,14 @@ void addCommonOptions(QCommandLineParser &parser)
 {
     parser.addOptions({
         {QStringLiteral("port"),
-            QStringLiteral("Device path of a serial port, or sim for a simulated board."),
+            QStringLiteral(
+                "Device path of a serial port, or sim for a simulated board; sim:legacy and "
+                "sim:powerpc speak the older protocol."),
             QStringLiteral("PORT")},
-        {QStringLiteral("baud"), QStringLiteral("Bits per second, 1843200 if not given."),
+        {QStringLiteral("baud"),
+            QStringLiteral(
+                "Bits per second, 1843200 if not given; 115200 with --protocol legacy or "
+                "powerpc."),
             QStringLiteral("N")},
         {QStringLiteral("protocol"),
             QStringLiteral("What is spoken on the line, auto if not given: it is found out."),
@@ -274,13 +279,6 @@ Outcome<bool> takeCommon(const QCommandLineParser &parser, Arguments &arguments)
         arguments.port = parser.value(QStringLiteral("port"));
     if (parser.isSet(QStringLiteral("json")))
         arguments.json = true;
-    if (parser.isSet(QStringLiteral("baud"))) {
-        const auto baud = wholeNumber(
-            parser.value(QStringLiteral("baud")), 1200, 20'000'000, QStringLiteral("--baud"));
-        if (!baud)
-            return tl::make_unexpected(baud.error());
-        arguments.baud = static_cast<std::uint32_t>(*baud);
-    }
     if (parser.isSet(QStringLiteral("protocol"))) {
         const QString word = parser.value(QStringLiteral("protocol"));
         const auto protocol = drive::protocolOf(word.toStdString());
@@ -288,6 +286,17 @@ Outcome<bool> takeCommon(const QCommandLineParser &parser, Arguments &arguments)
             return usage(QStringLiteral("--protocol is one of %1, not \"%2\".")
                              .arg(protocolWords(QStringLiteral(", ")), word));
         arguments.protocol = *protocol;
+        constexpr std::uint32_t kOlderBaud = 115200; // of every generated project seen
+        if (arguments.baud == Arguments().baud
+            && (*protocol == drive::Protocol::Legacy || *protocol == drive::Protocol::PowerPc))
+            arguments.baud = kOlderBaud;
+    }
+    if (parser.isSet(QStringLiteral("baud"))) {
+        const auto baud = wholeNumber(
+            parser.value(QStringLiteral("baud")), 1200, 20'000'000, QStringLiteral("--baud"));
+        if (!baud)
+            return tl::make_unexpected(baud.error());
+        arguments.baud = static_cast<std::uint32_t>(*baud);
     }
     if (parser.isSet(QStringLiteral("patience"))) {
         const auto patience = wholeNumber(

@@ -47,7 +47,13 @@ public:
     Outcome<int> run();
 
 private:
-    Outcome<drive::Stream> stream() const;
+    Outcome<drive::Stream> stream();
+    bool boardStreams() const
+    {
+        return m_desk.board.streaming.tickHz > 0 && m_desk.board.streaming.maxSignals > 0;
+    }
+    Outcome<drive::Stream> pollInstead(
+        std::vector<catalog::RegisterId> registers, const std::vector<catalog::RegisterId> &more);
     Outcome<int> rehearse(const drive::Stream &stream);
     Outcome<int> prepare();
     Outcome<int> startMotor();
@@ -66,6 +72,7 @@ private:
     Desk &m_desk;
     const CaptureArguments &m_wanted;
     Recorder m_recorder;
+    std::vector<catalog::RegisterId> m_polled; ///< where the board records nothing itself
     std::optional<ConversationRecording> m_recording;
     bool m_started = false;
     std::optional<drive::MotorStatus> m_fault; ///< of the motor that this run started
@@ -106,7 +113,26 @@ Outcome<int> CaptureRun::run()
     return verdict();
 }
 
-Outcome<drive::Stream> CaptureRun::stream() const
+/// Boards that record nothing are read over and over, as often as the line gives.
+Outcome<drive::Stream> CaptureRun::pollInstead(
+    std::vector<catalog::RegisterId> registers, const std::vector<catalog::RegisterId> &more)
+{
+    registers.insert(registers.end(), more.begin(), more.end());
+    for (const catalog::RegisterId id : registers) {
+        const auto *info = m_desk.catalog().find(id);
+        const bool number = info->type != catalog::ValueType::Raw
+            && info->type != catalog::ValueType::Text && info->readable();
+        if (!number)
+            return failure(kUsage,
+                QStringLiteral("%1 is no number that could be read over and over.")
+                    .arg(QString::fromStdString(m_desk.catalog().nameOf(id))));
+    }
+    m_polled = registers;
+    m_recorder.poll(std::move(registers), m_desk.board.catalog);
+    return drive::Stream{};
+}
+
+Outcome<drive::Stream> CaptureRun::stream()
 {
     const catalog::Catalog &catalog = m_desk.catalog();
     const auto fast = resolveNames(catalog, m_wanted.fast);
@@ -115,6 +141,8 @@ Outcome<drive::Stream> CaptureRun::stream() const
     const auto slow = resolveNames(catalog, m_wanted.slow);
     if (!slow)
         return tl::make_unexpected(slow.error());
+    if (!boardStreams() && m_desk.board.streaming.linkBytesPerSecond > 0.0)
+        return pollInstead(*fast, *slow);
     for (const auto *list : {&*fast, &*slow}) {
         for (const catalog::RegisterId id : *list) {
             if (catalog.find(id)->streaming == catalog::Streaming::Polled)
@@ -146,7 +174,7 @@ Outcome<drive::Stream> CaptureRun::stream() const
 /// No motor turns for a recording that the board then refuses: it is asked for the recording beforehand.
 Outcome<int> CaptureRun::rehearse(const drive::Stream &stream)
 {
-    if ((!m_wanted.start && !m_wanted.ramp) || m_wanted.fromStart)
+    if ((!m_wanted.start && !m_wanted.ramp) || m_wanted.fromStart || !m_polled.empty())
         return kDone;
     const auto agreed =
         m_desk.talk.command(stream, QStringLiteral("The recording"), recordingAdvice());
@@ -264,7 +292,10 @@ Outcome<int> CaptureRun::begin(const drive::Stream &stream)
             && (status->state == MotorState::FaultNow || status->state == MotorState::FaultOver))
             m_fault = *status;
     });
-    const auto ended = talk.command(stream, QStringLiteral("The recording"), recordingAdvice());
+    const auto ended = m_polled.empty()
+        ? talk.command(stream, QStringLiteral("The recording"), recordingAdvice())
+        : talk.command(drive::Watch{.registers = m_polled, .drawn = m_polled},
+            QStringLiteral("The recording"), recordingAdvice());
     if (!ended)
         return tl::make_unexpected(ended.error());
     const auto begun = talk.waitUntil([this] { return !m_recorder.empty(); }, kFirstSampleWithin);
@@ -288,7 +319,7 @@ Outcome<int> CaptureRun::finish()
     talk.listen({});
     if (!complete)
         return tl::make_unexpected(complete.error());
-    const auto over = talk.ask(drive::Stream{});
+    const auto over = m_polled.empty() ? talk.ask(drive::Stream{}) : talk.ask(drive::Watch{});
     if (!over)
         return tl::make_unexpected(over.error());
     return kDone;
@@ -352,7 +383,7 @@ Outcome<int> CaptureRun::write()
 {
     std::uint64_t rows = 0;
     if (!m_wanted.file.isEmpty()) {
-        const auto written = writeCsv(m_recorder.capture(), m_wanted.file);
+        const auto written = writeCsv(m_recorder.capture(), m_recorder.channels(), m_wanted.file);
         if (!written)
             return tl::make_unexpected(written.error());
         rows = *written;
@@ -367,6 +398,8 @@ Outcome<int> CaptureRun::write()
             line.insert(QStringLiteral("file"), m_wanted.file);
             line.insert(QStringLiteral("rows"), static_cast<qint64>(rows));
         }
+        if (m_recorder.polls())
+            line.insert(QStringLiteral("values_per_second"), m_recorder.valuesPerSecond());
         if (m_recording) {
             const auto &counts = m_recording->last().counts;
             line.insert(QStringLiteral("recording"), m_wanted.recording);
@@ -376,7 +409,11 @@ Outcome<int> CaptureRun::write()
         m_desk.out.line(line);
         return kDone;
     }
-    if (!m_wanted.file.isEmpty())
+    if (!m_wanted.file.isEmpty() && m_recorder.polls())
+        m_desk.out.line(QStringLiteral("%1: %2 rows, %3 s, each signal read %4 times a second")
+                            .arg(m_wanted.file, QString::number(rows), numberText(m_wanted.seconds),
+                                numberText(std::round(m_recorder.valuesPerSecond()))));
+    else if (!m_wanted.file.isEmpty())
         m_desk.out.line(QStringLiteral("%1: %2 rows, %3 s, %4 control periods lost")
                             .arg(m_wanted.file, QString::number(rows), numberText(m_wanted.seconds),
                                 QString::number(m_recorder.lostTicks())));

@@ -80,16 +80,19 @@ void printBoard(Output &out, const drive::Identified &board)
     };
     row("Firmware", plainText(identity.firmware + " " + identity.version));
     row("Protocol", plainText(identity.protocol));
+    if (!identity.evidence.empty())
+        row("Found by", plainText(identity.evidence));
     row("Control board", plainText(identity.controlBoard));
     row("Power board", joined(identity.powerBoards));
     row("Motor", joined(identity.motorNames));
     row("Drive watchdog",
         identity.watchdog ? QStringLiteral("%1 ms").arg(identity.watchdog->count())
                           : QStringLiteral("none"));
-    row("Sizes",
-        QStringLiteral("request %1, response %2, stream %3 bytes")
-            .arg(QString::number(board.requestBytes), QString::number(board.responseBytes),
-                QString::number(board.streamBytes)));
+    if (board.requestBytes > 0)
+        row("Sizes",
+            QStringLiteral("request %1, response %2, stream %3 bytes")
+                .arg(QString::number(board.requestBytes), QString::number(board.responseBytes),
+                    QString::number(board.streamBytes)));
     if (board.streaming.tickHz > 0)
         row("Streaming",
             QStringLiteral("up to %1 signals at %2 Hz")

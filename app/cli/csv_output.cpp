@@ -25,9 +25,10 @@ Outcome<int> checkCsvTarget(const QString &path)
     return kDone;
 }
 
-Outcome<std::uint64_t> writeCsv(const capture::Capture &capture, const QString &path)
+Outcome<std::uint64_t> writeCsv(const capture::Capture &capture,
+    std::span<const capture::ChannelId> channels, const QString &path)
 {
-    capture::CsvWriter writer(capture.snapshot(capture.streaming()));
+    capture::CsvWriter writer(capture.snapshot(channels));
     const session::CsvResult result = session::writeCsvFile(path, writer);
     if (result.error == CsvError::None)
         return result.rows;

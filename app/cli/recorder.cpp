@@ -1,5 +1,7 @@
 #include "recorder.h"
 
+#include "drive/values.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -49,7 +51,45 @@ void Recorder::take(const drive::Event &event)
     } else if (const auto *block = std::get_if<SampleBlock>(&event)) {
         if (!m_complete && block->stream == m_layout.id && m_layout.tickHz > 0)
             takeBlock(*block);
+    } else if (const auto *read = std::get_if<drive::RegistersRead>(&event)) {
+        for (const drive::Reading &reading : read->readings)
+            takeReading(reading);
     }
+}
+
+void Recorder::poll(
+    std::vector<catalog::RegisterId> registers, std::shared_ptr<const catalog::Catalog> catalog)
+{
+    m_polled = std::move(registers);
+    m_catalog = std::move(catalog);
+}
+
+void Recorder::takeReading(const drive::Reading &reading)
+{
+    const auto value = drive::asNumber(reading.value);
+    if (!m_catalog || m_complete || reading.status != drive::ReadStatus::Ok || !value
+        || std::find(m_polled.begin(), m_polled.end(), reading.id) == m_polled.end())
+        return;
+    const double at = toSeconds(reading.at.time_since_epoch());
+    if (!m_firstSeconds)
+        m_firstSeconds = at;
+    m_complete = at - *m_firstSeconds >= m_seconds;
+    if (m_complete)
+        return;
+    const catalog::Scale scale = m_catalog->readScale(reading.id);
+    m_capture.appendPolled(reading.id, m_catalog->nameOf(reading.id), scale.unit,
+        at - *m_firstSeconds, *value * scale.factor);
+    if (reading.id == m_polled.front())
+        ++m_polledValues;
+}
+
+std::vector<capture::ChannelId> Recorder::channels() const
+{
+    std::vector<capture::ChannelId> found = m_capture.streaming();
+    for (const catalog::RegisterId id : m_polled)
+        if (const auto channel = m_capture.find(id))
+            found.push_back(*channel);
+    return found;
 }
 
 void Recorder::takeBlock(SampleBlock block)

@@ -1,4 +1,5 @@
-// Recorder: of everything a stream brings, exactly the wanted length, beginning with its first sample at 0 s.
+// Recorder: of everything a stream brings, or of the registers that are read over and over where a board streams
+// nothing, exactly the wanted length, beginning with its first sample at 0 s.
 #pragma once
 
 #include "capture/capture.h"
@@ -13,11 +14,19 @@ public:
     {
     }
 
+    /// From now on the readings of these registers count instead of a stream.
+    void poll(std::vector<catalog::RegisterId> registers,
+        std::shared_ptr<const catalog::Catalog> catalog);
+    /// How often each of them was read.
+    double valuesPerSecond() const { return static_cast<double>(m_polledValues) / m_seconds; }
+
     /// Layouts and blocks count, all else is passed over. A later layout is passed over, too.
     void take(const drive::Event &event);
 
     bool complete() const { return m_complete; }
-    bool empty() const { return !m_origin; }
+    bool empty() const { return !m_origin && !m_firstSeconds; }
+    bool polls() const { return m_catalog != nullptr; }
+    std::vector<capture::ChannelId> channels() const;
     capture::Tick lostTicks() const
     {
         return m_lost;
@@ -27,11 +36,16 @@ public:
 
 private:
     void takeBlock(capture::SampleBlock block);
+    void takeReading(const drive::Reading &reading);
 
     double m_seconds;
     capture::StreamLayout m_layout;
     capture::Capture m_capture;
     std::optional<capture::Tick> m_origin; ///< tick of the first sample
+    std::vector<catalog::RegisterId> m_polled;
+    std::shared_ptr<const catalog::Catalog> m_catalog; ///< with polled registers only
+    std::optional<double> m_firstSeconds; ///< of the first reading
+    std::size_t m_polledValues = 0;
     capture::Tick m_length = 0; ///< ticks from the first sample to the end
     capture::Tick m_lost = 0;
     bool m_complete = false;

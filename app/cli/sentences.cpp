@@ -68,8 +68,10 @@ QString sentenceOf(LinkReason reason, const Arguments &arguments)
             "The board at %1 does not agree on how to talk; reset it and try again.")
             .arg(port);
     case LinkReason::OldProtocol:
-        return QStringLiteral(
-            "The board at %1 speaks an older protocol, which this program cannot speak yet.")
+        return QStringLiteral("The board at %1 speaks an older protocol; try --protocol auto.")
+            .arg(port);
+    case LinkReason::OtherProtocol:
+        return QStringLiteral("The board at %1 speaks a newer protocol; try --protocol auto.")
             .arg(port);
     case LinkReason::BoardReset:
         return QStringLiteral("The board at %1 was reset meanwhile; try again.").arg(port);

@@ -4,6 +4,7 @@
 #include "mcb_options.h"
 
 #include "session/motor_file.h"
+#include "simulation/legacy/legacy_motor_board.h"
 #include "simulation/plant/presets.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ namespace {
 constexpr std::string_view kHelp =
     R"(Usage: rotorscope-sim mcp [OPTION]...
        rotorscope-sim mcb [--rig FILE] [OPTION]...
+       rotorscope-sim legacy|powerpc [--motors N] [--motor M] [OPTION]...
        rotorscope-sim legacy|powerpc --rig FILE [--link PATH | --tcp PORT]
                       [--control]
 
@@ -78,14 +80,21 @@ and besides:
   --rig FILE        instead of all that a slave that stands still, with these
                     registers: JSON, see docs/simulator.md; obeys reset | quit
 
-legacy and powerpc are a static board of the older serial protocol at 115200
-baud, without a motor; the rig says which of its dialects it speaks.
+legacy and powerpc are a board of the older serial protocol at 115200 baud, in
+its dialect for STM32 or for PowerPC. Without a rig motors turn behind it, and
+it takes of the options above --profile, --motor, --motors, --load, --with,
+--link, --tcp, --baud, --hf-hz, --seed and --control with their words.
 
-  --rig FILE        what the board is and holds: JSON, see docs/simulator.md
-  --control         obeys besides reset, nofault, fault, mute, corrupt, inject
+  --profile P       legacy: as firmware 5.4.3 behaves, legacy-text: as it is
+                    printed (legacy)
+  --rig FILE        a static board instead: JSON, see docs/simulator.md; it says
+                    which dialect is spoken
+  --control         of a static board: obeys besides reset, nofault, fault, mute, corrupt, inject
                     and quit: state N | faults HEX | execute | rx-timeout |
                     rx-overrun
 )";
+
+constexpr std::uint32_t kLegacyBaud = 115200;
 
 struct Flag {
     std::string_view name;
@@ -266,6 +275,12 @@ std::optional<std::string> applyNamed(
     const bool mcb = options.protocol == Protocol::Mcb;
     if (name == "--profile" && mcb)
         return readServoProfile(value, options.mcb.servo);
+    if (name == "--profile" && options.protocol == Protocol::Legacy) {
+        options.board.profile = value;
+        if (simulation::isLegacyProfile(value))
+            return std::nullopt;
+        return "there is no profile " + quoted(value) + " of this protocol; see --help";
+    }
     if (name == "--profile") {
         options.board.profile = value;
         for (const std::string &known : simulation::profileNames()) {
@@ -321,12 +336,20 @@ bool isOfServos(std::string_view name)
     return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
 
+bool isOfLegacy(std::string_view name)
+{
+    constexpr std::array kNames{
+        "--profile", "--motor", "--motors", "--load", "--with", "--baud", "--hf-hz", "--seed"};
+    return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
+}
+
 /// A sentence if that option means nothing to a device of that protocol.
 std::optional<std::string> misplaced(std::string_view name, Protocol protocol)
 {
-    if (protocol == Protocol::Mcp
-            ? name == "--rig" || name == "--reply-delay"
-            : !isOfRigs(name) && !(protocol == Protocol::Mcb && isOfServos(name)))
+    const bool fits = protocol == Protocol::Mcp ? name != "--rig" && name != "--reply-delay"
+        : protocol == Protocol::Legacy          ? isOfRigs(name) || isOfLegacy(name)
+                                                : isOfRigs(name) || isOfServos(name);
+    if (!fits)
         return std::string(name) + " does not go with this protocol; see --help";
     return std::nullopt;
 }
@@ -365,13 +388,17 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
         return fail(std::string("say what to simulate: rotorscope-sim mcp|mcb|legacy|powerpc "
                                 "[OPTION]...; see --help"));
     options.protocol = *protocol;
-    std::string_view ofServo; // an option that a rig leaves no room for
+    if (*protocol == Protocol::Legacy) {
+        options.board.profile = words[0];
+        options.board.baud = kLegacyBaud;
+    }
+    std::string_view ofMotors; // an option that a rig leaves no room for
     for (std::size_t i = 1; i < words.size(); ++i) {
         const std::string_view word = words[i];
         if (const auto problem = misplaced(word.substr(0, word.find('=')), *protocol))
             return fail(*problem);
-        if (isOfServos(word.substr(0, word.find('='))))
-            ofServo = word;
+        if (const auto name = word.substr(0, word.find('=')); isOfServos(name) || isOfLegacy(name))
+            ofMotors = word;
         if (word == "--control") {
             options.control = true;
             continue;
@@ -395,10 +422,8 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
         if (const auto problem = applyNamed(name, value, options))
             return fail(*problem);
     }
-    if (options.protocol == Protocol::Mcb && !options.rig.empty() && !ofServo.empty())
-        return fail(std::string(ofServo) + " does not go with --rig; see --help");
-    if (options.protocol == Protocol::Legacy && options.rig.empty())
-        return fail(std::string(words[0]) + " needs --rig FILE; see --help");
+    if (options.protocol != Protocol::Mcp && !options.rig.empty() && !ofMotors.empty())
+        return fail(std::string(ofMotors) + " does not go with --rig; see --help");
     if (options.tcp && !options.link.empty())
         return fail(std::string("--link goes with a pseudo-terminal, not with --tcp"));
     return options;

@@ -42,6 +42,8 @@ Result<Served, std::string> mcbOf(const Options &options)
 
 Result<Served, std::string> legacyOf(const Options &options)
 {
+    if (options.rig.empty())
+        return boardOf(options);
     auto rig = session::readLegacyRigFile(QString::fromStdString(options.rig));
     if (!rig)
         return fail(rig.error());

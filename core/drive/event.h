@@ -36,6 +36,7 @@ enum class LinkReason : std::uint8_t {
     OldProtocol, ///< the board speaks an older protocol
     NotReady, ///< the line by which the drive says that it is ready stays low
     DeadLine, ///< only zeros, or only ones: nobody drives the line
+    OtherProtocol, ///< the board refused as one of the newer protocol does
 };
 
 struct LinkChanged {
@@ -56,6 +57,7 @@ struct Identity {
     /// The drive stops its motor by itself when it hears nothing for that long; none: it turns on.
     std::optional<std::chrono::milliseconds> watchdog;
     bool knownFirmware = true; ///< false: registers are shown raw and nothing is written
+    std::string evidence = {}; ///< by what the protocol was recognised, in words; from core
 };
 
 /// What bounds a set-point of one motor. Zero: the board did not say.
@@ -124,6 +126,8 @@ struct Reading {
     ReadStatus status = ReadStatus::Ok;
     Value value;
     TimePoint at; ///< when the answer came
+    /// The value was true at some time within so long before `at`; 0: not told.
+    Duration spread{};
 };
 struct RegistersRead {
     std::vector<Reading> readings;

@@ -1,11 +1,15 @@
 #include "drive/make_drive.h"
 
+#include "drive/auto_drive.h"
+#include "drive/legacy_drive.h"
 #include "drive/mcb_drive.h"
 #include "drive/mcp_drive.h"
 
 namespace drive {
 
-std::unique_ptr<Drive> makeDrive(const LineOptions &options)
+namespace {
+
+std::unique_ptr<Drive> newer(const LineOptions &options)
 {
     if (options.protocol == Protocol::Mcb) {
         McbDriveConfig config;
@@ -16,6 +20,34 @@ std::unique_ptr<Drive> makeDrive(const LineOptions &options)
     config.baud = options.baud;
     config.patience = options.patience;
     return makeMcpDrive(config);
+}
+
+std::unique_ptr<Drive> older(const LineOptions &options, std::optional<legacy::Dialect> dialect)
+{
+    LegacyDriveConfig config;
+    config.baud = options.baud;
+    config.patience = options.patience;
+    config.dialect = dialect;
+    return makeLegacyDrive(config);
+}
+
+} // namespace
+
+std::unique_ptr<Drive> makeDrive(const LineOptions &options)
+{
+    switch (options.protocol) {
+    case Protocol::Legacy:
+        return older(options, legacy::Dialect::Stm32);
+    case Protocol::PowerPc:
+        return older(options, legacy::Dialect::PowerPc);
+    case Protocol::Auto:
+        return makeAutoDrive({{[options] { return newer(options); }, "it answered a BEACON"},
+            {[options] { return older(options, std::nullopt); }, {}}});
+    case Protocol::Mcp:
+    case Protocol::Mcb:
+        break;
+    }
+    return newer(options);
 }
 
 } // namespace drive

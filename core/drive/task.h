@@ -80,4 +80,25 @@ private:
     bool m_sent = false; ///< something that can change the board has left
 };
 
+/// A wish that is refused whatever the board says.
+class RefusedTask : public WishTask {
+public:
+    RefusedTask(WishId id, Permission permission, std::string reason)
+        : WishTask(id, permission)
+        , m_reason(std::move(reason))
+    {
+    }
+    std::optional<Bytes> nextRequest(TimePoint) override
+    {
+        if (!finished())
+            end(Outcome::Refused, m_reason);
+        return std::nullopt;
+    }
+    void takeResponse(ByteView, TimePoint) override { }
+    void takeNoResponse(std::optional<bool>, TimePoint) override { }
+
+private:
+    std::string m_reason;
+};
+
 } // namespace drive

@@ -99,6 +99,8 @@ struct Watch {
     std::vector<RegisterId> registers;
     Duration period =
         std::chrono::milliseconds(100); ///< wished for; the rate reached is what the link can spare
+    /// Of them, those that are drawn: where boards record nothing by themselves they are read as often as the line gives.
+    std::vector<RegisterId> drawn = {};
 };
 
 struct Wish {

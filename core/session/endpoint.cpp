@@ -1,12 +1,14 @@
 #include "session/endpoint.h"
 
 #include "session/port_list.h"
+#include "simulation/legacy/legacy_motor_board.h"
 
 namespace session {
 
 namespace {
 
 constexpr QLatin1Char kOf(':'); ///< between the simulated board and what it speaks
+constexpr std::uint32_t kOlderBaud = 115200;
 constexpr char kSpiDevice[] = "/dev/spidev";
 
 } // namespace
@@ -22,15 +24,20 @@ Endpoint endpointFor(const QString &path, std::uint32_t baud, drive::Protocol pr
     if (path == simulator) {
         endpoint.kind = Endpoint::Kind::Simulator;
     } else if (path.startsWith(simulator + kOf)) {
-        const auto spoken = drive::protocolOf(path.section(kOf, 1).toStdString());
-        if (spoken && *spoken != drive::Protocol::Auto) {
+        const std::string name = path.section(kOf, 1).toStdString();
+        const auto spoken = drive::protocolOf(name);
+        if (simulation::isLegacyProfile(name)) {
+            endpoint.kind = Endpoint::Kind::Simulator;
+            endpoint.board.profile = name; // what it speaks may be found out
+            endpoint.baud = kOlderBaud;
+        } else if (spoken && *spoken != drive::Protocol::Auto) {
             endpoint.kind = Endpoint::Kind::Simulator;
             endpoint.protocol = *spoken;
         }
     } else if (isSpiPath(path) && protocol == drive::Protocol::Auto) {
         endpoint.protocol = drive::Protocol::Mcb; // nothing else is spoken there
     }
-    endpoint.board.baud = baud;
+    endpoint.board.baud = endpoint.baud;
     return endpoint;
 }
 

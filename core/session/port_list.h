@@ -38,7 +38,7 @@ struct PortChoice {
     bool operator==(const PortChoice &) const = default;
 };
 
-/// The name of the simulated board among the ports.
+/// The name of the simulated board among the ports. With ":" and a profile it is another one, e.g. "sim:powerpc".
 inline constexpr char kSimulatorPath[] = "sim";
 
 bool isStLink(quint16 vendor, quint16 product);

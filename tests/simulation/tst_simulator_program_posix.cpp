@@ -73,11 +73,12 @@ void TestSimulatorProgram::aWrongCommandLineIsOneSentenceAndStatus2_data()
     };
     row("nothing", "");
     row("unknown protocol", "quantum");
-    row("no rig of the older protocol", "legacy");
+    row("a profile of the newer protocol", "legacy --profile mcsdk-6.4");
     row("no such rig", "powerpc --rig /nowhere/rig.json");
     row("a rig that is none", "legacy --rig " ROTORSCOPE_TEST_DATA "/vectors/legacy.jsonl");
     row("a rig for another protocol", "mcp --rig " ROTORSCOPE_TEST_DATA "/rigs/legacy-A.json");
-    row("a motor for a rig of the older protocol", "legacy --motor pm24");
+    row("a motor for a rig of the older protocol",
+        "legacy --motor pm24 --rig " ROTORSCOPE_TEST_DATA "/rigs/legacy-A.json");
     row("unknown flag", "mcp --colour red");
     row("unknown profile", "mcp --profile mcsdk-9.9");
     row("no value", "mcp --baud");
@@ -95,7 +96,7 @@ void TestSimulatorProgram::aWrongCommandLineIsOneSentenceAndStatus2_data()
     row("unknown load", "mcp --load spring:3");
     row("three motors", "mcp --motors 3");
     row("no port", "mcp --tcp 70000");
-    row("no rig", "legacy --control");
+    row("three motors of the older protocol", "legacy --motors 3");
     row("a fault that a frame has not", "mcb --liar twice");
     row("a profile of another protocol", "mcb --profile mcsdk-6.4");
     row("no such rig", "mcb --rig /nowhere/rig.json");

@@ -2,9 +2,11 @@
 // runFor() and runUntil(); the same seed gives the same run, byte for byte.
 #pragma once
 
+#include "drive/legacy_drive.h"
 #include "drive/mcp_drive.h"
 #include "mcp/protocol.h"
 #include "mcp/request.h"
+#include "simulation/legacy/legacy_motor_board.h"
 #include "simulation/simulated_board.h"
 
 #include <QtGlobal>
@@ -66,6 +68,13 @@ public:
         , board(simulation::makeBoard(options))
         , m_random(seed)
     {
+        if (simulation::isLegacyProfile(options.profile)) {
+            drive::LegacyDriveConfig config;
+            config.baud = baud;
+            drive = drive::makeLegacyDrive(config);
+            m_framesAreRequests = true;
+            return;
+        }
         drive::McpDriveConfig config;
         config.baud = baud;
         drive = drive::makeMcpDrive(config);
@@ -163,6 +172,8 @@ private:
     void step(TimePoint end)
     {
         TimePoint next = std::min(end, now + kGrain);
+        if (m_framesAreRequests) // whose board wakes for its bytes only
+            next = std::min(next, std::max(board->nextWake(), now));
         if (const auto due = drive->nextTimeout())
             next = std::min(next, std::max(*due, now));
         if (!m_sending.empty())
@@ -209,6 +220,8 @@ private:
     void watch(const Bytes &bytes)
     {
         sent.insert(sent.end(), bytes.begin(), bytes.end());
+        if (m_framesAreRequests)
+            return requests.push_back(bytes);
         if (m_payloadNext)
             requests.push_back(bytes);
         m_payloadNext = !m_payloadNext && bytes.size() == 4 && (bytes[0] & 0xFU) == 9;
@@ -316,6 +329,7 @@ private:
     drive::WishId m_lastWish = 0;
     bool m_unsent = false;
     bool m_payloadNext = false;
+    bool m_framesAreRequests = false; ///< of a protocol whose outputs are whole frames
     int m_standing = 0;
 };
 

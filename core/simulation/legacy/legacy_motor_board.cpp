@@ -11,7 +11,7 @@ namespace simulation {
 namespace {
 
 constexpr Duration kMfPeriod = std::chrono::milliseconds(1);
-constexpr Duration kNotice = std::chrono::microseconds(200); ///< from a request to its answer
+constexpr Duration kNotice = std::chrono::microseconds(100); ///< from a request to its answer
 constexpr std::uint8_t kSpeedMode = 3, kTorqueMode = 4; ///< as the firmware numbers them
 constexpr Duration kPrintedFrameTime = std::chrono::milliseconds(25);
 

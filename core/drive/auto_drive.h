@@ -1,0 +1,25 @@
+// Drive for a serial line of which nobody says what is spoken on it. It tries the protocols one after the other and stays
+// with the first whose board answers; from then on it is that protocol's drive, until disconnect().
+//
+// Order and why: first ASPEP, because the four bytes of its BEACON mean nothing to a board of the older protocol (a length
+// that is too long, or a motor and a code that no board has) and a board of the newer one is left as it was. Then the
+// older protocol, which begins with reads alone. Nothing that could move a motor is sent until the board is known.
+#pragma once
+
+#include "drive/drive.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace drive {
+
+struct Candidate {
+    std::function<std::unique_ptr<Drive>()> make;
+    std::string evidence; ///< why it was taken, if its identity does not say itself
+};
+
+/// @param candidates  at least one; in the order in which they are tried
+std::unique_ptr<Drive> makeAutoDrive(std::vector<Candidate> candidates);
+
+} // namespace drive

@@ -1,0 +1,20 @@
+// What is known of a board of the older serial protocol, shared by the parts of LegacyDrive. Plain data; filled by the
+// identification, read by everybody else.
+#pragma once
+
+#include "drive/board_facts.h"
+#include "legacy/protocol.h"
+
+#include <set>
+
+namespace drive {
+
+struct LegacyFacts : BoardFacts {
+    legacy::Dialect dialect = legacy::Dialect::Stm32;
+    /// Registers that a motor does not have although another one has: by id with motor.
+    std::set<RegisterId> missing;
+    double bytesPerSecond = 11520.0; ///< of the line, in each direction
+    double ampsPerDigit = 0.0; ///< as a person entered it: no board of this kind tells
+};
+
+} // namespace drive

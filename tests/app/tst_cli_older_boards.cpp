@@ -1,0 +1,129 @@
+// The command line with boards of the older serial protocol: the same commands, the protocol found out or named.
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+struct Run {
+    int status = -1;
+    QString out, error;
+    QJsonDocument json() const { return QJsonDocument::fromJson(out.toUtf8()); }
+};
+
+Run run(const QString &line)
+{
+    QProcess process;
+    process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-cli"),
+        line.split(QLatin1Char(' '), Qt::SkipEmptyParts));
+    if (!process.waitForFinished(60000))
+        return {};
+    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
+        QString::fromUtf8(process.readAllStandardError())};
+}
+
+} // namespace
+
+class TestCliOlderBoards : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(m_folder.isValid()); }
+    void infoSaysWhatWasFoundAndWhy_data();
+    void infoSaysWhatWasFoundAndWhy();
+    void valuesAreReadAndWritten();
+    void theWrongDialectIsNotWrittenTo();
+    void withoutExpertModeNothingStarts();
+    void captureReadsAsFastAsTheLineGives();
+    void anUnknownProtocolIsWrongUsage();
+
+private:
+    QTemporaryDir m_folder;
+};
+
+void TestCliOlderBoards::infoSaysWhatWasFoundAndWhy_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("protocol");
+    QTest::newRow("found out") << QStringLiteral("--port sim:legacy info")
+                               << QStringLiteral("MCP legacy");
+    QTest::newRow("named") << QStringLiteral("--port sim:legacy --protocol legacy info")
+                           << QStringLiteral("MCP legacy");
+    QTest::newRow("powerpc") << QStringLiteral("--port sim:powerpc --protocol auto info")
+                             << QStringLiteral("MCP PowerPC");
+    QTest::newRow("the newer one")
+        << QStringLiteral("--port sim --protocol mcp info") << QStringLiteral("MCP over ASPEP");
+}
+
+void TestCliOlderBoards::infoSaysWhatWasFoundAndWhy()
+{
+    QFETCH(QString, line);
+    QFETCH(QString, protocol);
+    const Run result = run(line);
+    QCOMPARE(result.status, 0);
+    QVERIFY2(result.out.contains(protocol), qPrintable(result.out));
+    QCOMPARE(
+        result.out.contains(QLatin1String("Found by")), !line.contains(QLatin1String(" mcp ")));
+    QVERIFY(result.out.contains(QLatin1String("Motor 1: IDLE")));
+}
+
+void TestCliOlderBoards::valuesAreReadAndWritten()
+{
+    const Run set = run(QStringLiteral("--port sim:legacy --protocol legacy set SPEED_KP=1234"));
+    QCOMPARE(set.status, 0);
+    QVERIFY(set.out.contains(QLatin1String("1234")));
+    const Run get =
+        run(QStringLiteral("--port sim:powerpc --protocol powerpc --json get CONTROL_MODE I_Q_KP"));
+    QCOMPARE(get.status, 0);
+    QCOMPARE(get.json().array().size(), 2);
+    QVERIFY(
+        run(QStringLiteral("--port sim:legacy --protocol legacy set SPEED_KP=40000")).status != 0);
+}
+
+void TestCliOlderBoards::theWrongDialectIsNotWrittenTo()
+{
+    const Run result =
+        run(QStringLiteral("--port sim:powerpc --protocol legacy set SPEED_KP=1234"));
+    QVERIFY(result.status != 0);
+    QVERIFY(run(QStringLiteral("--port sim:powerpc --protocol legacy info"))
+                .out.contains(QLatin1String("read-only")));
+}
+
+void TestCliOlderBoards::withoutExpertModeNothingStarts()
+{
+    const Run refused = run(QStringLiteral("--port sim:legacy --protocol legacy start"));
+    QCOMPARE(refused.status, 1);
+    QVERIFY(refused.error.contains(QLatin1String("expert mode")));
+    QCOMPARE(
+        run(QStringLiteral("--port sim:legacy --protocol legacy start --expert --max-rpm 3000"))
+            .status,
+        0);
+}
+
+void TestCliOlderBoards::captureReadsAsFastAsTheLineGives()
+{
+    const QString file = m_folder.filePath(QStringLiteral("polled.csv"));
+    const Run result =
+        run(QStringLiteral(
+                "--port sim:legacy --protocol legacy --json capture --hf SPEED_MEAS,I_Q_MEAS "
+                "--seconds 0.5 -o ")
+            + file);
+    QVERIFY2(result.status == 0, qPrintable(result.error));
+    QVERIFY(result.json().object()[QLatin1String("values_per_second")].toDouble() > 20.0);
+    QFile csv(file);
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    QVERIFY(csv.readLine().startsWith("time [s],SPEED_MEAS [rpm],I_Q_MEAS"));
+    QVERIFY(!csv.readLine().isEmpty());
+}
+
+void TestCliOlderBoards::anUnknownProtocolIsWrongUsage()
+{
+    const Run result = run(QStringLiteral("--port sim --protocol quantum info"));
+    QCOMPARE(result.status, 2);
+    QVERIFY(result.error.contains(QLatin1String("powerpc")));
+}
+
+QTEST_GUILESS_MAIN(TestCliOlderBoards)
+#include "tst_cli_older_boards.moc"

@@ -1,0 +1,165 @@
+// One session of a person with each kind of board, through the real window, the real session thread and a simulated
+// board: connect by Auto, arm, start, two signals on the scope, change a gain, undo it, ramp, stop, write a CSV file. The
+// steps name no kind of board: a new one is a row.
+#include "support/window_rig.h"
+#include "widgets/connect_bar.h"
+#include "widgets/control_panel.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/setpoint_edit.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFile>
+#include <QPushButton>
+#include <QTemporaryDir>
+
+#include <cmath>
+
+using drive::MotorState;
+
+class TestBoardsSession : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void everyBoardIsDrivenInTheSameWindow_data();
+    void everyBoardIsDrivenInTheSameWindow();
+
+private:
+    void connectByAuto(const QString &path, const QByteArray &protocol);
+    void startTheMotor();
+    void drawTwoSignals();
+    void changeAGainAndUndo();
+    void rampAndStop();
+    void writeCsv();
+
+    widgets::Device &device() { return m_rig->workbench.device(); }
+    MotorState state() { return device().status(1).state; }
+    catalog::RegisterId idOf(const char *name) { return *device().catalog()->resolve(name); }
+    double shown(const char *name)
+    {
+        return m_rig->workbench.registers().shownValue(idOf(name)).value_or(0.0);
+    }
+    std::uint64_t samplesOf(const char *name)
+    {
+        const auto &capture = m_rig->workbench.capture();
+        return capture.size(capture.find(idOf(name)).value_or(0));
+    }
+
+    std::unique_ptr<facts::WindowRig> m_rig;
+};
+
+void TestBoardsSession::everyBoardIsDrivenInTheSameWindow_data()
+{
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<QByteArray>("protocol");
+    QTest::newRow("newer serial protocol") << QStringLiteral("sim") << QByteArray("MCP over ASPEP");
+    QTest::newRow("older serial protocol")
+        << QStringLiteral("sim:legacy") << QByteArray("MCP legacy");
+    QTest::newRow("its PowerPC dialect")
+        << QStringLiteral("sim:powerpc") << QByteArray("MCP PowerPC");
+}
+
+void TestBoardsSession::everyBoardIsDrivenInTheSameWindow()
+{
+    QFETCH(QString, path);
+    QFETCH(QByteArray, protocol);
+    m_rig = std::make_unique<facts::WindowRig>();
+    m_rig->sayYesToMotion();
+    m_rig->window.resize(1280, 720);
+    QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+    for (const auto &step : {std::function<void()>([&] { connectByAuto(path, protocol); }),
+             std::function<void()>([&] { startTheMotor(); }),
+             std::function<void()>([&] { drawTwoSignals(); }),
+             std::function<void()>([&] { changeAGainAndUndo(); }),
+             std::function<void()>([&] { rampAndStop(); }),
+             std::function<void()>([&] { writeCsv(); })}) {
+        step();
+        if (QTest::currentTestFailed())
+            break;
+    }
+    m_rig.reset();
+}
+
+void TestBoardsSession::connectByAuto(const QString &path, const QByteArray &protocol)
+{
+    auto *bar = m_rig->find<widgets::ConnectBar>("connectBar");
+    QCOMPARE(m_rig->find<QComboBox>("protocol")->currentText(), QStringLiteral("Auto"));
+    bar->setEndpoint(path, 1843200);
+    QTest::mouseClick(m_rig->find<QPushButton>("connect"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(device().answering() && device().identified(), 20000);
+    const drive::Identity &identity = device().identified()->identity;
+    QVERIFY2(identity.protocol.starts_with(protocol.toStdString()), identity.protocol.c_str());
+    QVERIFY(!identity.evidence.empty());
+    QVERIFY(!device().armed());
+    QTRY_COMPARE(state(), MotorState::Idle);
+}
+
+void TestBoardsSession::startTheMotor()
+{
+    device().setUserLimits({3000.0, 0.0});
+    if (!gapsIn(device().limits(1)).empty()) { // a board that does not tell all its limits
+        device().becomeExpert(1);
+        QTRY_VERIFY(device().expert(1));
+    }
+    QTest::keyClick(m_rig->find<QCheckBox>("arm"), Qt::Key_Space);
+    QTRY_VERIFY(device().armed());
+    QTRY_VERIFY(m_rig->find<QPushButton>("start")->isEnabled());
+    QTest::mouseClick(m_rig->find<QPushButton>("start"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(state(), MotorState::Running, 15000);
+}
+
+void TestBoardsSession::drawTwoSignals()
+{
+    for (const char *name : {"SPEED_MEAS", "I_Q_MEAS"})
+        m_rig->window.selection()->add(idOf(name), 0);
+    for (const char *name : {"SPEED_MEAS", "I_Q_MEAS"}) {
+        QTRY_VERIFY(samplesOf(name) > 0);
+        const auto before = samplesOf(name);
+        QTRY_VERIFY(samplesOf(name) > before + 5);
+    }
+}
+
+void TestBoardsSession::changeAGainAndUndo()
+{
+    auto &registers = m_rig->workbench.registers();
+    auto &edits = m_rig->workbench.edits();
+    const auto gain = idOf("SPEED_KI");
+    QTRY_VERIFY(registers.known(gain).has_value());
+    const catalog::Value before = *registers.known(gain);
+    const catalog::Value after = std::get<std::int64_t>(before) + 1;
+    registers.setPending(gain, after);
+    edits.apply();
+    QTRY_VERIFY(!edits.underWay() && registers.known(gain) == after);
+    QCOMPARE(edits.steps().count(), 1);
+    edits.undo();
+    QTRY_VERIFY(!edits.underWay() && registers.known(gain) == before);
+}
+
+void TestBoardsSession::rampAndStop()
+{
+    auto *speed = m_rig->window.controlPanel()->speed();
+    speed->setText(QStringLiteral("1200"));
+    QTest::keyClick(speed, Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(shown("SPEED_MEAS") - 1200.0) < 60.0, 15000);
+    QTest::keyClick(&m_rig->window, Qt::Key_Escape);
+    QVERIFY(!device().armed());
+    QTRY_COMPARE_WITH_TIMEOUT(state(), MotorState::Idle, 5000);
+}
+
+void TestBoardsSession::writeCsv()
+{
+    QTest::mouseClick(m_rig->find<QPushButton>("connect"), Qt::LeftButton); // nothing more is added
+    QTRY_VERIFY(!device().portOpen());
+    QTemporaryDir folder;
+    m_rig->files.answer = folder.filePath(QStringLiteral("capture.csv"));
+    m_rig->window.exportCsv();
+    QTest::mouseClick(m_rig->find<QPushButton>("exportSave"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(m_rig->files.answer), 20000);
+    QFile file(m_rig->files.answer);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray heading = file.readLine();
+    QVERIFY2(heading.contains("SPEED_MEAS"), heading.constData());
+    QVERIFY(!file.readLine().isEmpty());
+}
+
+QTEST_MAIN(TestBoardsSession)
+#include "tst_boards_session.moc"
