@@ -2286,10 +2286,6 @@
         <translation>Ohne Freigabe verlässt nichts Rotorscope, was schreibt oder bewegt. Ein Stopp, eine verlorene und eine neue Verbindung heben die Freigabe auf.</translation>
     </message>
     <message>
-        <source>Connect to a board first.</source>
-        <translation>Verbinden Sie zuerst ein Board.</translation>
-    </message>
-    <message>
         <source>Acknowledge</source>
         <translation>Quittieren</translation>
     </message>
@@ -3738,6 +3734,26 @@
     <message>
         <source>XY</source>
         <translation>XY</translation>
+    </message>
+    <message>
+        <source>Replay of %1</source>
+        <translation>Wiedergabe von %1</translation>
+    </message>
+    <message>
+        <source>Re&amp;play a recording…</source>
+        <translation>Aufzeichnung &amp;wiedergeben…</translation>
+    </message>
+    <message>
+        <source>Disconnect first (Ctrl+D): a replay takes the place of a board.</source>
+        <translation>Erst trennen (Strg+D): Eine Wiedergabe tritt an die Stelle eines Boards.</translation>
+    </message>
+    <message>
+        <source>Replay a recording</source>
+        <translation>Aufzeichnung wiedergeben</translation>
+    </message>
+    <message>
+        <source>%1 is no recording of Rotorscope.</source>
+        <translation>%1 ist keine Aufzeichnung von Rotorscope.</translation>
     </message>
 </context>
 <context>
@@ -5263,6 +5279,57 @@
     </message>
 </context>
 <context>
+    <name>widgets::ReplayBar</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Pause the replay</source>
+        <translation>Wiedergabe anhalten</translation>
+    </message>
+    <message>
+        <source>Holds the replay; nothing is left out</source>
+        <translation>Hält die Wiedergabe an; nichts wird ausgelassen</translation>
+    </message>
+    <message>
+        <source>Pace of the replay</source>
+        <translation>Tempo der Wiedergabe</translation>
+    </message>
+    <message>
+        <source>1×, as it was</source>
+        <translation>1×, wie es war</translation>
+    </message>
+    <message>
+        <source>4×</source>
+        <translation>4×</translation>
+    </message>
+    <message>
+        <source>as fast as possible</source>
+        <translation>so schnell wie möglich</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 % of the file</source>
+        <comment>file name, duration, number</comment>
+        <translation>%1: %2, %3 % der Datei</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n damaged place(s)</source>
+        <translation>
+            <numerusform>, %n beschädigte Stelle</numerusform>
+            <numerusform>, %n beschädigte Stellen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source> – its end</source>
+        <translation> – zu Ende</translation>
+    </message>
+</context>
+<context>
     <name>widgets::RevUpChart</name>
     <message>
         <source>Picture of the rev-up: speed and current over time</source>
@@ -6583,6 +6650,10 @@ mN·m</translation>
     <message>
         <source>Drive watchdog: none</source>
         <translation>Überwachung im Antrieb: keine</translation>
+    </message>
+    <message>
+        <source>replay of %1</source>
+        <translation>Wiedergabe von %1</translation>
     </message>
 </context>
 <context>

@@ -2286,10 +2286,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Connect to a board first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Acknowledge</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3737,6 +3733,26 @@
     </message>
     <message>
         <source>XY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;play a recording…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnect first (Ctrl+D): a replay takes the place of a board.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no recording of Rotorscope.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5263,6 +5279,57 @@
     </message>
 </context>
 <context>
+    <name>widgets::ReplayBar</name>
+    <message>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holds the replay; nothing is left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pace of the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1×, as it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>4×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as fast as possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 % of the file</source>
+        <comment>file name, duration, number</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n damaged place(s)</source>
+        <translation>
+            <numerusform>, one damaged place</numerusform>
+            <numerusform>, %n damaged places</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source> – its end</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::RevUpChart</name>
     <message>
         <source>Picture of the rev-up: speed and current over time</source>
@@ -6576,6 +6643,10 @@ mN·m</source>
     </message>
     <message>
         <source>Drive watchdog: none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>replay of %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -70,11 +70,12 @@ QString CommandBox::acknowledgeHint() const
 void CommandBox::follow()
 {
     m_arm->setChecked(m_device.armed());
-    m_arm->setEnabled(m_device.answering());
-    m_arm->setToolTip(m_device.answering()
+    const MotionAllowed arm = armAllowed(m_device);
+    m_arm->setEnabled(arm.yes);
+    m_arm->setToolTip(arm.yes
             ? tr("Until it is armed, nothing that writes or moves leaves Rotorscope. A stop, a "
                  "lost link and a new connection disarm.")
-            : tr("Connect to a board first."));
+            : plainToolTip(arm.why));
     applyAllowed(m_start, startAllowed(m_device), startHint());
     applyAllowed(m_acknowledge, acknowledgeAllowed(m_device), acknowledgeHint());
 }

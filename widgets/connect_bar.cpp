@@ -8,6 +8,7 @@
 
 #include <QComboBox>
 #include <QEvent>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -182,6 +183,8 @@ void ConnectBar::setEndpoint(const QString &path, quint32 baud)
 
 QString ConnectBar::path() const
 {
+    if (!m_pathBefore.isEmpty())
+        return m_pathBefore;
     const QString text = m_port->currentText().trimmed();
     const int index = m_port->findText(text);
     return index >= 0 ? m_port->itemData(index).toString() : text;
@@ -241,6 +244,20 @@ void ConnectBar::openSimulator()
     connectOrDisconnect();
 }
 
+void ConnectBar::openReplay(const QString &path)
+{
+    if (connecting())
+        return;
+    m_pathBefore = this->path();
+    m_port->setEditText(deviceText(QFileInfo(path).fileName()));
+    session::Endpoint endpoint;
+    endpoint.kind = session::Endpoint::Kind::Trace;
+    endpoint.path = path;
+    m_wanted = true;
+    m_device.open(endpoint);
+    updateLink();
+}
+
 void ConnectBar::focusPort()
 {
     m_port->setFocus(Qt::OtherFocusReason);
@@ -277,6 +294,8 @@ void ConnectBar::updateLink()
     m_connect->setText(connecting() ? tr("Disconnect") : tr("Connect"));
     m_connect->setToolTip(connecting() ? tr("Closes the port (Ctrl+D)")
                                        : tr("Opens the port and looks for a board (Ctrl+D)"));
+    if (!connecting() && !m_pathBefore.isEmpty())
+        setEndpoint(std::exchange(m_pathBefore, QString()), 0);
     m_port->setEnabled(!connecting());
     m_baud->setEnabled(!connecting());
     m_protocol->setEnabled(!connecting());

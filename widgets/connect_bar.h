@@ -34,6 +34,7 @@ public Q_SLOTS:
     void disconnectNow(); ///< whatever the motors do
     void refreshPorts();
     void openSimulator();
+    void openReplay(const QString &path); ///< of a recording; nothing while connected
     void focusPort();
 
 Q_SIGNALS:
@@ -58,6 +59,7 @@ private:
     QLabel *m_firmware;
     QLabel *m_board;
     QComboBox *m_motor;
+    QString m_pathBefore; ///< while a recording is shown in its place
     bool m_wanted = false; ///< the person asked for a connection and has not taken that back
 };
 

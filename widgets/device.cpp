@@ -1,5 +1,7 @@
 #include "widgets/device.h"
 
+#include "widgets/replaying.h"
+
 namespace widgets {
 namespace {
 
@@ -64,6 +66,8 @@ drive::MotorStatus Device::status(int motor) const
 
 bool Device::allIdle() const
 {
+    if (replaying(*this))
+        return true; // what turned then does not turn now
     for (const auto &[motor, status] : m_status)
         if (!atRest(status.state))
             return false;

@@ -22,6 +22,8 @@
 #include "widgets/motor_button.h"
 #include "widgets/record_control.h"
 #include "widgets/register_panel.h"
+#include "widgets/replay_bar.h"
+#include "widgets/replaying.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trigger_control.h"
 #include "widgets/scope_tools.h"
@@ -294,6 +296,7 @@ QWidget *MainWindow::makeCentre()
     layout->setSpacing(0);
     layout->addWidget(makeScopeBar());
     layout->addWidget(m_record->line());
+    layout->addWidget(new ReplayBar(m_device, m_workbench.replay(), centre));
     auto *trigger = new TriggerBar(*m_trigger, *m_scope, centre);
     layout->addWidget(trigger);
     connect(&m_workbench, &Workbench::heartbeat, trigger, &TriggerBar::refreshAge);
@@ -302,6 +305,8 @@ QWidget *MainWindow::makeCentre()
     auto *strip = new ChannelStrip(*m_selection, m_device, centre);
     layout->addWidget(strip);
     connect(&m_workbench, &Workbench::heartbeat, strip, &ChannelStrip::measure);
+    connect(&m_device, &Device::openWished, strip,
+        [this, strip] { strip->setVisible(!replaying(m_device)); });
     m_bigNumbers = new BigNumbers(m_device, m_workbench.registers(), centre);
     m_pages = new QStackedWidget(centre);
     m_pages->addWidget(picture);
@@ -459,7 +464,11 @@ void MainWindow::updateFrame()
     QString title = QStringLiteral("Rotorscope");
     if (m_device.portOpen())
         title = tr("%1 \u2013 Rotorscope", "what is connected")
-                    .arg(real ? deviceText(m_device.endpoint().path) : tr("Simulated board"));
+                    .arg(real ? deviceText(m_device.endpoint().path)
+                            : replaying(m_device)
+                            ? tr("Replay of %1")
+                                  .arg(deviceText(QFileInfo(m_device.endpoint().path).fileName()))
+                            : tr("Simulated board"));
     setWindowTitle(title);
 }
 

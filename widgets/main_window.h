@@ -84,6 +84,7 @@ private:
     void copyPicture();
     void askForCsv();
     void askForRecording();
+    void askForReplay();
     void replaceRecorded(std::function<void()> goOn);
     void tellReleased();
     void fillFileSignals();
@@ -161,6 +162,7 @@ private:
     QAction *m_export = nullptr;
     QAction *m_open = nullptr;
     QAction *m_import = nullptr;
+    QAction *m_replayFile = nullptr;
     QAction *m_copyPicture = nullptr;
     QMenu *m_fileSignals = nullptr;
     QList<QAction *> m_dockActions;

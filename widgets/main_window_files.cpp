@@ -1,4 +1,5 @@
 // Files in the main window: recordings, export and import, and what of a file is shown where.
+#include "session/recording_transport.h"
 #include "widgets/connect_bar.h"
 #include "widgets/device_text.h"
 #include "widgets/event_recorder.h"
@@ -41,11 +42,15 @@ void MainWindow::makeRecording()
     };
     m_open = make(tr("&Open a recording\u2026"), "openRecording", Qt::CTRL | Qt::Key_O,
         &MainWindow::askForRecording);
+    m_replayFile = make(tr("Re&play a recording\u2026"), "replayRecording",
+        Qt::CTRL | Qt::SHIFT | Qt::Key_R, &MainWindow::askForReplay);
     m_import = make(tr("&Import CSV\u2026"), "importCsv", Qt::CTRL | Qt::SHIFT | Qt::Key_O,
         &MainWindow::askForCsv);
     m_copyPicture = make(tr("&Copy the picture"), "copyPicture", Qt::CTRL | Qt::SHIFT | Qt::Key_C,
         &MainWindow::copyPicture);
     connect(m_record, &RecordControl::said, this, &MainWindow::say);
+    connect(&m_workbench.replay(), &session::Replay::happened, this,
+        [this](const session::ReplayedEntry &entry) { addReplayed(m_scope->events(), entry); });
 }
 
 void MainWindow::say(Banner::Kind kind, const QString &sentence)
@@ -115,6 +120,29 @@ void MainWindow::askForRecording()
     question.filter = tr("Recordings (*.pcapng)");
     replaceRecorded([this, question] {
         m_files.askOpen(this, question, [this](const QString &path) { openRecording(path); });
+    });
+}
+
+/// As if its board were there: the scope's trigger, its measurements and another recording see no difference.
+void MainWindow::askForReplay()
+{
+    if (m_connectBar->connecting()) {
+        say(Banner::Kind::Warning,
+            tr("Disconnect first (Ctrl+D): a replay takes the place of a board."));
+        return;
+    }
+    OpenQuestion question;
+    question.title = tr("Replay a recording");
+    question.folder = m_record->folder().isEmpty() ? QDir::homePath() : m_record->folder();
+    question.filter = tr("Recordings (*.pcapng)");
+    replaceRecorded([this, question] {
+        m_files.askOpen(this, question, [this](const QString &path) {
+            if (!session::isRecordingFile(path))
+                say(Banner::Kind::Warning,
+                    tr("%1 is no recording of Rotorscope.").arg(deviceText(path)));
+            else
+                m_connectBar->openReplay(path);
+        });
     });
 }
 

@@ -5,6 +5,7 @@
 #include "widgets/device_text.h"
 #include "widgets/first_steps.h"
 #include "widgets/main_window.h"
+#include "widgets/motion_allowed.h"
 #include "widgets/record_control.h"
 #include "widgets/register_panel.h"
 #include "widgets/scope/scope_view.h"
@@ -29,7 +30,7 @@ QAction *MainWindow::addAction(QMenu *menu, const QString &text, const QKeySeque
 void MainWindow::makeMenus(QMenuBar &bar)
 {
     QMenu *file = bar.addMenu(tr("&File"));
-    file->addActions({m_open, m_import});
+    file->addActions({m_open, m_replayFile, m_import});
     file->addSeparator();
     file->addActions({m_record->toggle(), m_record->withLink()});
     file->setToolTipsVisible(true);
@@ -160,7 +161,9 @@ void MainWindow::fillMotorMenu(QMenu *menu)
         &ControlPanel::stopRamp);
     connect(menu, &QMenu::aboutToShow, this, [this, arm, start, acknowledge] {
         arm->setChecked(m_device.armed());
-        arm->setEnabled(m_device.answering());
+        const MotionAllowed allowed = armAllowed(m_device);
+        arm->setEnabled(allowed.yes);
+        arm->setToolTip(plainToolTip(allowed.why));
         start->setToolTip(plainToolTip(m_control->startHint()));
         acknowledge->setToolTip(plainToolTip(m_control->acknowledgeHint()));
     });

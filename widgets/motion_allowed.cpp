@@ -13,6 +13,17 @@ struct Motion {
 
 } // namespace
 
+MotionAllowed armAllowed(const Device &device)
+{
+    if (!device.answering())
+        return {false, Motion::tr("Connect to a board first.")};
+    const drive::Capability start = device.capability(drive::Feature::Start);
+    const drive::Capability write = device.capability(drive::Feature::WriteRegisters);
+    if (device.identified() && !start.available && !write.available)
+        return {false, deviceText(write.reason)};
+    return {true, {}};
+}
+
 MotionAllowed motionAllowed(const Device &device, drive::Feature feature)
 {
     if (!device.answering() || !device.identified())

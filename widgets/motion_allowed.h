@@ -12,6 +12,8 @@ struct MotionAllowed {
     QString why; ///< if not, for a tool tip; plain text
 };
 
+/// Connected, and there is something that arming would allow.
+MotionAllowed armAllowed(const Device &device);
 /// Connected, available on this board, armed.
 MotionAllowed motionAllowed(const Device &device, drive::Feature feature);
 /// The same for the motor that is shown, in the state it is in.

@@ -9,6 +9,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace widgets {
@@ -134,6 +135,26 @@ void fillEvents(EventLog &events, const session::RecordingReport &report)
         notes[note.from] = deviceText(note.text);
     for (const auto &[at, text] : notes)
         events.add(EventKind::Marker, capture::toSeconds(at), text);
+}
+
+void addReplayed(EventLog &events, const session::ReplayedEntry &entry)
+{
+    if (const auto *happening = std::get_if<record::Happening>(&entry.entry)) {
+        if (isShown(*happening))
+            events.add(kindOf(*happening), entry.seconds, textOf(*happening));
+    } else if (const auto *note = std::get_if<record::Note>(&entry.entry)) {
+        // A marker whose text was changed is told again.
+        const QString text = deviceText(note->text);
+        const auto &all = events.events();
+        const auto known = std::find_if(all.begin(), all.end(), [&entry](const ScopeEvent &event) {
+            return event.kind == EventKind::Marker
+                && std::abs(event.seconds - entry.seconds) < 1e-6;
+        });
+        if (known != all.end())
+            events.setText(known->id, text);
+        else
+            events.add(EventKind::Marker, entry.seconds, text);
+    }
 }
 
 } // namespace widgets

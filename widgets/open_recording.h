@@ -4,6 +4,7 @@
 
 #include "capture/capture.h"
 #include "session/recording_reader.h"
+#include "session/replay.h"
 
 #include <QObject>
 
@@ -34,5 +35,8 @@ QString releasedText(const capture::Capture &capture);
 
 /// What happened during the recording and the marks in it.
 void fillEvents(EventLog &events, const session::RecordingReport &report);
+
+/// The same for one thing of a replay.
+void addReplayed(EventLog &events, const session::ReplayedEntry &entry);
 
 } // namespace widgets

@@ -1,5 +1,7 @@
 #include "widgets/shutdown.h"
 
+#include "widgets/replaying.h"
+
 namespace widgets {
 namespace {
 
@@ -23,7 +25,7 @@ bool Shutdown::mayEnd() const
     // A board that answers but has not said yet what its motor does may have one that turns.
     const auto &identified = m_device.identified();
     const bool ours = !identified || identified->identity.knownFirmware;
-    const bool unheard = m_device.answering() && ours
+    const bool unheard = m_device.answering() && ours && !replaying(m_device)
         && m_device.status(m_device.motor()).state == drive::MotorState::Unknown;
     return m_leave || (m_device.allIdle() && !unheard);
 }

@@ -32,12 +32,13 @@ SignalSelection::SignalSelection(
     m_soon.setSingleShot(true);
     m_soon.setInterval(0); // several drops in one turn of the loop make one stream
     connect(&m_soon, &QTimer::timeout, this, &SignalSelection::replan);
-    connect(&device, &Device::openWished, this, &SignalSelection::leaveFile);
+    connect(&device, &Device::openWished, this, &SignalSelection::opened);
     connect(&device, &Device::identityChanged, this, &SignalSelection::boardChanged);
     connect(&device, &Device::readingsArrived, this, &SignalSelection::takeReadings);
     connect(&device, &Device::streamStarted, this, [this](const capture::StreamLayout &layout) {
         m_capture.begin(layout);
         syncScope();
+        showReplayed();
         Q_EMIT changed();
     });
     connect(&device, &Device::samplesArrived, this,
@@ -54,7 +55,9 @@ SignalSelection::SignalSelection(
     connect(&scope, &ScopeView::registerDropped, this,
         [this](quint32 id, int plot) { add(id, plot < 0 ? m_scope.plotCount() : plot); });
     connect(&scope, &ScopeView::removeRequested, this, [this](quint32 channel) {
-        if (const auto info = m_capture.info(channel))
+        if (m_fromFile)
+            showOfFile(channel, false);
+        else if (const auto info = m_capture.info(channel))
             remove(info->registerId);
     });
     connect(&scope, &ScopeView::channelMoved, this, &SignalSelection::rememberPlots);
@@ -120,6 +123,11 @@ int SignalSelection::plotFor(catalog::RegisterId id) const
 
 void SignalSelection::add(quint32 id, int plot)
 {
+    if (m_replaying) {
+        if (const auto channel = m_capture.find(id))
+            showOfFile(*channel, true);
+        return;
+    }
     const auto catalog = m_device.catalog();
     const catalog::RegisterInfo *info = catalog ? catalog->find(id) : nullptr;
     if (!info || info->type == catalog::ValueType::Text || info->type == catalog::ValueType::Raw)
@@ -209,6 +217,28 @@ void SignalSelection::showOfFile(capture::ChannelId id, bool shown)
     m_scope.addChannel(id, plot);
 }
 
+void SignalSelection::opened(const session::Endpoint &endpoint)
+{
+    m_replaying = endpoint.kind == session::Endpoint::Kind::Trace;
+    leaveFile();
+    if (!m_replaying)
+        return;
+    m_offered.clear();
+    m_scope.events().clear();
+    clearRecorded(); // nor do a file's follow a board's
+    m_scope.setFollowing(true);
+}
+
+/// What a replay streams is shown once; whoever takes it away has taken it away.
+void SignalSelection::showReplayed()
+{
+    if (!m_replaying)
+        return;
+    for (const capture::ChannelId id : m_capture.streaming())
+        if (m_offered.insert(id).second)
+            showOfFile(id, true);
+}
+
 /// A board's samples do not follow a file's.
 void SignalSelection::leaveFile()
 {
@@ -222,9 +252,11 @@ void SignalSelection::leaveFile()
 void SignalSelection::clearRecorded()
 {
     takeOffScope();
-    m_fromFile = false;
+    m_fromFile = m_replaying;
     m_capture.clear();
+    m_offered.clear();
     syncScope();
+    showReplayed();
     m_scope.captureChanged();
     Q_EMIT changed();
 }
@@ -232,7 +264,7 @@ void SignalSelection::clearRecorded()
 void SignalSelection::boardChanged()
 {
     const auto catalog = m_device.catalog();
-    if (!catalog)
+    if (!catalog || m_replaying) // a recording streams what it streams
         return;
     std::erase_if(
         m_wanted, [&](const WantedSignal &signal) { return catalog->find(signal.id) == nullptr; });
@@ -247,7 +279,7 @@ void SignalSelection::replanSoon() { m_soon.start(); }
 void SignalSelection::replan()
 {
     const auto catalog = m_device.catalog();
-    if (!catalog)
+    if (!catalog || m_replaying)
         return;
     const std::vector<catalog::RegisterId> polledBefore = m_plan.polled;
     const ChannelPlan before = m_plan;
@@ -296,13 +328,15 @@ void SignalSelection::sendStream()
 void SignalSelection::takeReadings(const std::vector<drive::Reading> &readings)
 {
     const auto catalog = m_device.catalog();
-    if (!catalog || m_plan.polled.empty())
+    if (!catalog || (m_plan.polled.empty() && !m_replaying))
         return;
+    const auto asked = [this](catalog::RegisterId id) {
+        return m_replaying
+            || std::find(m_plan.polled.begin(), m_plan.polled.end(), id) != m_plan.polled.end();
+    };
     bool isNew = false;
     for (const drive::Reading &reading : readings) {
-        if (reading.status != drive::ReadStatus::Ok
-            || std::find(m_plan.polled.begin(), m_plan.polled.end(), reading.id)
-                == m_plan.polled.end())
+        if (reading.status != drive::ReadStatus::Ok || !asked(reading.id))
             continue;
         const catalog::Scale scale = catalog->readScale(reading.id);
         const bool known = m_capture.find(reading.id, Kind::Polled).has_value();

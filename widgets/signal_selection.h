@@ -9,6 +9,8 @@
 #include <QObject>
 #include <QTimer>
 
+#include <set>
+
 namespace widgets {
 
 class ScopeView;
@@ -61,6 +63,8 @@ private:
     void boardChanged();
     void takeOffScope();
     void leaveFile();
+    void opened(const session::Endpoint &endpoint);
+    void showReplayed();
 
     Device &m_device;
     capture::Capture &m_capture;
@@ -71,6 +75,8 @@ private:
     drive::WishId m_streamWish = 0; ///< the one that has not ended
     bool m_streamStale = false; ///< the plan changed while it was under way
     bool m_fromFile = false; ///< the capture is a file's
+    bool m_replaying = false; ///< it grows as the file is told
+    std::set<capture::ChannelId> m_offered; ///< of a replay, that were shown once
     bool m_streamed = false; ///< something may be streaming that has to be ended
     QTimer m_soon;
 };

@@ -4,8 +4,10 @@
 #include "widgets/fault_texts.h"
 #include "widgets/lamp.h"
 #include "widgets/messages.h"
+#include "widgets/replaying.h"
 #include "widgets/value_text.h"
 
+#include <QFileInfo>
 #include <QLabel>
 
 namespace widgets {
@@ -82,7 +84,9 @@ void StatusStrip::updateLink()
         const QString where = endpoint.kind == session::Endpoint::Kind::Simulator
             ? tr("simulated board")
             : deviceText(endpoint.path);
-        text = QStringLiteral("%1 @ %2").arg(where, QString::number(endpoint.baud));
+        text = replaying(m_device)
+            ? tr("replay of %1").arg(deviceText(QFileInfo(endpoint.path).fileName()))
+            : QStringLiteral("%1 @ %2").arg(where, QString::number(endpoint.baud));
     }
     m_link->show(lightOf(m_device.link().state), text);
     const auto &identified = m_device.identified();

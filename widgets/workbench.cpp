@@ -12,7 +12,7 @@ Workbench::Workbench(session::MakeSink makeSink, QObject *parent)
     , m_watchList(m_device, m_registers)
     , m_tap(std::make_shared<session::RecordingTap>())
     , m_recording(m_tap, {}, std::move(makeSink))
-    , m_thread(session::tapped(session::realParts(), m_tap))
+    , m_thread(session::tapped(session::replaying(session::realParts(), m_replay), m_tap))
 {
     m_clock.start();
     connectSession();
@@ -43,6 +43,10 @@ void Workbench::connectSession()
     connect(session, &Session::armedChanged, &m_device, &Device::armedChanged);
     connect(session, &Session::batch, &m_device, &Device::apply);
     connect(&m_device, &Device::batchApplied, session, &Session::acknowledge);
+    connect(&m_device, &Device::samplesArrived, this,
+        [this](const capture::SampleBlock &block) { m_replay->take(record::samplesOf(block)); });
+    connect(&m_device, &Device::readingsArrived, this,
+        [this](const std::vector<drive::Reading> &readings) { m_replay->take(readings.size()); });
 }
 
 void Workbench::connectModels()

@@ -6,6 +6,7 @@
 
 #include "capture/capture.h"
 #include "session/recording.h"
+#include "session/replay.h"
 #include "session/session_thread.h"
 #include "widgets/device.h"
 #include "widgets/motion_gate.h"
@@ -38,6 +39,7 @@ public:
     MotionLogModel &motionLog() { return m_motionLog; }
     capture::Capture &capture() { return m_capture; }
     session::Recording &recording() { return m_recording; }
+    session::Replay &replay() { return *m_replay; }
     WatchList &watchList() { return m_watchList; }
     Milliseconds now() const
     {
@@ -62,6 +64,7 @@ private:
     WatchList m_watchList;
     StopFilter m_stopFilter;
     QTimer m_heart;
+    std::shared_ptr<session::Replay> m_replay = std::make_shared<session::Replay>();
     std::shared_ptr<session::RecordingTap> m_tap;
     session::Recording m_recording;
     session::SessionThread m_thread; // last: ends first, while the device it tells still exists

@@ -1,5 +1,5 @@
 // What a session is made of outside the tests.
-#include "session/session.h"
+#include "session/replay.h"
 
 #include "drive/make_drive.h"
 
@@ -20,15 +20,16 @@ Clock makeClock()
     };
 }
 
+std::unique_ptr<drive::Drive> makeDrive(const Endpoint &endpoint)
+{
+    if (isReplay(endpoint))
+        return std::make_unique<record::ReplayDrive>();
+    return drive::makeDrive({endpoint.protocol, endpoint.baud, endpoint.patience});
+}
+
 } // namespace
 
-Parts realParts()
-{
-    return {
-        .clock = makeClock(), .transport = makeTransport, .drive = [](const Endpoint &endpoint) {
-            return drive::makeDrive({endpoint.protocol, endpoint.baud, endpoint.patience});
-        }};
-}
+Parts realParts() { return {.clock = makeClock(), .transport = makeTransport, .drive = makeDrive}; }
 
 Session::Session(QObject *parent)
     : Session(realParts(), parent)

@@ -1,4 +1,5 @@
 // Which transport an endpoint needs.
+#include "session/recording_transport.h"
 #include "session/serial_transport.h"
 #include "session/simulator_transport.h"
 #include "session/spi_transport.h"
@@ -27,6 +28,8 @@ std::unique_ptr<Transport> makeTransport(const Endpoint &endpoint)
             return makeSpiTransport(endpoint.path, endpoint.baud);
         return std::make_unique<SerialTransport>(endpoint.path, endpoint.baud);
     case Endpoint::Kind::Trace:
+        if (isRecordingFile(endpoint.path))
+            return std::make_unique<RecordingTransport>(endpoint.path);
         return std::make_unique<TraceTransport>(endpoint.path);
     }
     return nullptr;

@@ -1,0 +1,233 @@
+// A replay through the real window and the real session thread: it looks like a board that cannot be touched.
+#include "session/recording_file.h"
+#include "support/recording_facts.h"
+#include "support/window_rig.h"
+#include "widgets/banner.h"
+#include "widgets/connect_bar.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/scope/trigger_control.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QMessageBox>
+#include <QTemporaryDir>
+#include <QToolButton>
+
+using widgets::Banner;
+
+namespace {
+
+constexpr capture::Tick kTicks = 320'000;
+constexpr catalog::RegisterId kTemperature = (50U << 6) | 1U;
+
+/// Twenty seconds of a square wave of 10 Hz and a ramp at 16 kHz; a motor that runs, a command, a mark.
+void writeRecording(const QString &path)
+{
+    QString text;
+    session::RecordingFile file(session::makeDiskSink(path, text), {0, "test", "board"});
+    file.open();
+    file.add(0, record::Happening{"board", {{"firmware", "ST MC SDK"}, {"version", "6.4.0"}}});
+    file.add(0,
+        capture::StreamLayout{1, 16000.0, 0.0, 1,
+            {{(9U << 6) | 1U, "SQUARE", "A", 0.01, 0.0}, {(10U << 6) | 1U, "RAMP", "V", 1.0, 0.0}},
+            {}});
+    file.add(0, record::PolledRegister{kTemperature, "TEMPERATURE", "\u00b0C"});
+    file.add(0,
+        record::Happening{
+            "motor state", {{"motor", "1"}, {"state", "running"}, {"raw", "6"}, {"name", "RUN"}}});
+    for (capture::Tick tick = 0; tick < kTicks; tick += 160) {
+        const record::Nanos at = (tick + 160) * 62'500;
+        capture::SampleBlock block{1, tick, 160, {}, {}, 0};
+        for (capture::Tick i = tick; i < tick + 160; ++i)
+            block.fast.push_back(i % 1600 < 800 ? -1000 : 1000);
+        for (capture::Tick i = tick; i < tick + 160; ++i)
+            block.fast.push_back(static_cast<std::int16_t>(i % 30'000));
+        file.add(at, std::move(block));
+        file.flush(at);
+        if (tick % 16'000 == 0)
+            file.add(at, record::PolledValues{{{kTemperature, at, 25.5}}});
+    }
+    file.add(1'000'000'000, record::Happening{"speed ramp", {{"motor", "1"}, {"rpm", "500"}}});
+    file.add(1'500'000'000, record::Note{1'500'000'000, 1'500'000'000, "look here"});
+    file.end();
+}
+
+} // namespace
+
+class TestReplayWindow : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { writeRecording(m_path); }
+    void init()
+    {
+        m_rig = std::make_unique<facts::WindowRig>();
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        m_rig->workbench.replay().setSpeed(0.0);
+    }
+    void cleanup() { m_rig.reset(); }
+
+    void allOfItComesInTheWindowWhateverThePace()
+    {
+        replay();
+        QTRY_VERIFY(text()->text().contains(QStringLiteral("its end")));
+        QVERIFY(m_rig->find<QWidget>("replayBar")->isVisible());
+        QVERIFY(text()->text().startsWith(QStringLiteral("a.pcapng: 0:00:")));
+        QCOMPARE(device().droppedForDisplay(), 0U);
+        QCOMPARE(scope()->channels().size(), 2); // what was streamed, a plot for each unit
+        QCOMPARE(scope()->plotCount(), 2);
+        const auto recorded = support::readRecording(m_path);
+        for (const auto &info : recorded.capture.channels()) {
+            const capture::Channel *from = recorded.capture.channel(info.id);
+            QTRY_VERIFY(capture().find(info.registerId, info.kind));
+            const auto found = capture().find(info.registerId, info.kind);
+            QTRY_COMPARE(capture().size(*found), from->size());
+            const capture::Channel *to = capture().channel(*found);
+            const capture::Nanos shift = to->timeOf(to->begin()) - from->timeOf(from->begin());
+            for (capture::Index i = 0; i < from->end(); ++i)
+                if (to->at(i) != from->at(i) || to->timeOf(i) - shift != from->timeOf(i))
+                    QFAIL("a sample differs");
+        }
+        QTRY_VERIFY(eventTexts().contains(QStringLiteral("look here")));
+        QVERIFY(eventTexts().contains(QStringLiteral("speed ramp motor=1 rpm=500")));
+        QVERIFY(eventTexts().contains(QStringLiteral("RUN")));
+    }
+
+    void nothingCanBeArmedAndTheReasonIsSaid()
+    {
+        replay();
+        QTRY_VERIFY(device().answering() && device().identified());
+        auto *arm = m_rig->find<QCheckBox>("arm");
+        QVERIFY(!arm->isEnabled());
+        QVERIFY(arm->toolTip().contains(QStringLiteral("replay")));
+        device().setArmed(true); // even so
+        QTest::mouseClick(arm, Qt::LeftButton);
+        QTRY_VERIFY(text()->text().contains(QStringLiteral("its end")));
+        QVERIFY(!device().armed());
+        QVERIFY(!m_rig->find<QWidget>("start")->isEnabled());
+        QVERIFY(m_rig->window.windowTitle().contains(QStringLiteral("a.pcapng")));
+    }
+
+    void theTriggerWorksOnIt()
+    {
+        auto *trigger = m_rig->window.findChild<widgets::TriggerControl *>();
+        m_rig->workbench.replay().setSpeed(4.0);
+        replay();
+        QTRY_COMPARE(scope()->channels().size(), 2);
+        trigger->setSource(scope()->channels().first());
+        widgets::TriggerSetup setup = trigger->setup();
+        setup.mode = scope::Mode::Normal;
+        setup.level = 0.0;
+        setup.hysteresis = 1.0;
+        setup.length = 0.05;
+        trigger->setSetup(setup);
+        QTRY_VERIFY(!trigger->history().records().empty());
+        // The square wave rises at every 1600th tick and 800 more, half way between two samples.
+        const auto first = *capture().timeSpan(scope()->channels().first());
+        const double at = capture::toSeconds(trigger->history().records().back().trigger);
+        QVERIFY(std::abs(std::remainder(at - first.from - 0.05 + 0.5 / 16000.0, 0.1)) < 1e-6);
+    }
+
+    void aPauseHoldsIt()
+    {
+        m_rig->workbench.replay().setSpeed(1.0);
+        replay();
+        QTRY_VERIFY(capture().timeSpan());
+        auto *pause = m_rig->find<QToolButton>("replayPause");
+        QTest::mouseClick(pause, Qt::LeftButton);
+        QVERIFY(m_rig->workbench.replay().paused());
+        QTest::mouseClick(pause, Qt::LeftButton);
+        QVERIFY(!m_rig->workbench.replay().paused());
+        auto *speed = m_rig->find<QComboBox>("replaySpeed");
+        speed->setCurrentIndex(1);
+        QCOMPARE(m_rig->workbench.replay().speed(), 4.0);
+        const double before = capture().timeSpan()->to;
+        QTRY_VERIFY(capture().timeSpan()->to > before + 0.5);
+        speed->setCurrentIndex(2);
+        QTRY_VERIFY(text()->text().contains(QStringLiteral("its end")));
+        QVERIFY(!pause->isEnabled());
+    }
+
+    void aMotorThatRanThenAsksNobodyNow()
+    {
+        replay();
+        QTRY_VERIFY(eventTexts().contains(QStringLiteral("RUN")));
+        QVERIFY(device().allIdle());
+        m_rig->window.connectBar()->connectOrDisconnect();
+        QVERIFY(!m_rig->find<QMessageBox>("disconnectQuestion"));
+        QTRY_VERIFY(!device().portOpen());
+        QTRY_VERIFY(!m_rig->find<QWidget>("replayBar")->isVisible());
+        QCOMPARE(m_rig->window.connectBar()->path(), QStringLiteral("sim"));
+        QVERIFY(m_rig->window.close());
+    }
+
+    void aBoardAfterAReplayStartsAfresh()
+    {
+        replay();
+        QTRY_VERIFY(text()->text().contains(QStringLiteral("its end")));
+        m_rig->window.connectBar()->connectOrDisconnect();
+        QTRY_VERIFY(!device().portOpen());
+        m_rig->window.connectBar()->connectOrDisconnect();
+        QTRY_COMPARE(scope()->channels().size(), 4);
+        for (const auto &info : capture().channels())
+            QVERIFY(info.name != "SQUARE");
+        QVERIFY(!eventTexts().contains(QStringLiteral("look here")));
+        QTRY_VERIFY(capture().size(scope()->channels().first()) > 1000);
+        device().setArmed(true);
+        QTRY_VERIFY(device().armed());
+    }
+
+    void samplesOfABoardAreAskedAbout()
+    {
+        m_rig->window.connectBar()->connectOrDisconnect();
+        QTRY_COMPARE(scope()->channels().size(), 4);
+        QTRY_VERIFY(capture().size(scope()->channels().first()) > 1000);
+        replay();
+        QVERIFY(banner()->text().startsWith(QStringLiteral("Disconnect first")));
+        m_rig->window.connectBar()->disconnectNow();
+        QTRY_VERIFY(!device().portOpen());
+        replay();
+        QVERIFY(m_rig->find<QMessageBox>("replaceQuestion"));
+        QVERIFY(!device().portOpen());
+    }
+
+    void whatIsNoRecordingIsSaid()
+    {
+        QFile file(m_folder.filePath(QStringLiteral("b.pcapng")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("something else");
+        file.close();
+        m_rig->files.answer = file.fileName();
+        m_rig->find<QAction>("replayRecording")->trigger();
+        QVERIFY(banner()->text().contains(QStringLiteral("is no recording")));
+        QVERIFY(!device().portOpen());
+    }
+
+private:
+    void replay()
+    {
+        m_rig->files.answer = m_path;
+        m_rig->find<QAction>("replayRecording")->trigger();
+    }
+    QStringList eventTexts()
+    {
+        QStringList texts;
+        for (const auto &event : scope()->events().events())
+            texts.append(event.text);
+        return texts;
+    }
+    QLabel *text() { return m_rig->find<QLabel>("replayText"); }
+    Banner *banner() { return m_rig->window.findChild<Banner *>(); }
+    widgets::Device &device() { return m_rig->workbench.device(); }
+    widgets::ScopeView *scope() { return m_rig->window.scope(); }
+    capture::Capture &capture() { return m_rig->workbench.capture(); }
+
+    QTemporaryDir m_folder;
+    QString m_path = m_folder.filePath(QStringLiteral("a.pcapng"));
+    std::unique_ptr<facts::WindowRig> m_rig;
+};
+
+QTEST_MAIN(TestReplayWindow)
+#include "tst_replay_window.moc"
