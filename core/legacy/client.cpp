@@ -136,6 +136,8 @@ void Client::receive(ByteView bytes, TimePoint now)
     if (quiet || m_state == State::Settling) {
         m_deadline = now + kSettle;
         ++m_stats.bad;
+        if (now >= m_noisyUntil)
+            restless(now);
         return;
     }
     while (!bytes.empty())
@@ -158,7 +160,7 @@ void Client::take(Framer::Step step, TimePoint now)
         if (m_state == State::Ready) { // nobody asked
             m_strayFrames = true;
             m_state = State::Settling;
-            m_deadline = now + kSettle;
+            rest(kSettle, now);
         } else if (m_state == State::Waiting) {
             settle("a damaged answer", now);
         } // while recovering: noise
@@ -182,7 +184,7 @@ void Client::takeReply(const Reply &reply, TimePoint now)
     m_suspected = false;
     m_request.reset();
     m_state = m_strayFrames ? State::Settling : State::Ready;
-    m_deadline = now + kFillPause;
+    rest(kFillPause, now);
     if (const auto *nack = std::get_if<Nack>(&reply)) {
         ++m_stats.nacks;
         if (wasDamaged(*nack)) {
@@ -213,7 +215,7 @@ void Client::settle(const char *why, TimePoint now)
     endRequest({std::nullopt, why});
     m_framer.reset();
     m_state = State::Settling;
-    m_deadline = now + kSettle;
+    rest(kSettle, now);
     if (m_urgent)
         leaveUrgent(now);
 }
@@ -222,7 +224,21 @@ void Client::silence(TimePoint now)
 {
     m_step = Step::Silence;
     m_framer.reset();
-    m_deadline = now + kSettle;
+    rest(kSettle, now);
+}
+
+void Client::rest(Duration howLong, TimePoint now)
+{
+    m_deadline = now + howLong;
+    m_noisyUntil = now + kNoisyAtMost;
+}
+
+/// The line babbles on and on.
+void Client::restless(TimePoint now)
+{
+    if (m_state == State::Settling && m_connected)
+        return recover(now);
+    giveUp(now);
 }
 
 void Client::recover(TimePoint now)
@@ -288,7 +304,7 @@ void Client::takeWhileRecovering(const Reply &reply, TimePoint now)
     const bool again = std::exchange(m_connected, true);
     m_suspected = false;
     m_state = State::Settling;
-    m_deadline = now + kFillPause;
+    rest(kFillPause, now);
     m_events.emplace_back(Connected{std::move(*info), again});
 }
 

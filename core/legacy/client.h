@@ -31,6 +31,8 @@ public:
     static constexpr Duration kSettle = std::chrono::milliseconds(50);
     static constexpr Duration kFillPause = std::chrono::milliseconds(5); ///< after each 0xFF
     static constexpr int kFillBytes = 131; ///< one more than the longest frame has
+    /// A line that does not come to rest within this is given up: whatever babbles there answers nobody.
+    static constexpr Duration kNoisyAtMost = kAnswerTime;
     /// An urgent request waits so long for the end of the exchange before it.
     static constexpr Duration kGrace = kSettle;
     static constexpr Duration kSuspectAfter = std::chrono::milliseconds(500);
@@ -116,6 +118,8 @@ private:
     void endRequest(NoAnswer end);
     void recover(TimePoint now);
     void silence(TimePoint now);
+    void rest(Duration howLong, TimePoint now);
+    void restless(TimePoint now);
     void fill(TimePoint now);
     void ask(TimePoint now);
     void askFailed(TimePoint now);
@@ -136,6 +140,7 @@ private:
     TimePoint m_urgentBy;
     TimePoint m_asked; ///< when the request was handed out, or had left
     TimePoint m_deadline; ///< of the state
+    TimePoint m_noisyUntil; ///< silence has to have begun by then
     TimePoint m_lastByte;
     int m_filled = 0, m_round = 0;
     bool m_gentle = false; ///< this recovery begins without filling

@@ -89,6 +89,8 @@ class TestLegacyClient : public QObject {
 private Q_SLOTS:
     void itFindsABoardAndReadsItsName();
     void withoutABoardItGivesUp();
+    void aLineThatBabblesIsGivenUp();
+    void aBoardThatBeginsToBabbleIsGivenUp();
     void aBoardOfTheNewerProtocolIsRecognised();
     void everyRequestNamesItsMotor();
     void aDamagedAnswerEndsTheRequestAndTheLineSettles();
@@ -126,6 +128,31 @@ void TestLegacyClient::withoutABoardItGivesUp()
     QCOMPARE(lost.size(), std::size_t{1});
     QVERIFY(lost[0].connecting && !lost[0].heardBytes && !lost[0].otherProtocol);
     QVERIFY(!pair.client.nextTimeout());
+}
+
+void TestLegacyClient::aLineThatBabblesIsGivenUp()
+{
+    Pair pair;
+    pair.toClient = [](const Bytes &) { return Bytes(20, 0x55); };
+    pair.client.connect(pair.now);
+    pair.runFor(2s);
+    const auto lost = pair.all<Client::Lost>();
+    QCOMPARE(lost.size(), 1U);
+    QVERIFY(lost.front().heardBytes && lost.front().connecting && !lost.front().otherProtocol);
+}
+
+void TestLegacyClient::aBoardThatBeginsToBabbleIsGivenUp()
+{
+    Pair pair;
+    QVERIFY(pair.connect());
+    pair.toClient = [](const Bytes &) { return Bytes(20, 0x55); };
+    pair.ask(kSpeed);
+    QCOMPARE(pair.ends(), 1U);
+    const auto lost = pair.all<Client::Lost>();
+    QCOMPARE(lost.size(), 1U);
+    QVERIFY(!lost.front().connecting);
+    pair.toClient = nullptr;
+    QVERIFY(pair.connect()); // and found again when it is quiet
 }
 
 void TestLegacyClient::aBoardOfTheNewerProtocolIsRecognised()
