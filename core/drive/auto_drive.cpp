@@ -22,11 +22,12 @@ public:
         m_reason = LinkReason::None;
         m_toldLost.reset();
         m_toldConnecting = false;
+        m_stopAsked = false;
         tryCandidate(0, now);
     }
     void disconnect(TimePoint now) override
     {
-        m_open = false;
+        m_open = m_stopAsked = false;
         m_tryAgainAt.reset();
         m_drive->disconnect(now);
         sift(now);
@@ -66,6 +67,7 @@ public:
     }
     void stop(TimePoint now) override
     {
+        m_stopAsked = m_open && !m_settled; // in the language of whoever answers, then
         m_drive->stop(now);
         sift(now);
     }
@@ -93,6 +95,9 @@ private:
     bool m_open = false;
     bool m_settled = false; ///< the candidate's board has answered
     bool m_toldConnecting = false;
+    bool m_stopAsked =
+        false; ///< before anybody had answered: each candidate has to stop what it finds
+    bool m_repeating = false; ///< that a stop is wanted has been told
     std::optional<LinkReason> m_toldLost; ///< of the round before
     LinkReason m_reason = LinkReason::None; ///< the most telling one of this round's failures
     UserLimits m_limits;
@@ -110,7 +115,11 @@ void AutoDrive::tryCandidate(std::size_t which, TimePoint now)
         m_drive->submit({0, m_limits, Source::Person}, now);
     (void)m_drive->takeEvents(); // the log has these limits already
     m_drive->connect(now);
+    if (m_stopAsked)
+        m_drive->stop(now);
+    m_repeating = m_stopAsked;
     sift(now);
+    m_repeating = false;
 }
 
 bool AutoDrive::siftLink(const LinkChanged &change)
@@ -126,6 +135,7 @@ bool AutoDrive::siftLink(const LinkChanged &change)
         return false;
     case LinkState::Connected:
         m_settled = true;
+        m_stopAsked = false;
         m_toldLost.reset();
         break;
     default:
@@ -152,7 +162,9 @@ void AutoDrive::sift(TimePoint now)
             if (identity.evidence.empty())
                 identity.evidence = m_candidates[m_which].evidence;
         }
-        m_events.push_back(std::move(event));
+        const auto *stop = std::get_if<StopProgress>(&event);
+        if (!m_repeating || stop == nullptr || stop->word != StopWord::Requested)
+            m_events.push_back(std::move(event));
     }
     if (failed)
         afterFailure(now);

@@ -103,6 +103,7 @@ private Q_SLOTS:
     void autoFindsEachKind_data();
     void autoFindsEachKind();
     void autoSendsNothingThatActs();
+    void aStopWhileAutoStillLooksStopsWhatItFinds();
 };
 
 void TestLegacyDrive::identificationOnlyReads()
@@ -552,6 +553,23 @@ void TestLegacyDrive::autoSendsNothingThatActs()
         QVERIFY(pair.runUntilIdentified(15s));
         QVERIFY(frames > 50);
     }
+}
+
+void TestLegacyDrive::aStopWhileAutoStillLooksStopsWhatItFinds()
+{
+    Bench bench("legacy");
+    QVERIFY(bench.ready && bench.start());
+    bench.drive = makeDrive({Protocol::Auto, 115200, {}});
+    bench.stops.clear();
+    bench.connect();
+    bench.runFor(50ms); // the first language has had no answer yet
+    bench.drive->stop(bench.now);
+    QVERIFY(bench.runUntil(
+        [&] { return !bench.stops.empty() && bench.stops.back().word == StopWord::Standstill; },
+        20s));
+    QCOMPARE(std::count_if(bench.stops.begin(), bench.stops.end(),
+                 [](const StopProgress &stop) { return stop.word == StopWord::Requested; }),
+        1);
 }
 
 QTEST_APPLESS_MAIN(TestLegacyDrive)
