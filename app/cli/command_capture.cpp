@@ -127,6 +127,15 @@ Outcome<drive::Stream> CaptureRun::pollInstead(
                 QStringLiteral("%1 is no number that could be read over and over.")
                     .arg(QString::fromStdString(m_desk.catalog().nameOf(id))));
     }
+    const auto readings = m_desk.talk.read(registers);
+    if (!readings)
+        return tl::make_unexpected(readings.error());
+    for (const drive::Reading &reading : *readings)
+        if (reading.status != drive::ReadStatus::Ok)
+            return failure(kRefused,
+                QStringLiteral("The board does not give %1; leave it out, or see rotorscope-cli "
+                               "registers for what can be read.")
+                    .arg(QString::fromStdString(m_desk.catalog().nameOf(reading.id))));
     m_polled = registers;
     m_recorder.poll(std::move(registers), m_desk.board.catalog);
     return drive::Stream{};
