@@ -86,6 +86,8 @@ QString numberText(double value, int decimals)
 {
     if (!std::isfinite(value))
         return QStringLiteral("\u2013");
+    if (std::abs(value) < 0.5 * std::pow(10.0, -decimals))
+        value = 0.0; // never "-0"
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     return locale.toString(value, 'f', decimals);

@@ -65,8 +65,8 @@ QList<PortChoice> portChoices(const PortSource &source)
     using Kind = PortChoice::Kind;
     QList<PortChoice> choices{{Kind::Simulator, QString::fromLatin1(kSimulatorPath), {}}};
     for (const drive::ProtocolChoice &choice : drive::protocolChoices()) {
-        if (choice.serial)
-            continue; // where a serial port is to be heard, the board above is one
+        if (choice.protocol == drive::Protocol::Auto || choice.protocol == drive::Protocol::Mcp)
+            continue; // the board above
         choices.append({Kind::Simulator,
             QString::fromLatin1(kSimulatorPath) + QLatin1Char(':')
                 + QString::fromLatin1(choice.word.data(), qsizetype(choice.word.size())),

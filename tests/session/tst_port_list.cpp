@@ -31,7 +31,8 @@ void TestPortList::theSimulatedBoardIsFirstThenStLinksThenOthers()
         paths.append(choice.path);
     QCOMPARE(paths,
         QStringList(
-            {QStringLiteral("sim"), QStringLiteral("sim:mcb"), QStringLiteral("/dev/ttyACM0"),
+            {QStringLiteral("sim"), QStringLiteral("sim:legacy"), QStringLiteral("sim:powerpc"),
+                QStringLiteral("sim:mcb"), QStringLiteral("/dev/ttyACM0"),
                 QStringLiteral("/dev/ttyACM1"), QStringLiteral("/dev/ttyUSB0")}));
 }
 

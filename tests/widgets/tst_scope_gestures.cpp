@@ -9,6 +9,7 @@ using namespace widgets;
 class TestScopeGestures : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void aValueThatRoundsToZeroHasNoSign();
     void keysDriveTheView();
     void fittingShowsEverything();
     void draggingPansAndEndsFollowing();
@@ -59,6 +60,12 @@ void TestScopeGestures::keysDriveTheView()
     // With Ctrl they belong to somebody else.
     QTest::keyClick(&view, Qt::Key_Space, Qt::ControlModifier);
     QVERIFY(view.running());
+}
+
+void TestScopeGestures::aValueThatRoundsToZeroHasNoSign()
+{
+    QCOMPARE(widgets::valueLabel(-0.0004, 1.0, QLocale::c()), QStringLiteral("0"));
+    QVERIFY(widgets::valueLabel(-0.6, 1.0, QLocale::c()).startsWith(QLatin1Char('-')));
 }
 
 void TestScopeGestures::fittingShowsEverything()

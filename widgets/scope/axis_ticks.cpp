@@ -82,7 +82,10 @@ QString valueLabel(double value, double step, const QLocale &locale)
         value = 0.0; // no "-0"
     if (std::abs(value) >= 1e7 || step < 1e-6)
         return locale.toString(value, 'g', 6);
-    return locale.toString(value, 'f', decimalsFor(step));
+    const int decimals = decimalsFor(step);
+    if (std::abs(value) < 0.5 * std::pow(10.0, -decimals))
+        value = 0.0; // nor what would be rounded to it
+    return locale.toString(value, 'f', decimals);
 }
 
 QString timeLabel(double seconds, double step, double largest, const QLocale &locale)
