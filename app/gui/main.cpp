@@ -4,12 +4,12 @@
 #include "../cli/interrupt.h"
 
 #include "session/port_list.h"
-#include "widgets/connect_bar.h"
-#include "widgets/file_prompt.h"
-#include "widgets/main_window.h"
-#include "widgets/settings.h"
-#include "widgets/theme.h"
-#include "widgets/workbench.h"
+#include "widgets/base/theme.h"
+#include "widgets/files/file_prompt.h"
+#include "widgets/window/connect_bar.h"
+#include "widgets/window/main_window.h"
+#include "widgets/window/settings.h"
+#include "widgets/window/workbench.h"
 
 #include <QApplication>
 #include <QIcon>

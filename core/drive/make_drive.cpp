@@ -1,9 +1,9 @@
 #include "drive/make_drive.h"
 
 #include "drive/auto_drive.h"
-#include "drive/legacy_drive.h"
-#include "drive/mcb_drive.h"
-#include "drive/mcp_drive.h"
+#include "drive/legacy/legacy_drive.h"
+#include "drive/mcb/mcb_drive.h"
+#include "drive/mcp/mcp_drive.h"
 
 namespace drive {
 

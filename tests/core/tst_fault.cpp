@@ -1,7 +1,7 @@
 // The names of faults and states that a drive tells.
 #include "catalog/names.h"
 #include "drive/fault.h"
-#include "drive/mcp_vitals.h"
+#include "drive/mcp/mcp_vitals.h"
 
 #include <QTest>
 

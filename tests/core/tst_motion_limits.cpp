@@ -1,6 +1,6 @@
 // What bounds the motion of a motor: the board's limits, a person's own, and expert mode where the board is silent.
-#include "drive/mcp_limits.h"
-#include "drive/mcp_scales.h"
+#include "drive/mcp/mcp_limits.h"
+#include "drive/mcp/mcp_scales.h"
 #include "support/link_pair.h"
 
 #include <QTest>

@@ -3,8 +3,8 @@
 #include "catalog/limits.h"
 #include "catalog/names.h"
 #include "catalog/tables.h"
-#include "drive/mcp_limits.h"
-#include "drive/mcp_scales.h"
+#include "drive/mcp/mcp_limits.h"
+#include "drive/mcp/mcp_scales.h"
 #include "support/link_pair.h"
 
 #include <QTest>

@@ -2,8 +2,8 @@
 // runFor() and runUntil(); the same seed gives the same run, byte for byte.
 #pragma once
 
-#include "drive/legacy_drive.h"
-#include "drive/mcp_drive.h"
+#include "drive/legacy/legacy_drive.h"
+#include "drive/mcp/mcp_drive.h"
 #include "mcp/protocol.h"
 #include "mcp/request.h"
 #include "simulation/legacy/legacy_motor_board.h"

@@ -2,7 +2,7 @@
 // inside runFor() and runUntil(); the same seed gives the same run.
 #pragma once
 
-#include "drive/mcb_drive.h"
+#include "drive/mcb/mcb_drive.h"
 #include "mcb/master.h"
 #include "simulation/mcb/mcb_board.h"
 

@@ -1,7 +1,7 @@
 // Facts for tests of the window's parts: a small board with a few registers, and events put into a Device by hand.
 #pragma once
 
-#include "widgets/device.h"
+#include "widgets/base/device.h"
 
 namespace facts {
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "support/window_facts.h"
-#include "widgets/file_prompt.h"
-#include "widgets/main_window.h"
-#include "widgets/workbench.h"
+#include "widgets/files/file_prompt.h"
+#include "widgets/window/main_window.h"
+#include "widgets/window/workbench.h"
 
 #include <QPushButton>
 #include <QTest>

@@ -1,8 +1,8 @@
 #include "support/window_rig.h"
-#include "widgets/about_dialog.h"
+#include "widgets/base/theme.h"
+#include "widgets/control/stop_alarm.h"
 #include "widgets/scope/scope_view.h"
-#include "widgets/stop_alarm.h"
-#include "widgets/theme.h"
+#include "widgets/window/about_dialog.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>

@@ -2,10 +2,10 @@
 // board: connect by Auto, arm, start, two signals on the scope, change a gain, undo it, ramp, stop, write a CSV file. The
 // steps name no kind of board: a new one is a row.
 #include "support/window_rig.h"
-#include "widgets/connect_bar.h"
-#include "widgets/control_panel.h"
+#include "widgets/control/control_panel.h"
+#include "widgets/control/setpoint_edit.h"
 #include "widgets/scope/scope_view.h"
-#include "widgets/setpoint_edit.h"
+#include "widgets/window/connect_bar.h"
 
 #include <QCheckBox>
 #include <QComboBox>

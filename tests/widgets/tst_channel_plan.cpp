@@ -1,5 +1,5 @@
 #include "support/window_facts.h"
-#include "widgets/channel_plan.h"
+#include "widgets/scope/channel_plan.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 // What a recording costs, as the real window says it: before a set that does not fit starts, and beside what is measured.
 #include "support/scope_window.h"
-#include "widgets/signal_selection.h"
+#include "widgets/scope/signal_selection.h"
 
 #include <QLabel>
 #include <QSignalSpy>

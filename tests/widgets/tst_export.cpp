@@ -1,10 +1,10 @@
 // Export and import through the real window: every format, every range, read back; and work that takes long.
 #include "capture/csv_import.h"
 #include "support/window_rig.h"
-#include "widgets/banner.h"
-#include "widgets/export_order.h"
-#include "widgets/file_job.h"
+#include "widgets/files/export_order.h"
+#include "widgets/files/file_job.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/window/banner.h"
 
 #include <QAction>
 #include <QClipboard>

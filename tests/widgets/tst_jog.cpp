@@ -1,9 +1,9 @@
 // Jogging on a simulated board in virtual time: the motor turns while something is held, and nothing that takes the hand
 // or the eye away leaves it turning.
 #include "support/edit_bench.h"
-#include "widgets/jog_box.h"
-#include "widgets/motion_gate.h"
-#include "widgets/setpoint_edit.h"
+#include "widgets/control/jog_box.h"
+#include "widgets/control/motion_gate.h"
+#include "widgets/control/setpoint_edit.h"
 
 #include <QApplication>
 #include <QDialog>

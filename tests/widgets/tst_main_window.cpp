@@ -1,11 +1,11 @@
 #include "support/window_rig.h"
-#include "widgets/banner.h"
-#include "widgets/big_numbers.h"
-#include "widgets/connect_bar.h"
-#include "widgets/first_steps.h"
-#include "widgets/flow_layout.h"
-#include "widgets/lamp.h"
+#include "widgets/base/flow_layout.h"
+#include "widgets/base/lamp.h"
+#include "widgets/control/big_numbers.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/window/banner.h"
+#include "widgets/window/connect_bar.h"
+#include "widgets/window/first_steps.h"
 
 #include <QAction>
 #include <QComboBox>

@@ -1,9 +1,9 @@
 // Math channels in the real window: a formula is written, checked, computed, drawn, triggered on, exported and kept.
 // What the functions compute is core's own business.
 #include "support/scope_window.h"
-#include "widgets/math_channels.h"
-#include "widgets/math_table.h"
-#include "widgets/ready_formulas.h"
+#include "widgets/analysis/math_channels.h"
+#include "widgets/analysis/math_table.h"
+#include "widgets/analysis/ready_formulas.h"
 #include "widgets/scope/trigger_control.h"
 
 #include <QAbstractItemModelTester>

@@ -1,8 +1,8 @@
 // Measurements in the real window: choosing them, what they say and draw, statistics over records. The numbers are
 // core's own business; here one of each kind shows that the right samples are asked.
 #include "support/scope_window.h"
-#include "widgets/measure_table.h"
-#include "widgets/measure_text.h"
+#include "widgets/analysis/measure_table.h"
+#include "widgets/analysis/measure_text.h"
 #include "widgets/scope/scope_overlay.h"
 #include "widgets/scope/trigger_control.h"
 

@@ -1,7 +1,7 @@
 // Every model of the program under QAbstractItemModelTester, in the real window on simulated boards, through all that
 // makes models change: connecting, editing, refusal, another motor, another board, a cable that is pulled.
 #include "support/window_rig.h"
-#include "widgets/register_panel.h"
+#include "widgets/registers/register_panel.h"
 
 #include <QAbstractItemModelTester>
 #include <QAbstractItemView>

@@ -2,11 +2,11 @@
 // real window.
 #include "support/edit_bench.h"
 #include "support/window_rig.h"
-#include "widgets/confirmation.h"
-#include "widgets/control_panel.h"
-#include "widgets/motion_gate.h"
-#include "widgets/motion_question.h"
-#include "widgets/setpoint_edit.h"
+#include "widgets/base/confirmation.h"
+#include "widgets/control/control_panel.h"
+#include "widgets/control/motion_gate.h"
+#include "widgets/control/motion_question.h"
+#include "widgets/control/setpoint_edit.h"
 
 #include <QKeyEvent>
 #include <QLineEdit>

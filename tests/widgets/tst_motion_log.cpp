@@ -1,9 +1,9 @@
 // The motion log in the window: every act of the session is a row, it can be copied and saved, and it goes with each
 // export.
 #include "support/window_rig.h"
-#include "widgets/export_dialog.h"
-#include "widgets/motion_log_model.h"
-#include "widgets/motion_log_panel.h"
+#include "widgets/control/motion_log_model.h"
+#include "widgets/control/motion_log_panel.h"
+#include "widgets/files/export_dialog.h"
 
 #include <QAbstractItemModelTester>
 #include <QClipboard>

@@ -1,10 +1,10 @@
 // The motor form in the real window on the simulated board, and its parts alone.
 #include "session/motor_file.h"
 #include "support/window_rig.h"
+#include "widgets/base/si_text.h"
 #include "widgets/forms/motor_converter.h"
 #include "widgets/forms/motor_form.h"
 #include "widgets/forms/motor_messages.h"
-#include "widgets/si_text.h"
 
 #include <QAbstractItemModelTester>
 #include <QApplication>

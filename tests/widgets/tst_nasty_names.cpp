@@ -1,8 +1,8 @@
 // What a board says of itself is shown as text, whatever it says: never rich text, never a place holder, never more
 // than one line, never able to hide or reorder what stands beside it.
 #include "support/window_rig.h"
-#include "widgets/device_text.h"
-#include "widgets/messages.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/messages.h"
 
 #include <QLabel>
 

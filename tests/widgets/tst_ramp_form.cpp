@@ -1,10 +1,10 @@
 // The form of ramps on a simulated board in virtual time, its parts alone, and its keys in the real window.
 #include "support/edit_bench.h"
 #include "support/window_rig.h"
+#include "widgets/control/motor_button.h"
+#include "widgets/control/setpoint_edit.h"
 #include "widgets/forms/ramp_form.h"
 #include "widgets/forms/ramp_preview.h"
-#include "widgets/motor_button.h"
-#include "widgets/setpoint_edit.h"
 
 #include <QApplication>
 #include <QComboBox>

@@ -1,13 +1,13 @@
 // Recording to a disk and opening it again, through the real window, the real session thread and the simulated board.
 #include "session/recording_reader.h"
 #include "support/window_rig.h"
-#include "widgets/banner.h"
-#include "widgets/connect_bar.h"
-#include "widgets/lamp.h"
-#include "widgets/motion_log_model.h"
-#include "widgets/open_recording.h"
-#include "widgets/record_control.h"
+#include "widgets/base/lamp.h"
+#include "widgets/control/motion_log_model.h"
+#include "widgets/files/open_recording.h"
+#include "widgets/files/record_control.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/window/banner.h"
+#include "widgets/window/connect_bar.h"
 
 #include <QAction>
 #include <QFile>

@@ -1,7 +1,7 @@
 // What a person types into a register, strictly read, and the editors it is typed into.
 #include "catalog/names.h"
 #include "support/edit_bench.h"
-#include "widgets/register_delegate.h"
+#include "widgets/registers/register_delegate.h"
 
 #include <QAbstractItemModelTester>
 #include <QAbstractProxyModel>

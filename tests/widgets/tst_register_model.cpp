@@ -1,5 +1,5 @@
 #include "support/window_facts.h"
-#include "widgets/register_model.h"
+#include "widgets/registers/register_model.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QAbstractItemModelTester>

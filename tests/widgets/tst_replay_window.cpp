@@ -2,10 +2,10 @@
 #include "session/recording_file.h"
 #include "support/recording_facts.h"
 #include "support/window_rig.h"
-#include "widgets/banner.h"
-#include "widgets/connect_bar.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trigger_control.h"
+#include "widgets/window/banner.h"
+#include "widgets/window/connect_bar.h"
 
 #include <QAction>
 #include <QCheckBox>

@@ -1,7 +1,7 @@
 // Events and markers in the real window: what is noted of a board's words and a person's wishes, where the lane shows it,
 // and what the list does with it.
 #include "support/scope_window.h"
-#include "widgets/event_recorder.h"
+#include "widgets/files/event_recorder.h"
 #include "widgets/scope/event_icon.h"
 #include "widgets/scope/event_lane.h"
 #include "widgets/scope/event_log.h"

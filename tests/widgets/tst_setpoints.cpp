@@ -2,10 +2,10 @@
 // inside both limits, and it is the one that was echoed.
 #include "support/link_pair.h"
 #include "support/window_facts.h"
-#include "widgets/control_panel.h"
-#include "widgets/motion_gate.h"
-#include "widgets/setpoint_edit.h"
-#include "widgets/value_text.h"
+#include "widgets/base/value_text.h"
+#include "widgets/control/control_panel.h"
+#include "widgets/control/motion_gate.h"
+#include "widgets/control/setpoint_edit.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -1,4 +1,4 @@
-#include "widgets/settings.h"
+#include "widgets/window/settings.h"
 
 #include <QFile>
 #include <QTemporaryDir>

@@ -2,7 +2,7 @@
 #include "session/snapshot_json.h"
 #include "session/whole_file.h"
 #include "support/edit_bench.h"
-#include "widgets/snapshot_auto.h"
+#include "widgets/snapshots/snapshot_auto.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>

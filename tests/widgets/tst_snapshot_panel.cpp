@@ -3,9 +3,9 @@
 #include "session/whole_file.h"
 #include "support/edit_bench.h"
 #include "support/window_rig.h"
-#include "widgets/shortcut_guard.h"
-#include "widgets/snapshot_actions.h"
-#include "widgets/snapshot_panel.h"
+#include "widgets/snapshots/snapshot_actions.h"
+#include "widgets/snapshots/snapshot_panel.h"
+#include "widgets/window/shortcut_guard.h"
 
 #include <QAbstractItemModelTester>
 #include <QAction>

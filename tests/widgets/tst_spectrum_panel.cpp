@@ -1,11 +1,11 @@
 // Spectra in the real window: what is computed, shown, averaged and told in orders. The numbers are core's own business;
 // here one of each kind shows that the right samples are asked and that what comes back is what a person sees.
 #include "support/scope_window.h"
+#include "widgets/analysis/spectrum_job.h"
+#include "widgets/analysis/spectrum_panel.h"
+#include "widgets/analysis/spectrum_peaks.h"
+#include "widgets/analysis/spectrum_plot.h"
 #include "widgets/scope/trace_colors.h"
-#include "widgets/spectrum_job.h"
-#include "widgets/spectrum_panel.h"
-#include "widgets/spectrum_peaks.h"
-#include "widgets/spectrum_plot.h"
 
 #include <QAbstractItemModelTester>
 #include <QClipboard>

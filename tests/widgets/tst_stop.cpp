@@ -1,9 +1,9 @@
 #include "support/window_rig.h"
-#include "widgets/about_dialog.h"
-#include "widgets/control_panel.h"
-#include "widgets/motor_button.h"
-#include "widgets/setpoint_edit.h"
-#include "widgets/stop_alarm.h"
+#include "widgets/control/control_panel.h"
+#include "widgets/control/motor_button.h"
+#include "widgets/control/setpoint_edit.h"
+#include "widgets/control/stop_alarm.h"
+#include "widgets/window/about_dialog.h"
 
 #include <QComboBox>
 #include <QDialog>
@@ -195,7 +195,7 @@ private Q_SLOTS:
 
     void escapeStopsUnderAFileDialog()
     {
-        // As widgets/file_prompt.cpp makes it: a system's own dialog would keep the key for itself.
+        // As widgets/files/file_prompt.cpp makes it: a system's own dialog would keep the key for itself.
         QFileDialog dialog(&m_rig->window);
         dialog.setOption(QFileDialog::DontUseNativeDialog);
         dialog.open();

@@ -1,9 +1,9 @@
 // The trigger in the real window: modes and keys, what is set and what is shown, marks that are dragged, records of the
 // past, references. Where a trigger is found is core's own business and tested there.
 #include "support/scope_window.h"
-#include "widgets/record_table.h"
+#include "widgets/base/value_edit.h"
+#include "widgets/files/record_table.h"
 #include "widgets/scope/trigger_control.h"
-#include "widgets/value_edit.h"
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>

@@ -2,10 +2,10 @@
 // says so, believes nothing any more, moves nothing, and finds the board again when it is back.
 #include "support/board_on_terminal.h"
 #include "support/window_rig.h"
-#include "widgets/banner.h"
-#include "widgets/connect_bar.h"
-#include "widgets/lamp.h"
+#include "widgets/base/lamp.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/window/banner.h"
+#include "widgets/window/connect_bar.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,7 +1,7 @@
 // XY pictures in the real window: which signals go over which, what is drawn around them, and that it follows the scope.
 #include "support/scope_window.h"
+#include "widgets/analysis/xy_panel.h"
 #include "widgets/scope/trigger_control.h"
-#include "widgets/xy_panel.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -2,7 +2,7 @@
 // RegisterModel: it shows what the board holds, leaves what a person wants as pending edits, and never writes by itself.
 #pragma once
 
-#include "widgets/device.h"
+#include "widgets/base/device.h"
 
 #include <QWidget>
 

@@ -1,6 +1,6 @@
 #include "widgets/forms/gain_forecast.h"
 
-#include "widgets/device_text.h"
+#include "widgets/base/device_text.h"
 #include "widgets/forms/gain_label.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_plot.h"

@@ -1,12 +1,12 @@
 #include "widgets/forms/gain_lab.h"
 
-#include "widgets/device_text.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/wheel_guard.h"
 #include "widgets/forms/gain_forecast.h"
 #include "widgets/forms/gain_label.h"
 #include "widgets/forms/gain_motor.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_texts.h"
-#include "widgets/wheel_guard.h"
 
 #include <QCheckBox>
 #include <QGridLayout>

@@ -1,7 +1,7 @@
 #include "widgets/forms/gain_number.h"
 
-#include "widgets/setpoint_text.h"
-#include "widgets/value_text.h"
+#include "widgets/base/setpoint_text.h"
+#include "widgets/base/value_text.h"
 
 #include <QKeyEvent>
 #include <QToolTip>

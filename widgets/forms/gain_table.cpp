@@ -3,10 +3,10 @@
 #include "analysis/observer_gains.h"
 #include "analysis/physical_gains.h"
 #include "tuning/gain_plant.h"
-#include "widgets/device_text.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/value_text.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_texts.h"
-#include "widgets/value_text.h"
 
 #include <QCoreApplication>
 #include <QGridLayout>

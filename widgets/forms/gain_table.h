@@ -3,7 +3,7 @@
 #pragma once
 
 #include "drive/motor_view.h"
-#include "widgets/register_field.h"
+#include "widgets/registers/register_field.h"
 
 #include <QTimer>
 #include <QWidget>

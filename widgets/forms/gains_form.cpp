@@ -1,11 +1,11 @@
 #include "widgets/forms/gains_form.h"
 
-#include "widgets/device_text.h"
-#include "widgets/edit_bar.h"
+#include "widgets/base/device_text.h"
 #include "widgets/forms/gain_lab.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_table.h"
 #include "widgets/forms/gain_texts.h"
+#include "widgets/registers/edit_bar.h"
 
 #include <QLabel>
 #include <QTabBar>

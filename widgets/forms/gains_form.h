@@ -4,7 +4,7 @@
 
 #include "drive/motor_view.h"
 #include "widgets/forms/form.h"
-#include "widgets/register_edits.h"
+#include "widgets/registers/register_edits.h"
 
 #include <QMap>
 

@@ -1,8 +1,8 @@
 #include "widgets/forms/motor_converter.h"
 
-#include "widgets/device_text.h"
-#include "widgets/setpoint_text.h"
-#include "widgets/si_text.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/setpoint_text.h"
+#include "widgets/base/si_text.h"
 
 #include <QEvent>
 #include <QGridLayout>

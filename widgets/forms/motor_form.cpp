@@ -2,11 +2,11 @@
 
 #include "session/motor_file.h"
 #include "session/whole_file.h"
-#include "widgets/device_text.h"
-#include "widgets/file_prompt.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/messages.h"
+#include "widgets/files/file_prompt.h"
 #include "widgets/forms/motor_converter.h"
 #include "widgets/forms/motor_messages.h"
-#include "widgets/messages.h"
 
 #include <QAction>
 #include <QApplication>

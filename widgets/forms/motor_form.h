@@ -5,7 +5,7 @@
 
 #include "widgets/forms/form.h"
 #include "widgets/forms/motor_model.h"
-#include "widgets/register_model.h"
+#include "widgets/registers/register_model.h"
 
 class QLabel;
 class QPushButton;

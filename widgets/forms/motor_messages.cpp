@@ -1,7 +1,7 @@
 #include "widgets/forms/motor_messages.h"
 
-#include "widgets/device_text.h"
-#include "widgets/si_text.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/si_text.h"
 
 #include <QCoreApplication>
 

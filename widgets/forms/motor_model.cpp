@@ -1,9 +1,9 @@
 #include "widgets/forms/motor_model.h"
 
-#include "widgets/device_text.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/si_text.h"
 #include "widgets/forms/motor_messages.h"
-#include "widgets/register_texts.h"
-#include "widgets/si_text.h"
+#include "widgets/registers/register_texts.h"
 
 #include <QFont>
 #include <QLocale>

@@ -1,14 +1,14 @@
 #include "widgets/forms/ramp_form.h"
 
 #include "analysis/ramp.h"
-#include "widgets/device_text.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/value_text.h"
+#include "widgets/base/wheel_guard.h"
+#include "widgets/control/motion_gate.h"
+#include "widgets/control/motor_button.h"
+#include "widgets/control/setpoint_edit.h"
 #include "widgets/forms/ramp_preview.h"
-#include "widgets/motion_gate.h"
-#include "widgets/motor_button.h"
-#include "widgets/register_model.h"
-#include "widgets/setpoint_edit.h"
-#include "widgets/value_text.h"
-#include "widgets/wheel_guard.h"
+#include "widgets/registers/register_model.h"
 
 #include <QComboBox>
 #include <QGridLayout>

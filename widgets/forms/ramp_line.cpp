@@ -1,12 +1,12 @@
 #include "widgets/forms/ramp_line.h"
 
 #include "analysis/ramp.h"
-#include "widgets/device_text.h"
-#include "widgets/motor_button.h"
-#include "widgets/register_model.h"
-#include "widgets/setpoint_edit.h"
-#include "widgets/si_text.h"
-#include "widgets/value_text.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/si_text.h"
+#include "widgets/base/value_text.h"
+#include "widgets/control/motor_button.h"
+#include "widgets/control/setpoint_edit.h"
+#include "widgets/registers/register_model.h"
 
 #include <QEvent>
 #include <QGridLayout>

@@ -2,9 +2,9 @@
 // sends nothing itself.
 #pragma once
 
+#include "widgets/control/motion_allowed.h"
 #include "widgets/forms/ramp_preset.h"
 #include "widgets/forms/ramp_preview.h"
-#include "widgets/motion_allowed.h"
 
 #include "drive/motion_caution.h"
 

@@ -1,7 +1,7 @@
 #include "widgets/forms/ramp_preview.h"
 
 #include "analysis/ramp.h"
-#include "widgets/plot_look.h"
+#include "widgets/base/plot_look.h"
 #include "widgets/scope/trace_colors.h"
 
 #include <QEvent>

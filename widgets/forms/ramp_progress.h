@@ -3,7 +3,7 @@
 #pragma once
 
 #include "drive/event.h"
-#include "widgets/device.h"
+#include "widgets/base/device.h"
 
 #include <optional>
 

@@ -1,9 +1,9 @@
 #include "widgets/forms/rev_up_chart.h"
 
 #include "analysis/ramp.h"
+#include "widgets/base/value_text.h"
 #include "widgets/forms/rev_up_edit.h"
 #include "widgets/forms/rev_up_start.h"
-#include "widgets/value_text.h"
 
 #include <QAccessible>
 #include <QGraphicsLayout>

@@ -2,7 +2,7 @@
 // step it by what the register can hold; the wheel only while it has the focus.
 #pragma once
 
-#include "widgets/register_entry.h"
+#include "widgets/registers/register_entry.h"
 
 #include <QLineEdit>
 #include <QStyledItemDelegate>

@@ -3,15 +3,15 @@
 #include "drive/motor_view.h"
 #include "session/rev_up_json.h"
 #include "session/whole_file.h"
-#include "widgets/device_text.h"
-#include "widgets/edit_bar.h"
-#include "widgets/file_prompt.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/value_text.h"
+#include "widgets/files/file_prompt.h"
 #include "widgets/forms/rev_up_chart.h"
 #include "widgets/forms/rev_up_edit.h"
 #include "widgets/forms/rev_up_start.h"
 #include "widgets/forms/rev_up_texts.h"
-#include "widgets/register_texts.h"
-#include "widgets/value_text.h"
+#include "widgets/registers/edit_bar.h"
+#include "widgets/registers/register_texts.h"
 
 #include <QFileInfo>
 #include <QFormLayout>

@@ -5,7 +5,7 @@
 
 #include "widgets/forms/form.h"
 #include "widgets/forms/rev_up_model.h"
-#include "widgets/register_edits.h"
+#include "widgets/registers/register_edits.h"
 
 class QAction;
 class QLabel;

@@ -1,7 +1,7 @@
 #include "widgets/forms/rev_up_model.h"
 
+#include "widgets/base/value_text.h"
 #include "widgets/forms/rev_up_texts.h"
-#include "widgets/value_text.h"
 
 #include <QApplication>
 #include <QFont>

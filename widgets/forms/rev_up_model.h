@@ -4,7 +4,7 @@
 #pragma once
 
 #include "analysis/rev_up.h"
-#include "widgets/register_model.h"
+#include "widgets/registers/register_model.h"
 
 #include <QAbstractTableModel>
 

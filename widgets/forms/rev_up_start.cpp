@@ -1,7 +1,7 @@
 #include "widgets/forms/rev_up_start.h"
 
-#include "widgets/device_text.h"
-#include "widgets/value_text.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/value_text.h"
 
 #include <cmath>
 

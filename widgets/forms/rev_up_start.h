@@ -4,7 +4,7 @@
 #pragma once
 
 #include "capture/capture.h"
-#include "widgets/device.h"
+#include "widgets/base/device.h"
 
 #include <QList>
 #include <QObject>

@@ -1,6 +1,6 @@
 #include "widgets/forms/rev_up_texts.h"
 
-#include "widgets/value_text.h"
+#include "widgets/base/value_text.h"
 
 #include <QCoreApplication>
 

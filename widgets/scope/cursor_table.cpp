@@ -1,6 +1,6 @@
 #include "widgets/scope/cursor_table.h"
 
-#include "widgets/device_text.h"
+#include "widgets/base/device_text.h"
 #include "widgets/scope/reading_text.h"
 #include "widgets/scope/scope_view.h"
 

@@ -1,6 +1,6 @@
 #include "widgets/scope/event_lane.h"
 
-#include "widgets/device_text.h"
+#include "widgets/base/device_text.h"
 #include "widgets/scope/event_icon.h"
 #include "widgets/scope/reading_text.h"
 #include "widgets/scope/scope_view.h"

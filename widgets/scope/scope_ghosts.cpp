@@ -1,5 +1,5 @@
 // The scope's trigger marks and the traces of other times behind its own: a reference, earlier records.
-#include "widgets/device_text.h"
+#include "widgets/base/device_text.h"
 #include "widgets/scope/plot_stack.h"
 #include "widgets/scope/scope_overlay.h"
 #include "widgets/scope/scope_view.h"

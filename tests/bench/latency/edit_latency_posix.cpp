@@ -3,8 +3,8 @@
 // signals at the full control rate running beside it. Prints a table; docs/performance.md says how it is read.
 #include "bench/latency/tapped_line_posix.h"
 #include "support/window_rig.h"
-#include "widgets/connect_bar.h"
-#include "widgets/register_panel.h"
+#include "widgets/registers/register_panel.h"
+#include "widgets/window/connect_bar.h"
 
 #include <QAbstractProxyModel>
 #include <QAction>

@@ -1,0 +1,219 @@
+#include "drive/legacy/legacy_commands.h"
+
+#include "drive/set_point_check.h"
+#include "drive/values.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drive {
+
+namespace {
+
+constexpr std::uint8_t kFinalSpeed = 0x5B;
+
+legacy::CommandId commandOf(MotorAction action)
+{
+    switch (action) {
+    case MotorAction::Start:
+        return legacy::CommandId::StartMotor;
+    case MotorAction::StopMotor:
+        return legacy::CommandId::StopMotor;
+    case MotorAction::StopRamp:
+        return legacy::CommandId::StopRamp;
+    case MotorAction::AcknowledgeFaults:
+        break;
+    }
+    return legacy::CommandId::FaultAck;
+}
+
+std::string noSuchMotor(int motor) { return "there is no motor " + std::to_string(motor); }
+
+Bytes frameFor(int motor, legacy::Command command)
+{
+    return legacy::encodeRequest({static_cast<std::uint8_t>(motor), std::move(command)})
+        .value_or(Bytes());
+}
+
+Outcome lostOutcome(std::optional<bool> executed)
+{
+    return executed.has_value() && !*executed ? Outcome::NotSent : Outcome::Unknown;
+}
+
+} // namespace
+
+std::string refuseLegacySpeed(const LegacyFacts &board, int motor, double rpm)
+{
+    constexpr double kGreatest = 32767.0 * 6.0; // 16 bits of 0.1 Hz
+    if (auto why = refuseSpeed(board, motor, rpm); !why.empty())
+        return why;
+    return std::abs(rpm) > kGreatest ? "beyond what this protocol can hold" : std::string();
+}
+
+LegacyCommandTask::LegacyCommandTask(WishId id, const Command &command, const LegacyFacts &board)
+    : WishTask(
+        id, command.action == MotorAction::StopMotor ? Permission::Always : Permission::Armed)
+    , m_board(board)
+    , m_command(command)
+{
+}
+
+bool LegacyCommandTask::looking()
+{
+    if (!std::exchange(m_looked, true)) {
+        std::vector<RegisterId> ids;
+        const RegisterId stages = kLegacyRevUp | static_cast<RegisterId>(m_command.motor);
+        if (m_board.user != UserLimits{}) {
+            ids.push_back(legacyId(kFinalSpeed, m_command.motor));
+            if (m_board.catalog->find(stages) != nullptr && !m_board.missing.contains(stages))
+                ids.push_back(stages);
+        }
+        m_reader.start(ids);
+    }
+    return !m_reader.finished();
+}
+
+/// What the board was set to before, against a person's own limits.
+std::string LegacyCommandTask::refuseStart() const
+{
+    for (const Reading &reading : m_found) {
+        std::string why;
+        if (const auto *raw = std::get_if<Bytes>(&reading.value)) {
+            for (const legacy::RevUpStage &stage :
+                revUpStages(*raw).value_or(std::vector<legacy::RevUpStage>()))
+                if (why.empty())
+                    why = refuseSpeed(m_board, m_command.motor, stage.speed_rpm);
+        } else if (const auto speed = asNumber(reading.value)) {
+            why = refuseSpeed(m_board, m_command.motor, *speed);
+        }
+        if (!why.empty())
+            return m_board.catalog->nameOf(reading.id) + " is " + why;
+    }
+    return {};
+}
+
+std::optional<Bytes> LegacyCommandTask::nextRequest(TimePoint)
+{
+    if (finished() || sent())
+        return std::nullopt;
+    const auto refused = [this](std::string why) {
+        end(Outcome::Refused, std::move(why));
+        return std::nullopt;
+    };
+    if (!m_board.hasMotor(m_command.motor))
+        return refused(noSuchMotor(m_command.motor));
+    if (m_command.action == MotorAction::Start) {
+        if (auto why = drive::refuseStart(m_board, m_command.motor); !why.empty())
+            return refused(std::move(why));
+        if (looking())
+            return m_reader.nextRequest(m_board);
+        if (m_reader.gaveUp()) {
+            end(Outcome::NotSent, "no answer about what it would start to");
+            return std::nullopt;
+        }
+        if (auto why = refuseStart(); !why.empty())
+            return refused(std::move(why));
+    }
+    markSent();
+    return frameFor(
+        m_command.motor, legacy::Execute{static_cast<std::uint8_t>(commandOf(m_command.action))});
+}
+
+void LegacyCommandTask::takeResponse(ByteView response, TimePoint now)
+{
+    if (!sent()) {
+        if (auto reading = m_reader.takeResponse(response, m_board, now))
+            m_found.push_back(std::move(*reading));
+    } else if (ackData(response)) {
+        end(Outcome::Ok);
+    } else {
+        end(Outcome::Refused, nackWord(response));
+    }
+}
+
+void LegacyCommandTask::takeNoResponse(std::optional<bool> executed, TimePoint)
+{
+    if (sent())
+        end(lostOutcome(executed), "no answer");
+    else
+        m_reader.takeNoResponse();
+}
+
+LegacySetPointTask::LegacySetPointTask(WishId id, const SpeedRamp &ramp, const LegacyFacts &board)
+    : LegacySetPointTask(id, Feature::SpeedRamp, ramp.motor, board)
+{
+    m_first = ramp.rpm;
+    m_duration = ramp.duration;
+}
+
+LegacySetPointTask::LegacySetPointTask(WishId id, const TorqueRamp &ramp, const LegacyFacts &board)
+    : LegacySetPointTask(id, Feature::TorqueRamp, ramp.motor, board)
+{
+    m_first = ramp.amps;
+    m_duration = ramp.duration;
+}
+
+LegacySetPointTask::LegacySetPointTask(
+    WishId id, const CurrentReference &reference, const LegacyFacts &board)
+    : LegacySetPointTask(id, Feature::CurrentReference, reference.motor, board)
+{
+    m_first = reference.iqAmps;
+    m_second = reference.idAmps;
+}
+
+std::string LegacySetPointTask::refuse() const
+{
+    if (!m_board.hasMotor(m_motor))
+        return noSuchMotor(m_motor);
+    if (auto why = m_board.reasonAgainst(m_feature); !why.empty())
+        return why;
+    if (m_duration.count() < 0 || m_duration.count() > 0xFFFF)
+        return "a ramp lasts 0 to 65535 ms";
+    if (m_feature == Feature::SpeedRamp)
+        return refuseLegacySpeed(m_board, m_motor, m_first);
+    return refuseCurrent(m_board, m_motor, std::hypot(m_first, m_second));
+}
+
+legacy::Command LegacySetPointTask::encode() const
+{
+    const auto time = static_cast<std::uint16_t>(m_duration.count());
+    const auto digits = [this](double amps) {
+        return static_cast<std::int16_t>(
+            std::clamp(std::nearbyint(amps / m_board.ampsPerDigit), -32767.0, 32767.0));
+    };
+    switch (m_feature) {
+    case Feature::SpeedRamp:
+        return legacy::SetRamp{static_cast<std::int32_t>(m_first), time};
+    case Feature::TorqueRamp:
+        return legacy::SetTorqueRamp{digits(m_first), time};
+    default:
+        return legacy::SetCurrentReference{digits(m_first), digits(m_second)};
+    }
+}
+
+std::optional<Bytes> LegacySetPointTask::nextRequest(TimePoint)
+{
+    if (finished() || sent())
+        return std::nullopt;
+    if (auto why = refuse(); !why.empty()) {
+        end(Outcome::Refused, std::move(why));
+        return std::nullopt;
+    }
+    markSent();
+    return frameFor(m_motor, encode());
+}
+
+void LegacySetPointTask::takeResponse(ByteView response, TimePoint)
+{
+    if (ackData(response))
+        end(Outcome::Ok);
+    else
+        end(Outcome::Refused, nackWord(response));
+}
+
+void LegacySetPointTask::takeNoResponse(std::optional<bool> executed, TimePoint)
+{
+    end(lostOutcome(executed), "no answer");
+}
+
+} // namespace drive

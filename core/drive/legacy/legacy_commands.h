@@ -1,0 +1,64 @@
+// Motor commands and set-points of the older serial protocol as wishes, each one frame that is sent once: if its answer is
+// lost it ends Unknown (NotSent, if the board said that it did not understand), and the state is read instead.
+//
+// An acknowledgement here proves nothing: START is acknowledged in any state. What the motor does is read by others.
+#pragma once
+
+#include "drive/legacy/legacy_reader.h"
+#include "drive/task.h"
+
+namespace drive {
+
+/// As refuseSpeed() of drive/set_point_check.h; also beyond what the board's 16 bits hold, where it would turn over into
+/// another direction.
+std::string refuseLegacySpeed(const LegacyFacts &board, int motor, double rpm);
+
+class LegacyCommandTask : public WishTask {
+public:
+    LegacyCommandTask(WishId id, const Command &command, const LegacyFacts &board);
+
+    std::optional<Bytes> nextRequest(TimePoint now) override;
+    void takeResponse(ByteView response, TimePoint now) override;
+    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+
+private:
+    bool looking(); ///< at what a start would go to, because of a person's own limits
+    std::string refuseStart() const;
+
+    const LegacyFacts &m_board;
+    Command m_command;
+    LegacyReader m_reader;
+    std::vector<Reading> m_found;
+    bool m_looked = false;
+};
+
+/// Speed ramp, torque ramp or current reference.
+class LegacySetPointTask : public WishTask {
+public:
+    LegacySetPointTask(WishId id, const SpeedRamp &ramp, const LegacyFacts &board);
+    LegacySetPointTask(WishId id, const TorqueRamp &ramp, const LegacyFacts &board);
+    LegacySetPointTask(WishId id, const CurrentReference &reference, const LegacyFacts &board);
+
+    std::optional<Bytes> nextRequest(TimePoint now) override;
+    void takeResponse(ByteView response, TimePoint now) override;
+    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+
+private:
+    LegacySetPointTask(WishId id, Feature feature, int motor, const LegacyFacts &board)
+        : WishTask(id, Permission::Armed)
+        , m_board(board)
+        , m_feature(feature)
+        , m_motor(motor)
+    {
+    }
+    std::string refuse() const;
+    legacy::Command encode() const;
+
+    const LegacyFacts &m_board;
+    Feature m_feature;
+    int m_motor;
+    double m_first = 0.0, m_second = 0.0; ///< rpm, A, or A and A
+    std::chrono::milliseconds m_duration{};
+};
+
+} // namespace drive

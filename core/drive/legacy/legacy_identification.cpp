@@ -1,0 +1,263 @@
+#include "drive/legacy/legacy_identification.h"
+
+#include "drive/values.h"
+
+#include <algorithm>
+
+namespace drive {
+
+namespace {
+
+using legacy::Dialect;
+
+constexpr int kMostLosses = 4; ///< of one question; the link itself gives up earlier
+constexpr std::uint8_t kStatus = 0x02, kStages = 0x22, kMaxSpeed = 0x3F, kOnlyPowerPc = 0x5C,
+                       kOnlyStm32 = 0x6E, kControlBoard = 0x72, kPowerBoard = 0x73;
+constexpr auto kBadMotor = static_cast<std::uint8_t>(legacy::ErrorCode::BadMotor);
+constexpr auto kNoTarget = static_cast<std::uint8_t>(legacy::ErrorCode::NoTargetDrive);
+
+Bytes frameOf(int motor, legacy::Command command)
+{
+    return legacy::encodeRequest({static_cast<std::uint8_t>(motor), std::move(command)})
+        .value_or(Bytes());
+}
+
+bool namesStm32(const std::string &name)
+{
+    return name.starts_with("STM32") || name.starts_with("ST MC");
+}
+
+} // namespace
+
+void LegacyIdentification::restart(const legacy::BoardInfo &info)
+{
+    m_info = info;
+    m_version = {};
+    m_phase = Phase::Version;
+    m_versionKnown = false;
+    m_powerPcRegister.reset();
+    m_stm32Register.reset();
+    m_doubt.clear();
+    m_reader.clear();
+    m_values.clear();
+    m_readings.clear();
+    m_identity = {};
+    m_losses = 0;
+    m_news = false;
+    m_board.identified = m_board.knownFirmware = false;
+    m_board.motors = 1;
+    m_board.catalog = std::make_shared<const catalog::Catalog>();
+    m_board.scales.clear();
+    m_board.limits.clear();
+    m_board.expert.clear(); // another board may be there now
+    m_board.capabilities.clear();
+    m_board.streaming = {};
+    m_board.missing.clear();
+}
+
+std::optional<Bytes> LegacyIdentification::nextRequest(TimePoint)
+{
+    switch (m_phase) {
+    case Phase::Version:
+        return frameOf(1, legacy::GetFirmwareVersion{});
+    case Phase::OnlyPowerPc:
+        return frameOf(1, legacy::GetRegister{kOnlyPowerPc});
+    case Phase::OnlyStm32:
+        return frameOf(1, legacy::GetRegister{kOnlyStm32});
+    case Phase::Motors:
+        return frameOf(m_board.motors + 1, legacy::GetRegister{kStatus});
+    case Phase::Registers:
+        return m_reader.nextRequest(m_board);
+    case Phase::Done:
+        break;
+    }
+    return std::nullopt;
+}
+
+void LegacyIdentification::takeResponse(ByteView response, TimePoint now)
+{
+    m_losses = 0;
+    const auto data = ackData(response);
+    switch (m_phase) {
+    case Phase::Version:
+        if (data)
+            if (const auto version = legacy::decodeFirmwareVersion(*data)) {
+                m_version = *version;
+                m_versionKnown = true;
+                return decideDialect();
+            }
+        m_phase = Phase::OnlyPowerPc;
+        return;
+    case Phase::OnlyPowerPc:
+        m_powerPcRegister = data.has_value();
+        m_phase = Phase::OnlyStm32;
+        return;
+    case Phase::OnlyStm32:
+        m_stm32Register = data.has_value();
+        return decideDialect();
+    case Phase::Motors:
+        if (data && m_board.motors + 1 < static_cast<int>(legacy::kMostMotors)) {
+            ++m_board.motors;
+            return;
+        }
+        if (const auto code = nackCode(response); data || code == kBadMotor || code == kNoTarget) {
+            if (data)
+                ++m_board.motors;
+        } else {
+            m_doubt = "it does not tell how many motors it has";
+        }
+        return probeRegisters();
+    case Phase::Registers:
+        if (auto reading = m_reader.takeResponse(response, m_board, now)) {
+            if (reading->status == ReadStatus::Ok) {
+                m_values[reading->id] = reading->value;
+                m_readings.push_back(std::move(*reading));
+            }
+            if (m_reader.finished())
+                finish();
+        }
+        return;
+    case Phase::Done:
+        return;
+    }
+}
+
+void LegacyIdentification::takeNoResponse(std::optional<bool>, TimePoint)
+{
+    if (m_phase == Phase::Registers) {
+        m_reader.takeNoResponse();
+        if (m_reader.finished())
+            finish();
+    } else if (m_phase != Phase::Done && ++m_losses >= kMostLosses) {
+        m_doubt = "it did not answer all that identifies it";
+        probeRegisters();
+    }
+}
+
+void LegacyIdentification::decideDialect()
+{
+    const bool powerPc = !m_versionKnown && m_powerPcRegister == true && m_stm32Register == false;
+    const bool stm32 = m_versionKnown || (m_stm32Register == true && m_powerPcRegister == false)
+        || (namesStm32(m_info.name) && m_powerPcRegister == false);
+    const Dialect found = powerPc ? Dialect::PowerPc : Dialect::Stm32;
+    m_board.dialect = m_chosen.value_or(found);
+    if (powerPc == stm32 && !m_chosen)
+        m_doubt = "it cannot be told which dialect it speaks";
+    else if (m_chosen && (stm32 || powerPc) && *m_chosen != found)
+        m_doubt = "it speaks another dialect than the chosen one";
+    m_board.motors = 1;
+    m_phase = Phase::Motors;
+}
+
+void LegacyIdentification::probeRegisters()
+{
+    m_phase = Phase::Registers;
+    std::vector<RegisterId> ids;
+    const auto all = legacyRegisters(m_board.dialect, false);
+    for (int motor = 1; motor <= m_board.motors; ++motor)
+        for (const catalog::RegisterInfo &info : all)
+            if (info.readable() && (info.perMotor || motor == 1))
+                ids.push_back(info.perMotor ? info.id | static_cast<RegisterId>(motor) : info.id);
+    m_reader.start(ids);
+}
+
+void LegacyIdentification::addLimits()
+{
+    for (int motor = 1; motor <= m_board.motors; ++motor) {
+        MotorLimits limits;
+        const auto fastest = m_values.find(legacyId(kMaxSpeed, motor));
+        if (fastest != m_values.end())
+            limits.maxSpeedRpm = asNumber(fastest->second).value_or(0.0);
+        m_board.limits.push_back(limits);
+        catalog::Scales scales;
+        scales.ampsPerDigit = m_board.ampsPerDigit;
+        m_board.scales.push_back(scales);
+    }
+}
+
+void LegacyIdentification::addCapabilities()
+{
+    const std::string noStream = "Boards of this protocol record nothing by themselves: signals "
+                                 "are read one after the other.";
+    const std::string noScale = "Boards of this protocol do not tell the scale of their currents.";
+    const std::string noPosition = "This protocol moves no shaft to a position.";
+    const bool writes = m_board.knownFirmware;
+    const std::string readOnly = writes ? "" : "Read-only: " + m_doubt + ".";
+    const auto add = [&](Feature feature, const std::string &reason) {
+        const std::string why = writes ? reason : readOnly;
+        m_board.capabilities.push_back({feature, why.empty(), why});
+    };
+    for (const Feature feature :
+        {Feature::Start, Feature::AcknowledgeFaults, Feature::SpeedRamp, Feature::WriteRegisters})
+        add(feature, {});
+    m_board.capabilities.push_back({Feature::Stop, true, {}});
+    const std::string noAmps = m_board.ampsPerDigit > 0.0 ? std::string() : noScale;
+    const bool torqueRamp = m_board.dialect == Dialect::Stm32 && m_version.version >= "5.4.2";
+    add(Feature::TorqueRamp, torqueRamp ? noAmps : "Only firmware from 5.4.2 on has torque ramps.");
+    add(Feature::CurrentReference, noAmps);
+    m_board.capabilities.push_back({Feature::Stream, false, noStream});
+    m_board.capabilities.push_back({Feature::PositionRamp, false, noPosition});
+}
+
+void LegacyIdentification::finish()
+{
+    bool revUp = false;
+    for (int motor = 1; motor <= m_board.motors; ++motor) {
+        const auto stages = m_values.find(legacyId(kStages, motor));
+        const bool has = stages != m_values.end() && asNumber(stages->second).value_or(0.0) > 0.0;
+        revUp = revUp || has;
+        if (!has)
+            m_board.missing.insert(kLegacyRevUp | static_cast<RegisterId>(motor));
+    }
+    if (m_reader.gaveUp() && m_doubt.empty())
+        m_doubt = "it did not answer all that identifies it";
+    m_board.knownFirmware = m_doubt.empty();
+    std::vector<catalog::RegisterInfo> registers;
+    for (catalog::RegisterInfo &info : legacyRegisters(m_board.dialect, revUp)) {
+        bool there = !info.readable() || isLegacyRevUp(info.id);
+        for (int motor = 1; motor <= m_board.motors; ++motor) {
+            const RegisterId id =
+                info.perMotor ? info.id | static_cast<RegisterId>(motor) : info.id;
+            const bool has = m_values.contains(id);
+            there = there || has;
+            if (!has && info.readable() && !isLegacyRevUp(info.id))
+                m_board.missing.insert(id);
+        }
+        if (!there)
+            continue;
+        if (!m_board.knownFirmware && info.writable())
+            info.access = info.readable() ? catalog::Access::Read : catalog::Access::None;
+        registers.push_back(std::move(info));
+    }
+    addLimits();
+    m_board.catalog = std::make_shared<const catalog::Catalog>(
+        std::move(registers), m_board.motors, m_board.scales);
+    m_board.streaming.linkBytesPerSecond = m_board.bytesPerSecond;
+    addCapabilities();
+
+    const bool powerPc = m_board.dialect == Dialect::PowerPc;
+    const auto board = [&](std::uint8_t number) {
+        const auto at = m_values.find(legacyId(number, 0));
+        return at == m_values.end()
+            ? std::string()
+            : "board " + std::to_string(static_cast<long>(asNumber(at->second).value_or(0.0)));
+    };
+    m_identity.protocol = powerPc ? "MCP PowerPC" : "MCP legacy";
+    if (!m_doubt.empty())
+        m_identity.protocol += " (read-only: " + m_doubt + ")";
+    m_identity.firmware = m_versionKnown ? m_version.name : m_info.name;
+    m_identity.version =
+        m_versionKnown && !m_version.version.empty() ? m_version.version : m_info.version;
+    m_identity.evidence = m_versionKnown ? "it answers GET_FW_VERSION, as STM32 boards do"
+        : powerPc ? "it refuses GET_FW_VERSION and has registers of PowerPC boards only"
+                  : "it refuses GET_FW_VERSION, but has registers of STM32 boards only";
+    m_identity.controlBoard = board(kControlBoard);
+    m_identity.powerBoards = {board(kPowerBoard)};
+    m_identity.motors = m_board.motors;
+    m_identity.knownFirmware = m_board.knownFirmware;
+    m_board.identified = true;
+    m_phase = Phase::Done;
+    m_news = true;
+}
+
+} // namespace drive

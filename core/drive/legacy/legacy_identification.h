@@ -1,0 +1,62 @@
+// Finds out what board of the older serial protocol is on the other end, with reads only, before anything is written:
+// dialect, version, motors, which registers its build has.
+//
+// GET_FW_VERSION tells the dialects apart: firmware of STM32 boards knows it. Where it is refused, registers that only one
+// of the dialects has are read. If they contradict each other, or a person's choice, the board stays read-only.
+#pragma once
+
+#include "drive/legacy/legacy_reader.h"
+#include "drive/task.h"
+#include "legacy/reply.h"
+
+#include <map>
+#include <optional>
+
+namespace drive {
+
+class LegacyIdentification : public Task {
+public:
+    /// @param chosen  the dialect a person named; empty: to be found out
+    LegacyIdentification(LegacyFacts &board, std::optional<legacy::Dialect> chosen)
+        : m_board(board)
+        , m_chosen(chosen)
+    {
+    }
+
+    void restart(const legacy::BoardInfo &info);
+    bool done() const { return m_phase == Phase::Done; }
+    /// True once after each identification that has come to its end.
+    bool takeNews() { return std::exchange(m_news, false); }
+    const Identity &identity() const { return m_identity; }
+    std::vector<Reading> takeReadings() { return std::exchange(m_readings, {}); }
+
+    std::optional<Bytes> nextRequest(TimePoint now) override;
+    void takeResponse(ByteView response, TimePoint now) override;
+    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+
+private:
+    enum class Phase : std::uint8_t { Version, OnlyPowerPc, OnlyStm32, Motors, Registers, Done };
+
+    void decideDialect();
+    void probeRegisters();
+    void finish();
+    void addLimits();
+    void addCapabilities();
+
+    LegacyFacts &m_board;
+    std::optional<legacy::Dialect> m_chosen;
+    legacy::BoardInfo m_info;
+    legacy::FirmwareVersion m_version;
+    Phase m_phase = Phase::Done;
+    bool m_versionKnown = false; ///< GET_FW_VERSION was answered
+    std::optional<bool> m_powerPcRegister, m_stm32Register; ///< there
+    std::string m_doubt; ///< why nothing may be written
+    LegacyReader m_reader;
+    std::map<RegisterId, Value> m_values;
+    std::vector<Reading> m_readings;
+    Identity m_identity;
+    int m_losses = 0;
+    bool m_news = false;
+};
+
+} // namespace drive

@@ -1,0 +1,43 @@
+// Reads a list of registers of the older serial protocol, one GET after the other; the raw register of the rev-up takes
+// one for each of its stages. A refusal ends a register, a lost answer is asked for again up to kRepeats times.
+#pragma once
+
+#include "drive/legacy/legacy_board.h"
+#include "drive/legacy/legacy_registers.h"
+
+#include <deque>
+#include <optional>
+
+namespace drive {
+
+/// The data of an acknowledgement; empty if the answer is none. The first byte is the answer's header.
+std::optional<ByteView> ackData(ByteView response);
+/// Why not, if the answer is a refusal; empty if it is none.
+std::string nackWord(ByteView response);
+std::optional<std::uint8_t> nackCode(ByteView response);
+
+class LegacyReader {
+public:
+    static constexpr int kRepeats = 3;
+
+    void start(const std::vector<RegisterId> &ids);
+    void clear() { start({}); }
+    bool finished() const { return m_waiting.empty(); }
+    bool gaveUp() const { return m_gaveUp; } ///< some were never answered: no Reading for those
+
+    /// The frame that asks next; nothing when finished.
+    std::optional<Bytes> nextRequest(const LegacyFacts &board) const;
+    /// The reading that the answer completes, if it does.
+    std::optional<Reading> takeResponse(ByteView response, const LegacyFacts &board, TimePoint now);
+    void takeNoResponse();
+
+private:
+    std::optional<Reading> done(ReadStatus status, Value value, TimePoint now);
+
+    std::deque<RegisterId> m_waiting;
+    Bytes m_stages; ///< of the rev-up, read until now
+    int m_losses = 0; ///< of the first one, in a row
+    bool m_gaveUp = false;
+};
+
+} // namespace drive

@@ -1,0 +1,349 @@
+#include "drive/mcb/mcb_commands.h"
+
+#include "analysis/ramp.h"
+#include "drive/mcb/mcb_catalog.h"
+#include "drive/mcb/mcb_identification.h"
+#include "drive/mcb/mcb_messages.h"
+#include "drive/set_point_check.h"
+#include "drive/values.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace drive {
+
+namespace {
+
+using namespace mcbreg;
+using namespace std::chrono_literals;
+
+constexpr std::uint16_t kShutdown = 0x06, kSwitchOn = 0x07, kEnable = 0x0F, kDisable = 0x00,
+                        kFaultReset = 0x80;
+constexpr std::uint16_t kModeCurrent = 2, kModeVelocity = 3, kModeProfileVelocity = 19,
+                        kModeProfilePosition = 20;
+constexpr Duration kStepWithin = 500ms; ///< of the state machine, without a motor that turns
+constexpr double kSecondsPerMinute = 60.0, kTurn_rad = 2.0 * std::numbers::pi;
+constexpr double kFarthest_rad = 1e4;
+constexpr int kLongestRamp_ms = 65535;
+
+/// Which set-point a mode follows; 0: another one.
+std::uint16_t setPointOf(std::uint16_t mode)
+{
+    struct Row {
+        std::uint16_t mode, setPoint;
+    };
+    static constexpr std::array kRows{Row{2, kIq}, Row{34, kIq}, Row{3, kVelocity},
+        Row{19, kVelocity}, Row{35, kVelocity}, Row{4, kPosition}, Row{20, kPosition},
+        Row{36, kPosition}};
+    for (const Row &row : kRows)
+        if (row.mode == mode)
+            return row.setPoint;
+    return 0;
+}
+
+std::string noSuchMotor(int motor) { return "there is no motor " + std::to_string(motor); }
+
+} // namespace
+
+McbActTask::McbActTask(WishId id, Permission permission, int motor, const McbBoard &board,
+    const std::vector<std::uint16_t> &reads)
+    : WishTask(id, permission)
+    , m_board(board)
+    , m_motor(motor)
+{
+    std::vector<RegisterId> ids;
+    for (const std::uint16_t address : reads)
+        if (board.readable(address))
+            ids.push_back(mcbIdOf(address));
+    m_reader.start(ids);
+}
+
+std::optional<double> McbActTask::valueOf(std::uint16_t address) const
+{
+    const auto at = m_values.find(address);
+    return at == m_values.end() ? std::nullopt : std::optional(at->second);
+}
+
+void McbActTask::write(std::uint16_t address, const Value &value)
+{
+    auto words = mcbWordsOf(m_board, address, value);
+    if (words)
+        m_steps.push_back({address, std::move(*words), 0, 0});
+    else
+        m_problem = m_board.catalog->nameOf(mcbIdOf(address)) + ": " + words.error();
+}
+
+void McbActTask::setMode(std::uint16_t mode, std::uint16_t setPoint, const Value &value)
+{
+    const auto now = static_cast<std::uint16_t>(valueOf(kMode).value_or(0xFFFF));
+    const bool shares = setPointOf(now) == setPoint;
+    if (!shares)
+        write(setPoint, value);
+    if (now != mode)
+        write(kMode, std::int64_t{mode});
+    if (shares)
+        write(setPoint, value);
+}
+
+std::optional<Bytes> McbActTask::nextRequest(TimePoint now)
+{
+    if (finished())
+        return std::nullopt;
+    if (!m_board.hasMotor(m_motor)) {
+        end(Outcome::Refused, noSuchMotor(m_motor));
+        return std::nullopt;
+    }
+    if (!m_reader.finished())
+        return m_reader.nextRequest();
+    if (!std::exchange(m_planned, true)) {
+        std::string why = m_unread ? std::string() : plan();
+        if (why.empty())
+            why = m_problem;
+        if (m_unread)
+            end(Outcome::NotSent, "no answer about what it would change");
+        else if (!why.empty())
+            end(Outcome::Refused, std::move(why));
+        if (finished())
+            return std::nullopt;
+    }
+    if (m_steps.empty()) {
+        end(Outcome::Ok);
+        return std::nullopt;
+    }
+    const Step &step = m_steps.front();
+    if (step.words.empty()) {
+        if (!m_waitingSince)
+            m_waitingSince = now;
+        return mcbRead(kStatus);
+    }
+    m_waitingSince.reset();
+    markSent();
+    return mcbWrite(step.address, step.words);
+}
+
+void McbActTask::takeResponse(ByteView response, TimePoint now)
+{
+    if (finished())
+        return;
+    if (!m_reader.finished()) {
+        const Reading reading = m_reader.takeResponse(response, m_board, now);
+        const auto number = asNumber(reading.value);
+        if (reading.status == ReadStatus::Ok && number && std::isfinite(*number))
+            m_values[mcbAddressOf(reading.id)] = *number;
+        return;
+    }
+    const McbAnswer answer = mcbAnswerOf(response);
+    const Step step = m_steps.front();
+    if (!answer.ok)
+        return end(Outcome::Refused,
+            m_board.catalog->nameOf(mcbIdOf(step.words.empty() ? kStatus : step.address)) + ": "
+                + mcbWordOf(answer.code));
+    if (!step.words.empty()) {
+        m_steps.pop_front();
+        if (m_steps.empty())
+            end(Outcome::Ok);
+        return;
+    }
+    const std::uint16_t status = answer.words.empty() ? std::uint16_t{0} : answer.words.front();
+    if ((status & step.mask) == step.bits)
+        m_steps.pop_front();
+    else if (m_waitingSince && now - *m_waitingSince >= kStepWithin)
+        end(Outcome::Refused, "the drive stays in " + std::string(mcbStateOf(status).name));
+}
+
+void McbActTask::takeNoResponse(std::optional<bool> executed, TimePoint)
+{
+    if (finished())
+        return;
+    if (!m_reader.finished()) {
+        m_unread = true;
+        m_reader.takeNoResponse();
+        return;
+    }
+    const bool notExecuted = executed.has_value() && !*executed;
+    end(notExecuted ? Outcome::NotSent : Outcome::Unknown, "no answer");
+}
+
+McbCommandTask::McbCommandTask(WishId id, const Command &command, const McbBoard &board)
+    : McbActTask(id,
+        command.action == MotorAction::StopMotor ? Permission::Always : Permission::Armed,
+        command.motor, board,
+        command.action == MotorAction::Start
+            ? std::vector<std::uint16_t>{kStatus, kMode, kVelocity, kIq, kId}
+            : command.action == MotorAction::StopRamp
+            ? std::vector<std::uint16_t>{kVelocityNow, kMode}
+            : std::vector<std::uint16_t>{})
+    , m_action(command.action)
+{
+}
+
+std::string McbCommandTask::plan()
+{
+    switch (m_action) {
+    case MotorAction::Start:
+        return planStart();
+    case MotorAction::StopMotor:
+        control(kShutdown);
+        break;
+    case MotorAction::StopRamp:
+        if (const auto velocity = valueOf(kVelocityNow); velocity
+            && setPointOf(static_cast<std::uint16_t>(valueOf(kMode).value_or(0))) == kVelocity)
+            write(kVelocity, *velocity);
+        else
+            return "no ramp of the speed is under way";
+        break;
+    case MotorAction::AcknowledgeFaults:
+        control(kDisable); // the bit has to rise
+        control(kFaultReset);
+        break;
+    }
+    return {};
+}
+
+std::string McbCommandTask::planStart()
+{
+    if (auto why = board().reasonAgainst(Feature::Start); !why.empty())
+        return why;
+    if (auto why = refuseStart(board(), motor()); !why.empty())
+        return why;
+    const auto status = valueOf(kStatus);
+    const auto mode = valueOf(kMode);
+    if (!status || !mode)
+        return "the drive does not tell its state and mode";
+    const McbState state = mcbStateOf(static_cast<std::uint16_t>(*status));
+    if (state.state != MotorState::Idle)
+        return "in " + std::string(state.name);
+    // What it would go to at once.
+    const std::uint16_t followed = setPointOf(static_cast<std::uint16_t>(*mode));
+    if (followed == 0)
+        return "mode " + std::to_string(static_cast<int>(*mode))
+            + " is not one that is started here";
+    std::string why;
+    if (followed == kVelocity)
+        why = refuseSpeed(board(), motor(), valueOf(kVelocity).value_or(NAN) * kSecondsPerMinute);
+    else if (followed == kIq)
+        why = refuseCurrent(
+            board(), motor(), std::hypot(valueOf(kIq).value_or(NAN), valueOf(kId).value_or(0.0)));
+    if (!why.empty())
+        return "its set-point is " + why;
+    control(kShutdown);
+    await(0x6F, 0x21);
+    control(kSwitchOn);
+    await(0x6F, 0x23);
+    control(kEnable);
+    return {};
+}
+
+McbSpeedTask::McbSpeedTask(WishId id, const SpeedRamp &ramp, const McbBoard &board)
+    : McbActTask(
+        id, Permission::Armed, ramp.motor, board, {kMode, kVelocityNow, kVelocity, kStatus})
+    , m_ramp(ramp)
+{
+}
+
+std::string McbSpeedTask::plan()
+{
+    if (auto why = board().reasonAgainst(Feature::SpeedRamp); !why.empty())
+        return why;
+    if (m_ramp.duration.count() < 0 || m_ramp.duration.count() > kLongestRamp_ms)
+        return "a ramp lasts 0 to 65535 ms";
+    if (auto why = refuseSpeed(board(), motor(), m_ramp.rpm); !why.empty())
+        return why;
+    const double target = m_ramp.rpm / kSecondsPerMinute;
+    const double seconds = std::chrono::duration<double>(m_ramp.duration).count();
+    const double way = std::abs(target - valueOf(kVelocityNow).value_or(0.0));
+    const bool profiled = m_ramp.duration.count() > 0 && way > 0.0;
+    if (profiled && !board().writable(kProfileAcceleration))
+        return "this drive has no ramp for speeds; give it 0 ms";
+    if (profiled) {
+        write(kProfileAcceleration, way / seconds);
+        if (board().writable(kProfileDeceleration))
+            write(kProfileDeceleration, way / seconds);
+    }
+    setMode(profiled ? kModeProfileVelocity : kModeVelocity, kVelocity, target);
+    return {};
+}
+
+McbCurrentTask::McbCurrentTask(WishId id, const CurrentReference &reference, const McbBoard &board)
+    : McbActTask(id, Permission::Armed, reference.motor, board, {kMode})
+    , m_reference(reference)
+{
+}
+
+std::string McbCurrentTask::plan()
+{
+    if (auto why = board().reasonAgainst(Feature::CurrentReference); !why.empty())
+        return why;
+    if (auto why =
+            refuseCurrent(board(), motor(), std::hypot(m_reference.iqAmps, m_reference.idAmps));
+        !why.empty())
+        return why;
+    write(kId, m_reference.idAmps);
+    setMode(kModeCurrent, kIq, m_reference.iqAmps);
+    return {};
+}
+
+McbPositionTask::McbPositionTask(WishId id, const PositionRamp &ramp, const McbBoard &board)
+    : McbActTask(id, Permission::Armed, ramp.motor, board, {kMode, kPositionNow})
+    , m_ramp(ramp)
+{
+}
+
+std::string McbPositionTask::plan()
+{
+    if (auto why = board().reasonAgainst(Feature::PositionRamp); !why.empty())
+        return why;
+    if (!(std::abs(m_ramp.radians) <= kFarthest_rad))
+        return "an angle is at most 10000 rad";
+    if (m_ramp.duration.count() < 1 || m_ramp.duration.count() > kLongestRamp_ms)
+        return "a move lasts 1 to 65535 ms";
+    const auto now = valueOf(kPositionNow);
+    if (!now)
+        return "the drive does not tell where the shaft is";
+    const double counts = m_ramp.radians / kTurn_rad * board().countsPerTurn;
+    const double way_rad = m_ramp.radians - *now / board().countsPerTurn * kTurn_rad;
+    const double seconds = std::chrono::duration<double>(m_ramp.duration).count();
+    const double rpm = std::abs(analysis::positionPeakSpeed_rpm(way_rad, seconds));
+    if (auto why = refuseSpeed(board(), motor(), rpm); !why.empty())
+        return "the speed on the way is " + why;
+    constexpr double kLeast = 1e-3; // turns a second: no drive takes 0 for a profile
+    write(kProfileVelocity, std::max(rpm / kSecondsPerMinute, kLeast));
+    setMode(kModeProfilePosition, kPosition, static_cast<std::int64_t>(std::llround(counts)));
+    return {};
+}
+
+std::vector<Capability> mcbCapabilitiesOf(const McbBoard &board)
+{
+    std::vector<Capability> all;
+    const auto add = [&all](Feature feature, std::string reason) {
+        all.push_back({feature, reason.empty(), std::move(reason)});
+    };
+    const std::string strange = board.knownFirmware
+        ? ""
+        : "This drive has no control word and status word; it is shown read-only.";
+    const auto needs = [&](std::initializer_list<std::uint16_t> addresses, const char *reason) {
+        const bool there = std::all_of(addresses.begin(), addresses.end(),
+            [&](std::uint16_t address) { return board.writable(address); });
+        return !strange.empty() ? strange : there ? std::string() : std::string(reason);
+    };
+    add(Feature::Start, needs({kMode}, "This drive has no modes."));
+    add(Feature::Stop, "");
+    add(Feature::AcknowledgeFaults, strange);
+    add(Feature::SpeedRamp, needs({kMode, kVelocity}, "This drive has no velocity set-point."));
+    add(Feature::TorqueRamp, "This drive has no ramp for currents; set the current reference.");
+    add(Feature::CurrentReference,
+        needs({kMode, kIq, kId}, "This drive has no current set-point."));
+    add(Feature::Stream,
+        board.streaming.maxSignals > 0 ? "" : "This drive has no registers that can be mapped.");
+    add(Feature::WriteRegisters, strange);
+    std::string position =
+        needs({kMode, kPosition, kProfileVelocity}, "This drive has no position set-point.");
+    if (position.empty() && !(board.countsPerTurn > 0.0))
+        position = "The drive does not say how many counts a turn has.";
+    add(Feature::PositionRamp, position);
+    return all;
+}
+
+} // namespace drive

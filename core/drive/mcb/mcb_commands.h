@@ -1,0 +1,117 @@
+// Motor commands and set-points as wishes: first what has to be known is read, then it is judged, then control word, mode
+// and set-points are written, each once. A write whose answer is lost ends the wish Unknown.
+//
+// The state machine is walked step by step (shutdown, switch on, enable), each step when the status word shows the one
+// before. Where the mode is another one its own set-point goes first, so that no old one takes effect; where both modes
+// share a set-point the mode goes first, so that a ramp does not begin with a step.
+#pragma once
+
+#include "drive/mcb/mcb_reader.h"
+#include "drive/task.h"
+
+#include <deque>
+
+namespace drive {
+
+class McbActTask : public WishTask {
+public:
+    std::optional<Bytes> nextRequest(TimePoint now) override;
+    void takeResponse(ByteView response, TimePoint now) override;
+    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+
+protected:
+    struct Step {
+        std::uint16_t address = 0;
+        mcb::Words words; ///< to be written; none: wait for the status word
+        std::uint16_t mask = 0, bits = 0;
+    };
+    McbActTask(WishId id, Permission permission, int motor, const McbBoard &board,
+        const std::vector<std::uint16_t> &reads);
+
+    /// With all values read: fills the steps, or says why not.
+    virtual std::string plan() = 0;
+
+    const McbBoard &board() const { return m_board; }
+    int motor() const { return m_motor; }
+    std::optional<double> valueOf(std::uint16_t address) const;
+    void write(std::uint16_t address, const Value &value);
+    void control(std::uint16_t word) { m_steps.push_back({0x010, {word}, 0, 0}); }
+    void await(std::uint16_t mask, std::uint16_t bits) { m_steps.push_back({0, {}, mask, bits}); }
+    void setMode(std::uint16_t mode, std::uint16_t setPoint, const Value &value);
+
+private:
+    const McbBoard &m_board;
+    int m_motor;
+    McbReader m_reader;
+    std::map<std::uint16_t, double> m_values;
+    std::deque<Step> m_steps;
+    std::string m_problem; ///< of a step that was to be planned
+    std::optional<TimePoint> m_waitingSince;
+    bool m_planned = false, m_unread = false;
+};
+
+class McbCommandTask : public McbActTask {
+public:
+    McbCommandTask(WishId id, const Command &command, const McbBoard &board);
+
+private:
+    std::string plan() override;
+    std::string planStart();
+
+    MotorAction m_action;
+};
+
+class McbSpeedTask : public McbActTask {
+public:
+    McbSpeedTask(WishId id, const SpeedRamp &ramp, const McbBoard &board);
+
+private:
+    std::string plan() override;
+
+    SpeedRamp m_ramp;
+};
+
+class McbCurrentTask : public McbActTask {
+public:
+    McbCurrentTask(WishId id, const CurrentReference &reference, const McbBoard &board);
+
+private:
+    std::string plan() override;
+
+    CurrentReference m_reference;
+};
+
+class McbPositionTask : public McbActTask {
+public:
+    McbPositionTask(WishId id, const PositionRamp &ramp, const McbBoard &board);
+
+private:
+    std::string plan() override;
+
+    PositionRamp m_ramp;
+};
+
+/// A wish that no MCB drive can carry out.
+class McbRefusedTask : public WishTask {
+public:
+    McbRefusedTask(WishId id, std::string why)
+        : WishTask(id, Permission::Armed)
+        , m_why(std::move(why))
+    {
+    }
+    std::optional<Bytes> nextRequest(TimePoint) override
+    {
+        if (!finished())
+            end(Outcome::Refused, m_why);
+        return std::nullopt;
+    }
+    void takeResponse(ByteView, TimePoint) override { }
+    void takeNoResponse(std::optional<bool>, TimePoint) override { }
+
+private:
+    std::string m_why;
+};
+
+std::vector<Capability> mcbCapabilitiesOf(const McbBoard &board);
+
+} // namespace drive

@@ -1,0 +1,221 @@
+#include "drive/mcb/mcb_identification.h"
+
+#include "drive/mcb/mcb_catalog.h"
+#include "drive/mcb/mcb_messages.h"
+#include "mcb/dictionary.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace drive {
+
+namespace {
+
+constexpr std::array kValues{mcbreg::kVendor, mcbreg::kProduct, mcbreg::kRevision, mcbreg::kSerial,
+    mcbreg::kVersion, mcbreg::kWeb, mcbreg::kMaxVelocity, mcbreg::kMaxCurrent,
+    mcbreg::kRatedCurrent, mcbreg::kPeakCurrent, mcbreg::kPolePairs, mcbreg::kEncoderCounts};
+
+constexpr int kMostLosses = 3; ///< of a register, beyond what the link repeats by itself
+constexpr double kExchangeHz = 1000.0; ///< of the cyclic state
+constexpr double kMaxPolePairs = 100.0;
+constexpr double kSecondsPerMinute = 60.0;
+
+struct StateRow {
+    std::uint16_t mask = 0, bits = 0;
+    McbState state;
+};
+// Masks and bits: "MCB protocol description", section 7, and DS402 for the rest.
+constexpr std::array kStates{
+    StateRow{0x4F, 0x00, {MotorState::Unknown, "NOT_READY", 0x00}},
+    StateRow{0x4F, 0x40, {MotorState::Idle, "SWITCH_ON_DISABLED", 0x40}},
+    StateRow{0x6F, 0x21, {MotorState::Idle, "READY_TO_SWITCH_ON", 0x21}},
+    StateRow{0x6F, 0x23, {MotorState::Starting, "SWITCHED_ON", 0x23}},
+    StateRow{0x6F, 0x27, {MotorState::Running, "OPERATION_ENABLED", 0x27}},
+    StateRow{0x6F, 0x07, {MotorState::Stopping, "QUICK_STOP_ACTIVE", 0x07}},
+    StateRow{0x4F, 0x0F, {MotorState::FaultNow, "FAULT_REACTION_ACTIVE", 0x0F}},
+    StateRow{0x4F, 0x08, {MotorState::FaultOver, "FAULT", 0x08}},
+};
+
+double plausible(double value, double ceiling)
+{
+    return std::isfinite(value) && value > 0.0 && value <= ceiling ? value : 0.0;
+}
+
+} // namespace
+
+McbState mcbStateOf(std::uint16_t statusWord)
+{
+    for (const StateRow &row : kStates)
+        if ((statusWord & row.mask) == row.bits)
+            return row.state;
+    return {MotorState::Unknown, "UNKNOWN", statusWord & 0x6F};
+}
+
+std::vector<StateStep> mcbStateSteps()
+{
+    std::vector<StateStep> steps;
+    for (const StateRow &row : kStates) {
+        if (row.state.state == MotorState::Unknown)
+            continue;
+        if (!steps.empty() && steps.back().state == row.state.state)
+            steps.back().names.emplace_back(row.state.name);
+        else
+            steps.push_back({row.state.state, {std::string(row.state.name)}});
+    }
+    return steps;
+}
+
+void McbIdentification::restart()
+{
+    m_phase = Phase::Infos;
+    m_waiting.clear();
+    for (const mcb::Entry &entry : mcb::dictionary())
+        m_waiting.push_back(entry.address);
+    m_words.clear();
+    m_infos.clear();
+    m_losses = 0;
+    m_identity = {};
+    m_news = false;
+    m_board.identified = false;
+}
+
+std::optional<Bytes> McbIdentification::nextRequest(TimePoint)
+{
+    if (m_waiting.empty())
+        return std::nullopt;
+    return m_phase == Phase::Infos ? mcbInfo(m_waiting.front()) : mcbRead(m_waiting.front());
+}
+
+void McbIdentification::takeResponse(ByteView response, TimePoint)
+{
+    if (m_waiting.empty())
+        return;
+    const McbAnswer answer = mcbAnswerOf(response);
+    const std::uint16_t address = m_waiting.front();
+    if (answer.ok && m_phase == Phase::Infos && answer.words.size() >= mcb::kConfigWords) {
+        const mcb::Info info = mcb::infoOf({answer.words[0], answer.words[1], 0, 0});
+        if (info.access != catalog::Access::None && info.size > 0)
+            m_infos[address] = info;
+    } else if (answer.ok) {
+        m_words[address] = answer.words;
+    }
+    next();
+}
+
+void McbIdentification::takeNoResponse(std::optional<bool>, TimePoint)
+{
+    if (m_waiting.empty() || ++m_losses < kMostLosses)
+        return;
+    next();
+}
+
+void McbIdentification::next()
+{
+    m_losses = 0;
+    m_waiting.pop_front();
+    if (!m_waiting.empty())
+        return;
+    if (m_phase == Phase::Infos) {
+        m_board.infos = std::move(m_infos);
+        m_phase = Phase::Values;
+        for (const std::uint16_t address : kValues)
+            if (m_board.readable(address))
+                m_waiting.push_back(address);
+    }
+    if (m_waiting.empty())
+        finish();
+}
+
+/// No source says which byte of a word comes first in a text; a web address and a version have letters that tell.
+void McbIdentification::findTextOrder()
+{
+    const auto looksRight = [this](mcb::TextOrder order) {
+        m_board.order = order;
+        const std::string web = textAt(mcbreg::kWeb), version = textAt(mcbreg::kVersion);
+        if (!web.empty())
+            return web.starts_with("http") || web.starts_with("ww");
+        const std::size_t dot = version.find('.');
+        return dot > 0 && dot != std::string::npos
+            && std::all_of(version.begin(), version.begin() + static_cast<std::ptrdiff_t>(dot),
+                [](char c) { return c >= '0' && c <= '9'; });
+    };
+    if (!looksRight(mcb::TextOrder::HighByteFirst) && !looksRight(mcb::TextOrder::LowByteFirst))
+        m_board.order = mcb::TextOrder::HighByteFirst;
+}
+
+double McbIdentification::numberAt(std::uint16_t address) const
+{
+    const auto at = m_words.find(address);
+    const mcb::Info *info = m_board.infoOf(address);
+    if (at == m_words.end() || info == nullptr)
+        return 0.0;
+    const auto value = mcb::decodeValue(*info, at->second);
+    if (!value)
+        return 0.0;
+    if (const auto *whole = std::get_if<std::int64_t>(&*value))
+        return static_cast<double>(*whole);
+    const auto *real = std::get_if<double>(&*value);
+    return real != nullptr && std::isfinite(*real) ? *real : 0.0;
+}
+
+std::string McbIdentification::textAt(std::uint16_t address) const
+{
+    const auto at = m_words.find(address);
+    const mcb::Info *info = m_board.infoOf(address);
+    if (at == m_words.end() || info == nullptr || info->type != mcb::Type::Text)
+        return {};
+    const auto value = mcb::decodeValue(*info, at->second, m_board.order);
+    const auto *text = value ? std::get_if<std::string>(&*value) : nullptr;
+    return text != nullptr ? *text : std::string();
+}
+
+void McbIdentification::finish()
+{
+    m_phase = Phase::Done;
+    findTextOrder();
+    m_board.motors = 1;
+    m_board.catalog = mcbCatalogOf(m_board.infos);
+    m_board.scales.assign(1, {});
+    const mcb::Info *control = m_board.infoOf(mcbreg::kControl);
+    const mcb::Info *status = m_board.infoOf(mcbreg::kStatus);
+    m_board.knownFirmware = control != nullptr && status != nullptr
+        && control->type == mcb::Type::UInt16 && status->type == mcb::Type::UInt16
+        && m_board.writable(mcbreg::kControl) && m_board.readable(mcbreg::kStatus);
+
+    MotorLimits limits;
+    limits.maxSpeedRpm = plausible(kSecondsPerMinute * numberAt(mcbreg::kMaxVelocity), kHighestRpm);
+    limits.maxCurrentAmps = plausible(numberAt(mcbreg::kMaxCurrent), kHighestAmps);
+    const double peak = plausible(numberAt(mcbreg::kPeakCurrent), kHighestAmps);
+    if (peak > 0.0 && limits.maxCurrentAmps > 0.0)
+        limits.maxCurrentAmps = std::min(limits.maxCurrentAmps, peak);
+    limits.nominalCurrentAmps = plausible(numberAt(mcbreg::kRatedCurrent), kHighestAmps);
+    limits.polePairs = plausible(numberAt(mcbreg::kPolePairs), kMaxPolePairs);
+    m_board.limits.assign(1, limits);
+    m_board.countsPerTurn = plausible(numberAt(mcbreg::kEncoderCounts), 1e9);
+
+    m_board.streaming = {};
+    const bool streams = std::any_of(m_board.infos.begin(), m_board.infos.end(),
+        [](const auto &one) { return one.second.cyclic == mcb::Cyclic::Tx; });
+    if (streams) {
+        m_board.streaming.tickHz = kExchangeHz;
+        m_board.streaming.maxSignals = mcb::kMostMapped;
+        m_board.streaming.maxPacket = mcb::kMostFrameBytes;
+        m_board.streaming.linkBytesPerSecond = kExchangeHz * mcb::kMostFrameBytes;
+    }
+
+    m_identity.protocol = "MCB over SPI";
+    m_identity.firmware = "product " + hexText(std::uint64_t(numberAt(mcbreg::kProduct)), 8)
+        + ", revision " + hexText(std::uint64_t(numberAt(mcbreg::kRevision)), 8);
+    m_identity.version = textAt(mcbreg::kVersion);
+    m_identity.controlBoard = "vendor " + hexText(std::uint64_t(numberAt(mcbreg::kVendor)), 8)
+        + ", serial number " + std::to_string(std::uint64_t(numberAt(mcbreg::kSerial)));
+    m_identity.motors = 1;
+    m_identity.motorNames = {""};
+    m_identity.powerBoards = {""};
+    m_identity.knownFirmware = m_board.knownFirmware;
+    m_board.identified = true;
+    m_news = true;
+}
+
+} // namespace drive

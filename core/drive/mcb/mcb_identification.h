@@ -1,0 +1,56 @@
+// Finds out which drive is on the other end, before anything is written: who it is, which registers it has (GET INFO of
+// every one that the dictionary knows), and what bounds its motion. It only reads.
+#pragma once
+
+#include "drive/mcb/mcb_board.h"
+#include "drive/task.h"
+
+#include <deque>
+
+namespace drive {
+
+class McbIdentification : public Task {
+public:
+    explicit McbIdentification(McbBoard &board)
+        : m_board(board)
+    {
+    }
+
+    void restart();
+    bool done() const { return m_phase == Phase::Done; }
+    const Identity &identity() const { return m_identity; }
+    /// True once after each identification that has come to its end.
+    bool takeNews() { return std::exchange(m_news, false); }
+
+    std::optional<Bytes> nextRequest(TimePoint now) override;
+    void takeResponse(ByteView response, TimePoint now) override;
+    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+
+private:
+    enum class Phase : std::uint8_t { Infos, Values, Done };
+    void next();
+    void finish();
+    void findTextOrder();
+    double numberAt(std::uint16_t address) const; ///< 0: not told, or no sane number
+    std::string textAt(std::uint16_t address) const;
+
+    McbBoard &m_board;
+    Phase m_phase = Phase::Infos;
+    std::deque<std::uint16_t> m_waiting;
+    std::map<std::uint16_t, mcb::Words> m_words;
+    std::map<std::uint16_t, mcb::Info> m_infos;
+    int m_losses = 0; ///< answers that never came, of the register in hand
+    Identity m_identity;
+    bool m_news = false;
+};
+
+/// Names of the states of DS402, from the bits of the status word.
+struct McbState {
+    MotorState state = MotorState::Unknown;
+    std::string_view name;
+    std::int64_t bits = 0; ///< of the status word that make it
+};
+McbState mcbStateOf(std::uint16_t statusWord);
+std::vector<StateStep> mcbStateSteps();
+
+} // namespace drive

@@ -1,0 +1,83 @@
+#include "drive/mcb/mcb_reader.h"
+
+#include "drive/mcb/mcb_catalog.h"
+#include "drive/mcb/mcb_messages.h"
+
+#include <cmath>
+
+namespace drive {
+
+std::optional<Value> mcbValueOf(const McbBoard &board, std::uint16_t address, mcb::WordView words)
+{
+    const mcb::Info *info = board.infoOf(address);
+    if (info == nullptr)
+        return std::nullopt;
+    auto value = mcb::decodeValue(*info, words, board.order);
+    return value ? std::optional(std::move(*value)) : std::nullopt;
+}
+
+Result<mcb::Words, std::string> mcbWordsOf(
+    const McbBoard &board, std::uint16_t address, const Value &value)
+{
+    const mcb::Info *info = board.infoOf(address);
+    if (info == nullptr)
+        return fail(std::string("no such register"));
+    Value wanted = value;
+    // A whole number may come as a floating-point one.
+    if (const auto *real = std::get_if<double>(&value); real != nullptr && info->type
+        && *info->type != mcb::Type::Float && *info->type != mcb::Type::Text
+        && *real == std::nearbyint(*real) && std::abs(*real) < 9e15)
+        wanted = static_cast<std::int64_t>(*real);
+    auto words = mcb::encodeValue(*info, wanted, board.order);
+    if (words)
+        return std::move(*words);
+    switch (words.error()) {
+    case mcb::ValueError::OutOfRange:
+        return fail(std::string("does not fit the register"));
+    case mcb::ValueError::WrongKind:
+        return fail(std::string("is no value for this register"));
+    case mcb::ValueError::WrongSize:
+    case mcb::ValueError::TooShort:
+        break;
+    }
+    return fail(std::string("the register has a type of another size"));
+}
+
+void McbReader::start(const std::vector<RegisterId> &ids)
+{
+    m_waiting.assign(ids.begin(), ids.end());
+    m_gaveUp = false;
+}
+
+std::optional<Bytes> McbReader::nextRequest() const
+{
+    if (m_waiting.empty())
+        return std::nullopt;
+    return mcbRead(mcbAddressOf(m_waiting.front()));
+}
+
+Reading McbReader::takeResponse(ByteView response, const McbBoard &board, TimePoint now)
+{
+    Reading reading{m_waiting.front(), ReadStatus::Ok, {}, now};
+    m_waiting.pop_front();
+    const McbAnswer answer = mcbAnswerOf(response);
+    if (!answer.ok) {
+        reading.status = answer.code == static_cast<std::uint32_t>(mcb::ErrorCode::NoSuchRegister)
+            ? ReadStatus::NotSupported
+            : ReadStatus::Refused;
+        return reading;
+    }
+    if (auto value = mcbValueOf(board, mcbAddressOf(reading.id), answer.words))
+        reading.value = std::move(*value);
+    else
+        reading.status = ReadStatus::Refused;
+    return reading;
+}
+
+void McbReader::takeNoResponse()
+{
+    m_gaveUp = true;
+    m_waiting.pop_front();
+}
+
+} // namespace drive

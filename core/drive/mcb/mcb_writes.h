@@ -1,0 +1,45 @@
+// Write wishes, one register after the other: its type is asked first, because a drive may have another one than it had,
+// then its value, for undo; then it is written, once, and read back.
+#pragma once
+
+#include "drive/mcb/mcb_reader.h"
+#include "drive/task.h"
+
+namespace drive {
+
+class McbWriteTask : public WishTask {
+public:
+    McbWriteTask(WishId id, const Write &write, const McbBoard &board);
+
+    std::optional<Bytes> nextRequest(TimePoint now) override;
+    void takeResponse(ByteView response, TimePoint now) override;
+    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+    void cut(const std::string &reason) override;
+    void supersede(const Write &newer) override;
+    std::vector<Reading> takeReadings() override { return std::exchange(m_readings, {}); }
+
+    /// A register had another type than the catalogue says; said once.
+    bool takeTypeChanged() { return std::exchange(m_typeChanged, false); }
+
+private:
+    enum class Step : std::uint8_t { Check, Info, Before, Set, After };
+    struct Item {
+        RegisterWrite write;
+        WriteResult result;
+        bool done = false, sent = false;
+    };
+    Item &item() { return m_items[m_at]; }
+    std::string check();
+    void close(Outcome outcome, const std::string &reason = {});
+    void finish();
+
+    const McbBoard &m_board;
+    std::vector<Item> m_items;
+    std::size_t m_at = 0;
+    Step m_step = Step::Check;
+    mcb::Words m_words;
+    std::vector<Reading> m_readings;
+    bool m_typeChanged = false;
+};
+
+} // namespace drive

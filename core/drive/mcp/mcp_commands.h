@@ -1,0 +1,61 @@
+// Motor commands and set-points as wishes. A command that moves something is sent once: if its answer is lost it ends
+// Unknown (or NotSent, if the board's count of requests proves it), and the state is read instead.
+#pragma once
+
+#include "drive/mcp/mcp_reader.h"
+#include "drive/mcp/mcp_start_check.h"
+#include "drive/task.h"
+
+namespace drive {
+
+class CommandTask : public WishTask {
+public:
+    CommandTask(WishId id, const Command &command, const McpBoard &board);
+
+    std::optional<Bytes> nextRequest(TimePoint now) override;
+    void takeResponse(ByteView response, TimePoint now) override;
+    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+
+private:
+    bool checking(std::optional<Bytes> &request);
+
+    const McpBoard &m_board;
+    Command m_command;
+    StartCheck m_check;
+    std::string m_refusal; ///< the board's word, while the state that explains it is read
+    RegisterReader m_reader;
+    std::string m_state, m_faults;
+};
+
+/// Speed ramp, torque ramp or current reference: the control mode first, if it is another one, then the raw register.
+class SetPointTask : public WishTask {
+public:
+    SetPointTask(WishId id, const SpeedRamp &ramp, const McpBoard &board);
+    SetPointTask(WishId id, const TorqueRamp &ramp, const McpBoard &board);
+    SetPointTask(WishId id, const CurrentReference &reference, const McpBoard &board);
+
+    std::optional<Bytes> nextRequest(TimePoint now) override;
+    void takeResponse(ByteView response, TimePoint now) override;
+    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+
+private:
+    enum class Kind : std::uint8_t { Speed, Torque, Current };
+    enum class Step : std::uint8_t { Begin, ReadMode, SetMode, SetPoint };
+
+    std::string refuse() const;
+    Bytes encode() const;
+    std::uint32_t milliseconds() const;
+    std::int32_t digits(double amps) const;
+    std::optional<Bytes> setRequest(std::uint32_t id, ByteView value);
+
+    const McpBoard &m_board;
+    Kind m_kind;
+    int m_motor;
+    double m_first = 0.0, m_second = 0.0; ///< rpm, A, or A and A
+    std::chrono::milliseconds m_duration{};
+    Step m_step = Step::Begin;
+    bool m_modeRepeated = false;
+    RegisterReader m_reader;
+};
+
+} // namespace drive

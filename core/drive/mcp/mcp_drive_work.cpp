@@ -1,0 +1,190 @@
+// What an MCP drive sends, most urgent first, and what it tells its owner.
+#include "drive/mcp/mcp_machine.h"
+#include "drive/motion_of.h"
+#include "mcp/protocol.h"
+#include "mcp/request.h"
+
+#include <algorithm>
+
+namespace drive {
+
+namespace {
+
+/// The motion log has only what can change something.
+bool onlyReads(ByteView request)
+{
+    const auto decoded = mcp::decodeRequest(request);
+    return decoded && decoded->command == static_cast<std::uint16_t>(mcp::CommandId::GetRegister);
+}
+
+} // namespace
+
+void McpDrive::work(TimePoint now)
+{
+    m_workedAt = now;
+    onLinkEvents(now);
+    tellVitals();
+    if (m_identification.takeNews())
+        onIdentified(now);
+    if (m_heartbeat.takeGivenUp()) {
+        m_board.watchdog.reset();
+        tellIdentity();
+    }
+    if (m_reconnectAt && now >= *m_reconnectAt && m_mode == Mode::Open && !m_stop.blind(now)) {
+        m_reconnectAt.reset();
+        m_link.connect(now);
+    }
+    if (m_mode == Mode::Open && m_stop.active())
+        sendStop(now);
+    m_heartbeat.setWanted(!m_stop.active() && (armed() || m_vitals.motorDriven()));
+    if (linkIsFree())
+        sendNext(now);
+    collect();
+    if (m_mode == Mode::Closing)
+        close(now);
+    tellLinkState();
+    tellLinkCounters(now);
+}
+
+bool McpDrive::sendStop(TimePoint now)
+{
+    if (m_stopUnderWay && now < m_stopSince + StopSequence::kRepeat)
+        return false;
+    const auto motor = m_stop.stopDue(now, connected());
+    if (!motor)
+        return false;
+    m_stopUnderWay = true;
+    m_stopMotor = *motor;
+    m_stopSince = now;
+    const auto word =
+        static_cast<unsigned>(mcp::CommandId::StopMotor) << 3 | static_cast<unsigned>(*motor);
+    const Bytes request = ByteWriter().u16(word).take();
+    noteStop(*motor, request, now);
+    m_link.sendUrgent(request, now);
+    onLinkEvents(now);
+    return true;
+}
+
+void McpDrive::sendNext(TimePoint now)
+{
+    if (m_mode == Mode::Open
+        && (sendIdentification(now) || give(m_heartbeat, now) || give(m_vitals, now)))
+        return;
+    while (WishTask *wish = m_wishes.next(armed())) {
+        if (give(*wish, now))
+            return;
+        if (!wish->finished())
+            break; // waits for something else; nothing overtakes it
+        m_wishes.collect(m_events, m_workedAt);
+    }
+    if (m_mode == Mode::Open)
+        give(m_watch, now);
+}
+
+/// Whether the link is not there for anything else now.
+bool McpDrive::sendIdentification(TimePoint now)
+{
+    if (m_stop.active() && give(m_vitals, now))
+        return true;
+    if (stopHoldsBack(now))
+        return true;
+    using Phase = Identification::Phase;
+    if (m_identification.phase() == Phase::States) {
+        if (m_vitals.complete())
+            m_identification.statesRead();
+        else if (give(m_vitals, now))
+            return true;
+    }
+    if (m_identification.phase() == Phase::Done)
+        return false;
+    give(m_identification, now);
+    return true;
+}
+
+bool McpDrive::give(Task &task, TimePoint now)
+{
+    const auto request = task.nextRequest(now);
+    if (!request)
+        return false;
+    m_task = &task;
+    if (auto *wish = dynamic_cast<WishTask *>(&task);
+        wish != nullptr && wish->motion() && !onlyReads(*request))
+        noteSent(*wish->motion(), *request);
+    m_link.sendRequest(*request, now);
+    return true;
+}
+
+void McpDrive::close(TimePoint now)
+{
+    const bool busy = m_task != nullptr || m_wishes.next(false) != nullptr;
+    if (busy && connected() && now < m_closeBy)
+        return;
+    cutAllWishes("disconnected");
+    m_stream.close();
+    m_link.reset();
+    static_cast<void>(m_link.takeEvents());
+    m_task = nullptr;
+    m_stopUnderWay = false;
+    m_stop.end();
+    m_lost.reset();
+    m_reconnectAt.reset();
+    m_mode = Mode::Closed;
+    collect();
+}
+
+void McpDrive::collect()
+{
+    m_watch.setStreamLoad(m_stream.load());
+    if (auto readings = m_watch.takeReadings(); !readings.empty())
+        m_events.emplace_back(RegistersRead{std::move(readings)});
+    for (Event &event : m_stream.takeEvents())
+        m_events.push_back(std::move(event));
+    collectWishes();
+}
+
+void McpDrive::tellVitals()
+{
+    for (MotorStatus &status : m_vitals.takeStatuses()) {
+        m_stop.takeStatus(status, m_vitals.askedAt());
+        m_events.emplace_back(std::move(status));
+    }
+}
+
+void McpDrive::tellLinkState()
+{
+    LinkState state = LinkState::Connecting;
+    LinkReason reason = LinkReason::None;
+    if (m_mode == Mode::Closed) {
+        state = LinkState::Closed;
+    } else if (m_lost) {
+        state = LinkState::Lost;
+        reason = *m_lost;
+    } else if (connected()) {
+        state = m_suspect ? LinkState::Suspect : LinkState::Connected;
+        reason = m_toldState == state ? m_toldReason : LinkReason::None;
+    } else if (m_link.state() == Link::State::Recovering) {
+        state = m_suspect ? LinkState::Suspect : LinkState::Recovering;
+    }
+    tellLink(state, reason);
+}
+
+void McpDrive::tellLinkCounters(TimePoint now)
+{
+    const Link::Stats &link = m_link.stats();
+    LinkCounters counters;
+    counters.bytesIn = link.bytesIn;
+    counters.bytesOut = link.bytesOut;
+    counters.packetsIn = link.packetsIn;
+    counters.packetsOut = link.packetsOut;
+    counters.badPackets = link.badHeaderCrc + link.unknownType + link.inconsistent + link.tooLong
+        + link.badPayloadCrc + link.torn + link.unexpected;
+    counters.nacks = link.nacks;
+    counters.timeouts = link.timeouts;
+    counters.recoveries = link.recoveries;
+    counters.streamPackets = m_stream.packets();
+    counters.streamLostTicks = m_stream.lostTicks();
+    counters.streamSkipped = m_stream.skipped();
+    tellCounters(counters, now);
+}
+
+} // namespace drive

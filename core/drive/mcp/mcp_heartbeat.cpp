@@ -1,0 +1,71 @@
+#include "drive/mcp/mcp_heartbeat.h"
+
+#include "drive/mcp/mcp_board.h"
+#include "mcp/protocol.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace drive {
+
+namespace {
+
+constexpr std::string_view kMark = " RSWD";
+constexpr long kShortest_ms = 100, kLongest_ms = 60'000;
+constexpr unsigned kCommand = static_cast<unsigned>(mcp::CommandId::UserFirst) + 1;
+constexpr unsigned kMotor = 1; // firmware ignores it
+
+} // namespace
+
+std::optional<std::chrono::milliseconds> watchdogIn(std::string_view firmwareName)
+{
+    const std::size_t at = firmwareName.rfind(kMark);
+    if (at == std::string_view::npos)
+        return std::nullopt;
+    const std::string_view digits = firmwareName.substr(at + kMark.size());
+    if (digits.empty() || digits.front() < '1' || digits.front() > '9')
+        return std::nullopt;
+    long time_ms = 0;
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), time_ms);
+    if (error != std::errc{} || end != digits.data() + digits.size())
+        return std::nullopt;
+    if (time_ms < kShortest_ms || time_ms > kLongest_ms)
+        return std::nullopt;
+    return std::chrono::milliseconds(time_ms);
+}
+
+void Heartbeat::restart(TimePoint now)
+{
+    m_wanted = m_givenUp = false;
+    m_refused = 0;
+    m_due = now;
+}
+
+std::optional<TimePoint> Heartbeat::due() const
+{
+    const bool asked = m_wanted && m_board.identified && m_board.watchdog;
+    return asked && m_refused < kRefusals ? std::optional<TimePoint>(m_due) : std::nullopt;
+}
+
+std::optional<Bytes> Heartbeat::nextRequest(TimePoint now)
+{
+    const auto at = due();
+    if (!at || now < *at)
+        return std::nullopt;
+    m_due = now + *m_board.watchdog / 3;
+    return ByteWriter()
+        .u16(kCommand << 3 | kMotor)
+        .u16(static_cast<std::uint32_t>(m_board.watchdog->count()))
+        .take();
+}
+
+void Heartbeat::takeResponse(ByteView response, TimePoint)
+{
+    const bool ok =
+        response.size() == 1 && response.front() == static_cast<std::uint8_t>(mcp::Status::Ok);
+    m_refused = ok ? 0 : m_refused + 1;
+    m_givenUp = m_refused >= kRefusals;
+}
+
+} // namespace drive

@@ -1,0 +1,236 @@
+#include "drive/mcp/mcp_identification.h"
+
+#include "catalog/tables.h"
+#include "drive/mcp/mcp_heartbeat.h"
+#include "drive/mcp/mcp_scales.h"
+#include "drive/mcp/mcp_stream.h"
+#include "mcp/protocol.h"
+
+#include <algorithm>
+
+namespace drive {
+
+namespace {
+
+constexpr int kMaxMotors = 7; // what three bits can number
+constexpr int kMostRounds = 8; // of reading a structure until it is there, and the same twice
+constexpr std::uint32_t kOldestKnown = 0x060000, kNewestKnown = 0x0604FF;
+constexpr std::uint8_t kSensorHso = 5, kSensorZest = 6;
+
+RegisterId idOf(mcp::RegisterId id, int motor)
+{
+    return id.withMotor(static_cast<unsigned>(motor)).bits;
+}
+
+std::string versionText(std::uint32_t version)
+{
+    return std::to_string(version >> 16 & 0xFF) + "." + std::to_string(version >> 8 & 0xFF) + "."
+        + std::to_string(version & 0xFF);
+}
+
+/// Whether a damaged answer would do more than look wrong: structures, and a name that promises a watchdog.
+bool decidesSomething(const Reading &reading)
+{
+    const auto *text = std::get_if<std::string>(&reading.value);
+    if (text != nullptr)
+        return reading.id == mcp::reg::kFwName.bits && watchdogIn(*text);
+    return std::holds_alternative<Bytes>(reading.value);
+}
+
+} // namespace
+
+void Identification::restart()
+{
+    m_phase = Phase::Count;
+    m_values.clear();
+    m_doubtful.clear();
+    m_rounds = 0;
+    m_identity = {};
+    m_global = {};
+    m_sizesKnown = true;
+    m_news = false;
+    m_stopLosses = 0;
+    m_board.identified = m_board.knownFirmware = m_board.hso = false;
+    m_board.motors = 1;
+    m_board.version = 0;
+    m_board.catalog = std::make_shared<const catalog::Catalog>();
+    m_board.scales.clear();
+    m_board.limits.clear();
+    m_board.expert.clear(); // another board may be there now
+    m_board.capabilities.clear();
+    m_board.watchdog.reset();
+    m_board.streaming = {};
+    m_unanswered = {mcp::reg::kGlobalConfig.bits};
+    m_reader.start({mcp::reg::kGlobalConfig.bits}, m_board);
+}
+
+void Identification::statesRead()
+{
+    if (m_phase == Phase::States)
+        m_phase = Phase::StopDatalog;
+}
+
+std::optional<Bytes> Identification::nextRequest(TimePoint)
+{
+    if (m_phase == Phase::StopDatalog)
+        return datalogRequest(m_board.linkId, mcp::datalogStop());
+    if (m_phase == Phase::Count || m_phase == Phase::Describe)
+        return m_reader.nextRequest(m_board);
+    return std::nullopt;
+}
+
+void Identification::takeResponse(ByteView response, TimePoint now)
+{
+    if (m_phase == Phase::StopDatalog)
+        return describe(); // builds without a datalog refuse, which is as good as stopped
+    takeReadings(m_reader.takeResponse(response, m_board, now));
+    if (m_reader.finished())
+        afterRound();
+}
+
+void Identification::takeNoResponse(std::optional<bool>, TimePoint)
+{
+    if (m_phase == Phase::StopDatalog) {
+        if (++m_stopLosses > RegisterReader::kRepeats)
+            describe();
+        return;
+    }
+    m_reader.takeNoResponse();
+    if (m_reader.finished())
+        afterRound();
+}
+
+void Identification::takeReadings(std::vector<Reading> readings)
+{
+    for (Reading &reading : readings) {
+        m_unanswered.erase(reading.id);
+        if (reading.status != ReadStatus::Ok)
+            continue;
+        const auto before = m_values.find(reading.id);
+        const bool same = before != m_values.end() && before->second == reading.value;
+        if (!same && decidesSomething(reading))
+            m_doubtful.insert(reading.id);
+        else
+            m_doubtful.erase(reading.id);
+        m_values[reading.id] = std::move(reading.value);
+    }
+}
+
+void Identification::afterRound()
+{
+    // What a busy line swallowed is no hole in the board: without its scales all would be shown in digits.
+    std::set<RegisterId> again = m_doubtful;
+    again.insert(m_unanswered.begin(), m_unanswered.end());
+    if (!again.empty() && ++m_rounds < kMostRounds)
+        return m_reader.start({again.begin(), again.end()}, m_board);
+    for (const RegisterId id : m_doubtful)
+        m_values.erase(id); // never the same twice: rather unknown than wrong
+    m_doubtful.clear();
+    m_unanswered.clear();
+    m_rounds = 0;
+    m_phase == Phase::Count ? afterCount() : finish();
+}
+
+void Identification::afterCount()
+{
+    if (const auto global = structure(mcp::decodeGlobalConfig, mcp::reg::kGlobalConfig, 0))
+        m_global = *global;
+    m_board.version = m_global.version >> 8;
+    m_board.motors = std::clamp<int>(m_global.motors, 1, kMaxMotors);
+    m_phase = Phase::States;
+}
+
+void Identification::describe()
+{
+    m_phase = Phase::Describe;
+    std::vector<RegisterId> ids{mcp::reg::kFwName.bits, mcp::reg::kCtrlStageName.bits};
+    for (int motor = 1; motor <= m_board.motors; ++motor)
+        for (const mcp::RegisterId id :
+            {mcp::reg::kMotorConfig, mcp::reg::kApplicationConfig, mcp::reg::kFocFwConfig,
+                mcp::reg::kPwrStageName, mcp::reg::kMotorName, mcp::reg::kScaleConfig})
+            ids.push_back(idOf(id, motor));
+    m_unanswered = {ids.begin(), ids.end()};
+    m_reader.start(ids, m_board);
+}
+
+const Bytes *Identification::raw(mcp::RegisterId id, int motor) const
+{
+    const auto at = m_values.find(idOf(id, motor));
+    return at == m_values.end() ? nullptr : std::get_if<Bytes>(&at->second);
+}
+
+std::string Identification::text(mcp::RegisterId id, int motor) const
+{
+    const auto at = m_values.find(idOf(id, motor));
+    const auto *found = at == m_values.end() ? nullptr : std::get_if<std::string>(&at->second);
+    return found == nullptr ? std::string() : *found;
+}
+
+/// A structure that is there but has no known size shows a firmware that we do not know.
+template <class T>
+std::optional<T> Identification::structure(
+    Result<T, mcp::CodecError> (*decode)(ByteView), mcp::RegisterId id, int motor)
+{
+    const Bytes *bytes = raw(id, motor);
+    if (bytes == nullptr)
+        return std::nullopt;
+    auto decoded = decode(*bytes);
+    m_sizesKnown = m_sizesKnown && decoded.has_value();
+    return decoded ? std::optional<T>(std::move(*decoded)) : std::nullopt;
+}
+
+void Identification::finish()
+{
+    std::vector<MotorDescription> motors;
+    for (int motor = 1; motor <= m_board.motors; ++motor) {
+        MotorDescription found;
+        found.motor = structure(mcp::decodeMotorConfig, mcp::reg::kMotorConfig, motor);
+        found.application =
+            structure(mcp::decodeApplicationConfig, mcp::reg::kApplicationConfig, motor);
+        found.firmware = structure(mcp::decodeFirmwareConfig, mcp::reg::kFocFwConfig, motor);
+        found.scale = structure(mcp::decodeScaleConfig, mcp::reg::kScaleConfig, motor);
+        m_identity.powerBoards.push_back(text(mcp::reg::kPwrStageName, motor));
+        m_identity.motorNames.push_back(text(mcp::reg::kMotorName, motor));
+        if (std::string &name = m_identity.motorNames.back(); name.empty() && found.motor)
+            name = found.motor->name;
+        motors.push_back(std::move(found));
+    }
+    const bool versionKnown = m_board.version >= kOldestKnown && m_board.version <= kNewestKnown;
+    m_board.knownFirmware = versionKnown && m_sizesKnown;
+    const auto &first = motors.front().firmware;
+    m_board.hso = first && !first->sixStep
+        && (first->primarySensor == kSensorHso || first->primarySensor == kSensorZest);
+
+    m_board.scales.clear();
+    m_board.limits.clear();
+    for (const MotorDescription &motor : motors) {
+        m_board.scales.push_back(
+            m_board.knownFirmware ? scalesOf(motor, m_board.version) : catalog::Scales{});
+        m_board.limits.push_back(limitsOf(motor));
+    }
+    const unsigned streams = m_board.linkId == 1 ? m_global.streamsUartB : m_global.streamsUartA;
+    m_board.streaming = streamLimitsOf(motors, streams, m_board.streamBytes, m_board.baud);
+    const std::uint32_t tableVersion = std::clamp(m_board.version, kOldestKnown, kNewestKnown);
+    auto table =
+        catalog::readTable(catalog::builtInTable("mcp"), m_board.hso ? "hso" : "std", tableVersion);
+    std::vector<catalog::RegisterInfo> registers =
+        table ? std::move(*table) : std::vector<catalog::RegisterInfo>();
+    if (!m_board.knownFirmware)
+        makeRaw(registers);
+    m_board.catalog = std::make_shared<const catalog::Catalog>(
+        std::move(registers), m_board.motors, m_board.scales);
+    m_board.capabilities = capabilitiesOf(m_board, motors.front());
+    m_board.identified = true;
+
+    m_identity.version = versionText(m_board.version);
+    m_identity.protocol = "MCP over ASPEP " + m_identity.version;
+    m_identity.firmware = text(mcp::reg::kFwName, 0);
+    m_identity.controlBoard = text(mcp::reg::kCtrlStageName, 0);
+    m_board.watchdog = m_identity.watchdog = watchdogIn(m_identity.firmware);
+    m_identity.motors = m_board.motors;
+    m_identity.knownFirmware = m_board.knownFirmware;
+    m_phase = Phase::Done;
+    m_news = true;
+}
+
+} // namespace drive

@@ -1,0 +1,30 @@
+// A move of the shaft to an angle. Where the shaft is now is read first, because the speed on the way follows from it; then
+// the raw register is set, which also makes the firmware control the position. Sent once.
+#pragma once
+
+#include "drive/mcp/mcp_reader.h"
+#include "drive/task.h"
+
+namespace drive {
+
+class PositionTask : public WishTask {
+public:
+    PositionTask(WishId id, const PositionRamp &ramp, const McpBoard &board);
+
+    std::optional<Bytes> nextRequest(TimePoint now) override;
+    void takeResponse(ByteView response, TimePoint now) override;
+    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+
+private:
+    std::string refuse() const;
+    std::string refuseFrom(double position_rad) const;
+    void judge();
+
+    const McpBoard &m_board;
+    PositionRamp m_ramp;
+    RegisterReader m_reader;
+    std::optional<double> m_position_rad;
+    bool m_asked = false, m_judged = false;
+};
+
+} // namespace drive

@@ -1,0 +1,149 @@
+#include "drive/mcp/mcp_scales.h"
+
+#include "analysis/motor_constants.h"
+#include "drive/motion_limits.h"
+
+#include <cmath>
+
+namespace drive {
+
+namespace {
+
+// Beyond these a number is a misread structure, not a motor.
+constexpr double kMaxPolePairs = 200.0, kMaxTickHz = 500000.0, kMaxTorquePerAmp = 1000.0;
+
+constexpr double kFullScaleDigits = 32768.0;
+constexpr double kRpmPerTenthHz = 6.0;
+constexpr std::uint32_t kVersion64 = 0x060400;
+
+double plausible(double value, double ceiling)
+{
+    return std::isfinite(value) && value > 0.0 && value <= ceiling ? value : 0.0;
+}
+
+bool isSixStep(const MotorDescription &motor)
+{
+    constexpr std::uint8_t kSixStep = 1;
+    return (motor.application && motor.application->driveType == kSixStep)
+        || (motor.firmware && motor.firmware->sixStep);
+}
+
+} // namespace
+
+catalog::Scales scalesOf(const MotorDescription &motor, std::uint32_t version)
+{
+    catalog::Scales scales;
+    if (isSixStep(motor))
+        return scales;
+    constexpr double kMaxFactor = 1e6;
+    if (motor.scale) {
+        scales.ampsPerDigit = plausible(motor.scale->current, kMaxFactor);
+        scales.voltsPerDigit = plausible(motor.scale->voltage, kMaxFactor);
+        scales.hertzPerDigit = plausible(motor.scale->frequency, kMaxFactor);
+        if (version < kVersion64)
+            scales.rpmPerReadDigit =
+                scales.hertzPerDigit > 0.0 ? scales.hertzPerDigit : kRpmPerTenthHz;
+    } else if (motor.application) {
+        scales.ampsPerDigit =
+            plausible(motor.application->maxReadableAmps, kHighestAmps) / kFullScaleDigits;
+        scales.voltsPerDigit =
+            motor.application->nominalVolts / (std::sqrt(3.0) * (kFullScaleDigits - 1.0));
+        // 6.0 and 6.1 do not say the scale of the speeds they read out; it is the one that 6.2 says.
+        const double maxRpm = plausible(motor.application->maxSpeedRpm, kHighestRpm);
+        if (version < kVersion64 && maxRpm > 0.0)
+            scales.rpmPerReadDigit = 1.15 * maxRpm / kFullScaleDigits;
+    }
+    return scales;
+}
+
+MotorLimits limitsOf(const MotorDescription &motor)
+{
+    MotorLimits limits;
+    if (motor.application) {
+        limits.maxSpeedRpm = plausible(motor.application->maxSpeedRpm, kHighestRpm);
+        limits.maxCurrentAmps = plausible(motor.application->maxReadableAmps, kHighestAmps);
+        limits.nominalCurrentAmps = plausible(motor.application->nominalAmps, kHighestAmps);
+    }
+    if (motor.motor) {
+        limits.polePairs = plausible(motor.motor->polePairs, kMaxPolePairs);
+        const double flux =
+            analysis::fluxOfConfiguration_wb(motor.motor->ratedFlux, limits.polePairs);
+        limits.torquePerAmp =
+            plausible(analysis::ktOfFlux_nmpa(flux, limits.polePairs), kMaxTorquePerAmp);
+    }
+    return limits;
+}
+
+StreamLimits streamLimitsOf(const std::vector<MotorDescription> &motors, unsigned streams,
+    std::size_t maxPacket, std::uint32_t baud)
+{
+    constexpr double kBitsPerByte = 10.0; // 8N1
+    StreamLimits limits;
+    limits.linkBytesPerSecond = baud / kBitsPerByte;
+    limits.maxPacket = maxPacket;
+    for (const MotorDescription &motor : motors)
+        if (motor.firmware && !motor.firmware->sixStep && motor.firmware->focRate > 0)
+            limits.tickHz += plausible(
+                static_cast<double>(motor.firmware->pwmHz) / motor.firmware->focRate, kMaxTickHz);
+    if (limits.tickHz > 0.0 && maxPacket > 0)
+        limits.maxSignals = streams;
+    else
+        limits.tickHz = 0.0;
+    return limits;
+}
+
+std::vector<Capability> capabilitiesOf(const McpBoard &board, const MotorDescription &first)
+{
+    std::vector<Capability> all;
+    const auto add = [&](Feature feature, std::string reason) {
+        all.push_back({feature, reason.empty(), std::move(reason)});
+    };
+    const std::string readOnly =
+        board.knownFirmware ? "" : "This firmware is not known; it is shown read-only.";
+    const auto needs = [&](const char *registerName, const char *reason) {
+        return !readOnly.empty()                           ? readOnly
+            : board.catalog->find(registerName) == nullptr ? reason
+                                                           : "";
+    };
+    add(Feature::Start, readOnly);
+    add(Feature::Stop, "");
+    add(Feature::AcknowledgeFaults, readOnly);
+    add(Feature::SpeedRamp, needs("SPEED_RAMP", "This build has no speed ramp."));
+    std::string torque = needs("TORQUE_RAMP", "This build has no torque control.");
+    if (torque.empty() && isSixStep(first))
+        torque = "Six-step firmware has no torque control.";
+    if (torque.empty() && !(board.ampsPerDigit(1) > 0.0))
+        torque = "The board does not say its current scale.";
+    add(Feature::TorqueRamp, torque);
+    add(Feature::CurrentReference, torque);
+    std::string stream;
+    if (board.streamBytes == 0)
+        stream = "The board sends no datalog on this link. If it did before, reset it.";
+    else if (board.streaming.maxSignals == 0 || !(board.streaming.tickHz > 0.0))
+        stream = "This build has no datalog.";
+    add(Feature::Stream, stream);
+    add(Feature::WriteRegisters, readOnly);
+    constexpr unsigned kPositionFlag = 0x0100;
+    std::string position = needs("POSITION_RAMP", "This build has no position control.");
+    if (position.empty()
+        && (board.catalog->find("CURRENT_POSITION") == nullptr || !first.firmware
+            || (first.firmware->flags1 & kPositionFlag) == 0))
+        position = "This build has no position control.";
+    add(Feature::PositionRamp, position);
+    return all;
+}
+
+void makeRaw(std::vector<catalog::RegisterInfo> &registers)
+{
+    for (catalog::RegisterInfo &info : registers) {
+        if (info.access == catalog::Access::ReadWrite)
+            info.access = catalog::Access::Read;
+        else if (info.access == catalog::Access::Write)
+            info.access = catalog::Access::None;
+        info.quantity = catalog::Quantity::Plain;
+        info.fractionBits = 0;
+        info.unit.clear();
+    }
+}
+
+} // namespace drive

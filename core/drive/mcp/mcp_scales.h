@@ -1,0 +1,37 @@
+// What the board's configuration structures mean for a person: factors of digits, limits of set-points, what can be
+// streamed, what can be done at all. Pure functions; nothing implausible becomes a number.
+#pragma once
+
+#include "drive/mcp/mcp_board.h"
+#include "mcp/structures.h"
+
+#include <optional>
+#include <vector>
+
+namespace drive {
+
+/// What one motor's structures said; empty where the build does not have one.
+struct MotorDescription {
+    std::optional<mcp::MotorConfig> motor;
+    std::optional<mcp::ApplicationConfig> application;
+    std::optional<mcp::FirmwareConfig> firmware;
+    std::optional<mcp::ScaleConfig> scale;
+};
+
+/// From SCALE_CONFIG, or (firmware 6.0 and 6.1) from APPLICATION_CONFIG. Six-step: all unknown, its scales mean
+/// something else. @param version 0xMMmmpp
+catalog::Scales scalesOf(const MotorDescription &motor, std::uint32_t version);
+
+/// Zero for what is missing, not finite, not positive or beyond a hard ceiling.
+MotorLimits limitsOf(const MotorDescription &motor);
+
+/// The tick counter advances for the control periods of every motor.
+StreamLimits streamLimitsOf(const std::vector<MotorDescription> &motors, unsigned streams,
+    std::size_t maxPacket, std::uint32_t baud);
+
+std::vector<Capability> capabilitiesOf(const McpBoard &board, const MotorDescription &first);
+
+/// For firmware that nobody knows: nothing is writable, numbers stay digits.
+void makeRaw(std::vector<catalog::RegisterInfo> &registers);
+
+} // namespace drive

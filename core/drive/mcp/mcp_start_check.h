@@ -1,0 +1,41 @@
+// What a START would go to. A person's own limits bound what the board was set to before as well: its references and
+// the stages of its start-up are read first, and a START that would go beyond is refused. Without such limits nothing
+// is read; the board's own limits are the business of its firmware then.
+#pragma once
+
+#include "drive/mcp/mcp_reader.h"
+
+#include <optional>
+#include <string>
+
+namespace drive {
+
+class StartCheck {
+public:
+    StartCheck(const McpBoard &board, int motor)
+        : m_board(board)
+        , m_motor(motor)
+    {
+    }
+
+    /// The next question; nothing once all is known (then refusal() says what was found).
+    std::optional<Bytes> nextRequest();
+    void takeResponse(ByteView response, TimePoint now);
+    void takeNoResponse();
+
+    bool gaveUp() const { return m_reader.gaveUp(); }
+    /// Why the motor must not be started; empty if it may.
+    std::string refusal() const;
+
+private:
+    std::vector<RegisterId> wanted() const;
+    std::string refuseStages(ByteView raw) const;
+
+    const McpBoard &m_board;
+    int m_motor;
+    RegisterReader m_reader;
+    std::vector<Reading> m_readings;
+    bool m_started = false;
+};
+
+} // namespace drive

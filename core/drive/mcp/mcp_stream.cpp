@@ -1,0 +1,294 @@
+#include "drive/mcp/mcp_stream.h"
+
+#include "drive/mcp/mcp_reader.h"
+#include "drive/mcp/mcp_values.h"
+#include "mcp/datalog.h"
+#include "mcp/protocol.h"
+
+#include <algorithm>
+
+namespace drive {
+
+namespace {
+
+constexpr std::size_t kMaxInFlight = 8; ///< configurations sent whose first packet has not come
+constexpr double kUnsignedOffset = 32768.0;
+constexpr Duration kStopGrace = std::chrono::milliseconds(20);
+
+bool isUnsigned(const McpBoard &board, RegisterId id)
+{
+    const auto *info = board.catalog->find(id);
+    return info != nullptr && !info->streamsUpperHalf
+        && (info->type == catalog::ValueType::U16 || info->type == catalog::ValueType::U8);
+}
+
+capture::StreamSignal signalOf(const McpBoard &board, RegisterId id, bool fast)
+{
+    const catalog::Scale scale = board.catalog->streamScale(id);
+    return {id, board.catalog->nameOf(id), scale.unit, scale.factor,
+        fast && isUnsigned(board, id) ? kUnsignedOffset : 0.0};
+}
+
+/// Bytes a second that a configuration puts on the line.
+double loadOf(const mcp::DatalogConfig &config, double tickHz)
+{
+    const mcp::DatalogLayout layout(config);
+    if (config.stops() || !layout.fullLength() || layout.fullBlocks() == 0)
+        return 0.0;
+    const double packetsPerSecond =
+        tickHz / (static_cast<double>(layout.fullBlocks()) * layout.step());
+    constexpr double kHeader = 4.0;
+    return packetsPerSecond * (static_cast<double>(*layout.fullLength()) + kHeader);
+}
+
+} // namespace
+
+Bytes datalogRequest(std::uint8_t linkId, const mcp::DatalogConfig &config)
+{
+    const Bytes raw = mcp::encodeDatalog(config).value_or(Bytes());
+    return ByteWriter()
+        .u16(static_cast<unsigned>(mcp::CommandId::SetRegister) << 3)
+        .u16(mcp::datalogRegister(linkId).bits)
+        .u16(static_cast<std::uint32_t>(raw.size()))
+        .bytes(raw)
+        .take();
+}
+
+void StreamControl::restart(bool boardReset)
+{
+    if (m_announced != 0)
+        m_events.emplace_back(StreamStarted{});
+    m_announced = 0;
+    m_sent.clear();
+    m_load = 0.0;
+    m_stoppedAt.reset();
+    m_stopNeeded = false;
+    if (boardReset || !m_decoder || m_tickHz != m_board.streaming.tickHz) {
+        m_origin.reset();
+        m_seen = {};
+        m_epoch = 0;
+        m_tickHz = m_board.streaming.tickHz;
+        m_decoder.emplace(std::max(m_tickHz, 1.0));
+    }
+}
+
+void StreamControl::close()
+{
+    restart(true);
+    m_decoder.reset();
+    m_wanted = {};
+    m_stopNeeded = true;
+}
+
+std::string StreamControl::refuse(const Stream &stream) const
+{
+    if (auto why = m_board.reasonAgainst(Feature::Stream); !why.empty())
+        return why;
+    if (stream.fast.size() + stream.slow.size() > m_board.streaming.maxSignals)
+        return "at most " + std::to_string(m_board.streaming.maxSignals) + " signals at a time";
+    if (stream.fastEvery < 1 || stream.fastEvery > 256)
+        return "the fast rate is every 1st to 256th control period";
+    if (stream.slowEvery < 1 || stream.slowEvery > Stream::kSlowOncePerPacket)
+        return "the slow rate is every 1st to 254th fast sample, or once a packet";
+    if (stream.slowEvery == Stream::kSlowOncePerPacket && stream.fast.empty())
+        return "without fast signals no packet ever fills";
+    for (const auto *list : {&stream.fast, &stream.slow}) {
+        for (const RegisterId id : *list) {
+            const auto *info = m_board.catalog->find(id);
+            if (info == nullptr)
+                return m_board.catalog->nameOf(id) + ": no such register";
+            if (!m_board.hasMotor(m_board.catalog->motorOf(id)))
+                return info->name + ": no such motor";
+            if (info->streaming == catalog::Streaming::Polled)
+                return info->name + ": cannot be streamed, only read";
+        }
+    }
+    return {};
+}
+
+Result<mcp::DatalogConfig, std::string> StreamControl::configure(const Stream &stream)
+{
+    mcp::DatalogConfig config;
+    config.fastRate = static_cast<std::uint8_t>(stream.fastEvery - 1);
+    config.slowRate =
+        stream.slow.empty() ? mcp::kSlowNever : static_cast<std::uint8_t>(stream.slowEvery - 1);
+    for (const RegisterId id : stream.fast)
+        config.fast.push_back({static_cast<std::uint16_t>(id)});
+    for (const RegisterId id : stream.slow)
+        config.slow.push_back({static_cast<std::uint16_t>(id)});
+    const auto size = mcp::chooseBufferSize(
+        config, {m_board.streamBytes, m_board.streaming.tickHz, m_board.baud});
+    if (!size)
+        return fail(std::string("these signals do not fit into one packet"));
+    config.bufferSize = *size;
+    m_lastMark = m_lastMark == 255 ? 1 : static_cast<std::uint8_t>(m_lastMark + 1);
+    config.mark = m_lastMark;
+    return config;
+}
+
+void StreamControl::sending(const Stream &stream, const mcp::DatalogConfig &config)
+{
+    Active next{config, layoutOf(stream)};
+    next.layout.id = ++m_lastStream;
+    mcp::Signedness signs;
+    for (const RegisterId id : stream.fast)
+        signs.fastUnsigned.push_back(isUnsigned(m_board, id));
+    for (const RegisterId id : stream.slow)
+        signs.slowUnsigned.push_back(isUnsigned(m_board, id));
+    m_decoder->expect(next.layout.id, config, std::move(signs));
+    if (m_sent.size() >= kMaxInFlight)
+        m_sent.erase(m_sent.begin() + 1);
+    m_sent.push_back(std::move(next));
+    m_stoppedAt.reset();
+}
+
+capture::StreamLayout StreamControl::layoutOf(const Stream &stream) const
+{
+    capture::StreamLayout layout;
+    layout.tickHz = m_board.streaming.tickHz;
+    layout.fastStep = stream.fastEvery;
+    for (const RegisterId id : stream.fast)
+        layout.fast.push_back(signalOf(m_board, id, true));
+    for (const RegisterId id : stream.slow)
+        layout.slow.push_back(signalOf(m_board, id, false));
+    return layout;
+}
+
+void StreamControl::agreed(const Stream &stream, const mcp::DatalogConfig &config, TimePoint now)
+{
+    m_wanted = stream;
+    m_load = loadOf(config, m_board.streaming.tickHz);
+    if (config.stops())
+        m_stoppedAt = now + wireTime(2 * m_board.streamBytes, m_board.baud) + kStopGrace;
+}
+
+void StreamControl::stopSent()
+{
+    m_stopNeeded = false;
+    if (m_decoder)
+        m_decoder->stopping();
+}
+
+void StreamControl::handleTimeout(TimePoint now)
+{
+    if (!m_stoppedAt || now < *m_stoppedAt)
+        return;
+    m_stoppedAt.reset();
+    m_sent.clear();
+    if (std::exchange(m_announced, 0) != 0)
+        m_events.emplace_back(StreamStarted{});
+}
+
+void StreamControl::receive(ByteView packet, TimePoint now)
+{
+    if (!m_decoder || m_sent.empty()) {
+        ++m_skipped; // left over from before the stop that opens every connection
+        return;
+    }
+    auto block = m_decoder->decode(packet);
+    addStats();
+    if (!block)
+        return;
+    if (m_decoder->epoch() != m_epoch) {
+        m_epoch =
+            m_decoder->epoch(); // the board's count began anew: another axis, so another stream
+        m_origin.reset();
+        m_announced = 0;
+    }
+    if (block->stream != m_announced && !announce(*block, now)) {
+        ++m_skipped; // of a configuration from before the last identification
+        return;
+    }
+    m_events.emplace_back(std::move(*block));
+}
+
+bool StreamControl::announce(const capture::SampleBlock &block, TimePoint now)
+{
+    const auto at = std::find_if(m_sent.begin(), m_sent.end(),
+        [&](const Active &sent) { return sent.layout.id == block.stream; });
+    if (at == m_sent.end())
+        return false;
+    m_sent.erase(m_sent.begin(), at);
+    capture::StreamLayout &layout = m_sent.front().layout;
+    if (!m_origin) {
+        // The packet was sent when its last sample was taken, and has just crossed the line.
+        const double last = static_cast<double>(block.firstTick)
+            + static_cast<double>(block.count) * static_cast<double>(layout.fastStep);
+        const mcp::DatalogLayout shape(m_sent.front().config);
+        const Duration crossing = wireTime(shape.fullLength().value_or(0), m_board.baud);
+        m_origin = toSeconds(now.time_since_epoch() - crossing) - last / layout.tickHz;
+    }
+    layout.originSeconds = *m_origin;
+    m_announced = block.stream;
+    m_events.emplace_back(StreamStarted{layout});
+    return true;
+}
+
+void StreamControl::addStats()
+{
+    const mcp::DatalogDecoder::Stats &now = m_decoder->stats();
+    m_packets += now.packets - m_seen.packets;
+    m_lost += now.lostTicks - m_seen.lostTicks;
+    m_skipped += now.skipped() - m_seen.skipped();
+    m_seen = now;
+}
+
+StreamTask::StreamTask(WishId id, const Stream &stream, StreamControl &control)
+    : WishTask(id, Permission::Always)
+    , m_control(control)
+    , m_stream(stream)
+{
+}
+
+std::optional<Bytes> StreamTask::nextRequest(TimePoint)
+{
+    if (finished())
+        return std::nullopt;
+    const bool stops = m_stream.fast.empty() && m_stream.slow.empty();
+    if (!stops) {
+        if (auto why = m_control.refuse(m_stream); !why.empty()) {
+            end(Outcome::Refused, why);
+            return std::nullopt;
+        }
+    }
+    markSent();
+    if (stops || m_control.m_stopNeeded) {
+        m_stopping = !stops;
+        m_config = mcp::datalogStop();
+        if (m_control.m_decoder)
+            m_control.m_decoder->stopping();
+        return datalogRequest(m_control.m_board.linkId, m_config);
+    }
+    m_stopping = false;
+    auto config = m_control.configure(m_stream);
+    if (!config) {
+        end(Outcome::Refused, config.error());
+        return std::nullopt;
+    }
+    m_config = std::move(*config);
+    m_control.sending(m_stream, m_config);
+    return datalogRequest(m_control.m_board.linkId, m_config);
+}
+
+void StreamTask::takeResponse(ByteView response, TimePoint now)
+{
+    if (response.empty() || response.size() > 2)
+        return takeNoResponse(std::nullopt, now);
+    const bool ok = response.front() == static_cast<std::uint8_t>(mcp::Status::Ok);
+    if (m_config.stops())
+        m_control.stopSent();
+    if (m_stopping)
+        return; // the configuration is next, whatever the board said to the stop
+    if (!ok)
+        return end(Outcome::Refused, statusWord(response.front()));
+    m_control.agreed(m_stream, m_config, now);
+    end(Outcome::Ok);
+}
+
+void StreamTask::takeNoResponse(std::optional<bool>, TimePoint)
+{
+    if (++m_losses > RegisterReader::kRepeats)
+        end(Outcome::Unknown, "no answer");
+}
+
+} // namespace drive

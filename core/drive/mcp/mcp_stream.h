@@ -1,0 +1,105 @@
+// The stream of signals: turns a wish into a datalog configuration, and async packets into sample blocks with the
+// layout they belong to.
+//
+// Each configuration gets a new mark, because boards ignore one with the active mark. It takes effect when the first
+// packet with its mark arrives; until then packets belong to the configuration before. After every connection and
+// recovery a stop goes out before the first configuration, because boards go on by themselves with what they had.
+#pragma once
+
+#include "drive/mcp/mcp_board.h"
+#include "drive/task.h"
+#include "mcp/datalog_decoder.h"
+
+#include <deque>
+#include <memory>
+#include <optional>
+
+namespace drive {
+
+/// The SET that configures the datalog of our link.
+Bytes datalogRequest(std::uint8_t linkId, const mcp::DatalogConfig &config);
+
+class StreamControl {
+public:
+    explicit StreamControl(const McpBoard &board)
+        : m_board(board)
+    {
+    }
+
+    /// Identified: the datalog was stopped just now. `boardReset`: nothing about its counter is known any more.
+    void restart(bool boardReset);
+    void close(); ///< the link is given up: nothing is wanted any more
+    void connected()
+    {
+        m_stopNeeded = true;
+    } ///< again, after a recovery: the board may be streaming by itself
+
+    void receive(ByteView packet, TimePoint now);
+    void handleTimeout(TimePoint now);
+    std::optional<TimePoint> nextTimeout() const { return m_stoppedAt; }
+
+    std::vector<Event> takeEvents() { return std::exchange(m_events, {}); }
+    bool wanted() const { return !m_wanted.fast.empty() || !m_wanted.slow.empty(); }
+    const Stream &wish() const
+    {
+        return m_wanted;
+    } ///< what was last agreed, to be asked for again after a reset
+    double load() const { return m_load; } ///< bytes a second on the line
+    std::uint64_t packets() const { return m_packets; }
+    std::uint64_t lostTicks() const { return m_lost; }
+    std::uint64_t skipped() const { return m_skipped; }
+
+private:
+    friend class StreamTask;
+
+    struct Active {
+        mcp::DatalogConfig config;
+        capture::StreamLayout layout;
+    };
+    std::string refuse(const Stream &stream) const;
+    Result<mcp::DatalogConfig, std::string> configure(const Stream &stream);
+    void sending(const Stream &stream, const mcp::DatalogConfig &config);
+    void agreed(const Stream &stream, const mcp::DatalogConfig &config, TimePoint now);
+    void stopSent();
+    capture::StreamLayout layoutOf(const Stream &stream) const;
+    bool announce(const capture::SampleBlock &block, TimePoint now);
+    void addStats();
+
+    const McpBoard &m_board;
+    std::optional<mcp::DatalogDecoder> m_decoder;
+    std::deque<Active>
+        m_sent; ///< configurations whose packets may come, oldest first; the first is the active one
+    capture::StreamId m_lastStream = 0;
+    capture::StreamId m_announced = 0; ///< 0: none
+    std::optional<double> m_origin; ///< seconds of tick 0
+    double m_tickHz = 0.0; ///< that the decoder was made with
+    unsigned m_epoch = 0;
+    std::uint8_t m_lastMark = 0;
+    Stream m_wanted;
+    bool m_stopNeeded = true;
+    std::optional<TimePoint>
+        m_stoppedAt; ///< when what was on its way at a stop has certainly arrived
+    double m_load = 0.0;
+    mcp::DatalogDecoder::Stats m_seen; ///< of the decoder, as far as they are added up below
+    std::uint64_t m_packets = 0, m_lost = 0, m_skipped = 0;
+    std::vector<Event> m_events;
+};
+
+/// A stream wish. Sent again, with another mark, if its answer is lost: a configuration moves nothing.
+class StreamTask : public WishTask {
+public:
+    StreamTask(WishId id, const Stream &stream, StreamControl &control);
+
+    std::optional<Bytes> nextRequest(TimePoint now) override;
+    void takeResponse(ByteView response, TimePoint now) override;
+    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+
+private:
+    StreamControl &m_control;
+    Stream m_stream;
+    bool m_stopping = false; ///< the stop that comes before a configuration is on its way
+    mcp::DatalogConfig m_config;
+    int m_losses = 0;
+};
+
+} // namespace drive

@@ -1,0 +1,385 @@
+#include "drive/mcp/mcp_writes.h"
+
+#include "catalog/limits.h"
+#include "drive/mcp/mcp_limits.h"
+#include "drive/mcp/mcp_values.h"
+#include "mcp/protocol.h"
+
+#include <algorithm>
+
+namespace drive {
+
+namespace {
+
+bool isDatalogRegister(RegisterId id)
+{
+    const RegisterId bare = id & ~RegisterId{7};
+    return bare == mcp::reg::kAsyncUartA.bits || bare == mcp::reg::kAsyncUartB.bits
+        || bare == mcp::reg::kAsyncStLink.bits;
+}
+
+/// Why the id cannot be addressed on this board; empty if it can.
+std::string refuseAddress(const McpBoard &board, RegisterId id)
+{
+    const auto *info = board.catalog->find(id);
+    if (info != nullptr && info->perMotor && !board.hasMotor(board.catalog->motorOf(id)))
+        return "no such motor";
+    return {};
+}
+
+/// Why bytes of this length are not written over those that were read; empty if they may. The two that are written in
+/// lengths of their own are looked at elsewhere: TORQUE_RAMP with the limits, REVUP_DATA by the board.
+std::string refuseLength(const RegisterWrite &write, const Value &before)
+{
+    const auto *content = std::get_if<Bytes>(&write.value);
+    const auto *old = std::get_if<Bytes>(&before);
+    const RegisterId bare = write.id & ~RegisterId{7};
+    if (content == nullptr || old == nullptr || content->size() == old->size()
+        || bare == mcp::reg::kTorqueRamp.bits || bare == mcp::reg::kRevupData.bits)
+        return {};
+    return "takes " + std::to_string(old->size()) + " bytes";
+}
+
+/// What was read equals what was meant to be written. TORQUE_RAMP reads back shorter than it is written.
+bool sameValue(RegisterId id, const Value &wanted, const Value &read)
+{
+    const auto a = asNumber(wanted), b = asNumber(read);
+    if (a && b)
+        return *a == *b || static_cast<float>(*a) == static_cast<float>(*b);
+    const auto *bytes = std::get_if<Bytes>(&wanted);
+    if ((id & ~RegisterId{7}) == mcp::reg::kTorqueRamp.bits && bytes != nullptr
+        && bytes->size() == 6) {
+        const Bytes shortForm{(*bytes)[0], (*bytes)[1], (*bytes)[4], (*bytes)[5]};
+        return read == Value(shortForm) || read == wanted;
+    }
+    return wanted == read;
+}
+
+} // namespace
+
+ReadTask::ReadTask(WishId id, const Read &read, const McpBoard &board)
+    : WishTask(id, Permission::Always)
+    , m_board(board)
+    , m_ids(read.registers)
+{
+}
+
+std::optional<Bytes> ReadTask::nextRequest(TimePoint now)
+{
+    if (!std::exchange(m_started, true)) {
+        std::vector<RegisterId> ids;
+        for (const RegisterId id : m_ids) {
+            const auto *info = m_board.catalog->find(id);
+            const bool readable = info == nullptr || info->readable();
+            if (refuseAddress(m_board, id).empty() && readable)
+                ids.push_back(id);
+            else
+                m_readings.push_back(
+                    {id, readable ? ReadStatus::Refused : ReadStatus::NotSupported, {}, now});
+        }
+        m_reader.start(ids, m_board);
+        if (m_reader.finished())
+            end(Outcome::Ok);
+    }
+    return m_reader.nextRequest(m_board);
+}
+
+void ReadTask::takeResponse(ByteView response, TimePoint now)
+{
+    for (Reading &reading : m_reader.takeResponse(response, m_board, now))
+        m_readings.push_back(std::move(reading));
+    if (m_reader.finished())
+        end(m_reader.gaveUp() ? Outcome::Unknown : Outcome::Ok,
+            m_reader.gaveUp() ? "no answer" : "");
+}
+
+void ReadTask::takeNoResponse(std::optional<bool>, TimePoint)
+{
+    m_reader.takeNoResponse();
+    if (m_reader.finished())
+        end(Outcome::Unknown, "no answer");
+}
+
+WriteTask::WriteTask(WishId id, const Write &write, const McpBoard &board)
+    : WishTask(id, Permission::Armed)
+    , m_board(board)
+{
+    for (const RegisterWrite &one : write.writes) {
+        m_items.push_back({one, {}, State::Waiting, false, {}});
+        m_items.back().result.id = one.id;
+    }
+}
+
+void WriteTask::check(Item &item) const
+{
+    const auto *info = m_board.catalog->find(item.write.id);
+    if (info == nullptr) {
+        item.result.reason = "no such register";
+    } else if (!info->writable()) {
+        item.result.reason = "cannot be written";
+    } else if (isDatalogRegister(item.write.id)) {
+        item.result.reason = "is set by streaming";
+    } else if (auto why = refuseAddress(m_board, item.write.id); !why.empty()) {
+        item.result.reason = why;
+    } else if (auto encoded = encodeValue(*info, item.write.value); !encoded) {
+        item.result.reason = encoded.error();
+    } else if (encoded->size() + 4 > m_board.requestBytes) {
+        item.result.reason = "is longer than a request";
+    } else if (auto meaning = catalog::refuseValue(*info, item.write.value); !meaning.empty()) {
+        item.result.reason = meaning;
+    } else {
+        item.result.reason = refuseSetPoint(m_board, item.write);
+        item.encoded = std::move(*encoded);
+    }
+    if (!item.result.reason.empty()) {
+        item.state = State::Done;
+        item.result.outcome = Outcome::Refused;
+    }
+}
+
+/// Whether it has a SET of its own.
+bool WriteTask::alone(const Item &item) const
+{
+    const auto *info = m_board.catalog->find(item.write.id);
+    return wireWidth(item.write.id) == 0 || info == nullptr || info->dangerous;
+}
+
+/// Whether it may follow in a SET of this size that has so many registers already.
+bool WriteTask::joins(const Item &item, std::size_t size, std::size_t count) const
+{
+    const std::size_t width = item.encoded.size(), at = size + sizeof(std::uint16_t);
+    return !alone(item) && at + width <= m_board.requestBytes && at % width == 0
+        && count + 2 <= m_board.responseBytes; // a status each and one for all
+}
+
+/// The next SET; its items are open then. Empty when nothing waits.
+Bytes WriteTask::nextSet()
+{
+    ByteWriter request;
+    request.u16(static_cast<unsigned>(mcp::CommandId::SetRegister) << 3);
+    std::size_t count = 0;
+    for (Item &item : m_items) {
+        if (item.state != State::Waiting)
+            continue;
+        if (count > 0 && !joins(item, request.size(), count))
+            break;
+        request.u16(item.write.id).bytes(item.encoded);
+        item.state = State::Open;
+        ++count;
+        if (alone(item) || item.encoded.size() == 1) // behind a byte the next id would be unaligned
+            break;
+    }
+    return count > 0 ? request.take() : Bytes{};
+}
+
+std::vector<WriteTask::Item *> WriteTask::open()
+{
+    std::vector<Item *> items;
+    for (Item &item : m_items)
+        if (item.state == State::Open)
+            items.push_back(&item);
+    return items;
+}
+
+std::vector<RegisterId> WriteTask::idsToRead(bool after) const
+{
+    std::vector<RegisterId> ids;
+    for (const Item &item : m_items) {
+        const auto *info = m_board.catalog->find(item.write.id);
+        const bool wanted = after ? item.state == State::Doubtful
+                || (item.state == State::Done && item.result.outcome == Outcome::Ok)
+                                  : item.state == State::Waiting;
+        if (wanted && info != nullptr && info->readable() && !info->stub
+            && std::find(ids.begin(), ids.end(), item.write.id) == ids.end())
+            ids.push_back(item.write.id);
+    }
+    return ids;
+}
+
+void WriteTask::enter(Phase phase)
+{
+    m_phase = phase;
+    if (phase != Phase::Setting)
+        m_reader.start(idsToRead(phase == Phase::After), m_board);
+}
+
+std::optional<Bytes> WriteTask::nextRequest(TimePoint)
+{
+    if (finished())
+        return std::nullopt;
+    if (!std::exchange(m_started, true)) {
+        for (Item &item : m_items)
+            if (item.state == State::Waiting)
+                check(item);
+        enter(Phase::Before);
+    }
+    if (m_phase == Phase::Before) {
+        if (!m_reader.finished())
+            return m_reader.nextRequest(m_board);
+        for (Item &item : m_items) {
+            if (item.state != State::Waiting || !item.result.before)
+                continue;
+            if (const auto why = refuseLength(item.write, *item.result.before); !why.empty())
+                finishItem(item, Outcome::Refused, why);
+        }
+        enter(Phase::Setting);
+    }
+    if (m_phase == Phase::Setting) {
+        if (Bytes set = nextSet(); !set.empty()) {
+            markSent();
+            return set;
+        }
+        enter(Phase::After);
+    }
+    if (m_reader.finished()) {
+        finish();
+        return std::nullopt;
+    }
+    return m_reader.nextRequest(m_board);
+}
+
+void WriteTask::takeReadingsInto(
+    std::optional<Value> WriteResult::*where, ByteView response, TimePoint now)
+{
+    for (Reading &reading : m_reader.takeResponse(response, m_board, now)) {
+        for (Item &item : m_items)
+            if (item.write.id == reading.id && reading.status == ReadStatus::Ok)
+                item.result.*where = reading.value;
+        m_readings.push_back(std::move(reading));
+    }
+}
+
+void WriteTask::takeResponse(ByteView response, TimePoint now)
+{
+    if (m_phase == Phase::Before) {
+        takeReadingsInto(&WriteResult::before, response, now);
+    } else if (m_phase == Phase::After) {
+        takeReadingsInto(&WriteResult::readBack, response, now);
+        if (m_reader.finished())
+            finish();
+    } else {
+        takeStatuses(open(), response);
+    }
+}
+
+void WriteTask::settle(Item &item, std::uint8_t status)
+{
+    if (status == static_cast<std::uint8_t>(mcp::Status::Ok))
+        finishItem(item, Outcome::Ok, {});
+    else
+        finishItem(item, Outcome::Refused, statusWord(status));
+}
+
+/// One register: its status, or two where a value was not parsed to its end; the first is the register's.
+/// Several: one OK for all, or a status for each that was looked at and a NOK at the end. What comes behind a value
+/// that cannot be parsed is not looked at. A NOK inside the list is a good one as the protocol is printed.
+void WriteTask::takeStatuses(const std::vector<Item *> &items, ByteView response)
+{
+    constexpr auto kOk = static_cast<std::uint8_t>(mcp::Status::Ok);
+    constexpr auto kNok = static_cast<std::uint8_t>(mcp::Status::Nok);
+    const std::size_t count = items.size(), size = response.size();
+    const bool ofOne = count == 1 && (size == 1 || size == 2);
+    const bool allOk = count > 1 && size == 1 && response.front() == kOk;
+    const bool ofEach = count > 1 && size > 1 && size <= count + 1 && response.back() == kNok;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (ofOne || allOk)
+            settle(*items[i], response.front());
+        else if (ofEach && i + 1 >= size)
+            items[i]->state = State::Waiting;
+        else if (ofEach && response[i] != kNok)
+            settle(*items[i], response[i]);
+        else
+            items[i]->state = State::Doubtful;
+    }
+}
+
+void WriteTask::takeNoResponse(std::optional<bool> executed, TimePoint)
+{
+    if (m_phase != Phase::Setting) {
+        m_reader.takeNoResponse();
+        if (m_phase == Phase::After && m_reader.finished())
+            finish();
+        return;
+    }
+    const bool notExecuted = executed.has_value() && !*executed;
+    for (Item *item : open()) {
+        const bool raw =
+            wireWidth(item->write.id) == 0; // raw registers may be ramps, which are never repeated
+        if (!notExecuted)
+            item->state = State::Doubtful;
+        else if (!raw && !std::exchange(item->repeated, true))
+            item->state = State::Waiting;
+        else
+            finishItem(*item, Outcome::NotSent, "no answer");
+    }
+}
+
+void WriteTask::finishItem(Item &item, Outcome outcome, const std::string &reason)
+{
+    item.state = State::Done;
+    item.result.outcome = outcome;
+    item.result.reason = reason;
+}
+
+void WriteTask::finish()
+{
+    Outcome outcome = Outcome::Ok;
+    std::string reason;
+    for (Item &item : m_items) {
+        if (item.state == State::Doubtful) {
+            if (!item.result.readBack)
+                finishItem(item, Outcome::Unknown, "no answer");
+            else if (sameValue(item.write.id, item.write.value, *item.result.readBack))
+                finishItem(item, Outcome::Ok, {});
+            else
+                finishItem(item, Outcome::Refused, "no answer, and another value is read back");
+        }
+        if (item.result.readBack && item.result.outcome == Outcome::Ok)
+            item.result.verified =
+                sameValue(item.write.id, item.write.value, *item.result.readBack);
+        // Unknown tells the most, then Refused, then NotSent.
+        const auto weight = [](Outcome o) {
+            return o == Outcome::Unknown ? 3
+                : o == Outcome::Refused  ? 2
+                : o == Outcome::NotSent  ? 1
+                                         : 0;
+        };
+        if (weight(item.result.outcome) > weight(outcome)) {
+            outcome = item.result.outcome;
+            reason = m_board.catalog->nameOf(item.write.id) + ": " + item.result.reason;
+        }
+        writes().push_back(item.result);
+    }
+    end(outcome, reason);
+}
+
+void WriteTask::cut(const std::string &reason)
+{
+    if (finished())
+        return;
+    for (Item &item : m_items) {
+        if (item.state == State::Waiting)
+            finishItem(item, Outcome::NotSent, reason);
+        else if (item.state == State::Open)
+            finishItem(item, Outcome::Unknown, reason);
+    }
+    finish();
+}
+
+void WriteTask::supersede(const Write &newer)
+{
+    if (finished())
+        return;
+    bool left = false;
+    for (Item &item : m_items) {
+        const bool again = std::any_of(newer.writes.begin(), newer.writes.end(),
+            [&](const RegisterWrite &write) { return write.id == item.write.id; });
+        if (again && item.state == State::Waiting && !item.repeated)
+            finishItem(item, Outcome::NotSent, "replaced by a newer write");
+        left = left || item.state != State::Done;
+    }
+    if (!left && !m_started)
+        finish();
+}
+
+} // namespace drive

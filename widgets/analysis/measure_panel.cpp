@@ -1,0 +1,217 @@
+#include "widgets/analysis/measure_panel.h"
+
+#include "widgets/analysis/measure_table.h"
+#include "widgets/analysis/measure_text.h"
+#include "widgets/base/table_text.h"
+#include "widgets/base/wheel_guard.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/scope/trigger_control.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QPushButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace widgets {
+
+namespace {
+constexpr int kSideWidth = 230;
+enum Range { Picture, BetweenCursors };
+} // namespace
+
+MeasurePanel::MeasurePanel(
+    ScopeView &scope, const capture::Capture &capture, TriggerControl &trigger, QWidget *parent)
+    : Form(parent)
+    , m_scope(scope)
+    , m_capture(capture)
+    , m_trigger(trigger)
+    , m_table(new MeasureTable(scope, capture, this))
+    , m_list(new QTreeView(this))
+    , m_trace(new QComboBox(this))
+    , m_quantity(new QComboBox(this))
+    , m_against(new QComboBox(this))
+    , m_range(new QComboBox(this))
+{
+    setObjectName(QStringLiteral("measurePanel"));
+    m_list->setObjectName(QStringLiteral("measureList"));
+    m_list->setAccessibleName(tr("Measurements"));
+    m_list->setModel(m_table);
+    m_list->setRootIsDecorated(false);
+    m_list->setUniformRowHeights(true);
+    m_list->setAlternatingRowColors(true);
+    m_list->setAllColumnsShowFocus(true);
+    m_list->header()->setStretchLastSection(false);
+    m_list->installEventFilter(this);
+    auto *side = new QWidget(this);
+    side->setFixedWidth(kSideWidth);
+    makeSide(side);
+    auto *layout = new QHBoxLayout(this);
+    layout->addWidget(side);
+    layout->addWidget(m_list, 1);
+
+    connect(&scope, &ScopeView::channelsChanged, this, &MeasurePanel::fillTraces);
+    connect(&trigger, &TriggerControl::stateChanged, this, &MeasurePanel::recordShown);
+    connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
+        &MeasurePanel::drawChosen);
+    fillTraces();
+}
+
+void MeasurePanel::makeSide(QWidget *side)
+{
+    const auto named = [](QComboBox *box, const char *name) {
+        box->setObjectName(QLatin1String(name));
+        new WheelGuard(box);
+    };
+    named(m_trace, "measureTrace");
+    named(m_quantity, "measureQuantity");
+    named(m_against, "measureAgainst");
+    named(m_range, "measureRange");
+    for (const scope::Quantity quantity : allQuantities()) {
+        m_quantity->addItem(quantityText(quantity), static_cast<int>(quantity));
+        m_quantity->setItemData(m_quantity->count() - 1, quantityHelp(quantity), Qt::ToolTipRole);
+    }
+    m_range->addItems({tr("the picture"), tr("between the cursors")});
+    auto *add = new QPushButton(tr("&Add"), side);
+    add->setObjectName(QStringLiteral("addMeasure"));
+    auto *remove = new QPushButton(tr("&Remove"), side);
+    remove->setObjectName(QStringLiteral("removeMeasure"));
+    auto *again = new QPushButton(tr("&Clear statistics"), side);
+    again->setObjectName(QStringLiteral("clearStatistics"));
+    auto *copyIt = new QPushButton(tr("C&opy"), side);
+    copyIt->setObjectName(QStringLiteral("copyMeasures"));
+
+    auto *form = new QFormLayout;
+    form->addRow(tr("&Trace"), m_trace);
+    form->addRow(tr("&Measure"), m_quantity);
+    form->addRow(tr("A&gainst"), m_against);
+    form->addRow(tr("&In"), m_range);
+    auto *first = new QHBoxLayout;
+    first->addWidget(add);
+    first->addWidget(remove);
+    auto *second = new QHBoxLayout;
+    second->addWidget(again);
+    second->addWidget(copyIt);
+    auto *layout = new QVBoxLayout(side);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addLayout(form);
+    layout->addLayout(first);
+    layout->addLayout(second);
+    layout->addStretch(1);
+
+    const auto showAgainst = [this, form] {
+        const bool phase = m_quantity->currentData().toInt() == int(scope::Quantity::Phase);
+        m_against->setVisible(phase);
+        form->labelForField(m_against)->setVisible(phase);
+    };
+    connect(m_quantity, &QComboBox::currentIndexChanged, this, showAgainst);
+    showAgainst();
+    connect(m_range, &QComboBox::activated, this, [this](int range) {
+        if (range == BetweenCursors && !m_scope.cursors().visible())
+            m_scope.toggleCursors();
+        measure(false);
+    });
+    connect(add, &QPushButton::clicked, this, &MeasurePanel::addChosen);
+    connect(remove, &QPushButton::clicked, this, &MeasurePanel::removeChosen);
+    connect(again, &QPushButton::clicked, m_table, &MeasureTable::clearStatistics);
+    connect(copyIt, &QPushButton::clicked, this,
+        [this] { QApplication::clipboard()->setText(tableText(*m_table)); });
+}
+
+void MeasurePanel::fillTraces()
+{
+    for (QComboBox *box : {m_trace, m_against}) {
+        const QVariant chosen = box->currentData();
+        box->clear();
+        for (const capture::ChannelId id : m_scope.channels())
+            box->addItem(m_scope.nameOf(id), id);
+        const int index = box->findData(chosen);
+        box->setCurrentIndex(index >= 0 ? index : box == m_against ? box->count() - 1 : 0);
+    }
+}
+
+void MeasurePanel::addChosen()
+{
+    const auto info = m_capture.info(m_trace->currentData().toUInt());
+    if (!info)
+        return;
+    MeasureTable::Wanted wanted{info->registerId, info->kind,
+        static_cast<scope::Quantity>(m_quantity->currentData().toInt()), {}};
+    if (wanted.quantity == scope::Quantity::Phase) {
+        if (const auto second = m_capture.info(m_against->currentData().toUInt()))
+            wanted.against = second->registerId;
+    }
+    if (!m_table->add(wanted))
+        return;
+    measure(false);
+    m_list->setCurrentIndex(m_table->index(m_table->rowCount() - 1, 0));
+    for (int column = 0; column < MeasureTable::kColumns; ++column)
+        m_list->resizeColumnToContents(column);
+}
+
+void MeasurePanel::removeChosen()
+{
+    m_table->remove(m_list->currentIndex().row());
+    drawChosen();
+}
+
+void MeasurePanel::refresh(Milliseconds) { measure(false); }
+
+void MeasurePanel::focusFirst()
+{
+    m_trace->setFocus(Qt::ShortcutFocusReason);
+    measure(false);
+}
+
+/// Each whole record is counted once.
+void MeasurePanel::recordShown()
+{
+    const scope::Record *record = m_trigger.shown();
+    if (!record || record->state != scope::Record::State::Complete || record->id <= m_counted
+        || !m_scope.running())
+        return;
+    m_counted = record->id;
+    measure(true);
+}
+
+void MeasurePanel::measure(bool record)
+{
+    ScopeView::TimeRange range = m_scope.visibleRange();
+    const CursorPair &cursors = m_scope.cursors().pair();
+    if (m_range->currentIndex() == BetweenCursors && m_scope.cursors().visible())
+        range = {std::min(cursors.a, cursors.b), std::max(cursors.a, cursors.b)};
+    m_table->measure(range.from, range.to, record);
+    drawChosen();
+}
+
+/// What the chosen row measured is drawn over its trace, while the table can be seen.
+void MeasurePanel::drawChosen()
+{
+    m_scope.setMeasureMarks(
+        isVisible() ? m_table->marks(m_list->currentIndex().row()) : MeasureMarks());
+}
+
+void MeasurePanel::hideEvent(QHideEvent *event)
+{
+    Form::hideEvent(event);
+    m_scope.setMeasureMarks({});
+}
+
+bool MeasurePanel::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_list && event->type() == QEvent::KeyPress
+        && static_cast<QKeyEvent *>(event)->key() == Qt::Key_Delete) {
+        removeChosen();
+        return true;
+    }
+    return Form::eventFilter(watched, event);
+}
+
+} // namespace widgets

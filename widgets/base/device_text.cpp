@@ -1,0 +1,52 @@
+#include "widgets/base/device_text.h"
+
+#include <QTextDocument>
+
+namespace widgets {
+namespace {
+
+bool hidesOrReorders(QChar c)
+{
+    const auto category = c.category();
+    return category == QChar::Other_Control || category == QChar::Other_Format
+        || category == QChar::Separator_Line || category == QChar::Separator_Paragraph
+        || category == QChar::Other_PrivateUse;
+}
+
+} // namespace
+
+QString deviceText(const QString &text)
+{
+    QString shown;
+    for (const QChar c : text) {
+        if (shown.size() >= kDeviceTextLength) {
+            shown.truncate(kDeviceTextLength - 1);
+            return shown + QChar(0x2026);
+        }
+        if (c == QLatin1Char('\t'))
+            shown += QLatin1Char(' '); // vendors put one into their version texts
+        else if (hidesOrReorders(c))
+            shown += QStringLiteral("\\u%1").arg(ushort(c.unicode()), 4, 16, QLatin1Char('0'));
+        else
+            shown += c;
+    }
+    return shown.size() > kDeviceTextLength ? shown.left(kDeviceTextLength - 1) + QChar(0x2026)
+                                            : shown;
+}
+
+QString deviceText(std::string_view text)
+{
+    // Four bytes a character at most: no need to decode more than can be shown.
+    const auto size = std::min<std::size_t>(text.size(), std::size_t{4} * (kDeviceTextLength + 1));
+    return deviceText(QString::fromUtf8(text.data(), static_cast<qsizetype>(size)));
+}
+
+QString deviceToolTip(std::string_view text) { return deviceText(text).toHtmlEscaped(); }
+
+QString plainToolTip(const QString &text)
+{
+    return Qt::mightBeRichText(text) ? QStringLiteral("<span>%1</span>").arg(text.toHtmlEscaped())
+                                     : text;
+}
+
+} // namespace widgets

@@ -1,0 +1,301 @@
+#include "widgets/base/messages.h"
+
+#include "widgets/base/device_text.h"
+
+#include <QCoreApplication>
+
+namespace widgets {
+namespace {
+
+struct Messages {
+    Q_DECLARE_TR_FUNCTIONS(Messages)
+};
+
+} // namespace
+
+QString linkStateText(drive::LinkState state)
+{
+    using drive::LinkState;
+    switch (state) {
+    case LinkState::Closed:
+        return Messages::tr("not connected");
+    case LinkState::Connecting:
+        return Messages::tr("connecting");
+    case LinkState::Connected:
+        return Messages::tr("board answering");
+    case LinkState::Suspect:
+        return Messages::tr("board silent");
+    case LinkState::Recovering:
+        return Messages::tr("recovering");
+    case LinkState::Lost:
+        return Messages::tr("link lost");
+    }
+    return {};
+}
+
+QString linkReasonText(drive::LinkReason reason)
+{
+    using drive::LinkReason;
+    switch (reason) {
+    case LinkReason::None:
+        return {};
+    case LinkReason::NoAnswer:
+        return Messages::tr("The port is open but no board answers. Check the baud rate, the cable "
+                            "and the board's power.");
+    case LinkReason::OnlyGarbage:
+        return Messages::tr("Bytes arrive but make no sense. The baud rate is probably not the "
+                            "board's: try another one.");
+    case LinkReason::NoAgreement:
+        return Messages::tr("The board answers but does not agree on the settings of the link. "
+                            "Reset the board and connect again.");
+    case LinkReason::Silence:
+        return Messages::tr("The board went silent. Check the cable and the board's power.");
+    case LinkReason::RecoveryFailed:
+        return Messages::tr("Contact to the board could not be restored. Check the cable, reset "
+                            "the board and connect again.");
+    case LinkReason::BoardReset:
+        return Messages::tr("The board was reset. It is connected again; arm it before you go on.");
+    case LinkReason::OldProtocol:
+        return Messages::tr("The board speaks the protocol of older firmware. Choose that one, or "
+                            "Auto, and connect again.");
+    case LinkReason::OtherProtocol:
+        return Messages::tr("The board speaks the protocol of newer firmware. Choose that one, or "
+                            "Auto, and connect again.");
+    case LinkReason::NotReady:
+        return Messages::tr("The drive does not say that it is ready. Check its power and the "
+                            "ready line.");
+    case LinkReason::DeadLine:
+        return Messages::tr("Nobody drives the line to this computer. Check the wiring, the "
+                            "chip select and the drive's power.");
+    }
+    return {};
+}
+
+QString linkLostText(std::optional<std::chrono::milliseconds> watchdog)
+{
+    if (watchdog)
+        return Messages::tr("Link lost. The motor may still be turning; the drive is to stop it "
+                            "by itself after %1 ms.")
+            .arg(QString::number(watchdog->count()));
+    return Messages::tr(
+        "Link lost. The motor may still be turning (this drive has no communication time-out).");
+}
+
+QString portProblemText(const session::PortError &error, const QString &port)
+{
+    using session::PortProblem;
+    const QString name = deviceText(port);
+    const QString detail = deviceText(error.detail);
+    switch (error.problem) {
+    case PortProblem::None:
+        return {};
+    case PortProblem::NotFound:
+        return Messages::tr("There is no port %1. Plug the board in, then choose it from the list.")
+            .arg(name);
+    case PortProblem::NoPermission:
+        return Messages::tr(
+            "You may not use %1. Run \"sudo adduser $USER dialout\", then log out and in again.")
+            .arg(name);
+    case PortProblem::Busy:
+        return detail.isEmpty()
+            ? Messages::tr(
+                "%1 is in use by another program. Close that program, then connect again.")
+                  .arg(name)
+            : Messages::tr("%1 is in use (%2). Close that program, then connect again.")
+                  .arg(name, detail);
+    case PortProblem::BadSpeed:
+        return Messages::tr("%1 refuses this baud rate. Choose another one.").arg(name);
+    case PortProblem::Unplugged:
+        return Messages::tr("%1 was unplugged. The motor may still be turning (this drive has no "
+                            "communication time-out).")
+            .arg(name);
+    case PortProblem::BadFile:
+        return Messages::tr("The recording %1 cannot be read. Choose another file.").arg(name);
+    case PortProblem::Other:
+        return Messages::tr("%1 cannot be opened (%2). Check the cable, then connect again.")
+            .arg(name, detail);
+    }
+    return {};
+}
+
+QString outcomeText(drive::Outcome outcome)
+{
+    using drive::Outcome;
+    switch (outcome) {
+    case Outcome::Ok:
+        return Messages::tr("done");
+    case Outcome::Refused:
+        return Messages::tr("refused by the board");
+    case Outcome::NotSent:
+        return Messages::tr("not sent");
+    case Outcome::Unknown:
+        return Messages::tr("sent, but the answer was lost");
+    }
+    return {};
+}
+
+QString motorStateText(drive::MotorState state)
+{
+    using drive::MotorState;
+    switch (state) {
+    case MotorState::Unknown:
+        return Messages::tr("Unknown", "state of a motor");
+    case MotorState::Idle:
+        return Messages::tr("Idle", "state of a motor");
+    case MotorState::Starting:
+        return Messages::tr("Starting", "state of a motor");
+    case MotorState::Running:
+        return Messages::tr("Running", "state of a motor");
+    case MotorState::Stopping:
+        return Messages::tr("Stopping", "state of a motor");
+    case MotorState::FaultNow:
+        return Messages::tr("Fault present", "state of a motor");
+    case MotorState::FaultOver:
+        return Messages::tr("Fault over", "state of a motor; acknowledge to go on");
+    }
+    return {};
+}
+
+QString stopWordText(drive::StopWord word)
+{
+    using drive::StopWord;
+    switch (word) {
+    case StopWord::Requested:
+        return Messages::tr("stop requested");
+    case StopWord::Accepted:
+        return Messages::tr("accepted", "the board accepted the stop");
+    case StopWord::DriveIdle:
+        return Messages::tr("drive idle");
+    case StopWord::Standstill:
+        return Messages::tr("standstill measured");
+    case StopWord::NotConfirmed:
+        return Messages::tr("not confirmed");
+    }
+    return {};
+}
+
+QString motionCautionText(drive::MotionCaution caution, const QString &limit, const QString &speed)
+{
+    using drive::MotionCaution;
+    switch (caution) {
+    case MotionCaution::FirstStart:
+        return Messages::tr("It is the first start since the board was connected.");
+    case MotionCaution::Step:
+        return Messages::tr("The set-point moves by more than 20 % of the limit of %1.").arg(limit);
+    case MotionCaution::Reversal:
+        return Messages::tr("It acts against the way the motor turns now (%1).", "speed")
+            .arg(speed);
+    case MotionCaution::Position:
+        return Messages::tr("The shaft goes to an angle by itself, and is held there.");
+    case MotionCaution::OtherMode:
+        return Messages::tr("The control changes between speed and torque while the motor runs.");
+    }
+    return {};
+}
+
+QString motionActText(drive::MotionAct act)
+{
+    using drive::MotionAct;
+    switch (act) {
+    case MotionAct::Arm:
+        return Messages::tr("Arm");
+    case MotionAct::Disarm:
+        return Messages::tr("Disarm");
+    case MotionAct::Limits:
+        return Messages::tr("Own limits");
+    case MotionAct::Expert:
+        return Messages::tr("Expert mode");
+    case MotionAct::Start:
+        return Messages::tr("Start", "of a motor");
+    case MotionAct::Stop:
+        return Messages::tr("Stop motors");
+    case MotionAct::StopMotor:
+        return Messages::tr("Stop one motor");
+    case MotionAct::StopRamp:
+        return Messages::tr("Stop ramp");
+    case MotionAct::AcknowledgeFaults:
+        return Messages::tr("Acknowledge faults");
+    case MotionAct::SpeedRamp:
+        return Messages::tr("Speed ramp");
+    case MotionAct::TorqueRamp:
+        return Messages::tr("Torque ramp");
+    case MotionAct::CurrentReference:
+        return Messages::tr("Current reference");
+    case MotionAct::PositionRamp:
+        return Messages::tr("Position ramp");
+    case MotionAct::Write:
+        return Messages::tr("Write", "a register that can move something");
+    }
+    return {};
+}
+
+QString motionSourceText(drive::Source source)
+{
+    using drive::Source;
+    switch (source) {
+    case Source::Person:
+        return Messages::tr("person");
+    case Source::CommandLine:
+        return Messages::tr("command line");
+    case Source::Script:
+        return Messages::tr("script");
+    }
+    return {};
+}
+
+QString limitGapText(drive::LimitGap gap)
+{
+    using drive::LimitGap;
+    switch (gap) {
+    case LimitGap::MaxSpeed:
+        return Messages::tr("greatest speed");
+    case LimitGap::MaxCurrent:
+        return Messages::tr("greatest current");
+    case LimitGap::NominalCurrent:
+        return Messages::tr("nominal current");
+    }
+    return {};
+}
+
+QString stopNotConfirmedText()
+{
+    return Messages::tr("Stop NOT confirmed. Use the hardware stop.");
+}
+
+QString failureText(const QString &action, const drive::Ended &ended)
+{
+    if (ended.outcome == drive::Outcome::Ok)
+        return {};
+    const QString reason = deviceText(ended.reason);
+    const QString how = outcomeText(ended.outcome);
+    return reason.isEmpty()
+        ? Messages::tr("%1: %2.", "action: how it ended").arg(action, how)
+        : Messages::tr("%1: %2 (%3).", "action: how it ended (the board's word)")
+              .arg(action, how, reason);
+}
+
+QString csvErrorText(const session::CsvResult &result)
+{
+    using session::CsvError;
+    const QString path = deviceText(result.path);
+    const QString detail = deviceText(result.systemText);
+    switch (result.error) {
+    case CsvError::None:
+        return {};
+    case CsvError::Cancelled:
+        return Messages::tr("The export was cancelled; no file was written.");
+    case CsvError::NotAFile:
+        return Messages::tr("%1 is not a file. Choose another name.").arg(path);
+    case CsvError::CannotOpen:
+        return Messages::tr("%1 cannot be written (%2). Choose another folder.").arg(path, detail);
+    case CsvError::CannotWrite:
+        return Messages::tr("The disk did not take the file (%1). Make room or choose another "
+                            "folder; nothing was replaced.")
+            .arg(detail);
+    case CsvError::CannotReplace:
+        return Messages::tr("%1 cannot be replaced (%2). Choose another name.").arg(path, detail);
+    }
+    return {};
+}
+
+} // namespace widgets

@@ -1,0 +1,96 @@
+#include "widgets/control/command_box.h"
+
+#include "widgets/base/device_text.h"
+#include "widgets/control/motion_gate.h"
+#include "widgets/control/motor_button.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+
+namespace widgets {
+
+void applyAllowed(QWidget *widget, const MotionAllowed &can, const QString &help)
+{
+    if (!can.yes && widget->hasFocus())
+        widget->clearFocus(); // or it would move on by itself, to the next button
+    widget->setEnabled(can.yes);
+    widget->setToolTip(plainToolTip(can.yes ? help : can.why));
+}
+
+CommandBox::CommandBox(Device &device, MotionGate &motion, QWidget *parent)
+    : QWidget(parent)
+    , m_device(device)
+    , m_motion(motion)
+    , m_arm(new QCheckBox(tr("Arm: allow commands"), this))
+    , m_start(new MotorButton(tr("Start"), this))
+    , m_acknowledge(new MotorButton(tr("Acknowledge faults"), this))
+{
+    m_arm->setObjectName(QStringLiteral("arm"));
+    // A click leaves the focus where it is: the Space that follows is meant for the picture.
+    m_arm->setFocusPolicy(Qt::TabFocus);
+    m_start->setObjectName(QStringLiteral("start"));
+    m_start->setAccessibleName(tr("Start motor"));
+    m_start->setMinimumHeight(48);
+    auto *stop = new StopButton(this);
+    stop->setObjectName(QStringLiteral("stop"));
+    stop->setText(tr("Stop (Esc)"));
+    m_acknowledge->setObjectName(QStringLiteral("acknowledge"));
+
+    auto *grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(6);
+    grid->addWidget(m_arm, 0, 0, 1, 2);
+    grid->addWidget(m_start, 1, 0);
+    grid->addWidget(stop, 1, 1);
+    grid->addWidget(m_acknowledge, 2, 0, 1, 2);
+    grid->setColumnStretch(0, 1);
+
+    connect(m_arm, &QCheckBox::clicked, this, [this](bool wanted) {
+        m_device.setArmed(wanted);
+        follow(); // the box shows what the session has confirmed, not what was clicked
+    });
+    connect(m_start, &QPushButton::clicked, this, &CommandBox::start);
+    connect(stop, &StopButton::stopPressed, &m_device, &Device::stop);
+    connect(m_acknowledge, &QPushButton::clicked, this, &CommandBox::acknowledge);
+    follow();
+}
+
+QString CommandBox::startHint() const
+{
+    const MotionAllowed can = startAllowed(m_device);
+    return can.yes ? tr("Starts the motor (Ctrl+Enter).") : can.why;
+}
+
+QString CommandBox::acknowledgeHint() const
+{
+    const MotionAllowed can = acknowledgeAllowed(m_device);
+    return can.yes ? tr("Acknowledges the faults that are over (Ctrl+Backspace).") : can.why;
+}
+
+void CommandBox::follow()
+{
+    m_arm->setChecked(m_device.armed());
+    const MotionAllowed arm = armAllowed(m_device);
+    m_arm->setEnabled(arm.yes);
+    m_arm->setToolTip(arm.yes
+            ? tr("Until it is armed, nothing that writes or moves leaves Rotorscope. A stop, a "
+                 "lost link and a new connection disarm.")
+            : plainToolTip(arm.why));
+    applyAllowed(m_start, startAllowed(m_device), startHint());
+    applyAllowed(m_acknowledge, acknowledgeAllowed(m_device), acknowledgeHint());
+}
+
+void CommandBox::start()
+{
+    if (startAllowed(m_device).yes)
+        m_motion.want(tr("Start"), drive::Command{drive::MotorAction::Start, m_device.motor()});
+}
+
+void CommandBox::acknowledge()
+{
+    if (acknowledgeAllowed(m_device).yes)
+        m_motion.want(tr("Acknowledge"),
+            drive::Command{drive::MotorAction::AcknowledgeFaults, m_device.motor()});
+}
+
+} // namespace widgets

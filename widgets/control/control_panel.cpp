@@ -1,0 +1,186 @@
+#include "widgets/control/control_panel.h"
+
+#include "widgets/base/value_text.h"
+#include "widgets/control/command_box.h"
+#include "widgets/control/jog_box.h"
+#include "widgets/control/readout_box.h"
+#include "widgets/control/setpoint_box.h"
+#include "widgets/control/setpoint_edit.h"
+#include "widgets/control/state_box.h"
+#include "widgets/control/stop_words.h"
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace widgets {
+namespace {
+
+constexpr int kMargin = 10;
+
+QFrame *line(QWidget *parent)
+{
+    auto *frame = new QFrame(parent);
+    frame->setFrameShape(QFrame::HLine);
+    frame->setFrameShadow(QFrame::Sunken);
+    return frame;
+}
+
+} // namespace
+
+ControlPanel::ControlPanel(
+    Device &device, RegisterModel &registers, MotionGate &motion, QWidget *parent)
+    : QWidget(parent)
+    , m_device(device)
+    , m_state(new StateBox(device, this))
+    , m_commands(new CommandBox(device, motion, this))
+    , m_setpoints(new SetpointBox(device, registers, motion, this))
+    , m_jog(new JogBox(device, motion, this))
+    , m_readouts(new ReadoutBox(device, registers, this))
+    , m_limits(new QLabel(this))
+    , m_changeLimits(new QToolButton(this))
+    , m_words(new StopWords(this))
+{
+    setObjectName(QStringLiteral("controlPanel"));
+    auto *scroll = new QScrollArea(this);
+    scroll->setObjectName(QStringLiteral("controlScroll"));
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    QWidget *body = makeBody();
+    scroll->setWidget(body);
+    const int bar = scroll->verticalScrollBar()->sizeHint().width();
+    scroll->setMinimumWidth(body->minimumSizeHint().width() + bar);
+
+    auto *fixed = new QWidget(this);
+    auto *top = new QVBoxLayout(fixed);
+    top->setContentsMargins(kMargin, 8, kMargin, 0);
+    top->setSpacing(8);
+    top->addWidget(m_state);
+    top->addWidget(line(this));
+    top->addWidget(m_commands);
+    top->addWidget(m_words);
+    top->addWidget(line(this));
+    m_words->hide();
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(fixed);
+    layout->addWidget(scroll, 1);
+
+    connect(&device, &Device::linkStateChanged, this, &ControlPanel::follow);
+    connect(&device, &Device::statusChanged, this, &ControlPanel::follow);
+    connect(&device, &Device::armedStateChanged, this, &ControlPanel::follow);
+    connect(&device, &Device::boundsChanged, this, &ControlPanel::follow);
+    connect(&device, &Device::motorChanged, this, [this] {
+        m_setpoints->forget(); // what was typed was for the other motor
+        m_setpoints->expectReference();
+        follow();
+    });
+    connect(&device, &Device::identityChanged, this, [this] {
+        m_setpoints->expectReference();
+        follow();
+    });
+    connect(&device, &Device::stopAdvanced, this, &ControlPanel::stopAdvanced);
+    connect(m_readouts, &ReadoutBox::watchedRegistersChanged, this,
+        &ControlPanel::watchedRegistersChanged);
+    connect(m_readouts, &ReadoutBox::updated, this,
+        [this] { m_setpoints->takeReference(m_readouts->value("SPEED_REF")); });
+    connect(m_changeLimits, &QToolButton::clicked, this, &ControlPanel::limitsWanted);
+    follow();
+}
+
+QWidget *ControlPanel::makeBody()
+{
+    auto *body = new QWidget(this);
+    m_limits->setObjectName(QStringLiteral("limits"));
+    m_limits->setTextFormat(Qt::PlainText);
+    m_limits->setWordWrap(true);
+    m_changeLimits->setObjectName(QStringLiteral("changeLimits"));
+    m_changeLimits->setText(tr("Change\u2026", "the limits"));
+    m_changeLimits->setAccessibleName(tr("Change own limits"));
+    m_changeLimits->setFocusPolicy(Qt::TabFocus);
+    auto *limits = new QHBoxLayout;
+    limits->addWidget(m_limits, 1);
+    limits->addWidget(m_changeLimits, 0, Qt::AlignTop);
+    auto *layout = new QVBoxLayout(body);
+    layout->setContentsMargins(kMargin, 8, kMargin, 8);
+    layout->setSpacing(8);
+    layout->addWidget(m_setpoints);
+    layout->addWidget(line(this));
+    layout->addWidget(m_jog);
+    layout->addWidget(line(this));
+    layout->addWidget(m_readouts);
+    layout->addLayout(limits);
+    layout->addStretch(1);
+    return body;
+}
+
+std::vector<catalog::RegisterId> ControlPanel::watchedRegisters() const
+{
+    return m_readouts->watchedRegisters();
+}
+
+SetpointEdit *ControlPanel::speed() const { return m_setpoints->speed(); }
+QString ControlPanel::startHint() const { return m_commands->startHint(); }
+QString ControlPanel::acknowledgeHint() const { return m_commands->acknowledgeHint(); }
+
+void ControlPanel::refresh(Milliseconds now)
+{
+    m_now = now;
+    m_words->refresh(now);
+    m_jog->refresh(now);
+}
+
+void ControlPanel::follow()
+{
+    m_commands->follow();
+    m_setpoints->follow();
+    m_jog->follow();
+    showLimits();
+}
+
+void ControlPanel::showLimits()
+{
+    const int motor = m_device.motor();
+    const drive::MotionBounds bounds = m_device.bounds(motor);
+    const drive::UserLimits &own = m_device.userLimits();
+    const auto text = [](double bound, double ownLimit, int decimals, const QString &unit) {
+        if (!(bound > 0.0))
+            return tr("not known", "a limit");
+        const QString number = numberText(bound, decimals) + QChar(0x202f) + unit;
+        return bound == ownLimit ? tr("%1 (yours)", "a limit of the person's own").arg(number)
+                                 : number;
+    };
+    QString all;
+    if (!m_device.identified())
+        all = tr("Limits: not known before a board is connected");
+    else
+        all = tr("Limits: %1, %2", "speed, current")
+                  .arg(text(bounds.rpm, own.maxSpeedRpm, 0, tr("rpm")),
+                      text(bounds.amps, own.maxCurrentAmps, 2, QStringLiteral("A")));
+    if (m_device.expert(motor))
+        all += QLatin1Char('\n') + tr("Expert mode: the board does not tell all limits.");
+    m_limits->setText(all);
+}
+
+void ControlPanel::stopAdvanced(const drive::StopProgress &progress)
+{
+    m_words->show();
+    m_words->take(progress, m_now);
+    if (progress.word == drive::StopWord::Requested)
+        m_setpoints->forget();
+}
+
+void ControlPanel::start() { m_commands->start(); }
+void ControlPanel::acknowledge() { m_commands->acknowledge(); }
+void ControlPanel::go() { m_setpoints->go(); }
+void ControlPanel::stopRamp() { m_setpoints->stopRamp(); }
+void ControlPanel::toggleArmed() { m_device.setArmed(!m_device.armed()); }
+
+} // namespace widgets

@@ -1,0 +1,260 @@
+#include "widgets/control/motion_gate.h"
+
+#include "drive/control_mode.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/messages.h"
+#include "widgets/base/value_text.h"
+
+#include <cmath>
+
+namespace widgets {
+namespace {
+
+constexpr int kAmpDecimals = 2, kRadDecimals = 3;
+constexpr std::chrono::milliseconds kJogRamp{200};
+
+int motorOf(const drive::WishContent &act)
+{
+    return std::visit(
+        [](const auto &what) {
+            if constexpr (requires { what.motor; })
+                return what.motor;
+            else
+                return 1;
+        },
+        act);
+}
+
+bool isStart(const drive::WishContent &act)
+{
+    const auto *command = std::get_if<drive::Command>(&act);
+    return command != nullptr && command->action == drive::MotorAction::Start;
+}
+
+} // namespace
+
+MotionGate::MotionGate(Device &device, RegisterModel &registers, QObject *parent)
+    : QObject(parent)
+    , m_device(device)
+    , m_registers(registers)
+{
+    connect(&device, &Device::wishEnded, this, &MotionGate::ended);
+    connect(&device, &Device::identityChanged, this, [this] {
+        m_started.clear();
+        m_agreed.clear();
+        withdraw();
+    });
+    connect(&device, &Device::motorChanged, this, &MotionGate::withdraw);
+    connect(&device, &Device::stopWished, this, &MotionGate::withdraw);
+    connect(&device, &Device::armedStateChanged, this, [this](bool armed) {
+        if (!armed)
+            withdraw();
+    });
+    connect(&device, &Device::linkStateChanged, this, [this] {
+        if (m_device.answering())
+            return;
+        const bool asked = asking();
+        withdraw();
+        if (asked)
+            Q_EMIT failed(tr("The question was withdrawn, and nothing was sent: the board stopped "
+                             "answering for a moment. Press again to be asked again."));
+    });
+}
+
+void MotionGate::want(const QString &action, drive::WishContent act)
+{
+    want(action, std::vector<drive::WishContent>{std::move(act)});
+}
+
+void MotionGate::want(const QString &action, std::vector<drive::WishContent> acts)
+{
+    if (asking() || acts.empty() || needsExpert(acts))
+        return;
+    m_action = action;
+    m_asked = std::move(acts);
+    m_agreeOnly = false;
+    wouldAsk(m_asked) ? ask() : send();
+}
+
+bool MotionGate::jog(const QString &action, int motor, std::int32_t rpm)
+{
+    std::vector<drive::WishContent> acts{
+        drive::SpeedRamp{motor, rpm, kJogRamp}, drive::Command{drive::MotorAction::Start, motor}};
+    if (asking() || needsExpert(acts))
+        return false;
+    m_action = action;
+    m_asked = std::move(acts);
+    m_agreeOnly = !jogAgreed(motor);
+    if (m_agreeOnly) {
+        ask();
+        return false;
+    }
+    send();
+    return true;
+}
+
+/// Whether one of them moves a motor whose limits are not all known: it would be refused.
+bool MotionGate::needsExpert(const std::vector<drive::WishContent> &acts)
+{
+    for (const drive::WishContent &act : acts) {
+        const auto *command = std::get_if<drive::Command>(&act);
+        const bool moves = command == nullptr || command->action == drive::MotorAction::Start;
+        const int motor = motorOf(act);
+        if (moves && !m_device.expert(motor) && !drive::gapsIn(m_device.limits(motor)).empty()) {
+            Q_EMIT expertNeeded(motor);
+            return true;
+        }
+    }
+    return false;
+}
+
+void MotionGate::ask()
+{
+    MotionQuestion question{motorOf(m_asked.front()), m_action, {}};
+    drive::MotionScene scene = sceneOf(question.motor);
+    for (const drive::WishContent &act : m_asked) {
+        question.lines += linesOf(act, scene);
+        if (const auto *ramp = std::get_if<drive::SpeedRamp>(&act))
+            scene.speedReferenceRpm = ramp->rpm; // what a start after it goes to
+    }
+    if (m_agreeOnly)
+        question.lines.append(tr("Nothing moves now: press and hold again after you have agreed."));
+    Q_EMIT asked(question);
+}
+
+bool MotionGate::wouldAsk(const std::vector<drive::WishContent> &acts) const
+{
+    return std::any_of(acts.begin(), acts.end(), [this](const drive::WishContent &act) {
+        return !drive::cautionsOf(act, sceneOf(motorOf(act))).empty();
+    });
+}
+
+void MotionGate::confirm()
+{
+    if (!asking())
+        return;
+    if (!m_device.armed() || !m_device.answering())
+        return withdraw();
+    if (!std::exchange(m_agreeOnly, false))
+        return send();
+    m_agreed.insert(motorOf(m_asked.front()));
+    m_asked.clear();
+}
+
+void MotionGate::decline() { m_asked.clear(); }
+
+void MotionGate::withdraw()
+{
+    m_rest.clear();
+    if (!asking())
+        return;
+    m_asked.clear();
+    Q_EMIT withdrawn();
+}
+
+void MotionGate::send()
+{
+    m_rest = std::exchange(m_asked, {});
+    sendNext();
+}
+
+void MotionGate::sendNext()
+{
+    const drive::WishContent act = m_rest.front();
+    m_rest.erase(m_rest.begin());
+    const Open open{m_action, isStart(act) ? motorOf(act) : 0};
+    m_last = m_device.submit(act);
+    m_open.insert(m_last, open);
+}
+
+void MotionGate::ended(const drive::Ended &ended)
+{
+    if (!m_open.contains(ended.id))
+        return;
+    const Open open = m_open.take(ended.id);
+    const bool mayHaveStarted =
+        ended.outcome == drive::Outcome::Ok || ended.outcome == drive::Outcome::Unknown;
+    if (open.startOf > 0 && mayHaveStarted)
+        m_started.insert(open.startOf);
+    if (ended.id == m_last && !m_rest.empty()) {
+        if (ended.outcome == drive::Outcome::Ok && m_device.armed() && m_device.answering())
+            sendNext();
+        else
+            m_rest.clear();
+    }
+    if (ended.outcome != drive::Outcome::Ok)
+        Q_EMIT failed(failureText(open.action, ended));
+}
+
+/// Newest value of a register of a motor; empty if there is none or it is stale.
+std::optional<double> MotionGate::reading(const char *name, int motor) const
+{
+    const auto catalog = m_device.catalog();
+    const catalog::RegisterInfo *info = catalog ? catalog->find(name) : nullptr;
+    if (info == nullptr)
+        return {};
+    return m_registers.shownValue(info->perMotor ? catalog->withMotor(*info, motor) : info->id);
+}
+
+drive::MotionScene MotionGate::sceneOf(int motor) const
+{
+    const drive::MotorStatus status = m_device.status(motor);
+    drive::MotionScene scene;
+    scene.state = status.state;
+    scene.startedBefore = m_started.contains(motor) || m_agreed.contains(motor);
+    scene.bounds = m_device.bounds(motor);
+    scene.speedRpm = status.speedRpm;
+    scene.speedReferenceRpm = reading("SPEED_REF", motor);
+    scene.iqReferenceAmps = reading("I_Q_REF", motor);
+    scene.idReferenceAmps = reading("I_D_REF", motor);
+    if (const auto mode = reading("CONTROL_MODE", motor))
+        scene.torqueMode = drive::controlModeOf(std::llround(*mode)) == drive::ControlMode::Torque;
+    return scene;
+}
+
+QStringList MotionGate::linesOf(
+    const drive::WishContent &act, const drive::MotionScene &scene) const
+{
+    const QString rpm = tr("rpm"), amps = QStringLiteral("A");
+    const auto number = [](std::optional<double> value, int decimals, const QString &unit) {
+        return value ? numberText(*value, decimals) + QChar(0x202f) + unit
+                     : tr("not known", "the old value");
+    };
+    QString change;
+    if (isStart(act))
+        change = tr("%1 \u2192 start, then to %2", "state now, speed it will go to")
+                     .arg(motorStateText(scene.state), number(scene.speedReferenceRpm, 0, rpm));
+    else if (const auto *speed = std::get_if<drive::SpeedRamp>(&act))
+        change = tr("speed %1 \u2192 %2 in %3 ms", "old, new, time")
+                     .arg(number(scene.speedReferenceRpm, 0, rpm), number(speed->rpm, 0, rpm),
+                         QString::number(speed->duration.count()));
+    else if (const auto *torque = std::get_if<drive::TorqueRamp>(&act))
+        change = tr("current Iq %1 \u2192 %2 in %3 ms", "old, new, time")
+                     .arg(number(scene.iqReferenceAmps, kAmpDecimals, amps),
+                         number(torque->amps, kAmpDecimals, amps),
+                         QString::number(torque->duration.count()));
+    else if (const auto *current = std::get_if<drive::CurrentReference>(&act))
+        change = tr("Iq %1 \u2192 %2, Id %3 \u2192 %4, at once", "old, new, old, new")
+                     .arg(number(scene.iqReferenceAmps, kAmpDecimals, amps),
+                         number(current->iqAmps, kAmpDecimals, amps),
+                         number(scene.idReferenceAmps, kAmpDecimals, amps),
+                         number(current->idAmps, kAmpDecimals, amps));
+    else if (const auto *position = std::get_if<drive::PositionRamp>(&act))
+        change = tr("position %1 \u2192 %2 in %3 ms", "old, new, time")
+                     .arg(number(reading("CURRENT_POSITION", position->motor), kRadDecimals,
+                              QStringLiteral("rad")),
+                         number(position->radians, kRadDecimals, QStringLiteral("rad")),
+                         QString::number(position->duration.count()));
+    QStringList lines{
+        tr("Motor %1: %2", "number, change").arg(QString::number(motorOf(act)), change)};
+    const bool ofCurrent = !std::holds_alternative<drive::SpeedRamp>(act);
+    for (const drive::MotionCaution caution : drive::cautionsOf(act, scene))
+        lines.append(QStringLiteral("\u2013 ")
+            + motionCautionText(caution,
+                ofCurrent ? number(scene.bounds.amps, kAmpDecimals, amps)
+                          : number(scene.bounds.rpm, 0, rpm),
+                number(scene.speedRpm, 0, rpm)));
+    return lines;
+}
+
+} // namespace widgets

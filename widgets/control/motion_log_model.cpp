@@ -1,0 +1,132 @@
+#include "widgets/control/motion_log_model.h"
+
+#include "widgets/base/device_text.h"
+#include "widgets/base/messages.h"
+
+namespace widgets {
+namespace {
+
+QString bytesText(const drive::MotionRecord &record)
+{
+    QStringList parts;
+    for (const Bytes &request : record.sent)
+        parts.append(QString::fromLatin1(QByteArray(
+            reinterpret_cast<const char *>(request.data()), static_cast<qsizetype>(request.size()))
+                                             .toHex(' ')
+                                             .toUpper()));
+    if (record.requests > record.sent.size())
+        parts.append(QStringLiteral("\u2026"));
+    return parts.join(QStringLiteral(" | "));
+}
+
+} // namespace
+
+MotionLogModel::MotionLogModel(QObject *parent)
+    : QAbstractTableModel(parent)
+{
+}
+
+void MotionLogModel::take(const drive::MotionRecord &record, const QDateTime &now)
+{
+    if (m_log.size() >= kMost) {
+        ++m_leftOut;
+        return;
+    }
+    const int row = static_cast<int>(m_log.size());
+    beginInsertRows({}, row, row);
+    m_log.push_back(session::loggedNow(record, now));
+    endInsertRows();
+}
+
+QByteArray MotionLogModel::text() const
+{
+    return session::motionLogText(m_log, session::motionLogWho(QStringLiteral("Rotorscope")));
+}
+
+QString MotionLogModel::copyText(const QList<int> &rows) const
+{
+    QStringList lines;
+    for (const int row : rows) {
+        if (row < 0 || row >= rowCount())
+            continue;
+        QStringList cells;
+        for (int column = 0; column < ColumnCount; ++column)
+            cells.append(cell(m_log[static_cast<std::size_t>(row)], column));
+        lines.append(cells.join(QLatin1Char('\t')));
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+int MotionLogModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_log.size());
+}
+
+int MotionLogModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QString MotionLogModel::cell(const session::LoggedMotion &one, int column) const
+{
+    const drive::MotionRecord &record = one.record;
+    switch (column) {
+    case TimeColumn:
+        return one.asked.toLocalTime().toString(QStringLiteral("HH:mm:ss.zzz"));
+    case MotorColumn:
+        return record.motor > 0 ? QString::number(record.motor) : QStringLiteral("\u2013");
+    case ActColumn:
+        return motionActText(record.act);
+    case DetailColumn:
+        return deviceText(record.detail);
+    case OutcomeColumn: {
+        const QString end = record.stop ? stopWordText(*record.stop) : outcomeText(record.outcome);
+        return record.reason.empty()
+            ? end
+            : tr("%1 (%2)", "outcome, the board's word").arg(end, deviceText(record.reason));
+    }
+    case SourceColumn:
+        return motionSourceText(record.source);
+    case BytesColumn:
+        return bytesText(record);
+    default:
+        return {};
+    }
+}
+
+QVariant MotionLogModel::data(const QModelIndex &index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    if (role == Qt::DisplayRole || role == Qt::ToolTipRole) {
+        const QString text = cell(m_log[static_cast<std::size_t>(index.row())], index.column());
+        return role == Qt::ToolTipRole ? plainToolTip(text) : text;
+    }
+    return {};
+}
+
+QVariant MotionLogModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (role != Qt::DisplayRole || orientation != Qt::Horizontal)
+        return {};
+    switch (section) {
+    case TimeColumn:
+        return tr("Time");
+    case MotorColumn:
+        return tr("Motor");
+    case ActColumn:
+        return tr("Act");
+    case DetailColumn:
+        return tr("What");
+    case OutcomeColumn:
+        return tr("Outcome");
+    case SourceColumn:
+        return tr("From");
+    case BytesColumn:
+        return tr("Bytes sent");
+    default:
+        return {};
+    }
+}
+
+} // namespace widgets

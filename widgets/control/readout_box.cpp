@@ -1,0 +1,112 @@
+#include "widgets/control/readout_box.h"
+
+#include "widgets/base/device_text.h"
+#include "widgets/base/value_text.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+#include <cmath>
+
+namespace widgets {
+
+QString steadyText(const RegisterModel &registers, std::optional<catalog::RegisterId> id)
+{
+    const QString dash = QStringLiteral("\u2013");
+    const auto catalog = registers.catalog();
+    if (!id || !catalog)
+        return dash;
+    const auto value = registers.shownValue(*id);
+    const catalog::RegisterInfo *info = catalog->find(*id);
+    if (!value || info == nullptr)
+        return dash;
+    if (info->type != catalog::ValueType::F32 && info->fractionBits == 0)
+        return registers.text(*id);
+    // A number without a step of its own: as many digits as a meter has.
+    const double size = std::abs(*value);
+    const int decimals = size < 10.0 ? 2 : size < 100.0 ? 1 : 0;
+    const QString unit = deviceText(catalog->readScale(*id).unit);
+    return numberText(*value, decimals) + (unit.isEmpty() ? QString() : QChar(0x202f) + unit);
+}
+
+ReadoutBox::ReadoutBox(Device &device, RegisterModel &registers, QWidget *parent)
+    : QWidget(parent)
+    , m_device(device)
+    , m_registers(registers)
+{
+    auto *grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(2);
+    const std::pair<const char *, QString> rows[] = {
+        {"SPEED_MEAS", tr("Measured speed")},
+        {"SPEED_REF", tr("Speed reference")},
+        {"I_Q_MEAS", tr("Current Iq")},
+        {"BUS_VOLTAGE", tr("Bus voltage")},
+        {"MOTOR_POWER", tr("Power")},
+        {"HEATS_TEMP", tr("Power stage")},
+    };
+    for (const auto &[name, text] : rows) {
+        auto *label = new QLabel(text, this);
+        auto *value = new QLabel(this);
+        value->setTextFormat(Qt::PlainText);
+        value->setObjectName(QLatin1String(name));
+        value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        const int row = static_cast<int>(m_rows.size());
+        grid->addWidget(label, row, 0);
+        grid->addWidget(value, row, 1);
+        m_rows.push_back({name, label, value, {}});
+    }
+    // What the questions before a motion are judged by.
+    for (const char *name : {"I_Q_REF", "I_D_REF", "CONTROL_MODE"})
+        m_rows.push_back({name, nullptr, nullptr, {}});
+    grid->setColumnStretch(1, 1);
+    connect(&device, &Device::motorChanged, this, &ReadoutBox::resolve);
+    connect(&device, &Device::identityChanged, this, &ReadoutBox::resolve);
+    connect(&registers, &QAbstractItemModel::dataChanged, this, &ReadoutBox::update);
+    connect(&registers, &QAbstractItemModel::modelReset, this, &ReadoutBox::resolve);
+    update();
+}
+
+std::vector<catalog::RegisterId> ReadoutBox::watchedRegisters() const
+{
+    std::vector<catalog::RegisterId> ids;
+    for (const Row &row : m_rows)
+        if (row.id)
+            ids.push_back(*row.id);
+    return ids;
+}
+
+std::optional<double> ReadoutBox::value(const char *name) const
+{
+    for (const Row &row : m_rows)
+        if (row.id && std::string_view(row.name) == name)
+            return m_registers.shownValue(*row.id);
+    return {};
+}
+
+void ReadoutBox::resolve()
+{
+    const auto catalog = m_device.catalog();
+    for (Row &row : m_rows) {
+        row.id.reset();
+        const catalog::RegisterInfo *info = catalog ? catalog->find(row.name) : nullptr;
+        if (info && info->readable() && !info->stub)
+            row.id = info->perMotor ? catalog->withMotor(*info, m_device.motor()) : info->id;
+        const bool there = row.id.has_value() || !catalog;
+        for (QLabel *label : {row.label, row.value})
+            if (label)
+                label->setVisible(there);
+    }
+    update();
+    Q_EMIT watchedRegistersChanged();
+}
+
+void ReadoutBox::update()
+{
+    for (const Row &row : m_rows)
+        if (row.value)
+            row.value->setText(steadyText(m_registers, row.id));
+    Q_EMIT updated();
+}
+
+} // namespace widgets

@@ -1,0 +1,270 @@
+#include "widgets/control/setpoint_box.h"
+
+#include "drive/control_mode.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/wheel_guard.h"
+#include "widgets/control/command_box.h"
+#include "widgets/control/motion_gate.h"
+#include "widgets/control/motor_button.h"
+#include "widgets/control/setpoint_edit.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+
+namespace widgets {
+namespace {
+
+constexpr double kRpmStep = 6.0; // one digit of speed is 0.1 Hz
+constexpr double kFallbackLimitRpm = 32766.0; // speeds beyond 16 bits are cut by the board
+constexpr double kAmpStep = 0.01;
+constexpr double kLongestRampMs = 65535.0, kRampTimeMs = 500.0, kRampTimeNotchMs = 100.0;
+
+QLabel *plainLabel(QWidget *parent, const char *objectName)
+{
+    auto *label = new QLabel(parent);
+    label->setTextFormat(Qt::PlainText);
+    label->setObjectName(QLatin1String(objectName));
+    return label;
+}
+
+} // namespace
+
+SetpointBox::SetpointBox(
+    Device &device, RegisterModel &registers, MotionGate &motion, QWidget *parent)
+    : QWidget(parent)
+    , m_device(device)
+    , m_registers(registers)
+    , m_motion(motion)
+    , m_mode(new QComboBox(this))
+    , m_control(plainLabel(this, "controlMode"))
+    , m_firstLabel(plainLabel(this, "firstLabel"))
+    , m_secondLabel(plainLabel(this, "secondLabel"))
+    , m_timeLabel(plainLabel(this, "timeLabel"))
+    , m_speed(makeEdit("speed", tr("Speed set-point in rpm")))
+    , m_torque(makeEdit("torque", tr("Torque set-point in ampere")))
+    , m_iq(makeEdit("iqReference", tr("Reference of the current Iq in ampere")))
+    , m_id(makeEdit("idReference", tr("Reference of the current Id in ampere")))
+    , m_echo(plainLabel(this, "speedEcho"))
+    , m_rampTime(makeEdit("rampTime", tr("Ramp time in milliseconds")))
+    , m_go(new MotorButton(tr("Go", "send the set-point"), this))
+    , m_stopRamp(new MotorButton(tr("Stop ramp"), this))
+{
+    m_mode->setObjectName(QStringLiteral("setpointMode"));
+    m_mode->setAccessibleName(tr("Kind of set-point"));
+    m_mode->addItems({tr("Speed", "kind of set-point"), tr("Torque (Iq)", "kind of set-point"),
+        tr("Currents (Iq, Id)", "kind of set-point")});
+    new WheelGuard(m_mode);
+    m_echo->setWordWrap(true);
+    m_echo->setEnabled(false);
+    m_control->setEnabled(false);
+    m_rampTime->setLimits(kLongestRampMs, 1.0, QStringLiteral("ms"));
+    m_rampTime->setNegativeAllowed(false);
+    m_rampTime->setNotch(kRampTimeNotchMs);
+    m_rampTime->setValue(kRampTimeMs);
+    m_timeLabel->setText(tr("Ramp time [ms]"));
+    m_timeLabel->setBuddy(m_rampTime);
+    m_secondLabel->setText(tr("Id [A]"));
+    m_secondLabel->setBuddy(m_id);
+    m_go->setObjectName(QStringLiteral("go"));
+    m_stopRamp->setObjectName(QStringLiteral("stopRamp"));
+    makeLayout();
+
+    connect(m_mode, &QComboBox::currentIndexChanged, this, &SetpointBox::showMode);
+    connect(m_go, &QPushButton::clicked, this, &SetpointBox::go);
+    connect(m_stopRamp, &QPushButton::clicked, this, &SetpointBox::stopRamp);
+    connect(&device, &Device::boundsChanged, this, &SetpointBox::updateLimits);
+    connect(&device, &Device::motorChanged, this, &SetpointBox::updateLimits);
+    connect(&device, &Device::identityChanged, this, &SetpointBox::updateLimits);
+    updateLimits();
+    showMode();
+}
+
+SetpointEdit *SetpointBox::makeEdit(const char *name, const QString &accessible)
+{
+    auto *edit = new SetpointEdit(this);
+    edit->setObjectName(QLatin1String(name));
+    edit->setAccessibleName(accessible);
+    connect(edit, &SetpointEdit::echoChanged, this, &SetpointBox::follow);
+    connect(edit, &SetpointEdit::committed, this, &SetpointBox::go);
+    return edit;
+}
+
+void SetpointBox::makeLayout()
+{
+    auto *grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(6);
+    grid->addWidget(m_mode, 0, 0);
+    grid->addWidget(m_control, 0, 1, Qt::AlignRight);
+    grid->addWidget(m_firstLabel, 1, 0);
+    for (SetpointEdit *edit : {m_speed, m_torque, m_iq})
+        grid->addWidget(edit, 1, 1);
+    grid->addWidget(m_secondLabel, 2, 0);
+    grid->addWidget(m_id, 2, 1);
+    grid->addWidget(m_echo, 3, 0, 1, 2);
+    grid->addWidget(m_timeLabel, 4, 0);
+    grid->addWidget(m_rampTime, 4, 1);
+    grid->addWidget(m_go, 5, 0);
+    grid->addWidget(m_stopRamp, 5, 1);
+    grid->setColumnStretch(0, 1);
+    grid->setColumnStretch(1, 1);
+}
+
+SetpointBox::Mode SetpointBox::mode() const { return static_cast<Mode>(m_mode->currentIndex()); }
+
+void SetpointBox::setMode(Mode mode) { m_mode->setCurrentIndex(static_cast<int>(mode)); }
+
+void SetpointBox::showMode()
+{
+    const Mode shown = mode();
+    m_speed->setVisible(shown == Mode::Speed);
+    m_torque->setVisible(shown == Mode::Torque);
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_iq, m_id, m_secondLabel})
+        widget->setVisible(shown == Mode::Currents);
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_timeLabel, m_rampTime, m_stopRamp})
+        widget->setVisible(shown != Mode::Currents);
+    m_firstLabel->setText(shown == Mode::Speed ? tr("Speed [rpm]") : tr("Iq [A]"));
+    m_firstLabel->setBuddy(shownEdits().first());
+    follow();
+}
+
+QList<SetpointEdit *> SetpointBox::shownEdits() const
+{
+    switch (mode()) {
+    case Mode::Torque:
+        return {m_torque, m_rampTime};
+    case Mode::Currents:
+        return {m_iq, m_id};
+    case Mode::Speed:
+        break;
+    }
+    return {m_speed, m_rampTime};
+}
+
+drive::Feature SetpointBox::feature() const
+{
+    return mode() == Mode::Torque  ? drive::Feature::TorqueRamp
+        : mode() == Mode::Currents ? drive::Feature::CurrentReference
+                                   : drive::Feature::SpeedRamp;
+}
+
+void SetpointBox::updateLimits()
+{
+    // What the board does not tell is refused below, with the reason: the field need not know it.
+    const drive::MotionBounds bounds = m_device.bounds(m_device.motor());
+    m_speed->setLimits(
+        bounds.rpm > 0.0 ? std::min(bounds.rpm, kFallbackLimitRpm) : kFallbackLimitRpm, kRpmStep,
+        tr("rpm"));
+    for (SetpointEdit *edit : {m_torque, m_iq, m_id})
+        edit->setLimits(
+            bounds.amps > 0.0 ? bounds.amps : drive::kHighestAmps, kAmpStep, QStringLiteral("A"));
+    follow();
+}
+
+QString SetpointBox::echo() const
+{
+    // What is wrong, else whatever does not become what was typed.
+    QStringList rounded;
+    for (const SetpointEdit *edit : shownEdits()) {
+        if (!edit->sentValue())
+            return edit->echo();
+        if (edit->sentValue() != edit->value())
+            rounded.append(edit->echo());
+    }
+    return rounded.isEmpty() ? shownEdits().first()->echo() : rounded.join(QLatin1Char('\n'));
+}
+
+bool SetpointBox::readable() const
+{
+    const auto edits = shownEdits();
+    return std::all_of(edits.begin(), edits.end(),
+        [](const SetpointEdit *edit) { return edit->sentValue().has_value(); });
+}
+
+/// What the board controls now, if it says so.
+QString SetpointBox::controlText() const
+{
+    const auto catalog = m_device.catalog();
+    const catalog::RegisterInfo *info = catalog ? catalog->find("CONTROL_MODE") : nullptr;
+    if (info == nullptr)
+        return {};
+    const auto value = m_registers.shownValue(
+        info->perMotor ? catalog->withMotor(*info, m_device.motor()) : info->id);
+    if (!value)
+        return {};
+    switch (drive::controlModeOf(static_cast<std::int64_t>(*value))) {
+    case drive::ControlMode::Speed:
+        return tr("controls speed", "the board does now");
+    case drive::ControlMode::Torque:
+        return tr("controls torque", "the board does now");
+    case drive::ControlMode::Other:
+        break;
+    }
+    return {};
+}
+
+void SetpointBox::follow()
+{
+    MotionAllowed can = motionAllowed(m_device, feature());
+    for (SetpointEdit *edit : {m_speed, m_torque, m_iq, m_id, m_rampTime})
+        edit->setWheelAllowed(can.yes);
+    m_echo->setText(echo());
+    m_control->setText(controlText());
+    applyAllowed(m_stopRamp, motionAllowed(m_device, drive::Feature::SpeedRamp),
+        tr("Ends a ramp where it is; the motor goes on turning."));
+    if (can.yes && !readable())
+        can = {false, echo()};
+    applyAllowed(m_go, can,
+        mode() == Mode::Currents
+            ? tr("Sets both currents at once (Enter in a field does the same).")
+            : tr("Sends the set-point as a ramp (Enter in the field does the same)."));
+}
+
+void SetpointBox::go()
+{
+    if (!readable() || !motionAllowed(m_device, feature()).yes)
+        return;
+    const int motor = m_device.motor();
+    const std::chrono::milliseconds time(
+        static_cast<std::int64_t>(m_rampTime->sentValue().value_or(0.0))); // currents have none
+    switch (mode()) {
+    case Mode::Speed:
+        m_motion.want(tr("Speed ramp"),
+            drive::SpeedRamp{motor, static_cast<std::int32_t>(*m_speed->sentValue()), time});
+        break;
+    case Mode::Torque:
+        m_motion.want(tr("Torque ramp"), drive::TorqueRamp{motor, *m_torque->sentValue(), time});
+        break;
+    case Mode::Currents:
+        m_motion.want(tr("Current reference"),
+            drive::CurrentReference{motor, *m_iq->sentValue(), *m_id->sentValue()});
+        break;
+    }
+}
+
+void SetpointBox::stopRamp()
+{
+    if (motionAllowed(m_device, drive::Feature::SpeedRamp).yes)
+        m_motion.want(
+            tr("Stop ramp"), drive::Command{drive::MotorAction::StopRamp, m_device.motor()});
+}
+
+void SetpointBox::forget()
+{
+    m_takeReference = false;
+    for (SetpointEdit *edit : {m_speed, m_torque, m_iq, m_id})
+        edit->setValue(0.0);
+}
+
+void SetpointBox::expectReference() { m_takeReference = true; }
+
+void SetpointBox::takeReference(std::optional<double> rpm)
+{
+    if (!m_takeReference || m_speed->isModified() || !rpm)
+        return;
+    m_speed->setValue(*rpm);
+    m_takeReference = false;
+}
+
+} // namespace widgets

@@ -1,0 +1,70 @@
+// SetpointBox: the quick set-points of one motor: a speed, a torque current within a time, or both currents at once.
+// Which one is shown is a person's choice and sends nothing; the board changes its control with the first set-point.
+#pragma once
+
+#include "widgets/base/device.h"
+#include "widgets/registers/register_model.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+
+namespace widgets {
+
+class MotionGate;
+class MotorButton;
+class SetpointEdit;
+
+class SetpointBox : public QWidget {
+    Q_OBJECT
+public:
+    enum class Mode : std::uint8_t { Speed, Torque, Currents };
+
+    SetpointBox(
+        Device &device, RegisterModel &registers, MotionGate &motion, QWidget *parent = nullptr);
+
+    SetpointEdit *speed() const { return m_speed; }
+    Mode mode() const;
+    void setMode(Mode mode);
+
+public Q_SLOTS:
+    void go();
+    void stopRamp();
+    void follow(); ///< the device may allow something else now
+    void forget(); ///< nothing of a set-point is left to be sent by accident
+    /// The speed begins with what the board would do anyway, once and not over what a person has typed.
+    void takeReference(std::optional<double> rpm);
+    void expectReference(); ///< a board was met: takeReference() counts again
+
+private:
+    SetpointEdit *makeEdit(const char *name, const QString &accessible);
+    void makeLayout();
+    void showMode();
+    void updateLimits();
+    drive::Feature feature() const;
+    QList<SetpointEdit *> shownEdits() const;
+    QString echo() const;
+    bool readable() const; ///< all shown fields hold a number that may be sent
+    QString controlText() const;
+
+    Device &m_device;
+    RegisterModel &m_registers;
+    MotionGate &m_motion;
+    QComboBox *m_mode;
+    QLabel *m_control; ///< what the board says it controls
+    QLabel *m_firstLabel;
+    QLabel *m_secondLabel;
+    QLabel *m_timeLabel;
+    SetpointEdit *m_speed;
+    SetpointEdit *m_torque;
+    SetpointEdit *m_iq;
+    SetpointEdit *m_id;
+    QLabel *m_echo;
+    SetpointEdit *m_rampTime;
+    MotorButton *m_go;
+    MotorButton *m_stopRamp;
+    bool m_takeReference = false;
+};
+
+} // namespace widgets

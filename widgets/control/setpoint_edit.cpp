@@ -1,0 +1,138 @@
+#include "widgets/control/setpoint_edit.h"
+
+#include "widgets/base/setpoint_text.h"
+#include "widgets/base/si_text.h"
+#include "widgets/base/value_text.h"
+
+#include <QKeyEvent>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace widgets {
+namespace {
+
+constexpr int kTypedDigits = 9;
+
+} // namespace
+
+SetpointEdit::SetpointEdit(QWidget *parent)
+    : QLineEdit(parent)
+{
+    setAlignment(Qt::AlignRight);
+    setFocusPolicy(Qt::StrongFocus);
+    setText(QStringLiteral("0"));
+    connect(this, &QLineEdit::textChanged, this, &SetpointEdit::echoChanged);
+}
+
+void SetpointEdit::setLimits(double limit, double step, const QString &unit)
+{
+    m_limit = limit;
+    m_step = step;
+    m_unit = unit;
+    Q_EMIT echoChanged();
+}
+
+void SetpointEdit::setNegativeAllowed(bool allowed)
+{
+    m_negativeAllowed = allowed;
+    Q_EMIT echoChanged();
+}
+
+double SetpointEdit::least() const
+{
+    return m_negativeAllowed ? -std::floor(m_limit / m_step) * m_step : 0.0;
+}
+
+std::optional<double> SetpointEdit::value() const
+{
+    const auto read = readSetpoint(text());
+    if (!read || std::abs(*read) > m_limit || (*read < 0.0 && !m_negativeAllowed))
+        return {};
+    return *read;
+}
+
+std::optional<double> SetpointEdit::sentValue() const
+{
+    const auto typed = value();
+    if (!typed)
+        return {};
+    const double inside = std::floor(m_limit / m_step) * m_step;
+    const double rounded = std::round(*typed / m_step) * m_step;
+    return std::clamp(rounded, least(), inside) + 0.0;
+}
+
+void SetpointEdit::setValue(double value)
+{
+    if (std::isfinite(value))
+        setText(numberText(value, decimalsFor(m_step)));
+}
+
+QString SetpointEdit::echo() const
+{
+    const auto read = readSetpoint(text());
+    if (!read)
+        return setpointErrorText(read.error());
+    if (*read < 0.0 && !m_negativeAllowed)
+        return tr("It cannot be negative.");
+    if (std::abs(*read) > m_limit)
+        return tr("The limit is %1 %2.", "number unit")
+            .arg(numberText(m_limit, decimalsFor(m_step)), m_unit);
+    const QString sent = numberText(*sentValue(), decimalsFor(m_step));
+    if (*sentValue() == *read)
+        return tr("Understood: %1 %2", "number unit").arg(sent, m_unit);
+    const QString typed = plainNumberText(*read, kTypedDigits);
+    return tr("%1 becomes %2 %3 (steps of %4)", "typed number, sent number, unit, step")
+        .arg(typed, sent, m_unit, numberText(m_step, decimalsFor(m_step)));
+}
+
+void SetpointEdit::keyPressEvent(QKeyEvent *event)
+{
+    switch (event->key()) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        if (event->modifiers() & Qt::ControlModifier)
+            break; // Ctrl+Enter starts the motor: not ours
+        if (const auto sent = sentValue(); sent && !event->isAutoRepeat())
+            Q_EMIT committed(*sent);
+        event->accept();
+        return;
+    case Qt::Key_Up:
+        stepBy(1);
+        return;
+    case Qt::Key_Down:
+        stepBy(-1);
+        return;
+    case Qt::Key_PageUp:
+        stepBy(10);
+        return;
+    case Qt::Key_PageDown:
+        stepBy(-10);
+        return;
+    default:
+        break;
+    }
+    QLineEdit::keyPressEvent(event);
+}
+
+void SetpointEdit::wheelEvent(QWheelEvent *event)
+{
+    if (!hasFocus() || !m_wheelAllowed || event->angleDelta().y() == 0) {
+        event->ignore();
+        return;
+    }
+    stepBy(event->angleDelta().y() > 0 ? 1 : -1);
+    event->accept();
+}
+
+void SetpointEdit::stepBy(int steps)
+{
+    const auto from = sentValue();
+    if (!from)
+        return;
+    const double inside = std::floor(m_limit / m_step) * m_step;
+    setValue(std::clamp(*from + steps * std::max(m_step, m_notch), least(), inside));
+}
+
+} // namespace widgets

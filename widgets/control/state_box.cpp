@@ -1,0 +1,157 @@
+#include "widgets/control/state_box.h"
+
+#include "widgets/base/device_text.h"
+#include "widgets/base/lamp.h"
+#include "widgets/base/messages.h"
+#include "widgets/control/fault_help.h"
+#include "widgets/control/fault_texts.h"
+#include "widgets/control/state_strip.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace widgets {
+namespace {
+
+QLabel *plainLabel(QWidget *parent, const char *objectName)
+{
+    auto *label = new QLabel(parent);
+    label->setTextFormat(Qt::PlainText);
+    label->setObjectName(QLatin1String(objectName));
+    return label;
+}
+
+QString joined(const std::vector<std::string> &names)
+{
+    QStringList texts;
+    for (const std::string &name : names)
+        texts.append(deviceText(name));
+    return texts.join(QStringLiteral(", "));
+}
+
+} // namespace
+
+QColor stateColor(drive::MotorState state, const QPalette &palette)
+{
+    using drive::MotorState;
+    const auto light = state == MotorState::Running ? Lamp::Light::On
+        : state == MotorState::FaultNow             ? Lamp::Light::Bad
+        : state == MotorState::FaultOver || state == MotorState::Starting
+            || state == MotorState::Stopping
+        ? Lamp::Light::Waiting
+        : Lamp::Light::Off;
+    return light == Lamp::Light::Off ? palette.color(QPalette::WindowText)
+                                     : Lamp::colorOf(light, palette);
+}
+
+StateBox::StateBox(Device &device, QWidget *parent)
+    : QWidget(parent)
+    , m_device(device)
+    , m_state(plainLabel(this, "motorState"))
+    , m_strip(new StateStrip(this))
+    , m_faultsNow(plainLabel(this, "faultsNow"))
+    , m_faultsPast(plainLabel(this, "faultsPast"))
+    , m_causes(new QToolButton(this))
+{
+    QFont large = m_state->font();
+    large.setPointSizeF(large.pointSizeF() * 1.4);
+    large.setBold(true);
+    m_state->setFont(large);
+    m_faultsNow->setWordWrap(true);
+    m_faultsPast->setWordWrap(true);
+    m_causes->setObjectName(QStringLiteral("faultCauses"));
+    m_causes->setText(tr("Causes\u2026"));
+    m_causes->setToolTip(tr("What these faults mean and what to try"));
+    m_causes->setFocusPolicy(Qt::TabFocus);
+    connect(m_causes, &QToolButton::clicked, this, &StateBox::explain);
+
+    auto *grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(4);
+    grid->addWidget(m_state, 0, 0, 1, 2);
+    grid->addWidget(m_strip, 1, 0, 1, 2);
+    grid->addWidget(m_faultsNow, 2, 0);
+    grid->addWidget(m_causes, 2, 1, 2, 1, Qt::AlignTop);
+    grid->addWidget(m_faultsPast, 3, 0);
+    grid->setColumnStretch(0, 1);
+
+    connect(&device, &Device::linkStateChanged, this, &StateBox::follow);
+    connect(&device, &Device::statusChanged, this, &StateBox::follow);
+    connect(&device, &Device::motorChanged, this, &StateBox::follow);
+    connect(&device, &Device::identityChanged, this, [this] {
+        const auto &board = m_device.identified();
+        m_strip->setSteps(board ? board->states : std::vector<drive::StateStep>());
+        follow();
+    });
+    follow();
+}
+
+QString StateBox::stateText() const { return m_state->text(); }
+
+void StateBox::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        follow(); // the colours of states follow the theme
+}
+
+void StateBox::follow()
+{
+    const drive::MotorStatus status = m_device.status(m_device.motor());
+    const bool believed = m_device.answering();
+    showState(status, believed);
+    showFaults(status, believed);
+}
+
+void StateBox::showState(const drive::MotorStatus &status, bool believed)
+{
+    m_strip->show(status, believed);
+    m_strip->setVisible(m_strip->sizeHint().height() > 0);
+    QString text = believed ? motorStateText(status.state) : linkStateText(m_device.link().state);
+    const auto &board = m_device.identified();
+    if (believed && board && board->identity.motors > 1)
+        text = tr("Motor %1: %2", "number, state").arg(QString::number(m_device.motor()), text);
+    // A name that the strip does not have must not be hidden.
+    const QString name = deviceText(status.stateName);
+    if (believed && !name.isEmpty() && m_strip->litName().isEmpty())
+        text += QStringLiteral(" (%1)").arg(name);
+    m_state->setText(text);
+    m_state->setEnabled(believed);
+    QPalette colors = palette();
+    // The link's words must not wear the colour of a state that is no longer known.
+    if (believed)
+        colors.setColor(QPalette::WindowText, stateColor(status.state, palette()));
+    else if (m_device.link().state == drive::LinkState::Lost)
+        colors.setColor(QPalette::WindowText, Lamp::colorOf(Lamp::Light::Bad, palette()));
+    m_state->setPalette(colors);
+}
+
+void StateBox::showFaults(const drive::MotorStatus &status, bool believed)
+{
+    QPalette red = palette();
+    red.setColor(QPalette::WindowText, Lamp::colorOf(Lamp::Light::Bad, palette()));
+    m_faultsNow->setPalette(status.faultsNow.empty() ? palette() : red);
+    m_faultsNow->setText(!believed ? tr("Faults are not known")
+            : status.faultsNow.empty()
+            ? tr("No fault present")
+            : QStringLiteral("\u2716 ") + tr("Present: %1").arg(joined(status.faultsNow)));
+    m_faultsNow->setEnabled(believed);
+    const std::vector<std::string> over = faultsOver(status);
+    m_faultsPast->setVisible(believed && !over.empty());
+    m_faultsPast->setText(tr("To acknowledge: %1").arg(joined(over)));
+    m_causes->setVisible(believed && (!status.faultsNow.empty() || !over.empty()));
+}
+
+void StateBox::explain()
+{
+    auto *open = window()->findChild<FaultHelp *>();
+    if (open == nullptr)
+        open = new FaultHelp(m_device, window());
+    open->show();
+    open->raise();
+    open->activateWindow();
+}
+
+} // namespace widgets

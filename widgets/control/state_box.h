@@ -1,0 +1,42 @@
+// StateBox: the state of the motor that is shown, in words and as a lit strip, and its faults by name.
+#pragma once
+
+#include "widgets/base/device.h"
+
+#include <QWidget>
+
+class QLabel;
+class QToolButton;
+
+namespace widgets {
+
+class StateStrip;
+
+class StateBox : public QWidget {
+    Q_OBJECT
+public:
+    explicit StateBox(Device &device, QWidget *parent = nullptr);
+
+    QString stateText() const;
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void follow();
+    void showState(const drive::MotorStatus &status, bool believed);
+    void showFaults(const drive::MotorStatus &status, bool believed);
+    void explain();
+
+    Device &m_device;
+    QLabel *m_state;
+    StateStrip *m_strip;
+    QLabel *m_faultsNow;
+    QLabel *m_faultsPast;
+    QToolButton *m_causes;
+};
+
+/// Colour of a state's word, or Off: the text's own colour.
+QColor stateColor(drive::MotorState state, const QPalette &palette);
+
+} // namespace widgets

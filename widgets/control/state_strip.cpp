@@ -1,0 +1,159 @@
+#include "widgets/control/state_strip.h"
+
+#include "widgets/base/device_text.h"
+#include "widgets/base/lamp.h"
+
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+
+namespace widgets {
+namespace {
+
+constexpr int kColumns = 3;
+constexpr int kGap = 3;
+constexpr int kPadding = 6; // above and below the text, together
+constexpr double kSmaller = 0.86; // than the font around
+
+Lamp::Light lightOf(drive::MotorState state)
+{
+    using drive::MotorState;
+    switch (state) {
+    case MotorState::Running:
+        return Lamp::Light::On;
+    case MotorState::FaultNow:
+        return Lamp::Light::Bad;
+    case MotorState::Starting:
+    case MotorState::Stopping:
+    case MotorState::FaultOver:
+        return Lamp::Light::Waiting;
+    case MotorState::Idle:
+    case MotorState::Unknown:
+        break;
+    }
+    return Lamp::Light::Off;
+}
+
+QFont smallFont(const QFont &font, bool bold)
+{
+    QFont small = font;
+    small.setPointSizeF(font.pointSizeF() * kSmaller);
+    small.setBold(bold);
+    return small;
+}
+
+} // namespace
+
+StateStrip::StateStrip(QWidget *parent)
+    : QWidget(parent)
+{
+    setObjectName(QStringLiteral("stateStrip"));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    describe();
+}
+
+void StateStrip::setSteps(std::vector<drive::StateStep> steps)
+{
+    m_steps = std::move(steps);
+    m_current = -1;
+    m_lit.clear();
+    updateGeometry();
+    describe();
+    update();
+}
+
+void StateStrip::show(const drive::MotorStatus &status, bool believed)
+{
+    int current = -1;
+    for (std::size_t i = 0; believed && i < m_steps.size(); ++i) {
+        const auto &names = m_steps[i].names;
+        if (std::find(names.begin(), names.end(), status.stateName) != names.end())
+            current = static_cast<int>(i);
+    }
+    const QString lit = current >= 0 ? deviceText(status.stateName) : QString();
+    if (current == m_current && lit == m_lit)
+        return;
+    m_current = current;
+    m_lit = lit;
+    describe();
+    update();
+}
+
+void StateStrip::describe()
+{
+    setAccessibleName(m_lit.isEmpty() ? tr("State of the motor: not known")
+                                      : tr("State of the motor: %1").arg(m_lit));
+}
+
+QSize StateStrip::sizeHint() const
+{
+    const int rows = (static_cast<int>(m_steps.size()) + kColumns - 1) / kColumns;
+    const int height = QFontMetrics(smallFont(font(), true)).height() + kPadding;
+    return {kColumns * 76, rows == 0 ? 0 : rows * (height + kGap) - kGap};
+}
+
+QRect StateStrip::cellRect(std::size_t step) const
+{
+    const int rows = (static_cast<int>(m_steps.size()) + kColumns - 1) / kColumns;
+    const int row = static_cast<int>(step) / kColumns, column = static_cast<int>(step) % kColumns;
+    const int left = column * (width() + kGap) / kColumns;
+    const int right = (column + 1) * (width() + kGap) / kColumns - kGap;
+    const int top = row * (height() + kGap) / rows;
+    const int bottom = (row + 1) * (height() + kGap) / rows - kGap;
+    return {left, top, right - left, bottom - top};
+}
+
+QString StateStrip::cellText(std::size_t step) const
+{
+    if (static_cast<int>(step) == m_current)
+        return QStringLiteral("\u25cf ") + m_lit;
+    const auto &names = m_steps[step].names;
+    if (names.empty())
+        return {};
+    return deviceText(names.front()) + (names.size() > 2 ? QStringLiteral("\u2026") : QString());
+}
+
+void StateStrip::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (std::size_t i = 0; i < m_steps.size(); ++i) {
+        const bool lit = static_cast<int>(i) == m_current;
+        const QRectF cell = QRectF(cellRect(i)).adjusted(0.5, 0.5, -0.5, -0.5);
+        const QColor light = lightOf(m_steps[i].state) == Lamp::Light::Off
+            ? palette().color(QPalette::WindowText)
+            : Lamp::colorOf(lightOf(m_steps[i].state), palette());
+        painter.setPen(QPen(lit ? light : palette().color(QPalette::Mid), lit ? 2.0 : 1.0));
+        painter.setBrush(lit ? QBrush(light) : QBrush(Qt::NoBrush));
+        painter.drawRoundedRect(cell, 4, 4);
+        painter.setFont(smallFont(font(), lit));
+        painter.setPen(lit ? palette().color(QPalette::Base)
+                           : palette().color(QPalette::Disabled, QPalette::WindowText));
+        const QRectF inside = cell.adjusted(3, 0, -3, 0);
+        const QString text = painter.fontMetrics().elidedText(
+            cellText(i), Qt::ElideRight, static_cast<int>(inside.width()));
+        painter.drawText(inside, Qt::AlignCenter, text);
+    }
+}
+
+bool StateStrip::event(QEvent *event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QWidget::event(event);
+    const auto *help = static_cast<QHelpEvent *>(event);
+    for (std::size_t i = 0; i < m_steps.size(); ++i) {
+        if (!cellRect(i).contains(help->pos()))
+            continue;
+        QStringList names;
+        for (const std::string &name : m_steps[i].names)
+            names.append(deviceText(name));
+        QToolTip::showText(help->globalPos(), plainToolTip(names.join(QStringLiteral(", "))), this);
+        return true;
+    }
+    QToolTip::hideText();
+    return true;
+}
+
+} // namespace widgets

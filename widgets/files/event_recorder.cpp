@@ -1,0 +1,242 @@
+#include "widgets/files/event_recorder.h"
+
+#include "base/overloaded.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/messages.h"
+#include "widgets/base/value_text.h"
+#include "widgets/scope/reading_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace widgets {
+
+namespace {
+constexpr double kOtherAxis = 2.0; ///< seconds; a stamp so far off belongs to another clock
+constexpr std::size_t kMostAsked = 1000;
+} // namespace
+
+void SessionClock::stamped(TimePoint at, Milliseconds now)
+{
+    const double lag = toSeconds(now) - toSeconds(at.time_since_epoch());
+    // What arrives late makes the lag look longer, nothing makes it look shorter.
+    if (!m_lag || lag < *m_lag || lag > *m_lag + kOtherAxis)
+        m_lag = lag;
+}
+
+double SessionClock::secondsAt(Milliseconds now) const
+{
+    return toSeconds(now) - m_lag.value_or(0.0);
+}
+
+EventRecorder::EventRecorder(Device &device, const capture::Capture &capture, EventLog &log,
+    std::function<Milliseconds()> now, QObject *parent)
+    : QObject(parent)
+    , m_device(device)
+    , m_capture(capture)
+    , m_log(log)
+    , m_now(std::move(now))
+{
+    connect(&device, &Device::wishMade, this, &EventRecorder::wished);
+    connect(&device, &Device::wishEnded, this, &EventRecorder::ended);
+    connect(&device, &Device::statusChanged, this, &EventRecorder::status);
+    connect(&device, &Device::linkStateChanged, this, &EventRecorder::link);
+    connect(&device, &Device::samplesArrived, this, &EventRecorder::lost);
+    connect(&device, &Device::streamStarted, this,
+        [this](const capture::StreamLayout &layout) { m_tickHz = layout.tickHz; });
+    connect(&device, &Device::stopWished, this,
+        [this] { note(EventKind::Command, this->now(), EventRecorder::tr("Stop motors")); });
+    connect(&device, &Device::armedStateChanged, this, [this](bool armed) {
+        note(EventKind::Command, this->now(),
+            armed ? EventRecorder::tr("Armed") : EventRecorder::tr("Disarmed"));
+    });
+    connect(&device, &Device::stopAdvanced, this, [this](const drive::StopProgress &progress) {
+        if (progress.word == drive::StopWord::NotConfirmed)
+            note(EventKind::Fault, toSeconds(progress.at.time_since_epoch()),
+                named(progress.motor, stopWordText(progress.word)));
+    });
+    connect(&device, &Device::readingsArrived, this,
+        [this](const std::vector<drive::Reading> &readings) {
+            for (const drive::Reading &reading : readings)
+                m_clock.stamped(reading.at, m_now());
+        });
+}
+
+double EventRecorder::now() const { return m_clock.secondsAt(m_now()); }
+
+void EventRecorder::note(EventKind kind, double seconds, const QString &text)
+{
+    m_log.add(kind, seconds, text);
+}
+
+QString EventRecorder::named(int motor, const QString &text) const
+{
+    const bool several = m_device.identified() && m_device.identified()->identity.motors > 1;
+    return several ? tr("Motor %1: %2").arg(QString::number(motor), text) : text;
+}
+
+/// What was asked for, in words; empty for what is no command.
+QString EventRecorder::wishText(const drive::Wish &wish) const
+{
+    const auto inTime = [](std::chrono::milliseconds duration) {
+        return QString::number(duration.count());
+    };
+    return std::visit(
+        Overloaded{
+            [&](const drive::Command &command) {
+                switch (command.action) {
+                case drive::MotorAction::Start:
+                    return named(command.motor, tr("Start"));
+                case drive::MotorAction::StopMotor:
+                    return named(command.motor, tr("Stop"));
+                case drive::MotorAction::StopRamp:
+                    return named(command.motor, tr("Stop ramp"));
+                case drive::MotorAction::AcknowledgeFaults:
+                    return named(command.motor, tr("Acknowledge faults"));
+                }
+                return QString();
+            },
+            [&](const drive::SpeedRamp &ramp) {
+                return named(ramp.motor,
+                    tr("Ramp to %1 rpm in %2 ms")
+                        .arg(QString::number(ramp.rpm), inTime(ramp.duration)));
+            },
+            [&](const drive::TorqueRamp &ramp) {
+                return named(ramp.motor,
+                    tr("Ramp to %1 A in %2 ms")
+                        .arg(numberText(ramp.amps, 3), inTime(ramp.duration)));
+            },
+            [&](const drive::CurrentReference &reference) {
+                return named(reference.motor,
+                    tr("Currents Iq %1 A, Id %2 A")
+                        .arg(numberText(reference.iqAmps, 3), numberText(reference.idAmps, 3)));
+            },
+            [&](const drive::PositionRamp &ramp) {
+                return named(ramp.motor,
+                    tr("Shaft to %1 rad in %2 ms")
+                        .arg(numberText(ramp.radians, 3), inTime(ramp.duration)));
+            },
+            [](const auto &) { return QString(); },
+        },
+        wish.what);
+}
+
+void EventRecorder::wished(const drive::Wish &wish)
+{
+    const bool write = std::holds_alternative<drive::Write>(wish.what);
+    const QString text = wishText(wish);
+    if ((!write && text.isEmpty()) || m_asked.size() >= kMostAsked)
+        return;
+    const double seconds = now();
+    m_asked[wish.id] = {seconds, write ? 0 : m_log.add(EventKind::Command, seconds, text)};
+}
+
+void EventRecorder::ended(const drive::Ended &ended)
+{
+    const auto asked = m_asked.find(ended.id);
+    if (asked == m_asked.end())
+        return;
+    const auto [seconds, id] = asked->second;
+    m_asked.erase(asked);
+    const ScopeEvent *event = m_log.find(id);
+    if (event && ended.outcome != drive::Outcome::Ok)
+        m_log.setText(id,
+            tr("%1 (%2)", "a command and how it ended")
+                .arg(event->text, outcomeText(ended.outcome)));
+    for (const drive::WriteResult &write : ended.writes)
+        wrote(write, seconds);
+}
+
+void EventRecorder::wrote(const drive::WriteResult &write, double seconds)
+{
+    const auto catalog = m_device.catalog();
+    const catalog::RegisterInfo *info = catalog ? catalog->find(write.id) : nullptr;
+    if (!info || write.outcome == drive::Outcome::NotSent)
+        return;
+    const auto shown = [&](const std::optional<drive::Value> &value) {
+        return value ? deviceText(shownText(*info, *value, catalog->readScale(write.id)))
+                     : QStringLiteral("?");
+    };
+    QString text =
+        tr("%1: %2 \u2192 %3", "a register, its value before and after")
+            .arg(deviceText(catalog->nameOf(write.id)), shown(write.before), shown(write.readBack));
+    if (write.outcome != drive::Outcome::Ok)
+        text = tr("%1 (%2)", "a command and how it ended").arg(text, outcomeText(write.outcome));
+    note(EventKind::Write, seconds, text);
+    if (write.outcome == drive::Outcome::Ok)
+        Q_EMIT written(seconds, write.id);
+}
+
+void EventRecorder::status(int motor)
+{
+    const drive::MotorStatus now = m_device.status(motor);
+    const auto known = m_status.find(motor);
+    const drive::MotorStatus before =
+        known == m_status.end() ? drive::MotorStatus() : known->second;
+    m_status[motor] = now;
+    m_clock.stamped(now.at, m_now());
+    const double seconds = toSeconds(now.at.time_since_epoch());
+    for (const std::string &fault : now.faultsNow) {
+        const auto &old = before.faultsNow;
+        if (std::find(old.begin(), old.end(), fault) != old.end())
+            continue;
+        note(EventKind::Fault, seconds, named(motor, deviceText(fault)));
+        Q_EMIT stateChanged(seconds, EventKind::Fault, 0);
+    }
+    if (now.state == before.state && now.rawState == before.rawState)
+        return;
+    // The firmware's own word is finer than ours: CHARGE_BOOT_CAP and ALIGNMENT are both a start.
+    const QString word =
+        now.stateName.empty() ? motorStateText(now.state) : deviceText(now.stateName);
+    note(EventKind::State, seconds, named(motor, word));
+    Q_EMIT stateChanged(seconds, EventKind::State, static_cast<quint32>(now.rawState));
+}
+
+void EventRecorder::link()
+{
+    using drive::LinkState;
+    const drive::LinkChanged link = m_device.link();
+    const LinkState before = std::exchange(m_link, link.state);
+    if (before == link.state && link.reason != drive::LinkReason::BoardReset)
+        return;
+    const QString word = linkStateText(link.state);
+    const bool wasThere = before == LinkState::Connected || before == LinkState::Suspect
+        || before == LinkState::Recovering;
+    switch (link.state) {
+    case LinkState::Connected:
+        m_status.clear(); // what it tells next is told anew
+        note(EventKind::Recovery, now(),
+            link.reason == drive::LinkReason::BoardReset ? linkReasonText(link.reason) : word);
+        break;
+    case LinkState::Suspect:
+    case LinkState::Recovering:
+    case LinkState::Lost:
+        note(EventKind::Loss, now(), word);
+        break;
+    case LinkState::Closed:
+        if (wasThere)
+            note(EventKind::Command, now(), tr("Disconnected"));
+        m_asked.clear();
+        break;
+    case LinkState::Connecting:
+        break;
+    }
+}
+
+void EventRecorder::lost(const capture::SampleBlock &block)
+{
+    if (block.lostTicks <= 0 || !(m_tickHz > 0))
+        return;
+    const auto streaming = m_capture.streaming();
+    const capture::Channel *channel =
+        streaming.empty() ? nullptr : m_capture.channel(streaming.front());
+    if (!channel || channel->size() <= block.count || !channel->fast())
+        return; // nothing was there before: it is a beginning
+    // Where the last sample before the gap ends.
+    const capture::Index last = channel->end() - block.count - 1;
+    const double seconds = capture::toSeconds(channel->holdUntil(last));
+    const double length = static_cast<double>(block.lostTicks) / m_tickHz;
+    note(EventKind::Loss, seconds, tr("%1 of samples lost").arg(exactTime(length, QLocale())));
+}
+
+} // namespace widgets

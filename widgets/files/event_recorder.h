@@ -1,0 +1,64 @@
+// Notes in the event log what a person asked of the board and what the board told, on the clock of the samples. It
+// listens to the Device only, asks for nothing and decides nothing.
+#pragma once
+
+#include "capture/capture.h"
+#include "widgets/base/device.h"
+#include "widgets/scope/event_log.h"
+
+#include <functional>
+#include <map>
+
+namespace widgets {
+
+/// The session's clock as the window can know it: from the stamps of what arrives, which are some milliseconds old.
+class SessionClock {
+public:
+    void stamped(TimePoint at, Milliseconds now);
+    double secondsAt(Milliseconds now) const;
+
+private:
+    std::optional<double> m_lag; ///< seconds that the window's clock is ahead of the session's
+};
+
+class EventRecorder : public QObject {
+    Q_OBJECT
+public:
+    /// All outlive it. Connected after whatever appends samples to `capture`.
+    EventRecorder(Device &device, const capture::Capture &capture, EventLog &log,
+        std::function<Milliseconds()> now, QObject *parent = nullptr);
+
+    double now() const; ///< seconds on the session's axis
+
+Q_SIGNALS:
+    // The same for a trigger that waits for it; `seconds` on the session's axis.
+    void stateChanged(double seconds, widgets::EventKind kind, quint32 which); ///< State or Fault
+    void written(double seconds, quint32 registerId);
+
+private:
+    struct Asked {
+        double seconds = 0.0;
+        quint32 event = 0; ///< in the log; 0: a write, noted when it has ended
+    };
+    void note(EventKind kind, double seconds, const QString &text);
+    void wished(const drive::Wish &wish);
+    void ended(const drive::Ended &ended);
+    void wrote(const drive::WriteResult &write, double seconds);
+    void status(int motor);
+    void link();
+    void lost(const capture::SampleBlock &block);
+    QString named(int motor, const QString &text) const;
+    QString wishText(const drive::Wish &wish) const;
+
+    Device &m_device;
+    const capture::Capture &m_capture;
+    EventLog &m_log;
+    std::function<Milliseconds()> m_now;
+    SessionClock m_clock;
+    std::map<drive::WishId, Asked> m_asked;
+    std::map<int, drive::MotorStatus> m_status;
+    drive::LinkState m_link = drive::LinkState::Closed;
+    double m_tickHz = 0.0;
+};
+
+} // namespace widgets

@@ -1,0 +1,211 @@
+#include "widgets/files/export_dialog.h"
+
+#include "widgets/base/device_text.h"
+#include "widgets/files/file_prompt.h"
+#include "widgets/scope/scope_view.h"
+
+#include <QComboBox>
+#include <QDateTime>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace widgets {
+namespace {
+
+/// "x.csv" and "HF" make "x_HF.csv".
+QString partPath(const QString &path, const QString &part)
+{
+    const QFileInfo info(path);
+    const QString name = info.completeBaseName() + QLatin1Char('_') + part + QStringLiteral(".csv");
+    return QDir(info.path()).filePath(name);
+}
+
+QString partName(const capture::Channel &channel)
+{
+    using Kind = capture::ChannelInfo::Kind;
+    switch (channel.info().kind) {
+    case Kind::Fast:
+        return QStringLiteral("HF");
+    case Kind::Slow:
+        return QStringLiteral("MF");
+    case Kind::Polled:
+        break;
+    }
+    QString name;
+    for (const QChar c : deviceText(channel.info().name)) // what every file system takes
+        name += c.unicode() < 128 && (c.isLetterOrNumber() || c == QLatin1Char('_'))
+            ? c
+            : QLatin1Char('-');
+    return name;
+}
+
+} // namespace
+
+QString suggestedCaptureName(const QDateTime &now, ExportFormat format)
+{
+    return QLocale::c().toString(now, QStringLiteral("yyyy-MM-dd_HH-mm-ss"))
+        + QStringLiteral("_motor_capture.") + suffixOf(format);
+}
+
+ExportDialog::ExportDialog(capture::Capture &capture, ScopeView &scope, FilePrompt &files,
+    const QString &folder, QWidget *parent)
+    : QDialog(parent)
+    , m_capture(capture)
+    , m_scope(scope)
+    , m_files(files)
+    , m_folder(folder)
+    , m_format(new QComboBox(this))
+    , m_range(new QComboBox(this))
+    , m_rates(new QComboBox(this))
+    , m_summary(new QLabel(this))
+{
+    setObjectName(QStringLiteral("exportDialog"));
+    setWindowTitle(tr("Export"));
+    setModal(true);
+    m_format->setObjectName(QStringLiteral("exportFormat"));
+    const std::pair<ExportFormat, QString> formats[] = {
+        {ExportFormat::Csv, tr("CSV, decimal point and commas")},
+        {ExportFormat::CsvContinental, tr("CSV, decimal comma and semicolons")},
+        {ExportFormat::Wav, tr("WAV, the fast signals as sound")},
+        {ExportFormat::Mat, tr("MATLAB file")},
+        {ExportFormat::Png, tr("Picture of the scope, PNG")},
+        {ExportFormat::Svg, tr("Picture of the plots, SVG")},
+        {ExportFormat::Pdf, tr("Picture of the plots, PDF")}};
+    for (const auto &[format, text] : formats)
+        m_format->addItem(text, static_cast<int>(format));
+    m_range->setObjectName(QStringLiteral("exportRange"));
+    m_range->addItem(tr("What the scope shows"), Visible);
+    m_range->addItem(tr("Everything recorded"), Everything);
+    if (m_scope.cursors().visible())
+        m_range->addItem(tr("Between the cursors A and B"), Cursors);
+    m_rates->setObjectName(QStringLiteral("exportRates"));
+    m_rates->addItem(tr("One file; slower signals keep their last value"));
+    m_rates->addItem(tr("One file for each rate"));
+    m_summary->setTextFormat(Qt::PlainText);
+    m_summary->setWordWrap(true);
+    m_summary->setEnabled(false);
+
+    auto *buttons = new QDialogButtonBox(this);
+    m_save = buttons->addButton(tr("Export\u2026"), QDialogButtonBox::AcceptRole);
+    m_save->setObjectName(QStringLiteral("exportSave"));
+    buttons->addButton(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("exportCancel"));
+    connect(m_save, &QPushButton::clicked, this, &ExportDialog::ask);
+    connect(buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
+    for (const QComboBox *choice : {m_format, m_range})
+        connect(choice, &QComboBox::currentIndexChanged, this, &ExportDialog::updateSummary);
+
+    auto *form = new QFormLayout;
+    form->addRow(tr("&Format"), m_format);
+    form->addRow(tr("&Range"), m_range);
+    form->addRow(tr("R&ates"), m_rates);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(18, 16, 18, 14);
+    layout->setSpacing(12);
+    layout->addLayout(form);
+    layout->addWidget(m_summary);
+    layout->addWidget(buttons);
+    setMinimumWidth(420);
+    updateSummary();
+}
+
+ExportFormat ExportDialog::format() const
+{
+    return static_cast<ExportFormat>(m_format->currentData().toInt());
+}
+
+std::optional<capture::TimeSpan> ExportDialog::range() const
+{
+    if (m_range->currentData() == Visible) {
+        const ScopeView::TimeRange shown = m_scope.visibleRange();
+        return capture::TimeSpan{shown.from, shown.to};
+    }
+    if (m_range->currentData() == Cursors) {
+        const CursorPair &pair = m_scope.cursors().pair();
+        return capture::TimeSpan{std::min(pair.a, pair.b), std::max(pair.a, pair.b)};
+    }
+    return {};
+}
+
+capture::Snapshot ExportDialog::snapshot() const
+{
+    std::vector<capture::ChannelId> ids;
+    if (m_range->currentData() == Everything) {
+        for (const capture::ChannelInfo &info : m_capture.channels())
+            ids.push_back(info.id);
+    } else {
+        const auto shown = m_scope.channels();
+        ids.assign(shown.begin(), shown.end());
+    }
+    return m_capture.snapshot(ids);
+}
+
+void ExportDialog::updateSummary()
+{
+    const bool picture = isPicture(format());
+    const bool csv = format() == ExportFormat::Csv || format() == ExportFormat::CsvContinental;
+    m_range->setEnabled(!picture);
+    m_rates->setEnabled(csv);
+    const auto channels = snapshot();
+    m_save->setEnabled(!channels->empty());
+    if (channels->empty()) {
+        m_summary->setText(tr("Nothing has been recorded yet."));
+    } else if (picture) {
+        m_summary->setText(tr("The scope as it is on the screen now."));
+    } else if (csv) {
+        m_summary->setText(
+            tr("%n signal(s). The first column is the time in seconds. Lost samples have no row.",
+                nullptr, static_cast<int>(channels->size())));
+    } else if (format() == ExportFormat::Wav) {
+        m_summary->setText(tr("The 16-bit codes of the fast signals, a channel each, at their own "
+                              "rate; where samples were lost the next ones follow at once."));
+    } else {
+        m_summary->setText(tr("%n signal(s) in a structure for each rate, with time and units; "
+                              "what is unknown is NaN.",
+            nullptr, static_cast<int>(channels->size())));
+    }
+}
+
+void ExportDialog::ask()
+{
+    SaveQuestion question;
+    question.title = tr("Export");
+    question.folder = m_folder.isEmpty() ? QDir::homePath() : m_folder;
+    question.suggestedName = suggestedCaptureName(QDateTime::currentDateTime(), format());
+    question.filter = filterOf(format());
+    question.suffix = suffixOf(format());
+    m_files.askSave(this, question, [this](const QString &path) { order(path); });
+}
+
+void ExportDialog::order(const QString &path)
+{
+    ExportOrder made{format(), path, {}, range()};
+    const capture::Snapshot all = snapshot();
+    if (m_rates->isEnabled() && m_rates->currentIndex() == 1) {
+        for (const capture::Snapshot &part : capture::splitByRate(all))
+            made.parts.append({partPath(path, partName(part->front())), part});
+    } else if (!isPicture(made.format)) {
+        made.parts.append({path, all});
+    }
+    if (made.parts.isEmpty() && !isPicture(made.format)) {
+        m_summary->setText(tr("Nothing has been recorded yet."));
+        return;
+    }
+    QStringList taken;
+    for (const ExportOrder::Part &part : made.parts)
+        if (part.path != path && QFileInfo::exists(part.path))
+            taken.append(QFileInfo(part.path).fileName());
+    if (!taken.isEmpty()) { // the prompt has asked about the name that was typed, not about these
+        m_summary->setText(tr("%1 exists already. Choose another name.")
+                               .arg(deviceText(taken.join(QStringLiteral(", ")))));
+        return;
+    }
+    Q_EMIT wanted(made);
+    accept();
+}
+
+} // namespace widgets

@@ -1,0 +1,160 @@
+#include "widgets/files/open_recording.h"
+
+#include "widgets/base/device_text.h"
+#include "widgets/base/value_text.h"
+#include "widgets/files/file_job.h"
+#include "widgets/scope/event_log.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace widgets {
+namespace {
+
+struct Opening {
+    Q_DECLARE_TR_FUNCTIONS(Opening)
+};
+
+EventKind kindOf(const record::Happening &happening)
+{
+    const auto has = [&happening](const char *key, const char *value) {
+        return std::any_of(happening.fields.begin(), happening.fields.end(),
+            [=](const auto &field) { return field.first == key && field.second == value; });
+    };
+    if (happening.name == "motor state")
+        return has("state", "fault now") ? EventKind::Fault : EventKind::State;
+    if (happening.name == "link trouble")
+        return EventKind::Loss;
+    if (happening.name == "link")
+        return has("state", "lost") ? EventKind::Loss : EventKind::Recovery;
+    return happening.name == "write" ? EventKind::Write : EventKind::Command;
+}
+
+/// What of a happening is news beside the others: a line of the motion log tells the end of what has an entry already.
+bool isShown(const record::Happening &happening)
+{
+    const auto is = [&happening](std::string_view key, std::string_view value) {
+        return std::find(happening.fields.begin(), happening.fields.end(),
+                   std::pair<std::string, std::string>(key, value))
+            != happening.fields.end();
+    };
+    if (happening.name == "motion")
+        return is("act", "ARM") || is("act", "DISARM") || is("act", "LIMITS")
+            || is("act", "EXPERT_MODE");
+    return happening.name != "ended" || !is("outcome", "ok");
+}
+
+QString textOf(const record::Happening &happening)
+{
+    if (happening.name == "motion")
+        return deviceText(happening.fields.front().second);
+    QString text = deviceText(happening.name);
+    for (const auto &[key, value] : happening.fields)
+        if (!value.empty() && key != "wish")
+            text += QStringLiteral(" %1=%2").arg(deviceText(key), deviceText(value));
+    return text;
+}
+
+} // namespace
+
+FileJob *openRecording(const QString &path, QWidget *window,
+    std::function<void(OpenedRecording &)> take, std::function<void(const QString &)> fail,
+    std::size_t mostMemory)
+{
+    return new FileJob(
+        Opening::tr("Opening %1").arg(deviceText(QFileInfo(path).fileName())),
+        [path, mostMemory, take = std::move(take), fail = std::move(fail)](
+            const FileJob::Proceed &proceed) -> FileJob::Finish {
+            auto opened = std::make_shared<OpenedRecording>(
+                OpenedRecording{path, capture::Capture({.maxBytes = mostMemory}), {}});
+            bool cancelled = false;
+            auto report = session::readRecording(path, opened->capture, [&](double fraction) {
+                cancelled = !proceed(fraction);
+                return !cancelled;
+            });
+            if (cancelled)
+                return {};
+            if (!report)
+                return [path, fail, why = report.error()] {
+                    fail(Opening::tr("%1 cannot be opened (%2).")
+                             .arg(deviceText(path), deviceText(why)));
+                };
+            opened->report = std::move(*report);
+            return [opened, take] { take(*opened); };
+        },
+        window);
+}
+
+QString releasedText(const capture::Capture &capture)
+{
+    const auto span = capture.timeSpan();
+    if (capture.released() == 0 || !span)
+        return {};
+    return Opening::tr("It is larger than the %1 GB of memory for it: %2 samples before %3 s are "
+                       "not shown, and marked as a gap.")
+        .arg(numberText(static_cast<double>(capture.maxBytes()) / 1e9, 1),
+            QString::number(capture.released()), numberText(span->from, 1));
+}
+
+QString openedText(const OpenedRecording &opened, bool &whole)
+{
+    const session::RecordingReport &report = opened.report;
+    QStringList sentences{Opening::tr("Opened %1.").arg(deviceText(opened.path))};
+    if (const QString released = releasedText(opened.capture); !released.isEmpty())
+        sentences.append(released);
+    if (report.damagedPlaces > 0)
+        sentences.append(
+            Opening::tr("%n place(s) in it are damaged; what lies before and after is shown.",
+                nullptr, static_cast<int>(report.damagedPlaces)));
+    if (report.lost.samples > 0)
+        sentences.append(Opening::tr("%1 samples are missing, because the disk was too slow.")
+                             .arg(QString::number(report.lost.samples)));
+    if (!report.ending)
+        sentences.append(Opening::tr("The recording was interrupted."));
+    else if (report.ending->reason == record::End::Reason::DiskFull)
+        sentences.append(Opening::tr("It ends where the disk was full."));
+    else if (report.ending->reason == record::End::Reason::WriteFailed)
+        sentences.append(Opening::tr("It ends where the disk failed."));
+    whole = sentences.size() == 1;
+    return sentences.join(QLatin1Char(' '));
+}
+
+void fillEvents(EventLog &events, const session::RecordingReport &report)
+{
+    events.clear();
+    for (const auto &[at, happening] : report.happenings)
+        if (isShown(happening))
+            events.add(kindOf(happening), capture::toSeconds(at), textOf(happening));
+    // A marker whose text was changed is in it again.
+    std::map<record::Nanos, QString> notes;
+    for (const record::Note &note : report.notes)
+        notes[note.from] = deviceText(note.text);
+    for (const auto &[at, text] : notes)
+        events.add(EventKind::Marker, capture::toSeconds(at), text);
+}
+
+void addReplayed(EventLog &events, const session::ReplayedEntry &entry)
+{
+    if (const auto *happening = std::get_if<record::Happening>(&entry.entry)) {
+        if (isShown(*happening))
+            events.add(kindOf(*happening), entry.seconds, textOf(*happening));
+    } else if (const auto *note = std::get_if<record::Note>(&entry.entry)) {
+        // A marker whose text was changed is told again.
+        const QString text = deviceText(note->text);
+        const auto &all = events.events();
+        const auto known = std::find_if(all.begin(), all.end(), [&entry](const ScopeEvent &event) {
+            return event.kind == EventKind::Marker
+                && std::abs(event.seconds - entry.seconds) < 1e-6;
+        });
+        if (known != all.end())
+            events.setText(known->id, text);
+        else
+            events.add(EventKind::Marker, entry.seconds, text);
+    }
+}
+
+} // namespace widgets

@@ -1,0 +1,67 @@
+// RecordControl: what a person has of recording to a disk: its actions, the line that says what is written where, and
+// the events and marks on the clock of the traces. The file itself is session::Recording's, in a thread of its own.
+#pragma once
+
+#include "session/recording.h"
+#include "widgets/base/device.h"
+#include "widgets/window/banner.h"
+
+#include <QObject>
+
+class QAction;
+class QModelIndex;
+
+namespace widgets {
+
+class EventLog;
+class FilePrompt;
+class Lamp;
+
+class RecordControl : public QObject {
+    Q_OBJECT
+public:
+    struct Parts { ///< all outlive it
+        session::Recording &recording;
+        Device &device;
+        EventLog &events;
+        FilePrompt &files;
+        std::function<double()> now; ///< seconds on the session's axis
+    };
+    RecordControl(Parts parts, const QString &folder, QWidget *window);
+
+    QAction *toggle() const
+    {
+        return m_toggle;
+    } ///< Ctrl+R: asks for a file and records; again: ends it
+    QAction *withLink() const { return m_withLink; }
+    Lamp *line() const { return m_line; } ///< hidden until something is recorded
+    QString folder() const { return m_folder; } ///< of the last recording
+
+Q_SIGNALS:
+    void said(widgets::Banner::Kind kind, const QString &sentence);
+
+private:
+    void ask();
+    void start(const QString &path);
+    void started(const QString &path);
+    void progressed(const session::RecordingProgress &progress);
+    void finished(const session::RecordingResult &result);
+    void update();
+    void recordMarks(const QModelIndex &parent, int first, int last);
+
+    Parts m_parts;
+    QString m_folder;
+    QString m_name; ///< of the file, fit to be shown
+    QAction *m_toggle;
+    QAction *m_withLink;
+    Lamp *m_line;
+    double m_start = 0.0; ///< of the recording, on the session's axis
+};
+
+/// "2026-05-04_13-02-59_motor.pcapng"
+QString suggestedRecordingName(const QDateTime &now);
+
+/// "1:02:03" hours, minutes, seconds.
+QString durationText(double seconds);
+
+} // namespace widgets

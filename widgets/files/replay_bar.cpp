@@ -1,0 +1,84 @@
+#include "widgets/files/replay_bar.h"
+
+#include "widgets/base/device_text.h"
+#include "widgets/base/value_text.h"
+#include "widgets/base/wheel_guard.h"
+#include "widgets/files/record_control.h"
+#include "widgets/files/replaying.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace widgets {
+
+ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
+    : QWidget(parent)
+    , m_device(device)
+    , m_replay(replay)
+    , m_pause(new QToolButton(this))
+    , m_speed(new QComboBox(this))
+    , m_text(new QLabel(this))
+{
+    setObjectName(QStringLiteral("replayBar"));
+    m_pause->setObjectName(QStringLiteral("replayPause"));
+    m_pause->setText(tr("Pause"));
+    m_pause->setAccessibleName(tr("Pause the replay"));
+    m_pause->setToolTip(tr("Holds the replay; nothing is left out"));
+    m_pause->setCheckable(true);
+    m_pause->setFocusPolicy(Qt::TabFocus);
+    m_speed->setObjectName(QStringLiteral("replaySpeed"));
+    m_speed->setAccessibleName(tr("Pace of the replay"));
+    m_speed->addItem(tr("1\u00d7, as it was"), 1.0);
+    m_speed->addItem(tr("4\u00d7"), 4.0);
+    m_speed->addItem(tr("as fast as possible"), 0.0);
+    new WheelGuard(m_speed);
+    m_text->setObjectName(QStringLiteral("replayText"));
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(8, 0, 8, 4);
+    layout->setSpacing(6);
+    layout->addWidget(m_pause);
+    layout->addWidget(m_speed);
+    layout->addWidget(m_text, 1);
+
+    connect(m_pause, &QToolButton::toggled, this, [this](bool paused) {
+        m_pause->setText(paused ? tr("Go on") : tr("Pause"));
+        m_replay.setPaused(paused);
+    });
+    connect(m_speed, &QComboBox::currentIndexChanged, this,
+        [this] { m_replay.setSpeed(m_speed->currentData().toDouble()); });
+    connect(&replay, &session::Replay::advanced, this, &ReplayBar::tell);
+    connect(&device, &Device::openWished, this, &ReplayBar::follow);
+    connect(&device, &Device::portStateChanged, this, &ReplayBar::follow);
+    follow();
+}
+
+void ReplayBar::follow()
+{
+    const bool shown = replaying(m_device) && m_device.portOpen();
+    if (shown && isHidden()) { // a new one: as it was, from its beginning
+        m_pause->setChecked(false);
+        m_text->clear();
+    }
+    setVisible(shown);
+}
+
+void ReplayBar::tell(const session::ReplayState &state)
+{
+    QString text = tr("%1: %2, %3 % of the file", "file name, duration, number")
+                       .arg(deviceText(QFileInfo(state.path).fileName()),
+                           durationText(state.seconds), numberText(state.fraction * 100.0, 0));
+    if (state.damagedPlaces > 0)
+        text += tr(", %n damaged place(s)", nullptr, static_cast<int>(state.damagedPlaces));
+    if (state.ended)
+        text += tr(" \u2013 its end");
+    m_text->setText(text);
+    m_pause->setEnabled(!state.ended);
+}
+
+} // namespace widgets

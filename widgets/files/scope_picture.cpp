@@ -1,0 +1,73 @@
+#include "widgets/files/scope_picture.h"
+
+#include "widgets/scope/scope_view.h"
+
+#include <QBuffer>
+#include <QImage>
+#include <QPageSize>
+#include <QPdfWriter>
+#include <QPixmap>
+#include <QSvgGenerator>
+#include <qcustomplot.h>
+
+namespace widgets {
+namespace {
+
+constexpr int kDotsPerInch = 96; ///< a pixel of the screen is a pixel of the picture
+
+QByteArray svgOf(ScopeView &scope)
+{
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    QSvgGenerator svg;
+    const QSize size = scope.plotWidget().size();
+    svg.setOutputDevice(&buffer);
+    svg.setResolution(kDotsPerInch);
+    svg.setSize(size);
+    svg.setViewBox(QRect({}, size));
+    svg.setTitle(QStringLiteral("Rotorscope"));
+    scope.drawShapes(svg);
+    return buffer.data();
+}
+
+QByteArray pdfOf(ScopeView &scope)
+{
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    {
+        QPdfWriter pdf(&buffer);
+        pdf.setResolution(kDotsPerInch);
+        const QSizeF points = QSizeF(scope.plotWidget().size()) * 72.0 / kDotsPerInch;
+        pdf.setPageSize(QPageSize(points, QPageSize::Point));
+        pdf.setPageMargins(QMarginsF());
+        scope.drawShapes(pdf);
+    }
+    return buffer.data();
+}
+
+QByteArray pngOf(ScopeView &scope)
+{
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    scopeImage(scope).save(&buffer, "PNG");
+    return buffer.data();
+}
+
+} // namespace
+
+QImage scopeImage(ScopeView &scope) { return scope.grab().toImage(); }
+
+session::CsvResult writePicture(ScopeView &scope, ExportFormat format, const QString &path)
+{
+    const QByteArray bytes = format == ExportFormat::Svg ? svgOf(scope)
+        : format == ExportFormat::Pdf                    ? pdfOf(scope)
+                                                         : pngOf(scope);
+    bool written = false;
+    const session::FileResult file = session::writePieces(path, [&](std::string &piece) {
+        piece = bytes.toStdString();
+        return !std::exchange(written, true);
+    });
+    return {file.error, path, file.systemText, 0, file.bytes};
+}
+
+} // namespace widgets

@@ -1,0 +1,84 @@
+#include "widgets/registers/edit_bar.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace widgets {
+
+EditBar::EditBar(RegisterEdits &edits, const RegisterModel &model, QAction *apply, QAction *revert,
+    bool always, QWidget *parent)
+    : QWidget(parent)
+    , m_edits(edits)
+    , m_model(model)
+    , m_applyAction(apply)
+    , m_revertAction(revert)
+    , m_always(always)
+    , m_told(new QLabel(this))
+    , m_revert(new QPushButton(tr("Revert"), this))
+    , m_apply(new QPushButton(this))
+{
+    m_told->setTextFormat(Qt::PlainText);
+    m_told->setWordWrap(true);
+    m_told->setObjectName(QStringLiteral("editsTold"));
+    m_revert->setObjectName(QStringLiteral("revertEdits"));
+    m_apply->setObjectName(QStringLiteral("applyEdits"));
+    connect(m_revert, &QPushButton::clicked, revert, &QAction::trigger);
+    connect(m_apply, &QPushButton::clicked, apply, &QAction::trigger);
+    auto *layout = new QGridLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    if (always) { // a wide page: one line
+        layout->addWidget(m_told, 0, 0);
+        layout->addWidget(m_revert, 0, 1);
+        layout->addWidget(m_apply, 0, 2);
+        layout->setColumnStretch(0, 1);
+    } else {
+        layout->addWidget(m_told, 0, 0, 1, 2);
+        layout->addWidget(m_revert, 1, 0);
+        layout->addWidget(m_apply, 1, 1);
+    }
+    connect(&edits, &RegisterEdits::told, this, &EditBar::tell);
+    connect(&edits, &RegisterEdits::changed, this, &EditBar::refresh);
+    connect(apply, &QAction::changed, this, &EditBar::refresh);
+    connect(revert, &QAction::changed, this, &EditBar::refresh);
+    refresh();
+}
+
+void EditBar::refresh()
+{
+    const int count = m_edits.pendingCount();
+    m_apply->setText(count > 0 ? tr("Apply %n edit(s)", nullptr, count) : tr("Apply"));
+    for (const auto &[button, action] :
+        {std::pair(m_apply, m_applyAction), std::pair(m_revert, m_revertAction)}) {
+        button->setEnabled(action->isEnabled());
+        button->setToolTip(action->toolTip());
+    }
+    if (count > 0 && m_good)
+        m_sentence.clear();
+    // Why a waiting edit cannot be written is said where people look, too.
+    const QString why = count > 0 ? m_edits.applyHint() : QString();
+    QString shown = why.isEmpty() || m_edits.underWay() ? m_sentence : why;
+    // What waits where nobody looks is named: Apply writes it, too.
+    if (const QStringList elsewhere = m_model.pendingElsewhere(); !elsewhere.isEmpty())
+        shown = (shown + QLatin1Char(' ')
+            + tr("Waiting for a motor that is not shown: %1.", "list of registers")
+                  .arg(elsewhere.join(QStringLiteral(", "))))
+                    .trimmed();
+    m_told->setText(shown);
+    m_told->setVisible(m_always || !shown.isEmpty());
+    setVisible(m_always || m_model.hasEdits() || !shown.isEmpty());
+}
+
+void EditBar::tell(const QString &sentence, bool good)
+{
+    m_sentence = sentence;
+    m_good = good;
+    m_told->setForegroundRole(good ? QPalette::PlaceholderText : QPalette::WindowText);
+    QFont font = this->font();
+    font.setBold(!good);
+    m_told->setFont(font);
+    refresh();
+}
+
+} // namespace widgets

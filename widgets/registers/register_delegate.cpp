@@ -1,0 +1,272 @@
+#include "widgets/registers/register_delegate.h"
+
+#include "catalog/names.h"
+#include "widgets/base/value_text.h"
+#include "widgets/base/wheel_guard.h"
+#include "widgets/registers/flags_edit.h"
+#include "widgets/registers/register_texts.h"
+
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QToolTip>
+#include <QWheelEvent>
+
+namespace widgets {
+namespace {
+
+constexpr int kLongestEntry = 2048;
+constexpr int kNarrowest = 120;
+const char *const kFilled = "filled";
+
+/// The values that a combo box offers; empty where text is typed.
+QList<std::pair<QString, qint64>> choicesOf(const catalog::RegisterInfo &info)
+{
+    QList<std::pair<QString, qint64>> choices;
+    if (info.meaning == catalog::Meaning::Boolean)
+        return {{booleanText(false), 0}, {booleanText(true), 1}};
+    if (info.meaning == catalog::Meaning::Enumeration)
+        for (const catalog::NamedValue &named : catalog::namedValues(info.name))
+            choices.append({valueNameText(named.name), named.value});
+    return choices;
+}
+
+QString signOf(RegisterModel::EditState state)
+{
+    switch (state) {
+    case RegisterModel::EditState::Pending:
+        return QStringLiteral("\u270e");
+    case RegisterModel::EditState::Sending:
+        return QStringLiteral("\u2026");
+    case RegisterModel::EditState::Verified:
+        return QStringLiteral("\u2713");
+    case RegisterModel::EditState::Refused:
+        return QStringLiteral("\u2717");
+    case RegisterModel::EditState::None:
+        break;
+    }
+    return {};
+}
+
+catalog::RegisterId idOf(const QModelIndex &index)
+{
+    return index.data(RegisterModel::IdRole).toUInt();
+}
+
+} // namespace
+
+EntryValidator::EntryValidator(
+    const RegisterModel &model, catalog::RegisterId id, int column, QObject *parent)
+    : QValidator(parent)
+    , m_model(model)
+    , m_id(id)
+    , m_column(column)
+{
+}
+
+QValidator::State EntryValidator::validate(QString &text, int &) const
+{
+    return m_model.readEntry(m_id, m_column, text) ? Acceptable : Intermediate;
+}
+
+QString EntryValidator::problem(const QString &text) const
+{
+    const auto rules = m_model.rulesOf(m_id);
+    const auto read = m_model.readEntry(m_id, m_column, text);
+    if (read || !rules)
+        return {};
+    EntryRules shown = *rules;
+    if (m_column == RegisterModel::RawColumn)
+        shown.scale = {};
+    return entryErrorText(read.error(), shown);
+}
+
+EntryEdit::EntryEdit(
+    const RegisterModel &model, catalog::RegisterId id, int column, QWidget *parent)
+    : QLineEdit(parent)
+    , m_model(model)
+    , m_id(id)
+    , m_column(column)
+    , m_validator(new EntryValidator(model, id, column, this))
+{
+    setObjectName(QStringLiteral("registerEntry"));
+    setAlignment(Qt::AlignRight);
+    setFocusPolicy(Qt::StrongFocus);
+    setMaxLength(kLongestEntry);
+    setValidator(m_validator);
+    connect(this, &QLineEdit::textChanged, this, &EntryEdit::showProblem);
+}
+
+void EntryEdit::keyPressEvent(QKeyEvent *event)
+{
+    switch (event->key()) {
+    case Qt::Key_Up:
+        return stepBy(1);
+    case Qt::Key_Down:
+        return stepBy(-1);
+    case Qt::Key_PageUp:
+        return stepBy(10);
+    case Qt::Key_PageDown:
+        return stepBy(-10);
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        QLineEdit::keyPressEvent(event);
+        event->accept(); // not for what the editor stands in: that would open it once more
+        return;
+    default:
+        QLineEdit::keyPressEvent(event);
+    }
+}
+
+void EntryEdit::wheelEvent(QWheelEvent *event)
+{
+    if (!hasFocus() || event->angleDelta().y() == 0)
+        return event->ignore();
+    stepBy(event->angleDelta().y() > 0 ? 1 : -1);
+    event->accept();
+}
+
+void EntryEdit::stepBy(int steps)
+{
+    const auto rules = m_model.rulesOf(m_id);
+    const auto read = m_model.readEntry(m_id, m_column, text());
+    const auto next = rules && read ? stepped(*read, steps, *rules) : std::nullopt;
+    if (next)
+        setText(m_column == RegisterModel::RawColumn ? rawEntryText(*next)
+                                                     : shownEntryText(*next, *rules));
+}
+
+void EntryEdit::showProblem()
+{
+    const QString sentence = problem();
+    QPalette colors;
+    if (!sentence.isEmpty()) {
+        colors.setColor(QPalette::Base, QColor(0xff, 0x8f, 0x85));
+        colors.setColor(QPalette::Text, Qt::black);
+    }
+    setPalette(colors);
+    setAccessibleDescription(sentence);
+    if (sentence.isEmpty())
+        QToolTip::hideText();
+    else if (isVisible())
+        QToolTip::showText(mapToGlobal(QPoint(0, height())), sentence.toHtmlEscaped(), this);
+}
+
+RegisterDelegate::RegisterDelegate(const RegisterModel &model, QObject *parent)
+    : QStyledItemDelegate(parent)
+    , m_model(model)
+{
+}
+
+QWidget *makeRegisterEditor(
+    const RegisterModel &model, catalog::RegisterId id, int column, QWidget *parent)
+{
+    const auto rules = model.rulesOf(id);
+    if (!rules)
+        return nullptr;
+    const auto choices = column == RegisterModel::ValueColumn ? choicesOf(*rules->info)
+                                                              : QList<std::pair<QString, qint64>>();
+    QWidget *editor = nullptr;
+    if (choices.isEmpty()) {
+        editor = new EntryEdit(model, id, column, parent);
+    } else {
+        auto *box = new QComboBox(parent);
+        box->setObjectName(QStringLiteral("registerChoice"));
+        for (const auto &[name, value] : choices)
+            box->addItem(name, value);
+        new WheelGuard(box);
+        editor = box;
+    }
+    editor->setAccessibleName(model.indexOf(id).data().toString());
+    return editor;
+}
+
+QWidget *RegisterDelegate::createEditor(
+    QWidget *parent, const QStyleOptionViewItem &, const QModelIndex &index) const
+{
+    const auto rules = m_model.rulesOf(idOf(index));
+    // Before its value is known, a list of flags would write 0 to all that nobody touched.
+    if (rules && index.column() == RegisterModel::ValueColumn && m_model.wanted(idOf(index))
+        && rules->info->meaning == catalog::Meaning::Flags
+        && !catalog::namedFlags(rules->info->name).empty()) {
+        auto *flags = new FlagsEdit(rules->info->name, parent);
+        flags->setAccessibleName(m_model.indexOf(idOf(index)).data().toString());
+        return flags;
+    }
+    return makeRegisterEditor(m_model, idOf(index), index.column(), parent);
+}
+
+void RegisterDelegate::initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const
+{
+    QStyledItemDelegate::initStyleOption(option, index);
+    // The colour of an edit is also seen in a selected row.
+    const auto state =
+        static_cast<RegisterModel::EditState>(index.data(RegisterModel::EditStateRole).toInt());
+    if (state == RegisterModel::EditState::None)
+        return;
+    if (index.column() == RegisterModel::NameColumn) // a colour alone is not seen by everybody
+        option->text = signOf(state) + QLatin1Char(' ') + option->text;
+    else
+        option->state.setFlag(QStyle::State_Selected, false);
+}
+
+void RegisterDelegate::setEditorData(QWidget *editor, const QModelIndex &index) const
+{
+    // Values that arrive while a person types must not replace the text.
+    if (editor->property(kFilled).isValid())
+        return;
+    const QString text = index.data(Qt::EditRole).toString();
+    editor->setProperty(kFilled, text);
+    if (auto *flags = qobject_cast<FlagsEdit *>(editor)) {
+        const auto value = m_model.readEntry(idOf(index), index.column(), text);
+        const auto *bits = value ? std::get_if<std::int64_t>(&*value) : nullptr;
+        return flags->setBits(bits != nullptr ? *bits : 0);
+    }
+    if (auto *box = qobject_cast<QComboBox *>(editor)) {
+        box->setCurrentIndex(box->findText(text));
+    } else if (auto *edit = qobject_cast<EntryEdit *>(editor)) {
+        edit->setText(text);
+        edit->selectAll();
+    }
+}
+
+void RegisterDelegate::setModelData(
+    QWidget *editor, QAbstractItemModel *model, const QModelIndex &index) const
+{
+    if (const auto *box = qobject_cast<QComboBox *>(editor)) {
+        if (box->currentIndex() >= 0 && box->currentText() != box->property(kFilled).toString())
+            model->setData(index, box->currentText(), Qt::EditRole);
+        return;
+    }
+    if (const auto *flags = qobject_cast<FlagsEdit *>(editor)) {
+        if (flags->touched())
+            model->setData(index, QString::number(flags->bits()), Qt::EditRole);
+        return;
+    }
+    const auto *edit = qobject_cast<EntryEdit *>(editor);
+    if (edit == nullptr || edit->text() == edit->property(kFilled).toString())
+        return; // untouched: not a wish for a value that may have changed meanwhile
+    if (!model->setData(index, edit->text(), Qt::EditRole))
+        Q_EMIT entryRefused(edit->problem());
+}
+
+void RegisterDelegate::updateEditorGeometry(
+    QWidget *editor, const QStyleOptionViewItem &option, const QModelIndex &) const
+{
+    QRect place = option.rect;
+    const int width = std::max({place.width(), kNarrowest, editor->sizeHint().width()});
+    const int height = std::max(place.height(), editor->minimumSizeHint().height());
+    const QRect all = editor->parentWidget()->rect();
+    place.setSize({std::min(width, all.width()), height});
+    place.moveRight(std::max(place.right(), all.left() + place.width() - 1));
+    if (place.right() > all.right())
+        place.moveRight(all.right());
+    if (place.left() < all.left())
+        place.moveLeft(all.left());
+    if (place.bottom() > all.bottom())
+        place.moveBottom(all.bottom());
+    if (place.top() < all.top())
+        place.setTop(all.top());
+    editor->setGeometry(place);
+}
+
+} // namespace widgets

@@ -1,0 +1,78 @@
+// RegisterDelegate: the editors of the register tree: names to choose from where a register has them, a strict text
+// field otherwise. An editor only changes what is wanted, never the board; what cannot be understood stays in it.
+#pragma once
+
+#include "widgets/registers/register_model.h"
+
+#include <QLineEdit>
+#include <QStyledItemDelegate>
+#include <QValidator>
+
+namespace widgets {
+
+/// Says whether a text can be written to a register; keeps Enter from taking one that cannot.
+class EntryValidator : public QValidator {
+    Q_OBJECT
+public:
+    EntryValidator(const RegisterModel &model, catalog::RegisterId id, int column, QObject *parent);
+
+    State validate(QString &text, int &position) const override;
+    QString problem(const QString &text) const; ///< one sentence; empty if the text is good
+
+private:
+    const RegisterModel &m_model;
+    catalog::RegisterId m_id;
+    int m_column;
+};
+
+/// A text field for one register. Arrow keys, and the wheel while it has the focus, step the number.
+class EntryEdit : public QLineEdit {
+    Q_OBJECT
+public:
+    EntryEdit(const RegisterModel &model, catalog::RegisterId id, int column, QWidget *parent);
+
+    QString problem() const { return m_validator->problem(text()); }
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+
+private:
+    void stepBy(int steps);
+    void showProblem();
+
+    const RegisterModel &m_model;
+    catalog::RegisterId m_id;
+    int m_column;
+    EntryValidator *m_validator;
+};
+
+/// An EntryEdit, or a QComboBox of names where the register has them; nullptr if it cannot be written.
+QWidget *makeRegisterEditor(
+    const RegisterModel &model, catalog::RegisterId id, int column, QWidget *parent);
+
+class RegisterDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+public:
+    explicit RegisterDelegate(const RegisterModel &model, QObject *parent = nullptr);
+
+    QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &option,
+        const QModelIndex &index) const override;
+    void setEditorData(QWidget *editor, const QModelIndex &index) const override;
+    void setModelData(
+        QWidget *editor, QAbstractItemModel *model, const QModelIndex &index) const override;
+    void updateEditorGeometry(QWidget *editor, const QStyleOptionViewItem &option,
+        const QModelIndex &index) const override;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override;
+
+Q_SIGNALS:
+    void entryRefused(
+        const QString &sentence) const; ///< an editor closed on a text that is not good
+
+private:
+    const RegisterModel &m_model;
+};
+
+} // namespace widgets

@@ -1,0 +1,53 @@
+#include "widgets/registers/write_question.h"
+
+#include "widgets/base/confirmation.h"
+
+#include <QCoreApplication>
+#include <QPointer>
+
+namespace widgets {
+namespace {
+
+constexpr qsizetype kMostLines = 12;
+
+struct WriteQuestion {
+    Q_DECLARE_TR_FUNCTIONS(WriteQuestion)
+};
+
+QString lineText(const WriteLine &line)
+{
+    const QString was =
+        line.was.isEmpty() ? WriteQuestion::tr("not known", "the old value") : line.was;
+    const QString change = QStringLiteral("%1: %2 \u2192 %3").arg(line.name, was, line.becomes);
+    const QString where = line.motor > 0 ? WriteQuestion::tr("Motor %1, %2", "number, change")
+                                               .arg(QString::number(line.motor), change)
+                                         : WriteQuestion::tr("Board, %1", "change").arg(change);
+    return line.caution == catalog::Caution::GainJump
+        ? WriteQuestion::tr("%1 (a gain, by more than 2 while the motor runs)").arg(where)
+        : where;
+}
+
+} // namespace
+
+void askBeforeWriting(QWidget *parent, RegisterEdits &edits, const QList<WriteLine> &lines)
+{
+    QStringList texts;
+    for (const WriteLine &line : lines.first(std::min(lines.size(), kMostLines)))
+        texts.append(lineText(line));
+    if (lines.size() > kMostLines)
+        texts.append(
+            WriteQuestion::tr("and %n more", nullptr, static_cast<int>(lines.size() - kMostLines)));
+    Confirmation question;
+    question.objectName = "writeQuestion";
+    question.title = WriteQuestion::tr("Write registers");
+    question.text = WriteQuestion::tr("This can move or harm a motor at once.");
+    question.lines = texts;
+    question.yesName = "writeAnyway";
+    question.yes = WriteQuestion::tr("Write");
+    askToConfirm(parent, question, [edits = QPointer(&edits)](bool yes) {
+        if (edits)
+            yes ? edits->confirm() : edits->decline();
+    });
+}
+
+} // namespace widgets

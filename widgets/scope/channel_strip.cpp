@@ -1,0 +1,296 @@
+#include "widgets/scope/channel_strip.h"
+
+#include "widgets/base/flow_layout.h"
+#include "widgets/base/value_text.h"
+#include "widgets/base/wheel_guard.h"
+#include "widgets/scope/scope_drop.h"
+
+#include <QActionGroup>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDragEnterEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QMimeData>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace widgets {
+namespace {
+
+constexpr unsigned kSlowestRate = 256;
+constexpr Milliseconds kMeasureOver{1000};
+
+struct Channels {
+    Q_DECLARE_TR_FUNCTIONS(Channels)
+};
+
+QString routeText(Route route)
+{
+    switch (route) {
+    case Route::Fast:
+        return Channels::tr("HF", "high frequency: recorded at the control rate");
+    case Route::Slow:
+        return Channels::tr("MF", "medium frequency: recorded once for many fast samples");
+    case Route::Polled:
+        return Channels::tr("polled", "read one by one");
+    }
+    return {};
+}
+
+QString detourText(Detour detour)
+{
+    switch (detour) {
+    case Detour::None:
+        return {};
+    case Detour::NotStreamable:
+        return Channels::tr(
+            "The board cannot record this register: it is read one by one and drawn at that rate.");
+    case Detour::TooManySignals:
+        return Channels::tr(
+            "The board records no more signals at once: this one is read one by one.");
+    case Detour::LinkFull:
+        return Channels::tr("The link is too slow to record it: it is read one by one.");
+    }
+    return {};
+}
+
+/// A chip: rounded, in the colour of its field, with the signal's colour at its left edge.
+class Chip : public QWidget {
+public:
+    Chip(const QColor &color, QWidget *parent)
+        : QWidget(parent)
+        , m_color(color)
+    {
+    }
+
+protected:
+    void paintEvent(QPaintEvent *) override
+    {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(palette().color(QPalette::Mid));
+        painter.setBrush(palette().color(QPalette::Base));
+        painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(
+            m_color.isValid() ? m_color : palette().color(QPalette::Disabled, QPalette::Text));
+        painter.drawRoundedRect(QRectF(6, height() / 2.0 - 5, 10, 10), 2, 2);
+    }
+
+private:
+    QColor m_color;
+};
+
+} // namespace
+
+ChannelStrip::ChannelStrip(SignalSelection &selection, Device &device, QWidget *parent)
+    : QWidget(parent)
+    , m_selection(selection)
+    , m_device(device)
+    , m_chips(new QWidget(this))
+    , m_flow(new FlowLayout(5, m_chips))
+    , m_empty(new QLabel(
+          tr("Drag registers here or onto the scope, or press Enter in the list."), this))
+    , m_rate(new QComboBox(this))
+    , m_budget(new QLabel(this))
+{
+    setObjectName(QStringLiteral("channelStrip"));
+    setAcceptDrops(true);
+    m_empty->setEnabled(false);
+    m_rate->setObjectName(QStringLiteral("fastRate"));
+    new WheelGuard(m_rate);
+    m_rate->setAccessibleName(tr("Rate of the fast signals"));
+    m_rate->setToolTip(tr("Samples a second of each HF signal"));
+    m_budget->setObjectName(QStringLiteral("linkBudget"));
+    m_budget->setTextFormat(Qt::PlainText);
+
+    auto *rateLabel = new QLabel(tr("HF rate"), this);
+    rateLabel->setBuddy(m_rate);
+    auto *bottom = new QHBoxLayout;
+    bottom->setSpacing(8);
+    bottom->addWidget(rateLabel);
+    bottom->addWidget(m_rate);
+    bottom->addSpacing(8);
+    bottom->addWidget(m_budget, 1);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 4, 8, 6);
+    layout->setSpacing(4);
+    layout->addWidget(m_empty);
+    layout->addWidget(m_chips);
+    layout->addLayout(bottom);
+
+    connect(m_rate, &QComboBox::activated, this,
+        [this](int index) { m_selection.setFastEvery(m_rate->itemData(index).toUInt()); });
+    connect(&selection, &SignalSelection::changed, this, &ChannelStrip::rebuild);
+    connect(&device, &Device::identityChanged, this, &ChannelStrip::fillRates);
+    fillRates();
+    rebuild();
+}
+
+void ChannelStrip::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (!registersIn(*event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void ChannelStrip::dropEvent(QDropEvent *event)
+{
+    for (const quint32 id : registersIn(*event->mimeData()))
+        m_selection.add(id);
+    event->acceptProposedAction();
+}
+
+void ChannelStrip::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_budget)
+        rebuild(); // the scope's colours follow the theme
+}
+
+void ChannelStrip::fillRates()
+{
+    m_rate->clear();
+    const double tickHz = m_device.streamLimits().tickHz;
+    for (unsigned every = 1; every <= kSlowestRate && tickHz > 0.0; every *= 2) {
+        const double hz = tickHz / every;
+        const QString text = hz >= 1000.0
+            ? tr("%1 kHz").arg(numberText(hz / 1000.0, hz < 10000.0 ? 2 : 1))
+            : tr("%1 Hz").arg(numberText(hz, 1));
+        m_rate->addItem(text, every);
+    }
+    m_rate->setEnabled(tickHz > 0.0);
+    m_rate->setCurrentIndex(m_rate->findData(m_selection.fastEvery()));
+}
+
+QWidget *ChannelStrip::makeChip(const PlannedSignal &planned)
+{
+    const quint32 id = planned.id;
+    const QString name = m_selection.nameOf(id);
+    auto *chip = new Chip(m_selection.colorOf(id), m_chips);
+    chip->setObjectName(QStringLiteral("chip_") + name);
+    auto *label = new QLabel(name, chip);
+    label->setTextFormat(Qt::PlainText);
+
+    auto *tag = new QToolButton(chip);
+    tag->setAutoRaise(true);
+    // The style's own arrow overlaps so short a text.
+    tag->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    tag->setText(routeText(planned.route) + QStringLiteral(" \u25be"));
+    tag->setPopupMode(QToolButton::InstantPopup);
+    tag->setAccessibleName(tr("How %1 is recorded: %2").arg(name, routeText(planned.route)));
+    tag->setToolTip(planned.detour == Detour::None ? tr("How this signal is recorded")
+                                                   : detourText(planned.detour));
+    auto *menu = new QMenu(tag);
+    const std::pair<Route, QString> routes[] = {
+        {Route::Fast, tr("HF: at the fast rate")},
+        {Route::Slow, tr("MF: once for %n fast samples", nullptr, static_cast<int>(kSlowEvery))},
+        {Route::Polled, tr("Polled: read one by one")},
+    };
+    for (const auto &[route, text] : routes) {
+        QAction *action = menu->addAction(text);
+        action->setCheckable(true);
+        action->setChecked(route == planned.route);
+        action->setEnabled(route == Route::Polled || planned.detour != Detour::NotStreamable);
+        connect(action, &QAction::triggered, this,
+            [this, id, chosen = route] { m_selection.setRoute(id, chosen); });
+    }
+    tag->setMenu(menu);
+
+    auto *remove = new QToolButton(chip);
+    remove->setAutoRaise(true);
+    remove->setText(QStringLiteral("\u00d7"));
+    remove->setAccessibleName(tr("Remove %1").arg(name));
+    remove->setToolTip(tr("Take it off the scope"));
+    connect(
+        remove, &QToolButton::clicked, this, [this, id] { m_selection.remove(id); },
+        Qt::QueuedConnection);
+
+    auto *layout = new QHBoxLayout(chip);
+    layout->setContentsMargins(21, 1, 2, 1);
+    layout->setSpacing(2);
+    layout->addWidget(label);
+    layout->addWidget(tag);
+    layout->addWidget(remove);
+    return chip;
+}
+
+void ChannelStrip::rebuild()
+{
+    while (QLayoutItem *item = m_flow->takeAt(0)) {
+        if (item->widget()) {
+            item->widget()->hide();
+            item->widget()->deleteLater();
+        }
+        delete item;
+    }
+    for (const PlannedSignal &planned : m_selection.plan().signalList) {
+        QWidget *chip = makeChip(planned);
+        m_flow->addWidget(chip);
+        chip->show();
+    }
+    m_empty->setVisible(m_flow->count() == 0);
+    m_chips->setVisible(m_flow->count() != 0);
+    m_chips->updateGeometry();
+    updateBudget();
+}
+
+void ChannelStrip::updateBudget()
+{
+    const ChannelPlan &plan = m_selection.plan();
+    const double link = m_device.streamLimits().linkBytesPerSecond;
+    m_rate->setCurrentIndex(m_rate->findData(
+        plan.stream.fast.empty() ? m_selection.fastEvery() : plan.stream.fastEvery));
+    if (plan.signalList.empty() || link <= 0.0) {
+        m_budget->clear();
+        m_budget->setToolTip({});
+        return;
+    }
+    QString text = tr("%1 of %2 kB/s (%3 %)", "used, available, percent")
+                       .arg(numberText(plan.bytesPerSecond / 1000.0, 1),
+                           numberText(link / 1000.0, 0), numberText(plan.share * 100.0, 0));
+    if (m_measured)
+        text += tr(", measured %1 kB/s").arg(numberText(*m_measured / 1000.0, 1));
+    if (plan.rateLowered)
+        text += QStringLiteral("  \u2022  ") + tr("rate lowered to fit the link");
+    int polled = 0;
+    for (const PlannedSignal &planned : plan.signalList)
+        polled +=
+            planned.detour == Detour::TooManySignals || planned.detour == Detour::LinkFull ? 1 : 0;
+    if (polled > 0)
+        text += QStringLiteral("  \u2022  ")
+            + tr("%n signal(s) polled, see the chips", nullptr, polled);
+    m_budget->setText(text);
+    QStringList lines{
+        tr("Planned: %1 kB/s of %2 kB/s; one packet every %3 ms.")
+            .arg(numberText(plan.bytesPerSecond / 1000.0, 1), numberText(link / 1000.0, 1),
+                numberText(plan.packetSeconds * 1e3, 1)),
+        tr("This link carries %n HF signal(s) at every control period.", nullptr,
+            static_cast<int>(plan.fitAtFullRate))};
+    if (plan.rateLowered)
+        lines.append(tr("At the rate wished for it would be %1 kB/s: recorded at one period in %2.")
+                         .arg(numberText(plan.fullRateBytes / 1000.0, 1),
+                             QString::number(plan.stream.fastEvery)));
+    m_budget->setToolTip(lines.join(QLatin1Char('\n')));
+    m_budget->setAccessibleDescription(lines.join(QLatin1Char(' ')));
+}
+
+void ChannelStrip::measure(Milliseconds now)
+{
+    const std::uint64_t bytes = m_device.counters().bytesIn;
+    const Milliseconds since = now - m_measuredAt;
+    if (since < kMeasureOver)
+        return;
+    const bool counted = m_measuredAt.count() > 0 && bytes >= m_bytesBefore;
+    const bool streams = m_selection.plan().bytesPerSecond > 0.0 && m_device.answering();
+    m_measured.reset();
+    if (counted && streams)
+        m_measured = static_cast<double>(bytes - m_bytesBefore) / toSeconds(since);
+    m_bytesBefore = bytes;
+    m_measuredAt = now;
+    updateBudget();
+}
+
+} // namespace widgets

@@ -1,0 +1,48 @@
+// ChannelStrip: the recorded signals as chips, how each gets here, and what that costs of the link. Signals dropped
+// on it are added.
+#pragma once
+
+#include "widgets/scope/signal_selection.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+
+namespace widgets {
+
+class FlowLayout;
+
+class ChannelStrip : public QWidget {
+    Q_OBJECT
+public:
+    ChannelStrip(SignalSelection &selection, Device &device, QWidget *parent = nullptr);
+
+public Q_SLOTS:
+    /// Some times a second: what the link really carries, beside what was planned.
+    void measure(widgets::Milliseconds now);
+
+protected:
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dropEvent(QDropEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    void rebuild();
+    void updateBudget();
+    void fillRates();
+    QWidget *makeChip(const PlannedSignal &planned);
+
+    SignalSelection &m_selection;
+    Device &m_device;
+    QWidget *m_chips;
+    FlowLayout *m_flow;
+    QLabel *m_empty;
+    QComboBox *m_rate;
+    QLabel *m_budget;
+    std::optional<double> m_measured; ///< bytes a second
+    std::uint64_t m_bytesBefore = 0;
+    Milliseconds m_measuredAt{};
+};
+
+} // namespace widgets

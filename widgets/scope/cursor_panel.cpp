@@ -1,0 +1,161 @@
+#include "widgets/scope/cursor_panel.h"
+
+#include "widgets/base/wheel_guard.h"
+#include "widgets/scope/cursor_table.h"
+#include "widgets/scope/reading_text.h"
+#include "widgets/scope/scope_view.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollBar>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace widgets {
+
+namespace {
+constexpr int kSideWidth = 190;
+constexpr int kRowRoom = 3; ///< pixels above and below a line of the table, together
+} // namespace
+
+CursorPanel::CursorPanel(ScopeView &scope, const capture::Capture &capture, QWidget *parent)
+    : QWidget(parent)
+    , m_scope(scope)
+    , m_model(new CursorTable(scope, capture, this))
+    , m_pairs(new QComboBox(this))
+    , m_add(new QToolButton(this))
+    , m_remove(new QToolButton(this))
+    , m_distance(new QLabel(this))
+    , m_table(new QTableView(this))
+{
+    setObjectName(QStringLiteral("cursorPanel"));
+    m_table->setObjectName(QStringLiteral("cursorTable"));
+    m_table->setAccessibleName(tr("Values at the cursors"));
+    m_table->setModel(m_model);
+    m_table->setSelectionMode(QAbstractItemView::NoSelection);
+    m_table->setFocusPolicy(Qt::NoFocus);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->viewport()->setBackgroundRole(QPalette::Window);
+    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    m_table->verticalHeader()->setHighlightSections(false);
+
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(8, 2, 8, 2);
+    layout->setSpacing(8);
+    layout->addWidget(makeSide());
+    layout->addWidget(m_table, 1);
+    connect(&scope.cursors(), &Cursors::changed, this, &CursorPanel::follow);
+    fitHeight();
+    follow();
+}
+
+QWidget *CursorPanel::makeSide()
+{
+    auto *side = new QWidget(this);
+    side->setFixedWidth(kSideWidth);
+    m_pairs->setObjectName(QStringLiteral("cursorPair"));
+    m_pairs->setEditable(true);
+    m_pairs->setInsertPolicy(QComboBox::NoInsert);
+    m_pairs->lineEdit()->setMaxLength(Cursors::kNameLength);
+    m_pairs->setAccessibleName(tr("Pair of cursors"));
+    m_pairs->setToolTip(tr("The pair that is read out; type to give it a name"));
+    new WheelGuard(m_pairs);
+    const auto button = [side](QToolButton *tool, const char *name, const QString &sign,
+                            const QString &says) {
+        tool->setParent(side);
+        tool->setObjectName(QLatin1String(name));
+        tool->setText(sign);
+        tool->setAccessibleName(says);
+        tool->setToolTip(says);
+        tool->setAutoRaise(true);
+    };
+    auto *copyIt = new QToolButton(side);
+    auto *hide = new QToolButton(side);
+    button(m_add, "addCursorPair", QStringLiteral("+"), tr("Another pair of cursors"));
+    button(m_remove, "removeCursorPair", QStringLiteral("\u2212"), tr("Remove this pair"));
+    button(copyIt, "copyCursors", tr("Copy"), tr("Copy the values as text"));
+    button(hide, "hideCursors", QStringLiteral("\u00d7"), tr("Hide the cursors (C)"));
+    m_distance->setObjectName(QStringLiteral("cursorInverse"));
+    m_distance->setTextFormat(Qt::PlainText);
+    m_distance->setTextInteractionFlags(Qt::TextSelectableByMouse);
+
+    auto *buttons = new QHBoxLayout;
+    buttons->setSpacing(2);
+    buttons->addWidget(m_add);
+    buttons->addWidget(m_remove);
+    buttons->addWidget(copyIt);
+    buttons->addStretch(1);
+    buttons->addWidget(hide);
+    auto *layout = new QVBoxLayout(side);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(m_pairs);
+    layout->addLayout(buttons);
+    layout->addWidget(m_distance);
+    layout->addStretch(1);
+
+    Cursors &cursors = m_scope.cursors();
+    connect(m_pairs, &QComboBox::activated, &cursors, &Cursors::setCurrent);
+    connect(m_pairs->lineEdit(), &QLineEdit::editingFinished, &cursors,
+        [this, &cursors] { cursors.rename(m_pairs->currentText()); });
+    connect(m_add, &QToolButton::clicked, &cursors, [this, &cursors] {
+        const ScopeView::TimeRange seen = m_scope.visibleRange();
+        const double span = seen.to - seen.from;
+        cursors.addPair(seen.from + span * 0.4, seen.from + span * 0.6);
+    });
+    connect(m_remove, &QToolButton::clicked, &cursors, &Cursors::removeCurrent);
+    connect(copyIt, &QToolButton::clicked, this, &CursorPanel::copy);
+    connect(hide, &QToolButton::clicked, &m_scope, &ScopeView::toggleCursors);
+    return side;
+}
+
+void CursorPanel::copy() { QApplication::clipboard()->setText(m_model->asText()); }
+
+void CursorPanel::follow()
+{
+    const Cursors &cursors = m_scope.cursors();
+    setVisible(cursors.visible());
+    const auto &pairs = cursors.pairs();
+    if (m_pairs->count() != int(pairs.size()) || m_pairs->currentIndex() != cursors.current()
+        || m_pairs->itemText(cursors.current()) != cursors.pair().name) {
+        m_pairs->clear();
+        for (const CursorPair &pair : pairs)
+            m_pairs->addItem(pair.name);
+        m_pairs->setCurrentIndex(cursors.current());
+    }
+    m_add->setEnabled(pairs.size() < std::size_t(Cursors::kMostPairs));
+    m_remove->setEnabled(pairs.size() > 1);
+    m_distance->setText(QStringLiteral("1/\u0394t\u2002")
+        + inverseTime(cursors.pair().b - cursors.pair().a, m_scope.locale()));
+}
+
+/// Exactly the heading and three lines: what is above keeps the rest.
+void CursorPanel::fitHeight()
+{
+    const int line = fontMetrics().height() + kRowRoom;
+    m_table->verticalHeader()->setMinimumSectionSize(line);
+    m_table->verticalHeader()->setDefaultSectionSize(line);
+    m_table->horizontalHeader()->setFixedHeight(line + 2);
+    // The scroll bar of many traces has its place below them.
+    const int bar = m_table->horizontalScrollBar()->sizeHint().height();
+    m_table->setFixedHeight(line + 2 + CursorTable::kRows * line + bar);
+}
+
+void CursorPanel::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange)
+        fitHeight();
+}
+
+} // namespace widgets

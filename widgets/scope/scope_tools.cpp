@@ -1,0 +1,81 @@
+#include "widgets/scope/scope_tools.h"
+
+#include "widgets/scope/scope_view.h"
+#include "widgets/scope/trigger_control.h"
+
+namespace widgets {
+
+template <class Slot>
+QAction *ScopeTools::make(
+    const QString &text, const QKeySequence &keys, const QString &says, Slot slot)
+{
+    auto *action = new QAction(text, this);
+    action->setShortcut(keys);
+    if (!says.isEmpty())
+        action->setToolTip(says);
+    m_window.addAction(action);
+    connect(action, &QAction::triggered, &m_scope, slot);
+    return action;
+}
+
+ScopeTools::ScopeTools(ScopeView &scope, TriggerControl &trigger, QWidget &window)
+    : QObject(&window)
+    , m_scope(scope)
+    , m_window(window)
+{
+    makeTrigger(trigger);
+    m_cursors = make(tr("Cursors"), Qt::Key_C,
+        tr("Two times, their distance and the values there (C). "
+           "1 and 2 give a cursor to the mouse, arrows move it by a sample."),
+        &ScopeView::toggleCursors);
+    m_cursors->setCheckable(true);
+    QAction *takeA = make(tr("Take cursor &A"), Qt::Key_1, {}, [this] {
+        m_scope.takeCursor(CursorEnd::A);
+        m_scope.setFocus(Qt::ShortcutFocusReason);
+    });
+    QAction *takeB = make(tr("Take cursor &B"), Qt::Key_2, {}, [this] {
+        m_scope.takeCursor(CursorEnd::B);
+        m_scope.setFocus(Qt::ShortcutFocusReason);
+    });
+    m_groups.append({m_cursors, takeA, takeB});
+    m_groups.append({make(tr("Set a &marker"), Qt::Key_M,
+        tr("At the mouse, else at the active cursor, else at the newest sample (M)"),
+        &ScopeView::setMarker)});
+    QAction *overview = make(tr("&Whole recording below"), Qt::Key_O,
+        tr("A strip with everything recorded, and a box around what the plots show (O)"),
+        [this] { m_scope.setOverviewVisible(!m_scope.overviewVisible()); });
+    m_groups.append(QList<QAction *>{overview});
+    connect(&scope.cursors(), &Cursors::changed, m_cursors,
+        [this] { m_cursors->setChecked(m_scope.cursors().visible()); });
+}
+
+void ScopeTools::makeTrigger(TriggerControl &trigger)
+{
+    QAction *single = make(tr("&Single record"), Qt::Key_S, {}, [&trigger] { trigger.single(); });
+    QAction *force = make(tr("Force a &trigger"), Qt::Key_T, {}, [&trigger] { trigger.force(); });
+    m_groups.append(QList<QAction *>{single, force});
+    QAction *before =
+        make(tr("&Previous record"), Qt::Key_PageUp, {}, [&trigger] { trigger.step(-1); });
+    QAction *after =
+        make(tr("&Next record"), Qt::Key_PageDown, {}, [&trigger] { trigger.step(1); });
+    m_groups.append(QList<QAction *>{before, after});
+    QList<QAction *> references;
+    const std::tuple<Reference, Qt::Key, QString, QString> all[] = {
+        {Reference::A, Qt::Key_R, tr("Keep as &reference A"), tr("&Drop reference A")},
+        {Reference::B, Qt::Key_B, tr("Keep as reference &B"), tr("Drop re&ference B")}};
+    for (const auto &[which, key, keep, drop] : all) {
+        references.append(
+            make(keep, key, {}, [this, which = which] { m_scope.keepReference(which); }));
+        QAction *away = make(
+            drop, Qt::SHIFT | key, {}, [this, which = which] { m_scope.dropReference(which); });
+        const auto enable = [this, away, which = which] {
+            away->setEnabled(m_scope.hasReference(which));
+        };
+        connect(&m_scope, &ScopeView::referencesChanged, away, enable);
+        enable();
+        references.append(away);
+    }
+    m_groups.append(references);
+}
+
+} // namespace widgets

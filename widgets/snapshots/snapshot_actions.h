@@ -1,0 +1,40 @@
+// SnapshotActions: what a window offers about snapshots: menu entries with their keys, and files that are dropped on it.
+#pragma once
+
+#include "widgets/snapshots/snapshot_dialog.h"
+
+#include <QAction>
+#include <QObject>
+
+namespace widgets {
+
+class SnapshotPanel;
+
+class SnapshotActions : public QObject {
+    Q_OBJECT
+public:
+    /// All outlive this. The panel knows the folder, and gets files that are dropped.
+    SnapshotActions(Device &device, FilePrompt &files, SnapshotPanel &panel, QWidget &window);
+
+    QList<QAction *> actions() const { return {m_save, m_header}; }
+
+Q_SIGNALS:
+    void saved(const QString &sentence);
+    void panelWanted(); ///< a file was dropped: show what is in it
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void open(SnapshotDialog::Form form);
+    void update();
+
+    Device &m_device;
+    FilePrompt &m_files;
+    SnapshotPanel &m_panel;
+    QWidget &m_window;
+    QAction *m_save;
+    QAction *m_header;
+};
+
+} // namespace widgets

@@ -1,0 +1,140 @@
+#include "widgets/snapshots/snapshot_text.h"
+
+#include "catalog/names.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/value_text.h"
+#include "widgets/registers/register_texts.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QLocale>
+
+#include <cmath>
+
+namespace widgets {
+namespace {
+
+const QString kDash = QStringLiteral("\u2013");
+
+struct SnapshotText {
+    Q_DECLARE_TR_FUNCTIONS(Snapshot)
+};
+
+QString joined(const std::vector<std::string> &names)
+{
+    const QStringList words = valueNameTexts(names);
+    return words.isEmpty() ? SnapshotText::tr("none", "no flag is set")
+                           : words.join(QStringLiteral(" | "));
+}
+
+QString wholeText(const tuning::Entry &entry, std::int64_t raw)
+{
+    if (!catalog::namedValues(entry.name).empty())
+        return valueNameText(catalog::valueName(entry.name, raw));
+    if (!catalog::namedFlags(entry.name).empty() && !catalog::holdsPastFaults(entry.name))
+        return joined(catalog::flagNames(entry.name, static_cast<std::uint32_t>(raw)));
+    const double shown = entry.shown.value_or(static_cast<double>(raw));
+    const double factor = raw != 0 ? shown / static_cast<double>(raw) : 1.0;
+    return std::isfinite(shown) ? numberText(shown, decimalsFor(factor)) : kDash;
+}
+
+QString problemText(session::SnapshotProblem problem)
+{
+    using Problem = session::SnapshotProblem;
+    switch (problem) {
+    case Problem::NotJson:
+        return SnapshotText::tr("it is no JSON");
+    case Problem::NotASnapshot:
+        return SnapshotText::tr("it is no snapshot");
+    case Problem::NewerVersion:
+        return SnapshotText::tr("it is of a newer version than this program knows");
+    case Problem::NoRegisters:
+        return SnapshotText::tr("it has no list of registers");
+    case Problem::TooManyRegisters:
+        return SnapshotText::tr("it has more registers than any board");
+    case Problem::NoName:
+        return SnapshotText::tr("it has no name", "a register in a file");
+    case Problem::NoMotor:
+        return SnapshotText::tr("it has no motor from 0 to 7", "a register in a file");
+    case Problem::NoId:
+        return SnapshotText::tr("it has no id", "a register in a file");
+    case Problem::NoType:
+        return SnapshotText::tr("it has no known type", "a register in a file");
+    case Problem::NumberDoesNotFit:
+        return SnapshotText::tr("its raw number does not fit its type", "a register in a file");
+    case Problem::NoNumber:
+        return SnapshotText::tr("it has neither bits nor a raw number", "a register in a file");
+    case Problem::NoText:
+        return SnapshotText::tr("it has no raw text", "a register in a file");
+    case Problem::NotBytes:
+        return SnapshotText::tr(
+            "its bytes are no pairs of hexadecimal digits", "a register in a file");
+    case Problem::Twice:
+        return SnapshotText::tr("it is there twice", "a register in a file");
+    }
+    return {};
+}
+
+} // namespace
+
+QString snapshotValueText(const tuning::Entry *entry)
+{
+    if (entry == nullptr)
+        return kDash;
+    if (const auto *whole = std::get_if<std::int64_t>(&entry->value))
+        return wholeText(*entry, *whole);
+    if (const auto *number = std::get_if<double>(&entry->value)) {
+        QLocale locale;
+        locale.setNumberOptions(QLocale::OmitGroupSeparator);
+        const double shown = entry->shown.value_or(*number);
+        return std::isfinite(shown) ? locale.toString(shown, 'g', 7) : kDash;
+    }
+    return snapshotRawText(entry);
+}
+
+QString snapshotRawText(const tuning::Entry *entry)
+{
+    return entry != nullptr ? deviceText(rawText(entry->value)) : kDash;
+}
+
+QString snapshotFileErrorText(const QString &file, const session::SnapshotFileError &error)
+{
+    const QString name = deviceText(QFileInfo(file).fileName());
+    const QString what = problemText(error.problem);
+    const QString line = QString::number(error.line);
+    if (error.problem == session::SnapshotProblem::NotJson)
+        return SnapshotText::tr("%1 cannot be used: in line %2 %3 (%4).",
+            "file, number, what is wrong, the parser's words")
+            .arg(name, line, what, error.parserText);
+    if (error.number == 0)
+        return SnapshotText::tr("%1 cannot be used: %2.", "file, what is wrong").arg(name, what);
+    const QString which =
+        error.name.isEmpty() ? QString::number(error.number) : deviceText(error.name);
+    return SnapshotText::tr(
+        "%1 cannot be used: line %2, register %3: %4.", "file, number, name, what is wrong")
+        .arg(name, line, which, what);
+}
+
+QString notRestoredText(tuning::NotRestored why)
+{
+    using tuning::NotRestored;
+    switch (why) {
+    case NotRestored::NotOnBoard:
+        return SnapshotText::tr("This board does not have it, or it cannot be written there.");
+    case NotRestored::OtherType:
+        return SnapshotText::tr("It holds something else in this firmware.");
+    case NotRestored::MotorMoves:
+        return SnapshotText::tr("Writing it can move something, and its motor is not idle.");
+    case NotRestored::ReadsDifferently:
+        return SnapshotText::tr("Firmware gives it in another form than it takes it.");
+    }
+    return {};
+}
+
+QString suggestedFileName(const QDateTime &now, const QString &what)
+{
+    return QLocale::c().toString(now, QStringLiteral("yyyy-MM-dd_HH-mm-ss"))
+        + QStringLiteral("_motor_") + what;
+}
+
+} // namespace widgets

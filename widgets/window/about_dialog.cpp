@@ -1,0 +1,123 @@
+#include "widgets/window/about_dialog.h"
+
+#include <QCoreApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace widgets {
+namespace {
+
+struct About {
+    Q_DECLARE_TR_FUNCTIONS(About)
+};
+
+QLabel *plainLabel(const QString &text, QWidget *parent)
+{
+    auto *label = new QLabel(text, parent);
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    return label;
+}
+
+QDialog *makeDialog(QWidget *parent, const QString &title)
+{
+    auto *dialog = new QDialog(parent);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(title);
+    auto *layout = new QVBoxLayout(dialog);
+    layout->setContentsMargins(20, 18, 20, 14);
+    layout->setSpacing(12);
+    return dialog;
+}
+
+void finish(QDialog *dialog)
+{
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+    dialog->layout()->addWidget(buttons);
+    dialog->open();
+}
+
+} // namespace
+
+QString stopLimitsText()
+{
+    return About::tr(
+        "A program on a PC over a serial line is no replacement for a switch that removes the "
+        "power: have one at hand. "
+        "\"Stop motors\" takes the motor out of control; it may coast for a long time. "
+        "If Rotorscope crashes, is killed or loses the link, nothing is sent and the motor goes on "
+        "turning.");
+}
+
+void showAbout(QWidget *parent)
+{
+    QDialog *dialog = makeDialog(parent, About::tr("About Rotorscope"));
+    auto *title = plainLabel(
+        QStringLiteral("Rotorscope %1").arg(QCoreApplication::applicationVersion()), dialog);
+    QFont large = title->font();
+    large.setPointSizeF(large.pointSizeF() * 1.6);
+    large.setBold(true);
+    title->setFont(large);
+    dialog->layout()->addWidget(title);
+    dialog->layout()->addWidget(
+        plainLabel(About::tr("A workbench for engineers who tune electric motors."), dialog));
+    dialog->layout()->addWidget(plainLabel(stopLimitsText(), dialog));
+    dialog->layout()->addWidget(
+        plainLabel(About::tr("Free software under the GNU General Public License, version 3 or "
+                             "later, without any warranty. "
+                             "Built with Qt %1 and QCustomPlot.")
+                       .arg(QString::fromLatin1(qVersion())),
+            dialog));
+    dialog->setMinimumWidth(460);
+    finish(dialog);
+}
+
+void showKeys(QWidget *parent)
+{
+    QDialog *dialog = makeDialog(parent, About::tr("Keys"));
+    auto *form = new QFormLayout;
+    form->setHorizontalSpacing(24);
+    const std::pair<QString, QString> keys[] = {
+        {QStringLiteral("Esc"), About::tr("Stop every motor, from any window")},
+        {QStringLiteral("Ctrl+Enter"), About::tr("Start the motor (after Arm)")},
+        {QStringLiteral("Ctrl+Backspace"), About::tr("Acknowledge faults")},
+        {QStringLiteral("Ctrl+D"), About::tr("Connect, disconnect")},
+        {QStringLiteral("Ctrl+K"), About::tr("Find a register")},
+        {QStringLiteral("F2"), About::tr("Edit a register's value")},
+        {QStringLiteral("Ctrl+Shift+A"), About::tr("Write the edited registers (after Arm)")},
+        {QStringLiteral("Ctrl+Z, Ctrl+Shift+Z"), About::tr("Undo and redo what was written")},
+        {About::tr("Enter"), About::tr("In the list: add to the scope. In a set-point: send it")},
+        {About::tr("Space"), About::tr("Hold the picture, let it run (never starts a motor)")},
+        {QStringLiteral("F, Shift+F"), About::tr("Show everything; fit the values only")},
+        {QStringLiteral("+ \u2212"), About::tr("Zoom in, out; also the wheel")},
+        {QStringLiteral("Ctrl+\u2190 Ctrl+\u2192"), About::tr("Earlier, later")},
+        {About::tr("End"), About::tr("Follow the newest samples")},
+        {QStringLiteral("S, T"), About::tr("Take a single record; force a trigger")},
+        {About::tr("Page up, page down"), About::tr("Earlier and later records of the trigger")},
+        {QStringLiteral("R, B"),
+            About::tr("Keep the traces as reference A, B; with Shift: drop it")},
+        {QStringLiteral("O"), About::tr("Show the whole recording below")},
+        {QStringLiteral("C, 1, 2"), About::tr("Cursors; 1 and 2 give one to the mouse")},
+        {QStringLiteral("M"), About::tr("Set a marker")},
+        {QStringLiteral("\u2190 \u2192"),
+            About::tr("Move the cursor by a sample, else the picture")},
+        {QStringLiteral("Ctrl+Shift+E"), About::tr("Export CSV")},
+        {QStringLiteral("Ctrl+Shift+M, Ctrl+Shift+X"), About::tr("Math channels; XY picture")},
+        {QStringLiteral("Ctrl+Shift+L"), About::tr("Motion log")},
+        {QStringLiteral("F9"), About::tr("Large numbers")},
+        {QStringLiteral("F11"), About::tr("Full screen")},
+    };
+    for (const auto &[key, what] : keys) {
+        auto *label = plainLabel(what, dialog);
+        label->setWordWrap(false);
+        form->addRow(key, label);
+    }
+    static_cast<QVBoxLayout *>(dialog->layout())->addLayout(form);
+    finish(dialog);
+}
+
+} // namespace widgets

@@ -1,0 +1,341 @@
+#include "widgets/window/connect_bar.h"
+
+#include "drive/protocol.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/lamp.h"
+#include "widgets/base/messages.h"
+#include "widgets/base/wheel_guard.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace widgets {
+namespace {
+
+constexpr quint32 kBauds[] = {1843200, 921600, 460800, 230400, 115200};
+constexpr quint32 kSlowestBaud = 1200;
+constexpr quint32 kFastestBaud = 12'000'000;
+
+/// A label that never asks for more room than it is given; its whole text is its tool tip.
+class ElidedLabel : public QLabel {
+public:
+    using QLabel::QLabel;
+    QSize minimumSizeHint() const override { return {24, QLabel::minimumSizeHint().height()}; }
+
+protected:
+    void resizeEvent(QResizeEvent *event) override
+    {
+        QLabel::resizeEvent(event);
+        update();
+    }
+    void paintEvent(QPaintEvent *) override
+    {
+        QPainter painter(this);
+        painter.setPen(palette().color(
+            isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::WindowText));
+        painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
+            fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+    }
+};
+
+QString fromCore(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+void fillProtocols(QComboBox &box)
+{
+    for (const drive::ProtocolChoice &choice : drive::protocolChoices()) {
+        if (!choice.serial)
+            continue;
+        box.addItem(choice.title.empty() ? ConnectBar::tr("Auto") : fromCore(choice.title),
+            fromCore(choice.word));
+        box.setItemData(box.count() - 1,
+            choice.title.empty() ? ConnectBar::tr("Finds out what the board speaks; nothing that "
+                                                  "is sent for it can move a motor")
+                                 : fromCore(choice.help),
+            Qt::ToolTipRole);
+    }
+}
+
+QString choiceText(const session::PortChoice &choice)
+{
+    const QString title = deviceText(choice.title);
+    if (choice.kind == session::PortChoice::Kind::Simulator)
+        return title.isEmpty() ? ConnectBar::tr("Simulated board")
+                               : ConnectBar::tr("Simulated board (%1)").arg(title);
+    const QString mark =
+        choice.kind == session::PortChoice::Kind::StLink ? QStringLiteral("ST-LINK") : title;
+    return mark.isEmpty() ? deviceText(choice.path)
+                          : QStringLiteral("%1 (%2)").arg(deviceText(choice.path), mark);
+}
+
+} // namespace
+
+ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget *parent)
+    : QWidget(parent)
+    , m_device(device)
+    , m_source(ports)
+    , m_port(new QComboBox(this))
+    , m_baud(new QComboBox(this))
+    , m_protocol(new QComboBox(this))
+    , m_connect(new QPushButton(this))
+    , m_portLamp(new Lamp(tr("Port"), this))
+    , m_boardLamp(new Lamp(tr("Board"), this))
+    , m_firmware(new ElidedLabel(this))
+    , m_board(new ElidedLabel(this))
+    , m_motor(new QComboBox(this))
+{
+    setObjectName(QStringLiteral("connectBar"));
+    m_port->setObjectName(QStringLiteral("port"));
+    m_port->setAccessibleName(tr("Port"));
+    m_port->setToolTip(tr("A port of the list, or a path that you type"));
+    m_port->setEditable(true);
+    m_port->setInsertPolicy(QComboBox::NoInsert);
+    m_port->setMinimumWidth(190);
+    m_port->installEventFilter(this);
+    m_baud->setObjectName(QStringLiteral("baud"));
+    m_baud->setAccessibleName(tr("Baud rate"));
+    m_baud->setEditable(true);
+    m_baud->setInsertPolicy(QComboBox::NoInsert);
+    for (const quint32 baud : kBauds)
+        m_baud->addItem(QString::number(baud), baud);
+    m_protocol->setObjectName(QStringLiteral("protocol"));
+    m_protocol->setAccessibleName(tr("Protocol"));
+    m_protocol->setToolTip(tr("What the board speaks; Auto finds it out"));
+    fillProtocols(*m_protocol);
+    m_connect->setObjectName(QStringLiteral("connect"));
+    m_connect->setMinimumWidth(110);
+    m_motor->setObjectName(QStringLiteral("motor"));
+    m_motor->setAccessibleName(tr("Motor"));
+    m_motor->hide();
+    for (QComboBox *choice : {m_port, m_baud, m_protocol, m_motor})
+        new WheelGuard(choice);
+    m_portLamp->setObjectName(QStringLiteral("portLamp"));
+    m_boardLamp->setObjectName(QStringLiteral("boardLamp"));
+    for (QLabel *label : {m_firmware, m_board}) {
+        label->setTextFormat(Qt::PlainText);
+        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    }
+    m_firmware->setObjectName(QStringLiteral("firmware"));
+    m_board->setObjectName(QStringLiteral("boardName"));
+    m_board->setEnabled(false);
+
+    auto *lamps = new QVBoxLayout;
+    lamps->setSpacing(2);
+    lamps->addWidget(m_portLamp);
+    lamps->addWidget(m_boardLamp);
+    auto *who = new QVBoxLayout;
+    who->setSpacing(2);
+    who->addWidget(m_firmware);
+    who->addWidget(m_board);
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(8);
+    layout->addWidget(m_port);
+    layout->addWidget(m_baud);
+    layout->addWidget(m_protocol);
+    layout->addWidget(m_connect);
+    layout->addSpacing(4);
+    layout->addLayout(lamps);
+    layout->addSpacing(4);
+    layout->addLayout(who, 1);
+    layout->addWidget(m_motor);
+
+    connect(m_connect, &QPushButton::clicked, this, &ConnectBar::connectOrDisconnect);
+    connect(
+        m_motor, &QComboBox::activated, this, [this](int index) { m_device.setMotor(index + 1); });
+    connect(&device, &Device::linkStateChanged, this, &ConnectBar::updateLink);
+    connect(&device, &Device::portStateChanged, this, &ConnectBar::updateLink);
+    connect(&device, &Device::identityChanged, this, &ConnectBar::updateIdentity);
+    refreshPorts();
+    updateLink();
+    updateIdentity();
+}
+
+void ConnectBar::refreshPorts()
+{
+    const QString before = path();
+    m_port->clear();
+    for (const session::PortChoice &choice : session::portChoices(m_source))
+        m_port->addItem(choiceText(choice), choice.path);
+    if (!before.isEmpty())
+        setEndpoint(before, baud());
+}
+
+void ConnectBar::setEndpoint(const QString &path, quint32 baud)
+{
+    const int found = m_port->findData(path);
+    if (found >= 0)
+        m_port->setCurrentIndex(found);
+    else
+        m_port->setEditText(path);
+    if (baud > 0)
+        m_baud->setEditText(QString::number(baud));
+}
+
+QString ConnectBar::path() const
+{
+    if (!m_pathBefore.isEmpty())
+        return m_pathBefore;
+    const QString text = m_port->currentText().trimmed();
+    const int index = m_port->findText(text);
+    return index >= 0 ? m_port->itemData(index).toString() : text;
+}
+
+quint32 ConnectBar::baud() const
+{
+    bool ok = false;
+    const quint32 baud = m_baud->currentText().trimmed().toUInt(&ok);
+    return ok && baud >= kSlowestBaud && baud <= kFastestBaud ? baud : 0;
+}
+
+void ConnectBar::setProtocol(const QString &word)
+{
+    if (const int found = m_protocol->findData(word); found >= 0)
+        m_protocol->setCurrentIndex(found);
+}
+
+QString ConnectBar::protocol() const { return m_protocol->currentData().toString(); }
+
+void ConnectBar::connectOrDisconnect()
+{
+    if (connecting()) {
+        if (m_device.portOpen() && !m_device.allIdle())
+            Q_EMIT disconnectWhileTurning();
+        else
+            disconnectNow();
+        return;
+    }
+    session::Endpoint endpoint = session::endpointFor(path(), baud(),
+        drive::protocolOf(protocol().toStdString()).value_or(drive::Protocol::Auto));
+    if (endpoint.path.isEmpty()) {
+        Q_EMIT refused(tr("Choose a port, or type its path."));
+        return;
+    }
+    if (endpoint.baud == 0) {
+        Q_EMIT refused(tr("\"%1\" is not a baud rate.").arg(deviceText(m_baud->currentText())));
+        return;
+    }
+    m_wanted = true;
+    m_device.open(endpoint);
+    updateLink();
+}
+
+void ConnectBar::disconnectNow()
+{
+    m_wanted = false;
+    m_device.close();
+    updateLink();
+}
+
+void ConnectBar::openSimulator()
+{
+    if (connecting())
+        return;
+    setEndpoint(QLatin1String(session::kSimulatorPath), kBauds[0]);
+    connectOrDisconnect();
+}
+
+void ConnectBar::openReplay(const QString &path)
+{
+    if (connecting())
+        return;
+    m_pathBefore = this->path();
+    m_port->setEditText(deviceText(QFileInfo(path).fileName()));
+    session::Endpoint endpoint;
+    endpoint.kind = session::Endpoint::Kind::Trace;
+    endpoint.path = path;
+    m_wanted = true;
+    m_device.open(endpoint);
+    updateLink();
+}
+
+void ConnectBar::focusPort()
+{
+    m_port->setFocus(Qt::OtherFocusReason);
+    m_port->showPopup();
+}
+
+bool ConnectBar::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_port && event->type() == QEvent::MouseButtonPress && !connecting())
+        refreshPorts(); // what was plugged in meanwhile
+    return QWidget::eventFilter(watched, event);
+}
+
+void ConnectBar::updateLink()
+{
+    const bool open = m_device.portOpen();
+    const bool problem = m_device.portError().problem != session::PortProblem::None;
+    if (!open && problem && !m_device.endpoint().path.isEmpty()
+        && m_device.portError().problem != session::PortProblem::Unplugged)
+        m_wanted = false;
+    m_portLamp->show(open ? Lamp::Light::On
+            : problem     ? Lamp::Light::Bad
+                          : Lamp::Light::Off,
+        open          ? tr("port open")
+            : problem ? tr("port not open")
+                      : tr("port closed"));
+    using drive::LinkState;
+    const LinkState state = m_device.link().state;
+    const auto light = state == LinkState::Connected ? Lamp::Light::On
+        : state == LinkState::Lost                   ? Lamp::Light::Bad
+        : state == LinkState::Closed                 ? Lamp::Light::Off
+                                                     : Lamp::Light::Waiting;
+    m_boardLamp->show(light, state == LinkState::Closed ? tr("no board") : linkStateText(state));
+    m_connect->setText(connecting() ? tr("Disconnect") : tr("Connect"));
+    m_connect->setToolTip(connecting() ? tr("Closes the port (Ctrl+D)")
+                                       : tr("Opens the port and looks for a board (Ctrl+D)"));
+    if (!connecting() && !m_pathBefore.isEmpty())
+        setEndpoint(std::exchange(m_pathBefore, QString()), 0);
+    m_port->setEnabled(!connecting());
+    m_baud->setEnabled(!connecting());
+    m_protocol->setEnabled(!connecting());
+}
+
+void ConnectBar::updateIdentity()
+{
+    const auto &identified = m_device.identified();
+    if (!identified) {
+        m_firmware->clear();
+        m_board->clear();
+        m_motor->hide();
+        return;
+    }
+    const drive::Identity &identity = identified->identity;
+    const QString firmware = deviceText(identity.firmware);
+    const QString version = deviceText(identity.version);
+    m_firmware->setText(
+        firmware.contains(version) ? firmware : QStringLiteral("%1 %2").arg(firmware, version));
+    m_firmware->setToolTip(deviceToolTip(identity.firmware) + QStringLiteral("<br>")
+        + deviceToolTip(identity.protocol)
+        + (identity.evidence.empty() ? QString()
+                                     : QStringLiteral("<br>") + deviceToolTip(identity.evidence)));
+    QStringList boards{deviceText(identity.controlBoard)};
+    for (const std::string &power : identity.powerBoards)
+        boards.append(deviceText(power));
+    boards.removeAll(QString());
+    boards.removeDuplicates();
+    m_board->setText(boards.join(QStringLiteral(" + ")));
+    m_board->setToolTip(boards.join(QStringLiteral(" + ")).toHtmlEscaped());
+    m_motor->clear();
+    for (int motor = 1; motor <= identity.motors; ++motor) {
+        const auto i = static_cast<std::size_t>(motor - 1);
+        const QString name =
+            i < identity.motorNames.size() ? deviceText(identity.motorNames[i]) : QString();
+        m_motor->addItem(name.isEmpty()
+                ? tr("Motor %1").arg(QString::number(motor))
+                : tr("Motor %1: %2", "number, name").arg(QString::number(motor), name));
+    }
+    m_motor->setVisible(identity.motors > 1);
+}
+
+} // namespace widgets

@@ -1,0 +1,66 @@
+// ConnectBar: where to connect to, whether the port is open, whether a board answers, and who it is. Two lamps, since
+// an open port is not yet a board.
+#pragma once
+
+#include "session/port_list.h"
+#include "widgets/base/device.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace widgets {
+
+class Lamp;
+
+class ConnectBar : public QWidget {
+    Q_OBJECT
+public:
+    /// @param ports  where the list of serial ports comes from; outlives the bar
+    ConnectBar(Device &device, const session::PortSource &ports, QWidget *parent = nullptr);
+
+    void setEndpoint(const QString &path, quint32 baud); ///< "sim" for the simulated board
+    QString path() const; ///< as chosen or typed
+    quint32 baud() const; ///< 0 if the text is not a baud rate
+    void setProtocol(const QString &word); ///< as drive::wordOf(); unknown ones are passed over
+    QString protocol() const;
+    /// A connection is open, or wanted and being looked for.
+    bool connecting() const { return m_wanted || m_device.portOpen(); }
+
+public Q_SLOTS:
+    void connectOrDisconnect(); ///< Ctrl+D
+    void disconnectNow(); ///< whatever the motors do
+    void refreshPorts();
+    void openSimulator();
+    void openReplay(const QString &path); ///< of a recording; nothing while connected
+    void focusPort();
+
+Q_SIGNALS:
+    void disconnectWhileTurning(); ///< not done: a person has to say what becomes of the motors
+    void refused(const QString &sentence); ///< what was typed cannot be used
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void updateLink();
+    void updateIdentity();
+
+    Device &m_device;
+    const session::PortSource &m_source;
+    QComboBox *m_port;
+    QComboBox *m_baud;
+    QComboBox *m_protocol;
+    QPushButton *m_connect;
+    Lamp *m_portLamp;
+    Lamp *m_boardLamp;
+    QLabel *m_firmware;
+    QLabel *m_board;
+    QComboBox *m_motor;
+    QString m_pathBefore; ///< while a recording is shown in its place
+    bool m_wanted = false; ///< the person asked for a connection and has not taken that back
+};
+
+} // namespace widgets

@@ -1,0 +1,174 @@
+// MainWindow: menus, docks and what is outside them: the connect bar, the stop button, the banner. It places panels
+// and connects actions; decisions are the panels' own.
+#pragma once
+
+#include "session/port_list.h"
+#include "widgets/scope/signal_selection.h"
+#include "widgets/window/banner.h"
+#include "widgets/window/settings.h"
+#include "widgets/window/workbench.h"
+
+#include <QMainWindow>
+
+class QDockWidget;
+class QMenu;
+class QMenuBar;
+class QStackedWidget;
+
+namespace widgets {
+
+class BigNumbers;
+class ConnectBar;
+class ControlPanel;
+class EventRecorder;
+class FilePrompt;
+class FirstSteps;
+class Form;
+class MathChannels;
+class RampForm;
+class RecordControl;
+struct ExportOrder;
+struct OpenedRecording;
+class RegisterPanel;
+class ScopeTools;
+class ScopeView;
+class TriggerControl;
+class Shutdown;
+class SnapshotActions;
+class SnapshotPanel;
+class StatusStrip;
+class StopAlarm;
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    /// All three outlive the window.
+    MainWindow(Workbench &workbench, const session::PortSource &ports, FilePrompt &files,
+        const Settings &settings, QWidget *parent = nullptr);
+    ~MainWindow() override;
+
+    Settings settings() const; ///< as they are now, to be saved
+    ConnectBar *connectBar() const { return m_connectBar; }
+    ControlPanel *controlPanel() const { return m_control; }
+    RegisterPanel *registerPanel() const { return m_registerPanel; }
+    ScopeView *scope() const { return m_scope; }
+    SignalSelection *selection() const { return m_selection; }
+    FirstSteps *firstSteps() const { return m_firstSteps; }
+
+public Q_SLOTS:
+    void exportCsv();
+    /// A capture is in this file: its motion log goes beside it.
+    void exported(const QString &path);
+
+Q_SIGNALS:
+    void closed(); ///< the window has agreed to close
+
+protected:
+    void closeEvent(QCloseEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void childEvent(QChildEvent *event) override;
+
+private:
+    QWidget *makeTop();
+    QWidget *makeCentre();
+    QWidget *makeScopeBar();
+    void showRunning(bool running);
+    void makeDocks();
+    void makeTools();
+    void makeScopeTools();
+    void makeSnapshots();
+    bool anyToolOpen() const;
+    void makeRecording();
+    void say(Banner::Kind kind, const QString &sentence);
+    void runExport(const ExportOrder &order);
+    void copyPicture();
+    void askForCsv();
+    void askForRecording();
+    void askForReplay();
+    void replaceRecorded(std::function<void()> goOn);
+    void tellReleased();
+    void fillFileSignals();
+    void showImported(const QString &path, capture::Capture &imported);
+    void openRecording(const QString &path);
+    void showRecording(OpenedRecording &opened);
+    QAction *addTool(Form *form, const QString &title, const char *name, const QKeySequence &keys);
+    void makeScopeActions();
+    void makeMenus(QMenuBar &bar);
+    void fillEditMenu(QMenu *menu);
+    void fillViewMenu(QMenu *menu);
+    void fillMotorMenu(QMenu *menu);
+    void fillToolsMenu(QMenu *menu);
+    void connectParts();
+    /// What the banner was last used for.
+    enum class Told : std::uint8_t {
+        Other,
+        Link, ///< goes when the link changes
+        Loss, ///< stays until the board answers again
+    };
+    struct LinkMessage {
+        Banner::Kind kind = Banner::Kind::Note;
+        QString sentence; ///< empty: nothing to say
+        Told told = Told::Other;
+    };
+
+    void linkChanged();
+    void tellLink();
+    LinkMessage linkMessage() const;
+    void askToDisconnect();
+    void askForLimits();
+    void showBigNumbers(bool shown);
+    void stopAdvanced(const drive::StopProgress &progress);
+    void updateFrame();
+    void askToLeave();
+    void confirmLeaving();
+    QAction *addAction(QMenu *menu, const QString &text, const QKeySequence &keys = {});
+
+    Workbench &m_workbench;
+    Device &m_device;
+    FilePrompt &m_files;
+    Settings m_settings;
+    ScopeView *m_scope;
+    SignalSelection *m_selection;
+    ScopeTools *m_scopeTools = nullptr;
+    MathChannels *m_math; ///< before the trigger, which may watch one of them
+    EventRecorder *m_recorder;
+    TriggerControl *m_trigger;
+    ConnectBar *m_connectBar = nullptr;
+    ControlPanel *m_control = nullptr;
+    BigNumbers *m_bigNumbers = nullptr;
+    QStackedWidget *m_pages = nullptr; ///< the picture, or the large numbers in its place
+    RegisterPanel *m_registerPanel = nullptr;
+    RampForm *m_ramps = nullptr;
+    QDockWidget *m_registerDock = nullptr;
+    SnapshotPanel *m_snapshotPanel = nullptr;
+    SnapshotActions *m_snapshots = nullptr;
+    Banner *m_banner = nullptr;
+    FirstSteps *m_firstSteps = nullptr;
+    StatusStrip *m_status = nullptr;
+    RecordControl *m_record = nullptr;
+    std::uint64_t m_exportedRevision = 0; ///< of the capture, when all of it was exported
+    bool m_toldReleased = false;
+    StopAlarm *m_alarm;
+    Shutdown *m_shutdown;
+    Shutdown *m_parting; ///< the same for a disconnection
+    QWidget *m_frame = nullptr; ///< a red line while a real board is armed
+    QWidget *m_scopeBar = nullptr;
+    QAction *m_run = nullptr;
+    QAction *m_follow = nullptr;
+    QAction *m_fit = nullptr;
+    QAction *m_fitValues = nullptr;
+    QAction *m_zoomIn = nullptr;
+    QAction *m_zoomOut = nullptr;
+    QAction *m_export = nullptr;
+    QAction *m_open = nullptr;
+    QAction *m_import = nullptr;
+    QAction *m_replayFile = nullptr;
+    QAction *m_copyPicture = nullptr;
+    QMenu *m_fileSignals = nullptr;
+    QList<QAction *> m_dockActions;
+    QList<QAction *> m_toolActions;
+    QList<QDockWidget *> m_tools; ///< tabs beside one another, as long as nobody moves them
+    Told m_told = Told::Other;
+};
+
+} // namespace widgets

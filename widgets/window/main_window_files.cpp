@@ -1,0 +1,270 @@
+// Files in the main window: recordings, export and import, and what of a file is shown where.
+#include "session/recording_transport.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/value_text.h"
+#include "widgets/files/event_recorder.h"
+#include "widgets/files/export_order.h"
+#include "widgets/files/file_job.h"
+#include "widgets/files/file_prompt.h"
+#include "widgets/files/import_csv.h"
+#include "widgets/files/open_recording.h"
+#include "widgets/files/record_control.h"
+#include "widgets/files/scope_picture.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/window/connect_bar.h"
+#include "widgets/window/main_window.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QDir>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QImage>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace widgets {
+
+void MainWindow::makeRecording()
+{
+    m_record = new RecordControl({m_workbench.recording(), m_device, m_scope->events(), m_files,
+                                     [this] { return m_recorder->now(); }},
+        m_settings.recordFolder, this);
+    const auto make = [this](const QString &text, const char *name, const QKeySequence &keys,
+                          void (MainWindow::*slot)()) {
+        auto *action = new QAction(text, this);
+        action->setObjectName(QLatin1String(name));
+        action->setShortcut(keys);
+        QMainWindow::addAction(action);
+        connect(action, &QAction::triggered, this, slot);
+        return action;
+    };
+    m_open = make(tr("&Open a recording\u2026"), "openRecording", Qt::CTRL | Qt::Key_O,
+        &MainWindow::askForRecording);
+    m_replayFile = make(tr("Re&play a recording\u2026"), "replayRecording",
+        Qt::CTRL | Qt::SHIFT | Qt::Key_R, &MainWindow::askForReplay);
+    m_import = make(tr("&Import CSV\u2026"), "importCsv", Qt::CTRL | Qt::SHIFT | Qt::Key_O,
+        &MainWindow::askForCsv);
+    m_copyPicture = make(tr("&Copy the picture"), "copyPicture", Qt::CTRL | Qt::SHIFT | Qt::Key_C,
+        &MainWindow::copyPicture);
+    connect(m_record, &RecordControl::said, this, &MainWindow::say);
+    connect(&m_workbench.replay(), &session::Replay::happened, this,
+        [this](const session::ReplayedEntry &entry) { addReplayed(m_scope->events(), entry); });
+}
+
+void MainWindow::say(Banner::Kind kind, const QString &sentence)
+{
+    m_told = Told::Other;
+    m_banner->say(kind, sentence);
+}
+
+/// Asks before samples of a board go that are in no exported file; goes on at once if there are none.
+void MainWindow::replaceRecorded(std::function<void()> goOn)
+{
+    const capture::Capture &capture = m_workbench.capture();
+    if (m_selection->showsFile() || !capture.timeSpan()
+        || capture.revision() == m_exportedRevision) {
+        goOn();
+        return;
+    }
+    auto *box = new QMessageBox(QMessageBox::Warning, tr("Replace what was recorded?"),
+        tr("The scope holds samples of the last connection that were not exported. A file that is "
+           "opened takes their place."),
+        QMessageBox::NoButton, this);
+    box->setObjectName(QStringLiteral("replaceQuestion"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    box->setInformativeText(
+        tr("What was recorded to a disk stays there. The scope's own samples cannot be brought "
+           "back."));
+    QPushButton *save = box->addButton(tr("&Export first\u2026"), QMessageBox::AcceptRole);
+    QPushButton *replace = box->addButton(tr("&Replace"), QMessageBox::DestructiveRole);
+    replace->setObjectName(QStringLiteral("replaceYes"));
+    replace->setAutoDefault(false);
+    QPushButton *cancel = box->addButton(QMessageBox::Cancel);
+    box->setDefaultButton(cancel);
+    box->setEscapeButton(cancel);
+    connect(box, &QMessageBox::buttonClicked, this,
+        [this, save, replace, goOn = std::move(goOn)](QAbstractButton *button) {
+            if (button == replace)
+                goOn();
+            else if (button == save)
+                exportCsv();
+        });
+    box->open();
+}
+
+/// Once: memory is bounded, and what it let go is only where somebody recorded it.
+void MainWindow::tellReleased()
+{
+    const bool released = m_workbench.capture().released() > 0;
+    if (released && !m_selection->showsFile() && !m_toldReleased)
+        say(Banner::Kind::Warning,
+            tr("The samples fill their memory (%1 GB): from now on the oldest ones are let go. "
+               "Record to disk (Ctrl+R) to keep what comes.")
+                .arg(numberText(static_cast<double>(m_workbench.capture().maxBytes()) / 1e9, 1)));
+    m_toldReleased = released;
+}
+
+void MainWindow::askForRecording()
+{
+    if (m_connectBar->connecting()) {
+        say(Banner::Kind::Warning,
+            tr("Disconnect first (Ctrl+D): a recording takes the place of what the scope shows."));
+        return;
+    }
+    OpenQuestion question;
+    question.title = tr("Open a recording");
+    question.folder = m_record->folder().isEmpty() ? QDir::homePath() : m_record->folder();
+    question.filter = tr("Recordings (*.pcapng)");
+    replaceRecorded([this, question] {
+        m_files.askOpen(this, question, [this](const QString &path) { openRecording(path); });
+    });
+}
+
+/// As if its board were there: the scope's trigger, its measurements and another recording see no difference.
+void MainWindow::askForReplay()
+{
+    if (m_connectBar->connecting()) {
+        say(Banner::Kind::Warning,
+            tr("Disconnect first (Ctrl+D): a replay takes the place of a board."));
+        return;
+    }
+    OpenQuestion question;
+    question.title = tr("Replay a recording");
+    question.folder = m_record->folder().isEmpty() ? QDir::homePath() : m_record->folder();
+    question.filter = tr("Recordings (*.pcapng)");
+    replaceRecorded([this, question] {
+        m_files.askOpen(this, question, [this](const QString &path) {
+            if (!session::isRecordingFile(path))
+                say(Banner::Kind::Warning,
+                    tr("%1 is no recording of Rotorscope.").arg(deviceText(path)));
+            else
+                m_connectBar->openReplay(path);
+        });
+    });
+}
+
+void MainWindow::askForCsv()
+{
+    if (m_connectBar->connecting()) {
+        say(Banner::Kind::Warning,
+            tr("Disconnect first (Ctrl+D): what is imported takes the place of what the scope "
+               "shows."));
+        return;
+    }
+    OpenQuestion question;
+    question.title = tr("Import CSV");
+    question.folder =
+        m_settings.exportFolder.isEmpty() ? QDir::homePath() : m_settings.exportFolder;
+    question.filter = tr("CSV files (*.csv *.txt)");
+    replaceRecorded([this, question] {
+        m_files.askOpen(this, question, [this](const QString &path) {
+            importCsv(
+                path, this,
+                [this, path](capture::Capture &capture) { showImported(path, capture); },
+                [this](const QString &sentence) { say(Banner::Kind::Warning, sentence); });
+        });
+    });
+}
+
+void MainWindow::showImported(const QString &path, capture::Capture &imported)
+{
+    if (m_connectBar->connecting()) // meanwhile: what lives goes first
+        return;
+    const QString released = releasedText(imported);
+    m_selection->showFile(std::move(imported));
+    m_scope->events().clear();
+    const QString sentence = tr("Imported %1.").arg(deviceText(path));
+    if (released.isEmpty())
+        say(Banner::Kind::Note, sentence);
+    else
+        say(Banner::Kind::Warning, sentence + QLatin1Char(' ') + released);
+}
+
+void MainWindow::runExport(const ExportOrder &order)
+{
+    // Everything in it, as it is now: then nothing is lost when a file takes its place.
+    const bool all = !isPicture(order.format) && !order.range && order.format != ExportFormat::Wav;
+    const auto done = [this, order,
+                          revision = all ? m_workbench.capture().revision() : m_exportedRevision](
+                          const ExportResult &result) {
+        if (result.ok())
+            m_exportedRevision = revision;
+        if (!result.ok()) {
+            say(Banner::Kind::Warning, exportErrorText(result));
+        } else if (isPicture(order.format)) {
+            m_settings.exportFolder = QFileInfo(order.path).path();
+            say(Banner::Kind::Note, tr("Exported to %1.").arg(deviceText(order.path)));
+        } else {
+            exported(order.parts.first().path);
+        }
+    };
+    if (isPicture(order.format)) {
+        ExportResult result;
+        result.file = writePicture(*m_scope, order.format, order.path);
+        done(result);
+        return;
+    }
+    new FileJob(
+        tr("Exporting %1").arg(deviceText(QFileInfo(order.path).fileName())),
+        [order, done](const FileJob::Proceed &proceed) -> FileJob::Finish {
+            const ExportResult result = carryOut(order, proceed);
+            return [result, done] { done(result); };
+        },
+        this);
+}
+
+void MainWindow::copyPicture()
+{
+    QGuiApplication::clipboard()->setImage(scopeImage(*m_scope));
+    say(Banner::Kind::Note, tr("The picture of the scope is in the clipboard."));
+}
+
+void MainWindow::openRecording(const QString &path)
+{
+    widgets::openRecording(
+        path, this, [this](OpenedRecording &opened) { showRecording(opened); },
+        [this](const QString &sentence) { say(Banner::Kind::Warning, sentence); });
+}
+
+/// A file's signals, those that were streamed first; the ticked ones are shown.
+void MainWindow::fillFileSignals()
+{
+    m_fileSignals->clear();
+    m_fileSignals->setEnabled(m_selection->showsFile());
+    if (!m_selection->showsFile())
+        return;
+    std::vector<capture::ChannelInfo> all = m_workbench.capture().channels();
+    std::stable_sort(all.begin(), all.end(), [](const auto &one, const auto &other) {
+        return one.kind != capture::ChannelInfo::Kind::Polled
+            && other.kind == capture::ChannelInfo::Kind::Polled;
+    });
+    for (const capture::ChannelInfo &info : all) {
+        QString text = deviceText(info.name);
+        if (!info.unit.empty())
+            text += QStringLiteral(" [%1]").arg(deviceText(info.unit));
+        if (info.kind == capture::ChannelInfo::Kind::Polled)
+            text = tr("%1, read one by one", "a signal").arg(text);
+        QAction *action =
+            m_fileSignals->addAction(text.replace(QLatin1Char('&'), QLatin1String("&&")));
+        action->setCheckable(true);
+        action->setChecked(m_scope->plotOf(info.id) >= 0);
+        connect(action, &QAction::triggered, this,
+            [this, id = info.id](bool on) { m_selection->showOfFile(id, on); });
+    }
+}
+
+void MainWindow::showRecording(OpenedRecording &opened)
+{
+    if (m_connectBar->connecting()) // meanwhile: what lives goes first
+        return;
+    bool whole = true;
+    const QString sentence = openedText(opened, whole);
+    m_selection->showFile(std::move(opened.capture));
+    fillEvents(m_scope->events(), opened.report);
+    say(whole ? Banner::Kind::Note : Banner::Kind::Warning, sentence);
+}
+
+} // namespace widgets

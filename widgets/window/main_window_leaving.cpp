@@ -1,0 +1,94 @@
+// What the main window asks before a motor is left behind: when it is closed and when it disconnects.
+#include "widgets/base/messages.h"
+#include "widgets/window/connect_bar.h"
+#include "widgets/window/main_window.h"
+#include "widgets/window/shutdown.h"
+
+#include <QCloseEvent>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace widgets {
+
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    if (!m_shutdown->mayEnd()) {
+        event->ignore();
+        m_banner->say(
+            Banner::Kind::Warning, tr("Stopping the motors before Rotorscope ends\u2026"));
+        m_shutdown->begin();
+        return;
+    }
+    m_device.close();
+    event->accept();
+    Q_EMIT closed();
+}
+
+void MainWindow::askToLeave()
+{
+    auto *box = new QMessageBox(QMessageBox::Warning, tr("Stop motors"), stopNotConfirmedText(),
+        QMessageBox::NoButton, this);
+    box->setObjectName(QStringLiteral("leaveQuestion"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    box->setInformativeText(
+        tr("Rotorscope has told every motor to stop, but there is no evidence that they did."));
+    QPushButton *again = box->addButton(tr("Try again"), QMessageBox::RejectRole);
+    QPushButton *leave =
+        box->addButton(tr("End Rotorscope all the same\u2026"), QMessageBox::DestructiveRole);
+    box->setDefaultButton(again);
+    box->setEscapeButton(again);
+    connect(box, &QMessageBox::buttonClicked, this, [this, leave](QAbstractButton *button) {
+        if (button == leave)
+            confirmLeaving();
+        else
+            m_shutdown->begin();
+    });
+    box->open();
+}
+
+void MainWindow::confirmLeaving()
+{
+    auto *box = new QMessageBox(QMessageBox::Warning, tr("Leave running?"),
+        tr("Leave the motors as they are?"), QMessageBox::NoButton, this);
+    box->setObjectName(QStringLiteral("leaveRunning"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    box->setInformativeText(tr("They may go on turning, and nothing will watch them."));
+    QPushButton *stay = box->addButton(tr("Stay"), QMessageBox::RejectRole);
+    QPushButton *leave = box->addButton(tr("Leave running"), QMessageBox::DestructiveRole);
+    box->setDefaultButton(stay);
+    box->setEscapeButton(stay);
+    connect(box, &QMessageBox::buttonClicked, this, [this, leave](QAbstractButton *button) {
+        if (button != leave)
+            return;
+        m_shutdown->leaveRunning();
+        close();
+    });
+    box->open();
+}
+
+void MainWindow::askToDisconnect()
+{
+    auto *box = new QMessageBox(QMessageBox::Warning, tr("Disconnect"), tr("A motor is not idle."),
+        QMessageBox::NoButton, this);
+    box->setObjectName(QStringLiteral("disconnectQuestion"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    box->setInformativeText(
+        tr("Without a connection nothing watches it, and this program cannot stop it."));
+    QPushButton *stop = box->addButton(tr("Stop motors, then disconnect"), QMessageBox::AcceptRole);
+    QPushButton *leave = box->addButton(tr("Leave running"), QMessageBox::DestructiveRole);
+    QPushButton *stay = box->addButton(tr("Stay connected"), QMessageBox::RejectRole);
+    box->setDefaultButton(stay);
+    box->setEscapeButton(stay);
+    connect(box, &QMessageBox::buttonClicked, this, [this, stop, leave](QAbstractButton *button) {
+        if (button == stop)
+            m_parting->begin();
+        else if (button == leave)
+            m_connectBar->disconnectNow();
+    });
+    box->open();
+}
+
+} // namespace widgets

@@ -1,0 +1,23 @@
+// Snapshots in the main window: their tool, what the menu offers, files that are dropped.
+#include "widgets/snapshots/snapshot_actions.h"
+#include "widgets/snapshots/snapshot_panel.h"
+#include "widgets/window/main_window.h"
+
+namespace widgets {
+
+void MainWindow::makeSnapshots()
+{
+    m_snapshotPanel =
+        new SnapshotPanel(m_device, m_workbench.edits(), m_workbench.snapshots(), m_files);
+    m_snapshotPanel->setFolder(m_settings.snapshotFolder);
+    QAction *show =
+        addTool(m_snapshotPanel, tr("Snapshots"), "snapshotsDock", Qt::CTRL | Qt::Key_5);
+    m_snapshots = new SnapshotActions(m_device, m_files, *m_snapshotPanel, *this);
+    connect(m_snapshots, &SnapshotActions::panelWanted, show, &QAction::trigger);
+    connect(m_snapshots, &SnapshotActions::saved, this, [this](const QString &sentence) {
+        m_told = Told::Other;
+        m_banner->say(Banner::Kind::Note, sentence);
+    });
+}
+
+} // namespace widgets

@@ -1,0 +1,48 @@
+// What Rotorscope remembers between two runs, as plain values. A file of our own in JSON; a damaged or missing one
+// gives the defaults, and saving replaces it whole or not at all.
+#pragma once
+
+#include "widgets/analysis/math_formula.h"
+#include "widgets/forms/ramp_preset.h"
+
+#include <QByteArray>
+#include <QMap>
+#include <QString>
+#include <QStringList>
+
+namespace widgets {
+
+enum class Theme : std::uint8_t { System, Light, Dark };
+
+struct Settings {
+    QByteArray geometry; ///< of the window, as Qt saves it
+    QByteArray layout; ///< of its docks
+    QString port = QStringLiteral("sim");
+    quint32 baud = 1843200;
+    QString protocol = QStringLiteral("auto");
+    Theme theme = Theme::System;
+    QString exportFolder;
+    QString recordFolder;
+    QString snapshotFolder;
+    QStringList pinned{QStringLiteral("SPEED_REF"), QStringLiteral("SPEED_MEAS"),
+        QStringLiteral("I_Q_REF"), QStringLiteral("BUS_VOLTAGE"), QStringLiteral("HEATS_TEMP"),
+        QStringLiteral("SPEED_KP"), QStringLiteral("SPEED_KI")};
+    QMap<QString, double> inertias; ///< of rotor and load in kg m2, by the motor's name
+    QStringList registerColumns{QStringLiteral("value"), QStringLiteral("raw")};
+    double maxSpeedRpm = 0.0; ///< a person's own limits; 0: none
+    double maxCurrentAmps = 0.0;
+    bool firstStepsDone = false;
+    QList<RampPreset> ramps; ///< that a person has named
+    QList<MathFormula> formulas; ///< of math channels
+    bool operator==(const Settings &) const = default;
+};
+
+QByteArray toJson(const Settings &settings);
+/// Fields that are missing or of the wrong kind keep their defaults.
+Settings settingsFromJson(const QByteArray &json);
+
+QString settingsPath(); ///< in the person's configuration folder
+Settings loadSettings(const QString &path);
+bool saveSettings(const Settings &settings, const QString &path);
+
+} // namespace widgets

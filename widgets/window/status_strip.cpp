@@ -1,0 +1,170 @@
+#include "widgets/window/status_strip.h"
+
+#include "widgets/base/device_text.h"
+#include "widgets/base/lamp.h"
+#include "widgets/base/messages.h"
+#include "widgets/base/value_text.h"
+#include "widgets/control/fault_texts.h"
+#include "widgets/files/replaying.h"
+
+#include <QFileInfo>
+#include <QLabel>
+
+namespace widgets {
+namespace {
+
+constexpr Milliseconds kRatePeriod{1000};
+
+Lamp::Light lightOf(drive::LinkState state)
+{
+    using drive::LinkState;
+    switch (state) {
+    case LinkState::Closed:
+        return Lamp::Light::Off;
+    case LinkState::Connected:
+        return Lamp::Light::On;
+    case LinkState::Lost:
+        return Lamp::Light::Bad;
+    case LinkState::Connecting:
+    case LinkState::Suspect:
+    case LinkState::Recovering:
+        break;
+    }
+    return Lamp::Light::Waiting;
+}
+
+} // namespace
+
+StatusStrip::StatusStrip(Device &device, QWidget *parent)
+    : QStatusBar(parent)
+    , m_device(device)
+    , m_link(new Lamp(tr("Link"), this))
+{
+    setObjectName(QStringLiteral("statusStrip"));
+    setSizeGripEnabled(false);
+    setContentsMargins(8, 0, 8, 0);
+    addWidget(m_link);
+    m_sizes = addPart("sizes");
+    m_motor = addPart("statusMotor");
+    m_faults = addPart("statusFaults");
+    m_rate = addPart("statusRate");
+    m_lost = addPart("statusLost");
+    m_bad = addPart("statusBad");
+    m_watchdog = addPart("statusWatchdog");
+    m_sizes->setToolTip(tr("Negotiated packet sizes: request / answer / stream"));
+    m_rate->setToolTip(tr("Bytes received a second, and their share of what the link can carry"));
+
+    connect(&device, &Device::linkStateChanged, this, &StatusStrip::updateLink);
+    connect(&device, &Device::portStateChanged, this, &StatusStrip::updateLink);
+    connect(&device, &Device::identityChanged, this, &StatusStrip::updateLink);
+    connect(&device, &Device::statusChanged, this, &StatusStrip::updateMotor);
+    connect(&device, &Device::linkStateChanged, this, &StatusStrip::updateMotor);
+    connect(&device, &Device::motorChanged, this, &StatusStrip::updateMotor);
+    connect(&device, &Device::countersChanged, this, &StatusStrip::updateCounters);
+    updateLink();
+    updateMotor();
+    updateCounters();
+}
+
+QLabel *StatusStrip::addPart(const char *objectName)
+{
+    auto *label = new QLabel(this);
+    label->setTextFormat(Qt::PlainText);
+    label->setObjectName(QLatin1String(objectName));
+    label->setContentsMargins(8, 0, 8, 0);
+    addWidget(label);
+    return label;
+}
+
+void StatusStrip::updateLink()
+{
+    const session::Endpoint &endpoint = m_device.endpoint();
+    QString text = linkStateText(m_device.link().state);
+    if (m_device.portOpen()) {
+        const QString where = endpoint.kind == session::Endpoint::Kind::Simulator
+            ? tr("simulated board")
+            : deviceText(endpoint.path);
+        text = replaying(m_device)
+            ? tr("replay of %1").arg(deviceText(QFileInfo(endpoint.path).fileName()))
+            : QStringLiteral("%1 @ %2").arg(where, QString::number(endpoint.baud));
+    }
+    m_link->show(lightOf(m_device.link().state), text);
+    const auto &identified = m_device.identified();
+    updateWatchdog();
+    m_sizes->setText(identified ? tr("%1 / %2 / %3 B", "sizes in bytes: request, answer, stream")
+                                      .arg(QString::number(identified->requestBytes),
+                                          QString::number(identified->responseBytes),
+                                          QString::number(identified->streamBytes))
+                                : QString());
+}
+
+void StatusStrip::updateWatchdog()
+{
+    const auto &identified = m_device.identified();
+    if (!identified) {
+        m_watchdog->clear();
+        m_watchdog->setToolTip(QString());
+    } else if (const auto &watchdog = identified->identity.watchdog) {
+        m_watchdog->setText(tr("Drive watchdog: %1 ms").arg(QString::number(watchdog->count())));
+        m_watchdog->setToolTip(tr("This drive stops its motor by itself when this program has not "
+                                  "been heard for that time. It is not a safety function."));
+    } else {
+        m_watchdog->setText(tr("Drive watchdog: none"));
+        m_watchdog->setToolTip(tr("This drive has no communication time-out: when the link is "
+                                  "gone, the motor goes on turning."));
+    }
+}
+
+void StatusStrip::updateMotor()
+{
+    if (!m_device.answering()) {
+        m_motor->clear();
+        m_faults->clear();
+        return;
+    }
+    const drive::MotorStatus status = m_device.status(m_device.motor());
+    m_motor->setText(tr("Motor %1: %2", "number, state")
+                         .arg(QString::number(m_device.motor()), motorStateText(status.state)));
+    m_faults->setText(
+        tr("Faults: %1", "how many")
+            .arg(QString::number(status.faultsNow.size() + faultsOver(status).size())));
+}
+
+void StatusStrip::updateCounters()
+{
+    const drive::LinkCounters &counters = m_device.counters();
+    const bool open = m_device.portOpen();
+    m_lost->setText(open ? tr("Lost: %1", "control periods without samples")
+                               .arg(QString::number(counters.streamLostTicks))
+                         : QString());
+    QString lost = tr("Control periods that no packet holds");
+    if (m_device.droppedForDisplay() > 0)
+        lost += QLatin1Char('\n')
+            + tr("%1 samples were recorded by the board but came too fast to be shown.")
+                  .arg(QString::number(m_device.droppedForDisplay()));
+    m_lost->setToolTip(lost);
+    m_bad->setText(
+        open ? tr("Bad packets: %1").arg(QString::number(counters.badPackets)) : QString());
+}
+
+void StatusStrip::refresh(Milliseconds now)
+{
+    if (now - m_lastTime < kRatePeriod)
+        return;
+    const std::uint64_t bytes = m_device.counters().bytesIn;
+    const double seconds = static_cast<double>((now - m_lastTime).count()) / 1000.0;
+    const double perSecond =
+        bytes >= m_lastBytes ? static_cast<double>(bytes - m_lastBytes) / seconds : 0.0;
+    m_lastTime = now;
+    m_lastBytes = bytes;
+    const double link = m_device.streamLimits().linkBytesPerSecond;
+    if (!m_device.portOpen() || link <= 0.0)
+        m_rate->clear();
+    else
+        m_rate->setText(
+            tr("%1 kB/s (%2 %)", "received, percent of the link")
+                .arg(numberText(perSecond / 1000.0, 1), numberText(100.0 * perSecond / link, 0)));
+    updateCounters();
+}
+
+} // namespace widgets

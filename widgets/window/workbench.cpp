@@ -1,0 +1,71 @@
+#include "widgets/window/workbench.h"
+
+namespace widgets {
+namespace {
+
+constexpr int kHeartbeatMs = 200;
+
+} // namespace
+
+Workbench::Workbench(session::MakeSink makeSink, QObject *parent)
+    : QObject(parent)
+    , m_watchList(m_device, m_registers)
+    , m_tap(std::make_shared<session::RecordingTap>())
+    , m_recording(m_tap, {}, std::move(makeSink))
+    , m_thread(session::tapped(session::replaying(session::realParts(), m_replay), m_tap))
+{
+    m_clock.start();
+    connectSession();
+    connectModels();
+    m_edits.keepBeforeWriting(m_snapshots);
+    connect(&m_stopFilter, &StopFilter::stopPressed, &m_device, &Device::stop);
+    connect(&m_heart, &QTimer::timeout, this, [this] {
+        m_registers.refresh(now());
+        Q_EMIT heartbeat(now());
+    });
+    m_heart.start(kHeartbeatMs);
+}
+
+Workbench::~Workbench() = default;
+
+void Workbench::connectSession()
+{
+    using session::Session;
+    Session *session = m_thread.session();
+    connect(&m_device, &Device::openWished, session, &Session::open);
+    connect(&m_device, &Device::closeWished, session, &Session::close);
+    connect(&m_device, &Device::wishMade, session, &Session::submit);
+    connect(&m_device, &Device::armWished, session, &Session::setArmed);
+    // A stop does not queue behind what was asked before it.
+    connect(&m_device, &Device::stopWished, this, [session] { session->stopFromAnyThread(); });
+
+    connect(session, &Session::portChanged, &m_device, &Device::portChanged);
+    connect(session, &Session::armedChanged, &m_device, &Device::armedChanged);
+    connect(session, &Session::batch, &m_device, &Device::apply);
+    connect(&m_device, &Device::batchApplied, session, &Session::acknowledge);
+    connect(&m_device, &Device::samplesArrived, this,
+        [this](const capture::SampleBlock &block) { m_replay->take(record::samplesOf(block)); });
+    connect(&m_device, &Device::readingsArrived, this,
+        [this](const std::vector<drive::Reading> &readings) { m_replay->take(readings.size()); });
+}
+
+void Workbench::connectModels()
+{
+    const auto showBoard = [this] {
+        m_registers.setMotorLimits(m_device.identified() ? m_device.identified()->limits
+                                                         : std::vector<drive::MotorLimits>());
+        m_registers.setCatalog(m_device.catalog(), m_device.motor());
+        m_watchList.forget();
+    };
+    connect(&m_device, &Device::identityChanged, this, showBoard);
+    connect(&m_device, &Device::motorChanged, this, showBoard);
+    connect(&m_device, &Device::readingsArrived, this,
+        [this](const std::vector<drive::Reading> &readings) { m_registers.take(readings, now()); });
+    connect(&m_device, &Device::motionLogged, this, [this](const drive::MotionRecord &record) {
+        m_motionLog.take(record, QDateTime::currentDateTime());
+    });
+    connect(&m_device, &Device::linkStateChanged, this,
+        [this] { m_registers.setBelieved(m_device.answering()); });
+}
+
+} // namespace widgets

@@ -1,0 +1,73 @@
+// Workbench: the parts of Rotorscope that are not widgets, made and connected: the session in its thread, the device,
+// the registers, the capture, the polling, the Esc key and one heartbeat. It decides nothing; panels are given its parts.
+//
+// Outlives every window that shows it.
+#pragma once
+
+#include "capture/capture.h"
+#include "session/recording.h"
+#include "session/replay.h"
+#include "session/session_thread.h"
+#include "widgets/base/device.h"
+#include "widgets/control/motion_gate.h"
+#include "widgets/control/motion_log_model.h"
+#include "widgets/control/stop_filter.h"
+#include "widgets/registers/register_edits.h"
+#include "widgets/registers/register_model.h"
+#include "widgets/registers/watch_list.h"
+#include "widgets/snapshots/snapshot_auto.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+namespace widgets {
+
+class Workbench : public QObject {
+    Q_OBJECT
+public:
+    /// @param makeSink  where recordings go; tests bring disks that are full
+    explicit Workbench(
+        session::MakeSink makeSink = session::makeDiskSink, QObject *parent = nullptr);
+    ~Workbench() override;
+
+    Device &device() { return m_device; }
+    RegisterModel &registers() { return m_registers; }
+    RegisterEdits &edits() { return m_edits; }
+    AutoSnapshots &snapshots() { return m_snapshots; }
+    MotionGate &motion() { return m_motion; } ///< what moves a motor goes through here
+    MotionLogModel &motionLog() { return m_motionLog; }
+    capture::Capture &capture() { return m_capture; }
+    session::Recording &recording() { return m_recording; }
+    session::Replay &replay() { return *m_replay; }
+    WatchList &watchList() { return m_watchList; }
+    Milliseconds now() const
+    {
+        return Milliseconds(m_clock.elapsed());
+    } ///< since the workbench was made
+
+Q_SIGNALS:
+    void heartbeat(widgets::Milliseconds now); ///< some times a second: ages, rates
+
+private:
+    void connectSession();
+    void connectModels();
+
+    QElapsedTimer m_clock;
+    Device m_device;
+    RegisterModel m_registers;
+    AutoSnapshots m_snapshots{m_device, autoSnapshotFolder()};
+    RegisterEdits m_edits{m_device, m_registers};
+    MotionGate m_motion{m_device, m_registers};
+    MotionLogModel m_motionLog;
+    capture::Capture m_capture;
+    WatchList m_watchList;
+    StopFilter m_stopFilter;
+    QTimer m_heart;
+    std::shared_ptr<session::Replay> m_replay = std::make_shared<session::Replay>();
+    std::shared_ptr<session::RecordingTap> m_tap;
+    session::Recording m_recording;
+    session::SessionThread m_thread; // last: ends first, while the device it tells still exists
+};
+
+} // namespace widgets
