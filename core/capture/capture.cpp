@@ -265,6 +265,8 @@ void Capture::clear()
     makeStreamChannels();
     m_sinceCheck = 0;
     m_released = 0;
+    forgetDeposits();
+    m_archiveMost = kNoLimit;
     ++m_revision;
     ++m_channelRevision;
 }
@@ -273,6 +275,8 @@ void Capture::adopt(Capture other)
 {
     m_layout = {};
     clear();
+    other.takeArchived();
+    other.forgetDeposits();
     const std::vector<Entry> entries = std::move(other.m_entries);
     for (const Entry &entry : entries)
         m_entries.push_back({std::make_unique<Channel>(*entry.channel, m_nextId++), ++m_revision});
@@ -397,33 +401,6 @@ Snapshot Capture::snapshot(std::span<const ChannelId> ids) const
             copy->push_back(*found);
     }
     return copy;
-}
-
-std::size_t Capture::bytes() const
-{
-    std::size_t sum = 0;
-    for (const Entry &entry : m_entries)
-        sum += entry.channel->bytes();
-    return sum;
-}
-
-/// Releases the oldest chunk of the channel that reaches back furthest, until the limit holds.
-void Capture::keepWithinLimit()
-{
-    m_sinceCheck = 0;
-    while (bytes() > m_config.maxBytes) {
-        Channel *oldest = nullptr;
-        for (Entry &entry : m_entries) {
-            Channel &channel = *entry.channel;
-            if (channel.canRelease() && (!oldest || channel.oldest() < oldest->oldest()))
-                oldest = &channel;
-        }
-        if (!oldest)
-            return;
-        const std::uint64_t before = oldest->size();
-        oldest->releaseOldest();
-        m_released += before - oldest->size();
-    }
 }
 
 } // namespace capture

@@ -20,12 +20,18 @@ using Snapshot = std::shared_ptr<const std::vector<Channel>>;
 class Capture {
 public:
     struct Config {
-        std::size_t maxBytes =
-            1'500'000'000; ///< beyond it the oldest samples are released, a chunk at a time
+        /// Of memory. From three quarters of it on the oldest samples go to the archive; what does not fit is
+        /// released, the oldest first, a chunk at a time.
+        std::size_t maxBytes = 1'500'000'000;
         double polledHold =
             2.0; ///< seconds that a polled value counts as true if no newer one comes
         std::shared_ptr<SampleMemory> memory =
             nullptr; ///< of the fast samples; none: the computer's own
+        std::shared_ptr<SampleArchive> archive =
+            nullptr; ///< for what there is no memory for; none: memory only
+        bool patient =
+            false; ///< append() waits for a slow archive and releases nothing for it: who
+        ///< reads a file has time, who listens to a board has not
     };
     /// Blocks and values that were not taken, by reason; all stay 0 with a drive that keeps its
     /// word.
@@ -105,9 +111,14 @@ public:
     {
         return m_channelRevision;
     } ///< grows when channels() changes
-    std::size_t bytes() const; ///< of the columns
+    std::size_t bytes() const; ///< of the columns, in memory
+    std::uint64_t archivedBytes() const; ///< of the columns, in the archive
+    /// Bytes that may be kept in the archive: its budget, or less if it refused some; 0 without one.
+    std::uint64_t archiveRoom() const;
+    /// An archive that refused gets samples again, up to its budget; for when a person made room.
+    void tryArchiveAgain() { m_archiveMost = kNoLimit; }
     const Refused &refused() const { return m_refused; }
-    /// Samples that were let go since the last clear(), because memory is bounded.
+    /// Samples that were let go since the last clear(), because there is no room for more.
     std::uint64_t released() const { return m_released; }
     std::size_t maxBytes() const { return m_config.maxBytes; }
 
@@ -127,6 +138,24 @@ private:
     bool follows(const SampleBlock &block);
     void breakStream();
     void keepWithinLimit();
+    bool releaseOldest();
+    void fillArchive();
+    bool handOver();
+    void takeArchived();
+    void forgetDeposits();
+
+    static constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
+    /// On its way to the archive.
+    struct Sent {
+        struct Chunk {
+            ChannelId channel = 0;
+            Index first = 0;
+            std::size_t stretches = 0;
+        };
+        std::shared_ptr<const Deposit> deposit;
+        std::vector<Chunk> chunks;
+        std::size_t bytes = 0;
+    };
 
     Config m_config;
     std::vector<Entry> m_entries;
@@ -142,6 +171,9 @@ private:
     std::uint64_t m_channelRevision = 0;
     std::uint64_t m_sinceCheck = 0;
     std::uint64_t m_released = 0;
+    std::deque<Sent> m_sent; ///< in the order in which they will be settled
+    std::size_t m_sentBytes = 0;
+    std::uint64_t m_archiveMost = kNoLimit; ///< less once the archive has refused
     Refused m_refused;
 };
 

@@ -185,6 +185,47 @@ std::size_t Channel::bytes() const
     return std::visit([](const auto &column) { return column.bytes(); }, m_column);
 }
 
+std::uint64_t Channel::archivedBytes() const
+{
+    return std::visit(
+        [](const auto &column) { return column.archivedChunks() * column.kArchivedBytes; },
+        m_column);
+}
+
+std::uint64_t Channel::archivableBytes() const
+{
+    return std::visit(
+        [](const auto &column) { return column.archivableChunks() * column.kArchivedBytes; },
+        m_column);
+}
+
+std::size_t Channel::chunkBytes() const
+{
+    return std::visit([](const auto &column) { return column.kArchivedBytes; }, m_column);
+}
+
+Index Channel::toArchive() const
+{
+    return std::visit([](const auto &column) { return column.toArchive(); }, m_column);
+}
+
+std::size_t Channel::handOver(std::vector<Stretch> &to)
+{
+    const std::size_t before = to.size();
+    std::visit([&to](auto &column) { column.handOver(to); }, m_column);
+    return to.size() - before;
+}
+
+void Channel::place(Index first, std::span<const Stretch> where)
+{
+    std::visit([=](auto &column) { column.place(first, where); }, m_column);
+}
+
+void Channel::takeBack()
+{
+    std::visit([](auto &column) { column.takeBack(); }, m_column);
+}
+
 bool Channel::canRelease() const
 {
     return std::visit([](const auto &column) { return column.canRelease(); }, m_column);

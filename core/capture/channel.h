@@ -102,10 +102,20 @@ public:
     std::vector<TimeSpan> gaps(double from, double to, double least) const;
 
     double toShown(double stored) const { return (stored + m_info.offset) * m_info.factor; }
-    std::size_t bytes() const;
+    std::size_t bytes() const; ///< in memory
+    std::uint64_t archivedBytes() const; ///< in an archive
     bool canRelease() const;
     void releaseOldest(); ///< from then on gaps() tells where samples were
     Nanos oldest() const { return timeOf(begin()); } ///< not on an empty channel
+
+    // The way of the samples into an archive, a chunk at a time; see FastColumn.
+    std::uint64_t archivableBytes() const;
+    std::size_t chunkBytes() const; ///< of one chunk in an archive
+    Index toArchive() const; ///< first sample of the chunk that is next
+    /// Returns how many stretches it appended. Only if archivableBytes() is not 0.
+    std::size_t handOver(std::vector<Stretch> &to);
+    void place(Index first, std::span<const Stretch> where);
+    void takeBack();
 
 private:
     MinMax shown(CodeRange range) const;

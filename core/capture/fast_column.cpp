@@ -95,24 +95,25 @@ Index Segment::atOrAfter(Nanos time) const
     return index;
 }
 
-void FastColumn::Chunk::close(std::size_t from, std::size_t to)
+void FastColumn::close(std::size_t from, std::size_t to)
 {
     std::size_t low = from / kFanOut;
     std::size_t high = to / kFanOut;
     std::size_t i = low;
 #ifdef __SSE2__
     for (; i + kTogether <= high; i += kTogether)
-        extremesOf8Times16(&samples[i * kFanOut], &ranges[i]);
+        extremesOf8Times16(m_filledSamples + i * kFanOut, m_filledRanges + i);
 #endif
     for (; i < high; ++i)
-        ranges[i] = extremesOf16(&samples[i * kFanOut]);
+        m_filledRanges[i] = extremesOf16(m_filledSamples + i * kFanOut);
+    const CodeRange *finer = m_filledRanges;
     for (std::size_t level = 1; level < kLevels && high > low; ++level) {
         low /= kFanOut;
         high /= kFanOut;
-        for (i = low; i < high; ++i) {
-            const CodeRange *finer = &ranges[kLevelStart[level - 1] + i * kFanOut];
-            ranges[kLevelStart[level] + i] = extremesOfAll(finer, kFanOut);
-        }
+        CodeRange *entries = &m_chunks.back()->coarser[kLevelStart[level - 1]];
+        for (i = low; i < high; ++i)
+            entries[i] = extremesOfAll(finer + i * kFanOut, kFanOut);
+        finer = entries;
     }
 }
 
@@ -127,7 +128,7 @@ CodeRange FastColumn::Chunk::extremes(std::size_t from, std::size_t to) const
     CodeRange range = extremesOf(&samples[from], low * kFanOut - from);
     range.include(extremesOf(&samples[high * kFanOut], to - high * kFanOut));
     for (std::size_t level = 0;; ++level) {
-        const CodeRange *entries = &ranges[kLevelStart[level]];
+        const CodeRange *entries = this->level(level);
         const std::size_t lowUp = (low + kFanOut - 1) / kFanOut;
         const std::size_t highUp = high / kFanOut;
         const bool last = level + 1 == kLevels || lowUp >= highUp;
@@ -158,20 +159,62 @@ void FastColumn::appendCodes(std::span<const std::int16_t> codes)
 {
     while (!codes.empty()) {
         const std::size_t used = static_cast<std::size_t>(m_end - m_chunkBase) % kChunkSamples;
-        if (used == 0) {
-            if (!m_memory)
-                m_memory = std::make_shared<SampleMemory>();
-            auto chunk = std::make_shared_for_overwrite<Chunk>();
-            chunk->samples = m_memory->take();
-            m_chunks.push_back(std::move(chunk));
-        }
-        Chunk &chunk = *m_chunks.back();
+        if (used == 0)
+            addChunk();
         const std::size_t count = std::min(codes.size(), kChunkSamples - used);
-        std::memcpy(&chunk.samples[used], codes.data(), count * sizeof(std::int16_t));
-        chunk.close(used, used + count);
+        std::memcpy(m_filledSamples + used, codes.data(), count * sizeof(std::int16_t));
+        close(used, used + count);
         m_end += count;
         codes = codes.subspan(count);
     }
+}
+
+void FastColumn::addChunk()
+{
+    if (!m_memory)
+        m_memory = std::make_shared<SampleMemory>();
+    const Slice samples = m_memory->take();
+    const auto ranges = std::make_shared_for_overwrite<CodeRange[]>(kFinest);
+    m_filledSamples = samples.get();
+    m_filledRanges = ranges.get();
+    auto chunk = std::make_shared_for_overwrite<Chunk>();
+    chunk->samples = samples;
+    chunk->finest = ranges;
+    m_chunks.push_back(std::move(chunk));
+}
+
+void FastColumn::handOver(std::vector<Stretch> &to)
+{
+    assert(archivableChunks() > 0);
+    const Chunk &chunk =
+        *m_chunks[static_cast<std::size_t>(m_archived.handed() - m_chunkBase / kChunkSamples)];
+    const auto bytesOf = [](const auto &part) {
+        return std::shared_ptr<const std::byte>(
+            part, reinterpret_cast<const std::byte *>(part.get()));
+    };
+    to.push_back({bytesOf(chunk.samples), kSliceBytes});
+    to.push_back({bytesOf(chunk.finest), kFinest * sizeof(CodeRange)});
+    m_archived.handOver();
+}
+
+void FastColumn::place(Index first, std::span<const Stretch> where)
+{
+    assert(where.size() == 2 && where[0].size == kSliceBytes);
+    if (first < m_chunkBase)
+        return;
+    const auto partOf = [&where]<class Entry>(std::size_t i, const Entry *) {
+        const Stretch &part = where[i];
+        return std::shared_ptr<const Entry[]>(
+            part.data, reinterpret_cast<const Entry *>(part.data.get()));
+    };
+    std::shared_ptr<Chunk> &old =
+        m_chunks[static_cast<std::size_t>(first - m_chunkBase) / kChunkSamples];
+    // Another one with the same extremes: copies of the column may be reading the old one.
+    auto chunk = std::make_shared<Chunk>(*old);
+    chunk->samples = partOf(0, static_cast<const std::int16_t *>(nullptr));
+    chunk->finest = partOf(1, static_cast<const CodeRange *>(nullptr));
+    old = std::move(chunk);
+    m_archived.place(first / kChunkSamples);
 }
 
 std::int16_t FastColumn::at(Index index) const
@@ -197,8 +240,7 @@ CodeRange FastColumn::blockExtremes(Index index) const
     static_assert(kBlockSamples == kFanOut * kFanOut, "an entry of the second level");
     assert(index % kBlockSamples == 0 && index >= m_begin && index + kBlockSamples <= m_end);
     const auto offset = static_cast<std::size_t>(index - m_chunkBase);
-    return m_chunks[offset / kChunkSamples]
-        ->ranges[kLevelStart[1] + offset % kChunkSamples / kBlockSamples];
+    return m_chunks[offset / kChunkSamples]->level(1)[offset % kChunkSamples / kBlockSamples];
 }
 
 CodeRange FastColumn::extremes(Index from, Index to) const
@@ -274,6 +316,7 @@ void FastColumn::releaseOldest()
         return;
     m_chunks.pop_front();
     m_chunkBase += kChunkSamples;
+    m_archived.release(m_chunkBase / kChunkSamples);
     m_begin = m_chunkBase;
     const std::size_t keep = segmentOf(m_begin);
     m_segments.erase(m_segments.begin(), m_segments.begin() + static_cast<std::ptrdiff_t>(keep));
@@ -285,7 +328,8 @@ void FastColumn::releaseOldest()
 
 std::size_t FastColumn::bytes() const
 {
-    return m_chunks.size() * (sizeof(Chunk) + kSliceBytes)
+    return m_chunks.size() * sizeof(Chunk)
+        + (m_chunks.size() - static_cast<std::size_t>(archivedChunks())) * kArchivedBytes
         + m_segments.capacity() * sizeof(Segment);
 }
 

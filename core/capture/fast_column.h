@@ -1,6 +1,7 @@
 // The samples of one fast signal: 16-bit codes in fixed chunks, each with its own pyramid of
 // extremes (a level for every factor of 16), and the runs of ticks they belong to. 2.27 bytes a
-// sample; growth never copies.
+// sample; growth never copies. The codes of full chunks and the finest level may lie in an archive, the
+// oldest first; what stays in memory of them is 0.02 bytes a sample.
 //
 // A copy shares the chunks and is a snapshot: it reads only samples that were there when it was
 // made, while the original goes on appending behind them, so a snapshot may be read in another
@@ -8,7 +9,9 @@
 // pv/data/analogsegment.cpp.
 #pragma once
 
+#include "capture/archived_chunks.h"
 #include "capture/min_max_kernel.h"
+#include "capture/sample_archive.h"
 #include "capture/sample_memory.h"
 #include "capture/tick_time.h"
 
@@ -99,26 +102,54 @@ public:
 
     void releaseOldest(); ///< drops the oldest chunk; nothing if it is the one being filled
     bool canRelease() const { return m_chunks.size() > 1; }
-    std::size_t bytes() const;
+    std::size_t bytes() const; ///< in memory
+
+    // The way into an archive: the oldest full chunk that is not on its way is handed over, and what was handed over
+    // first is placed first. Copies made before go on reading where they did.
+    static constexpr std::size_t kArchivedBytes =
+        kSliceBytes + kSliceSamples / 16 * sizeof(CodeRange); ///< of a chunk
+    Index toArchive() const
+    {
+        return m_archived.handed() * kChunkSamples;
+    } ///< first sample of the next one
+    Index archivableChunks() const { return m_end / kChunkSamples - m_archived.handed(); }
+    Index archivedChunks() const { return m_archived.placedFrom(m_chunkBase / kChunkSamples); }
+    /// Appends two stretches. Only if archivableChunks() is not 0.
+    void handOver(std::vector<Stretch> &to);
+    /// @param first  toArchive() before it was handed over; nothing happens if the chunk was let go since
+    void place(Index first, std::span<const Stretch> where);
+    void takeBack() { m_archived.takeBack(); } ///< what was handed over and not placed stays here
 
 private:
     static constexpr std::size_t kFanOut = 16;
     static constexpr std::size_t kLevels = 4;
-    static constexpr std::array<std::size_t, kLevels> kLevelStart{0, 4096, 4352, 4368};
+    static constexpr std::size_t kFinest = kSliceSamples / kFanOut;
+    /// Of the levels above the finest.
+    static constexpr std::array<std::size_t, kLevels - 1> kLevelStart{0, 256, 272};
 
     // Its ranges are written before they are read; clearing them first would cost what appending does.
     struct Chunk { // NOLINT(cppcoreguidelines-pro-type-member-init)
-        Slice samples;
-        std::array<CodeRange, 4369> ranges; ///< all levels, finest first
-        void close(std::size_t from, std::size_t to); ///< builds what [from, to) completes
+        std::shared_ptr<const std::int16_t[]> samples;
+        std::shared_ptr<const CodeRange[]> finest; ///< extremes of sixteen samples each
+        std::array<CodeRange, 273> coarser; ///< the other levels, finer first
+        const CodeRange *level(std::size_t number) const
+        {
+            return number == 0 ? finest.get() : &coarser[kLevelStart[number - 1]];
+        }
         CodeRange extremes(std::size_t from, std::size_t to) const;
     };
 
     void appendCodes(std::span<const std::int16_t> codes);
+    void addChunk();
+    void close(
+        std::size_t from, std::size_t to); ///< builds what [from, to) of the last chunk completes
     Index edge(double time, std::uint64_t block, std::size_t &segment) const;
 
     std::shared_ptr<SampleMemory> m_memory;
     std::deque<std::shared_ptr<Chunk>> m_chunks;
+    std::int16_t *m_filledSamples = nullptr; ///< of the last chunk, for who appends
+    CodeRange *m_filledRanges = nullptr;
+    ArchivedChunks m_archived;
     Index m_chunkBase = 0; ///< index of the first sample of the first chunk
     Index m_begin = 0;
     Index m_end = 0;

@@ -17,11 +17,10 @@ MinMax rangeOf(double value)
 void ValueColumn::append(Nanos time, double value, Nanos holdUntil)
 {
     if (inChunk(m_end) == 0)
-        m_chunks.push_back(std::make_shared_for_overwrite<Chunk>());
-    Chunk &chunk = *m_chunks.back();
+        addChunk(time);
     const std::size_t at = inChunk(m_end);
-    chunk.times[at] = time;
-    chunk.values[at] = value;
+    m_filled->times[at] = time;
+    m_filled->values[at] = value;
     if (m_broken || m_runs.empty())
         m_runs.push_back({m_end, 0, holdUntil});
     m_broken = false;
@@ -32,9 +31,40 @@ void ValueColumn::append(Nanos time, double value, Nanos holdUntil)
         const std::size_t block = at / kBlock;
         MinMax range;
         for (std::size_t i = block * kBlock; i <= at; ++i)
-            range.include(rangeOf(chunk.values[i]));
-        chunk.ranges[block] = range;
+            range.include(rangeOf(m_filled->values[i]));
+        m_chunks.back()->ranges[block] = range;
     }
+}
+
+void ValueColumn::addChunk(Nanos start)
+{
+    auto samples = std::make_shared_for_overwrite<Samples>();
+    m_filled = samples.get();
+    auto chunk = std::make_shared<Chunk>();
+    chunk->start = start;
+    chunk->samples = std::move(samples);
+    m_chunks.push_back(std::move(chunk));
+}
+
+void ValueColumn::handOver(std::vector<Stretch> &to)
+{
+    assert(archivableChunks() > 0);
+    const auto &samples = chunkOf(toArchive()).samples;
+    to.push_back({{samples, reinterpret_cast<const std::byte *>(samples.get())}, kArchivedBytes});
+    m_archived.handOver();
+}
+
+void ValueColumn::place(Index first, std::span<const Stretch> where)
+{
+    assert(where.size() == 1 && where[0].size == kArchivedBytes);
+    if (first < m_begin)
+        return;
+    std::shared_ptr<Chunk> &old =
+        m_chunks[static_cast<std::size_t>(first / kChunkSamples - m_released)];
+    auto chunk = std::make_shared<Chunk>(*old); // copies of the column may be reading the old one
+    chunk->samples = {where[0].data, reinterpret_cast<const Samples *>(where[0].data.get())};
+    old = std::move(chunk);
+    m_archived.place(first / kChunkSamples);
 }
 
 void ValueColumn::extendHold(Nanos time)
@@ -54,8 +84,13 @@ std::size_t ValueColumn::runOf(Index index) const
 
 Index ValueColumn::atOrAfter(Nanos time) const
 {
-    Index low = m_begin;
-    Index high = m_end;
+    const auto after = std::lower_bound(m_chunks.begin(), m_chunks.end(), time,
+        [](const std::shared_ptr<Chunk> &chunk, Nanos wanted) { return chunk->start < wanted; });
+    if (after == m_chunks.begin())
+        return m_begin;
+    // In the chunk before it, or right behind that.
+    Index low = m_begin + static_cast<Index>(after - m_chunks.begin() - 1) * kChunkSamples;
+    Index high = std::min(low + kChunkSamples, m_end);
     while (low < high) {
         const Index middle = low + (high - low) / 2;
         if (timeOf(middle) < time)
@@ -89,6 +124,7 @@ void ValueColumn::releaseOldest()
         return;
     m_chunks.pop_front();
     ++m_released;
+    m_archived.release(m_released);
     m_begin = m_released * kChunkSamples;
     const std::size_t keep = runOf(m_begin);
     m_runs.erase(m_runs.begin(), m_runs.begin() + static_cast<std::ptrdiff_t>(keep));
@@ -99,7 +135,9 @@ void ValueColumn::releaseOldest()
 
 std::size_t ValueColumn::bytes() const
 {
-    return m_chunks.size() * sizeof(Chunk) + m_runs.capacity() * sizeof(Run);
+    return m_chunks.size() * sizeof(Chunk)
+        + (m_chunks.size() - static_cast<std::size_t>(archivedChunks())) * kArchivedBytes
+        + m_runs.capacity() * sizeof(Run);
 }
 
 } // namespace capture

@@ -1,7 +1,7 @@
 // The samples of one slow or polled signal: an instant and a value each, in chunks with the
 // extremes of every 64. Values hold until the next one, at most to the end of their run.
 //
-// A copy shares the chunks and is a snapshot, as with FastColumn: only one may append.
+// A copy shares the chunks and is a snapshot, as with FastColumn: only one may append. Full chunks may lie in an archive.
 #pragma once
 
 #include "capture/fast_column.h"
@@ -49,8 +49,8 @@ public:
     /// The next value starts a new run.
     void breakHere() { m_broken = true; }
 
-    Nanos timeOf(Index index) const { return chunkOf(index).times[inChunk(index)]; }
-    double at(Index index) const { return chunkOf(index).values[inChunk(index)]; }
+    Nanos timeOf(Index index) const { return chunkOf(index).samples->times[inChunk(index)]; }
+    double at(Index index) const { return chunkOf(index).samples->values[inChunk(index)]; }
     std::size_t runOf(Index index) const; ///< the run that holds it; runs().size() if none
 
     Index atOrAfter(Nanos time) const; ///< first value at or after `time`; end() if there is none
@@ -58,15 +58,30 @@ public:
 
     void releaseOldest();
     bool canRelease() const { return m_chunks.size() > 1; }
-    std::size_t bytes() const;
+    std::size_t bytes() const; ///< in memory
+
+    // The way into an archive, as with FastColumn; a chunk is one stretch.
+    static constexpr std::size_t kArchivedBytes = kChunkSamples * (sizeof(Nanos) + sizeof(double));
+    Index toArchive() const { return m_archived.handed() * kChunkSamples; }
+    Index archivableChunks() const { return m_end / kChunkSamples - m_archived.handed(); }
+    Index archivedChunks() const { return m_archived.placedFrom(m_released); }
+    void handOver(std::vector<Stretch> &to);
+    void place(Index first, std::span<const Stretch> where);
+    void takeBack() { m_archived.takeBack(); }
 
 private:
     static constexpr std::size_t kBlock = 64;
+    struct Samples { // NOLINT(cppcoreguidelines-pro-type-member-init) written before it is read
+        std::array<Nanos, kChunkSamples> times;
+        std::array<double, kChunkSamples> values;
+    };
+    static_assert(sizeof(Samples) == kArchivedBytes);
     struct Chunk {
-        std::array<Nanos, kChunkSamples> times{};
-        std::array<double, kChunkSamples> values{};
+        Nanos start = 0; ///< of its first sample: a search touches one chunk's samples only
+        std::shared_ptr<const Samples> samples;
         std::array<MinMax, kChunkSamples / kBlock> ranges;
     };
+    void addChunk(Nanos start);
     static std::size_t inChunk(Index index)
     {
         return static_cast<std::size_t>(index % kChunkSamples);
@@ -77,6 +92,8 @@ private:
     }
 
     std::deque<std::shared_ptr<Chunk>> m_chunks;
+    Samples *m_filled = nullptr; ///< of the last chunk, for who appends
+    ArchivedChunks m_archived;
     Index m_released = 0; ///< chunks let go
     Index m_begin = 0;
     Index m_end = 0;
