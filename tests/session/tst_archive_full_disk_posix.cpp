@@ -1,0 +1,96 @@
+// A disk that takes no more while samples go there: what it has stays readable, the rest is kept in memory, and it goes
+// round in what it has. A limit on the size of files gives the same short write as a full disk, without one.
+#include "session/disk_archive.h"
+#include "support/capture_twins.h"
+
+#include <QDir>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <cerrno>
+#include <csignal>
+#include <sys/resource.h>
+
+using session::ArchiveFailure;
+using session::DiskArchive;
+
+class TestArchiveFullDisk : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void whereverItFillsWhatIsThereIsRead_data();
+    void whereverItFillsWhatIsThereIsRead();
+    void aFolderThatTakesNoFilesIsToldOnce();
+};
+
+namespace {
+
+constexpr std::size_t kMemory = 4'000'000;
+constexpr std::size_t kPiece = 524288;
+
+/// No file of this process may grow past `bytes` while this lives.
+struct SizeLimit {
+    rlimit before{};
+    explicit SizeLimit(rlim_t bytes)
+    {
+        std::signal(SIGXFSZ, SIG_IGN);
+        getrlimit(RLIMIT_FSIZE, &before);
+        const rlimit limit{bytes, before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~SizeLimit() { setrlimit(RLIMIT_FSIZE, &before); }
+};
+
+} // namespace
+
+void TestArchiveFullDisk::whereverItFillsWhatIsThereIsRead_data()
+{
+    QTest::addColumn<qint64>("before");
+    QTest::newRow("at once") << qint64(0);
+    QTest::newRow("later") << qint64(1'200'000);
+}
+
+void TestArchiveFullDisk::whereverItFillsWhatIsThereIsRead()
+{
+    QFETCH(const qint64, before);
+    QTemporaryDir folder;
+    const auto archive =
+        std::make_shared<DiskArchive>(DiskArchive::Config{folder.path(), 64'000'000, 0, kPiece});
+    const QSignalSpy failures(archive.get(), &DiskArchive::failed);
+    CaptureTwins twins({.maxBytes = kMemory, .archive = archive, .patient = true});
+    twins.record(before);
+    QCOMPARE(twins.small.released(), std::uint64_t(0));
+    const std::uint64_t then = twins.small.archivedBytes();
+    QCOMPARE(then > 0, before > 0);
+    {
+        const SizeLimit limit(100'000);
+        twins.record(1'200'000);
+        QTRY_COMPARE(failures.size(), 1); // however often it is tried
+    }
+    const auto failure = failures.front().front().value<ArchiveFailure>();
+    QCOMPARE(failure.reason, ArchiveFailure::Reason::WriteFailed);
+    QCOMPARE(failure.folder, folder.path());
+    QCOMPARE(failure.systemText, qt_error_string(EFBIG));
+    QVERIFY(twins.small.bytes() <= kMemory + CaptureTwins::kSlack);
+    QVERIFY(twins.small.released() > 0);
+    twins.verifyTheSame(50);
+    // Half a piece is no use to anybody.
+    QTRY_VERIFY(QDir(folder.path()).isEmpty());
+    QTRY_VERIFY(archive->bytesOnDisk() <= then + 2 * kPiece);
+}
+
+void TestArchiveFullDisk::aFolderThatTakesNoFilesIsToldOnce()
+{
+    // A directory of the system in which nobody can make a file, not even root.
+    const auto archive = std::make_shared<DiskArchive>(
+        DiskArchive::Config{QStringLiteral("/proc/self"), 64'000'000, 0, kPiece});
+    const QSignalSpy failures(archive.get(), &DiskArchive::failed);
+    CaptureTwins twins({.maxBytes = kMemory, .archive = archive, .patient = true});
+    twins.record(1'000'000);
+    QTRY_COMPARE(failures.size(), 1);
+    QVERIFY(twins.small.bytes() <= kMemory + CaptureTwins::kSlack);
+    twins.verifyTheSame(50);
+}
+
+QTEST_GUILESS_MAIN(TestArchiveFullDisk)
+#include "tst_archive_full_disk_posix.moc"
