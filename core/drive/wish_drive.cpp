@@ -138,6 +138,39 @@ void WishDrive::afterTask(TimePoint now)
         lookAtOnce(now); // whatever became of it
 }
 
+void WishDrive::sendNext(Task &vitals, Task &watch, TimePoint now)
+{
+    const bool open = m_mode == Mode::Open;
+    if (open) {
+        if (m_stop.active() && give(vitals, now))
+            return;
+        if (stopHoldsBack(now) || sendFirst(now) || give(vitals, now))
+            return;
+    }
+    if (!giveToWish(now) && open)
+        give(watch, now);
+}
+
+bool WishDrive::giveToWish(TimePoint now)
+{
+    while (WishTask *wish = m_wishes.next(m_armed)) {
+        if (give(*wish, now))
+            return true;
+        if (!wish->finished())
+            return false; // waits for something else; no other wish overtakes it
+        m_wishes.collect(m_events, m_workedAt);
+    }
+    return false;
+}
+
+void WishDrive::takeStatuses(std::vector<MotorStatus> statuses, TimePoint askedAt)
+{
+    for (MotorStatus &status : statuses) {
+        m_stop.takeStatus(status, askedAt);
+        m_events.emplace_back(std::move(status));
+    }
+}
+
 void WishDrive::noteStop(int motor, ByteView request, TimePoint now)
 {
     m_stop.stopSent(motor, now);

@@ -45,6 +45,10 @@ protected:
     virtual std::unique_ptr<WishTask> taskFor(
         const Wish &wish) = 0; ///< for all but those done at once
     virtual void watch(const Watch &watch, TimePoint now) = 0;
+    /// Sends the next request of the task; false: it has nothing to ask now.
+    virtual bool give(Task &task, TimePoint now) = 0;
+    /// What goes before states and wishes: the identification. True: the link is not there for anything else now.
+    virtual bool sendFirst(TimePoint now) = 0;
     virtual void lookAtOnce(
         TimePoint now) = 0; ///< at the states of the motors, and often for a while
 
@@ -53,6 +57,11 @@ protected:
     void cutAllWishes(const std::string &reason);
     /// The answer to m_task has come, or never will: the link is free. What acts is looked at at once.
     void afterTask(TimePoint now);
+
+    /// Gives a free link to whoever is most urgent. @param vitals, watch  of the class made from this one
+    void sendNext(Task &vitals, Task &watch, TimePoint now);
+    /// The newest states of motors: evidence for the stop, and told. @param askedAt  they are no older than this
+    void takeStatuses(std::vector<MotorStatus> statuses, TimePoint askedAt);
 
     /// A STOP leaves: notes it for the log.
     void noteStop(int motor, ByteView request, TimePoint now);
@@ -82,6 +91,7 @@ protected:
     std::vector<Event> m_events;
 
 private:
+    bool giveToWish(TimePoint now);
     bool takeAtOnce(const Wish &wish, TimePoint now); ///< false: it takes a task
     void takeLimits(const Wish &wish, const UserLimits &limits, TimePoint now);
     void takeExpert(const Wish &wish, const ExpertMode &expert, TimePoint now);

@@ -9,6 +9,7 @@
 #include "widgets/control/motor_button.h"
 #include "widgets/control/setpoint_edit.h"
 #include "widgets/control/state_strip.h"
+#include "widgets/control/stop_words.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -514,6 +515,28 @@ private Q_SLOTS:
         }
         auto *scroll = m_panel->findChild<QScrollArea *>(QStringLiteral("controlScroll"));
         QVERIFY(scroll->widget()->width() <= scroll->viewport()->width()); // nothing cut at a side
+    }
+
+    void theWordsOfAStopGoWhenTheMotorTurnsAgain()
+    {
+        arm();
+        const auto *words = m_panel->findChild<widgets::StopWords *>();
+        using drive::MotorState;
+        facts::feed(*m_device, {facts::status(MotorState::Running)});
+        for (const auto word :
+            {drive::StopWord::Requested, drive::StopWord::Accepted, drive::StopWord::DriveIdle}) {
+            facts::feed(*m_device, {drive::StopProgress{1, word, {}}});
+            facts::feed(*m_device, {facts::status(MotorState::Running)});
+            QVERIFY(words->isVisible()); // it still turns: the stop is not over
+        }
+        facts::feed(*m_device,
+            {facts::status(MotorState::Idle),
+                drive::StopProgress{1, drive::StopWord::Standstill, {}}});
+        QVERIFY(words->isVisible());
+        facts::feed(*m_device, {facts::status(MotorState::Starting)});
+        QVERIFY(!words->isVisible());
+        facts::feed(*m_device, {drive::StopProgress{1, drive::StopWord::Requested, {}}});
+        QVERIFY(words->isVisible());
     }
 
     void theLimitIsTheBoards()

@@ -17,8 +17,11 @@
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSortFilterProxyModel>
 #include <QTemporaryDir>
+#include <QToolButton>
 
 #include <cmath>
 
@@ -154,6 +157,10 @@ private Q_SLOTS:
         const auto *words = m_rig->window.controlPanel()->findChild<widgets::StopWords *>();
         QTRY_VERIFY_WITH_TIMEOUT(
             words->text().contains(QStringLiteral("standstill measured")), 10000);
+        QCOMPARE(m_rig->window.height(), 720);
+        m_rig->find<QWidget>("banner")->findChild<QToolButton *>()->click();
+        const auto *scroll = m_rig->find<QScrollArea>("controlScroll");
+        QTRY_COMPARE(scroll->verticalScrollBar()->maximum(), 0); // the readouts stay in view
     }
 
     void nothingWasLost()

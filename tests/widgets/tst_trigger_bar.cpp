@@ -6,6 +6,7 @@
 #include "widgets/scope/trigger_control.h"
 
 #include <QAbstractItemModelTester>
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -60,6 +61,7 @@ private Q_SLOTS:
     void persistenceKeepsEarlierRecords();
     void singleKeysActWhereNoTextIsTyped();
     void theBarFits();
+    void anEdgeTakesOneLine();
     void longWordsTakeTwoLines();
 
 private:
@@ -573,6 +575,26 @@ void TestTriggerBar::theBarFits()
     QVERIFY(bar->rect().contains(state->geometry()));
     QVERIFY2(bar->minimumSizeHint().width() <= bar->width(),
         qPrintable(QString::number(bar->minimumSizeHint().width())));
+}
+
+void TestTriggerBar::anEdgeTakesOneLine()
+{
+    normal();
+    square(500);
+    m_rig->window.resize(1280, 720);
+    m_rig->draw();
+    const auto *bar = m_rig->find<QWidget>("triggerBar");
+    const auto lineOf = [&](const char *name) {
+        return m_rig->find<QWidget>(name)->mapTo(bar, QPoint()).y();
+    };
+    for (const char *name : {"triggerSource", "triggerLevel", "triggerMore"})
+        QVERIFY2(std::abs(lineOf(name) - lineOf("triggerMode")) < 8, name);
+    // A long word is whole in the list though the box is narrow.
+    auto *type = m_rig->find<QComboBox>("triggerType");
+    type->showPopup();
+    QVERIFY(type->view()->width() > type->width());
+    QVERIFY(type->view()->width() >= type->view()->sizeHintForColumn(0));
+    type->hidePopup();
 }
 
 void TestTriggerBar::longWordsTakeTwoLines()

@@ -21,6 +21,8 @@ namespace widgets {
 namespace {
 
 constexpr int kMargin = 10;
+constexpr int kGap =
+    5; ///< so that nothing has to be scrolled on a low screen after a stop, when its words stand there
 
 QFrame *line(QWidget *parent)
 {
@@ -59,8 +61,8 @@ ControlPanel::ControlPanel(
 
     auto *fixed = new QWidget(this);
     auto *top = new QVBoxLayout(fixed);
-    top->setContentsMargins(kMargin, 8, kMargin, 0);
-    top->setSpacing(8);
+    top->setContentsMargins(kMargin, kGap, kMargin, 0);
+    top->setSpacing(kGap);
     top->addWidget(m_state);
     top->addWidget(line(this));
     top->addWidget(m_commands);
@@ -109,8 +111,8 @@ QWidget *ControlPanel::makeBody()
     limits->addWidget(m_limits, 1);
     limits->addWidget(m_changeLimits, 0, Qt::AlignTop);
     auto *layout = new QVBoxLayout(body);
-    layout->setContentsMargins(kMargin, 8, kMargin, 8);
-    layout->setSpacing(8);
+    layout->setContentsMargins(kMargin, kGap, kMargin, kGap);
+    layout->setSpacing(kGap);
     layout->addWidget(m_setpoints);
     layout->addWidget(line(this));
     layout->addWidget(m_jog);
@@ -139,6 +141,10 @@ void ControlPanel::refresh(Milliseconds now)
 
 void ControlPanel::follow()
 {
+    using drive::MotorState;
+    const MotorState state = m_device.status(m_device.motor()).state;
+    if (m_words->ended() && (state == MotorState::Starting || state == MotorState::Running))
+        m_words->hide(); // they told of a motor that stood, and this one turns
     m_commands->follow();
     m_setpoints->follow();
     m_jog->follow();

@@ -72,6 +72,8 @@ void StopWords::refresh(Milliseconds now)
     }
 }
 
+bool StopWords::ended() const { return m_lines.back().since.has_value(); }
+
 QString StopWords::text() const
 {
     QStringList lines;

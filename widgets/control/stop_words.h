@@ -23,6 +23,7 @@ public:
     void take(const drive::StopProgress &progress, Milliseconds now);
     void refresh(Milliseconds now); ///< the ages go on
     void clear();
+    bool ended() const; ///< the last word was reached
     QString text() const; ///< all lines, for tests and screen readers
 
 private:

@@ -1,6 +1,7 @@
 #include "widgets/scope/trigger_bar.h"
 
 #include "widgets/base/flow_layout.h"
+#include "widgets/base/snug_combo_box.h"
 #include "widgets/base/value_edit.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/scope/scope_view.h"
@@ -23,6 +24,7 @@ namespace widgets {
 namespace {
 constexpr int kLevelWidth = 76;
 constexpr int kDetailWidth = 120;
+constexpr int kMostLetters = 12; ///< of a trace's name in the bar; whole in the list
 constexpr double kLongestTime = 60.0; ///< seconds
 constexpr double kShortestRecord = 1e-5;
 
@@ -49,8 +51,8 @@ TriggerBar::TriggerBar(TriggerControl &control, ScopeView &scope, QWidget *paren
     , m_control(control)
     , m_scope(scope)
     , m_mode(new QComboBox(this))
-    , m_type(new QComboBox(this))
-    , m_source(new QComboBox(this))
+    , m_type(new SnugComboBox(kMostLetters, this))
+    , m_source(new SnugComboBox(kMostLetters, this))
     , m_way(new QComboBox(this))
     , m_level(new ValueEdit(this))
     , m_single(new QToolButton(this))
@@ -84,10 +86,6 @@ void TriggerBar::makeBar()
     choice(m_source, "triggerSource", tr("The trace that is watched"));
     choice(m_way, "triggerWay", {});
     m_mode->setAccessibleName(tr("Mode of the trigger"));
-    for (QComboBox *box : {m_source, m_type}) { // whole in their lists; the bar has little room
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(7);
-    }
     using scope::Mode;
     for (const Mode mode : {Mode::Roll, Mode::Auto, Mode::Normal, Mode::Single})
         m_mode->addItem(modeText(mode), static_cast<int>(mode));

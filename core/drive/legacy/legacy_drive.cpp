@@ -111,9 +111,8 @@ private:
 
     bool linkIsFree() const { return m_link.canSend() && m_task == nullptr && !m_stopUnderWay; }
     bool sendStop(TimePoint now);
-    void sendNext(TimePoint now);
-    bool give(Task &task, TimePoint now);
-    void tellVitals();
+    bool sendFirst(TimePoint now) override;
+    bool give(Task &task, TimePoint now) override;
     void tellState();
     void countLink(TimePoint now);
     void collect();
@@ -330,7 +329,7 @@ void LegacyDrive::work(TimePoint now)
     m_workedAt = now;
     onLinkEvents(now);
     m_link.setDialect(m_board.dialect);
-    tellVitals();
+    takeStatuses(m_vitals.takeStatuses(), m_vitals.askedAt());
     if (m_identification.takeNews())
         onIdentified(now);
     if (m_reconnectAt && now >= *m_reconnectAt && m_mode == Mode::Open && !m_stop.blind(now)) {
@@ -341,7 +340,7 @@ void LegacyDrive::work(TimePoint now)
     if (m_mode == Mode::Open && m_stop.active())
         sendStop(now);
     if (linkIsFree() && m_mode == Mode::Open)
-        sendNext(now);
+        sendNext(m_vitals, m_watch, now);
     collect();
     tellState();
     countLink(now);
@@ -366,26 +365,12 @@ bool LegacyDrive::sendStop(TimePoint now)
     return true;
 }
 
-void LegacyDrive::sendNext(TimePoint now)
+bool LegacyDrive::sendFirst(TimePoint now)
 {
-    if (m_stop.active() && give(m_vitals, now))
-        return;
-    if (stopHoldsBack(now))
-        return;
-    if (!m_identification.done()) {
-        give(m_identification, now);
-        return;
-    }
-    if (give(m_vitals, now))
-        return;
-    while (WishTask *wish = m_wishes.next(armed())) {
-        if (give(*wish, now))
-            return;
-        if (!wish->finished())
-            break; // waits for something else; nothing overtakes it
-        collectWishes();
-    }
-    give(m_watch, now);
+    if (m_identification.done())
+        return false;
+    give(m_identification, now);
+    return true;
 }
 
 bool LegacyDrive::give(Task &task, TimePoint now)
@@ -415,14 +400,6 @@ void LegacyDrive::collect()
     if (auto readings = m_watch.takeReadings(); !readings.empty())
         m_events.emplace_back(RegistersRead{std::move(readings)});
     collectWishes();
-}
-
-void LegacyDrive::tellVitals()
-{
-    for (MotorStatus &status : m_vitals.takeStatuses()) {
-        m_stop.takeStatus(status, m_vitals.askedAt());
-        m_events.emplace_back(std::move(status));
-    }
 }
 
 void LegacyDrive::tellState()

@@ -91,27 +91,6 @@ private:
     PositionRamp m_ramp;
 };
 
-/// A wish that no MCB drive can carry out.
-class McbRefusedTask : public WishTask {
-public:
-    McbRefusedTask(WishId id, std::string why)
-        : WishTask(id, Permission::Armed)
-        , m_why(std::move(why))
-    {
-    }
-    std::optional<Bytes> nextRequest(TimePoint) override
-    {
-        if (!finished())
-            end(Outcome::Refused, m_why);
-        return std::nullopt;
-    }
-    void takeResponse(ByteView, TimePoint) override { }
-    void takeNoResponse(std::optional<bool>, TimePoint) override { }
-
-private:
-    std::string m_why;
-};
-
 std::vector<Capability> mcbCapabilitiesOf(const McbBoard &board);
 
 } // namespace drive

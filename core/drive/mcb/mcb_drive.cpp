@@ -158,7 +158,8 @@ std::unique_ptr<WishTask> McbDrive::taskFor(const Wish &wish)
         }
         Made operator()(const TorqueRamp &)
         {
-            return std::make_unique<McbRefusedTask>(id, board.reasonAgainst(Feature::TorqueRamp));
+            return std::make_unique<RefusedTask>(
+                id, Permission::Armed, board.reasonAgainst(Feature::TorqueRamp));
         }
         Made operator()(const CurrentReference &reference)
         {
@@ -173,7 +174,10 @@ std::unique_ptr<WishTask> McbDrive::taskFor(const Wish &wish)
             return std::make_unique<McbStreamTask>(id, wanted, stream);
         }
         // Done at once, before a task is asked for.
-        Made refused() const { return std::make_unique<McbRefusedTask>(id, "is no work"); }
+        Made refused() const
+        {
+            return std::make_unique<RefusedTask>(id, Permission::Armed, "is no work");
+        }
         Made operator()(const Watch &) const { return refused(); }
         Made operator()(const UserLimits &) const { return refused(); }
         Made operator()(const ExpertMode &) const { return refused(); }

@@ -17,7 +17,7 @@ void McbDrive::work(TimePoint now)
 {
     m_workedAt = now;
     onLinkEvents(now);
-    tellVitals();
+    takeStatuses(m_vitals.takeStatuses(), m_vitals.askedAt());
     if (m_identification.takeNews())
         onIdentified(now);
     if (m_reconnectAt && now >= *m_reconnectAt && m_mode == Mode::Open) {
@@ -27,7 +27,7 @@ void McbDrive::work(TimePoint now)
     if (m_mode == Mode::Open && m_stop.active())
         sendStop(now);
     if (linkIsFree())
-        sendNext(now);
+        sendNext(m_vitals, m_watch, now);
     collect(now);
     if (m_mode == Mode::Closing)
         close(now);
@@ -55,28 +55,8 @@ bool McbDrive::sendStop(TimePoint now)
     return true;
 }
 
-void McbDrive::sendNext(TimePoint now)
+bool McbDrive::sendFirst(TimePoint now)
 {
-    if (m_mode == Mode::Open && (sendIdentification(now) || give(m_vitals, now)))
-        return;
-    while (WishTask *wish = m_wishes.next(armed())) {
-        if (give(*wish, now))
-            return;
-        if (!wish->finished())
-            break; // waits for something else; nothing overtakes it
-        m_wishes.collect(m_events, m_workedAt);
-    }
-    if (m_mode == Mode::Open)
-        give(m_watch, now);
-}
-
-/// Whether the link is not there for anything else now.
-bool McbDrive::sendIdentification(TimePoint now)
-{
-    if (m_stop.active() && give(m_vitals, now))
-        return true;
-    if (stopHoldsBack(now))
-        return true;
     if (m_identification.done())
         return false;
     give(m_identification, now);
@@ -133,14 +113,6 @@ void McbDrive::collect(TimePoint now)
     m_stream.flush(now);
     for (Event &event : m_stream.takeEvents())
         m_events.push_back(std::move(event));
-}
-
-void McbDrive::tellVitals()
-{
-    for (MotorStatus &status : m_vitals.takeStatuses()) {
-        m_stop.takeStatus(status, m_vitals.askedAt());
-        m_events.emplace_back(std::move(status));
-    }
 }
 
 void McbDrive::tellLinkState()

@@ -2,56 +2,30 @@
 
 #include "drive/mcb/mcb_catalog.h"
 
-#include <algorithm>
-
 namespace drive {
 
 void McbWatch::watch(const Watch &watch, TimePoint now)
 {
-    m_watch = watch;
-    std::vector<RegisterId> unique;
-    for (const RegisterId id : m_watch.registers)
-        if (std::find(unique.begin(), unique.end(), id) == unique.end())
-            unique.push_back(id);
-    m_watch.registers = std::move(unique);
-    m_watch.period = std::max<Duration>(m_watch.period, std::chrono::milliseconds(1));
-    restart(now);
+    m_reader.clear();
+    m_round.watch(watch, now);
 }
 
 void McbWatch::restart(TimePoint now)
 {
     m_reader.clear();
-    m_missing.clear();
-    m_readings.clear();
-    m_active = !m_watch.registers.empty();
-    m_due = now;
+    m_round.restart(now);
 }
 
 std::optional<Bytes> McbWatch::nextRequest(TimePoint now)
 {
-    if (m_reader.finished()) {
-        if (!m_active || now < m_due)
-            return std::nullopt;
-        std::vector<RegisterId> ids;
-        for (const RegisterId id : m_watch.registers)
-            if (!m_missing.contains(id))
-                ids.push_back(id);
-        if (ids.empty()) {
-            m_active = false;
-            return std::nullopt;
-        }
-        m_reader.start(ids);
-        m_roundStart = now;
-    }
+    if (m_reader.finished())
+        m_reader.start(m_round.begin(now));
     return m_reader.nextRequest();
 }
 
 void McbWatch::takeResponse(ByteView response, TimePoint now)
 {
-    Reading reading = m_reader.takeResponse(response, m_board, now);
-    if (reading.status != ReadStatus::Ok)
-        m_missing.insert(reading.id);
-    m_readings.push_back(std::move(reading));
+    m_round.take(m_reader.takeResponse(response, m_board, now));
     planNextRound(now);
 }
 
@@ -62,10 +36,7 @@ void McbWatch::takeNoResponse(std::optional<bool>, TimePoint now)
 }
 
 /// Half of the time is for others.
-void McbWatch::planNextRound(TimePoint now)
-{
-    m_due = std::max({now, m_roundStart + m_watch.period, now + (now - m_roundStart)});
-}
+void McbWatch::planNextRound(TimePoint now) { m_round.planNext(2 * (now - m_round.begun()), now); }
 
 std::optional<Bytes> McbReadTask::nextRequest(TimePoint now)
 {

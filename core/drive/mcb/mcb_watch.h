@@ -1,11 +1,9 @@
 // Reads the watched registers over and over, in rounds at the wished period, or back to back where the link is slower.
-// What the drive does not have is reported once and left out from then on.
 #pragma once
 
 #include "drive/mcb/mcb_reader.h"
 #include "drive/task.h"
-
-#include <set>
+#include "drive/watch_round.h"
 
 namespace drive {
 
@@ -17,28 +15,21 @@ public:
     }
 
     void watch(const Watch &watch, TimePoint now);
-    void restart(TimePoint now); ///< a new connection: absent registers are asked again, once
-    std::optional<TimePoint> due() const
-    {
-        return m_active ? std::optional<TimePoint>(m_due) : std::nullopt;
-    }
+    void restart(TimePoint now); ///< a new connection
+    std::optional<TimePoint> due() const { return m_round.due(); }
 
     std::optional<Bytes> nextRequest(TimePoint now) override;
     void takeResponse(ByteView response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
-    std::vector<Reading> takeReadings() { return std::exchange(m_readings, {}); }
+    std::vector<Reading> takeReadings() { return m_round.takeReadings(); }
 
 private:
     void planNextRound(TimePoint now);
 
     const McbBoard &m_board;
     McbReader m_reader;
-    Watch m_watch;
-    std::set<RegisterId> m_missing;
-    std::vector<Reading> m_readings;
-    TimePoint m_roundStart, m_due;
-    bool m_active = false;
+    WatchRound m_round;
 };
 
 /// A read of a person.

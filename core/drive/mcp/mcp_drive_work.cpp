@@ -4,8 +4,6 @@
 #include "mcp/protocol.h"
 #include "mcp/request.h"
 
-#include <algorithm>
-
 namespace drive {
 
 namespace {
@@ -23,7 +21,7 @@ void McpDrive::work(TimePoint now)
 {
     m_workedAt = now;
     onLinkEvents(now);
-    tellVitals();
+    takeStatuses(m_vitals.takeStatuses(), m_vitals.askedAt());
     if (m_identification.takeNews())
         onIdentified(now);
     if (m_heartbeat.takeGivenUp()) {
@@ -38,7 +36,7 @@ void McpDrive::work(TimePoint now)
         sendStop(now);
     m_heartbeat.setWanted(!m_stop.active() && (armed() || m_vitals.motorDriven()));
     if (linkIsFree())
-        sendNext(now);
+        sendNext(m_vitals, m_watch, now);
     collect();
     if (m_mode == Mode::Closing)
         close(now);
@@ -65,29 +63,8 @@ bool McpDrive::sendStop(TimePoint now)
     return true;
 }
 
-void McpDrive::sendNext(TimePoint now)
+bool McpDrive::sendFirst(TimePoint now)
 {
-    if (m_mode == Mode::Open
-        && (sendIdentification(now) || give(m_heartbeat, now) || give(m_vitals, now)))
-        return;
-    while (WishTask *wish = m_wishes.next(armed())) {
-        if (give(*wish, now))
-            return;
-        if (!wish->finished())
-            break; // waits for something else; nothing overtakes it
-        m_wishes.collect(m_events, m_workedAt);
-    }
-    if (m_mode == Mode::Open)
-        give(m_watch, now);
-}
-
-/// Whether the link is not there for anything else now.
-bool McpDrive::sendIdentification(TimePoint now)
-{
-    if (m_stop.active() && give(m_vitals, now))
-        return true;
-    if (stopHoldsBack(now))
-        return true;
     using Phase = Identification::Phase;
     if (m_identification.phase() == Phase::States) {
         if (m_vitals.complete())
@@ -96,7 +73,7 @@ bool McpDrive::sendIdentification(TimePoint now)
             return true;
     }
     if (m_identification.phase() == Phase::Done)
-        return false;
+        return give(m_heartbeat, now);
     give(m_identification, now);
     return true;
 }
@@ -140,14 +117,6 @@ void McpDrive::collect()
     for (Event &event : m_stream.takeEvents())
         m_events.push_back(std::move(event));
     collectWishes();
-}
-
-void McpDrive::tellVitals()
-{
-    for (MotorStatus &status : m_vitals.takeStatuses()) {
-        m_stop.takeStatus(status, m_vitals.askedAt());
-        m_events.emplace_back(std::move(status));
-    }
 }
 
 void McpDrive::tellLinkState()

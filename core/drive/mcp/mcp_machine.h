@@ -66,15 +66,13 @@ private:
     // what goes out
     void work(TimePoint now) override;
     bool sendStop(TimePoint now);
-    void sendNext(TimePoint now);
-    bool sendIdentification(TimePoint now);
-    bool give(Task &task, TimePoint now);
+    bool sendFirst(TimePoint now) override;
+    bool give(Task &task, TimePoint now) override;
     bool linkIsFree() const { return m_link.canSend() && m_task == nullptr && !m_stopUnderWay; }
     void close(TimePoint now);
 
     // what is told
     void tellLinkState();
-    void tellVitals();
     void tellLinkCounters(TimePoint now);
     void collect();
     bool connected() const { return m_link.state() == Link::State::Connected; }

@@ -17,45 +17,23 @@ constexpr double kLeastBytesPerSecond =
 
 void WatchPoll::watch(const Watch &watch, TimePoint now)
 {
-    m_watch = watch;
-    std::vector<RegisterId> unique;
-    for (const RegisterId id : m_watch.registers)
-        if (std::find(unique.begin(), unique.end(), id) == unique.end())
-            unique.push_back(id);
-    m_watch.registers = std::move(unique);
-    m_watch.period = std::max<Duration>(m_watch.period, std::chrono::milliseconds(1));
-    restart(now);
+    m_reader.clear();
+    m_round.watch(watch, now);
 }
 
 void WatchPoll::restart(TimePoint now)
 {
     m_reader.clear();
-    m_missing.clear();
-    m_readings.clear();
-    m_active = !m_watch.registers.empty();
-    m_due = now;
-}
-
-std::optional<TimePoint> WatchPoll::due() const
-{
-    return m_active ? std::optional<TimePoint>(m_due) : std::nullopt;
+    m_round.restart(now);
 }
 
 std::optional<Bytes> WatchPoll::nextRequest(TimePoint now)
 {
     if (m_reader.finished()) {
-        if (!m_active || now < m_due)
+        const auto ids = m_round.begin(now);
+        if (ids.empty())
             return std::nullopt;
-        std::vector<RegisterId> ids;
-        for (const RegisterId id : m_watch.registers)
-            if (!m_missing.contains(id))
-                ids.push_back(id);
-        if (ids.empty()) {
-            m_active = false;
-            return std::nullopt;
-        }
         m_reader.start(ids, m_board);
-        m_roundStart = now;
         m_roundBytes = 0;
     }
     return m_reader.nextRequest(m_board);
@@ -64,11 +42,8 @@ std::optional<Bytes> WatchPoll::nextRequest(TimePoint now)
 void WatchPoll::takeResponse(ByteView response, TimePoint now)
 {
     m_roundBytes += response.size() + kPacketOverhead;
-    for (Reading &reading : m_reader.takeResponse(response, m_board, now)) {
-        if (reading.status != ReadStatus::Ok)
-            m_missing.insert(reading.id);
-        m_readings.push_back(std::move(reading));
-    }
+    for (Reading &reading : m_reader.takeResponse(response, m_board, now))
+        m_round.take(std::move(reading));
     planNextRound(now);
 }
 
@@ -82,8 +57,7 @@ void WatchPoll::planNextRound(TimePoint now)
 {
     const double spare = m_board.streaming.linkBytesPerSecond - m_streamLoad;
     const double rate = std::max(spare * kSharePolling, kLeastBytesPerSecond);
-    const Duration linkTime = fromSeconds(static_cast<double>(m_roundBytes) / rate);
-    m_due = std::max(now, m_roundStart + std::max(m_watch.period, linkTime));
+    m_round.planNext(fromSeconds(static_cast<double>(m_roundBytes) / rate), now);
 }
 
 } // namespace drive

@@ -1,0 +1,46 @@
+#include "widgets/base/snug_combo_box.h"
+
+#include <QAbstractItemView>
+#include <QStyleOptionComboBox>
+
+#include <algorithm>
+
+namespace widgets {
+
+namespace {
+constexpr int kLeast = 3; ///< characters
+constexpr int kAir = 4; ///< pixels: what the frames of styles take besides
+} // namespace
+
+SnugComboBox::SnugComboBox(int most, QWidget *parent)
+    : QComboBox(parent)
+    , m_most(most)
+{
+    view()->setTextElideMode(Qt::ElideNone);
+    connect(this, &QComboBox::currentTextChanged, this, &SnugComboBox::updateGeometry);
+}
+
+QSize SnugComboBox::sizeHint() const
+{
+    const QFontMetrics metrics(font());
+    const int digit = metrics.horizontalAdvance(QLatin1Char('0'));
+    const int text = metrics.horizontalAdvance(currentText());
+    QStyleOptionComboBox option;
+    initStyleOption(&option);
+    const QSize content(
+        std::clamp(text, kLeast * digit, m_most * digit) + kAir, QComboBox::sizeHint().height());
+    const QSize whole = style()->sizeFromContents(QStyle::CT_ComboBox, &option, content, this);
+    return {whole.width(), content.height()};
+}
+
+QSize SnugComboBox::minimumSizeHint() const { return sizeHint(); }
+
+void SnugComboBox::showPopup()
+{
+    const int words =
+        view()->sizeHintForColumn(0) + view()->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    view()->setMinimumWidth(std::max(words, QComboBox::sizeHint().width()));
+    QComboBox::showPopup();
+}
+
+} // namespace widgets
