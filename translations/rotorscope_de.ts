@@ -1635,8 +1635,8 @@
         <translation>Sie endet, wo die Platte versagte.</translation>
     </message>
     <message>
-        <source>It is larger than the %1 GB of memory for it: %2 samples before %3 s are not shown, and marked as a gap.</source>
-        <translation>Sie ist größer als die %1 GB Speicher dafür: %2 Messwerte vor %3 s werden nicht gezeigt und sind als Lücke markiert.</translation>
+        <source>It is larger than the %1 GB of room for it: %2 samples before %3 s are not shown, and marked as a gap.</source>
+        <translation>Sie ist größer als die %1 GB Platz dafür: %2 Messwerte vor %3 s werden nicht gezeigt und sind als Lücke markiert.</translation>
     </message>
 </context>
 <context>
@@ -3719,10 +3719,6 @@
         <translation>E&amp;rsetzen</translation>
     </message>
     <message>
-        <source>The samples fill their memory (%1 GB): from now on the oldest ones are let go. Record to disk (Ctrl+R) to keep what comes.</source>
-        <translation>Die Messwerte füllen ihren Speicher (%1 GB): Ab jetzt werden die ältesten verworfen. Aufzeichnen (Strg+R) behält, was kommt.</translation>
-    </message>
-    <message>
         <source>%1, read one by one</source>
         <comment>a signal</comment>
         <translation>%1, einzeln gelesen</translation>
@@ -3754,6 +3750,10 @@
     <message>
         <source>%1 is no recording of Rotorscope.</source>
         <translation>%1 ist keine Aufzeichnung von Rotorscope.</translation>
+    </message>
+    <message>
+        <source>Roo&amp;m for samples…</source>
+        <translation>&amp;Platz für Messwerte…</translation>
     </message>
 </context>
 <context>
@@ -5707,6 +5707,98 @@ mN·m</translation>
     <message>
         <source>%1&#x202f;rpm became %2&#x202f;rpm: drives count speeds in steps of 6&#x202f;rpm.</source>
         <translation>Aus %1&#x202f;rpm wurden %2&#x202f;rpm: Antriebe zählen Drehzahlen in Schritten von 6&#x202f;rpm.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SampleRoom</name>
+    <message>
+        <source>Samples: %1 GB in memory, %2 GB on disk</source>
+        <translation>Messwerte: %1 GB im Arbeitsspeicher, %2 GB auf der Platte</translation>
+    </message>
+    <message>
+        <source>%1 minutes</source>
+        <translation>%1 Minuten</translation>
+    </message>
+    <message>
+        <source>%1 hours</source>
+        <translation>%1 Stunden</translation>
+    </message>
+    <message>
+        <source>at the present %1 kB/s</source>
+        <translation>bei derzeit %1 kB/s</translation>
+    </message>
+    <message>
+        <source>of five signals at 16 kHz (%1 kB/s)</source>
+        <translation>mit fünf Signalen bei 16 kHz (%1 kB/s)</translation>
+    </message>
+    <message>
+        <source>Memory only, %1 GB: about %2 %3.</source>
+        <comment>size, time, at a rate</comment>
+        <translation>Nur Arbeitsspeicher, %1 GB: etwa %2 %3.</translation>
+    </message>
+    <message>
+        <source>%1 GB on disk: about %2 %3.</source>
+        <comment>size, time, at a rate</comment>
+        <translation>%1 GB auf der Platte: etwa %2 %3.</translation>
+    </message>
+    <message>
+        <source>The oldest %1 GB of samples are let go as soon as new ones come.</source>
+        <translation>Die ältesten %1 GB Messwerte werden verworfen, sobald neue kommen.</translation>
+    </message>
+    <message>
+        <source>The samples fill their memory (%1 GB): from now on the oldest ones are let go. Record to disk (Ctrl+R) to keep what comes.</source>
+        <translation>Die Messwerte füllen ihren Speicher (%1 GB): Ab jetzt werden die ältesten verworfen. Aufzeichnen (Strg+R) behält, was kommt.</translation>
+    </message>
+    <message>
+        <source>The samples fill their room (%1 GB of memory, %2 GB on disk): from now on the oldest ones are let go. Record to disk (Ctrl+R) to keep what comes, or give them more room (Scope, Room for samples).</source>
+        <translation>Die Messwerte füllen ihren Platz (%1 GB Arbeitsspeicher, %2 GB auf der Platte): Ab jetzt werden die ältesten verworfen. Aufzeichnen (Strg+R) behält, was kommt; mehr Platz gibt es unter Oszilloskop, Platz für Messwerte.</translation>
+    </message>
+    <message>
+        <source>The folder for samples, %1, cannot be made.</source>
+        <translation>Der Ordner für Messwerte, %1, lässt sich nicht anlegen.</translation>
+    </message>
+    <message>
+        <source>Less than 1 GB is free on the disk of %1, so no more samples go there.</source>
+        <translation>Auf der Platte von %1 ist weniger als 1 GB frei, darum kommen keine Messwerte mehr dorthin.</translation>
+    </message>
+    <message>
+        <source>The disk of %1 takes no more samples (%2).</source>
+        <translation>Die Platte von %1 nimmt keine Messwerte mehr an (%2).</translation>
+    </message>
+    <message>
+        <source>The connection and the scope go on; when the room that is left is full, the oldest samples are let go.</source>
+        <translation>Verbindung und Oszilloskop laufen weiter; ist der verbleibende Platz voll, werden die ältesten Messwerte verworfen.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SampleRoomDialog</name>
+    <message>
+        <source>Room for samples</source>
+        <translation>Platz für Messwerte</translation>
+    </message>
+    <message>
+        <source>%1 GB are free on the disk of %2</source>
+        <translation>%1 GB sind frei auf der Platte von %2</translation>
+    </message>
+    <message>
+        <source>&amp;Room on disk [GB]</source>
+        <translation>&amp;Platz auf der Platte [GB]</translation>
+    </message>
+    <message>
+        <source>The room is a plain number of 0 or more, or nothing.</source>
+        <translation>Der Platz ist eine einfache Zahl ab 0, oder leer.</translation>
+    </message>
+    <message>
+        <source>That is more than is free: the last 1 GB is left free.</source>
+        <translation>Das ist mehr, als frei ist: Das letzte 1 GB bleibt frei.</translation>
+    </message>
+    <message>
+        <source>automatic: %1</source>
+        <translation>automatisch: %1</translation>
+    </message>
+    <message>
+        <source>When the memory for samples is full, the oldest ones are moved to the disk and stay on the scope. When the room there is used up too, the oldest are let go. They are gone when Rotorscope ends: what is to be kept has to be recorded (Ctrl+R) or exported. 0 keeps samples in memory only; an empty field lets Rotorscope choose.</source>
+        <translation>Ist der Arbeitsspeicher für Messwerte voll, kommen die ältesten auf die Platte und bleiben im Oszilloskop. Ist auch der Platz dort verbraucht, werden die ältesten verworfen. Mit dem Ende von Rotorscope sind sie weg: Was bleiben soll, muss aufgezeichnet (Strg+R) oder exportiert werden. 0 hält Messwerte nur im Arbeitsspeicher; ein leeres Feld überlässt Rotorscope die Wahl.</translation>
     </message>
 </context>
 <context>

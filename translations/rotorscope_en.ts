@@ -1635,7 +1635,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It is larger than the %1 GB of memory for it: %2 samples before %3 s are not shown, and marked as a gap.</source>
+        <source>It is larger than the %1 GB of room for it: %2 samples before %3 s are not shown, and marked as a gap.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3719,10 +3719,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The samples fill their memory (%1 GB): from now on the oldest ones are let go. Record to disk (Ctrl+R) to keep what comes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1, read one by one</source>
         <comment>a signal</comment>
         <translation type="unfinished"></translation>
@@ -3753,6 +3749,10 @@
     </message>
     <message>
         <source>%1 is no recording of Rotorscope.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roo&amp;m for samples…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5700,6 +5700,98 @@ mN·m</source>
     </message>
     <message>
         <source>%1&#x202f;rpm became %2&#x202f;rpm: drives count speeds in steps of 6&#x202f;rpm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SampleRoom</name>
+    <message>
+        <source>Samples: %1 GB in memory, %2 GB on disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 minutes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 hours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the present %1 kB/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of five signals at 16 kHz (%1 kB/s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory only, %1 GB: about %2 %3.</source>
+        <comment>size, time, at a rate</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 GB on disk: about %2 %3.</source>
+        <comment>size, time, at a rate</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The oldest %1 GB of samples are let go as soon as new ones come.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The samples fill their memory (%1 GB): from now on the oldest ones are let go. Record to disk (Ctrl+R) to keep what comes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The samples fill their room (%1 GB of memory, %2 GB on disk): from now on the oldest ones are let go. Record to disk (Ctrl+R) to keep what comes, or give them more room (Scope, Room for samples).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder for samples, %1, cannot be made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Less than 1 GB is free on the disk of %1, so no more samples go there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The disk of %1 takes no more samples (%2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The connection and the scope go on; when the room that is left is full, the oldest samples are let go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SampleRoomDialog</name>
+    <message>
+        <source>Room for samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 GB are free on the disk of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Room on disk [GB]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The room is a plain number of 0 or more, or nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That is more than is free: the last 1 GB is left free.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>automatic: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When the memory for samples is full, the oldest ones are moved to the disk and stay on the scope. When the room there is used up too, the oldest are let go. They are gone when Rotorscope ends: what is to be kept has to be recorded (Ctrl+R) or exported. 0 keeps samples in memory only; an empty field lets Rotorscope choose.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -60,7 +60,7 @@ std::uint64_t usualArchiveBudget(const QString &folder)
     while (!QFileInfo::exists(existing) && existing != QFileInfo(existing).path())
         existing = QFileInfo(existing).path();
     const QStorageInfo disk(existing);
-    constexpr std::uint64_t kMost = std::uint64_t{16} << 30;
+    constexpr std::uint64_t kMost = 16'000'000'000;
     if (disk.bytesAvailable() <= 0 || disk.fileSystemType() == "tmpfs")
         return 0;
     return std::min(kMost, static_cast<std::uint64_t>(disk.bytesAvailable()) / 2);

@@ -61,7 +61,7 @@ private:
 /// A folder for samples on this person's disk.
 QString archiveFolder();
 
-/// The lesser of 16 GiB and half of what is free on the disk of the folder; 0 if that is no disk but memory.
+/// The lesser of 16 GB and half of what is free on the disk of the folder; 0 if that is no disk but memory.
 std::uint64_t usualArchiveBudget(const QString &folder);
 
 } // namespace session

@@ -199,7 +199,7 @@ private Q_SLOTS:
                 sentence = widgets::openedText(opened, whole);
                 kept = opened.capture.size(opened.capture.channels().front().id);
             },
-            [](const QString &why) { QFAIL(qPrintable(why)); }, 600'000);
+            [](const QString &why) { QFAIL(qPrintable(why)); }, {.maxBytes = 600'000});
         QTRY_VERIFY(!sentence.isEmpty());
         QVERIFY(!whole);
         QVERIFY(kept > 100'000 && kept < 400'000);

@@ -23,6 +23,7 @@ private Q_SLOTS:
         settings.inertias = {{QStringLiteral("A motor"), 5e-5}, {QStringLiteral("\u00e9"), 1e-7}};
         settings.maxSpeedRpm = 1500.0;
         settings.maxCurrentAmps = 2.5;
+        settings.samplesOnDiskGB = 20.5;
         settings.firstStepsDone = true;
         settings.formulas = {{QStringLiteral("M1"), QStringLiteral("I_A + 1"), false},
             {QStringLiteral("M2"), QStringLiteral("[I_A (2)]"), true}};
@@ -48,7 +49,7 @@ private Q_SLOTS:
     void fieldsOfTheWrongKindKeepTheirDefaults()
     {
         const Settings read = widgets::settingsFromJson(
-            R"({"port": 5, "baud": "fast", "theme": [], "pinned": "x", "firstStepsDone": 1, "maxSpeedRpm": -3, "maxCurrentAmps": "2"})");
+            R"({"port": 5, "baud": "fast", "theme": [], "pinned": "x", "firstStepsDone": 1, "maxSpeedRpm": -3, "maxCurrentAmps": "2", "samplesOnDiskGB": -5})");
         QCOMPARE(read, Settings{});
     }
 

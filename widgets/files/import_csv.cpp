@@ -18,7 +18,7 @@ struct Imports {
 constexpr qint64 kPiece = 1 << 20;
 
 struct Imported {
-    capture::Capture capture{{.maxBytes = kMostMemoryOfFile}};
+    capture::Capture capture;
     QString wrong; ///< empty: nothing
     bool cancelled = false;
 };
@@ -89,13 +89,15 @@ QString csvImportErrorText(const capture::CsvError &error)
 }
 
 FileJob *importCsv(const QString &path, QWidget *window,
-    std::function<void(capture::Capture &)> take, std::function<void(const QString &)> fail)
+    std::function<void(capture::Capture &)> take, std::function<void(const QString &)> fail,
+    capture::Capture::Config config)
 {
     return new FileJob(
         Imports::tr("Importing %1").arg(deviceText(QFileInfo(path).fileName())),
-        [path, take = std::move(take), fail = std::move(fail)](
+        [path, config = std::move(config), take = std::move(take), fail = std::move(fail)](
             const FileJob::Proceed &proceed) -> FileJob::Finish {
-            auto imported = std::make_shared<Imported>();
+            auto imported =
+                std::make_shared<Imported>(Imported{capture::Capture(config), {}, false});
             readFile(path, proceed, *imported);
             if (imported->cancelled)
                 return {};

@@ -13,9 +13,11 @@ namespace widgets {
 
 class FileJob;
 
+/// @param config  of the capture; where it has no room the oldest samples are let go
 /// Calls `take` in the GUI thread, or `fail` with a sentence that names line and column; nothing if it was cancelled.
 FileJob *importCsv(const QString &path, QWidget *window,
-    std::function<void(capture::Capture &)> take, std::function<void(const QString &)> fail);
+    std::function<void(capture::Capture &)> take, std::function<void(const QString &)> fail,
+    capture::Capture::Config config);
 
 /// What is wrong with a file and where.
 QString csvImportErrorText(const capture::CsvError &error);

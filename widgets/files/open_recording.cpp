@@ -63,14 +63,14 @@ QString textOf(const record::Happening &happening)
 
 FileJob *openRecording(const QString &path, QWidget *window,
     std::function<void(OpenedRecording &)> take, std::function<void(const QString &)> fail,
-    std::size_t mostMemory)
+    capture::Capture::Config config)
 {
     return new FileJob(
         Opening::tr("Opening %1").arg(deviceText(QFileInfo(path).fileName())),
-        [path, mostMemory, take = std::move(take), fail = std::move(fail)](
+        [path, config = std::move(config), take = std::move(take), fail = std::move(fail)](
             const FileJob::Proceed &proceed) -> FileJob::Finish {
             auto opened = std::make_shared<OpenedRecording>(
-                OpenedRecording{path, capture::Capture({.maxBytes = mostMemory}), {}});
+                OpenedRecording{path, capture::Capture(config), {}});
             bool cancelled = false;
             auto report = session::readRecording(path, opened->capture, [&](double fraction) {
                 cancelled = !proceed(fraction);
@@ -94,10 +94,11 @@ QString releasedText(const capture::Capture &capture)
     const auto span = capture.timeSpan();
     if (capture.released() == 0 || !span)
         return {};
-    return Opening::tr("It is larger than the %1 GB of memory for it: %2 samples before %3 s are "
+    const double room = static_cast<double>(capture.maxBytes() + capture.archiveRoom());
+    return Opening::tr("It is larger than the %1 GB of room for it: %2 samples before %3 s are "
                        "not shown, and marked as a gap.")
-        .arg(numberText(static_cast<double>(capture.maxBytes()) / 1e9, 1),
-            QString::number(capture.released()), numberText(span->from, 1));
+        .arg(numberText(room / 1e9, 1), QString::number(capture.released()),
+            numberText(span->from, 1));
 }
 
 QString openedText(const OpenedRecording &opened, bool &whole)

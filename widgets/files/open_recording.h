@@ -22,10 +22,10 @@ struct OpenedRecording {
 constexpr std::size_t kMostMemoryOfFile = 4'000'000'000; ///< of the samples of a file
 
 /// Reads it and calls `take` in the GUI thread, or `fail` with a sentence; nothing if it was cancelled.
-/// @param mostMemory  beyond it the oldest samples are let go, which is told
+/// @param config  of the capture; where it has no room the oldest samples are let go, which is told
 FileJob *openRecording(const QString &path, QWidget *window,
     std::function<void(OpenedRecording &)> take, std::function<void(const QString &)> fail,
-    std::size_t mostMemory = kMostMemoryOfFile);
+    capture::Capture::Config config = {.maxBytes = kMostMemoryOfFile});
 
 /// One sentence: what was opened and what is missing from it. True in `whole` if nothing is.
 QString openedText(const OpenedRecording &opened, bool &whole);

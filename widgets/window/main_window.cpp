@@ -18,6 +18,7 @@
 #include "widgets/files/record_control.h"
 #include "widgets/files/replay_bar.h"
 #include "widgets/files/replaying.h"
+#include "widgets/files/sample_room.h"
 #include "widgets/forms/ramp_form.h"
 #include "widgets/registers/register_panel.h"
 #include "widgets/scope/channel_strip.h"
@@ -152,6 +153,7 @@ Settings MainWindow::settings() const
     now.registerColumns = m_registerPanel->columns();
     now.snapshotFolder = m_snapshotPanel->folder();
     now.ramps = m_ramps->presets();
+    now.samplesOnDiskGB = m_room->wanted();
     now.recordFolder = m_record->folder();
     now.formulas = m_math->formulas();
     return now;
@@ -381,6 +383,7 @@ void MainWindow::connectParts()
 
     connect(&m_workbench, &Workbench::heartbeat, m_control, &ControlPanel::refresh);
     connect(&m_workbench, &Workbench::heartbeat, m_status, &StatusStrip::refresh);
+    connect(m_room, &SampleRoom::refreshed, m_status, &StatusStrip::showHeld);
     connect(&m_device, &Device::batchApplied, m_scope, &ScopeView::captureChanged);
     connect(&m_workbench, &Workbench::heartbeat, this, &MainWindow::tellReleased);
     connect(&m_device, &Device::linkStateChanged, this, &MainWindow::linkChanged);

@@ -33,6 +33,7 @@ class RegisterPanel;
 class ScopeTools;
 class ScopeView;
 class TriggerControl;
+class SampleRoom;
 class Shutdown;
 class SnapshotActions;
 class SnapshotPanel;
@@ -90,6 +91,8 @@ private:
     void fillFileSignals();
     void showImported(const QString &path, capture::Capture &imported);
     void openRecording(const QString &path);
+    capture::Capture::Config forFiles() const;
+    void askForRoom();
     void showRecording(OpenedRecording &opened);
     QAction *addTool(Form *form, const QString &title, const char *name, const QKeySequence &keys);
     void makeScopeActions();
@@ -146,6 +149,7 @@ private:
     FirstSteps *m_firstSteps = nullptr;
     StatusStrip *m_status = nullptr;
     RecordControl *m_record = nullptr;
+    SampleRoom *m_room = nullptr;
     std::uint64_t m_exportedRevision = 0; ///< of the capture, when all of it was exported
     bool m_toldReleased = false;
     StopAlarm *m_alarm;

@@ -9,6 +9,8 @@
 #include "widgets/files/import_csv.h"
 #include "widgets/files/open_recording.h"
 #include "widgets/files/record_control.h"
+#include "widgets/files/sample_room.h"
+#include "widgets/files/sample_room_dialog.h"
 #include "widgets/files/scope_picture.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/window/connect_bar.h"
@@ -49,6 +51,10 @@ void MainWindow::makeRecording()
     m_copyPicture = make(tr("&Copy the picture"), "copyPicture", Qt::CTRL | Qt::SHIFT | Qt::Key_C,
         &MainWindow::copyPicture);
     connect(m_record, &RecordControl::said, this, &MainWindow::say);
+    m_room = new SampleRoom(m_workbench.capture(), *m_workbench.archive(), this);
+    m_room->setWanted(m_settings.samplesOnDiskGB);
+    connect(m_room, &SampleRoom::said, this, &MainWindow::say);
+    connect(&m_workbench, &Workbench::heartbeat, m_room, &SampleRoom::refresh);
     connect(&m_workbench.replay(), &session::Replay::happened, this,
         [this](const session::ReplayedEntry &entry) { addReplayed(m_scope->events(), entry); });
 }
@@ -95,15 +101,12 @@ void MainWindow::replaceRecorded(std::function<void()> goOn)
     box->open();
 }
 
-/// Once: memory is bounded, and what it let go is only where somebody recorded it.
+/// Once: the room is bounded, and what was let go is only where somebody recorded it.
 void MainWindow::tellReleased()
 {
     const bool released = m_workbench.capture().released() > 0;
     if (released && !m_selection->showsFile() && !m_toldReleased)
-        say(Banner::Kind::Warning,
-            tr("The samples fill their memory (%1 GB): from now on the oldest ones are let go. "
-               "Record to disk (Ctrl+R) to keep what comes.")
-                .arg(numberText(static_cast<double>(m_workbench.capture().maxBytes()) / 1e9, 1)));
+        say(Banner::Kind::Warning, m_room->fullText());
     m_toldReleased = released;
 }
 
@@ -164,7 +167,8 @@ void MainWindow::askForCsv()
             importCsv(
                 path, this,
                 [this, path](capture::Capture &capture) { showImported(path, capture); },
-                [this](const QString &sentence) { say(Banner::Kind::Warning, sentence); });
+                [this](const QString &sentence) { say(Banner::Kind::Warning, sentence); },
+                forFiles());
         });
     });
 }
@@ -226,7 +230,20 @@ void MainWindow::openRecording(const QString &path)
 {
     widgets::openRecording(
         path, this, [this](OpenedRecording &opened) { showRecording(opened); },
-        [this](const QString &sentence) { say(Banner::Kind::Warning, sentence); });
+        [this](const QString &sentence) { say(Banner::Kind::Warning, sentence); }, forFiles());
+}
+
+/// A file has time to wait for the disk.
+capture::Capture::Config MainWindow::forFiles() const
+{
+    return {.maxBytes = kMostMemoryOfFile, .archive = m_workbench.archive(), .patient = true};
+}
+
+void MainWindow::askForRoom()
+{
+    auto *dialog = new SampleRoomDialog(*m_room, this);
+    connect(dialog, &SampleRoomDialog::chosen, m_room, &SampleRoom::setWanted);
+    dialog->open();
 }
 
 /// A file's signals, those that were streamed first; the ticked ones are shown.

@@ -15,6 +15,7 @@ namespace widgets {
 namespace {
 
 constexpr qint64 kLargestFile = qint64{1024} * 1024;
+constexpr double kMostOnDisk_GB = 100'000.0;
 constexpr qsizetype kMostPinned = 200, kMostInertias = 200;
 
 QString themeName(Theme theme)
@@ -80,6 +81,7 @@ QByteArray toJson(const Settings &settings)
         QJsonArray::fromStringList(settings.registerColumns);
     object[QStringLiteral("maxSpeedRpm")] = settings.maxSpeedRpm;
     object[QStringLiteral("maxCurrentAmps")] = settings.maxCurrentAmps;
+    object[QStringLiteral("samplesOnDiskGB")] = settings.samplesOnDiskGB;
     object[QStringLiteral("firstStepsDone")] = settings.firstStepsDone;
     object[QStringLiteral("ramps")] = rampPresetsJson(settings.ramps);
     object[QStringLiteral("formulas")] = mathFormulasJson(settings.formulas);
@@ -116,6 +118,9 @@ Settings settingsFromJson(const QByteArray &json)
     }
     settings.maxSpeedRpm = limitOf(object[QStringLiteral("maxSpeedRpm")]);
     settings.maxCurrentAmps = limitOf(object[QStringLiteral("maxCurrentAmps")]);
+    const double onDisk = object[QStringLiteral("samplesOnDiskGB")].toDouble(-1.0);
+    if (onDisk >= 0.0 && onDisk <= kMostOnDisk_GB)
+        settings.samplesOnDiskGB = onDisk;
     settings.firstStepsDone = object[QStringLiteral("firstStepsDone")].toBool(false);
     settings.ramps = rampPresetsOf(object[QStringLiteral("ramps")].toArray());
     settings.formulas = mathFormulasOf(object[QStringLiteral("formulas")].toArray());

@@ -31,6 +31,7 @@ struct Settings {
     QStringList registerColumns{QStringLiteral("value"), QStringLiteral("raw")};
     double maxSpeedRpm = 0.0; ///< a person's own limits; 0: none
     double maxCurrentAmps = 0.0;
+    double samplesOnDiskGB = -1.0; ///< negative: what is usual; 0: memory only
     bool firstStepsDone = false;
     QList<RampPreset> ramps; ///< that a person has named
     QList<MathFormula> formulas; ///< of math channels

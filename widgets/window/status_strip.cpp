@@ -52,7 +52,7 @@ StatusStrip::StatusStrip(Device &device, QWidget *parent)
     m_bad = addPart("statusBad");
     m_watchdog = addPart("statusWatchdog");
     m_sizes->setToolTip(tr("Negotiated packet sizes: request / answer / stream"));
-    m_rate->setToolTip(tr("Bytes received a second, and their share of what the link can carry"));
+    showHeld({});
 
     connect(&device, &Device::linkStateChanged, this, &StatusStrip::updateLink);
     connect(&device, &Device::portStateChanged, this, &StatusStrip::updateLink);
@@ -74,6 +74,12 @@ QLabel *StatusStrip::addPart(const char *objectName)
     label->setContentsMargins(8, 0, 8, 0);
     addWidget(label);
     return label;
+}
+
+void StatusStrip::showHeld(const QString &text)
+{
+    const QString rate = tr("Bytes received a second, and their share of what the link can carry");
+    m_rate->setToolTip(text.isEmpty() ? rate : rate + QLatin1Char('\n') + text);
 }
 
 void StatusStrip::updateLink()

@@ -18,6 +18,7 @@ public:
     explicit StatusStrip(Device &device, QWidget *parent = nullptr);
 
     void refresh(Milliseconds now); ///< rates, once a second
+    void showHeld(const QString &text); ///< what the samples take, in the tool tip of the rate
 
 private:
     QLabel *addPart(const char *objectName);

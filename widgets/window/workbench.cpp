@@ -9,6 +9,9 @@ constexpr int kHeartbeatMs = 200;
 
 Workbench::Workbench(session::MakeSink makeSink, QObject *parent)
     : QObject(parent)
+    , m_archive(std::make_shared<session::DiskArchive>(
+          session::DiskArchive::Config{.folder = session::archiveFolder()}))
+    , m_capture({.archive = m_archive})
     , m_watchList(m_device, m_registers)
     , m_tap(std::make_shared<session::RecordingTap>())
     , m_recording(m_tap, {}, std::move(makeSink))

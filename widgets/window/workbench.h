@@ -5,6 +5,7 @@
 #pragma once
 
 #include "capture/capture.h"
+#include "session/disk_archive.h"
 #include "session/recording.h"
 #include "session/replay.h"
 #include "session/session_thread.h"
@@ -38,6 +39,8 @@ public:
     MotionGate &motion() { return m_motion; } ///< what moves a motor goes through here
     MotionLogModel &motionLog() { return m_motionLog; }
     capture::Capture &capture() { return m_capture; }
+    /// Where the capture puts what memory has no room for; for other captures as well.
+    const std::shared_ptr<session::DiskArchive> &archive() { return m_archive; }
     session::Recording &recording() { return m_recording; }
     session::Replay &replay() { return *m_replay; }
     WatchList &watchList() { return m_watchList; }
@@ -60,6 +63,7 @@ private:
     RegisterEdits m_edits{m_device, m_registers};
     MotionGate m_motion{m_device, m_registers};
     MotionLogModel m_motionLog;
+    std::shared_ptr<session::DiskArchive> m_archive;
     capture::Capture m_capture;
     WatchList m_watchList;
     StopFilter m_stopFilter;
