@@ -47,6 +47,7 @@ struct WindowRig {
         , window(workbench, ports, files, settings)
     {
         window.show();
+        window.finishTools(); // which a test may look for at once
     }
 
     /// From now on a person who says yes to every question about motion; `questions` counts them.

@@ -2,6 +2,7 @@
 #include "widgets/base/flow_layout.h"
 #include "widgets/base/lamp.h"
 #include "widgets/control/big_numbers.h"
+#include "widgets/forms/form.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/window/banner.h"
 #include "widgets/window/connect_bar.h"
@@ -39,6 +40,49 @@ private Q_SLOTS:
     {
         device().portChanged(session::PortState::Closed, {});
         m_rig.reset();
+    }
+
+    void toolsAreMadeWhenTheyAreOpenedOrABoardIsToCome()
+    {
+        facts::NoPorts ports;
+        facts::AnsweredPrompt files;
+        widgets::Workbench workbench;
+        widgets::MainWindow window(workbench, ports, files, facts::WindowRig::quietSettings());
+        const auto made = [&window] { return window.findChildren<widgets::Form *>().size(); };
+        const auto docks = window.findChildren<QDockWidget *>();
+        QCOMPARE(made(), qsizetype{0});
+        window.findChild<QAction *>(QStringLiteral("rampDockOpen"))->trigger();
+        QCOMPARE(made(), qsizetype{1});
+        workbench.device().disconnect(SIGNAL(openWished(session::Endpoint)), &workbench);
+        Q_EMIT workbench.device().openWished({});
+        QCOMPARE(made(), docks.size() - 2); // all but registers and control are tools
+        window.finishTools();
+        QCOMPARE(made(), docks.size() - 2);
+    }
+
+    void theOtherToolsAreMadeAfterTheFirstPicture()
+    {
+        facts::NoPorts ports;
+        facts::AnsweredPrompt files;
+        widgets::Workbench workbench;
+        widgets::MainWindow window(workbench, ports, files, facts::WindowRig::quietSettings());
+        window.show();
+        const auto docks = window.findChildren<QDockWidget *>().size();
+        QTRY_COMPARE(window.findChildren<widgets::Form *>().size(), docks - 2);
+    }
+
+    void aToolThatWasOpenIsThereAtOnce()
+    {
+        widgets::Settings settings = facts::WindowRig::quietSettings();
+        m_rig->find<QAction>("motorDockOpen")->trigger();
+        settings.layout = m_rig->window.settings().layout;
+        facts::NoPorts ports;
+        facts::AnsweredPrompt files;
+        widgets::Workbench workbench;
+        widgets::MainWindow window(workbench, ports, files, settings);
+        QCOMPARE(window.findChildren<widgets::Form *>().size(), qsizetype{1});
+        window.show();
+        QVERIFY(window.findChild<widgets::Form *>()->isVisible());
     }
 
     void anOpenPortIsNotYetABoard()

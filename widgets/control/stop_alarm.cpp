@@ -11,12 +11,16 @@ namespace widgets {
 
 StopAlarm::StopAlarm(QWidget *parent)
     : QDialog(parent)
-    , m_text(new QLabel(this))
-    , m_detail(new QLabel(this))
 {
     setObjectName(QStringLiteral("stopAlarm"));
     setWindowTitle(tr("Stop motors"));
     setWindowModality(Qt::ApplicationModal);
+}
+
+void StopAlarm::make()
+{
+    m_text = new QLabel(this);
+    m_detail = new QLabel(this);
     setStyleSheet(
         QStringLiteral("widgets--StopAlarm { background: #b71c1c; } QLabel { color: white; }"));
 
@@ -41,25 +45,27 @@ StopAlarm::StopAlarm(QWidget *parent)
     layout->addWidget(buttons);
 }
 
-void StopAlarm::raiseAlarm(int motor)
+void StopAlarm::raiseWith(const QString &detail)
 {
+    if (!m_text)
+        make();
     m_text->setText(stopNotConfirmedText());
-    m_detail->setText(
-        tr("Motor %1 was told to stop, but neither its state nor its speed shows that it did. "
-           "Rotorscope goes on trying. Closing this message starts nothing again.")
-            .arg(QString::number(motor)));
+    m_detail->setText(detail);
     open();
     raise();
 }
 
+void StopAlarm::raiseAlarm(int motor)
+{
+    raiseWith(tr("Motor %1 was told to stop, but neither its state nor its speed shows that it "
+                 "did. Rotorscope goes on trying. Closing this message starts nothing again.")
+                  .arg(QString::number(motor)));
+}
+
 void StopAlarm::raiseNotSent()
 {
-    m_text->setText(stopNotConfirmedText());
-    m_detail->setText(tr("There is no connection that could carry the stop, and the motor was not "
-                         "at rest when it was last heard. Closing this message starts nothing "
-                         "again."));
-    open();
-    raise();
+    raiseWith(tr("There is no connection that could carry the stop, and the motor was not at rest "
+                 "when it was last heard. Closing this message starts nothing again."));
 }
 
 void StopAlarm::confirmedLate()

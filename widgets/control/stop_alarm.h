@@ -1,4 +1,5 @@
-// StopAlarm: the red text that nobody can overlook when a stop was not confirmed. Closing it restarts nothing.
+// StopAlarm: the red text that nobody can overlook when a stop was not confirmed. Closing it restarts nothing. What is in
+// it is made when it is first raised, which takes a few milliseconds that a start of the program has no use for.
 #pragma once
 
 #include <QDialog>
@@ -18,8 +19,11 @@ public:
     confirmedLate(); ///< evidence came after all; the text says so and stays until it is closed
 
 private:
-    QLabel *m_text;
-    QLabel *m_detail;
+    void make();
+    void raiseWith(const QString &detail);
+
+    QLabel *m_text = nullptr;
+    QLabel *m_detail = nullptr;
 };
 
 } // namespace widgets

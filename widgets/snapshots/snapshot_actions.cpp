@@ -24,11 +24,11 @@ QString draggedFile(const QMimeData &data)
 } // namespace
 
 SnapshotActions::SnapshotActions(
-    Device &device, FilePrompt &files, SnapshotPanel &panel, QWidget &window)
+    Device &device, FilePrompt &files, std::function<SnapshotPanel &()> panel, QWidget &window)
     : QObject(&window)
     , m_device(device)
     , m_files(files)
-    , m_panel(panel)
+    , m_panel(std::move(panel))
     , m_window(window)
     , m_save(new QAction(tr("&Save a snapshot\u2026"), this))
     , m_header(new QAction(tr("&Export C header\u2026"), this))
@@ -59,10 +59,10 @@ void SnapshotActions::update()
 
 void SnapshotActions::open(SnapshotDialog::Form form)
 {
-    auto *dialog = new SnapshotDialog(form, m_device, m_files, m_panel.folder(), &m_window);
+    auto *dialog = new SnapshotDialog(form, m_device, m_files, m_panel().folder(), &m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &SnapshotDialog::saved, this, [this](const QString &path, int registers) {
-        m_panel.setFolder(QFileInfo(path).path());
+        m_panel().setFolder(QFileInfo(path).path());
         Q_EMIT saved(tr("%n register(s) saved to %1.", nullptr, registers).arg(deviceText(path)));
     });
     dialog->open();
@@ -80,7 +80,7 @@ bool SnapshotActions::eventFilter(QObject *watched, QEvent *event)
     drop->accept();
     if (event->type() == QEvent::Drop) {
         Q_EMIT panelWanted();
-        m_panel.openFile(path);
+        m_panel().openFile(path);
     }
     return true;
 }

@@ -6,6 +6,8 @@
 #include <QAction>
 #include <QObject>
 
+#include <functional>
+
 namespace widgets {
 
 class SnapshotPanel;
@@ -13,8 +15,9 @@ class SnapshotPanel;
 class SnapshotActions : public QObject {
     Q_OBJECT
 public:
-    /// All outlive this. The panel knows the folder, and gets files that are dropped.
-    SnapshotActions(Device &device, FilePrompt &files, SnapshotPanel &panel, QWidget &window);
+    /// All outlive this. The panel knows the folder, and gets files that are dropped; it is asked for when it is needed.
+    SnapshotActions(
+        Device &device, FilePrompt &files, std::function<SnapshotPanel &()> panel, QWidget &window);
 
     QList<QAction *> actions() const { return {m_save, m_header}; }
 
@@ -31,7 +34,7 @@ private:
 
     Device &m_device;
     FilePrompt &m_files;
-    SnapshotPanel &m_panel;
+    std::function<SnapshotPanel &()> m_panel;
     QWidget &m_window;
     QAction *m_save;
     QAction *m_header;

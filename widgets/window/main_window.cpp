@@ -127,6 +127,10 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
         restoreGeometry(settings.geometry);
     if (!settings.layout.isEmpty())
         restoreState(settings.layout, kLayoutVersion);
+    for (Tool &tool : m_tools) {
+        if (!tool.dock->isHidden())
+            formOf(tool);
+    }
     if (!settings.firstStepsDone)
         m_firstSteps->restart();
 }
@@ -134,8 +138,8 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
 MainWindow::~MainWindow()
 {
     // An open tool tells that it goes, when the members that would hear it are gone already.
-    for (QDockWidget *tool : m_tools)
-        tool->disconnect(this);
+    for (const Tool &tool : m_tools)
+        tool.dock->disconnect(this);
 }
 
 Settings MainWindow::settings() const
@@ -151,8 +155,10 @@ Settings MainWindow::settings() const
     now.maxCurrentAmps = m_device.userLimits().maxCurrentAmps;
     now.pinned = m_workbench.registers().pinned();
     now.registerColumns = m_registerPanel->columns();
-    now.snapshotFolder = m_snapshotPanel->folder();
-    now.ramps = m_ramps->presets();
+    if (m_snapshotPanel)
+        now.snapshotFolder = m_snapshotPanel->folder();
+    if (m_ramps)
+        now.ramps = m_ramps->presets();
     now.samplesOnDiskGB = m_room->wanted();
     now.recordFolder = m_record->folder();
     now.formulas = m_math->formulas();

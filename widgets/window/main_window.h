@@ -10,6 +10,9 @@
 
 #include <QMainWindow>
 
+#include <functional>
+#include <vector>
+
 class QDockWidget;
 class QMenu;
 class QMenuBar;
@@ -20,6 +23,7 @@ namespace widgets {
 class BigNumbers;
 class ConnectBar;
 class ControlPanel;
+class EventPanel;
 class EventRecorder;
 class FilePrompt;
 class FirstSteps;
@@ -55,6 +59,8 @@ public:
     ScopeView *scope() const { return m_scope; }
     SignalSelection *selection() const { return m_selection; }
     FirstSteps *firstSteps() const { return m_firstSteps; }
+    /// Makes now what is made after the first picture; a second call costs nothing.
+    void finishTools();
 
 public Q_SLOTS:
     void exportCsv();
@@ -68,6 +74,7 @@ protected:
     void closeEvent(QCloseEvent *event) override;
     void changeEvent(QEvent *event) override;
     void childEvent(QChildEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
 
 private:
     QWidget *makeTop();
@@ -94,7 +101,18 @@ private:
     capture::Capture::Config forFiles() const;
     void askForRoom();
     void showRecording(OpenedRecording &opened);
-    QAction *addTool(Form *form, const QString &title, const char *name, const QKeySequence &keys);
+    /// A dock whose content is made later.
+    struct Tool {
+        QDockWidget *dock = nullptr;
+        std::function<Form *()> make;
+        Form *form = nullptr; ///< until it is made
+    };
+
+    /// The action opens it; `makeForm` gives the form no parent, and is called once.
+    QAction *addTool(const QString &title, const char *name, const QKeySequence &keys,
+        std::function<Form *()> makeForm);
+    Form *formOf(Tool &tool);
+    void makeNextTool();
     void makeScopeActions();
     void makeMenus(QMenuBar &bar);
     void fillEditMenu(QMenu *menu);
@@ -135,6 +153,7 @@ private:
     ScopeTools *m_scopeTools = nullptr;
     MathChannels *m_math; ///< before the trigger, which may watch one of them
     EventRecorder *m_recorder;
+    EventPanel *m_events = nullptr;
     TriggerControl *m_trigger;
     ConnectBar *m_connectBar = nullptr;
     ControlPanel *m_control = nullptr;
@@ -143,7 +162,7 @@ private:
     RegisterPanel *m_registerPanel = nullptr;
     RampForm *m_ramps = nullptr;
     QDockWidget *m_registerDock = nullptr;
-    SnapshotPanel *m_snapshotPanel = nullptr;
+    SnapshotPanel *m_snapshotPanel = nullptr; ///< like all tools, made after the first picture
     SnapshotActions *m_snapshots = nullptr;
     Banner *m_banner = nullptr;
     FirstSteps *m_firstSteps = nullptr;
@@ -171,7 +190,8 @@ private:
     QMenu *m_fileSignals = nullptr;
     QList<QAction *> m_dockActions;
     QList<QAction *> m_toolActions;
-    QList<QDockWidget *> m_tools; ///< tabs beside one another, as long as nobody moves them
+    std::vector<Tool> m_tools; ///< tabs beside one another, as long as nobody moves them
+    bool m_painted = false;
     Told m_told = Told::Other;
 };
 

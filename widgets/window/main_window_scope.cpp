@@ -15,24 +15,25 @@ namespace widgets {
 
 void MainWindow::makeScopeTools()
 {
-    auto *events = new EventPanel(*m_scope, this);
-    QAction *open = addTool(events, tr("Events"), "eventDock", Qt::CTRL | Qt::Key_7);
-    connect(m_scope, &ScopeView::noteWanted, events, [events, open](quint32 marker) {
+    QAction *open = addTool(tr("Events"), "eventDock", Qt::CTRL | Qt::Key_7,
+        [this] { return m_events = new EventPanel(*m_scope, this); });
+    connect(m_scope, &ScopeView::noteWanted, this, [this, open](quint32 marker) {
         open->trigger();
-        events->editNote(marker);
+        m_events->editNote(marker);
     });
-    addTool(new RecordPanel(*m_trigger, *m_scope, this), tr("Records"), "recordDock",
-        Qt::CTRL | Qt::Key_8);
-    addTool(new MeasurePanel(*m_scope, m_workbench.capture(), *m_trigger, this), tr("Measurements"),
-        "measureDock", Qt::CTRL | Qt::Key_9);
-    addTool(new SpectrumPanel(*m_scope, m_workbench.capture(), m_device, this), tr("Spectrum"),
-        "spectrumDock", Qt::CTRL | Qt::Key_0);
+    addTool(tr("Records"), "recordDock", Qt::CTRL | Qt::Key_8,
+        [this] { return new RecordPanel(*m_trigger, *m_scope, this); });
+    addTool(tr("Measurements"), "measureDock", Qt::CTRL | Qt::Key_9,
+        [this] { return new MeasurePanel(*m_scope, m_workbench.capture(), *m_trigger, this); });
+    addTool(tr("Spectrum"), "spectrumDock", Qt::CTRL | Qt::Key_0,
+        [this] { return new SpectrumPanel(*m_scope, m_workbench.capture(), m_device, this); });
     m_math->setPolled([this] { return m_selection->plan().polled; });
     m_math->setFormulas(m_settings.formulas);
-    addTool(new MathPanel(*m_math, *m_scope, m_workbench.capture(), this), tr("Math"), "mathDock",
-        Qt::CTRL | Qt::SHIFT | Qt::Key_M);
-    addTool(new XyPanel(*m_scope, m_workbench.capture(), m_workbench.registers(), this), tr("XY"),
-        "xyDock", Qt::CTRL | Qt::SHIFT | Qt::Key_X);
+    addTool(tr("Math"), "mathDock", Qt::CTRL | Qt::SHIFT | Qt::Key_M,
+        [this] { return new MathPanel(*m_math, *m_scope, m_workbench.capture(), this); });
+    addTool(tr("XY"), "xyDock", Qt::CTRL | Qt::SHIFT | Qt::Key_X, [this] {
+        return new XyPanel(*m_scope, m_workbench.capture(), m_workbench.registers(), this);
+    });
     using Kind = scope::EventTrigger::Kind;
     connect(m_recorder, &EventRecorder::stateChanged, m_trigger,
         [this](double seconds, EventKind kind, quint32 which) {

@@ -7,12 +7,17 @@ namespace widgets {
 
 void MainWindow::makeSnapshots()
 {
-    m_snapshotPanel =
-        new SnapshotPanel(m_device, m_workbench.edits(), m_workbench.snapshots(), m_files);
-    m_snapshotPanel->setFolder(m_settings.snapshotFolder);
-    QAction *show =
-        addTool(m_snapshotPanel, tr("Snapshots"), "snapshotsDock", Qt::CTRL | Qt::Key_5);
-    m_snapshots = new SnapshotActions(m_device, m_files, *m_snapshotPanel, *this);
+    QAction *show = addTool(tr("Snapshots"), "snapshotsDock", Qt::CTRL | Qt::Key_5, [this] {
+        m_snapshotPanel =
+            new SnapshotPanel(m_device, m_workbench.edits(), m_workbench.snapshots(), m_files);
+        m_snapshotPanel->setFolder(m_settings.snapshotFolder);
+        return m_snapshotPanel;
+    });
+    const auto panel = [this]() -> SnapshotPanel & {
+        finishTools();
+        return *m_snapshotPanel;
+    };
+    m_snapshots = new SnapshotActions(m_device, m_files, panel, *this);
     connect(m_snapshots, &SnapshotActions::panelWanted, show, &QAction::trigger);
     connect(m_snapshots, &SnapshotActions::saved, this, [this](const QString &sentence) {
         m_told = Told::Other;

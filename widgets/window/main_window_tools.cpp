@@ -1,4 +1,5 @@
-// The tools of the main window: forms in docks below the scope, as tabs of one another, hidden until somebody asks.
+// The tools of the main window: forms in docks below the scope, as tabs of one another, hidden until somebody asks. A
+// form is made when it is first seen, when a board is to come, or when the window is painted and nothing else is to be done.
 #include "widgets/base/device_text.h"
 #include "widgets/control/motion_log_panel.h"
 #include "widgets/forms/form.h"
@@ -15,13 +16,17 @@
 #include <QMenu>
 #include <QScrollArea>
 #include <QTabBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <chrono>
+#include <utility>
 
 namespace widgets {
 namespace {
 
+constexpr std::chrono::milliseconds kSettled(100); ///< after the first picture, before the tools
 constexpr double kToolShare = 0.48; ///< of the window's height, when the first tool is opened
 
 } // namespace
@@ -34,42 +39,86 @@ void MainWindow::makeTools()
     makeScopeTools();
     makeSnapshots();
 
-    const RegisterPanel::Actions &actions = m_registerPanel->actions();
-    auto *gains = new GainsForm(m_device, m_workbench.registers(), m_workbench.edits(),
-        actions.apply, actions.revert, m_settings.inertias);
-    connect(gains, &GainsForm::inertiaRemembered, this,
-        [this](const QString &motor, double inertia) { m_settings.inertias[motor] = inertia; });
-    addTool(gains, tr("Gains"), "gainsDock", Qt::CTRL | Qt::Key_1);
-    addTool(new RevUpForm({m_device, m_workbench.registers(), m_workbench.edits(),
-                m_workbench.capture(), m_files, actions.apply, actions.revert}),
-        tr("Rev-up"), "revUpDock", Qt::CTRL | Qt::Key_2);
-    m_ramps = new RampForm(m_device, m_workbench.registers(), m_workbench.motion());
-    m_ramps->setPresets(m_settings.ramps);
-    addTool(m_ramps, tr("Ramps"), "rampDock", Qt::CTRL | Qt::Key_3);
-    addTool(new MotorForm(m_device, m_workbench.registers(), m_files), tr("Motor and drive"),
-        "motorDock", Qt::CTRL | Qt::Key_4);
-
-    auto *log = new MotionLogPanel(m_workbench.motionLog(), m_files);
-    addTool(log, tr("Motion log"), "motionLogDock", Qt::CTRL | Qt::SHIFT | Qt::Key_L);
-    connect(log, &MotionLogPanel::saved, this, [this](const QString &path) {
-        m_told = Told::Other;
-        m_banner->say(Banner::Kind::Note, tr("Exported to %1.").arg(deviceText(path)));
+    addTool(tr("Gains"), "gainsDock", Qt::CTRL | Qt::Key_1, [this] {
+        const RegisterPanel::Actions &actions = m_registerPanel->actions();
+        auto *gains = new GainsForm(m_device, m_workbench.registers(), m_workbench.edits(),
+            actions.apply, actions.revert, m_settings.inertias);
+        connect(gains, &GainsForm::inertiaRemembered, this,
+            [this](const QString &motor, double inertia) { m_settings.inertias[motor] = inertia; });
+        return gains;
     });
+    addTool(tr("Rev-up"), "revUpDock", Qt::CTRL | Qt::Key_2, [this] {
+        const RegisterPanel::Actions &actions = m_registerPanel->actions();
+        return new RevUpForm({m_device, m_workbench.registers(), m_workbench.edits(),
+            m_workbench.capture(), m_files, actions.apply, actions.revert});
+    });
+    addTool(tr("Ramps"), "rampDock", Qt::CTRL | Qt::Key_3, [this] {
+        m_ramps = new RampForm(m_device, m_workbench.registers(), m_workbench.motion());
+        m_ramps->setPresets(m_settings.ramps);
+        return m_ramps;
+    });
+    addTool(tr("Motor and drive"), "motorDock", Qt::CTRL | Qt::Key_4,
+        [this] { return new MotorForm(m_device, m_workbench.registers(), m_files); });
+    addTool(tr("Motion log"), "motionLogDock", Qt::CTRL | Qt::SHIFT | Qt::Key_L, [this] {
+        auto *log = new MotionLogPanel(m_workbench.motionLog(), m_files);
+        connect(log, &MotionLogPanel::saved, this, [this](const QString &path) {
+            m_told = Told::Other;
+            m_banner->say(Banner::Kind::Note, tr("Exported to %1.").arg(deviceText(path)));
+        });
+        return log;
+    });
+    // A form is to see a board come: it does not ask what came before it.
+    connect(&m_device, &Device::openWished, this, &MainWindow::finishTools);
 }
 
-QAction *MainWindow::addTool(
-    Form *form, const QString &title, const char *name, const QKeySequence &keys)
+QAction *MainWindow::addTool(const QString &title, const char *name, const QKeySequence &keys,
+    std::function<Form *()> makeForm)
 {
-    auto *scroll = new QScrollArea(this);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setWidget(form);
     auto *dock = new QDockWidget(title, this);
     dock->setObjectName(QLatin1String(name));
     // Not floating: a window of its own would have to carry a stop button of its own.
     dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
-    auto *content = new QWidget(dock);
+    addDockWidget(Qt::BottomDockWidgetArea, dock);
+    if (!m_tools.empty())
+        tabifyDockWidget(m_tools.front().dock, dock);
+    m_tools.push_back({dock, std::move(makeForm)});
+    dock->hide();
+
+    auto *open = new QAction(title, this);
+    open->setShortcut(keys);
+    open->setObjectName(QLatin1String(name) + QStringLiteral("Open"));
+    m_toolActions.append(open);
+    const std::size_t index = m_tools.size() - 1;
+    connect(open, &QAction::triggered, this, [this, dock, index] {
+        const bool noneOpen = !anyToolOpen();
+        Form *form = formOf(m_tools[index]);
+        dock->show();
+        dock->raise();
+        if (noneOpen)
+            resizeDocks({dock}, {int(height() * kToolShare)}, Qt::Vertical);
+        form->focusFirst();
+    });
+    WatchList &watch = m_workbench.watchList();
+    connect(dock, &QDockWidget::visibilityChanged, &watch, &WatchList::changed);
+    connect(dock, &QDockWidget::visibilityChanged, this, [this, index] {
+        if (!m_tools[index].dock->isHidden())
+            formOf(m_tools[index]);
+        m_firstSteps->setCrowded(anyToolOpen());
+    });
+    return open;
+}
+
+Form *MainWindow::formOf(Tool &tool)
+{
+    if (tool.form)
+        return tool.form;
+    auto *content = new QWidget(tool.dock);
+    auto *scroll = new QScrollArea(content);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    Form *form = tool.form = tool.make();
+    scroll->setWidget(form);
     auto *layout = new QVBoxLayout(content);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -80,34 +129,14 @@ QAction *MainWindow::addTool(
         below->addWidget(footer);
         layout->addLayout(below);
     }
-    dock->setWidget(content);
-    addDockWidget(Qt::BottomDockWidgetArea, dock);
-    if (!m_tools.isEmpty())
-        tabifyDockWidget(m_tools.first(), dock);
-    m_tools.append(dock);
-    dock->hide();
-
-    auto *open = new QAction(title, this);
-    open->setShortcut(keys);
-    open->setObjectName(QLatin1String(name) + QStringLiteral("Open"));
-    m_toolActions.append(open);
-    connect(open, &QAction::triggered, this, [this, dock, form] {
-        const bool noneOpen = !anyToolOpen();
-        dock->show();
-        dock->raise();
-        if (noneOpen)
-            resizeDocks({dock}, {int(height() * kToolShare)}, Qt::Vertical);
-        form->focusFirst();
-    });
+    tool.dock->setWidget(content);
+    content->show(); // which a dock that is open already leaves to us
 
     WatchList &watch = m_workbench.watchList();
     watch.addSource([form] {
         return form->isVisible() ? form->watchedRegisters() : std::vector<catalog::RegisterId>();
     });
     connect(form, &Form::watchedRegistersChanged, &watch, &WatchList::changed);
-    connect(dock, &QDockWidget::visibilityChanged, &watch, &WatchList::changed);
-    connect(dock, &QDockWidget::visibilityChanged, this,
-        [this] { m_firstSteps->setCrowded(anyToolOpen()); });
     connect(&m_workbench, &Workbench::heartbeat, form, [form](Milliseconds now) {
         if (form->isVisible())
             form->refresh(now);
@@ -116,13 +145,36 @@ QAction *MainWindow::addTool(
         m_told = Told::Other;
         m_banner->say(Banner::Kind::Warning, sentence);
     });
-    return open;
+    return form;
+}
+
+void MainWindow::finishTools()
+{
+    for (Tool &tool : m_tools)
+        formOf(tool);
+}
+
+void MainWindow::makeNextTool()
+{
+    const auto next = std::find_if(
+        m_tools.begin(), m_tools.end(), [](const Tool &tool) { return tool.form == nullptr; });
+    if (next == m_tools.end())
+        return;
+    formOf(*next);
+    QTimer::singleShot(0, this, &MainWindow::makeNextTool);
+}
+
+void MainWindow::paintEvent(QPaintEvent *event)
+{
+    QMainWindow::paintEvent(event);
+    if (!std::exchange(m_painted, true))
+        QTimer::singleShot(kSettled, this, &MainWindow::makeNextTool);
 }
 
 bool MainWindow::anyToolOpen() const
 {
     return std::any_of(
-        m_tools.begin(), m_tools.end(), [](const auto *tool) { return !tool->isHidden(); });
+        m_tools.begin(), m_tools.end(), [](const Tool &tool) { return !tool.dock->isHidden(); });
 }
 
 /// Qt makes the tabs of docks when it needs them, and gives them no name.
