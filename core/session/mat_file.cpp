@@ -2,12 +2,12 @@
 
 #include "capture/csv_export.h"
 #include "capture/rows.h"
+#include "session/mat_library.h"
 
 #include <QFile>
 #include <QTemporaryDir>
 
 #include <array>
-#include <matio.h>
 #include <memory>
 
 namespace session {
@@ -24,10 +24,10 @@ constexpr double kPacked = 0.95;
 constexpr qsizetype kLongestName = 31; ///< that libmatio and old MATLAB keep
 
 struct CloseMat {
-    void operator()(mat_t *file) const { Mat_Close(file); }
+    void operator()(mat_t *file) const { matLibrary()->close(file); }
 };
 struct FreeVariable {
-    void operator()(matvar_t *variable) const { Mat_VarFree(variable); }
+    void operator()(matvar_t *variable) const { matLibrary()->varFree(variable); }
 };
 using MatFile = std::unique_ptr<mat_t, CloseMat>;
 using Variable = std::unique_ptr<matvar_t, FreeVariable>;
@@ -43,7 +43,8 @@ struct Group {
 matvar_t *columnOf(std::vector<double> &values)
 {
     std::array<std::size_t, 2> size{values.size(), 1};
-    return Mat_VarCreate(nullptr, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, size.data(), values.data(), 0);
+    return matLibrary()->varCreate(
+        nullptr, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, size.data(), values.data(), 0);
 }
 
 matvar_t *textOf(const std::string &text)
@@ -51,7 +52,8 @@ matvar_t *textOf(const std::string &text)
     // UTF-16, which every reader of this version takes; UTF-8 some take for Latin-1.
     QString words = QString::fromStdString(text);
     std::array<std::size_t, 2> size{1, static_cast<std::size_t>(words.size())};
-    return Mat_VarCreate(nullptr, MAT_C_CHAR, MAT_T_UTF16, 2, size.data(), words.data(), 0);
+    return matLibrary()->varCreate(
+        nullptr, MAT_C_CHAR, MAT_T_UTF16, 2, size.data(), words.data(), 0);
 }
 
 Variable emptyStruct(const QByteArray &name, const std::vector<QByteArray> &fields)
@@ -62,7 +64,7 @@ Variable emptyStruct(const QByteArray &name, const std::vector<QByteArray> &fiel
         names.push_back(field.constData());
     names.push_back(nullptr);
     const std::array<std::size_t, 2> one{1, 1};
-    return Variable(Mat_VarCreateStruct2(
+    return Variable(matLibrary()->varCreateStruct(
         name.isEmpty() ? nullptr : name.constData(), 2, one.data(), names.data()));
 }
 
@@ -72,7 +74,7 @@ Variable texts(const std::vector<QByteArray> &fields, const capture::Snapshot &c
 {
     Variable structure = emptyStruct({}, fields);
     for (std::size_t i = 0; structure && i < fields.size(); ++i)
-        Mat_VarSetStructFieldByName(
+        matLibrary()->varSetField(
             structure.get(), fields[i].constData(), 0, textOf(channels->at(i).info().*member));
     return structure;
 }
@@ -92,13 +94,13 @@ Variable structOf(Group &group)
     if (!structure)
         return nullptr;
     matvar_t *target = structure.get();
-    Mat_VarSetStructFieldByName(target, "time", 0, columnOf(group.rows.time));
+    matLibrary()->varSetField(target, "time", 0, columnOf(group.rows.time));
     for (std::size_t i = 0; i < signalFields.size(); ++i)
-        Mat_VarSetStructFieldByName(
+        matLibrary()->varSetField(
             target, signalFields[i].constData(), 0, columnOf(group.rows.columns[i]));
-    Mat_VarSetStructFieldByName(
+    matLibrary()->varSetField(
         target, "units", 0, texts(signalFields, group.channels, &ChannelInfo::unit).release());
-    Mat_VarSetStructFieldByName(
+    matLibrary()->varSetField(
         target, "names", 0, texts(signalFields, group.channels, &ChannelInfo::name).release());
     return structure;
 }
@@ -129,11 +131,11 @@ std::vector<Group> groupsOf(
 /// libmatio does not look whether the disk took what it wrote: the file is read back before it is believed.
 bool readsBack(const QByteArray &path, const std::vector<Group> &groups)
 {
-    const MatFile file(Mat_Open(path.constData(), MAT_ACC_RDONLY));
+    const MatFile file(matLibrary()->open(path.constData(), MAT_ACC_RDONLY));
     for (const Group &group : groups) {
         const Variable read(
-            file ? Mat_VarRead(file.get(), group.name.toLatin1().constData()) : nullptr);
-        const matvar_t *time = read ? Mat_VarGetStructFieldByName(read.get(), "time", 0) : nullptr;
+            file ? matLibrary()->varRead(file.get(), group.name.toLatin1().constData()) : nullptr);
+        const matvar_t *time = read ? matLibrary()->varGetField(read.get(), "time", 0) : nullptr;
         const auto bytes = group.rows.time.size() * sizeof(double);
         if (!time || time->nbytes != bytes
             || (bytes > 0 && memcmp(time->data, group.rows.time.data(), bytes) != 0))
@@ -145,12 +147,13 @@ bool readsBack(const QByteArray &path, const std::vector<Group> &groups)
 bool writeGroups(const QByteArray &path, std::vector<Group> &groups)
 {
     const MatFile file(
-        Mat_CreateVer(path.constData(), "MATLAB 5.0 MAT-file, Rotorscope", MAT_FT_MAT5));
+        matLibrary()->createVer(path.constData(), "MATLAB 5.0 MAT-file, Rotorscope", MAT_FT_MAT5));
     if (!file)
         return false;
     for (Group &group : groups) {
         const Variable structure = structOf(group);
-        if (!structure || Mat_VarWrite(file.get(), structure.get(), MAT_COMPRESSION_ZLIB) != 0)
+        if (!structure
+            || matLibrary()->varWrite(file.get(), structure.get(), MAT_COMPRESSION_ZLIB) != 0)
             return false;
     }
     return true;
@@ -191,6 +194,11 @@ MatResult writeMatFile(const QString &path, const capture::Snapshot &channels,
     }
     if (result.tooLong)
         return result;
+    if (matLibrary() == nullptr) {
+        result.file.error = FileError::CannotWrite;
+        result.file.systemText = QStringLiteral("libmatio is not installed");
+        return result;
+    }
     // libmatio opens files by their names; from its own place the file then goes to where it is wanted, or nowhere.
     const QTemporaryDir folder;
     const QString temporary = folder.filePath(QStringLiteral("capture.mat"));
