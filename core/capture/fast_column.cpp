@@ -277,14 +277,11 @@ Index FastColumn::atOrAfter(Nanos time) const
     return std::max(m_begin, std::prev(after)->atOrAfter(time));
 }
 
-/// Index of the first sample at or after `time`, rounded to a multiple of `block` inside its
-/// segment. `segment` is where the search starts and ends: edges are asked for in rising order.
-Index FastColumn::edge(double time, std::uint64_t block, std::size_t &segment) const
+/// To the segment that `wanted` is in, from where the walk is: edges are asked for in rising order.
+void FastColumn::seek(Nanos wanted, Walk &walk) const
 {
-    auto wanted = static_cast<Nanos>(time);
-    wanted += static_cast<double>(wanted) < time ? 1 : 0; // rounded up, without a call
     // Gallop, then halve: cheap for the neighbour, logarithmic for a long way.
-    std::size_t low = segment;
+    std::size_t low = walk.segment;
     std::size_t reach = 1;
     while (low + reach < m_segments.size() && m_segments[low + reach].start() <= wanted) {
         low += reach;
@@ -295,18 +292,31 @@ Index FastColumn::edge(double time, std::uint64_t block, std::size_t &segment) c
         const std::size_t middle = low + (high - low) / 2;
         (m_segments[middle].start() <= wanted ? low : high) = middle;
     }
-    segment = low;
-    const Segment &here = m_segments[segment];
+    const Segment &here = m_segments[low];
+    const bool last = low + 1 == m_segments.size();
+    walk = {low, true, here.start(),
+        last ? std::numeric_limits<Nanos>::max() : m_segments[low + 1].start(),
+        1.0 / here.stepNanos()};
+}
+
+/// Index of the first sample at or after `time`, rounded to a multiple of `block` inside its segment.
+Index FastColumn::edge(double time, std::uint64_t block, Walk &walk) const
+{
+    auto wanted = static_cast<Nanos>(time);
+    wanted += static_cast<double>(wanted) < time ? 1 : 0; // rounded up, without a call
+    if (!walk.known || wanted >= walk.next)
+        seek(wanted, walk);
+    const Segment &here = m_segments[walk.segment];
     if (block == 1)
         return std::max(here.atOrAfter(wanted), m_begin);
     // An estimate may be one sample off, which the rounding below makes nothing of.
-    const double after = static_cast<double>(wanted - here.start()) / here.stepNanos();
+    const double after = static_cast<double>(wanted - walk.start) * walk.perNano;
     if (!(after > 0.0))
         return std::max(here.first, m_begin);
-    if (after >= static_cast<double>(here.count))
+    if (after > static_cast<double>(here.count) - 0.5) // behind the last sample
         return here.end();
     const Index index = here.first + static_cast<Index>(after);
-    const Index rounded = (index + block / 2) / block * block;
+    const Index rounded = (index + block / 2) & ~(block - 1); // a power of two
     return std::clamp(rounded, std::max(here.first, m_begin), here.end());
 }
 

@@ -139,11 +139,21 @@ private:
         CodeRange extremes(std::size_t from, std::size_t to) const;
     };
 
+    /// Where a walk over rising times is: what an edge needs of its segment, which changes rarely and costs divisions.
+    struct Walk {
+        std::size_t segment = 0;
+        bool known = false;
+        Nanos start = 0; ///< of the segment
+        Nanos next = 0; ///< start of the one behind it; the end of all times if there is none
+        double perNano = 0.0; ///< samples
+    };
+
     void appendCodes(std::span<const std::int16_t> codes);
     void addChunk();
     void close(
         std::size_t from, std::size_t to); ///< builds what [from, to) of the last chunk completes
-    Index edge(double time, std::uint64_t block, std::size_t &segment) const;
+    Index edge(double time, std::uint64_t block, Walk &walk) const;
+    void seek(Nanos wanted, Walk &walk) const;
 
     std::shared_ptr<SampleMemory> m_memory;
     std::deque<std::shared_ptr<Chunk>> m_chunks;
@@ -167,11 +177,11 @@ void FastColumn::slices(double from, double to, std::size_t count, Visit visit) 
     std::uint64_t block = 1;
     while (block < kChunkSamples && static_cast<double>(block) * 8 * kFanOut <= density)
         block *= kFanOut;
-    std::size_t segment = 0;
-    Index low = edge(from, block, segment);
+    Walk walk;
+    Index low = edge(from, block, walk);
     for (std::size_t i = 0; i < count && low < m_end; ++i) {
         const double next = i + 1 == count ? to : from + width * static_cast<double>(i + 1);
-        const Index high = edge(next, block, segment);
+        const Index high = edge(next, block, walk);
         if (high > low)
             visit(i, extremes(low, high));
         low = high;
