@@ -34,17 +34,13 @@ std::int32_t slowValue(RegisterId id, bool unsignedValue, ByteReader &reader)
     }
 }
 
-capture::SlowGroup slowGroup(
-    const DatalogConfig &config, const Signedness &signedness, ByteView bytes, capture::Tick tick)
+void readGroup(capture::SlowGroup &group, const DatalogConfig &config, const Signedness &signedness,
+    ByteView bytes)
 {
-    capture::SlowGroup group;
-    group.tick = tick;
-    group.values.reserve(config.slow.size());
+    group.values.resize(config.slow.size());
     ByteReader reader(bytes);
     for (std::size_t i = 0; i < config.slow.size(); ++i)
-        group.values.push_back(
-            slowValue(config.slow[i], isUnsigned(signedness.slowUnsigned, i), reader));
-    return group;
+        group.values[i] = slowValue(config.slow[i], isUnsigned(signedness.slowUnsigned, i), reader);
 }
 
 std::uint32_t timestampOf(ByteView payload) { return ByteReader(payload).u32(); }
@@ -61,7 +57,10 @@ struct Walk {
     void into(capture::SampleBlock &block) const
     {
         const std::size_t signals = config.fast.size();
-        const std::size_t period = layout.blocksAGroup() > 0 ? layout.blocksAGroup() : blocks;
+        const bool groups = layout.blocksAGroup() > 0;
+        const std::size_t period = groups ? layout.blocksAGroup() : blocks;
+        block.slow.resize((groups ? blocks / period : 0) + (endGroup ? 1 : 0));
+        auto group = block.slow.begin();
         std::size_t at = sizeof(std::uint32_t);
         for (std::size_t done = 0; done < blocks;) {
             const std::size_t run = std::min(period, blocks - done);
@@ -69,28 +68,28 @@ struct Walk {
                 deinterleave(payload.data() + at, signals, run, block.fast.data() + done, blocks);
             at += run * layout.fastBytes();
             done += run;
-            if (layout.blocksAGroup() > 0 && run == period)
-                at += take(block, at, done);
+            if (groups && run == period)
+                at += take(block, *group++, at, done);
         }
         if (endGroup)
-            take(block, at, blocks);
+            take(block, *group, at, blocks);
     }
 
     /// The MF group at `at`, which follows block `done` - 1.
-    std::size_t take(capture::SampleBlock &block, std::size_t at, std::size_t done) const
+    std::size_t take(const capture::SampleBlock &block, capture::SlowGroup &group, std::size_t at,
+        std::size_t done) const
     {
         const auto after = static_cast<capture::Tick>(done > 0 ? done - 1 : 0);
-        const capture::Tick tick = block.firstTick + after * layout.step();
-        block.slow.push_back(
-            slowGroup(config, signedness, payload.subspan(at, layout.slowBytes()), tick));
+        group.tick = block.firstTick + after * layout.step();
+        readGroup(group, config, signedness, payload.subspan(at, layout.slowBytes()));
         return layout.slowBytes();
     }
 };
 
 } // namespace
 
-std::optional<capture::SampleBlock> decodeBlocks(const DatalogConfig &config,
-    const DatalogLayout &layout, const Signedness &signedness, ByteView payload, bool stopped)
+bool decodeBlocks(const DatalogConfig &config, const DatalogLayout &layout,
+    const Signedness &signedness, ByteView payload, bool stopped, capture::SampleBlock &block)
 {
     // Asked to stop, and shorter than full: then the MF group of rate 254 is the one that is missing, also where both
     // readings of the length would do.
@@ -102,8 +101,8 @@ std::optional<capture::SampleBlock> decodeBlocks(const DatalogConfig &config,
         blocks = layout.blocksIn(payload.size());
     }
     if (!blocks)
-        return std::nullopt;
-    capture::SampleBlock block;
+        return false;
+    block.lostTicks = 0;
     block.firstTick = timestampOf(payload);
     block.count = config.fast.empty() ? 0 : static_cast<std::uint32_t>(*blocks);
     block.fast.resize(config.fast.size() * *blocks);
@@ -116,7 +115,7 @@ std::optional<capture::SampleBlock> decodeBlocks(const DatalogConfig &config,
                     sample = static_cast<std::int16_t>(sample ^ INT16_MIN);
                 });
     }
-    return block;
+    return true;
 }
 
 DatalogDecoder::DatalogDecoder(double tickHz)
@@ -154,37 +153,42 @@ DatalogDecoder::Known *DatalogDecoder::find(std::uint8_t mark)
 
 std::optional<capture::SampleBlock> DatalogDecoder::decode(ByteView payload)
 {
+    capture::SampleBlock block;
+    return decode(payload, block) ? std::optional(std::move(block)) : std::nullopt;
+}
+
+bool DatalogDecoder::decode(ByteView payload, capture::SampleBlock &block)
+{
     if (payload.size() < kDatalogOverhead) {
         ++m_stats.badLength;
-        return std::nullopt;
+        return false;
     }
     if (payload.back() != 0) {
         ++m_stats.otherId;
-        return std::nullopt;
+        return false;
     }
     Known *known = find(payload[payload.size() - 2]);
     if (!known) {
         ++m_stats.unknownMark;
-        return std::nullopt;
+        return false;
     }
     const auto full = known->layout.fullLength();
-    auto block = full && payload.size() <= *full
-        ? decodeBlocks(known->config, known->layout, known->signedness, payload, m_stopping)
-        : std::nullopt;
-    if (!block) {
+    if (!full || payload.size() > *full
+        || !decodeBlocks(
+            known->config, known->layout, known->signedness, payload, m_stopping, block)) {
         ++m_stats.badLength;
-        return std::nullopt;
+        return false;
     }
-    const auto ticks = known->layout.blocksIn(payload.size()).value_or(block->count);
-    if (!place(*block, timestampOf(payload), *known, block->count > 0 ? block->count : ticks)) {
+    const auto ticks = known->layout.blocksIn(payload.size()).value_or(block.count);
+    if (!place(block, timestampOf(payload), *known, block.count > 0 ? block.count : ticks)) {
         ++m_stats.badTime;
-        return std::nullopt;
+        return false;
     }
-    block->stream = known->stream;
-    m_stats.lostTicks += static_cast<std::uint64_t>(block->lostTicks);
+    block.stream = known->stream;
+    m_stats.lostTicks += static_cast<std::uint64_t>(block.lostTicks);
     ++m_stats.packets;
     forgetOlderThan(*known);
-    return block;
+    return true;
 }
 
 bool DatalogDecoder::place(

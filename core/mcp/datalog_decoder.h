@@ -20,9 +20,10 @@ struct Signedness {
 };
 
 /// A packet's blocks without any time keeping: samples in SampleBlock's order, ticks as the packet has them.
-/// Empty if the length does not fit. Shared with the trace decoder.
-std::optional<capture::SampleBlock> decodeBlocks(const DatalogConfig &config,
-    const DatalogLayout &layout, const Signedness &signedness, ByteView payload, bool stopped);
+/// False if the length does not fit. Shared with the trace decoder.
+/// @param block  all of it is written but the stream; what it holds of an earlier packet is room for this one
+bool decodeBlocks(const DatalogConfig &config, const DatalogLayout &layout,
+    const Signedness &signedness, ByteView payload, bool stopped, capture::SampleBlock &block);
 
 class DatalogDecoder {
 public:
@@ -49,6 +50,9 @@ public:
     void restart();
 
     std::optional<capture::SampleBlock> decode(ByteView payload);
+    /// The same into a block that is used again, without an allocation once it has its size; what is in it where this
+    /// returns false means nothing.
+    bool decode(ByteView payload, capture::SampleBlock &block);
 
     /// Counts up each time the ticks of the board began anew: ticks of different epochs cannot be compared.
     unsigned epoch() const { return m_epoch; }

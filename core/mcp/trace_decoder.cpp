@@ -244,25 +244,25 @@ void TraceDecoder::decodeSamples(TraceAsync &item, Stream &stream, ByteView payl
     Signedness signedness; // fast samples are stored signed; what is unsigned is put right below
     for (const RegisterId id : stream.config.slow)
         signedness.slowUnsigned.push_back(isUnsigned(id));
-    const auto block = decodeBlocks(stream.config, stream.layout, signedness, payload, m_stopping);
-    if (!block)
+    capture::SampleBlock block;
+    if (!decodeBlocks(stream.config, stream.layout, signedness, payload, m_stopping, block))
         return;
     item.decoded = true;
-    item.fastBlocks = block->count;
+    item.fastBlocks = block.count;
     item.partial = stream.layout.fullLength() != payload.size();
     for (std::size_t s = 0; s < stream.config.fast.size(); ++s) {
         const RegisterId id = stream.config.fast[s];
         const std::int32_t mask = isUnsigned(id) ? 0xFFFF : -1;
         item.fast.push_back(named(id));
         auto &samples = item.fastSamples.emplace_back();
-        for (std::size_t i = 0; i < block->count; ++i)
-            samples.push_back(block->fast[s * block->count + i] & mask);
+        for (std::size_t i = 0; i < block.count; ++i)
+            samples.push_back(block.fast[s * block.count + i] & mask);
     }
     for (const RegisterId id : stream.config.slow)
         item.slow.push_back(named(id));
-    for (const capture::SlowGroup &group : block->slow) {
+    for (const capture::SlowGroup &group : block.slow) {
         TraceSlowGroup out;
-        out.block = static_cast<std::size_t>(group.tick - block->firstTick) / stream.layout.step();
+        out.block = static_cast<std::size_t>(group.tick - block.firstTick) / stream.layout.step();
         for (std::size_t s = 0; s < group.values.size(); ++s) {
             const bool wide = scalarWidth(stream.config.slow[s].type()) == 4;
             const std::int64_t value = group.values[s];
@@ -271,7 +271,7 @@ void TraceDecoder::decodeSamples(TraceAsync &item, Stream &stream, ByteView payl
         item.slowGroups.push_back(std::move(out));
     }
     const std::size_t blocks =
-        block->count > 0 ? block->count : stream.layout.blocksIn(payload.size()).value_or(0);
+        block.count > 0 ? block.count : stream.layout.blocksIn(payload.size()).value_or(0);
     if (stream.expected)
         item.lostTicks = item.timestamp - *stream.expected;
     stream.expected = item.timestamp + static_cast<std::uint32_t>(blocks * stream.layout.step());

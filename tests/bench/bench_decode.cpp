@@ -101,11 +101,12 @@ std::uint64_t decode(const Line &line, const std::shared_ptr<capture::SampleMemo
     store.begin(layout);
     constexpr std::size_t kRead = 4096; // as a port hands them over
     aspep::Packet packet;
+    capture::SampleBlock block; // used again: nothing is allocated for a packet
     for (std::size_t at = 0; at < line.bytes.size(); at += kRead) {
         ByteView bytes(line.bytes.data() + at, std::min(kRead, line.bytes.size() - at));
         while (framer.next(bytes, packet) == aspep::Framer::Step::Packet) {
-            if (const auto block = decoder.decode(packet.payload))
-                store.append(*block);
+            if (decoder.decode(packet.payload, block))
+                store.append(block);
         }
     }
     std::uint64_t samples = 0;

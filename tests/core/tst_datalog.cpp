@@ -19,6 +19,7 @@ private Q_SLOTS:
     void samplesComeOutSignalBySignal();
     void slowValuesFollowTheirBlocks();
     void theLastPacketOfAStopHasNoSlowGroup();
+    void aBlockThatIsUsedAgainKeepsItsRoom();
     void unsignedSignalsAreStoredLessHalfTheirRange();
     void missingTicksAreCountedAsLost();
     void timeRunsOverTheWrapOfTheCounter();
@@ -220,6 +221,34 @@ void TestDatalog::theLastPacketOfAStopHasNoSlowGroup()
     QVERIFY((last->fast == Samples{4, 5}));
     QVERIFY(last->slow.empty());
     QCOMPARE(last->lostTicks, capture::Tick{0});
+}
+
+void TestDatalog::aBlockThatIsUsedAgainKeepsItsRoom()
+{
+    DatalogConfig c = config(64, {kIa});
+    c.slow = {kSpeed};
+    c.slowRate = 1; // a group after every second block
+    DatalogDecoder decoder(16000);
+    decoder.expect(1, c);
+    const auto packet = [](std::uint32_t at) {
+        ByteWriter w;
+        w.u32(at).s16(1).s16(2).u16(77).s16(3).s16(4).u16(78);
+        return w.u8(1).u8(0).take();
+    };
+    capture::SampleBlock block;
+    QVERIFY(decoder.decode(packet(0), block));
+    const std::int16_t *samples = block.fast.data();
+    const capture::SlowGroup *groups = block.slow.data();
+    const std::int32_t *values = block.slow[1].values.data();
+    block.lostTicks = 5;
+    QVERIFY(decoder.decode(packet(4), block));
+    QVERIFY((block.fast == Samples{1, 2, 3, 4}));
+    QCOMPARE(block.slow.size(), std::size_t{2});
+    QCOMPARE(block.slow[1].tick, capture::Tick{7});
+    QCOMPARE(block.slow[1].values, std::vector<std::int32_t>{78});
+    QCOMPARE(block.lostTicks, capture::Tick{0});
+    QVERIFY(block.fast.data() == samples && block.slow.data() == groups);
+    QVERIFY(block.slow[1].values.data() == values);
 }
 
 void TestDatalog::unsignedSignalsAreStoredLessHalfTheirRange()
