@@ -18,7 +18,8 @@ namespace session {
 class Batcher {
 public:
     struct Config {
-        Duration period = std::chrono::milliseconds(16); ///< least time between two batches
+        /// Time between two batches; a batch that was late by a quarter of it or less does not delay the next.
+        Duration period = std::chrono::milliseconds(16);
         int maxUnacknowledged = 2;
         std::size_t maxWaitingValues =
             2'000'000; ///< sample values, about 20 s of a full 1.8 Mbaud link

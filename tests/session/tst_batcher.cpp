@@ -11,6 +11,7 @@ class TestBatcher : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void theFirstEventGoesAtOnceAndTheNextBatchAfterItsPeriod();
+    void aBatchThatIsALittleLateDoesNotDelayTheNext();
     void noMoreThanTwoBatchesAreUnderWay();
     void theNewestReadingOfARegisterWinsWhileWaiting();
     void everyReadingStaysWhileTheReceiverKeepsUp();
@@ -81,6 +82,29 @@ void TestBatcher::theFirstEventGoesAtOnceAndTheNextBatchAfterItsPeriod()
     QCOMPARE(*batcher.due(), kStart + 16ms);
     QVERIFY(!batcher.take(kStart + 15ms));
     QVERIFY(batcher.take(kStart + 16ms));
+}
+
+void TestBatcher::aBatchThatIsALittleLateDoesNotDelayTheNext()
+{
+    Batcher batcher({.period = 16ms});
+    TimePoint now = kStart;
+    batcher.add(read(1, 0));
+    QVERIFY(batcher.take(now));
+    for (int i = 1; i <= 100; ++i) { // each timer fires a millisecond late
+        batcher.acknowledge();
+        batcher.add(read(1, i));
+        now = *batcher.due() + 1ms;
+        QVERIFY(batcher.take(now));
+    }
+    QCOMPARE(now, kStart + 1601ms);
+    // Later than that nothing is made up for: no two batches in quick succession.
+    batcher.acknowledge();
+    batcher.add(read(1, 101));
+    now = *batcher.due() + 15ms;
+    QVERIFY(batcher.take(now));
+    batcher.acknowledge();
+    batcher.add(read(1, 102));
+    QCOMPARE(*batcher.due(), now + 16ms);
 }
 
 void TestBatcher::noMoreThanTwoBatchesAreUnderWay()

@@ -204,8 +204,11 @@ void ScopeView::redraw()
 {
     if (m_frame.isActive())
         return;
-    const qint64 since = m_lastFrame.isValid() ? m_lastFrame.elapsed() : kFrameMs;
-    m_frame.start(static_cast<int>(std::clamp<qint64>(kFrameMs - since, 0, kFrameMs)));
+    // Rounded down: a frame that waited for the next whole millisecond each time would miss every few batches.
+    constexpr qint64 kFrameNanos = kFrameMs * 1'000'000LL;
+    const qint64 since = m_lastFrame.isValid() ? m_lastFrame.nsecsElapsed() : kFrameNanos;
+    m_frame.start(
+        static_cast<int>(std::clamp<qint64>(kFrameNanos - since, 0, kFrameNanos) / 1'000'000));
 }
 
 void ScopeView::drawFrame()
