@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cstring>
 
@@ -10,7 +11,7 @@ namespace capture {
 namespace {
 using Kind = ChannelInfo::Kind;
 
-constexpr std::size_t kPiece = 1 << 20; ///< bytes
+constexpr std::size_t kPiece = 1 << 18; ///< bytes; a core's own cache holds it until it is written
 constexpr std::size_t kMostRowsARun = 512; ///< so that their text stays in the cache
 constexpr std::size_t kTimeWidth = 24; ///< digits of 64 bits, sign and point
 constexpr std::size_t kCodeWidth = 16; ///< of an entry of CodeTexts
@@ -57,15 +58,28 @@ constexpr auto kPairs = [] {
 
 void writePair(char *at, std::uint32_t number) { std::memcpy(at, kPairs[number].data(), 2); }
 
-/// Writes `time` at `at`, returns the end. The caller has kTimeWidth bytes ready.
-char *writeTime(char *at, Nanos time, char decimal)
+constexpr Nanos kSecond = 1'000'000'000;
+
+/// Where nine digits that are not all zeros end, from the point in front of them.
+char *withoutZeros(char *point)
 {
-    if (time < 0) {
-        *at++ = '-';
-        time = -time;
+    char *end = point + 10;
+    if constexpr (std::endian::native == std::endian::little) {
+        // Eight of them at once, the last in the highest byte: what a loop would find, without guessing how often it runs.
+        std::uint64_t last = 0;
+        std::memcpy(&last, end - sizeof last, sizeof last);
+        last ^= 0x3030303030303030U;
+        return end - (last != 0 ? std::countl_zero(last) / 8 : 8);
     }
-    at = std::to_chars(at, at + kTimeWidth, time / 1'000'000'000).ptr;
-    const auto fraction = static_cast<std::uint32_t>(time % 1'000'000'000);
+    while (end[-1] == '0')
+        --end;
+    return end;
+}
+
+/// The digits behind the point, and it, if they are not all zeros.
+char *writeFraction(char *at, Nanos nanos, char decimal)
+{
+    const auto fraction = static_cast<std::uint32_t>(nanos);
     if (fraction == 0)
         return at;
     *at = decimal;
@@ -74,11 +88,47 @@ char *writeTime(char *at, Nanos time, char decimal)
     writePair(at + 4, fraction / 10'000 % 100);
     writePair(at + 6, fraction / 100 % 100);
     writePair(at + 8, fraction % 100);
-    char *end = at + 10;
-    while (end[-1] == '0')
-        --end;
-    return end;
+    return withoutZeros(at);
 }
+
+/// Writes `time` at `at`, returns the end. The caller has kTimeWidth bytes ready.
+char *writeTime(char *at, Nanos time, char decimal)
+{
+    if (time < 0) {
+        *at++ = '-';
+        time = -time;
+    }
+    at = std::to_chars(at, at + kTimeWidth, time / kSecond).ptr;
+    return writeFraction(at, time % kSecond, decimal);
+}
+
+/// The same for one time after another: the digits before the point change rarely.
+class TimeTexts {
+public:
+    explicit TimeTexts(char decimal)
+        : m_decimal(decimal)
+    {
+    }
+    char *write(char *at, Nanos time)
+    {
+        if (time < 0)
+            return writeTime(at, time, m_decimal);
+        if (const Nanos second = time / kSecond; second != m_second) {
+            m_second = second;
+            m_size = static_cast<std::size_t>(
+                std::to_chars(m_digits.data(), m_digits.data() + m_digits.size(), second).ptr
+                - m_digits.data());
+        }
+        std::memcpy(at, m_digits.data(), m_digits.size());
+        return writeFraction(at + m_size, time - m_second * kSecond, m_decimal);
+    }
+
+private:
+    char m_decimal;
+    Nanos m_second = -1;
+    std::array<char, 16> m_digits{}; ///< fewer than eleven are used
+    std::size_t m_size = 0;
+};
 
 /// The kind whose samples make the rows: the fastest there is.
 Kind rowKind(const std::vector<Channel> &channels)
@@ -322,18 +372,21 @@ void CsvWriter::writeRun(const Run &run, std::string &text)
     // Most rows of a run are a whole number of nanoseconds apart; the exact division is for the others.
     const Segment *segment = run.segment;
     const std::int64_t picoKilo = segment ? segment->step * 1'000'000'000'000LL : 0;
-    const bool even = segment && picoKilo % segment->base.milliHz == 0;
-    const Nanos step = even ? picoKilo / segment->base.milliHz : 0;
+    const bool even = !segment || picoKilo % segment->base.milliHz == 0;
+    const Nanos step = segment ? picoKilo / segment->base.milliHz : 0;
 
     const Marks &marks = marksOf(m_options.dialect);
-    const std::size_t before = text.size();
-    text.resize(before + run.count * (kTimeWidth + m_columns.size() * kColumnWidth + 2));
-    char *at = text.data() + before;
+    // Not into `text`: a string clears what it grows by.
+    const std::size_t room = run.count * (kTimeWidth + m_columns.size() * kColumnWidth + 2);
+    if (m_run.size() < room)
+        m_run.resize(room);
+    char *at = m_run.data();
+    TimeTexts times(marks.decimal);
     Nanos time = run.time;
     for (std::size_t row = 0; row < run.count; ++row) {
         if (row != 0)
             time = even ? time + step : segment->timeOf(run.first + row);
-        at = writeTime(at, time - *m_zero, marks.decimal);
+        at = times.write(at, time - *m_zero);
         for (const Field &field : m_fields) {
             *at++ = marks.separator;
             if (field.codes)
@@ -345,7 +398,7 @@ void CsvWriter::writeRun(const Run &run, std::string &text)
         }
         at = std::copy(marks.lineEnd.begin(), marks.lineEnd.end(), at);
     }
-    text.resize(static_cast<std::size_t>(at - text.data()));
+    text.append(m_run.data(), at);
     for (std::size_t i = 0; i < m_columns.size(); ++i) {
         if (run.there[i]) {
             m_columns[i]->next += run.count;

@@ -47,7 +47,7 @@ public:
     CsvWriter(const CsvWriter &) = delete;
     CsvWriter &operator=(const CsvWriter &) = delete;
 
-    /// Replaces `text` by the next piece, about 1 MiB of whole rows. False, and no text, when all is written.
+    /// Replaces `text` by the next piece, about 256 KiB of whole rows. False, and no text, when all is written.
     bool next(std::string &text);
 
     double progress() const; ///< 0..1
@@ -73,6 +73,7 @@ private:
     CsvOptions m_options;
     std::vector<std::unique_ptr<Column>> m_columns;
     std::vector<Field> m_fields; ///< of the run being written
+    std::vector<char> m_run; ///< its text, and room that is kept
     bool m_started = false;
     std::optional<Nanos> m_zero;
     std::uint64_t m_rows = 0;
