@@ -2973,6 +2973,10 @@
         <source>Makes edits of the new numbers, numerator and divisor together. Nothing is written before Apply.</source>
         <translation>Macht aus den neuen Zahlen Änderungen, Zähler und Teiler gemeinsam. Geschrieben wird erst beim Anwenden.</translation>
     </message>
+    <message>
+        <source>This drive&apos;s gains are numbers in units, and its current loop is not the one whose rule is used here: set them among the regulators.</source>
+        <translation>Die Verstärkungen dieses Antriebs sind Zahlen mit Einheit, und sein Stromregler ist nicht der, dessen Regel hier gilt: Stellen Sie sie unter „Regler“ ein.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::GainMotor</name>
@@ -3218,6 +3222,10 @@
             <numerusform>%n andere Änderung wartete schon und würde mitgeschrieben: %1.</numerusform>
             <numerusform>%n andere Änderungen warteten schon und würden mitgeschrieben: %1.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The gains of this drive are in the units that stand beside them.</source>
+        <translation>Die Verstärkungen dieses Antriebs haben die Einheiten, die neben ihnen stehen.</translation>
     </message>
 </context>
 <context>
@@ -6029,6 +6037,23 @@ mN·m</translation>
     <message>
         <source>Ramp time [ms]</source>
         <translation>Rampenzeit [ms]</translation>
+    </message>
+    <message>
+        <source>Send with every exchange</source>
+        <comment>set-points</comment>
+        <translation>Mit jedem Austausch senden</translation>
+    </message>
+    <message>
+        <source>The motor has to be idle.</source>
+        <translation>Der Motor muss in Ruhe sein.</translation>
+    </message>
+    <message>
+        <source>Speeds and currents travel in every frame that is exchanged with the drive, instead of as a write of their own. Stop and a fault set them to zero; a reset or a lost link ends it. Positions are always written.</source>
+        <translation>Drehzahlen und Ströme reisen in jedem Telegramm, das mit dem Antrieb ausgetauscht wird, statt einzeln geschrieben zu werden. Stopp und ein Fehler setzen sie auf null; ein Neustart des Antriebs oder eine verlorene Verbindung beendet es. Positionen werden immer geschrieben.</translation>
+    </message>
+    <message>
+        <source>Set-points with every exchange</source>
+        <translation>Sollwerte mit jedem Austausch</translation>
     </message>
 </context>
 <context>

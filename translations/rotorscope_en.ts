@@ -2973,6 +2973,10 @@
         <source>Makes edits of the new numbers, numerator and divisor together. Nothing is written before Apply.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>This drive&apos;s gains are numbers in units, and its current loop is not the one whose rule is used here: set them among the regulators.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::GainMotor</name>
@@ -3218,6 +3222,10 @@
             <numerusform>%n other edit waited already and would be written with them: %1.</numerusform>
             <numerusform>%n other edits waited already and would be written with them: %1.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The gains of this drive are in the units that stand beside them.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6022,6 +6030,23 @@ mN·m</source>
     </message>
     <message>
         <source>Ramp time [ms]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Send with every exchange</source>
+        <comment>set-points</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor has to be idle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speeds and currents travel in every frame that is exchanged with the drive, instead of as a write of their own. Stop and a fault set them to zero; a reset or a lost link ends it. Positions are always written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set-points with every exchange</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -158,6 +158,10 @@ void addCommandOptions(QCommandLineParser &parser, const QString &command)
             {QStringLiteral("expert"),
                 QStringLiteral("Moves motors although the board does not tell all their limits.")},
         });
+    if (command == QLatin1String("ramp") || command == QLatin1String("capture"))
+        parser.addOption({QStringLiteral("cyclic-setpoints"),
+            QStringLiteral("Set-points travel with every exchange (MCB); begins while the motor "
+                           "stands.")});
     addTuningOptions(parser, command);
     addRecordingOptions(parser, command);
     if (command != QLatin1String("capture"))
@@ -326,6 +330,7 @@ Outcome<bool> takeLimits(const QCommandLineParser &parser, Arguments &arguments)
                              .arg(QLatin1String(option), text));
         *limit = *number;
     }
+    arguments.cyclicSetPoints = parser.optionNames().contains(QStringLiteral("cyclic-setpoints"));
     arguments.expert = parser.optionNames().contains(QStringLiteral("expert"));
     return true;
 }

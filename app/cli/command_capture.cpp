@@ -219,7 +219,8 @@ Outcome<int> CaptureRun::startMotor()
                       .arg(stateText(*before))
                 : QStringLiteral("The motor is not idle (%1); stop it, or leave out --start.")
                       .arg(stateText(*before)));
-    talk.arm();
+    if (const auto armed = talk.armToMove(); !armed)
+        return tl::make_unexpected(armed.error());
     m_started = true; // from here on it may turn, whatever the answer says
     const auto ended =
         talk.command(drive::Command{drive::MotorAction::Start, motor}, QStringLiteral("The start"));
@@ -248,7 +249,8 @@ Outcome<int> CaptureRun::ramp()
     const int motor = m_desk.arguments.motor;
     Conversation &talk = m_desk.talk;
     const RampArguments &ramp = *m_wanted.ramp;
-    talk.arm();
+    if (const auto armed = talk.armToMove(); !armed)
+        return tl::make_unexpected(armed.error());
     const std::chrono::milliseconds duration(ramp.milliseconds);
     const auto ended =
         talk.command(drive::SpeedRamp{.motor = motor, .rpm = ramp.rpm, .duration = duration},

@@ -15,7 +15,8 @@ constexpr auto kStandstillWithin = 10s; ///< a motor may coast
 /// Carries out a wish for the motor that is meant and prints the state that follows.
 Outcome<int> commandMotor(Desk &desk, decltype(drive::Wish::what) wish, const QString &what)
 {
-    desk.talk.arm();
+    if (const auto armed = desk.talk.armToMove(); !armed)
+        return tl::make_unexpected(armed.error());
     const auto ended = desk.talk.command(std::move(wish), what);
     if (!ended)
         return tl::make_unexpected(ended.error());

@@ -164,6 +164,18 @@ Outcome<bool> Conversation::bound(const drive::Identified &board)
 
 void Conversation::arm() { m_session.setArmed(true); }
 
+Outcome<bool> Conversation::armToMove()
+{
+    arm();
+    if (!m_arguments.cyclicSetPoints)
+        return true;
+    const auto travels =
+        command(drive::CyclicSetPoints{}, QStringLiteral("Sending set-points with every exchange"));
+    if (!travels)
+        return tl::make_unexpected(travels.error());
+    return true;
+}
+
 bool Conversation::allStopped(StopWord least) const
 {
     for (int motor = 1; motor <= m_board->identity.motors; ++motor) {

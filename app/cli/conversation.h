@@ -54,6 +54,8 @@ public:
     Outcome<drive::MotorStatus> nextStatus(int motor);
 
     void arm();
+    /// Arms; set-points travel with every exchange from then on where that was asked for.
+    Outcome<bool> armToMove();
     /// Limits of this run, and expert mode where it was asked for and something is unknown; after connect().
     Outcome<bool> bound(const drive::Identified &board);
     /// What was asked of the motors, so far.

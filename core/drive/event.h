@@ -86,7 +86,8 @@ enum class Feature : std::uint8_t {
     CurrentReference,
     Stream,
     WriteRegisters,
-    PositionRamp
+    PositionRamp,
+    CyclicSetPoints
 };
 struct Capability {
     Feature feature;
@@ -173,6 +174,11 @@ struct StreamStarted {
     capture::StreamLayout layout;
 };
 
+/// Whether set-points travel with every exchange from now on.
+struct CyclicSetPointsChanged {
+    bool on = false;
+};
+
 /// The four words of a stop, each with its own evidence, and the alarm when there is none.
 enum class StopWord : std::uint8_t { Requested, Accepted, DriveIdle, Standstill, NotConfirmed };
 struct StopProgress {
@@ -195,7 +201,8 @@ struct LinkCounters {
     bool operator==(const LinkCounters &) const = default;
 };
 
-using Event = std::variant<LinkChanged, Identified, RegistersRead, Ended, MotorStatus,
-    StreamStarted, capture::SampleBlock, StopProgress, LinkCounters, MotionRecord>;
+using Event =
+    std::variant<LinkChanged, Identified, RegistersRead, Ended, MotorStatus, StreamStarted,
+        CyclicSetPointsChanged, capture::SampleBlock, StopProgress, LinkCounters, MotionRecord>;
 
 } // namespace drive

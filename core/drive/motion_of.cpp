@@ -133,6 +133,7 @@ struct Begin {
     }
     bool operator()(const Read &) { return false; }
     bool operator()(const Stream &) { return false; }
+    bool operator()(const CyclicSetPoints &) { return false; }
     bool operator()(const Watch &) { return false; }
 };
 

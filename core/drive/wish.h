@@ -94,6 +94,12 @@ struct Stream {
     static constexpr unsigned kSlowOncePerPacket = 255; ///< behind the last sample of each packet
 };
 
+/// Whether set-points travel with every exchange, instead of as a write of their own. It moves nothing by itself: what
+/// the drive has is held. It begins only while the motor stands and ends with the connection; a position is always written.
+struct CyclicSetPoints {
+    bool on = true;
+};
+
 /// Registers to be read over and over; replaces the list before. The drive spreads them over the spare link time.
 struct Watch {
     std::vector<RegisterId> registers;
@@ -106,7 +112,7 @@ struct Watch {
 struct Wish {
     WishId id = 0;
     std::variant<Read, Write, Command, SpeedRamp, TorqueRamp, CurrentReference, PositionRamp,
-        Stream, Watch, UserLimits, ExpertMode>
+        Stream, CyclicSetPoints, Watch, UserLimits, ExpertMode>
         what;
     Source source = Source::Person;
 };

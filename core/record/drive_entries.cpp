@@ -149,6 +149,8 @@ std::vector<Entry> DriveEntries::take(const drive::Event &event)
         m_described.clear(); // another board may call them otherwise
         return {identity()};
     }
+    if (const auto *cyclic = std::get_if<drive::CyclicSetPointsChanged>(&event))
+        return {Happening{"cyclic set-points", {{"on", cyclic->on ? "yes" : "no"}}}};
     if (const auto *stop = std::get_if<drive::StopProgress>(&event))
         return {Happening{"stop",
             {{"motor", std::to_string(stop->motor)}, {"word", word(kStopWords, stop->word)}}}};

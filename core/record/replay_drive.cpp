@@ -81,7 +81,7 @@ std::vector<drive::Capability> capabilities()
     std::vector<drive::Capability> all;
     for (const Feature feature : {Feature::Start, Feature::AcknowledgeFaults, Feature::SpeedRamp,
              Feature::TorqueRamp, Feature::CurrentReference, Feature::Stream,
-             Feature::WriteRegisters, Feature::PositionRamp})
+             Feature::WriteRegisters, Feature::PositionRamp, Feature::CyclicSetPoints})
         all.push_back({feature, false, kReason});
     return all;
 }

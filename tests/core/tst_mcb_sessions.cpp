@@ -1,5 +1,6 @@
 // Sessions with a drive and a wire that do wrong, from seeds, on virtual time: whatever happens, every wish ends once,
-// nothing is written to a drive that was not identified, and no sample is stored under a name that is not its own.
+// nothing is written to a drive that was not identified, no sample is stored under a name that is not its own, and a
+// set-point that travels with the frames does not outlive a stop, a reset or the link.
 // All 10,000 with ROTORSCOPE_LONG=1.
 #include "support/mcb_pair.h"
 
@@ -71,16 +72,36 @@ struct Session {
         , pair(optionsOf(random, seed))
     {
         pair.onEvent = [this](const Event &event) { look(event); };
+        pair.toBoard = [this](const Bytes &out) { sent(out); };
     }
 
     Random random;
     McbPair pair;
     std::vector<WishId> asked;
     QString wrong;
+    bool mayCarry = false;
     std::uint64_t samples = 0;
+    std::uint64_t travelled = 0; ///< frames that carried a set-point other than zero
+
+    /// Every frame that leaves. A set-point is none of an armed person's wish if the drive was disarmed by a stop, a
+    /// reset or a lost link since.
+    void sent(const Bytes &out)
+    {
+        const auto frame = mcb::decodeFrame(out);
+        if (!frame || !wrong.isEmpty())
+            return;
+        const bool carries = std::any_of(frame->cyclic.begin(), frame->cyclic.end(),
+            [](std::uint16_t word) { return word != 0; });
+        travelled += carries ? 1 : 0;
+        if (carries && !mayCarry)
+            wrong = QStringLiteral("a set-point was sent again");
+    }
 
     void look(const Event &event)
     {
+        if (const auto *link = std::get_if<LinkChanged>(&event); link != nullptr
+            && (link->state == LinkState::Lost || link->reason == LinkReason::BoardReset))
+            mayCarry = false;
         const auto *block = std::get_if<capture::SampleBlock>(&event);
         if (block == nullptr)
             return;
@@ -106,9 +127,10 @@ struct Session {
 
     void act()
     {
-        switch (random.below(12)) {
+        switch (random.below(15)) {
         case 0:
             pair.drive->arm();
+            mayCarry = mayCarry || pair.drive->armed();
             break;
         case 1:
             asked.push_back(pair.submit(Command{}));
@@ -118,6 +140,7 @@ struct Session {
             break;
         case 3:
             pair.stopped = true;
+            mayCarry = false;
             pair.drive->stop(pair.now);
             break;
         case 4:
@@ -135,6 +158,18 @@ struct Session {
             break;
         case 8:
             asked.push_back(pair.submit(Stream{}));
+            break;
+        case 9:
+            asked.push_back(pair.submit(CyclicSetPoints{true}));
+            break;
+        case 11: // what alone comes about too seldom
+            pair.drive->arm();
+            mayCarry = mayCarry || pair.drive->armed();
+            asked.push_back(pair.submit(CyclicSetPoints{true}));
+            asked.push_back(pair.submit(SpeedRamp{1, 600, 0ms}));
+            break;
+        case 10:
+            asked.push_back(pair.submit(CyclicSetPoints{random.below(3) > 0}));
             break;
         default: {
             Stream stream;
@@ -181,17 +216,19 @@ void TestMcbSessions::everythingEndsOnceWhateverHappens()
 {
     const bool all = qEnvironmentVariableIsSet("ROTORSCOPE_LONG");
     const std::uint64_t sessions = all ? 10'000 : 150;
-    std::uint64_t identified = 0, samples = 0;
+    std::uint64_t identified = 0, samples = 0, travelled = 0;
     for (std::uint64_t seed = 1; seed <= sessions; ++seed) {
         Session session(seed);
         const QString wrong = session.run();
         QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("seed %1: %2").arg(seed).arg(wrong)));
         identified += session.pair.identified ? 1 : 0;
         samples += session.samples;
+        travelled += session.travelled;
     }
     // That nothing went wrong because nothing went on would prove nothing.
     QVERIFY2(identified * 10 >= sessions * 8, qPrintable(QString::number(identified)));
     QVERIFY2(samples >= sessions * 20, qPrintable(QString::number(samples)));
+    QVERIFY2(travelled >= sessions, qPrintable(QString::number(travelled)));
 }
 
 QTEST_GUILESS_MAIN(TestMcbSessions)

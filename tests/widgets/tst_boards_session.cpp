@@ -1,5 +1,5 @@
 // One session of a person with each kind of board, through the real window, the real session thread and a simulated
-// board: connect by Auto, arm, start, two signals on the scope, change a gain, undo it, ramp, stop, write a CSV file. The
+// board: connect by Auto, arm, set-points with every exchange where the board can, start, two signals on the scope, change a gain, undo it, ramp, stop, write a CSV file. The
 // steps name no kind of board: a new one is a row.
 #include "support/window_rig.h"
 #include "widgets/control/control_panel.h"
@@ -10,6 +10,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -26,9 +27,12 @@ private Q_SLOTS:
 
 private:
     void connectByAuto(const QString &path, const QByteArray &protocol);
+    void armTheMotor();
+    void sendWithEveryExchange();
     void startTheMotor();
     void drawTwoSignals();
     void changeAGainAndUndo(const char *name);
+    void findTheGainInItsForm(const char *name);
     void rampAndStop();
     void writeCsv();
 
@@ -74,9 +78,12 @@ void TestBoardsSession::everyBoardIsDrivenInTheSameWindow()
     m_rig->window.resize(1280, 720);
     QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
     for (const auto &step : {std::function<void()>([&] { connectByAuto(path, protocol); }),
+             std::function<void()>([&] { armTheMotor(); }),
+             std::function<void()>([&] { sendWithEveryExchange(); }),
              std::function<void()>([&] { startTheMotor(); }),
              std::function<void()>([&] { drawTwoSignals(); }),
              std::function<void()>([&] { changeAGainAndUndo(gain.constData()); }),
+             std::function<void()>([&] { findTheGainInItsForm(gain.constData()); }),
              std::function<void()>([&] { rampAndStop(); }),
              std::function<void()>([&] { writeCsv(); })}) {
         step();
@@ -100,7 +107,7 @@ void TestBoardsSession::connectByAuto(const QString &path, const QByteArray &pro
     QTRY_COMPARE(state(), MotorState::Idle);
 }
 
-void TestBoardsSession::startTheMotor()
+void TestBoardsSession::armTheMotor()
 {
     device().setUserLimits({3000.0, 0.0});
     if (!gapsIn(device().limits(1)).empty()) { // a board that does not tell all its limits
@@ -109,6 +116,29 @@ void TestBoardsSession::startTheMotor()
     }
     QTest::keyClick(m_rig->find<QCheckBox>("arm"), Qt::Key_Space);
     QTRY_VERIFY(device().armed());
+}
+
+/// Where it cannot, the box says why.
+void TestBoardsSession::sendWithEveryExchange()
+{
+    auto *box = m_rig->find<QCheckBox>("cyclicSetPoints");
+    const auto can = device().capability(drive::Feature::CyclicSetPoints);
+    QVERIFY(!box->isChecked());
+    if (!can.available) {
+        QVERIFY(!box->isEnabled());
+        QVERIFY(!can.reason.empty());
+        QVERIFY(box->toolTip().contains(QString::fromStdString(can.reason).left(20)));
+        return;
+    }
+    QTRY_VERIFY(box->isEnabled());
+    QTest::keyClick(box, Qt::Key_Space);
+    QVERIFY(!box->isChecked()); // until the drive does
+    QTRY_VERIFY(box->isChecked());
+    QVERIFY(device().cyclicSetPoints());
+}
+
+void TestBoardsSession::startTheMotor()
+{
     QTRY_VERIFY(m_rig->find<QPushButton>("start")->isEnabled());
     QTest::mouseClick(m_rig->find<QPushButton>("start"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(state(), MotorState::Running, 15000);
@@ -142,6 +172,21 @@ void TestBoardsSession::changeAGainAndUndo(const char *name)
     QCOMPARE(edits.steps().count(), 1);
     edits.undo();
     QTRY_VERIFY(!edits.underWay() && registers.known(gain) == before);
+}
+
+/// With what it is worth, or why that cannot be said; where the lab has no rule for it, it says so and offers nothing.
+void TestBoardsSession::findTheGainInItsForm(const char *name)
+{
+    auto *worth = m_rig->find<QLabel>((QByteArray("physical_") + name).constData());
+    QTRY_VERIFY(!worth->isHidden());
+    QTRY_VERIFY(worth->text().size() > 2);
+    const std::string unit = device().catalog()->find(name)->unit;
+    if (device().catalog()->find("SPEED_KI") == nullptr) {
+        QCOMPARE(worth->text(), QString::fromStdString(unit));
+        QVERIFY(!m_rig->find<QPushButton>("labPreview")->isEnabled());
+        QVERIFY(
+            m_rig->find<QPushButton>("labPreview")->toolTip().contains(QStringLiteral("units")));
+    }
 }
 
 void TestBoardsSession::rampAndStop()

@@ -215,6 +215,10 @@ void Device::take(const drive::Event &event)
                 Q_EMIT statusChanged(status.motor);
             },
             [this](const drive::StreamStarted &started) { Q_EMIT streamStarted(started.layout); },
+            [this](const drive::CyclicSetPointsChanged &changed) {
+                m_cyclicSetPoints = changed.on;
+                Q_EMIT cyclicSetPointsChanged();
+            },
             [this](const capture::SampleBlock &block) { Q_EMIT samplesArrived(block); },
             [this](const drive::StopProgress &progress) { Q_EMIT stopAdvanced(progress); },
             [this](const drive::MotionRecord &record) { Q_EMIT motionLogged(record); },
@@ -233,6 +237,7 @@ void Device::forgetBoard()
     m_status.clear();
     m_expert.clear();
     m_expertWished.clear();
+    m_cyclicSetPoints = false;
     m_motor = 1;
     m_dropped = 0;
     Q_EMIT identityChanged();

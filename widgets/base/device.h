@@ -44,6 +44,8 @@ public:
     drive::MotorStatus status(int motor) const; ///< Unknown if nothing was heard
     bool allIdle() const; ///< true if no motor is known to be anywhere but idle or in a fault
     bool armed() const { return m_armed; }
+    /// Set-points travel with every exchange.
+    bool cyclicSetPoints() const { return m_cyclicSetPoints; }
     /// A person's own limits, and what may be asked of a motor under them: what the drive enforces.
     const drive::UserLimits &userLimits() const { return m_userLimits; }
     drive::MotionBounds bounds(int motor) const;
@@ -91,6 +93,7 @@ Q_SIGNALS:
     void readingsArrived(const std::vector<drive::Reading> &readings);
     void wishEnded(const drive::Ended &ended);
     void streamStarted(const capture::StreamLayout &layout);
+    void cyclicSetPointsChanged();
     void samplesArrived(const capture::SampleBlock &block);
     void stopAdvanced(const drive::StopProgress &progress);
     void motionLogged(const drive::MotionRecord &record);
@@ -117,6 +120,7 @@ private:
     drive::WishId m_lastWish = 0;
     int m_motor = 1;
     bool m_armed = false;
+    bool m_cyclicSetPoints = false;
 };
 
 } // namespace widgets

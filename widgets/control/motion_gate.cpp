@@ -97,6 +97,8 @@ bool MotionGate::jog(const QString &action, int motor, std::int32_t rpm)
 bool MotionGate::needsExpert(const std::vector<drive::WishContent> &acts)
 {
     for (const drive::WishContent &act : acts) {
+        if (std::holds_alternative<drive::CyclicSetPoints>(act))
+            continue; // moves nothing
         const auto *command = std::get_if<drive::Command>(&act);
         const bool moves = command == nullptr || command->action == drive::MotorAction::Start;
         const int motor = motorOf(act);

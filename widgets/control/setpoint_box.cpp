@@ -8,6 +8,7 @@
 #include "widgets/control/motor_button.h"
 #include "widgets/control/setpoint_edit.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
@@ -49,6 +50,7 @@ SetpointBox::SetpointBox(
     , m_rampTime(makeEdit("rampTime", tr("Ramp time in milliseconds")))
     , m_go(new MotorButton(tr("Go", "send the set-point"), this))
     , m_stopRamp(new MotorButton(tr("Stop ramp"), this))
+    , m_cyclic(new QCheckBox(tr("Send with every exchange", "set-points"), this))
 {
     m_mode->setObjectName(QStringLiteral("setpointMode"));
     m_mode->setAccessibleName(tr("Kind of set-point"));
@@ -68,8 +70,11 @@ SetpointBox::SetpointBox(
     m_secondLabel->setBuddy(m_id);
     m_go->setObjectName(QStringLiteral("go"));
     m_stopRamp->setObjectName(QStringLiteral("stopRamp"));
+    m_cyclic->setObjectName(QStringLiteral("cyclicSetPoints"));
     makeLayout();
 
+    connect(m_cyclic, &QCheckBox::clicked, this, &SetpointBox::wantCyclic);
+    connect(&device, &Device::cyclicSetPointsChanged, this, &SetpointBox::followCyclic);
     connect(m_mode, &QComboBox::currentIndexChanged, this, &SetpointBox::showMode);
     connect(m_go, &QPushButton::clicked, this, &SetpointBox::go);
     connect(m_stopRamp, &QPushButton::clicked, this, &SetpointBox::stopRamp);
@@ -107,6 +112,7 @@ void SetpointBox::makeLayout()
     grid->addWidget(m_rampTime, 4, 1);
     grid->addWidget(m_go, 5, 0);
     grid->addWidget(m_stopRamp, 5, 1);
+    grid->addWidget(m_cyclic, 6, 0, 1, 2);
     grid->setColumnStretch(0, 1);
     grid->setColumnStretch(1, 1);
 }
@@ -213,12 +219,36 @@ void SetpointBox::follow()
     m_control->setText(controlText());
     applyAllowed(m_stopRamp, motionAllowed(m_device, drive::Feature::SpeedRamp),
         tr("Ends a ramp where it is; the motor goes on turning."));
+    followCyclic();
     if (can.yes && !readable())
         can = {false, echo()};
     applyAllowed(m_go, can,
         mode() == Mode::Currents
             ? tr("Sets both currents at once (Enter in a field does the same).")
             : tr("Sends the set-point as a ramp (Enter in the field does the same)."));
+}
+
+/// Off is always possible; it changes nothing at the motor.
+void SetpointBox::followCyclic()
+{
+    const bool on = m_device.cyclicSetPoints();
+    m_cyclic->setChecked(on);
+    MotionAllowed can = motionAllowed(m_device, drive::Feature::CyclicSetPoints);
+    if (on && m_device.answering())
+        can = {true, {}};
+    else if (can.yes && m_device.status(m_device.motor()).state != drive::MotorState::Idle)
+        can = {false, tr("The motor has to be idle.")};
+    applyAllowed(m_cyclic, can,
+        tr("Speeds and currents travel in every frame that is exchanged with the drive, instead of "
+           "as a write of their own. Stop and a fault set them to zero; a reset or a lost link "
+           "ends it. Positions are always written."));
+}
+
+void SetpointBox::wantCyclic(bool on)
+{
+    followCyclic(); // what the drive does, not what is wanted of it
+    if (m_cyclic->isEnabled())
+        m_motion.want(tr("Set-points with every exchange"), drive::CyclicSetPoints{on});
 }
 
 void SetpointBox::go()

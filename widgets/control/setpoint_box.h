@@ -7,6 +7,7 @@
 
 #include <QWidget>
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 
@@ -41,6 +42,8 @@ private:
     SetpointEdit *makeEdit(const char *name, const QString &accessible);
     void makeLayout();
     void showMode();
+    void followCyclic();
+    void wantCyclic(bool on);
     void updateLimits();
     drive::Feature feature() const;
     QList<SetpointEdit *> shownEdits() const;
@@ -64,6 +67,7 @@ private:
     SetpointEdit *m_rampTime;
     MotorButton *m_go;
     MotorButton *m_stopRamp;
+    QCheckBox *m_cyclic;
     bool m_takeReference = false;
 };
 

@@ -221,6 +221,10 @@ std::unique_ptr<WishTask> LegacyDrive::taskFor(const Wish &wish)
                 return std::make_unique<RefusedTask>(
                     wish.id, Permission::Armed, m_board.reasonAgainst(Feature::PositionRamp));
             },
+            [&](const CyclicSetPoints &) -> std::unique_ptr<WishTask> {
+                return std::make_unique<RefusedTask>(
+                    wish.id, Permission::Always, m_board.reasonAgainst(Feature::CyclicSetPoints));
+            },
             [&](const Stream &stream) -> std::unique_ptr<WishTask> {
                 return std::make_unique<NoStreamTask>(wish.id, stream, m_board);
             },

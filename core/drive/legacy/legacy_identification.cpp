@@ -181,6 +181,8 @@ void LegacyIdentification::addCapabilities()
                                  "are read one after the other.";
     const std::string noScale = "Boards of this protocol do not tell the scale of their currents.";
     const std::string noPosition = "This protocol moves no shaft to a position.";
+    const std::string noCycle =
+        "Boards of this protocol take each set-point as a request of its own.";
     const bool writes = m_board.knownFirmware;
     const std::string readOnly = writes ? "" : "Read-only: " + m_doubt + ".";
     const auto add = [&](Feature feature, const std::string &reason) {
@@ -197,6 +199,7 @@ void LegacyIdentification::addCapabilities()
     add(Feature::CurrentReference, noAmps);
     m_board.capabilities.push_back({Feature::Stream, false, noStream});
     m_board.capabilities.push_back({Feature::PositionRamp, false, noPosition});
+    m_board.capabilities.push_back({Feature::CyclicSetPoints, false, noCycle});
 }
 
 void LegacyIdentification::finish()

@@ -4,6 +4,7 @@
 #include "drive/mcb/mcb_catalog.h"
 #include "drive/mcb/mcb_identification.h"
 #include "drive/mcb/mcb_messages.h"
+#include "drive/mcb/mcb_set_points.h"
 #include "drive/set_point_check.h"
 #include "drive/values.h"
 
@@ -343,6 +344,11 @@ std::vector<Capability> mcbCapabilitiesOf(const McbBoard &board)
     if (position.empty() && !(board.countsPerTurn > 0.0))
         position = "The drive does not say how many counts a turn has.";
     add(Feature::PositionRamp, position);
+    const bool travels = !McbSetPoints(board).entries().empty();
+    add(Feature::CyclicSetPoints,
+        !strange.empty() ? strange
+            : travels    ? ""
+                         : "This drive has no set-points that can be mapped.");
     return all;
 }
 

@@ -65,6 +65,7 @@ void McbDrive::connect(TimePoint now)
     m_reconnectAt.reset();
     m_task = nullptr;
     m_stopUnderWay = false;
+    endSetPoints();
     m_link.connect(now);
     work(now);
 }
@@ -80,8 +81,9 @@ void McbDrive::disconnect(TimePoint now)
     m_closeBy = now + kClosingTime;
     cutAllWishes("disconnected");
     m_watch.watch({}, now);
+    m_setPoints.end(); // frames hold what they carry until the drive has left the cyclic state
     if (m_stream.running() && connected())
-        m_wishes.add(std::make_unique<McbStreamTask>(0, Stream{}, m_stream));
+        m_wishes.add(std::make_unique<McbStreamTask>(0, Stream{}, m_stream, m_setPoints));
     work(now);
 }
 
@@ -141,6 +143,7 @@ std::unique_ptr<WishTask> McbDrive::taskFor(const Wish &wish)
         WishId id;
         const McbBoard &board;
         McbStreamControl &stream;
+        McbSetPoints &setPoints;
         using Made = std::unique_ptr<WishTask>;
 
         Made operator()(const Read &read) { return std::make_unique<McbReadTask>(id, read, board); }
@@ -171,7 +174,11 @@ std::unique_ptr<WishTask> McbDrive::taskFor(const Wish &wish)
         }
         Made operator()(const Stream &wanted)
         {
-            return std::make_unique<McbStreamTask>(id, wanted, stream);
+            return std::make_unique<McbStreamTask>(id, wanted, stream, setPoints);
+        }
+        Made operator()(const CyclicSetPoints &wanted)
+        {
+            return std::make_unique<McbStreamTask>(id, wanted, stream, setPoints);
         }
         // Done at once, before a task is asked for.
         Made refused() const
@@ -182,7 +189,7 @@ std::unique_ptr<WishTask> McbDrive::taskFor(const Wish &wish)
         Made operator()(const UserLimits &) const { return refused(); }
         Made operator()(const ExpertMode &) const { return refused(); }
     };
-    return std::visit(Make{wish.id, m_board, m_stream}, wish.what);
+    return std::visit(Make{wish.id, m_board, m_stream, m_setPoints}, wish.what);
 }
 
 void McbDrive::onLinkEvents(TimePoint now)
@@ -199,11 +206,13 @@ void McbDrive::on(const Link::Done &event, TimePoint now)
         m_vitals.hurry(now);
         return;
     }
-    if (event.end == Link::End::Ok || event.end == Link::End::Refused)
-        m_task->takeResponse(mcbAnswer(event), now);
+    const auto wanted = std::exchange(m_confirming, std::nullopt);
+    const Link::Done done = wanted ? confirmed(event, *wanted) : event;
+    if (done.end == Link::End::Ok || done.end == Link::End::Refused)
+        m_task->takeResponse(mcbAnswer(done), now);
     else
         m_task->takeNoResponse(
-            event.end == Link::End::NotSent ? std::optional(false) : std::nullopt, now);
+            done.end == Link::End::NotSent ? std::optional(false) : std::nullopt, now);
     bool changed = false;
     if (auto *write = dynamic_cast<McbWriteTask *>(m_task))
         changed = write->takeTypeChanged();
@@ -217,6 +226,8 @@ void McbDrive::on(const Link::Done &event, TimePoint now)
 void McbDrive::beginAnew(TimePoint now)
 {
     m_stream.ended();
+    endSetPoints();
+    m_faulty = false;
     m_identification.restart();
     m_vitals.restart(now);
     m_watch.restart(now);
@@ -260,6 +271,7 @@ void McbDrive::on(const Link::Lost &event, TimePoint now)
     m_stopUnderWay = false;
     m_board.expert.clear();
     m_stream.ended();
+    endSetPoints();
     m_reconnectAt = now + (m_stop.blind(now) ? StopSequence::kRepeat : m_config.reconnectEvery);
 }
 
@@ -271,7 +283,8 @@ void McbDrive::onIdentified(TimePoint now)
         mcb::kMostFrameBytes, mcbStateSteps()});
     m_vitals.hurry(now);
     if (m_stream.wanted() && !m_stream.running() && m_mode == Mode::Open)
-        m_wishes.addFirst(std::make_unique<McbStreamTask>(0, m_stream.wish(), m_stream));
+        m_wishes.addFirst(
+            std::make_unique<McbStreamTask>(0, m_stream.wish(), m_stream, m_setPoints));
 }
 
 std::unique_ptr<Drive> makeMcbDrive(const McbDriveConfig &config)

@@ -4,6 +4,8 @@
 #include "drive/mcb/mcb_messages.h"
 #include "drive/motion_of.h"
 
+#include <algorithm>
+
 namespace drive {
 
 namespace {
@@ -17,15 +19,17 @@ void McbDrive::work(TimePoint now)
 {
     m_workedAt = now;
     onLinkEvents(now);
-    takeStatuses(m_vitals.takeStatuses(), m_vitals.askedAt());
+    takeVitals();
     if (m_identification.takeNews())
         onIdentified(now);
     if (m_reconnectAt && now >= *m_reconnectAt && m_mode == Mode::Open) {
         m_reconnectAt.reset();
         m_link.connect(now);
     }
-    if (m_mode == Mode::Open && m_stop.active())
+    if (m_mode == Mode::Open && m_stop.active()) {
+        restSetPoints();
         sendStop(now);
+    }
     if (linkIsFree())
         sendNext(m_vitals, m_watch, now);
     collect(now);
@@ -69,15 +73,20 @@ bool McbDrive::give(Task &task, TimePoint now)
     if (!request)
         return false;
     m_task = &task;
+    const McbRequest wanted = mcbRequestOf(*request);
     if (auto *wish = dynamic_cast<WishTask *>(&task);
         wish != nullptr && wish->motion() && !mcbReads(*request))
-        noteSent(*wish->motion(), *request);
-    const McbRequest wanted = mcbRequestOf(*request);
+        noteSent(*wish->motion(), travels(wanted.request) ? frameWith(wanted.request) : *request);
     switch (wanted.kind) {
     case McbRequest::Kind::One:
-        m_link.send(wanted.request, now);
+        if (travels(wanted.request))
+            sendInFrames(wanted.request, now);
+        else
+            m_link.send(wanted.request, now);
         break;
     case McbRequest::Kind::Map:
+        // In the config state, so that no frame goes out with words of another mapping.
+        m_link.setCyclicOutput(m_setPoints.output(wanted.mapping.rx));
         m_link.switchOn(wanted.mapping, m_stream.period(), now);
         break;
     case McbRequest::Kind::Unmap:
@@ -87,6 +96,82 @@ bool McbDrive::give(Task &task, TimePoint now)
     return true;
 }
 
+/// Whether a set-point is one that goes out with every frame now.
+bool McbDrive::travels(const Link::Request &request) const
+{
+    const auto &rx = m_link.mapping().rx;
+    return request.command == mcb::Command::Write && m_link.state() == Link::State::Cyclic
+        && std::any_of(rx.begin(), rx.end(),
+            [&](const mcb::MappedRegister &one) { return one.address == request.address; });
+}
+
+/// The first one that has the new value.
+Bytes McbDrive::frameWith(const Link::Request &request) const
+{
+    McbSetPoints after = m_setPoints;
+    after.set(request.address, request.words);
+    mcb::Frame frame{request.address, mcb::Command::Read, false, {}, {}};
+    frame.cyclic = after.output(m_link.mapping().rx);
+    frame.cyclic.resize(m_link.mapping().words());
+    return mcb::encodeFrame(frame);
+}
+
+/// The frame that asks for the register has its new value already, and so has every one after it: what is read back is
+/// the answer.
+void McbDrive::sendInFrames(const Link::Request &request, TimePoint now)
+{
+    m_setPoints.set(request.address, request.words);
+    m_link.setCyclicOutput(m_setPoints.output(m_link.mapping().rx));
+    m_confirming = request.words;
+    m_link.send({mcb::Command::Read, request.address}, now);
+}
+
+mcb::Master::Done McbDrive::confirmed(const Link::Done &read, const mcb::Words &wanted)
+{
+    Link::Done write = read;
+    if (read.end == Link::End::NotSent)
+        write.end = Link::End::Unknown; // the question was not, but the value may have been
+    if (read.end != Link::End::Ok)
+        return write;
+    const bool same = read.words.size() >= wanted.size()
+        && std::equal(wanted.begin(), wanted.end(), read.words.begin());
+    if (!same) { // the drive has its own mind: it is left with it
+        write.end = Link::End::Refused;
+        write.code = kOtherValueRead;
+        m_setPoints.set(read.request.address,
+            mcb::WordView(read.words).first(std::min(wanted.size(), read.words.size())));
+        m_link.setCyclicOutput(m_setPoints.output(m_link.mapping().rx));
+    }
+    return write;
+}
+
+void McbDrive::restSetPoints()
+{
+    m_setPoints.rest();
+    m_link.setCyclicOutput({});
+}
+
+void McbDrive::endSetPoints()
+{
+    m_setPoints.end();
+    m_link.setCyclicOutput({});
+    m_confirming.reset();
+}
+
+/// A motor that a fault has stopped does not go back to its set-point when the fault is over.
+void McbDrive::takeVitals()
+{
+    auto statuses = m_vitals.takeStatuses();
+    for (const MotorStatus &status : statuses) {
+        const bool fault =
+            status.state == MotorState::FaultNow || status.state == MotorState::FaultOver;
+        if (fault && !std::exchange(m_faulty, fault))
+            restSetPoints();
+        m_faulty = fault;
+    }
+    takeStatuses(std::move(statuses), m_vitals.askedAt());
+}
+
 void McbDrive::close(TimePoint now)
 {
     const bool busy = m_task != nullptr || m_wishes.next(false) != nullptr;
@@ -94,6 +179,7 @@ void McbDrive::close(TimePoint now)
         return;
     cutAllWishes("disconnected");
     m_stream.close();
+    endSetPoints();
     m_link.close();
     m_task = nullptr;
     m_stopUnderWay = false;
@@ -110,6 +196,8 @@ void McbDrive::collect(TimePoint now)
     collectWishes();
     if (auto readings = m_watch.takeReadings(); !readings.empty())
         m_events.emplace_back(RegistersRead{std::move(readings)});
+    if (m_setPoints.wanted() != m_toldCyclic)
+        m_events.emplace_back(CyclicSetPointsChanged{m_toldCyclic = m_setPoints.wanted()});
     m_stream.flush(now);
     for (Event &event : m_stream.takeEvents())
         m_events.push_back(std::move(event));

@@ -48,10 +48,17 @@ private:
     bool sendStop(TimePoint now);
     bool sendFirst(TimePoint now) override;
     bool give(Task &task, TimePoint now) override;
+    bool travels(const Link::Request &request) const;
+    Bytes frameWith(const Link::Request &request) const;
+    void sendInFrames(const Link::Request &request, TimePoint now);
+    Link::Done confirmed(const Link::Done &read, const mcb::Words &wanted);
+    void restSetPoints();
+    void endSetPoints();
     bool linkIsFree() const { return m_link.canSend() && m_task == nullptr && !m_stopUnderWay; }
     void close(TimePoint now);
 
     // what is told
+    void takeVitals();
     void tellLinkState();
     void tellLinkCounters(TimePoint now);
     void collect(TimePoint now);
@@ -67,6 +74,10 @@ private:
     McbVitals m_vitals{m_board};
     McbWatch m_watch{m_board};
     McbStreamControl m_stream{m_board};
+    McbSetPoints m_setPoints{m_board};
+    /// Words of a set-point that travels and is being read back: the answer to its write.
+    std::optional<mcb::Words> m_confirming;
+    bool m_toldCyclic = false, m_faulty = false;
 
     bool m_stopUnderWay = false;
     TimePoint m_stopSince;

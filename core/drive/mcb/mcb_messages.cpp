@@ -135,6 +135,8 @@ std::string hexText(std::uint64_t number, int digits)
 
 std::string mcbWordOf(std::uint32_t code)
 {
+    if (code == kOtherValueRead)
+        return "another value is read back";
     return std::string(meaningOf(code)) + " (" + hexText(code, 8) + ")";
 }
 

@@ -46,6 +46,9 @@ struct McbAnswer {
 Bytes mcbAnswer(const mcb::Master::Done &done);
 McbAnswer mcbAnswerOf(ByteView response);
 
+/// In the place of a code, but ours: the drive took the value, and another one is read back.
+constexpr std::uint32_t kOtherValueRead = 0xFFFFFFFF;
+
 /// What a code means, and the code: "no such register (0x06020000)".
 std::string mcbWordOf(std::uint32_t code);
 std::string hexText(std::uint64_t number, int digits);

@@ -1,9 +1,14 @@
 #include "drive/mcb/mcb_stream.h"
 
 #include "drive/mcb/mcb_catalog.h"
+#include "drive/mcb/mcb_identification.h"
 #include "drive/mcb/mcb_messages.h"
+#include "drive/mcb/mcb_reader.h"
+#include "drive/stop_sequence.h"
+#include "drive/values.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace drive {
 
@@ -51,6 +56,7 @@ std::string McbStreamControl::refuse(const Stream &stream) const
 void McbStreamControl::begin(const Stream &stream, const std::vector<RegisterId> &ids)
 {
     m_wanted = stream;
+    m_running = true;
     m_infos.clear();
     capture::StreamLayout layout;
     layout.id = ++m_lastStream;
@@ -65,7 +71,9 @@ void McbStreamControl::begin(const Stream &stream, const std::vector<RegisterId>
         layout.slow.push_back(std::move(signal));
         m_infos.push_back(info);
     }
-    m_layout = std::move(layout);
+    m_layout.reset();
+    if (!ids.empty())
+        m_layout = std::move(layout);
     m_announced = m_broken = false;
     m_block = {};
     m_blockSince.reset();
@@ -79,6 +87,7 @@ void McbStreamControl::ended()
         add(std::exchange(m_block, {}));
     m_blockSince.reset();
     m_layout.reset();
+    m_running = false;
     if (std::exchange(m_announced, false))
         m_events.emplace_back(StreamStarted{});
 }
@@ -141,95 +150,209 @@ void McbStreamControl::flush(TimePoint now)
     m_blockSince.reset();
 }
 
-McbStreamTask::McbStreamTask(WishId id, const Stream &stream, McbStreamControl &control)
+McbStreamTask::McbStreamTask(
+    WishId id, const Stream &stream, McbStreamControl &control, McbSetPoints &setPoints)
     : WishTask(id, Permission::Always)
     , m_control(control)
+    , m_setPoints(setPoints)
     , m_stream(stream)
 {
-    for (const auto *list : {&stream.fast, &stream.slow})
+}
+
+McbStreamTask::McbStreamTask(
+    WishId id, const CyclicSetPoints &wanted, McbStreamControl &control, McbSetPoints &setPoints)
+    : WishTask(id, wanted.on ? Permission::Armed : Permission::Always)
+    , m_control(control)
+    , m_setPoints(setPoints)
+    , m_turn(wanted.on)
+{
+}
+
+mcb::Mapping McbStreamTask::mapping() const
+{
+    mcb::Mapping mapping;
+    if (travels())
+        mapping.rx = m_setPoints.entries();
+    for (const RegisterId id : m_ids)
+        if (const mcb::Info *info = m_control.m_board.infoOf(mcbAddressOf(id)))
+            mapping.tx.push_back({mcbAddressOf(id), info->size});
+    return mapping;
+}
+
+std::string McbStreamTask::refuse() const
+{
+    if (m_turn.value_or(false))
+        if (auto why = m_control.m_board.reasonAgainst(Feature::CyclicSetPoints); !why.empty())
+            return why;
+    if (m_ids.empty())
+        return {};
+    if (auto why = m_control.refuse(m_stream); !why.empty())
+        return why;
+    if (m_ids.size() > mcb::kMostMapped)
+        return "at most " + std::to_string(mcb::kMostMapped) + " signals at a time";
+    return mapping().possible() ? std::string() : "these signals do not fit into one frame";
+}
+
+bool McbStreamTask::plan()
+{
+    if (m_turn && *m_turn == m_setPoints.wanted()) {
+        end(Outcome::Ok);
+        return false;
+    }
+    if (m_turn)
+        m_stream = m_control.wish();
+    for (const auto *list : {&m_stream.fast, &m_stream.slow})
         for (const RegisterId one : *list)
             if (std::find(m_ids.begin(), m_ids.end(), one) == m_ids.end())
                 m_ids.push_back(one);
+    if (auto why = refuse(); !why.empty()) {
+        end(Outcome::Refused, std::move(why));
+        return false;
+    }
+    if (m_turn.value_or(false))
+        m_steps = {{Step::Standing, mcbreg::kStatus}, {Step::Standing, mcbreg::kVelocityNow}};
+    const mcb::Mapping wanted = mapping();
+    for (const auto *list : {&wanted.tx, &wanted.rx})
+        for (const mcb::MappedRegister &one : *list)
+            m_steps.push_back({Step::Info, one.address});
+    for (const mcb::MappedRegister &one : wanted.rx)
+        m_steps.push_back({Step::Hold, one.address});
+    if (m_control.running())
+        m_steps.push_back({Step::Unmap});
+    if (wanted.possible())
+        m_steps.push_back({Step::Map});
+    if (m_steps.empty())
+        finish();
+    return !finished();
 }
 
 std::optional<Bytes> McbStreamTask::nextRequest(TimePoint)
 {
-    if (finished())
+    if (finished() || (!std::exchange(m_planned, true) && !plan()))
         return std::nullopt;
-    const bool stops = m_ids.empty();
-    mcb::Mapping mapping;
-    for (const RegisterId id : m_ids)
-        if (const mcb::Info *info = m_control.m_board.infoOf(mcbAddressOf(id)))
-            mapping.tx.push_back({mcbAddressOf(id), info->size});
-    if (m_step == Step::Begin && !stops) {
-        std::string why = m_control.refuse(m_stream);
-        if (why.empty() && mapping.tx.size() > mcb::kMostMapped)
-            why = "at most " + std::to_string(mcb::kMostMapped) + " signals at a time";
-        if (why.empty() && !mapping.possible())
-            why = "these signals do not fit into one frame";
-        if (!why.empty()) {
-            end(Outcome::Refused, why);
-            return std::nullopt;
-        }
+    const Planned &next = m_steps.front();
+    switch (next.step) {
+    case Step::Standing:
+    case Step::Hold:
+        return mcbRead(next.address);
+    case Step::Info:
+        return mcbInfo(next.address);
+    case Step::Unmap:
+        markSent();
+        return mcbUnmap();
+    case Step::Map:
+        break;
     }
-    if (m_step == Step::Begin || m_step == Step::Unmap) {
-        m_step = m_control.running() ? Step::Unmap : Step::Infos;
-        if (m_step == Step::Unmap) {
-            markSent();
-            return mcbUnmap();
-        }
-        if (stops) {
-            m_control.m_wanted = {};
-            end(Outcome::Ok);
-            return std::nullopt;
-        }
+    const mcb::Mapping wanted = mapping();
+    if (!wanted.possible()) { // the set-points went with a reset, and there is nothing else
+        fail(Outcome::NotSent, "the drive was reset");
+        return std::nullopt;
     }
-    if (m_step == Step::Infos && m_asked < m_ids.size())
-        return mcbInfo(mcbAddressOf(m_ids[m_asked]));
-    m_step = Step::Map;
     markSent();
     m_control.m_period = m_stream.fastEvery * kExchange;
-    return mcbMap(mapping);
+    return mcbMap(wanted);
+}
+
+/// Why the motor does not count as standing; empty if it may.
+std::string McbStreamTask::takeStanding(std::uint16_t address, const McbAnswer &answer) const
+{
+    constexpr const char *kMoves = "only while the motor stands";
+    constexpr double kSecondsPerMinute = 60.0;
+    const auto value =
+        answer.ok ? mcbValueOf(m_control.m_board, address, answer.words) : std::optional<Value>();
+    const auto number = value ? asNumber(*value) : std::nullopt;
+    if (!number)
+        return "the drive does not tell whether the motor stands";
+    if (address == mcbreg::kStatus)
+        return mcbStateOf(static_cast<std::uint16_t>(*number)).state == MotorState::Idle
+            ? std::string()
+            : kMoves;
+    return std::abs(*number) * kSecondsPerMinute <= StopSequence::kStandstillRpm ? std::string()
+                                                                                 : kMoves;
+}
+
+void McbStreamTask::takeInfo(std::uint16_t address, const McbAnswer &answer)
+{
+    const std::string name = m_control.m_board.catalog->nameOf(mcbIdOf(address));
+    if (!answer.ok || answer.words.size() < 2)
+        return fail(Outcome::Refused, name + ": " + mcbWordOf(answer.code));
+    if (mcb::infoOf({answer.words[0], answer.words[1], 0, 0})
+        != *m_control.m_board.infoOf(address)) {
+        m_typeChanged = true;
+        fail(Outcome::Refused, name + ": has another type than it had");
+    }
 }
 
 void McbStreamTask::takeResponse(ByteView response, TimePoint)
 {
-    const McbAnswer answer = mcbAnswerOf(response);
-    if (finished())
+    if (finished() || m_steps.empty())
         return;
-    switch (m_step) {
-    case Step::Begin:
+    const McbAnswer answer = mcbAnswerOf(response);
+    const Planned done = m_steps.front();
+    m_steps.pop_front();
+    switch (done.step) {
+    case Step::Standing:
+        if (auto why = takeStanding(done.address, answer); !why.empty())
+            fail(Outcome::Refused, std::move(why));
+        break;
+    case Step::Info:
+        takeInfo(done.address, answer);
+        break;
+    case Step::Hold:
+        if (!answer.ok)
+            fail(Outcome::Refused, mcbWordOf(answer.code));
+        else if (!m_setPoints.wanted()) // else the words that travel are what the drive has
+            m_setPoints.set(done.address, answer.words);
         break;
     case Step::Unmap:
         if (!answer.ok)
-            return end(Outcome::Refused, mcbWordOf(answer.code));
+            return fail(Outcome::Refused, mcbWordOf(answer.code));
+        m_unmapped = true;
         m_control.ended();
         break;
-    case Step::Infos: {
-        const RegisterId id = m_ids[m_asked++];
-        const std::string name = m_control.m_board.catalog->nameOf(id);
-        if (!answer.ok || answer.words.size() < 2)
-            return end(Outcome::Refused, name + ": " + mcbWordOf(answer.code));
-        if (mcb::infoOf({answer.words[0], answer.words[1], 0, 0})
-            != *m_control.m_board.infoOf(mcbAddressOf(id))) {
-            m_typeChanged = true;
-            return end(Outcome::Refused, name + ": has another type than it had");
-        }
-        break;
-    }
     case Step::Map:
         if (!answer.ok)
-            return end(Outcome::Refused, mcbWordOf(answer.code));
+            return fail(Outcome::Refused, mcbWordOf(answer.code));
         m_control.begin(m_stream, m_ids);
-        end(Outcome::Ok);
         break;
     }
+    if (!finished() && m_steps.empty())
+        finish();
+}
+
+void McbStreamTask::finish()
+{
+    const bool travels = this->travels() && m_control.running();
+    if (!travels)
+        m_setPoints.end();
+    else
+        m_setPoints.begin();
+    if (m_ids.empty())
+        m_control.m_wanted = {};
+    end(Outcome::Ok);
+}
+
+/// Once the cyclic state was left, nothing travels any more.
+void McbStreamTask::fail(Outcome outcome, std::string reason)
+{
+    if (m_unmapped || m_turn.value_or(false))
+        m_setPoints.end();
+    end(outcome, std::move(reason));
 }
 
 void McbStreamTask::takeNoResponse(std::optional<bool> executed, TimePoint)
 {
     const bool notExecuted = executed.has_value() && !*executed;
-    end(notExecuted ? Outcome::NotSent : Outcome::Unknown, "no answer");
+    const bool asks = !m_steps.empty() && m_steps.front().step != Step::Unmap
+        && m_steps.front().step != Step::Map;
+    fail(notExecuted || asks ? Outcome::NotSent : Outcome::Unknown, "no answer");
+}
+
+void McbStreamTask::cut(const std::string &reason)
+{
+    if (!finished() && m_unmapped)
+        m_setPoints.end();
+    WishTask::cut(reason);
 }
 
 } // namespace drive

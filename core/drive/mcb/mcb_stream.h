@@ -5,9 +5,11 @@
 #pragma once
 
 #include "drive/mcb/mcb_board.h"
+#include "drive/mcb/mcb_set_points.h"
 #include "drive/task.h"
 #include "mcb/master.h"
 
+#include <deque>
 #include <memory>
 
 namespace drive {
@@ -31,7 +33,7 @@ public:
     std::vector<Event> takeEvents() { return std::exchange(m_events, {}); }
     bool wanted() const { return !m_wanted.fast.empty() || !m_wanted.slow.empty(); }
     const Stream &wish() const { return m_wanted; }
-    bool running() const { return m_layout.has_value(); }
+    bool running() const { return m_running; } ///< the cyclic state, with signals or without
     Duration period() const { return m_period; }
     std::uint64_t packets() const { return m_packets; }
     std::uint64_t lost() const { return m_lost; }
@@ -46,7 +48,8 @@ private:
     const McbBoard &m_board;
     Stream m_wanted;
     Duration m_period{};
-    std::optional<capture::StreamLayout> m_layout; ///< of what runs
+    bool m_running = false;
+    std::optional<capture::StreamLayout> m_layout; ///< of what runs, if it has signals
     std::vector<mcb::Info> m_infos; ///< of its signals
     bool m_announced = false, m_broken = false;
     TimePoint m_origin{}; ///< tick 0
@@ -58,25 +61,46 @@ private:
     std::vector<Event> m_events;
 };
 
-/// A stream wish: out of the cyclic state where there is one, types asked, mapping written, into it.
+/// Into the cyclic state with other signals than before, with set-points or without: types are asked and set-points read,
+/// then it is left where it is, the mapping written, and entered. So what is refused leaves everything as it was.
 class McbStreamTask : public WishTask {
 public:
-    McbStreamTask(WishId id, const Stream &stream, McbStreamControl &control);
+    /// Set-points travel on if they did.
+    McbStreamTask(
+        WishId id, const Stream &stream, McbStreamControl &control, McbSetPoints &setPoints);
+    /// The signals stay as they are.
+    McbStreamTask(WishId id, const CyclicSetPoints &wanted, McbStreamControl &control,
+        McbSetPoints &setPoints);
 
     std::optional<Bytes> nextRequest(TimePoint now) override;
     void takeResponse(ByteView response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+    void cut(const std::string &reason) override;
     bool takeTypeChanged() { return std::exchange(m_typeChanged, false); }
 
 private:
-    enum class Step : std::uint8_t { Begin, Unmap, Infos, Map };
+    enum class Step : std::uint8_t { Standing, Info, Hold, Unmap, Map };
+    struct Planned {
+        Step step = Step::Map;
+        std::uint16_t address = 0; ///< not of Unmap and Map
+    };
+
+    bool plan(); ///< false: it has ended already
+    std::string refuse() const;
+    bool travels() const { return m_turn.value_or(m_setPoints.wanted()); }
+    mcb::Mapping mapping() const;
+    void finish();
+    void fail(Outcome outcome, std::string reason);
+    std::string takeStanding(std::uint16_t address, const struct McbAnswer &answer) const;
+    void takeInfo(std::uint16_t address, const struct McbAnswer &answer);
 
     McbStreamControl &m_control;
+    McbSetPoints &m_setPoints;
+    std::optional<bool> m_turn; ///< of a wish for set-points
     Stream m_stream;
     std::vector<RegisterId> m_ids; ///< fast, then slow, each once
-    std::size_t m_asked = 0;
-    Step m_step = Step::Begin;
-    bool m_typeChanged = false;
+    std::deque<Planned> m_steps; ///< the first one is asked
+    bool m_planned = false, m_unmapped = false, m_typeChanged = false;
 };
 
 } // namespace drive

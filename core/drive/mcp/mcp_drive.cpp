@@ -112,6 +112,10 @@ std::unique_ptr<WishTask> McpDrive::taskFor(const Wish &wish)
         return std::make_unique<SetPointTask>(wish.id, *current, m_board);
     if (const auto *position = std::get_if<PositionRamp>(&wish.what))
         return std::make_unique<PositionTask>(wish.id, *position, m_board);
+    if (const auto *cyclic = std::get_if<CyclicSetPoints>(&wish.what))
+        return std::make_unique<RefusedTask>(wish.id,
+            cyclic->on ? Permission::Armed : Permission::Always,
+            m_board.reasonAgainst(Feature::CyclicSetPoints));
     return std::make_unique<StreamTask>(wish.id, std::get<Stream>(wish.what), m_stream);
 }
 

@@ -130,6 +130,8 @@ std::vector<Capability> capabilitiesOf(const McpBoard &board, const MotorDescrip
             || (first.firmware->flags1 & kPositionFlag) == 0))
         position = "This build has no position control.";
     add(Feature::PositionRamp, position);
+    add(Feature::CyclicSetPoints,
+        "Boards of this protocol take each set-point as a request of its own.");
     return all;
 }
 

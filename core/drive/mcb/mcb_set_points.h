@@ -1,0 +1,43 @@
+// Set-points that travel in every cyclic frame, instead of as a write of their own: which registers, and the words that go
+// out in them. It sends nothing itself.
+//
+// Only set-points whose zero is rest are mapped, the velocity and the currents: whoever meets a drive that cycles cannot
+// know its mapping and has to send zeros until it has left that state, and a position of zero would be a journey.
+//
+// Before the mapping the words are read from the drive, so that mapping moves nothing. From then on they change by a
+// person's wish alone, but go to zero with a stop and when a fault comes up. Disarming holds them: it is no act on the
+// motor. A reset or a lost link ends all of it, and only a person begins it again.
+#pragma once
+
+#include "drive/mcb/mcb_board.h"
+#include "mcb/mapping.h"
+
+namespace drive {
+
+class McbSetPoints {
+public:
+    explicit McbSetPoints(const McbBoard &board)
+        : m_board(board)
+    {
+    }
+
+    /// In the order of the mapping; empty: this drive takes none of them so.
+    std::vector<mcb::MappedRegister> entries() const;
+
+    bool wanted() const { return m_wanted; } ///< asked for, and mapped
+    void begin() { m_wanted = true; }
+    void end(); ///< asked for no longer, or impossible now: the words are forgotten
+
+    /// What goes out for this register. @param words  as many as it has, at least
+    void set(std::uint16_t address, mcb::WordView words);
+    void rest(); ///< all of them zero
+    /// Of a frame with this mapping.
+    mcb::Words output(const std::vector<mcb::MappedRegister> &rx) const;
+
+private:
+    const McbBoard &m_board;
+    bool m_wanted = false;
+    std::map<std::uint16_t, mcb::Words> m_words;
+};
+
+} // namespace drive
