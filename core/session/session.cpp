@@ -16,6 +16,8 @@ namespace {
 constexpr Duration kReopenEvery = std::chrono::milliseconds(500);
 /// How long a drive may take to end its streaming before the port is closed under it.
 constexpr Duration kFarewell = std::chrono::milliseconds(300);
+constexpr Duration kLeastBetweenWakes = std::chrono::microseconds(900);
+constexpr Duration kLongestWait = std::chrono::seconds(60);
 constexpr int kMostRounds = 16; ///< of output and its consequences in one turn
 
 const auto kStopEvent = static_cast<QEvent::Type>(QEvent::registerEventType());
@@ -38,9 +40,10 @@ Session::Session(Parts parts, QObject *parent)
     qRegisterMetaType<PortError>("session::PortError");
     qRegisterMetaType<Endpoint>("session::Endpoint");
     qRegisterMetaType<drive::Wish>("drive::Wish");
-    m_timer.setSingleShot(true);
-    m_timer.setTimerType(Qt::PreciseTimer);
-    connect(&m_timer, &QTimer::timeout, this, [this] { step(m_parts.clock()); });
+    connect(&m_timer, &WakeTimer::due, this, [this] {
+        m_wokenAt = m_parts.clock();
+        step(m_wokenAt);
+    });
 }
 
 Session::~Session()
@@ -391,8 +394,8 @@ std::optional<TimePoint> Session::nextStep() const
     return next;
 }
 
-/// Never 0 ms: whatever was due has just been done, and a drive that is always due must not starve
-/// the port.
+/// Exact, so that a drive that is asked every millisecond is asked in each; but not much oftener than that, because a drive
+/// that is always due must not starve the port, nor a simulated motor the processor.
 void Session::armTimer(TimePoint now)
 {
     const std::optional<TimePoint> next = nextStep();
@@ -400,9 +403,8 @@ void Session::armTimer(TimePoint now)
         m_timer.stop();
         return;
     }
-    using std::chrono::milliseconds;
-    const auto wait = std::chrono::ceil<milliseconds>(*next - now);
-    m_timer.start(std::clamp(wait, milliseconds(1), milliseconds(60'000)));
+    m_timer.start(
+        std::min<Duration>(std::max(*next, m_wokenAt + kLeastBetweenWakes) - now, kLongestWait));
 }
 
 } // namespace session

@@ -19,9 +19,9 @@
 #include "session/endpoint.h"
 #include "session/outbox.h"
 #include "session/transport.h"
+#include "session/wake_timer.h"
 
 #include <QObject>
-#include <QTimer>
 
 #include <atomic>
 #include <functional>
@@ -109,7 +109,8 @@ private:
     bool linked() const { return m_phase == Phase::Open || m_phase == Phase::Closing; }
 
     Parts m_parts;
-    QTimer m_timer;
+    WakeTimer m_timer;
+    TimePoint m_wokenAt{}; ///< by it
     Phase m_phase = Phase::Closed;
     TimePoint m_deadline{};
     Endpoint m_endpoint;
