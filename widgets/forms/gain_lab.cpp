@@ -344,6 +344,10 @@ QString GainLab::obstacle() const
 {
     if (!m_model.catalog())
         return tr("Connect a board: the gains are for its registers.");
+    if (gainsInUnits(m_model))
+        return tr(
+            "This drive's gains are numbers in units, and its current loop is not the one whose "
+            "rule is used here: set them among the regulators.");
     for (const analysis::PlannedGain &gain : m_plan.gains)
         for (const QString &name :
             {QString(QLatin1String(gainRegister(gain.id))), divisorOf(gain.id)})

@@ -36,8 +36,9 @@ enum Kind {
     Observer1,
     Observer2,
     PerUnit,
+    InUnits, ///< not digits: a number in the unit that the board's catalogue tells
 };
-constexpr std::size_t kKinds = PerUnit + 1;
+constexpr std::size_t kKinds = InUnits + 1;
 
 struct Spec {
     const char *name = nullptr; ///< of the register; nullptr: there is none here
@@ -71,11 +72,21 @@ constexpr std::array kRows{
         {{{"FOC_KP_IDQ", PerUnit, false}, {"FOC_WI_IDQ", PerUnit, false}, {}}}},
     RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Speed"),
         {{{"FOC_KP_SPD", PerUnit, false}, {"FOC_KI_SPD", PerUnit, false}, {}}}},
+    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Torque (Iq)"),
+        {{{"CL_CUR_Q_KP", InUnits, false}, {"CL_CUR_Q_KI", InUnits, false}, {}}}},
+    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Flux (Id)"),
+        {{{"CL_CUR_D_KP", InUnits, false}, {"CL_CUR_D_KI", InUnits, false}, {}}}},
+    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Speed"),
+        {{{"CL_VEL_PID_KP", InUnits, false}, {"CL_VEL_PID_KI", InUnits, false},
+            {"CL_VEL_PID_KD", InUnits, false}}}},
+    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Position"),
+        {{{"CL_POS_PID_KP", InUnits, false}, {"CL_POS_PID_KI", InUnits, false},
+            {"CL_POS_PID_KD", InUnits, false}}}},
 };
 
 constexpr int kColumnsAGain = 4; ///< numerator, slash, divisor, physical
 constexpr double kPllShare = 0.5; ///< of the highest speed, where a PLL is told
-constexpr int kNumeratorDigits = 6, kDivisorDigits = 2;
+constexpr int kNumeratorDigits = 6, kDivisorDigits = 2, kRealDigits = 10;
 
 struct GainTexts {
     Q_DECLARE_TR_FUNCTIONS(GainTexts)
@@ -134,6 +145,25 @@ Physical positionGain(Kind kind, double digits, const analysis::GainPlant &plant
     default:
         return {gainWithUnit(gains.kd, QStringLiteral("A\u00b7s/rad")), hint, true};
     }
+}
+
+bool isReal(const RegisterModel &model, catalog::RegisterId id)
+{
+    const auto catalog = model.catalog();
+    const catalog::RegisterInfo *info = catalog ? catalog->find(id) : nullptr;
+    return info != nullptr && info->type == catalog::ValueType::F32;
+}
+
+/// As the drive's own dictionary has it.
+Physical inUnits(const RegisterModel &model, std::optional<catalog::RegisterId> id)
+{
+    const auto catalog = model.catalog();
+    const catalog::RegisterInfo *info = catalog && id ? catalog->find(*id) : nullptr;
+    if (info == nullptr)
+        return {};
+    if (info->unit.empty())
+        return unknown(deviceText(info->help));
+    return {deviceText(info->unit), deviceText(info->help)};
 }
 
 /// Where ST's rule would put it for this motor.
@@ -216,7 +246,7 @@ void GainTable::addGain(
         connect(made, &RegisterField::entryRefused, this, &GainTable::entryRefused);
         return made;
     };
-    gain.numerator = field(QLatin1String(name), kNumeratorDigits);
+    gain.numerator = field(QLatin1String(name), kind == InUnits ? kRealDigits : kNumeratorDigits);
     grid->addWidget(gain.numerator, row, first);
     if (divided) {
         auto *slash = new QLabel(QStringLiteral("/ 2^"), this);
@@ -261,7 +291,9 @@ void GainTable::updateRows()
     std::vector<bool> rows(m_titles.size()), places(m_heads.size());
     for (const Gain &gain : m_gains) {
         // Many registers exist in the catalogue and not in this build; the board says so when asked.
-        const bool there = gain.numerator->id() && m_model.supported(*gain.numerator->id());
+        const auto id = gain.numerator->id();
+        const bool there = id && m_model.supported(*id)
+            && (gain.kind >= PerUnit || !isReal(m_model, *id)); // an older name of another drive's
         for (QWidget *part : std::initializer_list<QWidget *>{
                  gain.numerator, gain.slash, gain.divisor, gain.physical})
             if (part)
@@ -319,7 +351,9 @@ void GainTable::updatePhysical()
         const auto kind = static_cast<Kind>(gain.kind);
         const auto value = digitsOf(gain);
         Physical shown;
-        if (kind == PerUnit)
+        if (kind == InUnits)
+            shown = inUnits(m_model, gain.numerator->id());
+        else if (kind == PerUnit)
             shown = unknown(tr("This firmware counts per unit and does not say of what."));
         else if (!value)
             shown = {QStringLiteral("\u2013"), tr("Not read yet.")};

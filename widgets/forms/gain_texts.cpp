@@ -1,6 +1,7 @@
 #include "widgets/forms/gain_texts.h"
 
 #include "widgets/forms/gain_number.h"
+#include "widgets/registers/register_model.h"
 
 #include <QCoreApplication>
 
@@ -25,6 +26,13 @@ constexpr analysis::PerGain<Row> kRows{
 const Row &rowOf(GainId id) { return kRows[analysis::indexOf(id)]; }
 
 } // namespace
+
+bool gainsInUnits(const RegisterModel &model)
+{
+    const auto catalog = model.catalog();
+    return catalog && catalog->find(gainRegister(GainId::TorqueKp)) == nullptr
+        && catalog->find("CL_CUR_Q_KP") != nullptr;
+}
 
 const char *gainRegister(GainId id) { return rowOf(id).name; }
 

@@ -7,6 +7,10 @@
 
 namespace widgets {
 
+class RegisterModel;
+
+/// The board's gains are numbers in units of their own, not digits over a divisor.
+bool gainsInUnits(const RegisterModel &model);
 /// Of the numerator's register; its divisor's ends in "_DIV".
 const char *gainRegister(analysis::GainId id);
 /// "V/A", "A/rad"; the same in every language.

@@ -127,6 +127,8 @@ void GainsForm::showBoard(const drive::MotorFacts &facts)
                   .arg(significantText(facts.bus_v), significantText(1.0 / facts.ampsPerDigit),
                       significantText(1e-3 / facts.controlPeriod_s),
                       significantText(1e-3 / facts.speedPeriod_s))
+            : gainsInUnits(m_model)
+            ? tr("The gains of this drive are in the units that stand beside them.")
             : m_model.catalog() && m_factRegisters.empty()
             ? tr("This board does not say what its digits are worth.")
             : QString());
