@@ -37,6 +37,7 @@ private Q_SLOTS:
     void sixtySecondsWithoutALostFrame();
     void aDamagedFrameIsAGap();
     void registersAreReadWhileItStreams();
+    void theWatchedRegistersMayChangeWhileOneIsAsked();
     void aResetWhileItStreamsIsToldAndTakenUp();
     void aDriveThatCyclesIsMet();
     void aDeadLineIsTold();
@@ -447,6 +448,27 @@ void TestMcbDrive::registersAreReadWhileItStreams()
     QVERIFY(pair.ask(Stream{}).outcome == Outcome::Ok);
     QVERIFY(pair.layout->empty());
     QVERIFY(!pair.board->slave().cyclic());
+}
+
+void TestMcbDrive::theWatchedRegistersMayChangeWhileOneIsAsked()
+{
+    McbPair pair;
+    QVERIFY(pair.meet());
+    const std::vector<RegisterId> ids{
+        pair.id("SPEED_MEAS"), pair.id("I_Q_MEAS"), pair.id("MOT_PAIR_POLES")};
+    // In the cyclic state an answer takes frames, so that a question is open between two of them.
+    QVERIFY(pair.ask(streamOf({pair.id("BUS_VOLTAGE")})).outcome == Outcome::Ok);
+    for (int change = 0; change < 60; ++change) {
+        pair.values.clear();
+        pair.submit(Watch{{ids[static_cast<std::size_t>(change) % 3]}, 1ms});
+        pair.runFor(std::chrono::milliseconds(1 + change % 4));
+        for (const auto &[id, reading] : pair.values)
+            QVERIFY(std::find(ids.begin(), ids.end(), id) != ids.end());
+    }
+    pair.submit(Watch{ids, 1ms});
+    pair.values.clear();
+    pair.runFor(100ms);
+    QCOMPARE(pair.values.size(), std::size_t{3});
 }
 
 void TestMcbDrive::aResetWhileItStreamsIsToldAndTakenUp()

@@ -56,6 +56,8 @@ std::optional<Bytes> McbVitals::nextRequest(TimePoint now)
 
 void McbVitals::takeResponse(ByteView response, TimePoint now)
 {
+    if (m_reader.finished())
+        return; // begun anew while it was asked
     Reading reading = m_reader.takeResponse(response, m_board, now);
     if (reading.status == ReadStatus::Ok)
         m_round[reading.id] = std::move(reading.value);
@@ -64,6 +66,8 @@ void McbVitals::takeResponse(ByteView response, TimePoint now)
 
 void McbVitals::takeNoResponse(std::optional<bool>, TimePoint now)
 {
+    if (m_reader.finished())
+        return;
     m_reader.takeNoResponse();
     afterAnswer(now);
 }

@@ -25,12 +25,16 @@ std::optional<Bytes> McbWatch::nextRequest(TimePoint now)
 
 void McbWatch::takeResponse(ByteView response, TimePoint now)
 {
+    if (m_reader.finished())
+        return; // the list was changed while this one was asked
     m_round.take(m_reader.takeResponse(response, m_board, now));
     planNextRound(now);
 }
 
 void McbWatch::takeNoResponse(std::optional<bool>, TimePoint now)
 {
+    if (m_reader.finished())
+        return;
     m_reader.takeNoResponse();
     planNextRound(now);
 }
