@@ -1,6 +1,7 @@
 // The static board of the older serial protocol where firmware surprises: half duplex, the frame timer, old bytes, what
 // waits for the motor to run, and how a client brings a half received frame to its end.
 #include "simulation/legacy/legacy_board.h"
+#include "simulation/legacy/legacy_motor_board.h"
 
 #include <QtTest>
 
@@ -36,6 +37,7 @@ private Q_SLOTS:
     void aHalfReceivedFrameCanAlwaysBeFilledUp();
     void faultsOfTheLineAreAsAsked();
     void aResetMakesItAsItWas();
+    void aMotorGoesThroughTheStatesOfAMoment();
 };
 
 namespace {
@@ -346,6 +348,37 @@ void TestLegacyBoard::aResetMakesItAsItWas()
     bench.send({0x02, 0x01});
     bench.board.reset();
     QCOMPARE(bench.ask(0x02, {0x05}), encodeAck(Bytes{0, 0}));
+}
+
+void TestLegacyBoard::aMotorGoesThroughTheStatesOfAMoment()
+{
+    BoardOptions options;
+    options.profile = "legacy";
+    options.baud = 460800; // a question and its answer within a turn of the medium-frequency task
+    const auto board = makeLegacyBoard(options);
+    TimePoint now{};
+    std::vector<int> seen;
+    const auto look = [&](Duration time) {
+        for (const TimePoint end = now + time; now < end;) {
+            board->receive(encodeFrame(0x22, Bytes{0x02}), now); // STATUS of motor 1
+            board->advance(now += 400us);
+            const Bytes answer = board->takeOutput();
+            QCOMPARE(answer.size(), std::size_t{4});
+            if (seen.empty() || seen.back() != answer[2])
+                seen.push_back(answer[2]);
+        }
+    };
+    const auto command = [&](std::uint8_t id) {
+        board->receive(encodeFrame(0x23, Bytes{id}), now);
+        board->advance(now += 400us);
+        QCOMPARE(board->takeOutput(), encodeAck({}));
+    };
+    look(5ms);
+    command(0x01);
+    look(4s);
+    command(0x02);
+    look(2s);
+    QCOMPARE(seen, (std::vector<int>{0, 3, 16, 17, 4, 19, 5, 6, 7, 8, 9, 0}));
 }
 
 QTEST_APPLESS_MAIN(TestLegacyBoard)

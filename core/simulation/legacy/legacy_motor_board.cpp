@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace simulation {
 namespace {
@@ -41,6 +42,21 @@ constexpr std::uint8_t kSpeedRef = 0x04, kMotorPower = 0x1B, kSpeedMeas = 0x1E, 
                        kFf1Q = 0x46, kFf1D = 0x47, kFf2 = 0x48, kFinalSpeed = 0x5B,
                        kSpeedKpDiv = 0x6E, kSpeedKiDiv = 0x6F;
 
+/// Where firmware before 6.0 goes through a state of its own for a turn of its medium-frequency task; 0: nowhere.
+std::uint8_t stateBetween(MotorState from, MotorState to)
+{
+    constexpr std::uint8_t kIdleStart = 3, kStartRun = 5, kAnyStop = 7, kStopIdle = 9;
+    if (from == to || to == MotorState::FaultNow || to == MotorState::FaultOver)
+        return 0;
+    if (to == MotorState::Stop)
+        return kAnyStop;
+    if (to == MotorState::Run)
+        return kStartRun;
+    if (to == MotorState::Idle)
+        return from == MotorState::Stop ? kStopIdle : 0;
+    return from == MotorState::Idle ? kIdleStart : 0;
+}
+
 std::int16_t to16(std::int64_t value) { return static_cast<std::int16_t>(value); }
 
 class Motors final : public LegacyMachine {
@@ -51,6 +67,8 @@ public:
         for (int i = 0; i < build.motors; ++i)
             m_axes.push_back(std::make_unique<Axis>(
                 plant, build, options.hfHz, options.seed + static_cast<std::uint64_t>(i)));
+        m_passed.resize(m_axes.size());
+        m_entered.resize(m_axes.size());
     }
 
     void advance(TimePoint now);
@@ -97,7 +115,16 @@ private:
                 static_cast<double>(m_hfTicks) / (m_hfHz * static_cast<double>(m_axes.size())));
     }
 
+    std::uint8_t shownState(std::size_t motor)
+    {
+        const MotorState now = firmware(motor).state();
+        const std::uint8_t between = stateBetween(m_passed[motor], now);
+        return between != 0 ? between : static_cast<std::uint8_t>(now);
+    }
+
     Axes m_axes;
+    // By motor: the states of the turn before the last one, and of the last one.
+    std::vector<MotorState> m_passed, m_entered;
     double m_hfHz;
     bool m_started = false;
     TimePoint m_start{}, m_nextMf{};
@@ -119,15 +146,17 @@ void Motors::advance(TimePoint now)
             continue;
         }
         m_nextMf += kMfPeriod;
-        for (const auto &axis : m_axes)
-            axis->firmware.mfTask();
+        for (std::size_t motor = 0; motor < m_axes.size(); ++motor) {
+            m_passed[motor] = std::exchange(m_entered[motor], firmware(motor).state());
+            firmware(motor).mfTask();
+        }
     }
 }
 
 void Motors::refresh(std::size_t motor, LegacyMotor &registers)
 {
     Firmware &from = firmware(motor);
-    registers.state = static_cast<std::uint8_t>(from.state());
+    registers.state = shownState(motor);
     registers.faults = from.faultFlags();
     registers.controlMode = from.controlMode() == kTorqueMode ? 0 : 1;
     auto &values = registers.registers;
