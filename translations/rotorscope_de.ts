@@ -1213,6 +1213,19 @@
         <source>The board speaks the protocol of newer firmware. Choose that one, or Auto, and connect again.</source>
         <translation>Das Board spricht das Protokoll neuerer Firmware. Wählen Sie dieses oder „Auto“ und verbinden Sie neu.</translation>
     </message>
+    <message>
+        <source>Asking whether the board speaks the protocol of newer firmware; if nobody answers, that of older firmware is next.</source>
+        <translation>Gefragt wird im Protokoll neuerer Firmware; wenn niemand antwortet, danach in dem älterer.</translation>
+    </message>
+    <message>
+        <source>Nobody answers in the protocol of newer firmware: asking in that of older firmware.</source>
+        <translation>Im Protokoll neuerer Firmware antwortet niemand: Gefragt wird in dem älterer.</translation>
+    </message>
+    <message>
+        <source>Current scale</source>
+        <comment>a person says it</comment>
+        <translation>Stromskala</translation>
+    </message>
 </context>
 <context>
     <name>Motion</name>
@@ -2250,6 +2263,31 @@
         <source>At the rate wished for it would be %1 kB/s: recorded at one period in %2.</source>
         <translation>Mit der gewünschten Rate wären es %1 kB/s: aufgezeichnet wird eine von %2 Perioden.</translation>
     </message>
+    <message>
+        <source>%1/s</source>
+        <comment>times a second</comment>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>Read %1 times a second.</source>
+        <translation>%1-mal in der Sekunde gelesen.</translation>
+    </message>
+    <message>
+        <source>Each value is one of the %1 ms before the time at which it is drawn: question and answer lie so far apart.</source>
+        <translation>Jeder Wert stammt aus den %1 ms vor der Zeit, zu der er gezeichnet wird: So weit liegen Frage und Antwort auseinander.</translation>
+    </message>
+    <message>
+        <source>each signal read up to %1 times a second</source>
+        <translation>jedes Signal bis zu %1-mal in der Sekunde gelesen</translation>
+    </message>
+    <message>
+        <source>, reached %1</source>
+        <translation>, erreicht %1</translation>
+    </message>
+    <message>
+        <source>This board records nothing by itself. Its line of %1 kB/s is shared by the signals, the registers that are seen and the motor&apos;s state.</source>
+        <translation>Dieses Board zeichnet selbst nichts auf. Seine Leitung mit %1 kB/s teilen sich die Signale, die sichtbaren Register und der Zustand des Motors.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::CommandBox</name>
@@ -2423,6 +2461,83 @@
     <message>
         <source>Expert mode: the board does not tell all limits.</source>
         <translation>Expertenmodus: Das Board nennt nicht alle Grenzen.</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <comment>the current scale</comment>
+        <translation>Ändern…</translation>
+    </message>
+    <message>
+        <source>Change the current scale</source>
+        <translation>Stromskala ändern</translation>
+    </message>
+    <message>
+        <source>Current scale: %1 at 32768 digits (yours)</source>
+        <comment>with unit</comment>
+        <translation>Stromskala: %1 bei 32768 Digits (Ihre)</translation>
+    </message>
+    <message>
+        <source>Current scale: not known, the board does not tell it</source>
+        <translation>Stromskala: nicht bekannt, das Board nennt sie nicht</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::CurrentScaleDialog</name>
+    <message>
+        <source>Current scale of motor %1</source>
+        <translation>Stromskala von Motor %1</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <comment>the current scale</comment>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>This board does not tell the scale of its currents. Without it they are shown in digits and none can be asked for; with a wrong one the motor gets a wrong current. Setting it disarms.</source>
+        <translation>Dieses Board nennt die Skala seiner Ströme nicht. Ohne sie werden Ströme in Digits gezeigt und können nicht vorgegeben werden; mit einer falschen bekommt der Motor einen falschen Strom. Das Setzen hebt die Freigabe auf.</translation>
+    </message>
+    <message>
+        <source>&amp;Full-scale current [A] (peak, 32768 digits)</source>
+        <translation>&amp;Vollausschlag [A] (Spitze, 32768 Digits)</translation>
+    </message>
+    <message>
+        <source>Or from the measuring circuit</source>
+        <translation>Oder aus der Messschaltung</translation>
+    </message>
+    <message>
+        <source>&amp;Shunt [mΩ]</source>
+        <translation>&amp;Shunt [mΩ]</translation>
+    </message>
+    <message>
+        <source>&amp;Gain of the amplifier</source>
+        <translation>V&amp;erstärkung</translation>
+    </message>
+    <message>
+        <source>&amp;Reference of the converter [V]</source>
+        <translation>&amp;Referenz des Wandlers [V]</translation>
+    </message>
+    <message>
+        <source>A full-scale current is a plain number from 0.001 to 10000 A, or nothing.</source>
+        <translation>Der Vollausschlag ist eine einfache Zahl von 0,001 bis 10000 A, oder nichts.</translation>
+    </message>
+    <message>
+        <source>1 digit is %1 mA; 1 A is %2 digits.</source>
+        <translation>1 Digit ist %1 mA; 1 A sind %2 Digits.</translation>
+    </message>
+    <message>
+        <source>Currents are shown in digits.</source>
+        <translation>Ströme werden in Digits gezeigt.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::CurrentScales</name>
+    <message>
+        <source>Setting the current scale</source>
+        <translation>Setzen der Stromskala</translation>
+    </message>
+    <message>
+        <source>Motor %1: currents in A by the scale that was entered for this board before, %2 A at full scale. See Current scale in the control panel.</source>
+        <translation>Motor %1: Ströme in A nach der Skala, die für dieses Board schon eingegeben wurde, %2 A Vollausschlag. Siehe Stromskala in der Steuerung.</translation>
     </message>
 </context>
 <context>

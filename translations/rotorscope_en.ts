@@ -1213,6 +1213,19 @@
         <source>The board speaks the protocol of newer firmware. Choose that one, or Auto, and connect again.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Asking whether the board speaks the protocol of newer firmware; if nobody answers, that of older firmware is next.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody answers in the protocol of newer firmware: asking in that of older firmware.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current scale</source>
+        <comment>a person says it</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Motion</name>
@@ -2250,6 +2263,31 @@
         <source>At the rate wished for it would be %1 kB/s: recorded at one period in %2.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1/s</source>
+        <comment>times a second</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read %1 times a second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each value is one of the %1 ms before the time at which it is drawn: question and answer lie so far apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each signal read up to %1 times a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, reached %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board records nothing by itself. Its line of %1 kB/s is shared by the signals, the registers that are seen and the motor&apos;s state.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::CommandBox</name>
@@ -2422,6 +2460,83 @@
     </message>
     <message>
         <source>Expert mode: the board does not tell all limits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <comment>the current scale</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the current scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current scale: %1 at 32768 digits (yours)</source>
+        <comment>with unit</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current scale: not known, the board does not tell it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::CurrentScaleDialog</name>
+    <message>
+        <source>Current scale of motor %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <comment>the current scale</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board does not tell the scale of its currents. Without it they are shown in digits and none can be asked for; with a wrong one the motor gets a wrong current. Setting it disarms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Full-scale current [A] (peak, 32768 digits)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Or from the measuring circuit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Shunt [mΩ]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Gain of the amplifier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Reference of the converter [V]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A full-scale current is a plain number from 0.001 to 10000 A, or nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 digit is %1 mA; 1 A is %2 digits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Currents are shown in digits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::CurrentScales</name>
+    <message>
+        <source>Setting the current scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1: currents in A by the scale that was entered for this board before, %2 A at full scale. See Current scale in the control panel.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

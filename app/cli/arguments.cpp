@@ -135,6 +135,14 @@ bool canMove(const QString &command)
     return kMoving.contains(command);
 }
 
+/// Commands that need a board at the other end.
+bool meetsBoard(const QString &command)
+{
+    static const QStringList kAlone{QStringLiteral("ports"), QStringLiteral("decode"),
+        QStringLiteral("show"), QStringLiteral("export")};
+    return !command.isEmpty() && !kAlone.contains(command);
+}
+
 void addCommandOptions(QCommandLineParser &parser, const QString &command)
 {
     if (command == QLatin1String("get") || command == QLatin1String("set"))
@@ -147,6 +155,11 @@ void addCommandOptions(QCommandLineParser &parser, const QString &command)
         || command == QLatin1String("motor"))
         parser.addOption({QStringLiteral("motor"),
             QStringLiteral("Number of the motor, 1 if not given."), QStringLiteral("N")});
+    if (meetsBoard(command))
+        parser.addOption({QStringLiteral("full-scale-current"),
+            QStringLiteral("Current in A (peak) of 32768 digits, for boards that do not tell the "
+                           "scale of their currents."),
+            QStringLiteral("A")});
     if (canMove(command))
         parser.addOptions({
             {QStringLiteral("max-rpm"),
@@ -320,7 +333,8 @@ Outcome<bool> takeCommon(const QCommandLineParser &parser, Arguments &arguments)
 Outcome<bool> takeLimits(const QCommandLineParser &parser, Arguments &arguments)
 {
     for (const auto &[option, limit] : {std::pair{"max-rpm", &arguments.limits.maxSpeedRpm},
-             std::pair{"max-amps", &arguments.limits.maxCurrentAmps}}) {
+             std::pair{"max-amps", &arguments.limits.maxCurrentAmps},
+             std::pair{"full-scale-current", &arguments.fullScaleCurrent_a}}) {
         if (!parser.optionNames().contains(QLatin1String(option)))
             continue;
         const QString text = parser.value(QLatin1String(option));

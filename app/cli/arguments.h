@@ -48,6 +48,7 @@ struct Arguments {
     RecordingArguments recording; ///< of show and export
     drive::UserLimits limits; ///< --max-rpm and --max-amps
     bool cyclicSetPoints = false; ///< of ramp and capture: with every exchange
+    double fullScaleCurrent_a = 0.0; ///< --full-scale-current; 0: not given
     bool expert = false; ///< move motors whose board does not tell its limits
     TuningArguments tuning; ///< of snapshot, diff, restore, revup, torque, gains, header
     std::optional<QString> text; ///< help or version: to be printed instead of doing anything

@@ -68,6 +68,12 @@ private:
     Outcome<int> writeMotionLog() const;
     Outcome<int> write();
     Outcome<int> verdict() const;
+    /// How often a second each register could be read if the line carried nothing else.
+    double possibleRate() const
+    {
+        return m_desk.board.streaming.readsPerSecond
+            / static_cast<double>(std::max<std::size_t>(1, m_polled.size()));
+    }
 
     Desk &m_desk;
     const CaptureArguments &m_wanted;
@@ -409,8 +415,11 @@ Outcome<int> CaptureRun::write()
             line.insert(QStringLiteral("file"), m_wanted.file);
             line.insert(QStringLiteral("rows"), static_cast<qint64>(rows));
         }
-        if (m_recorder.polls())
+        if (m_recorder.polls()) {
             line.insert(QStringLiteral("values_per_second"), m_recorder.valuesPerSecond());
+            line.insert(QStringLiteral("possible_values_per_second"), possibleRate());
+            line.insert(QStringLiteral("time_uncertainty_s"), m_recorder.spreadSeconds());
+        }
         if (m_recording) {
             const auto &counts = m_recording->last().counts;
             line.insert(QStringLiteral("recording"), m_wanted.recording);
@@ -421,13 +430,17 @@ Outcome<int> CaptureRun::write()
         return kDone;
     }
     if (!m_wanted.file.isEmpty() && m_recorder.polls())
-        m_desk.out.line(QStringLiteral("%1: %2 rows, %3 s, each signal read %4 times a second")
-                            .arg(m_wanted.file, QString::number(rows), numberText(m_wanted.seconds),
-                                numberText(std::round(m_recorder.valuesPerSecond()))));
+        m_desk.out.line(
+            QStringLiteral("%1: %2 rows, %3 s, each signal read %4 times a second (%5 at "
+                           "best), times uncertain by up to %6 ms")
+                .arg(m_wanted.file, QString::number(rows), numberText(m_wanted.seconds),
+                    numberText(std::round(m_recorder.valuesPerSecond())),
+                    numberText(std::round(possibleRate())),
+                    QString::number(m_recorder.spreadSeconds() * 1e3, 'f', 1)));
     else if (!m_wanted.file.isEmpty())
-        m_desk.out.line(QStringLiteral("%1: %2 rows, %3 s, %4 control periods lost")
+        m_desk.out.line(QStringLiteral("%1: %2 rows, %3 s, %4 lost")
                             .arg(m_wanted.file, QString::number(rows), numberText(m_wanted.seconds),
-                                QString::number(m_recorder.lostTicks())));
+                                m_recorder.lostText()));
     if (m_recording)
         m_desk.out.line(
             QStringLiteral("%1: %2 samples, %3 bytes")
@@ -448,9 +461,9 @@ Outcome<int> CaptureRun::verdict() const
             QStringLiteral("The samples stopped coming before the time was over; check the link."));
     if (m_recorder.lostTicks() > 0)
         return failure(kDataLost,
-            QStringLiteral("%1 control periods were lost, and the file has gaps; record fewer "
+            QStringLiteral("%1 were lost, and the file has gaps; record fewer "
                            "signals, take a larger --hf-rate or a higher --baud.")
-                .arg(m_recorder.lostTicks()));
+                .arg(m_recorder.lostText()));
     return kDone;
 }
 

@@ -1,5 +1,6 @@
 #include "conversation.h"
 
+#include "drive/board_facts.h"
 #include "drive/motion_limits.h"
 #include "sentences.h"
 #include "session/port_list.h"
@@ -106,9 +107,11 @@ Outcome<drive::Ended> Conversation::command(
     default:
         break;
     }
+    const bool noScale = ended->reason == drive::kNoCurrentScale;
     return failure(kRefused,
         QStringLiteral("%1 was refused%2; %3.")
-            .arg(what, reason.isEmpty() ? reason : QStringLiteral(" (%1)").arg(reason), advice));
+            .arg(what, reason.isEmpty() ? reason : QStringLiteral(" (%1)").arg(reason),
+                noScale ? QStringLiteral("give it with --full-scale-current A") : advice));
 }
 
 Outcome<std::vector<drive::Reading>> Conversation::read(const std::vector<drive::RegisterId> &ids)
@@ -160,6 +163,18 @@ Outcome<bool> Conversation::bound(const drive::Identified &board)
             return tl::make_unexpected(agreed.error());
     }
     return true;
+}
+
+Outcome<drive::Identified> Conversation::scaled(const drive::Identified &board)
+{
+    const double amps = m_arguments.fullScaleCurrent_a;
+    for (int motor = 1; amps > 0.0 && motor <= board.identity.motors; ++motor) {
+        const auto taken = command(drive::CurrentScale{motor, amps},
+            QStringLiteral("The full-scale current"), QStringLiteral("leave it out"));
+        if (!taken)
+            return tl::make_unexpected(taken.error());
+    }
+    return *m_board; // told anew with the units that follow from it
 }
 
 void Conversation::arm() { m_session.setArmed(true); }

@@ -58,6 +58,8 @@ public:
     Outcome<bool> armToMove();
     /// Limits of this run, and expert mode where it was asked for and something is unknown; after connect().
     Outcome<bool> bound(const drive::Identified &board);
+    /// The board with the scale of currents that a person gave for all its motors; after connect().
+    Outcome<drive::Identified> scaled(const drive::Identified &board);
     /// What was asked of the motors, so far.
     const std::vector<session::LoggedMotion> &motionLog() const { return m_motionLog; }
     /// Stops every motor; waits until the drive is idle (2 s at most), then up to `standstill` until they stand still.

@@ -37,7 +37,10 @@ Outcome<int> runLinkCommand(const Arguments &arguments, Output &out)
 {
     const Interrupt interrupt;
     Conversation talk(arguments, interrupt);
-    const auto board = talk.connect();
+    const auto met = talk.connect();
+    if (!met)
+        return tl::make_unexpected(met.error());
+    const auto board = talk.scaled(*met);
     if (!board)
         return tl::make_unexpected(board.error());
     if (const auto bounded = talk.bound(*board); !bounded)

@@ -76,11 +76,21 @@ void Recorder::takeReading(const drive::Reading &reading)
     m_complete = at - *m_firstSeconds >= m_seconds;
     if (m_complete)
         return;
+    m_spread = std::max(m_spread, toSeconds(reading.spread));
     const catalog::Scale scale = m_catalog->readScale(reading.id);
     m_capture.appendPolled(reading.id, m_catalog->nameOf(reading.id), scale.unit,
         at - *m_firstSeconds, *value * scale.factor);
     if (reading.id == m_polled.front())
         ++m_polledValues;
+}
+
+QString Recorder::lostText() const
+{
+    if (m_layout.ticksAreControlPeriods || !(m_layout.tickHz > 0.0))
+        return QStringLiteral("%1 control periods").arg(m_lost);
+    constexpr double kMilli = 1e3;
+    return QStringLiteral("%1 ms").arg(
+        QString::number(static_cast<double>(m_lost) / m_layout.tickHz * kMilli, 'f', 1));
 }
 
 std::vector<capture::ChannelId> Recorder::channels() const

@@ -5,6 +5,8 @@
 #include "capture/capture.h"
 #include "drive/event.h"
 
+#include <QString>
+
 namespace cli {
 
 class Recorder {
@@ -17,6 +19,8 @@ public:
     /// From now on the readings of these registers count instead of a stream.
     void poll(std::vector<catalog::RegisterId> registers,
         std::shared_ptr<const catalog::Catalog> catalog);
+    /// The longest time between a question and its answer: a value was true within so long before its time.
+    double spreadSeconds() const { return m_spread; }
     /// How often each of them was read.
     double valuesPerSecond() const { return static_cast<double>(m_polledValues) / m_seconds; }
 
@@ -32,6 +36,8 @@ public:
         return m_lost;
     } ///< control periods missing within the length
     double tickHz() const { return m_layout.tickHz; }
+    /// What is missing in the words of the drive: "3 control periods", or a time where it counts no periods.
+    QString lostText() const;
     const capture::Capture &capture() const { return m_capture; }
 
 private:
@@ -46,6 +52,7 @@ private:
     std::shared_ptr<const catalog::Catalog> m_catalog; ///< with polled registers only
     std::optional<double> m_firstSeconds; ///< of the first reading
     std::size_t m_polledValues = 0;
+    double m_spread = 0.0;
     capture::Tick m_length = 0; ///< ticks from the first sample to the end
     capture::Tick m_lost = 0;
     bool m_complete = false;

@@ -89,6 +89,8 @@ QString sentenceOf(LinkReason reason, const Arguments &arguments)
             "Nobody drives the line from %1; check wiring, chip select and power.")
             .arg(port);
     case LinkReason::None:
+    case LinkReason::AskingNewer:
+    case LinkReason::AskingOlder:
     case LinkReason::NoAnswer:
         break;
     }

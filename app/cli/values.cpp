@@ -60,14 +60,21 @@ QStringList flagsOf(const RegisterInfo &info, std::int64_t number)
     return names;
 }
 
+/// As they are on the wire.
+std::int64_t digitsOf(const RegisterInfo &info, std::int64_t number)
+{
+    return std::get<std::int64_t>(catalog::onWire(info, Value(number)));
+}
+
 QString integerText(const Catalog &catalog, RegisterId id, std::int64_t number, Digits digits)
 {
     const RegisterInfo *info = catalog.find(id);
+    const std::int64_t wire = info == nullptr ? number : digitsOf(*info, number);
     if (info == nullptr || digits == Digits::Raw)
-        return QString::number(number);
+        return QString::number(wire);
     if (info->meaning == Meaning::Enumeration)
         return QStringLiteral("%1 (%2)").arg(
-            textOf(catalog::valueName(info->name, number)), QString::number(number));
+            textOf(catalog::valueName(info->name, number)), QString::number(wire));
     if (info->meaning == Meaning::Flags) {
         const QStringList flags = flagsOf(*info, number);
         return flags.isEmpty() ? QStringLiteral("none") : flags.join(QStringLiteral(", "));
@@ -153,7 +160,8 @@ QJsonObject valueJson(const Catalog &catalog, RegisterId id, const Value &value,
     std::visit(
         Overloaded{
             [&](std::int64_t number) {
-                object[QStringLiteral("raw")] = static_cast<qint64>(number);
+                const std::int64_t wire = info == nullptr ? number : digitsOf(*info, number);
+                object[QStringLiteral("raw")] = static_cast<qint64>(wire);
                 if (scale.factor == 1.0)
                     object[QStringLiteral("value")] = static_cast<qint64>(number);
                 else
@@ -211,7 +219,11 @@ Outcome<Value> parseValue(const Catalog &catalog, RegisterId id, const QString &
             QStringLiteral("%1 holds %2 to %3, not %4.")
                 .arg(name, shownText(std::min(low, high)), shownText(std::max(low, high)), text));
     }
-    return Value(static_cast<std::int64_t>(raw));
+    const Value value(static_cast<std::int64_t>(raw));
+    const auto meant = digits == Digits::Raw ? catalog::fromWire(*info, value) : value;
+    if (!meant)
+        return failure(kUsage, QStringLiteral("%1 has no digits %2.").arg(name, text));
+    return *meant;
 }
 
 Outcome<RegisterId> resolveName(const Catalog &catalog, const QString &name)

@@ -32,6 +32,7 @@ namespace aspep {
 
 class Controller {
 public:
+    static constexpr int kSilentOffers = 66;
     struct Config {
         Beacon offer{}; ///< all fields maximal; payload CRC not asked for (no firmware has one)
         std::uint32_t baud = 1843200; ///< time-outs are computed from it
@@ -42,6 +43,10 @@ public:
         Duration patience{}; ///< how much later still a reply may come; more on busy computers
         int attempts =
             5; ///< how often a step of a dialogue is sent until the link is lost; oftener into silence
+        /// Beacons into perfect silence. Somebody may have fallen silent within a request: the board waits for the rest
+        /// without a time-out and swallows them, four bytes each. So many fill the largest request of the usual
+        /// firmware, 256 bytes. Fewer only where this is not the last attempt; once connected so many are sent anyway.
+        int firstSilentOffers = kSilentOffers;
         Duration keepAliveAfter =
             std::chrono::milliseconds(250); ///< silence after which a Ping is sent
         Duration suspectAfter = std::chrono::milliseconds(500); ///< no valid packet: event Suspect

@@ -18,9 +18,6 @@ namespace {
 
 constexpr int kMaxRounds =
     10; ///< counter-proposals and returns to the start before there is no agreement
-/// Beacons into perfect silence. Somebody may have fallen silent within a request: the board waits for the rest without
-/// a time-out and swallows them, four bytes each. So many fill the largest request of the usual firmware, 256 bytes.
-constexpr int kSilentOffers = 66;
 constexpr Duration kDialogueLimit = 4s; ///< whatever happens, a dialogue has ended after this
 
 /// An answer never has more than was offered: the Performer takes the minimum of both sides.
@@ -52,7 +49,9 @@ void Controller::negotiate(TimePoint now)
 void Controller::offer(TimePoint now)
 {
     const bool recovering = m_state == State::Recovering;
-    const int most = m_heardBytes ? m_config.attempts : std::max(m_config.attempts, kSilentOffers);
+    const int most = m_heardBytes ? m_config.attempts
+        : m_everAgreed            ? kSilentOffers
+                                  : m_config.firstSilentOffers;
     if (!recovering && m_attempts >= most)
         return lose(connectFailure());
     if (!recovering)

@@ -182,7 +182,8 @@ void Capture::appendPolled(catalog::RegisterId id, std::string_view name, std::s
         return;
     }
     std::optional<ChannelId> found = find(id, Kind::Polled);
-    if (found && info(*found)->unit != unit)
+    const bool anew = m_polledAnew.erase(id) > 0;
+    if (found && (anew || info(*found)->unit != unit))
         found.reset();
     if (!found)
         found = add({0, id, std::string(name), std::string(unit), 1.0, 0.0, Kind::Polled});
@@ -208,6 +209,12 @@ void Capture::endPolled(catalog::RegisterId id)
 {
     if (const auto found = find(id, Kind::Polled))
         mutableChannel(*found)->values()->breakHere();
+}
+
+void Capture::endPolledForGood(catalog::RegisterId id)
+{
+    endPolled(id);
+    m_polledAnew.insert(id);
 }
 
 ChannelId Capture::addImported(std::string name, std::string unit, catalog::RegisterId id)

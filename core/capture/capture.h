@@ -8,6 +8,7 @@
 #include "capture/channel.h"
 
 #include <memory>
+#include <set>
 #include <span>
 #include <string_view>
 
@@ -61,6 +62,8 @@ public:
 
     /// Nobody asks for this register any more: its last value is not held any longer.
     void endPolled(catalog::RegisterId id);
+    /// The next value of it begins a channel of its own: its numbers do not follow those before.
+    void endPolledForGood(catalog::RegisterId id);
 
     /// A channel of values that came from a file or were computed; kind Slow.
     /// @param id  it is found by, at least kFirstOwnRegister; 0: one that nobody knows
@@ -175,6 +178,7 @@ private:
     std::size_t m_sentBytes = 0;
     std::uint64_t m_archiveMost = kNoLimit; ///< less once the archive has refused
     Refused m_refused;
+    std::set<catalog::RegisterId> m_polledAnew; ///< ended for good, not begun again
 };
 
 } // namespace capture

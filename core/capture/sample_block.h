@@ -33,6 +33,7 @@ struct StreamLayout {
     std::uint32_t fastStep = 1; ///< ticks between two fast samples
     std::vector<StreamSignal> fast;
     std::vector<StreamSignal> slow;
+    bool ticksAreControlPeriods = true; ///< false: a tick only measures time
     bool empty() const { return fast.empty() && slow.empty(); }
 };
 

@@ -128,6 +128,13 @@ Scale Catalog::scaleOf(RegisterId id, double rpmPerDigit) const
     return {fixedPoint, info->unit};
 }
 
+const Scales &Catalog::scales(int motor) const
+{
+    static const Scales kNone;
+    const auto at = static_cast<std::size_t>(std::clamp(motor, 1, m_motors) - 1);
+    return at < m_scales.size() ? m_scales[at] : kNone;
+}
+
 Scale Catalog::readScale(RegisterId id) const
 {
     const auto motor = static_cast<std::size_t>(std::clamp(motorOf(id), 1, m_motors));

@@ -55,6 +55,8 @@ public:
     /// hex if unknown.
     std::string nameOf(RegisterId id) const;
 
+    const Scales &scales(int motor) const; ///< of the nearest motor that there is
+
     /// What a value read one by one means, and what a streamed sample means.
     Scale readScale(RegisterId id) const;
     Scale streamScale(RegisterId id) const;

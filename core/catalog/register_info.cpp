@@ -1,6 +1,26 @@
 #include "catalog/register_info.h"
 
+#include <algorithm>
+
 namespace catalog {
+
+Value onWire(const RegisterInfo &info, const Value &value)
+{
+    const auto *number = std::get_if<std::int64_t>(&value);
+    const auto row = std::find_if(info.wire.begin(), info.wire.end(),
+        [&](const WireDigits &one) { return number != nullptr && one.number == *number; });
+    return row == info.wire.end() ? value : Value(row->digits);
+}
+
+std::optional<Value> fromWire(const RegisterInfo &info, const Value &value)
+{
+    const auto *digits = std::get_if<std::int64_t>(&value);
+    if (info.wire.empty() || digits == nullptr)
+        return value;
+    const auto row = std::find_if(info.wire.begin(), info.wire.end(),
+        [&](const WireDigits &one) { return one.digits == *digits; });
+    return row == info.wire.end() ? std::nullopt : std::optional(Value(row->number));
+}
 
 bool isInteger(ValueType type) { return type <= ValueType::S32; }
 

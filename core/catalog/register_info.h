@@ -46,6 +46,12 @@ enum class Streaming : std::uint8_t { Polled, Fast, StreamOnly /* Fast, but neve
 
 using Value = std::variant<std::int64_t, double, std::string, Bytes>;
 
+/// A number that is other digits on the wire, such as the exponent of a divisor.
+struct WireDigits {
+    std::int64_t number = 0, digits = 0;
+    bool operator==(const WireDigits &) const = default;
+};
+
 struct RegisterInfo {
     RegisterId id = 0; ///< without motor
     std::string name; ///< the field's standard name, e.g. I_Q_MEAS
@@ -62,6 +68,8 @@ struct RegisterInfo {
     SetPoint setPoint = SetPoint::None;
     std::optional<double> least, greatest; ///< of the raw number of a write; empty: the type's
     int fractionBits = 0; ///< fixed point: the number is raw / 2^fractionBits; 0 for whole digits
+    /// Every number it can have, where the wire has other digits for them; empty: it has the number itself.
+    std::vector<WireDigits> wire;
     bool streamsUpperHalf =
         false; ///< a 32-bit register of which the stream carries the upper 16 bits
     bool perMotor = true; ///< false: one for the whole board, addressed without a motor
@@ -78,6 +86,11 @@ struct Scale {
     std::string unit;
     bool operator==(const Scale &) const = default;
 };
+
+/// The value in the digits of the wire, for those who want to see or write these.
+Value onWire(const RegisterInfo &info, const Value &value);
+/// The other way round; empty if the register has no such digits.
+std::optional<Value> fromWire(const RegisterInfo &info, const Value &value);
 
 bool isInteger(ValueType type);
 std::size_t widthOf(ValueType type); ///< bytes of a scalar; 0 for Text and Raw

@@ -12,7 +12,7 @@ class AutoDrive final : public Drive {
 public:
     explicit AutoDrive(std::vector<Candidate> candidates)
         : m_candidates(std::move(candidates))
-        , m_drive(m_candidates.front().make())
+        , m_drive(m_candidates.front().make(true))
     {
     }
 
@@ -21,8 +21,10 @@ public:
         m_open = true;
         m_reason = LinkReason::None;
         m_toldLost.reset();
-        m_toldConnecting = false;
+        m_toldConnecting.reset();
+        m_silent = false;
         m_stopAsked = false;
+        m_hasty = true;
         tryCandidate(0, now);
     }
     void disconnect(TimePoint now) override
@@ -41,6 +43,7 @@ public:
     {
         if (m_tryAgainAt && now >= *m_tryAgainAt) {
             m_tryAgainAt.reset();
+            m_hasty = false;
             return tryCandidate(0, now);
         }
         m_drive->handleTimeout(now);
@@ -94,7 +97,9 @@ private:
     std::size_t m_which = 0;
     bool m_open = false;
     bool m_settled = false; ///< the candidate's board has answered
-    bool m_toldConnecting = false;
+    bool m_hasty = true; ///< the first round
+    bool m_silent = false; ///< a round has failed: what is tried again is no news
+    std::optional<LinkReason> m_toldConnecting; ///< with what was tried
     bool m_stopAsked =
         false; ///< before anybody had answered: each candidate has to stop what it finds
     bool m_repeating = false; ///< that a stop is wanted has been told
@@ -110,7 +115,7 @@ void AutoDrive::tryCandidate(std::size_t which, TimePoint now)
 {
     m_which = which;
     m_settled = false;
-    m_drive = m_candidates[which].make();
+    m_drive = m_candidates[which].make(m_hasty);
     if (m_limits != UserLimits{})
         m_drive->submit({0, m_limits, Source::Person}, now);
     (void)m_drive->takeEvents(); // the log has these limits already
@@ -130,8 +135,9 @@ bool AutoDrive::siftLink(const LinkChanged &change)
             m_reason = change.reason;
         return true;
     case LinkState::Connecting:
-        if (!std::exchange(m_toldConnecting, true))
-            m_events.emplace_back(change);
+        if (const LinkReason asking = m_candidates[m_which].asking;
+            !m_silent && std::exchange(m_toldConnecting, asking) != asking)
+            m_events.emplace_back(LinkChanged{change.state, asking});
         return false;
     case LinkState::Connected:
         m_settled = true;
@@ -141,7 +147,8 @@ bool AutoDrive::siftLink(const LinkChanged &change)
     default:
         break;
     }
-    m_toldConnecting = false;
+    m_toldConnecting.reset();
+    m_silent = false;
     m_events.emplace_back(change);
     return false;
 }
@@ -175,7 +182,7 @@ void AutoDrive::afterFailure(TimePoint now)
     if (m_which + 1 < m_candidates.size())
         return tryCandidate(m_which + 1, now);
     // Nobody answered in any language: told once a round, and tried again.
-    m_toldConnecting = true;
+    m_silent = true;
     const LinkReason reason = std::exchange(m_reason, LinkReason::None);
     if (m_toldLost != reason)
         m_events.emplace_back(LinkChanged{LinkState::Lost, reason});

@@ -3,7 +3,8 @@
 //
 // Order and why: first ASPEP, because the four bytes of its BEACON mean nothing to a board of the older protocol (a length
 // that is too long, or a motor and a code that no board has) and a board of the newer one is left as it was. Then the
-// older protocol, which begins with reads alone. Nothing that could move a motor is sent until the board is known.
+// older protocol, which begins with reads alone. In the first round the BEACONs end after a second: a board that is there
+// and free answers the first, and only one that was left within a request needs the many of the later rounds. Nothing that could move a motor is sent until the board is known.
 #pragma once
 
 #include "drive/drive.h"
@@ -15,7 +16,9 @@
 namespace drive {
 
 struct Candidate {
-    std::function<std::unique_ptr<Drive>()> make;
+    /// `hasty`: for the first round after connect(); others wait for their turn.
+    std::function<std::unique_ptr<Drive>(bool hasty)> make;
+    LinkReason asking = LinkReason::None; ///< told while it is tried
     std::string evidence; ///< why it was taken, if its identity does not say itself
 };
 

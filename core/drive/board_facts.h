@@ -13,6 +13,11 @@
 
 namespace drive {
 
+inline constexpr const char *kNoCurrentScale =
+    "The board does not tell its current scale: enter it first.";
+/// Digits of the full-scale current: those of firmware's 16-bit fractions.
+inline constexpr double kFullScaleDigits = 32768.0;
+
 struct BoardFacts {
     bool identified = false;
     bool knownFirmware = false;
@@ -43,6 +48,12 @@ struct BoardFacts {
     {
         const auto at = static_cast<std::size_t>(motor - 1);
         return hasMotor(motor) && at < scales.size() ? scales[at].ampsPerDigit : 0.0;
+    }
+
+    /// Why no current in A can be asked of the motor; empty if its scale is known.
+    std::string reasonAgainstAmps(int motor) const
+    {
+        return ampsPerDigit(motor) > 0.0 ? std::string() : kNoCurrentScale;
     }
 
     /// Why a feature is not there; empty if it is.

@@ -36,6 +36,8 @@ enum class LinkReason : std::uint8_t {
     OldProtocol, ///< the board speaks an older protocol
     NotReady, ///< the line by which the drive says that it is ready stays low
     DeadLine, ///< only zeros, or only ones: nobody drives the line
+    AskingNewer, ///< Connecting: it is tried whether a board speaks a newer protocol
+    AskingOlder, ///< Connecting: and now an older one
     OtherProtocol, ///< the board refused as one of the newer protocol does
 };
 
@@ -75,6 +77,7 @@ struct StreamLimits {
     unsigned maxSignals = 0;
     std::size_t maxPacket = 0; ///< bytes
     double linkBytesPerSecond = 0.0;
+    double readsPerSecond = 0.0; ///< registers that can be read one by one, at best; 0: not told
 };
 
 enum class Feature : std::uint8_t {
@@ -87,7 +90,8 @@ enum class Feature : std::uint8_t {
     Stream,
     WriteRegisters,
     PositionRamp,
-    CyclicSetPoints
+    CyclicSetPoints,
+    CurrentScale ///< a person says the scale of currents, because the board does not
 };
 struct Capability {
     Feature feature;

@@ -9,7 +9,7 @@ namespace drive {
 
 namespace {
 
-std::unique_ptr<Drive> newer(const LineOptions &options)
+std::unique_ptr<Drive> newer(const LineOptions &options, bool hasty = false)
 {
     if (options.protocol == Protocol::Mcb) {
         McbDriveConfig config;
@@ -19,6 +19,7 @@ std::unique_ptr<Drive> newer(const LineOptions &options)
     McpDriveConfig config;
     config.baud = options.baud;
     config.patience = options.patience;
+    config.hasty = hasty;
     return makeMcpDrive(config);
 }
 
@@ -41,8 +42,10 @@ std::unique_ptr<Drive> makeDrive(const LineOptions &options)
     case Protocol::PowerPc:
         return older(options, legacy::Dialect::PowerPc);
     case Protocol::Auto:
-        return makeAutoDrive({{[options] { return newer(options); }, "it answered a BEACON"},
-            {[options] { return older(options, std::nullopt); }, {}}});
+        return makeAutoDrive({{[options](bool hasty) { return newer(options, hasty); },
+                                  LinkReason::AskingNewer, "it answered a BEACON"},
+            {[options](bool) { return older(options, std::nullopt); }, LinkReason::AskingOlder,
+                {}}});
     case Protocol::Mcp:
     case Protocol::Mcb:
         break;

@@ -49,6 +49,13 @@ bool isPlausible(const UserLimits &user)
         && std::isfinite(user.maxCurrentAmps) && user.maxCurrentAmps >= 0.0;
 }
 
+bool isPlausible(const CurrentScale &scale)
+{
+    constexpr double kLeast = 1e-3;
+    return scale.fullScaleAmps == 0.0
+        || (scale.fullScaleAmps >= kLeast && scale.fullScaleAmps <= kHighestAmps);
+}
+
 double setPointPerDigit(
     const catalog::RegisterInfo &info, const catalog::Scale &scale, const MotorLimits &limits)
 {

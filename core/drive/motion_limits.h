@@ -33,6 +33,9 @@ MotionBounds boundsOf(const MotorLimits &limits, const UserLimits &user, bool ex
 /// Whether a person's limits are numbers that can bound something: finite and not negative.
 bool isPlausible(const UserLimits &user);
 
+/// Whether a full-scale current is one that an inverter can have: 0 (not known), or up to 10 kA.
+bool isPlausible(const CurrentScale &scale);
+
 /// What one raw digit of a set-point's register asks for: rpm of a speed, A of a current, and of a torque the A that
 /// it takes. Zero: not known, or no set-point.
 double setPointPerDigit(

@@ -112,6 +112,14 @@ struct Begin {
         record.motor = expert.motor;
         return true;
     }
+    bool operator()(const CurrentScale &scale)
+    {
+        record.act = MotionAct::CurrentScale;
+        record.motor = scale.motor;
+        record.detail =
+            scale.fullScaleAmps > 0.0 ? number(scale.fullScaleAmps) + " A" : std::string("none");
+        return true;
+    }
     bool operator()(const Write &write)
     {
         record.act = MotionAct::Write;

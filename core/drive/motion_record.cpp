@@ -66,6 +66,8 @@ std::string_view wordOf(MotionAct act)
         return "LIMITS";
     case MotionAct::Expert:
         return "EXPERT_MODE";
+    case MotionAct::CurrentScale:
+        return "CURRENT_SCALE";
     case MotionAct::Start:
         return "START";
     case MotionAct::Stop:

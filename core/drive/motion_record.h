@@ -22,6 +22,7 @@ enum class MotionAct : std::uint8_t {
     Disarm,
     Limits, ///< a person's own
     Expert,
+    CurrentScale, ///< as a person knows it
     Start,
     Stop, ///< of every motor, by a person
     StopMotor,

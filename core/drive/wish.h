@@ -85,6 +85,14 @@ struct ExpertMode {
     int motor = 1;
 };
 
+/// The scale of a motor's currents as a person knows it, for boards that do not tell it: the current of 32768 digits.
+/// Zero: not known. Holds for this connection. Nothing is sent; what waits to be written is cut, and the drive is
+/// disarmed, because it was meant by the scale before. Refused where the board tells its scale.
+struct CurrentScale {
+    int motor = 1;
+    double fullScaleAmps = 0.0; ///< peak
+};
+
 /// Signals that the board records by itself at its control rate. Replaces what was streamed before; empty stops.
 struct Stream {
     std::vector<RegisterId> fast; ///< in the order wanted
@@ -112,7 +120,7 @@ struct Watch {
 struct Wish {
     WishId id = 0;
     std::variant<Read, Write, Command, SpeedRamp, TorqueRamp, CurrentReference, PositionRamp,
-        Stream, CyclicSetPoints, Watch, UserLimits, ExpertMode>
+        Stream, CyclicSetPoints, Watch, UserLimits, ExpertMode, CurrentScale>
         what;
     Source source = Source::Person;
 };

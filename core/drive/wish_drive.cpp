@@ -92,6 +92,23 @@ void WishDrive::takeExpert(const Wish &wish, const ExpertMode &expert, TimePoint
     endNow(wish, Outcome::Ok, {}, now);
 }
 
+void WishDrive::takeScale(const Wish &wish, const CurrentScale &scale, TimePoint now)
+{
+    std::string why;
+    if (!m_facts.identified || !m_facts.hasMotor(scale.motor))
+        why = "there is no such motor";
+    else if (!isPlausible(scale))
+        why = "no full-scale current is like that";
+    else
+        why = takeScale(scale, now);
+    endNow(wish, why.empty() ? Outcome::Ok : Outcome::Refused, why, now);
+}
+
+std::string WishDrive::takeScale(const CurrentScale &, TimePoint)
+{
+    return m_facts.reasonAgainst(Feature::CurrentScale);
+}
+
 bool WishDrive::takeAtOnce(const Wish &wish, TimePoint now)
 {
     if (const auto *watched = std::get_if<Watch>(&wish.what)) {
@@ -104,6 +121,8 @@ bool WishDrive::takeAtOnce(const Wish &wish, TimePoint now)
         endNow(wish, Outcome::NotSent, "not connected", now);
     } else if (const auto *expert = std::get_if<ExpertMode>(&wish.what)) {
         takeExpert(wish, *expert, now);
+    } else if (const auto *scale = std::get_if<CurrentScale>(&wish.what)) {
+        takeScale(wish, *scale, now);
     } else {
         return false;
     }

@@ -31,6 +31,9 @@ public:
     bool armed() const override { return m_armed; }
 
 protected:
+    /// Takes the scale of a motor that there is. @return  why not; empty if it is taken
+    virtual std::string takeScale(const CurrentScale &scale, TimePoint now);
+
     /// What the owner wants of the link.
     enum class Mode : std::uint8_t { Closed, Open, Closing };
 
@@ -95,6 +98,7 @@ private:
     bool takeAtOnce(const Wish &wish, TimePoint now); ///< false: it takes a task
     void takeLimits(const Wish &wish, const UserLimits &limits, TimePoint now);
     void takeExpert(const Wish &wish, const ExpertMode &expert, TimePoint now);
+    void takeScale(const Wish &wish, const CurrentScale &scale, TimePoint now);
     MotionRecord logged(const StopProgress &progress, MotionRecord record) const;
 
     TimePoint m_stopAsked; ///< by a person

@@ -55,7 +55,8 @@ std::string word(const std::array<const char *, N> &words, Enum value)
 constexpr std::array kLinkStates{
     "closed", "connecting", "connected", "suspect", "recovering", "lost"};
 constexpr std::array kLinkReasons{"", "no answer", "only garbage", "no agreement", "silence",
-    "recovery failed", "board reset", "old protocol"};
+    "recovery failed", "board reset", "old protocol", "asking newer", "asking older",
+    "other protocol", "not ready", "dead line"};
 constexpr std::array kOutcomes{"ok", "refused", "not sent", "unknown"};
 constexpr std::array kStopWords{
     "requested", "accepted", "drive idle", "standstill", "NOT CONFIRMED"};

@@ -79,9 +79,10 @@ std::vector<drive::Capability> capabilities()
 {
     using drive::Feature;
     std::vector<drive::Capability> all;
-    for (const Feature feature : {Feature::Start, Feature::AcknowledgeFaults, Feature::SpeedRamp,
-             Feature::TorqueRamp, Feature::CurrentReference, Feature::Stream,
-             Feature::WriteRegisters, Feature::PositionRamp, Feature::CyclicSetPoints})
+    for (const Feature feature :
+        {Feature::Start, Feature::AcknowledgeFaults, Feature::SpeedRamp, Feature::TorqueRamp,
+            Feature::CurrentReference, Feature::Stream, Feature::WriteRegisters,
+            Feature::PositionRamp, Feature::CyclicSetPoints, Feature::CurrentScale})
         all.push_back({feature, false, kReason});
     return all;
 }

@@ -37,6 +37,7 @@ private Q_SLOTS:
     void theWrongDialectIsNotWrittenTo();
     void withoutExpertModeNothingStarts();
     void captureReadsAsFastAsTheLineGives();
+    void currentsAreInAmpereByAScaleOfOnesOwn();
     void anUnknownProtocolIsWrongUsage();
 
 private:
@@ -78,6 +79,18 @@ void TestCliOlderBoards::valuesAreReadAndWritten()
         run(QStringLiteral("--port sim:powerpc --protocol powerpc --json get CONTROL_MODE I_Q_KP"));
     QCOMPARE(get.status, 0);
     QCOMPARE(get.json().array().size(), 2);
+    const QJsonObject mode = get.json().array().at(0).toObject(); // raw is what the wire has
+    QCOMPARE(mode[QLatin1String("raw")].toInt(-1), 1);
+    QCOMPARE(mode[QLatin1String("text")].toString(), QStringLiteral("speed"));
+    const QString board = QStringLiteral("--port sim:legacy --protocol legacy ");
+    QCOMPARE(run(board + QStringLiteral("get --raw CONTROL_MODE")).out,
+        QStringLiteral("CONTROL_MODE = 1\n"));
+    const Run divisor = run(board + QStringLiteral("get --raw SPEED_KP_DIV"));
+    const int digits = divisor.out.section(QLatin1String("= "), 1).trimmed().toInt();
+    const Run exponent = run(board + QStringLiteral("get SPEED_KP_DIV"));
+    QCOMPARE(digits, 1 << exponent.out.section(QLatin1String("= "), 1).trimmed().toInt());
+    QCOMPARE(run(board + QStringLiteral("set --raw CONTROL_MODE=3")).status, 2);
+    QCOMPARE(run(board + QStringLiteral("set --raw CONTROL_MODE=0")).status, 0);
     QVERIFY(
         run(QStringLiteral("--port sim:legacy --protocol legacy set SPEED_KP=40000")).status != 0);
 }
@@ -116,6 +129,37 @@ void TestCliOlderBoards::captureReadsAsFastAsTheLineGives()
     QVERIFY(csv.open(QIODevice::ReadOnly));
     QVERIFY(csv.readLine().startsWith("time [s],SPEED_MEAS [rpm],I_Q_MEAS"));
     QVERIFY(!csv.readLine().isEmpty());
+}
+
+void TestCliOlderBoards::currentsAreInAmpereByAScaleOfOnesOwn()
+{
+    // The simulated board's shunt, amplifier and converter make 60.175 A of 32768 digits.
+    const QString board = QStringLiteral("--port sim:legacy --protocol legacy --json ");
+    const QString scale = QStringLiteral(" --full-scale-current 60.175");
+    const auto first = [](const Run &result) { return result.json().array().at(0).toObject(); };
+    const Run plain = run(board + QStringLiteral("get I_Q_REF"));
+    QCOMPARE(plain.status, 0);
+    QVERIFY(first(plain)[QLatin1String("unit")] != QLatin1String("A"));
+    const Run amps = run(board + QStringLiteral("get I_Q_REF") + scale);
+    QVERIFY2(amps.status == 0, qPrintable(amps.error));
+    QCOMPARE(first(amps)[QLatin1String("unit")].toString(), QStringLiteral("A"));
+
+    const QString torque = QStringLiteral("torque 0.5 100 --expert --max-rpm 3000 --max-amps 2");
+    const Run refused = run(board + torque);
+    QVERIFY(refused.status != 0);
+    QVERIFY2(
+        refused.error.contains(QLatin1String("current scale")), qPrintable(refused.error));
+    QCOMPARE(run(board + torque + scale).status, 0);
+
+    const Run told = run(QStringLiteral("--port sim --protocol mcp get I_Q_REF") + scale);
+    QCOMPARE(told.status, 1); // never instead of what the board says
+    QVERIFY2(told.error.contains(QLatin1String("tells its current scale")), qPrintable(told.error));
+    for (const char *wrong : {"0", "-60", "60,175", "1e9"})
+        QVERIFY2(
+            run(board + QStringLiteral("get I_Q_REF --full-scale-current ") + QLatin1String(wrong))
+                    .status
+                != 0,
+            wrong);
 }
 
 void TestCliOlderBoards::anUnknownProtocolIsWrongUsage()

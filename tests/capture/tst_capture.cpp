@@ -388,6 +388,19 @@ void TestCapture::polledValuesAreTheirOwnChannel()
     QVERIFY(!capture.valueAt(id, 4.0)); // nobody has asked for too long
     QCOMPARE(capture.channel(id)->gaps(0, 20, 0).size(), std::size_t(1));
     QCOMPARE(capture.refused().backwards + capture.refused().notFinite, std::uint64_t(2));
+
+    // By another scale the numbers do not follow those before, though their unit is the same.
+    capture.endPolledForGood(7);
+    capture.appendPolled(7, "F7", "rpm", 10.5, 17.0);
+    capture.appendPolled(7, "F7", "rpm", 10.6, 18.0);
+    const ChannelId other = *capture.find(7, Kind::Polled);
+    QVERIFY(other != id);
+    QCOMPARE(capture.size(id), std::uint64_t(3));
+    QCOMPARE(capture.size(other), std::uint64_t(2));
+    capture.endPolledForGood(7);
+    capture.appendPolled(7, "F7", "A", 11.0, 0.5); // another unit, too: one new channel, not two
+    capture.appendPolled(7, "F7", "A", 11.1, 0.6);
+    QCOMPARE(capture.size(*capture.find(7, Kind::Polled)), std::uint64_t(2));
 }
 
 void TestCapture::aFastSampleCostsLessThanTwoPointThreeBytes()

@@ -1,9 +1,13 @@
 // What a recording costs, as the real window says it: before a set that does not fit starts, and beside what is measured.
 #include "support/scope_window.h"
+#include "widgets/scope/channel_strip.h"
 #include "widgets/scope/signal_selection.h"
 
 #include <QLabel>
 #include <QSignalSpy>
+#include <QToolButton>
+
+#include <cmath>
 
 class TestChannelStrip : public QObject {
     Q_OBJECT
@@ -21,6 +25,7 @@ private Q_SLOTS:
     void aSetThatDoesNotFitIsSaidBeforeItStarts();
     void theTipSaysWhatFits();
     void theMeasuredRateStandsBesideThePlan();
+    void readSignalsSayHowOftenAndHowWellTheyAreTimed();
 
 private:
     QString banner() { return m_rig->find<QLabel>("bannerText")->text(); }
@@ -96,6 +101,48 @@ void TestChannelStrip::theMeasuredRateStandsBesideThePlan()
     carry(500); // another link counts anew
     Q_EMIT m_rig->workbench.heartbeat(Milliseconds(14'000));
     QVERIFY(!budget().text().contains(QStringLiteral("measured")));
+}
+
+void TestChannelStrip::readSignalsSayHowOftenAndHowWellTheyAreTimed()
+{
+    using namespace std::chrono_literals;
+    drive::Identified board = facts::identified(); // one that records nothing by itself
+    board.streaming = {.linkBytesPerSecond = 11520.0, .readsPerSecond = 1000.0};
+    facts::feed(m_rig->device(), {board});
+    QCoreApplication::processEvents();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the chips of before
+    auto *selection = m_rig->window.findChild<widgets::SignalSelection *>();
+    const auto &polled = selection->plan().polled;
+    QVERIFY(polled.size() >= 2);
+    const auto planned = QString::number(std::lround(1000.0 / double(polled.size())));
+    QVERIFY2(budget().text().contains(
+                 QStringLiteral("each signal read up to %1 times a second").arg(planned)),
+        qPrintable(budget().text()));
+    QVERIFY(!budget().text().contains(QStringLiteral("reached")));
+
+    auto *strip = m_rig->find<widgets::ChannelStrip>("channelStrip");
+    strip->measure(widgets::Milliseconds(100'000));
+    for (int i = 0; i <= 30; ++i) // the first every 40 ms, the second half as often
+        for (const std::size_t which : {std::size_t{0}, std::size_t{1}})
+            if (which == 0 || i % 2 == 0)
+                facts::feed(m_rig->device(),
+                    {drive::RegistersRead{{{polled[which], drive::ReadStatus::Ok, std::int64_t{i},
+                        TimePoint(10s + i * 40ms), 3500us}}}});
+    strip->measure(widgets::Milliseconds(101'500));
+    QVERIFY2(budget().text().endsWith(QStringLiteral("reached 13")), qPrintable(budget().text()));
+    const auto tagOf = [&](std::size_t which) {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        return m_rig->window
+            .findChild<QWidget *>(QStringLiteral("chip_") + selection->nameOf(polled[which]))
+            ->findChild<QToolButton *>();
+    };
+    QVERIFY2(tagOf(0)->text().contains(QStringLiteral("25/s")), qPrintable(tagOf(0)->text()));
+    QVERIFY(tagOf(0)->toolTip().contains(QStringLiteral("3.5 ms")));
+    QVERIFY(tagOf(1)->text().contains(QStringLiteral("13/s"))
+        || tagOf(1)->text().contains(QStringLiteral("12/s")));
+
+    strip->measure(widgets::Milliseconds(103'000)); // nothing more came: nothing is claimed
+    QVERIFY(!tagOf(0)->text().contains(QStringLiteral("/s")));
 }
 
 QTEST_MAIN(TestChannelStrip)

@@ -1,5 +1,6 @@
 #include "widgets/base/device.h"
 
+#include "drive/board_facts.h"
 #include "widgets/files/replaying.h"
 
 namespace widgets {
@@ -139,6 +140,17 @@ void Device::setUserLimits(const drive::UserLimits &limits)
     Q_EMIT boundsChanged();
 }
 
+double Device::fullScaleAmps(int motor) const
+{
+    const auto known = catalog();
+    return known ? known->scales(motor).ampsPerDigit * drive::kFullScaleDigits : 0.0;
+}
+
+drive::WishId Device::setCurrentScale(int motor, double fullScaleAmps)
+{
+    return submit(drive::CurrentScale{motor, fullScaleAmps});
+}
+
 void Device::becomeExpert(int motor) { m_expertWished[submit(drive::ExpertMode{motor})] = motor; }
 
 void Device::takeEnd(const drive::Ended &ended)
@@ -204,8 +216,9 @@ void Device::take(const drive::Event &event)
                 Q_EMIT linkStateChanged();
             },
             [this](const drive::Identified &identified) {
+                const bool again = m_identified && m_motor <= identified.identity.motors;
                 m_identified = identified;
-                m_motor = 1;
+                m_motor = again ? m_motor : 1;
                 Q_EMIT identityChanged();
             },
             [this](const drive::RegistersRead &read) { Q_EMIT readingsArrived(read.readings); },

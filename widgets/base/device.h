@@ -50,6 +50,7 @@ public:
     const drive::UserLimits &userLimits() const { return m_userLimits; }
     drive::MotionBounds bounds(int motor) const;
     drive::MotorLimits limits(int motor) const; ///< as the board tells them; zeros if not known
+    double fullScaleAmps(int motor) const; ///< of the currents; 0: not known
     bool expert(int motor) const { return m_expert.contains(motor); }
     const drive::LinkCounters &counters() const { return m_counters; }
     /// Samples that only the display did not get, since the port was opened.
@@ -66,6 +67,8 @@ public Q_SLOTS:
     void setArmed(bool armed);
     void setMotor(int motor);
     void setUserLimits(const drive::UserLimits &limits); ///< ignored if they bound nothing sensibly
+    /// What a person knows of a motor's current scale; the board is told of anew (identityChanged) if it is taken.
+    drive::WishId setCurrentScale(int motor, double fullScaleAmps);
     /// A person has agreed to move a motor whose board does not tell its limits.
     void becomeExpert(int motor);
 

@@ -58,6 +58,12 @@ QString linkReasonText(drive::LinkReason reason)
     case LinkReason::OldProtocol:
         return Messages::tr("The board speaks the protocol of older firmware. Choose that one, or "
                             "Auto, and connect again.");
+    case LinkReason::AskingNewer:
+        return Messages::tr("Asking whether the board speaks the protocol of newer firmware; if "
+                            "nobody answers, that of older firmware is next.");
+    case LinkReason::AskingOlder:
+        return Messages::tr("Nobody answers in the protocol of newer firmware: asking in that of "
+                            "older firmware.");
     case LinkReason::OtherProtocol:
         return Messages::tr("The board speaks the protocol of newer firmware. Choose that one, or "
                             "Auto, and connect again.");
@@ -205,6 +211,8 @@ QString motionActText(drive::MotionAct act)
         return Messages::tr("Own limits");
     case MotionAct::Expert:
         return Messages::tr("Expert mode");
+    case MotionAct::CurrentScale:
+        return Messages::tr("Current scale", "a person says it");
     case MotionAct::Start:
         return Messages::tr("Start", "of a motor");
     case MotionAct::Stop:

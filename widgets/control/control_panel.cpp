@@ -45,6 +45,8 @@ ControlPanel::ControlPanel(
     , m_readouts(new ReadoutBox(device, registers, this))
     , m_limits(new QLabel(this))
     , m_changeLimits(new QToolButton(this))
+    , m_scale(new QLabel(this))
+    , m_changeScale(new QToolButton(this))
     , m_words(new StopWords(this))
 {
     setObjectName(QStringLiteral("controlPanel"));
@@ -94,6 +96,7 @@ ControlPanel::ControlPanel(
     connect(m_readouts, &ReadoutBox::updated, this,
         [this] { m_setpoints->takeReference(m_readouts->value("SPEED_REF")); });
     connect(m_changeLimits, &QToolButton::clicked, this, &ControlPanel::limitsWanted);
+    connect(m_changeScale, &QToolButton::clicked, this, &ControlPanel::currentScaleWanted);
     follow();
 }
 
@@ -110,6 +113,16 @@ QWidget *ControlPanel::makeBody()
     auto *limits = new QHBoxLayout;
     limits->addWidget(m_limits, 1);
     limits->addWidget(m_changeLimits, 0, Qt::AlignTop);
+    m_scale->setObjectName(QStringLiteral("currentScale"));
+    m_scale->setTextFormat(Qt::PlainText);
+    m_scale->setWordWrap(true);
+    m_changeScale->setObjectName(QStringLiteral("changeCurrentScale"));
+    m_changeScale->setText(tr("Change\u2026", "the current scale"));
+    m_changeScale->setAccessibleName(tr("Change the current scale"));
+    m_changeScale->setFocusPolicy(Qt::TabFocus);
+    auto *scale = new QHBoxLayout;
+    scale->addWidget(m_scale, 1);
+    scale->addWidget(m_changeScale, 0, Qt::AlignTop);
     auto *layout = new QVBoxLayout(body);
     layout->setContentsMargins(kMargin, kGap, kMargin, kGap);
     layout->setSpacing(kGap);
@@ -119,6 +132,7 @@ QWidget *ControlPanel::makeBody()
     layout->addWidget(line(this));
     layout->addWidget(m_readouts);
     layout->addLayout(limits);
+    layout->addLayout(scale);
     layout->addStretch(1);
     return body;
 }
@@ -149,6 +163,19 @@ void ControlPanel::follow()
     m_setpoints->follow();
     m_jog->follow();
     showLimits();
+    showScale();
+}
+
+void ControlPanel::showScale()
+{
+    const bool asked =
+        m_device.identified() && m_device.capability(drive::Feature::CurrentScale).available;
+    m_scale->setVisible(asked);
+    m_changeScale->setVisible(asked);
+    const double amps = m_device.fullScaleAmps(m_device.motor());
+    m_scale->setText(amps > 0.0 ? tr("Current scale: %1 at 32768 digits (yours)", "with unit")
+                                      .arg(numberText(amps, 2) + QChar(0x202f) + QLatin1Char('A'))
+                                : tr("Current scale: not known, the board does not tell it"));
 }
 
 void ControlPanel::showLimits()

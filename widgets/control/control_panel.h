@@ -45,12 +45,14 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void watchedRegistersChanged();
+    void currentScaleWanted(); ///< a person knows the scale of the currents
     void limitsWanted(); ///< a person wants to change their own limits
 
 private:
     QWidget *makeBody();
     void follow();
     void showLimits();
+    void showScale();
     void stopAdvanced(const drive::StopProgress &progress);
 
     Device &m_device;
@@ -61,6 +63,8 @@ private:
     ReadoutBox *m_readouts;
     QLabel *m_limits;
     QToolButton *m_changeLimits;
+    QLabel *m_scale; ///< of the currents, where a person has to say it
+    QToolButton *m_changeScale;
     StopWords *m_words;
     Milliseconds m_now{};
 };

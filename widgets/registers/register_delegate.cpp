@@ -131,8 +131,9 @@ void EntryEdit::stepBy(int steps)
     const auto read = m_model.readEntry(m_id, m_column, text());
     const auto next = rules && read ? stepped(*read, steps, *rules) : std::nullopt;
     if (next)
-        setText(m_column == RegisterModel::RawColumn ? rawEntryText(*next)
-                                                     : shownEntryText(*next, *rules));
+        setText(m_column == RegisterModel::RawColumn
+                ? rawEntryText(catalog::onWire(*rules->info, *next))
+                : shownEntryText(*next, *rules));
 }
 
 void EntryEdit::showProblem()

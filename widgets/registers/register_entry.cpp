@@ -179,50 +179,8 @@ QString flagsEntryText(std::int64_t bits, const catalog::RegisterInfo &info)
     return words.isEmpty() ? Entry::tr("none", "no flag is set") : words.join(QLatin1String(" | "));
 }
 
-} // namespace
-
-EntryRules entryRules(
-    const catalog::RegisterInfo &info, const catalog::Scale &scale, const drive::MotorLimits &motor)
-{
-    EntryRules rules{&info, scale, catalog::writeLimits(info)};
-    if (const double perDigit = drive::setPointPerDigit(info, scale, motor); perDigit > 0.0) {
-        // What the board does not tell does not bound an entry: whether it may be sent is decided below.
-        const drive::MotionBounds bounds = drive::boundsOf(motor, {}, true);
-        const double greatest =
-            info.setPoint == catalog::SetPoint::Speed ? bounds.rpm : bounds.amps;
-        const double raw = std::floor(greatest / perDigit);
-        rules.limits.least = std::max(rules.limits.least, -raw);
-        rules.limits.greatest = std::min(rules.limits.greatest, raw);
-    }
-    return rules;
-}
-
-Result<Value, EntryError> readShownEntry(const QString &text, const EntryRules &rules)
-{
-    if (rules.info->type == ValueType::Text || rules.info->type == ValueType::Raw)
-        return fail(EntryError::CannotBeTyped);
-    const QString typed = text.trimmed();
-    if (typed.isEmpty())
-        return fail(EntryError::Empty);
-    if (typed.size() > 4 * kLongestNumber)
-        return fail(EntryError::TooLong);
-    if (rules.info->meaning != Meaning::Number) {
-        if (const auto value = readName(typed, rules))
-            return *value;
-        return readRawEntry(typed, rules);
-    }
-    const auto bare = withoutUnit(typed, rules);
-    if (!bare)
-        return fail(bare.error());
-    const auto number = readNumber(*bare);
-    if (!number)
-        return fail(number.error());
-    if (!(std::abs(rules.scale.factor) > 0.0) || !std::isfinite(rules.scale.factor))
-        return fail(EntryError::CannotBeTyped);
-    return bounded(*number / rules.scale.factor, rules);
-}
-
-Result<Value, EntryError> readRawEntry(const QString &text, const EntryRules &rules)
+/// Digits or bytes, as they are typed.
+Result<Value, EntryError> readDigits(const QString &text, const EntryRules &rules)
 {
     const QString typed = text.trimmed();
     if (rules.info->type == ValueType::Text)
@@ -254,6 +212,58 @@ Result<Value, EntryError> readRawEntry(const QString &text, const EntryRules &ru
     if (catalog::isInteger(rules.info->type) && *number != std::nearbyint(*number))
         return fail(EntryError::NotANumber);
     return bounded(*number, rules);
+}
+
+} // namespace
+
+EntryRules entryRules(
+    const catalog::RegisterInfo &info, const catalog::Scale &scale, const drive::MotorLimits &motor)
+{
+    EntryRules rules{&info, scale, catalog::writeLimits(info)};
+    if (const double perDigit = drive::setPointPerDigit(info, scale, motor); perDigit > 0.0) {
+        // What the board does not tell does not bound an entry: whether it may be sent is decided below.
+        const drive::MotionBounds bounds = drive::boundsOf(motor, {}, true);
+        const double greatest =
+            info.setPoint == catalog::SetPoint::Speed ? bounds.rpm : bounds.amps;
+        const double raw = std::floor(greatest / perDigit);
+        rules.limits.least = std::max(rules.limits.least, -raw);
+        rules.limits.greatest = std::min(rules.limits.greatest, raw);
+    }
+    return rules;
+}
+
+Result<Value, EntryError> readShownEntry(const QString &text, const EntryRules &rules)
+{
+    if (rules.info->type == ValueType::Text || rules.info->type == ValueType::Raw)
+        return fail(EntryError::CannotBeTyped);
+    const QString typed = text.trimmed();
+    if (typed.isEmpty())
+        return fail(EntryError::Empty);
+    if (typed.size() > 4 * kLongestNumber)
+        return fail(EntryError::TooLong);
+    if (rules.info->meaning != Meaning::Number) {
+        if (const auto value = readName(typed, rules))
+            return *value;
+        return readDigits(typed, rules);
+    }
+    const auto bare = withoutUnit(typed, rules);
+    if (!bare)
+        return fail(bare.error());
+    const auto number = readNumber(*bare);
+    if (!number)
+        return fail(number.error());
+    if (!(std::abs(rules.scale.factor) > 0.0) || !std::isfinite(rules.scale.factor))
+        return fail(EntryError::CannotBeTyped);
+    return bounded(*number / rules.scale.factor, rules);
+}
+
+Result<Value, EntryError> readRawEntry(const QString &text, const EntryRules &rules)
+{
+    const auto digits = readDigits(text, rules);
+    if (!digits)
+        return digits;
+    const auto value = catalog::fromWire(*rules.info, *digits);
+    return value ? Result<Value, EntryError>(*value) : fail(EntryError::NoSuchName);
 }
 
 QString shownEntryText(const Value &value, const EntryRules &rules)

@@ -36,7 +36,7 @@ RegisterModel::RegisterModel(QObject *parent)
 void RegisterModel::setCatalog(std::shared_ptr<const catalog::Catalog> catalog, int motor)
 {
     beginResetModel();
-    m_catalog = std::move(catalog);
+    const auto before = std::exchange(m_catalog, std::move(catalog));
     m_motor = motor;
     m_rows.clear();
     m_byId.clear();
@@ -52,7 +52,7 @@ void RegisterModel::setCatalog(std::shared_ptr<const catalog::Catalog> catalog, 
             m_rows.push_back(std::move(row));
         }
     }
-    keepEdits();
+    keepEdits(before.get());
     rebuildGroups();
     endResetModel();
     Q_EMIT editsChanged();

@@ -151,7 +151,7 @@ private:
     void rowChanged(catalog::RegisterId id);
     const Edit *editOf(catalog::RegisterId id) const;
     Edit &edit(catalog::RegisterId id);
-    void keepEdits();
+    void keepEdits(const catalog::Catalog *before);
     void endFlashes(Milliseconds now);
     QVariant editBackground(const Row &row) const;
     QString editSentence(const Row &row) const; ///< what became of its edit; empty without one

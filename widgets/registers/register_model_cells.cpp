@@ -103,7 +103,7 @@ QVariant RegisterModel::display(const Row &row, int column) const
         return wanted ? shownText(*row.info, edit->wanted, row.scale) : valueText(row);
     if (!wanted && (!row.info->readable() || row.known != Known::Value))
         return QString();
-    const catalog::Value &value = wanted ? edit->wanted : row.value;
+    const catalog::Value value = catalog::onWire(*row.info, wanted ? edit->wanted : row.value);
     return column == HexColumn ? hexText(row.info->type, value) : rawText(value);
 }
 
@@ -146,7 +146,8 @@ QVariant RegisterModel::editText(const Row &row, int column) const
     if (column == NameColumn || !rules || (!wanted && row.known != Known::Value))
         return QString();
     const catalog::Value &value = wanted ? edit->wanted : row.value;
-    return column == RawColumn ? rawEntryText(value) : shownEntryText(value, *rules);
+    return column == RawColumn ? rawEntryText(catalog::onWire(*rules->info, value))
+                               : shownEntryText(value, *rules);
 }
 
 QString RegisterModel::toolTip(const Row &row) const

@@ -220,12 +220,14 @@ void RegisterModel::endFlashes(Milliseconds now)
     }
 }
 
-/// After a change of board or motor: only what can still be written as it was typed.
-void RegisterModel::keepEdits()
+/// After a change of board or motor: only what can still be written as it was typed, and means the same.
+void RegisterModel::keepEdits(const catalog::Catalog *before)
 {
-    std::erase_if(m_edits, [this](const Edit &edit) {
+    std::erase_if(m_edits, [this, before](const Edit &edit) {
         const auto rules = rulesOf(edit.id);
-        return !rules || edit.state == EditState::Verified
+        const bool otherScale = rules && edit.state != EditState::Sending && before != nullptr
+            && before->readScale(edit.id) != rules->scale;
+        return !rules || otherScale || edit.state == EditState::Verified
             || !catalog::refuseValue(*rules->info, edit.wanted).empty();
     });
 }

@@ -126,6 +126,13 @@ ChannelStrip::ChannelStrip(SignalSelection &selection, Device &device, QWidget *
         [this](int index) { m_selection.setFastEvery(m_rate->itemData(index).toUInt()); });
     connect(&selection, &SignalSelection::changed, this, &ChannelStrip::rebuild);
     connect(&device, &Device::identityChanged, this, &ChannelStrip::fillRates);
+    connect(&device, &Device::identityChanged, this, [this] { m_rates.forget(); });
+    connect(&device, &Device::readingsArrived, this,
+        [this](const std::vector<drive::Reading> &readings) {
+            for (const drive::Reading &reading : readings)
+                if (m_polledTags.contains(reading.id))
+                    m_rates.take(reading);
+        });
     fillRates();
     rebuild();
 }
@@ -183,6 +190,8 @@ QWidget *ChannelStrip::makeChip(const PlannedSignal &planned)
     tag->setAccessibleName(tr("How %1 is recorded: %2").arg(name, routeText(planned.route)));
     tag->setToolTip(planned.detour == Detour::None ? tr("How this signal is recorded")
                                                    : detourText(planned.detour));
+    if (planned.route == Route::Polled)
+        m_polledTags[id] = tag;
     auto *menu = new QMenu(tag);
     const std::pair<Route, QString> routes[] = {
         {Route::Fast, tr("HF: at the fast rate")},
@@ -217,8 +226,37 @@ QWidget *ChannelStrip::makeChip(const PlannedSignal &planned)
     return chip;
 }
 
+/// The rate on the tag; what it means, and how well the times are known, in its tool tip.
+void ChannelStrip::showRates()
+{
+    for (const PlannedSignal &planned : m_selection.plan().signalList) {
+        const auto tag = m_polledTags.find(planned.id);
+        if (tag == m_polledTags.end())
+            continue;
+        QString text = routeText(planned.route);
+        QStringList tip;
+        if (planned.detour != Detour::None)
+            tip.append(detourText(planned.detour));
+        if (const auto reached = m_rates.reached(planned.id)) {
+            const QString rate = numberText(reached->hz, reached->hz < 10.0 ? 1 : 0);
+            text += QLatin1Char(' ') + tr("%1/s", "times a second").arg(rate);
+            tip.append(tr("Read %1 times a second.").arg(rate));
+            if (reached->spread_s > 0.0)
+                tip.append(
+                    tr("Each value is one of the %1 ms before the time at which it is drawn: "
+                       "question and answer lie so far apart.")
+                        .arg(numberText(reached->spread_s * 1e3, 1)));
+        }
+        tag->second->setText(text + QStringLiteral(" \u25be"));
+        tag->second->setToolTip(
+            tip.isEmpty() ? tr("How this signal is recorded") : tip.join(QLatin1Char('\n')));
+        tag->second->setAccessibleDescription(tip.join(QLatin1Char(' ')));
+    }
+}
+
 void ChannelStrip::rebuild()
 {
+    m_polledTags.clear();
     while (QLayoutItem *item = m_flow->takeAt(0)) {
         if (item->widget()) {
             item->widget()->hide();
@@ -234,7 +272,22 @@ void ChannelStrip::rebuild()
     m_empty->setVisible(m_flow->count() == 0);
     m_chips->setVisible(m_flow->count() != 0);
     m_chips->updateGeometry();
+    showRates();
     updateBudget();
+}
+
+/// What reading one by one gives: planned, and the slowest of what is reached.
+QString ChannelStrip::pollingText(int polled) const
+{
+    const double planned = m_device.streamLimits().readsPerSecond / polled;
+    QString text = tr("each signal read up to %1 times a second").arg(numberText(planned, 0));
+    std::optional<double> slowest;
+    for (const auto &[id, tag] : m_polledTags)
+        if (const auto reached = m_rates.reached(id))
+            slowest = std::min(slowest.value_or(reached->hz), reached->hz);
+    if (slowest)
+        text += tr(", reached %1").arg(numberText(*slowest, *slowest < 10.0 ? 1 : 0));
+    return text;
 }
 
 void ChannelStrip::updateBudget()
@@ -246,6 +299,17 @@ void ChannelStrip::updateBudget()
     if (plan.signalList.empty() || link <= 0.0) {
         m_budget->clear();
         m_budget->setToolTip({});
+        return;
+    }
+    const auto polledOnly = static_cast<int>(plan.polled.size());
+    if (plan.bytesPerSecond <= 0.0 && polledOnly > 0
+        && m_device.streamLimits().readsPerSecond > 0.0) {
+        m_budget->setText(pollingText(polledOnly));
+        m_budget->setToolTip(
+            tr("This board records nothing by itself. Its line of %1 kB/s is shared "
+               "by the signals, the registers that are seen and the motor's state.")
+                .arg(numberText(link / 1000.0, 1)));
+        m_budget->setAccessibleDescription(m_budget->toolTip());
         return;
     }
     QString text = tr("%1 of %2 kB/s (%3 %)", "used, available, percent")
@@ -290,6 +354,8 @@ void ChannelStrip::measure(Milliseconds now)
         m_measured = static_cast<double>(bytes - m_bytesBefore) / toSeconds(since);
     m_bytesBefore = bytes;
     m_measuredAt = now;
+    m_rates.turn();
+    showRates();
     updateBudget();
 }
 

@@ -2,12 +2,14 @@
 // on it are added.
 #pragma once
 
+#include "widgets/scope/polled_rates.h"
 #include "widgets/scope/signal_selection.h"
 
 #include <QWidget>
 
 class QComboBox;
 class QLabel;
+class QToolButton;
 
 namespace widgets {
 
@@ -32,6 +34,8 @@ private:
     void updateBudget();
     void fillRates();
     QWidget *makeChip(const PlannedSignal &planned);
+    void showRates(); ///< of what is read one by one, on its chips
+    QString pollingText(int polled) const;
 
     SignalSelection &m_selection;
     Device &m_device;
@@ -41,6 +45,8 @@ private:
     QComboBox *m_rate;
     QLabel *m_budget;
     std::optional<double> m_measured; ///< bytes a second
+    PolledRates m_rates;
+    std::map<quint32, QToolButton *> m_polledTags; ///< by signal, of the chips that are shown
     std::uint64_t m_bytesBefore = 0;
     Milliseconds m_measuredAt{};
 };

@@ -6,6 +6,7 @@
 #include "widgets/scope/scope_view.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace widgets {
 namespace {
@@ -269,6 +270,9 @@ void SignalSelection::boardChanged()
     std::erase_if(
         m_wanted, [&](const WantedSignal &signal) { return catalog->find(signal.id) == nullptr; });
     m_streamWish = 0;
+    for (const auto &[id, factor] : std::exchange(m_polledFactors, {}))
+        if (catalog->readScale(id).factor != factor)
+            m_capture.endPolledForGood(id); // the same unit by another scale
     if (m_wanted.empty())
         addDefaults();
     replan();
@@ -340,6 +344,7 @@ void SignalSelection::takeReadings(const std::vector<drive::Reading> &readings)
             continue;
         const catalog::Scale scale = catalog->readScale(reading.id);
         const bool known = m_capture.find(reading.id, Kind::Polled).has_value();
+        m_polledFactors[reading.id] = scale.factor;
         m_capture.appendPolled(reading.id, catalog->nameOf(reading.id), scale.unit,
             toSeconds(reading.at.time_since_epoch()), rawNumber(reading.value) * scale.factor);
         isNew = isNew || !known;

@@ -5,10 +5,12 @@
 #include "capture/capture.h"
 #include "widgets/base/device.h"
 #include "widgets/scope/channel_plan.h"
+#include "widgets/scope/polled_rates.h"
 
 #include <QObject>
 #include <QTimer>
 
+#include <map>
 #include <set>
 
 namespace widgets {
@@ -72,6 +74,7 @@ private:
     std::vector<WantedSignal> m_wanted;
     ChannelPlan m_plan;
     unsigned m_fastEvery = 1;
+    std::map<catalog::RegisterId, double> m_polledFactors; ///< by which values were scaled last
     drive::WishId m_streamWish = 0; ///< the one that has not ended
     bool m_streamStale = false; ///< the plan changed while it was under way
     bool m_fromFile = false; ///< the capture is a file's

@@ -8,6 +8,8 @@
 #include "widgets/base/messages.h"
 #include "widgets/control/big_numbers.h"
 #include "widgets/control/control_panel.h"
+#include "widgets/control/current_scale_dialog.h"
+#include "widgets/control/current_scales.h"
 #include "widgets/control/limits_dialog.h"
 #include "widgets/control/motion_question.h"
 #include "widgets/control/motor_button.h"
@@ -364,6 +366,9 @@ void MainWindow::connectParts()
     connect(&m_workbench.motion(), &MotionGate::failed, this, note);
     showMotionQuestions(m_workbench.motion(), m_device, this);
     connect(m_control, &ControlPanel::limitsWanted, this, &MainWindow::askForLimits);
+    m_scales = new CurrentScales(m_device, m_settings.currentScales, this);
+    connect(m_scales, &CurrentScales::told, this, note);
+    connect(m_control, &ControlPanel::currentScaleWanted, this, &MainWindow::askForCurrentScale);
     connect(m_selection, &SignalSelection::failed, this, note);
     connect(m_selection, &SignalSelection::noticed, this, note);
     connect(m_registerPanel, &RegisterPanel::registersChosen, m_selection,
@@ -452,6 +457,8 @@ MainWindow::LinkMessage MainWindow::linkMessage() const
             Told::Loss};
     if (link.state == LinkState::Lost)
         return {Banner::Kind::Bad, linkReasonText(link.reason), Told::Link};
+    if (link.state == LinkState::Connecting && link.reason != drive::LinkReason::None)
+        return {Banner::Kind::Note, linkReasonText(link.reason), Told::Link};
     if (link.reason == drive::LinkReason::BoardReset && link.state == LinkState::Connected)
         return {Banner::Kind::Warning, linkReasonText(link.reason), Told::Link};
     if (known && m_device.answering() && !m_device.identified()->identity.knownFirmware)
@@ -493,6 +500,14 @@ void MainWindow::askForLimits()
 {
     auto *dialog = new LimitsDialog(m_device.userLimits(), this);
     connect(dialog, &LimitsDialog::chosen, &m_device, &Device::setUserLimits);
+    dialog->open();
+}
+
+void MainWindow::askForCurrentScale()
+{
+    const int motor = m_device.motor();
+    auto *dialog = new CurrentScaleDialog(motor, m_device.fullScaleAmps(motor), this);
+    connect(dialog, &CurrentScaleDialog::chosen, m_scales, &CurrentScales::set);
     dialog->open();
 }
 

@@ -23,6 +23,7 @@ namespace widgets {
 class BigNumbers;
 class ConnectBar;
 class ControlPanel;
+class CurrentScales;
 class EventPanel;
 class EventRecorder;
 class FilePrompt;
@@ -137,6 +138,7 @@ private:
     LinkMessage linkMessage() const;
     void askToDisconnect();
     void askForLimits();
+    void askForCurrentScale();
     void showBigNumbers(bool shown);
     void stopAdvanced(const drive::StopProgress &progress);
     void updateFrame();
@@ -157,6 +159,7 @@ private:
     TriggerControl *m_trigger;
     ConnectBar *m_connectBar = nullptr;
     ControlPanel *m_control = nullptr;
+    CurrentScales *m_scales = nullptr;
     BigNumbers *m_bigNumbers = nullptr;
     QStackedWidget *m_pages = nullptr; ///< the picture, or the large numbers in its place
     RegisterPanel *m_registerPanel = nullptr;

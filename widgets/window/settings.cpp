@@ -16,7 +16,7 @@ namespace {
 
 constexpr qint64 kLargestFile = qint64{1024} * 1024;
 constexpr double kMostOnDisk_GB = 100'000.0;
-constexpr qsizetype kMostPinned = 200, kMostInertias = 200;
+constexpr qsizetype kMostPinned = 200, kMostNumbers = 200;
 
 QString themeName(Theme theme)
 {
@@ -32,21 +32,22 @@ Theme themeOf(const QString &name)
                                           : Theme::System;
 }
 
-QJsonObject inertiasObject(const QMap<QString, double> &inertias)
+QJsonObject numbersObject(const QMap<QString, double> &numbers)
 {
     QJsonObject object;
-    for (auto at = inertias.begin(); at != inertias.end(); ++at)
+    for (auto at = numbers.begin(); at != numbers.end(); ++at)
         object[at.key()] = at.value();
     return object;
 }
 
-QMap<QString, double> inertiasOf(const QJsonObject &object)
+/// Numbers above 0 by a name.
+QMap<QString, double> numbersOf(const QJsonObject &object)
 {
-    QMap<QString, double> inertias;
-    for (auto at = object.begin(); at != object.end() && inertias.size() < kMostInertias; ++at)
-        if (const double inertia = at.value().toDouble(); inertia > 0.0)
-            inertias[at.key()] = inertia;
-    return inertias;
+    QMap<QString, double> numbers;
+    for (auto at = object.begin(); at != object.end() && numbers.size() < kMostNumbers; ++at)
+        if (const double number = at.value().toDouble(); number > 0.0)
+            numbers[at.key()] = number;
+    return numbers;
 }
 
 QByteArray bytesOf(const QJsonValue &value)
@@ -76,7 +77,8 @@ QByteArray toJson(const Settings &settings)
     object[QStringLiteral("recordFolder")] = settings.recordFolder;
     object[QStringLiteral("snapshotFolder")] = settings.snapshotFolder;
     object[QStringLiteral("pinned")] = QJsonArray::fromStringList(settings.pinned);
-    object[QStringLiteral("inertias")] = inertiasObject(settings.inertias);
+    object[QStringLiteral("inertias")] = numbersObject(settings.inertias);
+    object[QStringLiteral("currentScales")] = numbersObject(settings.currentScales);
     object[QStringLiteral("registerColumns")] =
         QJsonArray::fromStringList(settings.registerColumns);
     object[QStringLiteral("maxSpeedRpm")] = settings.maxSpeedRpm;
@@ -109,7 +111,8 @@ Settings settingsFromJson(const QByteArray &json)
         for (qsizetype i = 0; i < std::min(names.size(), kMostPinned); ++i)
             settings.pinned.append(names[i].toString());
     }
-    settings.inertias = inertiasOf(object[QStringLiteral("inertias")].toObject());
+    settings.inertias = numbersOf(object[QStringLiteral("inertias")].toObject());
+    settings.currentScales = numbersOf(object[QStringLiteral("currentScales")].toObject());
     if (object[QStringLiteral("registerColumns")].isArray()) {
         settings.registerColumns.clear();
         const QJsonArray names = object[QStringLiteral("registerColumns")].toArray();

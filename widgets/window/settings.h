@@ -28,6 +28,8 @@ struct Settings {
         QStringLiteral("I_Q_REF"), QStringLiteral("BUS_VOLTAGE"), QStringLiteral("HEATS_TEMP"),
         QStringLiteral("SPEED_KP"), QStringLiteral("SPEED_KI")};
     QMap<QString, double> inertias; ///< of rotor and load in kg m2, by the motor's name
+    QMap<QString, double>
+        currentScales; ///< full scale in A, by board and port, where boards do not tell
     QStringList registerColumns{QStringLiteral("value"), QStringLiteral("raw")};
     double maxSpeedRpm = 0.0; ///< a person's own limits; 0: none
     double maxCurrentAmps = 0.0;

@@ -14,7 +14,6 @@ struct LegacyFacts : BoardFacts {
     /// Registers that a motor does not have although another one has: by id with motor.
     std::set<RegisterId> missing;
     double bytesPerSecond = 11520.0; ///< of the line, in each direction
-    double ampsPerDigit = 0.0; ///< as a person entered it: no board of this kind tells
 };
 
 } // namespace drive

@@ -171,6 +171,8 @@ std::string LegacySetPointTask::refuse() const
         return "a ramp lasts 0 to 65535 ms";
     if (m_feature == Feature::SpeedRamp)
         return refuseLegacySpeed(m_board, m_motor, m_first);
+    if (auto why = m_board.reasonAgainstAmps(m_motor); !why.empty())
+        return why;
     return refuseCurrent(m_board, m_motor, std::hypot(m_first, m_second));
 }
 
@@ -179,7 +181,7 @@ legacy::Command LegacySetPointTask::encode() const
     const auto time = static_cast<std::uint16_t>(m_duration.count());
     const auto digits = [this](double amps) {
         return static_cast<std::int16_t>(
-            std::clamp(std::nearbyint(amps / m_board.ampsPerDigit), -32767.0, 32767.0));
+            std::clamp(std::nearbyint(amps / m_board.ampsPerDigit(m_motor)), -32767.0, 32767.0));
     };
     switch (m_feature) {
     case Feature::SpeedRamp:

@@ -71,7 +71,6 @@ public:
     {
         constexpr double kBitsPerByte = 10.0;
         m_board.bytesPerSecond = config.baud / kBitsPerByte;
-        m_board.ampsPerDigit = config.ampsPerDigit;
     }
 
     void connect(TimePoint now) override;
@@ -98,6 +97,8 @@ public:
 private:
     void work(TimePoint now) override;
     std::unique_ptr<WishTask> taskFor(const Wish &wish) override;
+    std::string takeScale(const CurrentScale &scale, TimePoint now) override;
+    void tellIdentified();
     void watch(const Watch &watch, TimePoint now) override { m_watch.watch(watch, now); }
     void lookAtOnce(TimePoint now) override { m_vitals.hurry(now); }
 
@@ -317,11 +318,33 @@ void LegacyDrive::onLost(const Link::Lost &event, TimePoint now)
     m_reconnectAt = now + m_config.reconnectEvery;
 }
 
+void LegacyDrive::tellIdentified()
+{
+    m_events.emplace_back(Identified{m_identification.identity(), m_board.catalog, m_board.limits,
+        m_board.streaming, m_board.capabilities, 0, 0, 0, legacyStateSteps()});
+}
+
+/// The board is told anew, so that nobody goes on with units of before; it is asked nothing.
+std::string LegacyDrive::takeScale(const CurrentScale &scale, TimePoint)
+{
+    if (auto why = m_board.reasonAgainst(Feature::CurrentScale); !why.empty())
+        return why;
+    const double perDigit = scale.fullScaleAmps / kFullScaleDigits;
+    if (perDigit == m_board.ampsPerDigit(scale.motor))
+        return {};
+    disarm();
+    m_board.scales[static_cast<std::size_t>(scale.motor - 1)].ampsPerDigit = perDigit;
+    m_board.catalog = std::make_shared<const catalog::Catalog>(
+        m_board.catalog->registers(), m_board.motors, m_board.scales);
+    m_identification.addCapabilities();
+    tellIdentified();
+    return {};
+}
+
 void LegacyDrive::onIdentified(TimePoint now)
 {
     m_link.setDialect(m_board.dialect);
-    m_events.emplace_back(Identified{m_identification.identity(), m_board.catalog, m_board.limits,
-        m_board.streaming, m_board.capabilities, 0, 0, 0, legacyStateSteps()});
+    tellIdentified();
     if (auto readings = m_identification.takeReadings(); !readings.empty())
         m_events.emplace_back(RegistersRead{std::move(readings)});
     m_watch.restart(now);

@@ -19,7 +19,6 @@ struct LegacyDriveConfig {
     std::uint32_t baud = 115200;
     Duration patience{}; ///< added to the time-out of every reply
     std::optional<legacy::Dialect> dialect; ///< that a person chose; empty: found out
-    double ampsPerDigit = 0.0; ///< scale of the currents as a person knows it; 0: not known
     Duration reconnectEvery =
         std::chrono::milliseconds(500); ///< after a lost link, until disconnect()
 };

@@ -169,9 +169,7 @@ void LegacyIdentification::addLimits()
         if (fastest != m_values.end())
             limits.maxSpeedRpm = asNumber(fastest->second).value_or(0.0);
         m_board.limits.push_back(limits);
-        catalog::Scales scales;
-        scales.ampsPerDigit = m_board.ampsPerDigit;
-        m_board.scales.push_back(scales);
+        m_board.scales.emplace_back();
     }
 }
 
@@ -179,10 +177,10 @@ void LegacyIdentification::addCapabilities()
 {
     const std::string noStream = "Boards of this protocol record nothing by themselves: signals "
                                  "are read one after the other.";
-    const std::string noScale = "Boards of this protocol do not tell the scale of their currents.";
     const std::string noPosition = "This protocol moves no shaft to a position.";
     const std::string noCycle =
         "Boards of this protocol take each set-point as a request of its own.";
+    m_board.capabilities.clear();
     const bool writes = m_board.knownFirmware;
     const std::string readOnly = writes ? "" : "Read-only: " + m_doubt + ".";
     const auto add = [&](Feature feature, const std::string &reason) {
@@ -193,13 +191,18 @@ void LegacyIdentification::addCapabilities()
         {Feature::Start, Feature::AcknowledgeFaults, Feature::SpeedRamp, Feature::WriteRegisters})
         add(feature, {});
     m_board.capabilities.push_back({Feature::Stop, true, {}});
-    const std::string noAmps = m_board.ampsPerDigit > 0.0 ? std::string() : noScale;
+    // One motor with a scale is enough; of the others each set-point is refused by itself.
+    std::string noAmps = kNoCurrentScale;
+    for (int motor = 1; motor <= m_board.motors; ++motor)
+        if (m_board.ampsPerDigit(motor) > 0.0)
+            noAmps.clear();
     const bool torqueRamp = m_board.dialect == Dialect::Stm32 && m_version.version >= "5.4.2";
     add(Feature::TorqueRamp, torqueRamp ? noAmps : "Only firmware from 5.4.2 on has torque ramps.");
     add(Feature::CurrentReference, noAmps);
     m_board.capabilities.push_back({Feature::Stream, false, noStream});
     m_board.capabilities.push_back({Feature::PositionRamp, false, noPosition});
     m_board.capabilities.push_back({Feature::CyclicSetPoints, false, noCycle});
+    add(Feature::CurrentScale, {});
 }
 
 void LegacyIdentification::finish()
@@ -236,6 +239,8 @@ void LegacyIdentification::finish()
     m_board.catalog = std::make_shared<const catalog::Catalog>(
         std::move(registers), m_board.motors, m_board.scales);
     m_board.streaming.linkBytesPerSecond = m_board.bytesPerSecond;
+    constexpr double kBytesOfRead = 4.0 + 7.0; // the question, and an answer of four bytes
+    m_board.streaming.readsPerSecond = m_board.bytesPerSecond / kBytesOfRead;
     addCapabilities();
 
     const bool powerPc = m_board.dialect == Dialect::PowerPc;

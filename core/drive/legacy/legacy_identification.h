@@ -30,6 +30,9 @@ public:
     const Identity &identity() const { return m_identity; }
     std::vector<Reading> takeReadings() { return std::exchange(m_readings, {}); }
 
+    /// What the board can do by what is known of it; anew when more is known.
+    void addCapabilities();
+
     std::optional<Bytes> nextRequest(TimePoint now) override;
     void takeResponse(ByteView response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
@@ -41,7 +44,6 @@ private:
     void probeRegisters();
     void finish();
     void addLimits();
-    void addCapabilities();
 
     LegacyFacts &m_board;
     std::optional<legacy::Dialect> m_chosen;

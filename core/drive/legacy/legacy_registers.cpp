@@ -37,6 +37,17 @@ constexpr std::array kStandardNames{StandardName{0x01, "FAULTS_FLAGS"},
 
 bool isDivisor(std::uint8_t number) { return number == kSpeedKpDiv || number == kSpeedKiDiv; }
 
+/// What the wire has instead of the numbers that a name stands for.
+std::vector<catalog::WireDigits> wireDigits(std::uint8_t number)
+{
+    std::vector<catalog::WireDigits> all;
+    if (number == kControlMode)
+        all = {{kSpeedModeNumber, kSpeedOnWire}, {kTorqueModeNumber, kTorqueOnWire}};
+    for (std::int64_t exponent = 0; isDivisor(number) && exponent <= kGreatestExponent; ++exponent)
+        all.push_back({exponent, std::int64_t{1} << exponent});
+    return all;
+}
+
 /// What a name says in every protocol: where it is shown, whether it is part of a gain.
 void takeOver(catalog::RegisterInfo &info, const std::vector<catalog::RegisterInfo> &standard)
 {
@@ -71,6 +82,7 @@ catalog::RegisterInfo neutral(
         info.setPoint = catalog::SetPoint::Speed;
     else if (number == kTorqueRef || number == kFluxRef || number == kIqSpeedMode)
         info.setPoint = catalog::SetPoint::Current;
+    info.wire = wireDigits(number);
     info.perMotor = number != kUid && number != kControlBoard && number != kPowerBoard;
     return info;
 }

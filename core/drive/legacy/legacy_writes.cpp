@@ -39,7 +39,7 @@ bool sameValue(const Value &wanted, const Value &read)
 std::string refuseStages(
     const LegacyFacts &board, int motor, const std::vector<legacy::RevUpStage> &stages)
 {
-    const double amps = board.ampsPerDigit;
+    const double amps = board.ampsPerDigit(motor);
     for (const legacy::RevUpStage &stage : stages) {
         if (auto why = refuseLegacySpeed(board, motor, stage.speed_rpm); !why.empty())
             return why;

@@ -349,6 +349,7 @@ std::vector<Capability> mcbCapabilitiesOf(const McbBoard &board)
         !strange.empty() ? strange
             : travels    ? ""
                          : "This drive has no set-points that can be mapped.");
+    add(Feature::CurrentScale, "The drive tells its current scale itself.");
     return all;
 }
 

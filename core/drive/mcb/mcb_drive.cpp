@@ -188,6 +188,7 @@ std::unique_ptr<WishTask> McbDrive::taskFor(const Wish &wish)
         Made operator()(const Watch &) const { return refused(); }
         Made operator()(const UserLimits &) const { return refused(); }
         Made operator()(const ExpertMode &) const { return refused(); }
+        Made operator()(const CurrentScale &) const { return refused(); }
     };
     return std::visit(Make{wish.id, m_board, m_stream, m_setPoints}, wish.what);
 }

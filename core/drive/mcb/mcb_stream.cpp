@@ -61,6 +61,7 @@ void McbStreamControl::begin(const Stream &stream, const std::vector<RegisterId>
     capture::StreamLayout layout;
     layout.id = ++m_lastStream;
     layout.tickHz = kTickHz;
+    layout.ticksAreControlPeriods = false;
     layout.fastStep = static_cast<std::uint32_t>(m_period / kTick);
     for (const RegisterId id : ids) {
         const mcb::Info info = *m_board.infoOf(mcbAddressOf(id));

@@ -40,6 +40,9 @@ private:
     static Link::Config linkConfig(const McpDriveConfig &config)
     {
         Link::Config link;
+        constexpr int kHastyOffers = 3; // a third of a second each at 115200 baud
+        if (config.hasty)
+            link.firstSilentOffers = kHastyOffers;
         link.baud = config.baud;
         link.payloadPause = config.payloadPause;
         link.patience = config.patience;

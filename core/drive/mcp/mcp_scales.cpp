@@ -12,7 +12,6 @@ namespace {
 // Beyond these a number is a misread structure, not a motor.
 constexpr double kMaxPolePairs = 200.0, kMaxTickHz = 500000.0, kMaxTorquePerAmp = 1000.0;
 
-constexpr double kFullScaleDigits = 32768.0;
 constexpr double kRpmPerTenthHz = 6.0;
 constexpr std::uint32_t kVersion64 = 0x060400;
 
@@ -132,6 +131,7 @@ std::vector<Capability> capabilitiesOf(const McpBoard &board, const MotorDescrip
     add(Feature::PositionRamp, position);
     add(Feature::CyclicSetPoints,
         "Boards of this protocol take each set-point as a request of its own.");
+    add(Feature::CurrentScale, "The board tells its current scale itself.");
     return all;
 }
 

@@ -1,0 +1,129 @@
+#include "widgets/control/current_scale_dialog.h"
+
+#include "analysis/current_scale.h"
+#include "drive/motion_limits.h"
+#include "widgets/base/setpoint_text.h"
+#include "widgets/base/value_text.h"
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include <optional>
+
+namespace widgets {
+namespace {
+
+constexpr double kDigits = 32768.0;
+constexpr double kMilli = 1e-3;
+
+/// 0 for an empty line: not known. Empty if it is no full-scale current at all.
+std::optional<double> ampsIn(const QString &text)
+{
+    if (text.trimmed().isEmpty())
+        return 0.0;
+    const auto amps = readSetpoint(text);
+    const bool good = amps && *amps > 0.0 && drive::isPlausible(drive::CurrentScale{1, *amps});
+    return good ? std::optional(*amps) : std::nullopt;
+}
+
+double positiveIn(const QLineEdit *edit) { return readSetpoint(edit->text()).value_or(0.0); }
+
+} // namespace
+
+CurrentScaleDialog::CurrentScaleDialog(int motor, double fullScaleAmps, QWidget *parent)
+    : QDialog(parent)
+    , m_motor(motor)
+    , m_amps(new QLineEdit(this))
+    , m_shunt(new QLineEdit(this))
+    , m_gain(new QLineEdit(this))
+    , m_reference(new QLineEdit(this))
+    , m_says(new QLabel(this))
+{
+    setObjectName(QStringLiteral("currentScaleDialog"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(tr("Current scale of motor %1").arg(motor));
+    m_amps->setObjectName(QStringLiteral("fullScaleCurrent"));
+    m_shunt->setObjectName(QStringLiteral("shunt"));
+    m_gain->setObjectName(QStringLiteral("amplifierGain"));
+    m_reference->setObjectName(QStringLiteral("converterReference"));
+    m_says->setObjectName(QStringLiteral("scaleSays"));
+    m_amps->setText(fullScaleAmps > 0.0 ? numberText(fullScaleAmps, 4) : QString());
+    m_amps->setPlaceholderText(tr("not known", "the current scale"));
+    for (QLineEdit *edit : {m_amps, m_shunt, m_gain, m_reference})
+        edit->setAlignment(Qt::AlignRight);
+    auto *explain = new QLabel(
+        tr("This board does not tell the scale of its currents. Without it they are shown in "
+           "digits and none can be asked for; with a wrong one the motor gets a wrong current. "
+           "Setting it disarms."),
+        this);
+    for (QLabel *label : {explain, m_says})
+        label->setWordWrap(true);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    m_ok = buttons->button(QDialogButtonBox::Ok);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_amps, &QLineEdit::textChanged, this, &CurrentScaleDialog::follow);
+    auto *form = new QFormLayout(this);
+    form->setContentsMargins(18, 16, 18, 14);
+    form->setSpacing(10);
+    form->addRow(explain);
+    form->addRow(tr("&Full-scale current [A] (peak, 32768 digits)"), m_amps);
+    form->addRow(makeCircuit());
+    form->addRow(m_says);
+    form->addRow(buttons);
+    setMinimumWidth(460);
+    m_amps->setFocus();
+    follow();
+}
+
+/// Its fields are a calculator for the one above.
+QGroupBox *CurrentScaleDialog::makeCircuit()
+{
+    auto *circuit = new QGroupBox(tr("Or from the measuring circuit"), this);
+    auto *form = new QFormLayout(circuit);
+    form->setSpacing(8);
+    form->addRow(tr("&Shunt [m\u03a9]"), m_shunt);
+    form->addRow(tr("&Gain of the amplifier"), m_gain);
+    form->addRow(tr("&Reference of the converter [V]"), m_reference);
+    for (QLineEdit *edit : {m_shunt, m_gain, m_reference})
+        connect(edit, &QLineEdit::textEdited, this, &CurrentScaleDialog::compute);
+    return circuit;
+}
+
+void CurrentScaleDialog::compute()
+{
+    const double amps = analysis::fullScaleCurrent_a(
+        {positiveIn(m_shunt) * kMilli, positiveIn(m_gain), positiveIn(m_reference)});
+    if (amps > 0.0)
+        m_amps->setText(numberText(amps, 4));
+}
+
+void CurrentScaleDialog::follow()
+{
+    const auto amps = ampsIn(m_amps->text());
+    m_ok->setEnabled(amps.has_value());
+    if (!amps)
+        m_says->setText(
+            tr("A full-scale current is a plain number from 0.001 to 10000 A, or nothing."));
+    else if (*amps > 0.0)
+        m_says->setText(
+            tr("1 digit is %1 mA; 1 A is %2 digits.")
+                .arg(numberText(*amps / kDigits / kMilli, 4), numberText(kDigits / *amps, 1)));
+    else
+        m_says->setText(tr("Currents are shown in digits."));
+}
+
+void CurrentScaleDialog::accept()
+{
+    const auto amps = ampsIn(m_amps->text());
+    if (!amps)
+        return;
+    Q_EMIT chosen(m_motor, *amps);
+    QDialog::accept();
+}
+
+} // namespace widgets
