@@ -1867,6 +1867,19 @@
     </message>
 </context>
 <context>
+    <name>Ticks</name>
+    <message>
+        <source>%1/div</source>
+        <comment>what is between two lines of the grid</comment>
+        <translation>%1/div</translation>
+    </message>
+    <message>
+        <source>%1 %2/div</source>
+        <comment>number, unit: what is between two lines of the grid</comment>
+        <translation>%1 %2/div</translation>
+    </message>
+</context>
+<context>
     <name>Trigger</name>
     <message>
         <source>Edge</source>

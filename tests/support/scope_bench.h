@@ -115,4 +115,10 @@ inline QRect areaOf(ScopeView &view, int plot)
     return {plotOf(view).mapFrom(&view, area.topLeft()), area.size()};
 }
 
+/// Where the first entry of a plot's legend is, above its traces.
+inline QPoint legendOf(ScopeView &view, int plot)
+{
+    return areaOf(view, plot).topLeft() + QPoint(20, -8);
+}
+
 } // namespace facts

@@ -252,9 +252,7 @@ void TestScopeGestures::aLegendEntryIsDraggedToAnotherPlot()
     bench.picture();
     QSignalSpy spy(&bench.view, &ScopeView::channelMoved);
     QWidget &plot = plotOf(bench.view);
-    const auto entryOf = [&](int index) {
-        return areaOf(bench.view, index).topLeft() + QPoint(20, 12);
-    };
+    const auto entryOf = [&](int index) { return legendOf(bench.view, index); };
     const auto drag = [&](const QPoint &from, const QPoint &to) {
         QTest::mousePress(&plot, Qt::LeftButton, {}, from);
         QMouseEvent move(
@@ -341,7 +339,7 @@ void TestScopeGestures::clickingTheLegendSelectsAndDeleteRemoves()
     QSignalSpy spy(&bench.view, &ScopeView::removeRequested);
     QTest::keyClick(&bench.view, Qt::Key_Delete); // nothing is selected
     QCOMPARE(spy.size(), 0);
-    const QPoint entry = areaOf(bench.view, 0).topLeft() + QPoint(20, 12);
+    const QPoint entry = legendOf(bench.view, 0);
     QTest::mouseClick(&plotOf(bench.view), Qt::LeftButton, {}, entry);
     QTest::keyClick(&bench.view, Qt::Key_Delete);
     QCOMPARE(spy.size(), 1);

@@ -1,5 +1,6 @@
 // The scope as a person sees it: pixels of the grabbed widget.
 #include "support/scope_bench.h"
+#include "widgets/scope/axis_ticks.h"
 
 using namespace facts;
 using namespace widgets;
@@ -12,6 +13,8 @@ private Q_SLOTS:
     void aGapShowsNoTraceAndIsShaded();
     void singleSamplesAreDrawnAsSteps();
     void aPeakOfOneSampleIsNeverLost();
+    void theLegendCoversNoTrace();
+    void labelsSayWhatADivisionIsWorth();
     void signalsOfOneUnitShareAnAxisAndOthersGetTheirOwn();
     void aFifthUnitSharesTheLastAxis();
     void plotsAreStackedAndVanishWhenEmpty();
@@ -110,6 +113,52 @@ void TestScopeView::aPeakOfOneSampleIsNeverLost()
     for (int dx = -1; dx <= 1; ++dx)
         tall = std::max(tall, int(rowsOf(image, x + dx, color).size()));
     QVERIFY(tall > area.height() / 2);
+}
+
+void TestScopeView::theLegendCoversNoTrace()
+{
+    Bench bench({signal(1, "A"), signal(2, "A"), signal(3, "A")});
+    for (const int id : {1, 2, 3})
+        bench.view.addChannel(bench.id(catalog::RegisterId(id)));
+    bench.record(1000, [](int, int tick) { return tick % 2 ? 100 : -100; });
+    bench.view.setVisibleRange(0.0, 1.0);
+    bench.view.fitValues();
+    bench.picture();
+    const QImage all = bench.picture(); // the second has the room that the first asked for
+    const QRect area = bench.view.plotRect(0);
+    const auto inked = [&](int x, int y) {
+        const QColor pixel = all.pixelColor(x, y);
+        return pixel.value() < 200 || pixel.saturation() > 60;
+    };
+    const QPoint legend = plotOf(bench.view).mapTo(&bench.view, legendOf(bench.view, 0));
+    QVERIFY(legend.y() < area.top());
+    int written = 0; // the names stand above
+    for (int x = area.left(); x < area.right(); ++x)
+        written += inked(x, legend.y()) ? 1 : 0;
+    QVERIFY(written > 10);
+    // Its first tenth, where the legend was, has a trace in every column.
+    const int top = area.top() + area.height() / 10;
+    for (int x = area.left() + 5; x < area.left() + 200; ++x)
+        QVERIFY2(inked(x, top), qPrintable(QString::number(x)));
+}
+
+void TestScopeView::labelsSayWhatADivisionIsWorth()
+{
+    const QLocale c = QLocale::c();
+    QCOMPARE(perDivision(0.5, QStringLiteral("A"), c), QStringLiteral("0.5 A/div"));
+    QCOMPARE(perDivision(200, QStringLiteral("rpm"), c), QStringLiteral("200 rpm/div"));
+    QCOMPARE(perDivision(2, {}, c), QStringLiteral("2/div"));
+    QCOMPARE(timePerDivision(0.01, c), QStringLiteral("10\u2009ms/div"));
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.record(100, 1);
+    bench.view.setVisibleRange(0.0, 1.0);
+    bench.picture();
+    const double step = bench.view.timeStep();
+    QVERIFY(step >= 0.1 && step <= 0.5);
+    bench.view.setVisibleRange(0.0, 0.001);
+    bench.picture();
+    QVERIFY(std::abs(bench.view.timeStep() / step - 0.001) < 1e-9);
 }
 
 void TestScopeView::signalsOfOneUnitShareAnAxisAndOthersGetTheirOwn()

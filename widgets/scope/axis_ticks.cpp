@@ -1,11 +1,17 @@
 #include "widgets/scope/axis_ticks.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cmath>
 
 namespace widgets {
 
 namespace {
+struct Ticks {
+    Q_DECLARE_TR_FUNCTIONS(Ticks)
+};
+
 constexpr int kMostTicks = 1000;
 constexpr double kLeastDigits = 8.0;
 
@@ -86,6 +92,21 @@ QString valueLabel(double value, double step, const QLocale &locale)
     if (std::abs(value) < 0.5 * std::pow(10.0, -decimals))
         value = 0.0; // nor what would be rounded to it
     return locale.toString(value, 'f', decimals);
+}
+
+QString perDivision(double step, const QString &unit, const QLocale &locale)
+{
+    const QString number = valueLabel(step, step, locale);
+    if (unit.isEmpty())
+        return Ticks::tr("%1/div", "what is between two lines of the grid").arg(number);
+    return Ticks::tr("%1 %2/div", "number, unit: what is between two lines of the grid")
+        .arg(number, unit);
+}
+
+QString timePerDivision(double step, const QLocale &locale)
+{
+    return Ticks::tr("%1/div", "what is between two lines of the grid")
+        .arg(timeLabel(step, step, step, locale));
 }
 
 QString timeLabel(double seconds, double step, double largest, const QLocale &locale)

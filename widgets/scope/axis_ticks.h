@@ -25,6 +25,12 @@ QVector<double> ticksIn(double from, double to, double step);
 /// A value with as many digits as the step shows, e.g. "1.50" for steps of 0.05.
 QString valueLabel(double value, double step, const QLocale &locale);
 
+/// What a division is worth, e.g. "0.5 A/div". @param unit  empty for a plain number
+QString perDivision(double step, const QString &unit, const QLocale &locale);
+
+/// The same for times, e.g. "10 ms/div".
+QString timePerDivision(double step, const QLocale &locale);
+
 /// A time with an SI prefix that suits the larger end of the range, e.g. "12.5 ms".
 QString timeLabel(double seconds, double step, double largest, const QLocale &locale);
 

@@ -8,8 +8,7 @@
 namespace widgets {
 
 namespace {
-constexpr double kMarginBelow = 0.06; ///< of the span
-constexpr double kMarginAbove = 0.14; ///< more, for the legend
+constexpr double kMargin = 0.08; ///< of the span, above and below
 
 /// A range that shows [low, high] with some room, and at least `least` of the unit.
 QCPRange roomy(double low, double high, double least)
@@ -22,7 +21,7 @@ QCPRange roomy(double low, double high, double least)
         high = middle + least / 2;
     }
     const double span = high - low;
-    return {low - span * kMarginBelow, high + span * kMarginAbove};
+    return {low - span * kMargin, high + span * kMargin};
 }
 } // namespace
 

@@ -15,6 +15,8 @@ namespace widgets {
 namespace {
 constexpr int kTimeLabelWidth = 90; ///< pixels
 constexpr int kValueLabelHeight = 32;
+constexpr int kMostTicks = 10;
+constexpr int kAboveLegend = 4;
 } // namespace
 
 PlotStack::PlotStack(QCustomPlot &plot, const capture::Capture &capture)
@@ -62,7 +64,7 @@ void PlotStack::setLeastLeft(int pixels)
 {
     m_leastLeft = pixels;
     for (const auto &plot : m_plots)
-        plot->rect->setMinimumMargins(margins());
+        makeRoom(*plot);
 }
 
 void PlotStack::removePlot(std::size_t index)
@@ -147,15 +149,13 @@ void PlotStack::labelAxes(ScopePlot &plot)
     for (const ValueAxis &axis : plot.axes) {
         const Trace *only = nullptr;
         int users = 0;
-        std::set<QString> units;
         for (const Trace &trace : plot.traces) {
             if (trace.valueAxis == axis.axis) {
                 only = &trace;
                 ++users;
-                units.insert(QString::fromStdString(trace.info.unit));
             }
         }
-        axis.axis->setLabel(QStringList(units.begin(), units.end()).join(QStringLiteral(" / ")));
+        labelAxis(plot, axis);
         const QColor color =
             users == 1 ? traceColor(only->colorSlot, plot.dark) : m_palette.color(QPalette::Text);
         axis.axis->setTickLabelColor(color);
@@ -371,16 +371,57 @@ void PlotStack::applyPalette(const QPalette &palette)
     }
 }
 
-void PlotStack::boundTicks()
+int PlotStack::timeTicks() const
 {
+    return std::clamp(plot(0).rect->width() / kTimeLabelWidth, 2, kMostTicks);
+}
+
+int PlotStack::ticksOf(const ScopePlot &plot) const
+{
+    return std::clamp(plot.rect->height() / kValueLabelHeight, 2, kMostTicks);
+}
+
+double PlotStack::timeStep() const
+{
+    return tickStep(plot(0).timeAxis()->range().size(), timeTicks());
+}
+
+/// The unit, and before it what a division is worth where there is room to say so and only one unit has to be said.
+void PlotStack::labelAxis(const ScopePlot &plot, const ValueAxis &axis) const
+{
+    std::set<QString> units;
+    for (const Trace &trace : plot.traces) {
+        if (trace.valueAxis == axis.axis)
+            units.insert(QString::fromStdString(trace.info.unit));
+    }
+    QString label = QStringList(units.begin(), units.end()).join(QStringLiteral(" / "));
+    if (units.size() == 1) {
+        const double step = tickStep(axis.axis->range().size(), ticksOf(plot));
+        const QString scale = perDivision(step, label, m_plot.locale());
+        if (QFontMetrics(m_plot.font()).horizontalAdvance(scale) <= plot.rect->height())
+            label = scale;
+    }
+    axis.axis->setLabel(label);
+}
+
+void PlotStack::makeRoom(ScopePlot &plot) const
+{
+    QMargins least = margins();
+    least.setTop(std::max(least.top(), plot.legend->height() + kAboveLegend));
+    if (plot.rect->minimumMargins() != least)
+        plot.rect->setMinimumMargins(least);
+}
+
+void PlotStack::layOut()
+{
+    plot(0).legend->setNote(timePerDivision(timeStep(), m_plot.locale()));
     for (const auto &plot : m_plots) {
-        const auto bound = [](QCPAxis *axis, int room) {
-            auto ticker = axis->ticker().dynamicCast<AxisTicker>();
-            ticker->setMost(std::clamp(room, 2, 10));
-        };
-        bound(plot->timeAxis(), plot->rect->width() / kTimeLabelWidth);
-        for (const ValueAxis &axis : plot->axes)
-            bound(axis.axis, plot->rect->height() / kValueLabelHeight);
+        plot->timeAxis()->ticker().dynamicCast<AxisTicker>()->setMost(timeTicks());
+        for (const ValueAxis &axis : plot->axes) {
+            axis.axis->ticker().dynamicCast<AxisTicker>()->setMost(ticksOf(*plot));
+            labelAxis(*plot, axis);
+        }
+        makeRoom(*plot);
     }
 }
 

@@ -55,13 +55,20 @@ public:
     void setGrid(bool visible);
     bool grid() const { return m_grid; }
     void applyPalette(const QPalette &palette);
-    void boundTicks(); ///< as many as there is room for; before each redraw
+    /// As many ticks as there is room for, what is between two of them in the axes' labels, and room above each plot for its
+    /// legend; before each redraw.
+    void layOut();
+    double timeStep() const; ///< seconds between two ticks of the time axis
 
 private:
     ScopePlot &append();
     void removePlot(std::size_t index);
     void showTimeLabels();
-    QMargins margins() const;
+    QMargins margins() const; ///< the least around a plot without a legend
+    void makeRoom(ScopePlot &plot) const;
+    void labelAxis(const ScopePlot &plot, const ValueAxis &axis) const;
+    int ticksOf(const ScopePlot &plot) const; ///< of its value axes, at most
+    int timeTicks() const;
     ValueAxis &axisFor(ScopePlot &plot, const QString &unit);
     void dropUnusedAxes(ScopePlot &plot);
     void styleAxis(QCPAxis &axis) const;

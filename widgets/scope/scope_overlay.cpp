@@ -67,6 +67,15 @@ QRect ScopeOverlay::area() const
     return first.united(last);
 }
 
+/// A vertical line through each plot, but not through what stands between them: it would strike out what is written there.
+void ScopeOverlay::drawThrough(QPainter &painter, double x) const
+{
+    for (int i = 0; i < m_stack.count(); ++i) {
+        const QRect plot = m_stack.plot(i).rect->rect();
+        painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+    }
+}
+
 double ScopeOverlay::xOf(double seconds) const
 {
     return m_stack.plot(0).timeAxis()->coordToPixel(seconds);
@@ -127,7 +136,7 @@ void ScopeOverlay::paintTrigger(QPainter &painter) const
     const double x = xOf(*m_marks.position);
     if (x >= box.left() - 1 && x <= box.right() + 1) {
         painter.setPen(QPen(faded(ink, 90), 1, Qt::DashDotLine));
-        painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
+        drawThrough(painter, x);
         painter.setPen(Qt::NoPen);
         painter.setBrush(ink);
         painter.drawPolygon(QPolygonF{{x - kTriggerMark, box.top() - 1.0},
@@ -165,7 +174,7 @@ void ScopeOverlay::paintPair(QPainter &painter, const CursorPair &pair, bool cur
         if (end == CursorEnd::B)
             pen.setDashPattern({6, 4});
         painter.setPen(pen);
-        painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
+        drawThrough(painter, x);
         if (current)
             paintDots(painter, pair.at(end));
         const QString letter = QString(QLatin1Char(end == CursorEnd::A ? 'A' : 'B'));
@@ -223,8 +232,11 @@ void ScopeOverlay::paintDistance(QPainter &painter, const CursorPair &pair) cons
     const double to = std::min(xOf(std::max(pair.a, pair.b)), double(box.right()));
     if (!(to > from))
         return;
-    painter.fillRect(QRectF(from, box.top(), to - from, box.height()),
-        faded(palette().color(QPalette::Text), 12));
+    for (int i = 0; i < m_stack.count(); ++i) {
+        const QRect plot = m_stack.plot(i).rect->rect();
+        painter.fillRect(QRectF(from, plot.top(), to - from, plot.height()),
+            faded(palette().color(QPalette::Text), 12));
+    }
     const QString text = QStringLiteral("\u0394 ") + exactTime(pair.b - pair.a, locale());
     const QFontMetricsF metrics(font());
     const double width = metrics.horizontalAdvance(text) + 2.0 * kFlagRoom;

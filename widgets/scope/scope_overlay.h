@@ -51,6 +51,7 @@ private:
     void paintDots(QPainter &painter, double seconds) const;
     void paintDistance(QPainter &painter, const CursorPair &pair) const;
     QRect area() const; ///< from the top of the first plot to the bottom of the last
+    void drawThrough(QPainter &painter, double x) const;
     double xOf(double seconds) const;
 
     const PlotStack &m_stack;

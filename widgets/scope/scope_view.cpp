@@ -63,7 +63,7 @@ ScopeView::ScopeView(capture::Capture &capture, QWidget *parent)
     m_frame.setSingleShot(true);
     m_frame.setTimerType(Qt::PreciseTimer);
     connect(&m_frame, &QTimer::timeout, this, &ScopeView::drawFrame);
-    connect(m_plot, &QCustomPlot::beforeReplot, this, [this] { m_stack->boundTicks(); });
+    connect(m_plot, &QCustomPlot::beforeReplot, this, [this] { m_stack->layOut(); });
     connect(m_mouse, &ScopeMouse::menuRequested, this, &ScopeView::showContextMenu);
     connect(m_lane, &EventLane::markerWanted, this, &ScopeView::setMarkerAt);
     connect(m_lane, &EventLane::noteWanted, this, &ScopeView::noteWanted);
@@ -118,6 +118,8 @@ int ScopeView::plotOf(capture::ChannelId channel) const { return m_stack->plotOf
 QColor ScopeView::colorOf(capture::ChannelId channel) const { return m_stack->colorOf(channel); }
 
 ScopeView::TimeRange ScopeView::visibleRange() const { return m_range; }
+
+double ScopeView::timeStep() const { return m_stack->timeStep(); }
 
 bool ScopeView::running() const { return m_running; }
 

@@ -52,6 +52,7 @@ public:
         double from = 0.0, to = 1.0; ///< seconds on the session's axis
     };
     TimeRange visibleRange() const;
+    double timeStep() const; ///< seconds between two lines of the grid
     /// What the time axis and the cursors call zero, in seconds on the session's axis.
     double timeOrigin() const { return m_origin; }
     double timeAt(double x) const; ///< seconds; `x` in this widget's pixels

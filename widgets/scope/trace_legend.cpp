@@ -3,11 +3,14 @@
 #include "widgets/scope/axis_ticks.h"
 #include "widgets/scope/trace_colors.h"
 
+#include <cmath>
+
 namespace widgets {
 
 namespace {
 constexpr double kMark = 10.0; ///< side of the coloured mark
 constexpr double kSpace = 6.0;
+constexpr double kBelow = 2.0; ///< between the last line and the plot
 
 /// As wide as the longest number that its axis can show, so that entries do not dance while values change.
 QString paddedReading(const Trace &trace, double value, const QLocale &locale)
@@ -52,13 +55,14 @@ void TraceLegend::applyDefaultAntialiasingHint(QCPPainter *painter) const
     painter->setAntialiasing(false);
 }
 
-void TraceLegend::draw(QCPPainter *painter)
+double TraceLegend::lineHeight() const { return QFontMetricsF(mParentPlot->font()).height(); }
+
+std::vector<TraceLegend::Entry> TraceLegend::entries() const
 {
-    m_entries.clear();
-    const QRectF area = m_scopePlot.rect->rect();
-    const QPalette palette = mParentPlot->palette();
-    const double lineHeight = QFontMetricsF(mParentPlot->font()).height();
-    QPointF at = area.topLeft() + QPointF(kSpace, kSpace / 2);
+    std::vector<Entry> all;
+    const double width = m_scopePlot.rect->width();
+    const double note = QFontMetricsF(mParentPlot->font()).horizontalAdvance(m_note);
+    QPointF at(kSpace, 0.0);
     for (const Trace &trace : m_scopePlot.traces) {
         QFont font = mParentPlot->font();
         font.setBold(trace.selected);
@@ -67,23 +71,55 @@ void TraceLegend::draw(QCPPainter *painter)
             text += QStringLiteral("  ") + paddedReading(trace, *value, mParentPlot->locale());
         if (!trace.info.unit.empty())
             text += QChar(QChar::Nbsp) + QString::fromStdString(trace.info.unit);
-        const double width = QFontMetricsF(font).horizontalAdvance(text) + kMark + 3 * kSpace;
-        if (at.x() > area.left() + kSpace && at.x() + width > area.right())
-            at = {area.left() + kSpace, at.y() + lineHeight};
-        const QRectF box(at, QSizeF(width, lineHeight));
-        QColor ground = palette.color(trace.selected ? QPalette::Highlight : QPalette::Base);
-        ground.setAlpha(trace.selected ? 90 : 190);
-        painter->fillRect(box, ground);
-        painter->fillRect(
-            QRectF(at.x() + kSpace / 2, at.y() + (lineHeight - kMark) / 2, kMark, kMark),
-            traceColor(trace.colorSlot, m_scopePlot.dark));
+        const double wide = QFontMetricsF(font).horizontalAdvance(text) + kMark + 3 * kSpace;
+        const double room = at.y() > 0.0 ? width : width - note;
+        if (at.x() > kSpace && at.x() + wide > room)
+            at = {kSpace, at.y() + lineHeight()};
+        all.push_back({&trace, text, QRectF(at, QSizeF(wide, lineHeight()))});
+        at.rx() += wide + kSpace;
+    }
+    return all;
+}
+
+void TraceLegend::setNote(const QString &note) { m_note = note; }
+
+int TraceLegend::height() const
+{
+    const auto all = entries();
+    return all.empty() ? 0 : static_cast<int>(std::ceil(all.back().box.bottom()));
+}
+
+void TraceLegend::draw(QCPPainter *painter)
+{
+    m_entries.clear();
+    const QPalette palette = mParentPlot->palette();
+    const auto all = entries();
+    if (all.empty())
+        return;
+    const QRectF area = m_scopePlot.rect->rect();
+    const QPointF corner(area.left(), area.top() - kBelow - all.back().box.bottom());
+    painter->setFont(mParentPlot->font());
+    painter->setPen(palette.color(QPalette::Text));
+    painter->drawText(QRectF(corner, QSizeF(area.width(), lineHeight())),
+        Qt::AlignRight | Qt::AlignVCenter | Qt::TextSingleLine, m_note);
+    for (const Entry &entry : all) {
+        const QRectF box = entry.box.translated(corner);
+        const bool selected = entry.trace->selected;
+        if (selected) {
+            QColor ground = palette.color(QPalette::Highlight);
+            ground.setAlpha(90);
+            painter->fillRect(box, ground);
+        }
+        painter->fillRect(QRectF(box.x() + kSpace / 2, box.center().y() - kMark / 2, kMark, kMark),
+            traceColor(entry.trace->colorSlot, m_scopePlot.dark));
+        QFont font = mParentPlot->font();
+        font.setBold(selected);
         painter->setFont(font);
         painter->setPen(palette.color(QPalette::Text));
         // drawText takes the name as it is: a device's text is never rich text here.
         painter->drawText(box.adjusted(kMark + kSpace + kSpace / 2, 0, 0, 0),
-            Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, text);
-        m_entries.emplace_back(box, trace.channel);
-        at.rx() += width + kSpace;
+            Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, entry.text);
+        m_entries.emplace_back(box, entry.trace->channel);
     }
 }
 

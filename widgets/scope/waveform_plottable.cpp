@@ -456,6 +456,16 @@ void WaveformPlottable::drawLastValues(QCPPainter *painter) const
     for (Label &label : labels) {
         label.y = std::min(label.y, below - metrics.height());
         below = label.y;
+    }
+    // Those pushed out at the top come back down; what then has no room is not written.
+    double above = area.top() + 1;
+    for (auto label = labels.rbegin(); label != labels.rend(); ++label) {
+        label->y = std::max(label->y, above + metrics.height());
+        above = label->y;
+    }
+    for (const Label &label : labels) {
+        if (label.y > area.bottom() + 1)
+            continue;
         const double left = area.right() - metrics.horizontalAdvance(label.text) - 4;
         // Above the trace's end, so that it stays visible.
         const QRectF box(
