@@ -8,9 +8,11 @@
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QToolButton>
 #include <QTreeView>
 
 #include <cmath>
@@ -34,6 +36,7 @@ private Q_SLOTS:
     void aChangedFormulaIsComputedAnew();
     void oneMayUseTheOnesBeforeItButNotItself();
     void aHiddenOneIsComputedStill();
+    void itHasAChipLikeARecordedOne();
     void theTriggerTakesIt();
     void clearingTheRecordingBeginsItAnew();
     void aNewStreamLeavesItOnTheScope();
@@ -198,6 +201,39 @@ void TestMathPanel::aHiddenOneIsComputedStill()
     Q_EMIT view().removeRequested(channel(0)); // Delete in the legend
     QCOMPARE(name.data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
     QVERIFY(channel(0) != 0);
+}
+
+void TestMathPanel::itHasAChipLikeARecordedOne()
+{
+    const auto chip = [this] {
+        for (QWidget *one : m_rig->window.findChildren<QWidget *>(QStringLiteral("chip_Sum")))
+            if (one->isVisible())
+                return one;
+        return static_cast<QWidget *>(nullptr);
+    };
+    const auto press = [&](const QString &name) {
+        for (QToolButton *button : chip()->findChildren<QToolButton *>())
+            if (button->accessibleName() == name)
+                return button->click();
+        QFAIL(qPrintable(name));
+    };
+    QVERIFY(!chip());
+    add("Sum", "I_A + I_B");
+    QVERIFY(chip());
+    const QColor color = math().colorOf(QStringLiteral("Sum"));
+    QCOMPARE(chip()->grab().toImage().pixelColor(11, chip()->height() / 2), color);
+    m_rig->find<QDockWidget>("mathDock")->hide();
+    press(QStringLiteral("How Sum is computed"));
+    QVERIFY(m_rig->find<QDockWidget>("mathDock")->isVisible());
+    QCOMPARE(m_rig->find<QLineEdit>("mathFormula")->text(), QStringLiteral("I_A + I_B"));
+    press(QStringLiteral("Remove Sum"));
+    QTRY_VERIFY(!chip());
+    QCOMPARE(view().plotOf(channel(0)), -1);
+    QVERIFY(channel(0) != 0); // off the picture, still computed
+    math().setShown(QStringLiteral("Sum"), true);
+    QVERIFY(chip());
+    math().remove(QStringLiteral("Sum"));
+    QVERIFY(!chip());
 }
 
 void TestMathPanel::theTriggerTakesIt()

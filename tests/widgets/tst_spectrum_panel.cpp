@@ -297,7 +297,7 @@ void TestSpectrumPanel::theTableIsAModelAndACopy()
     QTest::mouseClick(m_rig->find<QWidget>("copyPeaks"), Qt::LeftButton);
     const QStringList lines = QApplication::clipboard()->text().split(QLatin1Char('\n'));
     QCOMPARE(lines.size(), peaks().rowCount() + 2);
-    QVERIFY(lines[1].startsWith(QStringLiteral("50\u202fHz\t")));
+    QVERIFY(lines[1].startsWith(QStringLiteral("1\t50\u202fHz\t")));
 }
 
 void TestSpectrumPanel::aHiddenPanelComputesNothing()

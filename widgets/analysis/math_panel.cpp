@@ -170,6 +170,11 @@ void MathPanel::insert(const QString &text)
 
 void MathPanel::refresh(Milliseconds) { m_table->refresh(); }
 
+void MathPanel::choose(const QString &name)
+{
+    m_list->setCurrentIndex(m_table->index(m_table->rowOf(name), MathTable::NameColumn));
+}
+
 void MathPanel::focusFirst()
 {
     m_formula->setFocus(Qt::ShortcutFocusReason);

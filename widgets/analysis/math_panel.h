@@ -26,7 +26,10 @@ public:
     MathPanel(MathChannels &channels, ScopeView &scope, const capture::Capture &capture,
         QWidget *parent = nullptr);
 
+    void choose(const QString &name); ///< that channel, to be changed
+
     void refresh(Milliseconds now) override;
+    double heightShare() const override { return 0.3; } // the traces are what is looked at
     void focusFirst() override;
 
 protected:

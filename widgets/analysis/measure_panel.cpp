@@ -19,11 +19,14 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 
 namespace widgets {
 
 namespace {
 constexpr int kSideWidth = 230;
+constexpr std::array kListColumns{
+    100, 104, 88, 88, 74, 82, 82, 48}; // px, as in MeasureTable::Column
 enum Range { Picture, BetweenCursors };
 } // namespace
 
@@ -49,6 +52,8 @@ MeasurePanel::MeasurePanel(
     m_list->setAlternatingRowColors(true);
     m_list->setAllColumnsShowFocus(true);
     m_list->header()->setStretchLastSection(false);
+    for (int column = 0; column < MeasureTable::kColumns; ++column)
+        m_list->setColumnWidth(column, kListColumns[static_cast<std::size_t>(column)]);
     m_list->installEventFilter(this);
     auto *side = new QWidget(this);
     side->setFixedWidth(kSideWidth);
@@ -152,8 +157,12 @@ void MeasurePanel::addChosen()
         return;
     measure(false);
     m_list->setCurrentIndex(m_table->index(m_table->rowCount() - 1, 0));
-    for (int column = 0; column < MeasureTable::kColumns; ++column)
-        m_list->resizeColumnToContents(column);
+    // Names may be long; what numbers there will be is not known yet.
+    for (const int column : {MeasureTable::SignalColumn, MeasureTable::QuantityColumn}) {
+        const QModelIndex added = m_table->index(m_table->rowCount() - 1, column);
+        m_list->setColumnWidth(
+            column, std::max(m_list->columnWidth(column), m_list->sizeHintForIndex(added).width()));
+    }
 }
 
 void MeasurePanel::removeChosen()

@@ -27,6 +27,7 @@ public:
         QWidget *parent = nullptr);
 
     void refresh(Milliseconds now) override;
+    double heightShare() const override { return 0.3; } // the traces are what is looked at
     void focusFirst() override;
 
 protected:

@@ -28,7 +28,7 @@ namespace widgets {
 
 namespace {
 constexpr int kSideWidth = 230;
-constexpr std::array kListColumns{88, 52, 96, 84}; // px, as in SpectrumPeaks::Column
+constexpr std::array kListColumns{28, 84, 52, 88, 80}; // px, as in SpectrumPeaks::Column
 constexpr std::size_t kMostPeaks = 10;
 constexpr int kMostAveraged = 256;
 enum Range { Picture, BetweenCursors };

@@ -30,6 +30,7 @@ public:
     ~SpectrumPanel() override;
 
     void refresh(Milliseconds now) override;
+    double heightShare() const override { return 0.36; } // the traces are what is looked at
     void focusFirst() override;
 
     bool busy() const { return m_busy; } ///< a spectrum is being computed

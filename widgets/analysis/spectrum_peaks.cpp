@@ -55,6 +55,8 @@ QVariant SpectrumPeaks::data(const QModelIndex &index, int role) const
         return {};
     const scope::SpectrumPeak &peak = m_peaks[std::size_t(index.row())];
     switch (index.column()) {
+    case NumberColumn:
+        return QString::number(index.row() + 1);
     case FrequencyColumn:
         return siText(peak.hertz, QStringLiteral("Hz"));
     case OrderColumn:
@@ -76,6 +78,8 @@ QVariant SpectrumPeaks::headerData(int section, Qt::Orientation orientation, int
     if (orientation != Qt::Horizontal)
         return section + 1;
     switch (section) {
+    case NumberColumn:
+        return QStringLiteral("#");
     case FrequencyColumn:
         return tr("Frequency");
     case OrderColumn:

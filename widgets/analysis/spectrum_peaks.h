@@ -11,7 +11,14 @@ namespace widgets {
 class SpectrumPeaks : public QAbstractTableModel {
     Q_OBJECT
 public:
-    enum Column { FrequencyColumn, OrderColumn, AmplitudeColumn, RelativeColumn, kColumns };
+    enum Column {
+        NumberColumn, ///< by which the picture names it
+        FrequencyColumn,
+        OrderColumn,
+        AmplitudeColumn,
+        RelativeColumn,
+        kColumns
+    };
 
     using QAbstractTableModel::QAbstractTableModel;
 

@@ -323,12 +323,25 @@ void SpectrumPlot::drawPeaks()
         levels.append(levelOf(peak.amplitude));
     }
     m_dots->setData(places, levels);
+    std::vector<QPointF>
+        written; // pixels; of two that would lie on each other the smaller peak's is left out
     for (int i = 0; i < int(m_numbers.size()); ++i) {
         QCPItemText *number = m_numbers[i];
-        const bool there = i < int(places.size());
-        number->setVisible(there);
-        if (there)
+        bool visible = i < int(places.size());
+        if (visible) {
             number->position->setCoords(places[i], levels[i]);
+            const QPointF at(
+                m_plot->xAxis->coordToPixel(places[i]), m_plot->yAxis->coordToPixel(levels[i]));
+            const QFontMetrics metrics(number->font());
+            visible = std::none_of(written.begin(), written.end(), [&](const QPointF &other) {
+                return std::abs(other.x() - at.x())
+                    < metrics.horizontalAdvance(QStringLiteral("00"))
+                    && std::abs(other.y() - at.y()) < metrics.height();
+            });
+            if (visible)
+                written.push_back(at);
+        }
+        number->setVisible(visible);
     }
     const bool marked = m_marked >= 0 && m_marked < int(places.size());
     m_mark->setVisible(marked);

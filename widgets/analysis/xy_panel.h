@@ -41,6 +41,7 @@ public:
     std::vector<catalog::RegisterId>
     watchedRegisters() const override; ///< the bus, where it is drawn
     void refresh(Milliseconds now) override;
+    double heightShare() const override { return 0.36; } // the traces are what is looked at
     void focusFirst() override;
 
     /// What is shown is what is chosen.

@@ -22,6 +22,8 @@ public:
     /// What stays in view below the form when its place is too small for all of it; nullptr: nothing. A child of the form
     /// that is in no layout of it.
     virtual QWidget *footer() const { return nullptr; }
+    /// Of the window's height, when it is the first tool that is opened.
+    virtual double heightShare() const { return 0.48; }
     /// Where typing goes when the form is opened by its key.
     virtual void focusFirst() { setFocus(Qt::ShortcutFocusReason); }
 

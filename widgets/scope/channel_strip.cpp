@@ -1,5 +1,6 @@
 #include "widgets/scope/channel_strip.h"
 
+#include "widgets/base/device_text.h"
 #include "widgets/base/flow_layout.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
@@ -64,6 +65,25 @@ public:
         : QWidget(parent)
         , m_color(color)
     {
+    }
+
+    /// The name, `tag` beside it, and the button that takes it off the scope, which is returned.
+    QToolButton *fill(const QString &name, QToolButton *tag)
+    {
+        auto *label = new QLabel(name, this);
+        label->setTextFormat(Qt::PlainText);
+        auto *remove = new QToolButton(this);
+        remove->setAutoRaise(true);
+        remove->setText(QStringLiteral("\u00d7"));
+        remove->setAccessibleName(ChannelStrip::tr("Remove %1").arg(name));
+        remove->setToolTip(ChannelStrip::tr("Take it off the scope"));
+        auto *layout = new QHBoxLayout(this);
+        layout->setContentsMargins(21, 1, 2, 1);
+        layout->setSpacing(2);
+        layout->addWidget(label);
+        layout->addWidget(tag);
+        layout->addWidget(remove);
+        return remove;
     }
 
 protected:
@@ -178,9 +198,6 @@ QWidget *ChannelStrip::makeChip(const PlannedSignal &planned)
     const QString name = m_selection.nameOf(id);
     auto *chip = new Chip(m_selection.colorOf(id), m_chips);
     chip->setObjectName(QStringLiteral("chip_") + name);
-    auto *label = new QLabel(name, chip);
-    label->setTextFormat(Qt::PlainText);
-
     auto *tag = new QToolButton(chip);
     tag->setAutoRaise(true);
     // The style's own arrow overlaps so short a text.
@@ -208,21 +225,10 @@ QWidget *ChannelStrip::makeChip(const PlannedSignal &planned)
     }
     tag->setMenu(menu);
 
-    auto *remove = new QToolButton(chip);
-    remove->setAutoRaise(true);
-    remove->setText(QStringLiteral("\u00d7"));
-    remove->setAccessibleName(tr("Remove %1").arg(name));
-    remove->setToolTip(tr("Take it off the scope"));
+    QToolButton *remove = chip->fill(name, tag);
     connect(
         remove, &QToolButton::clicked, this, [this, id] { m_selection.remove(id); },
         Qt::QueuedConnection);
-
-    auto *layout = new QHBoxLayout(chip);
-    layout->setContentsMargins(21, 1, 2, 1);
-    layout->setSpacing(2);
-    layout->addWidget(label);
-    layout->addWidget(tag);
-    layout->addWidget(remove);
     return chip;
 }
 
@@ -254,6 +260,32 @@ void ChannelStrip::showRates()
     }
 }
 
+QWidget *ChannelStrip::makeComputedChip(const Computed &computed)
+{
+    const QString name = computed.name;
+    auto *chip = new Chip(computed.color, m_chips);
+    chip->setObjectName(QStringLiteral("chip_") + name);
+    auto *tag = new QToolButton(chip);
+    tag->setAutoRaise(true);
+    tag->setText(QStringLiteral("\u0192")); // the sign of a function
+    tag->setAccessibleName(tr("How %1 is computed").arg(name));
+    tag->setToolTip(plainToolTip(computed.formula));
+    connect(tag, &QToolButton::clicked, this, [this, name] { Q_EMIT computedChosen(name); });
+    QToolButton *remove = chip->fill(name, tag);
+    connect(
+        remove, &QToolButton::clicked, this, [this, name] { Q_EMIT computedRemoved(name); },
+        Qt::QueuedConnection);
+    return chip;
+}
+
+void ChannelStrip::setComputed(const QList<Computed> &computed)
+{
+    if (computed == m_computed)
+        return;
+    m_computed = computed;
+    rebuild();
+}
+
 void ChannelStrip::rebuild()
 {
     m_polledTags.clear();
@@ -266,6 +298,11 @@ void ChannelStrip::rebuild()
     }
     for (const PlannedSignal &planned : m_selection.plan().signalList) {
         QWidget *chip = makeChip(planned);
+        m_flow->addWidget(chip);
+        chip->show();
+    }
+    for (const Computed &computed : m_computed) {
+        QWidget *chip = makeComputedChip(computed);
         m_flow->addWidget(chip);
         chip->show();
     }

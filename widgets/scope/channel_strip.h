@@ -1,5 +1,5 @@
-// ChannelStrip: the recorded signals as chips, how each gets here, and what that costs of the link. Signals dropped
-// on it are added.
+// ChannelStrip: the recorded signals as chips, how each gets here, and what that costs of the link; after them the computed
+// ones, which cost nothing. Signals dropped on it are added.
 #pragma once
 
 #include "widgets/scope/polled_rates.h"
@@ -18,11 +18,25 @@ class FlowLayout;
 class ChannelStrip : public QWidget {
     Q_OBJECT
 public:
+    /// A channel that is computed from others and drawn.
+    struct Computed {
+        QString name;
+        QString formula;
+        QColor color;
+        bool operator==(const Computed &) const = default;
+    };
+
     ChannelStrip(SignalSelection &selection, Device &device, QWidget *parent = nullptr);
+
+    void setComputed(const QList<Computed> &computed);
 
 public Q_SLOTS:
     /// Some times a second: what the link really carries, beside what was planned.
     void measure(widgets::Milliseconds now);
+
+Q_SIGNALS:
+    void computedRemoved(const QString &name); ///< off the scope
+    void computedChosen(const QString &name); ///< to be changed
 
 protected:
     void dragEnterEvent(QDragEnterEvent *event) override;
@@ -36,6 +50,7 @@ private:
     QWidget *makeChip(const PlannedSignal &planned);
     void showRates(); ///< of what is read one by one, on its chips
     QString pollingText(int polled) const;
+    QWidget *makeComputedChip(const Computed &computed);
 
     SignalSelection &m_selection;
     Device &m_device;
@@ -44,6 +59,7 @@ private:
     QLabel *m_empty;
     QComboBox *m_rate;
     QLabel *m_budget;
+    QList<Computed> m_computed;
     std::optional<double> m_measured; ///< bytes a second
     PolledRates m_rates;
     std::map<quint32, QToolButton *> m_polledTags; ///< by signal, of the chips that are shown

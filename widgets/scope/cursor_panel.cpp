@@ -18,6 +18,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace widgets {
 
 namespace {
@@ -55,6 +57,15 @@ CursorPanel::CursorPanel(ScopeView &scope, const capture::Capture &capture, QWid
     layout->addWidget(makeSide());
     layout->addWidget(m_table, 1);
     connect(&scope.cursors(), &Cursors::changed, this, &CursorPanel::follow);
+    // Once there are too many traces it stays: the place must not come and go with the width of a number.
+    connect(m_table->horizontalScrollBar(), &QScrollBar::rangeChanged, this, [this](int, int most) {
+        if (most > 0 && !std::exchange(m_wide, true))
+            fitHeight();
+    });
+    connect(&scope, &ScopeView::channelsChanged, this, [this] {
+        m_wide = false;
+        fitHeight();
+    });
     fitHeight();
     follow();
 }
@@ -147,7 +158,7 @@ void CursorPanel::fitHeight()
     m_table->verticalHeader()->setDefaultSectionSize(line);
     m_table->horizontalHeader()->setFixedHeight(line + 2);
     // The scroll bar of many traces has its place below them.
-    const int bar = m_table->horizontalScrollBar()->sizeHint().height();
+    const int bar = m_wide ? m_table->horizontalScrollBar()->sizeHint().height() : 0;
     m_table->setFixedHeight(line + 2 + CursorTable::kRows * line + bar);
 }
 

@@ -42,6 +42,7 @@ private:
     QToolButton *m_remove;
     QLabel *m_distance;
     QTableView *m_table;
+    bool m_wide = false; ///< more traces than fit beside one another
 };
 
 } // namespace widgets

@@ -17,6 +17,7 @@ public:
     /// `scope` outlives it.
     explicit EventPanel(ScopeView &scope, QWidget *parent = nullptr);
 
+    double heightShare() const override { return 0.3; } // the traces are what is looked at
     void focusFirst() override;
     void editNote(quint32 marker); ///< selects it and opens its note
 

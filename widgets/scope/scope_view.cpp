@@ -388,6 +388,7 @@ void ScopeView::changeEvent(QEvent *event)
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         m_stack->applyPalette(palette());
         m_stack->setLeastLeft(m_lane->nameWidth());
+        updateDescription(); // others show the traces' colours
         redraw();
     } else if (event->type() == QEvent::LanguageChange) {
         m_hint->setText(tr("Drag a signal here, or select one in the tree and press Enter"));

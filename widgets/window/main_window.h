@@ -113,6 +113,7 @@ private:
     QAction *addTool(const QString &title, const char *name, const QKeySequence &keys,
         std::function<Form *()> makeForm);
     Form *formOf(Tool &tool);
+    void showComputedChips(QAction *openMath); ///< the chips of math channels, and what they do
     void makeNextTool();
     void makeScopeActions();
     void makeMenus(QMenuBar &bar);

@@ -6,6 +6,7 @@
 #include "widgets/analysis/xy_panel.h"
 #include "widgets/files/event_recorder.h"
 #include "widgets/files/record_panel.h"
+#include "widgets/scope/channel_strip.h"
 #include "widgets/scope/event_panel.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trigger_control.h"
@@ -29,8 +30,9 @@ void MainWindow::makeScopeTools()
         [this] { return new SpectrumPanel(*m_scope, m_workbench.capture(), m_device, this); });
     m_math->setPolled([this] { return m_selection->plan().polled; });
     m_math->setFormulas(m_settings.formulas);
-    addTool(tr("Math"), "mathDock", Qt::CTRL | Qt::SHIFT | Qt::Key_M,
+    QAction *openMath = addTool(tr("Math"), "mathDock", Qt::CTRL | Qt::SHIFT | Qt::Key_M,
         [this] { return new MathPanel(*m_math, *m_scope, m_workbench.capture(), this); });
+    showComputedChips(openMath);
     addTool(tr("XY"), "xyDock", Qt::CTRL | Qt::SHIFT | Qt::Key_X, [this] {
         return new XyPanel(*m_scope, m_workbench.capture(), m_workbench.registers(), this);
     });
@@ -42,6 +44,29 @@ void MainWindow::makeScopeTools()
         });
     connect(m_recorder, &EventRecorder::written, m_trigger,
         [this](double seconds, quint32 id) { m_trigger->event(Kind::RegisterWrite, seconds, id); });
+}
+
+void MainWindow::showComputedChips(QAction *openMath)
+{
+    auto *strip = findChild<ChannelStrip *>();
+    const auto showComputed = [this, strip] {
+        QList<ChannelStrip::Computed> computed;
+        for (const MathChannels::Entry &entry : m_math->entries()) {
+            const QColor color = m_math->colorOf(entry.formula.name);
+            if (color.isValid())
+                computed.append({entry.formula.name, entry.formula.text, color});
+        }
+        strip->setComputed(computed);
+    };
+    connect(m_math, &MathChannels::changed, strip, showComputed);
+    connect(m_scope, &ScopeView::channelsChanged, strip, showComputed);
+    connect(strip, &ChannelStrip::computedRemoved, m_math,
+        [this](const QString &name) { m_math->setShown(name, false); });
+    connect(strip, &ChannelStrip::computedChosen, this, [this, openMath](const QString &name) {
+        openMath->trigger();
+        findChild<MathPanel *>()->choose(name);
+    });
+    showComputed(); // those that were kept came before
 }
 
 } // namespace widgets

@@ -27,7 +27,6 @@ namespace widgets {
 namespace {
 
 constexpr std::chrono::milliseconds kSettled(100); ///< after the first picture, before the tools
-constexpr double kToolShare = 0.48; ///< of the window's height, when the first tool is opened
 
 } // namespace
 
@@ -95,7 +94,7 @@ QAction *MainWindow::addTool(const QString &title, const char *name, const QKeyS
         dock->show();
         dock->raise();
         if (noneOpen)
-            resizeDocks({dock}, {int(height() * kToolShare)}, Qt::Vertical);
+            resizeDocks({dock}, {int(height() * form->heightShare())}, Qt::Vertical);
         form->focusFirst();
     });
     WatchList &watch = m_workbench.watchList();
