@@ -66,12 +66,14 @@ ChannelId Capture::channelFor(
         const ChannelInfo &info = entry->channel->info();
         if (info.registerId == signal.id && info.kind == kind && info.unit == signal.unit
             && info.factor == signal.factor && info.offset == signal.offset
+            && info.real == signal.real
             && std::find(taken.begin(), taken.end(), info.id) == taken.end()) {
             entry->touched = ++m_revision;
             return info.id;
         }
     }
-    return add({0, signal.id, signal.name, signal.unit, signal.factor, signal.offset, kind});
+    return add(
+        {0, signal.id, signal.name, signal.unit, signal.factor, signal.offset, kind, signal.real});
 }
 
 ChannelId Capture::add(ChannelInfo info)

@@ -29,10 +29,11 @@ struct ChannelInfo {
         Slow, ///< recorded by the board, less often
         Polled, ///< asked for by us, whenever the link had time
     } kind = Kind::Fast;
+    bool real = false; ///< the board sends a 32-bit float, whose last digit says nothing
 
     bool isBoards() const { return registerId < kFirstOwnRegister; }
-    /// What one digit is worth; 0 if that is not known, because the values came scaled already.
-    double digit() const { return kind == Kind::Polled || !isBoards() ? 0.0 : factor; }
+    /// What one digit is worth; 0 if there is none to speak of: the values are no integers, or came scaled already.
+    double digit() const { return kind == Kind::Polled || real || !isBoards() ? 0.0 : factor; }
 };
 
 /// Seconds on the session's axis, half-open.

@@ -21,6 +21,7 @@ private Q_SLOTS:
     void aStopEndsTheHold();
     void aSignalThatIsStreamedAgainContinuesItsChannel();
     void anotherScaleMakesAnotherChannel();
+    void aRealSignalHasNoDigit();
     void timeNeverRunsBackwards();
     void blocksThatDoNotFitAreCountedAndLeftOut();
     void slowValuesHoldUntilTheNextOne();
@@ -308,6 +309,22 @@ void TestCapture::anotherScaleMakesAnotherChannel()
     QCOMPARE(capture.channels().size(), std::size_t(2));
     QCOMPARE(capture.valueAt(capture.channels()[0].id, 0.0), std::optional(50.0));
     QCOMPARE(capture.lastValue(*capture.find(7)), std::optional(25.0));
+}
+
+void TestCapture::aRealSignalHasNoDigit()
+{
+    Capture capture;
+    StreamLayout layout;
+    layout.id = 1;
+    layout.tickHz = 1000.0;
+    layout.slow = {{7, "COUNT", "cnt", 2.0, 0.0, false}, {8, "CURRENT", "A", 1.0, 0.0, true}};
+    capture.begin(layout);
+    QCOMPARE(capture.info(*capture.find(7))->digit(), 2.0);
+    QCOMPARE(capture.info(*capture.find(8))->digit(), 0.0); // else 0.4 A would be told as 0 A
+    layout.id = 2;
+    layout.slow[1].real = false;
+    capture.begin(layout);
+    QCOMPARE(capture.info(*capture.find(8))->digit(), 1.0);
 }
 
 void TestCapture::timeNeverRunsBackwards()

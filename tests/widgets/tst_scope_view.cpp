@@ -254,6 +254,11 @@ void TestScopeView::noiseOfADigitStaysSmall()
     const auto range = bench.view.valueRangeOf(bench.id(1));
     QVERIFY(range.to - range.from >= 20.0);
     QVERIFY(range.from < 0.0 && range.to > 1.0);
+    Bench raw({signal(1, "s16A")}); // a board that tells no scale
+    raw.view.addChannel(raw.id(1));
+    raw.record(8000, [](int, int tick) { return tick % 8 - 4; });
+    raw.picture();
+    QVERIFY(raw.view.valueRangeOf(raw.id(1)).to > 50.0);
 }
 
 void TestScopeView::tracesThatOverlapAllStayVisible()

@@ -28,8 +28,8 @@ double leastSpan(const QString &unit, double digit)
         double span;
     };
     // What is next to nothing for any motor on a bench; finer is there by hand.
-    static constexpr Least kLeast[] = {
-        {"A", 0.1}, {"V", 0.5}, {"rpm", 20.0}, {"Hz", 1.0}, {"\u00b0C", 5.0}, {"deg", 5.0}};
+    static constexpr Least kLeast[] = {{"A", 0.1}, {"s16A", 100.0}, {"s16V", 100.0}, {"V", 0.5},
+        {"rpm", 20.0}, {"Hz", 1.0}, {"\u00b0C", 5.0}, {"deg", 5.0}};
     double span = std::isfinite(digit) ? kLeastDigits * std::abs(digit) : 0.0;
     for (const Least &least : kLeast) {
         if (unit == QString::fromUtf8(least.unit))

@@ -15,6 +15,7 @@ namespace widgets {
 
 namespace {
 constexpr int kFlagRoom = 3; ///< pixels around a flag's letter
+constexpr int kFlagsBeside = 40; ///< pixels of both flags, beside which the distance has to fit
 constexpr double kDot = 3.0; ///< radius
 constexpr double kTriggerMark = 6.0; ///< half the side of its marks
 
@@ -237,11 +238,17 @@ void ScopeOverlay::paintDistance(QPainter &painter, const CursorPair &pair) cons
         painter.fillRect(QRectF(from, plot.top(), to - from, plot.height()),
             faded(palette().color(QPalette::Text), 12));
     }
-    const QString text = QStringLiteral("\u0394 ") + exactTime(pair.b - pair.a, locale());
     const QFontMetricsF metrics(font());
-    const double width = metrics.horizontalAdvance(text) + 2.0 * kFlagRoom;
-    if (width + 40 > to - from)
+    const auto widthOf = [&](const QString &text) {
+        return metrics.horizontalAdvance(text) + 2.0 * kFlagRoom;
+    };
+    QString text = QStringLiteral("\u0394 ") + exactTime(pair.b - pair.a, locale());
+    if (widthOf(text) + kFlagsBeside > to - from)
         return;
+    const QString both = text + QStringLiteral(" \u00b7 ") + inverseTime(pair.b - pair.a, locale());
+    if (widthOf(both) + kFlagsBeside <= to - from)
+        text = both;
+    const double width = widthOf(text);
     const QRectF place(
         (from + to - width) / 2, box.bottom() - metrics.height(), width, metrics.height());
     painter.fillRect(place, faded(palette().color(QPalette::Base), 200));

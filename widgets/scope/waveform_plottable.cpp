@@ -28,6 +28,7 @@ constexpr int kTurnShare = 4;
 constexpr std::size_t kSlices = 16; ///< of a column, to find where it does
 /// Columns a pixel in a picture without pixels.
 constexpr int kShapeColumns = 4;
+constexpr int kLabelGround = 215; ///< opacity: the trace below must not make a number hard to read
 
 /// Where a value lies, in rows from the top of the picture.
 struct Rows {
@@ -470,8 +471,8 @@ void WaveformPlottable::drawLastValues(QCPPainter *painter) const
         // Above the trace's end, so that it stays visible.
         const QRectF box(
             left, label.y - metrics.height() - 1, area.right() - left, metrics.height());
-        QColor ground = m_scopePlot.dark ? QColor(Qt::black) : QColor(Qt::white);
-        ground.setAlpha(170);
+        QColor ground = mParentPlot->palette().color(QPalette::Base);
+        ground.setAlpha(kLabelGround);
         painter->fillRect(box, ground);
         painter->setPen(label.color);
         painter->drawText(box, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, label.text);
