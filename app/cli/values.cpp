@@ -1,5 +1,6 @@
 #include "values.h"
 
+#include "catalog/limits.h"
 #include "catalog/names.h"
 #include "output.h"
 #include "sentences.h"
@@ -8,7 +9,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 namespace cli {
 
@@ -84,25 +84,6 @@ QString integerText(const Catalog &catalog, RegisterId id, std::int64_t number, 
         ? QString::number(number)
         : shownText(static_cast<double>(number) * scale.factor);
     return scale.unit.empty() ? text : text + QLatin1Char(' ') + textOf(scale.unit);
-}
-
-/// Smallest and largest number that the register's width holds.
-std::pair<std::int64_t, std::int64_t> rangeOf(ValueType type)
-{
-    switch (type) {
-    case ValueType::U8:
-        return {0, 0xFF};
-    case ValueType::S8:
-        return {-0x80, 0x7F};
-    case ValueType::U16:
-        return {0, 0xFFFF};
-    case ValueType::S16:
-        return {-0x8000, 0x7FFF};
-    case ValueType::S32:
-        return {std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()};
-    default:
-        return {0, std::numeric_limits<std::uint32_t>::max()};
-    }
 }
 
 std::optional<double> numberOf(const QString &text)
@@ -211,10 +192,10 @@ Outcome<Value> parseValue(const Catalog &catalog, RegisterId id, const QString &
     if (!catalog::isInteger(info->type))
         return Value(factor == 0.0 ? *number : *number / factor);
     const double raw = std::round(factor == 0.0 ? *number : *number / factor);
-    const auto [least, most] = rangeOf(info->type);
-    if (!(raw >= static_cast<double>(least) && raw <= static_cast<double>(most))) {
-        const double low = static_cast<double>(least) * factor;
-        const double high = static_cast<double>(most) * factor;
+    const catalog::Limits limits = catalog::typeLimits(info->type);
+    if (!limits.holds(raw)) {
+        const double low = limits.least * factor;
+        const double high = limits.greatest * factor;
         return failure(kUsage,
             QStringLiteral("%1 holds %2 to %3, not %4.")
                 .arg(name, shownText(std::min(low, high)), shownText(std::max(low, high)), text));

@@ -14,30 +14,6 @@ namespace {
 constexpr double kGreatestFloat = std::numeric_limits<float>::max();
 constexpr double kGreatestGainStep = 2.0;
 
-Limits typeLimits(ValueType type)
-{
-    switch (type) {
-    case ValueType::U8:
-        return {0.0, 255.0};
-    case ValueType::S8:
-        return {-128.0, 127.0};
-    case ValueType::U16:
-        return {0.0, 65535.0};
-    case ValueType::S16:
-        return {-32768.0, 32767.0};
-    case ValueType::U32:
-        return {0.0, 4294967295.0};
-    case ValueType::S32:
-        return {-2147483648.0, 2147483647.0};
-    case ValueType::F32:
-        return {-kGreatestFloat, kGreatestFloat};
-    case ValueType::Text:
-    case ValueType::Raw:
-        break;
-    }
-    return {};
-}
-
 std::optional<double> numberOf(const Value &value)
 {
     if (const auto *whole = std::get_if<std::int64_t>(&value))
@@ -73,6 +49,30 @@ std::string refuseMeaning(const RegisterInfo &info, std::int64_t number)
 }
 
 } // namespace
+
+Limits typeLimits(ValueType type)
+{
+    switch (type) {
+    case ValueType::U8:
+        return {0.0, 255.0};
+    case ValueType::S8:
+        return {-128.0, 127.0};
+    case ValueType::U16:
+        return {0.0, 65535.0};
+    case ValueType::S16:
+        return {-32768.0, 32767.0};
+    case ValueType::U32:
+        return {0.0, 4294967295.0};
+    case ValueType::S32:
+        return {-2147483648.0, 2147483647.0};
+    case ValueType::F32:
+        return {-kGreatestFloat, kGreatestFloat};
+    case ValueType::Text:
+    case ValueType::Raw:
+        break;
+    }
+    return {};
+}
 
 Limits writeLimits(const RegisterInfo &info)
 {

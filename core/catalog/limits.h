@@ -16,6 +16,9 @@ struct Limits {
     bool operator==(const Limits &) const = default;
 };
 
+/// The numbers that a type can hold; for texts and structures an empty range at 0.
+Limits typeLimits(ValueType type);
+
 /// The raw numbers that a scalar register takes; for texts and structures an empty range at 0.
 Limits writeLimits(const RegisterInfo &info);
 

@@ -1,5 +1,7 @@
 #include "drive/values.h"
 
+#include "catalog/limits.h"
+
 #include <cmath>
 
 namespace drive {
@@ -7,29 +9,6 @@ namespace drive {
 using catalog::ValueType;
 
 namespace {
-
-struct Range {
-    std::int64_t min, max;
-};
-Range rangeOf(ValueType type)
-{
-    switch (type) {
-    case ValueType::U8:
-        return {0, 0xFF};
-    case ValueType::S8:
-        return {-0x80, 0x7F};
-    case ValueType::U16:
-        return {0, 0xFFFF};
-    case ValueType::S16:
-        return {-0x8000, 0x7FFF};
-    case ValueType::U32:
-        return {0, 0xFFFFFFFF};
-    case ValueType::S32:
-        return {-0x80000000LL, 0x7FFFFFFF};
-    default:
-        return {0, 0};
-    }
-}
 
 /// A whole number, also where it came as a floating-point one.
 std::optional<std::int64_t> wholeNumber(const Value &value)
@@ -57,12 +36,12 @@ std::optional<double> asNumber(const Value &value)
 Result<std::int64_t, std::string> wholeNumberFor(ValueType type, const Value &value)
 {
     const auto number = wholeNumber(value);
-    if (!number)
+    if (!number || !catalog::isInteger(type))
         return fail(std::string("not a whole number"));
-    const Range range = rangeOf(type);
-    if (*number < range.min || *number > range.max)
-        return fail(
-            "out of range " + std::to_string(range.min) + " to " + std::to_string(range.max));
+    const catalog::Limits limits = catalog::typeLimits(type);
+    if (!limits.holds(static_cast<double>(*number)))
+        return fail("out of range " + std::to_string(std::llround(limits.least)) + " to "
+            + std::to_string(std::llround(limits.greatest)));
     return *number;
 }
 

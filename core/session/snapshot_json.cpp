@@ -1,5 +1,6 @@
 #include "session/snapshot_json.h"
 
+#include "catalog/limits.h"
 #include "mcp/structure_fields.h"
 
 #include <QJsonArray>
@@ -133,18 +134,10 @@ std::optional<Bytes> bytesOfHex(const QString &text)
     return Bytes(bytes.begin(), bytes.end());
 }
 
-std::pair<double, double> rangeOf(ValueType type)
-{
-    const double span = std::ldexp(1.0, static_cast<int>(8 * catalog::widthOf(type)));
-    const bool isSigned = type == ValueType::S8 || type == ValueType::S16 || type == ValueType::S32;
-    return isSigned ? std::pair{-span / 2, span / 2 - 1} : std::pair{0.0, span - 1};
-}
-
 Read wholeOf(const QJsonValue &raw, ValueType type)
 {
     const double number = raw.toDouble(std::numeric_limits<double>::quiet_NaN());
-    const auto [least, most] = rangeOf(type);
-    if (!(number >= least && number <= most) || number != std::nearbyint(number))
+    if (!catalog::typeLimits(type).holds(number) || number != std::nearbyint(number))
         return fail(Problem::NumberDoesNotFit);
     return Value(static_cast<std::int64_t>(number));
 }

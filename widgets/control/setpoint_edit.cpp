@@ -5,7 +5,6 @@
 #include "widgets/base/value_text.h"
 
 #include <QKeyEvent>
-#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +17,8 @@ constexpr int kTypedDigits = 9;
 } // namespace
 
 SetpointEdit::SetpointEdit(QWidget *parent)
-    : QLineEdit(parent)
+    : SteppedEdit(parent)
 {
-    setAlignment(Qt::AlignRight);
-    setFocusPolicy(Qt::StrongFocus);
     setText(QStringLiteral("0"));
     connect(this, &QLineEdit::textChanged, this, &SetpointEdit::echoChanged);
 }
@@ -89,40 +86,12 @@ QString SetpointEdit::echo() const
 
 void SetpointEdit::keyPressEvent(QKeyEvent *event)
 {
-    switch (event->key()) {
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-        if (event->modifiers() & Qt::ControlModifier)
-            break; // Ctrl+Enter starts the motor: not ours
-        if (const auto sent = sentValue(); sent && !event->isAutoRepeat())
-            Q_EMIT committed(*sent);
-        event->accept();
-        return;
-    case Qt::Key_Up:
-        stepBy(1);
-        return;
-    case Qt::Key_Down:
-        stepBy(-1);
-        return;
-    case Qt::Key_PageUp:
-        stepBy(10);
-        return;
-    case Qt::Key_PageDown:
-        stepBy(-10);
-        return;
-    default:
-        break;
-    }
-    QLineEdit::keyPressEvent(event);
-}
-
-void SetpointEdit::wheelEvent(QWheelEvent *event)
-{
-    if (!hasFocus() || !m_wheelAllowed || event->angleDelta().y() == 0) {
-        event->ignore();
-        return;
-    }
-    stepBy(event->angleDelta().y() > 0 ? 1 : -1);
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (!enter
+        || (event->modifiers() & Qt::ControlModifier)) // Ctrl+Enter starts the motor: not ours
+        return SteppedEdit::keyPressEvent(event);
+    if (const auto sent = sentValue(); sent && !event->isAutoRepeat())
+        Q_EMIT committed(*sent);
     event->accept();
 }
 

@@ -3,13 +3,13 @@
 // enabled-for-motion field.
 #pragma once
 
-#include <QLineEdit>
+#include "widgets/base/stepped_edit.h"
 
 #include <optional>
 
 namespace widgets {
 
-class SetpointEdit : public QLineEdit {
+class SetpointEdit : public SteppedEdit {
     Q_OBJECT
 public:
     explicit SetpointEdit(QWidget *parent = nullptr);
@@ -38,10 +38,10 @@ Q_SIGNALS:
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;
-    void wheelEvent(QWheelEvent *event) override;
+    void stepBy(int steps) override;
+    bool wheelWanted() const override { return hasFocus() && m_wheelAllowed; }
 
 private:
-    void stepBy(int steps);
     double least() const; ///< that can be sent
 
     double m_limit = 1.0;

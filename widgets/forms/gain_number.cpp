@@ -3,10 +3,6 @@
 #include "widgets/base/setpoint_text.h"
 #include "widgets/base/value_text.h"
 
-#include <QKeyEvent>
-#include <QToolTip>
-#include <QWheelEvent>
-
 #include <algorithm>
 #include <cmath>
 
@@ -39,17 +35,15 @@ QString significantText(double value, int digits)
 
 GainNumber::GainNumber(const char *name, const QString &label, const QString &unit, double least,
     double greatest, QWidget *parent)
-    : QLineEdit(parent)
+    : SteppedEdit(parent)
     , m_unit(unit)
     , m_least(least)
     , m_greatest(greatest)
 {
     setObjectName(QLatin1String(name));
     setAccessibleName(unit.isEmpty() ? label : label + QLatin1String(", ") + unit);
-    setAlignment(Qt::AlignRight);
-    setFocusPolicy(Qt::StrongFocus);
     setMaxLength(int(kLongest));
-    connect(this, &QLineEdit::textChanged, this, &GainNumber::showProblem);
+    connect(this, &QLineEdit::textChanged, this, [this] { showProblem(); });
     connect(this, &QLineEdit::textEdited, this, &GainNumber::valueEdited);
 }
 
@@ -97,35 +91,13 @@ void GainNumber::setBounds(double least, double greatest)
     showProblem();
 }
 
-void GainNumber::keyPressEvent(QKeyEvent *event)
-{
-    switch (event->key()) {
-    case Qt::Key_Up:
-        return stepBy(kFine);
-    case Qt::Key_Down:
-        return stepBy(1.0 / kFine);
-    case Qt::Key_PageUp:
-        return stepBy(kCoarse);
-    case Qt::Key_PageDown:
-        return stepBy(1.0 / kCoarse);
-    default:
-        QLineEdit::keyPressEvent(event);
-    }
-}
-
-void GainNumber::wheelEvent(QWheelEvent *event)
-{
-    if (!hasFocus() || event->angleDelta().y() == 0)
-        return event->ignore();
-    stepBy(event->angleDelta().y() > 0 ? kFine : 1.0 / kFine);
-    event->accept();
-}
-
-void GainNumber::stepBy(double factor)
+void GainNumber::stepBy(int steps)
 {
     const auto now = value();
     if (!now || *now == 0.0)
         return;
+    const double size = std::abs(steps) > 1 ? kCoarse : kFine;
+    const double factor = steps > 0 ? size : 1.0 / size;
     // Three digits are as fine as the steps are.
     const double digit = std::pow(10.0, std::floor(std::log10(std::abs(*now))) - 2.0);
     double next = std::round(*now * factor / digit) * digit;
@@ -133,22 +105,6 @@ void GainNumber::stepBy(double factor)
         next += factor > 1.0 ? digit : -digit;
     setText(significantText(std::clamp(next, m_least, m_greatest)));
     Q_EMIT valueEdited();
-}
-
-void GainNumber::showProblem()
-{
-    const QString sentence = problem();
-    QPalette colors;
-    if (!sentence.isEmpty()) {
-        colors.setColor(QPalette::Base, QColor(0xff, 0x8f, 0x85));
-        colors.setColor(QPalette::Text, Qt::black);
-    }
-    setPalette(colors);
-    setAccessibleDescription(sentence);
-    if (sentence.isEmpty())
-        QToolTip::hideText();
-    else if (isVisible() && hasFocus())
-        QToolTip::showText(mapToGlobal(QPoint(0, height())), sentence.toHtmlEscaped(), this);
 }
 
 } // namespace widgets

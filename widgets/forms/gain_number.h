@@ -1,9 +1,8 @@
 // GainNumber: a text field for one number that a computation starts from (a resistance, a bandwidth). Reads as strictly
-// as the fields whose numbers reach a board; nothing leaves it but signals. Arrow keys, and the wheel while it has the
-// focus, step it by a share of its size.
+// as the fields whose numbers reach a board; nothing leaves it but signals. A step is a share of its size.
 #pragma once
 
-#include <QLineEdit>
+#include "widgets/base/stepped_edit.h"
 
 #include <optional>
 
@@ -12,7 +11,7 @@ namespace widgets {
 /// Significant digits, neither an exponent nor group marks: "0.35", "1732", "0,0012" in German.
 QString significantText(double value, int digits = 4);
 
-class GainNumber : public QLineEdit {
+class GainNumber : public SteppedEdit {
     Q_OBJECT
 public:
     /// @param name  the object's; @param label  for people, without a unit
@@ -26,20 +25,16 @@ public:
     /// Not as a person types it: no signal. Empty, or not a number: the field is emptied.
     void setValue(std::optional<double> value);
     /// What is wrong with the text; empty if nothing is, or if there is none.
-    QString problem() const;
+    QString problem() const override;
     void setBounds(double least, double greatest);
 
 Q_SIGNALS:
     void valueEdited(); ///< by a person; value() may be empty
 
 protected:
-    void keyPressEvent(QKeyEvent *event) override;
-    void wheelEvent(QWheelEvent *event) override;
+    void stepBy(int steps) override;
 
 private:
-    void stepBy(double factor);
-    void showProblem();
-
     QString m_unit;
     double m_least, m_greatest;
     std::optional<double> m_set;

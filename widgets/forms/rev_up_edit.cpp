@@ -5,8 +5,6 @@
 
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QToolTip>
-#include <QWheelEvent>
 
 namespace widgets {
 namespace {
@@ -17,14 +15,12 @@ const char *const kFilled = "filled";
 } // namespace
 
 RevUpEdit::RevUpEdit(Rules rules, int step, QWidget *parent)
-    : QLineEdit(parent)
+    : SteppedEdit(parent)
     , m_rules(std::move(rules))
     , m_step(step)
 {
-    setAlignment(Qt::AlignRight);
-    setFocusPolicy(Qt::StrongFocus);
     setMaxLength(kLongestEntry);
-    connect(this, &QLineEdit::textChanged, this, &RevUpEdit::showProblem);
+    connect(this, &QLineEdit::textChanged, this, [this] { showProblem(); });
 }
 
 std::optional<catalog::Value> RevUpEdit::value() const
@@ -42,52 +38,12 @@ QString RevUpEdit::problem() const
     return read ? QString() : entryErrorText(read.error(), rules);
 }
 
-void RevUpEdit::keyPressEvent(QKeyEvent *event)
-{
-    switch (event->key()) {
-    case Qt::Key_Up:
-        return stepBy(1);
-    case Qt::Key_Down:
-        return stepBy(-1);
-    case Qt::Key_PageUp:
-        return stepBy(10);
-    case Qt::Key_PageDown:
-        return stepBy(-10);
-    default:
-        QLineEdit::keyPressEvent(event);
-    }
-}
-
-void RevUpEdit::wheelEvent(QWheelEvent *event)
-{
-    if (!hasFocus() || event->angleDelta().y() == 0)
-        return event->ignore();
-    stepBy(event->angleDelta().y() > 0 ? 1 : -1);
-    event->accept();
-}
-
 void RevUpEdit::stepBy(int steps)
 {
     const EntryRules rules = m_rules();
     const auto now = value();
     if (const auto next = now ? stepped(*now, steps * m_step, rules) : std::nullopt)
         setText(shownEntryText(*next, rules));
-}
-
-void RevUpEdit::showProblem()
-{
-    const QString sentence = problem();
-    QPalette colors;
-    if (!sentence.isEmpty()) {
-        colors.setColor(QPalette::Base, QColor(0xff, 0x8f, 0x85));
-        colors.setColor(QPalette::Text, Qt::black);
-    }
-    setPalette(colors);
-    setAccessibleDescription(sentence);
-    if (sentence.isEmpty())
-        QToolTip::hideText();
-    else if (isVisible())
-        QToolTip::showText(mapToGlobal(QPoint(0, height())), sentence.toHtmlEscaped(), this);
 }
 
 RevUpDelegate::RevUpDelegate(RevUpModel &model, QObject *parent)

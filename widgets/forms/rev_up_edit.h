@@ -1,10 +1,10 @@
-// RevUpEdit: a text field for one number of a rev-up, read as strictly as every value that reaches a board. Arrow keys
-// step it by what the register can hold; the wheel only while it has the focus.
+// RevUpEdit: a text field for one number of a rev-up, read as strictly as every value that reaches a board; a step is
+// what the register can hold.
 #pragma once
 
+#include "widgets/base/stepped_edit.h"
 #include "widgets/registers/register_entry.h"
 
-#include <QLineEdit>
 #include <QStyledItemDelegate>
 #include <QTableView>
 
@@ -14,7 +14,7 @@ namespace widgets {
 
 class RevUpModel;
 
-class RevUpEdit : public QLineEdit {
+class RevUpEdit : public SteppedEdit {
     Q_OBJECT
 public:
     using Rules = std::function<EntryRules()>; ///< asked anew each time: limits change
@@ -22,17 +22,13 @@ public:
     RevUpEdit(Rules rules, int step, QWidget *parent = nullptr);
 
     std::optional<catalog::Value> value() const; ///< empty if the text is not good
-    QString problem() const; ///< one sentence; empty if the text is good
+    QString problem() const override;
     void setEmptyAllowed(bool allowed) { m_emptyAllowed = allowed; }
 
 protected:
-    void keyPressEvent(QKeyEvent *event) override;
-    void wheelEvent(QWheelEvent *event) override;
+    void stepBy(int steps) override;
 
 private:
-    void stepBy(int steps);
-    void showProblem();
-
     Rules m_rules;
     int m_step;
     bool m_emptyAllowed = false;

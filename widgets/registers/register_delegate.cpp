@@ -8,8 +8,6 @@
 
 #include <QComboBox>
 #include <QKeyEvent>
-#include <QToolTip>
-#include <QWheelEvent>
 
 namespace widgets {
 namespace {
@@ -82,47 +80,23 @@ QString EntryValidator::problem(const QString &text) const
 
 EntryEdit::EntryEdit(
     const RegisterModel &model, catalog::RegisterId id, int column, QWidget *parent)
-    : QLineEdit(parent)
+    : SteppedEdit(parent)
     , m_model(model)
     , m_id(id)
     , m_column(column)
     , m_validator(new EntryValidator(model, id, column, this))
 {
     setObjectName(QStringLiteral("registerEntry"));
-    setAlignment(Qt::AlignRight);
-    setFocusPolicy(Qt::StrongFocus);
     setMaxLength(kLongestEntry);
     setValidator(m_validator);
-    connect(this, &QLineEdit::textChanged, this, &EntryEdit::showProblem);
+    connect(this, &QLineEdit::textChanged, this, [this] { showProblem(); });
 }
 
 void EntryEdit::keyPressEvent(QKeyEvent *event)
 {
-    switch (event->key()) {
-    case Qt::Key_Up:
-        return stepBy(1);
-    case Qt::Key_Down:
-        return stepBy(-1);
-    case Qt::Key_PageUp:
-        return stepBy(10);
-    case Qt::Key_PageDown:
-        return stepBy(-10);
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-        QLineEdit::keyPressEvent(event);
+    SteppedEdit::keyPressEvent(event);
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
         event->accept(); // not for what the editor stands in: that would open it once more
-        return;
-    default:
-        QLineEdit::keyPressEvent(event);
-    }
-}
-
-void EntryEdit::wheelEvent(QWheelEvent *event)
-{
-    if (!hasFocus() || event->angleDelta().y() == 0)
-        return event->ignore();
-    stepBy(event->angleDelta().y() > 0 ? 1 : -1);
-    event->accept();
 }
 
 void EntryEdit::stepBy(int steps)
@@ -134,22 +108,6 @@ void EntryEdit::stepBy(int steps)
         setText(m_column == RegisterModel::RawColumn
                 ? rawEntryText(catalog::onWire(*rules->info, *next))
                 : shownEntryText(*next, *rules));
-}
-
-void EntryEdit::showProblem()
-{
-    const QString sentence = problem();
-    QPalette colors;
-    if (!sentence.isEmpty()) {
-        colors.setColor(QPalette::Base, QColor(0xff, 0x8f, 0x85));
-        colors.setColor(QPalette::Text, Qt::black);
-    }
-    setPalette(colors);
-    setAccessibleDescription(sentence);
-    if (sentence.isEmpty())
-        QToolTip::hideText();
-    else if (isVisible())
-        QToolTip::showText(mapToGlobal(QPoint(0, height())), sentence.toHtmlEscaped(), this);
 }
 
 RegisterDelegate::RegisterDelegate(const RegisterModel &model, QObject *parent)

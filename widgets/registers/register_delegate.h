@@ -2,9 +2,9 @@
 // field otherwise. An editor only changes what is wanted, never the board; what cannot be understood stays in it.
 #pragma once
 
+#include "widgets/base/stepped_edit.h"
 #include "widgets/registers/register_model.h"
 
-#include <QLineEdit>
 #include <QStyledItemDelegate>
 #include <QValidator>
 
@@ -25,22 +25,19 @@ private:
     int m_column;
 };
 
-/// A text field for one register. Arrow keys, and the wheel while it has the focus, step the number.
-class EntryEdit : public QLineEdit {
+/// A text field for one register.
+class EntryEdit : public SteppedEdit {
     Q_OBJECT
 public:
     EntryEdit(const RegisterModel &model, catalog::RegisterId id, int column, QWidget *parent);
 
-    QString problem() const { return m_validator->problem(text()); }
+    QString problem() const override { return m_validator->problem(text()); }
 
 protected:
+    void stepBy(int steps) override;
     void keyPressEvent(QKeyEvent *event) override;
-    void wheelEvent(QWheelEvent *event) override;
 
 private:
-    void stepBy(int steps);
-    void showProblem();
-
     const RegisterModel &m_model;
     catalog::RegisterId m_id;
     int m_column;

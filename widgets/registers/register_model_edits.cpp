@@ -1,5 +1,6 @@
 // The edits of a RegisterModel: what a person wants to be written, and how each write ended.
 #include "widgets/base/device_text.h"
+#include "widgets/base/stepped_edit.h"
 #include "widgets/base/value_text.h"
 #include "widgets/registers/register_model.h"
 
@@ -23,7 +24,7 @@ QColor colorOf(RegisterModel::EditState state)
     case RegisterModel::EditState::Verified:
         return QColor(0x7f, 0xd8, 0x8f);
     case RegisterModel::EditState::Refused:
-        return QColor(0xff, 0x8f, 0x85);
+        return kRefusedColor;
     case RegisterModel::EditState::None:
         break;
     }

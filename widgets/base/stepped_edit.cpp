@@ -1,0 +1,56 @@
+#include "widgets/base/stepped_edit.h"
+
+#include <QKeyEvent>
+#include <QToolTip>
+#include <QWheelEvent>
+
+namespace widgets {
+
+SteppedEdit::SteppedEdit(QWidget *parent)
+    : QLineEdit(parent)
+{
+    setAlignment(Qt::AlignRight);
+    setFocusPolicy(Qt::StrongFocus); // not by the wheel
+}
+
+void SteppedEdit::keyPressEvent(QKeyEvent *event)
+{
+    switch (event->key()) {
+    case Qt::Key_Up:
+        return stepBy(1);
+    case Qt::Key_Down:
+        return stepBy(-1);
+    case Qt::Key_PageUp:
+        return stepBy(10);
+    case Qt::Key_PageDown:
+        return stepBy(-10);
+    default:
+        QLineEdit::keyPressEvent(event);
+    }
+}
+
+void SteppedEdit::wheelEvent(QWheelEvent *event)
+{
+    if (!wheelWanted() || event->angleDelta().y() == 0)
+        return event->ignore();
+    stepBy(event->angleDelta().y() > 0 ? 1 : -1);
+    event->accept();
+}
+
+void SteppedEdit::showProblem()
+{
+    const QString sentence = problem();
+    QPalette colors;
+    if (!sentence.isEmpty()) {
+        colors.setColor(QPalette::Base, kRefusedColor);
+        colors.setColor(QPalette::Text, Qt::black);
+    }
+    setPalette(colors);
+    setAccessibleDescription(sentence);
+    if (sentence.isEmpty())
+        QToolTip::hideText();
+    else if (isVisible() && hasFocus())
+        QToolTip::showText(mapToGlobal(QPoint(0, height())), sentence.toHtmlEscaped(), this);
+}
+
+} // namespace widgets

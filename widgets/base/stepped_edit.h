@@ -1,0 +1,30 @@
+// SteppedEdit: what the fields for one number have in common. Arrow keys step the number, Page Up and Down by ten steps,
+// the wheel only while the field has the focus; while the text is no good the field is red, with the reason as tool tip and
+// for screen readers. What the text means, and how it steps, is the business of the class made from this one.
+#pragma once
+
+#include <QColor>
+#include <QLineEdit>
+
+namespace widgets {
+
+/// Behind a text that cannot be taken. Black text stays readable on it in both themes.
+inline constexpr QColor kRefusedColor{0xff, 0x8f, 0x85};
+
+class SteppedEdit : public QLineEdit {
+    Q_OBJECT
+public:
+    explicit SteppedEdit(QWidget *parent = nullptr);
+
+    virtual QString problem() const { return {}; } ///< one sentence; empty if the text is good
+
+protected:
+    virtual void stepBy(int steps) = 0; ///< -10, -1, 1 or 10; nothing where the text is no number
+    virtual bool wheelWanted() const { return hasFocus(); }
+    void showProblem();
+
+    void keyPressEvent(QKeyEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+};
+
+} // namespace widgets
