@@ -3888,7 +3888,7 @@
         <translation>%1 ist keine Aufzeichnung von Rotorscope.</translation>
     </message>
     <message>
-        <source>Roo&amp;m for samples…</source>
+        <source>R&amp;oom for samples…</source>
         <translation>&amp;Platz für Messwerte…</translation>
     </message>
 </context>

@@ -3888,7 +3888,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Roo&amp;m for samples…</source>
+        <source>R&amp;oom for samples…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

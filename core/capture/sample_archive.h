@@ -26,6 +26,9 @@ public:
         Refused, ///< no room, or the disk failed: they stay where they were
     };
 
+    /// Who looks at the state sees what was done before the deposit was made.
+    Deposit() { m_state.store(State::Waiting, std::memory_order_release); }
+
     State state() const { return m_state.load(std::memory_order_acquire); }
     void wait() const { m_state.wait(State::Waiting, std::memory_order_acquire); }
 
@@ -40,7 +43,7 @@ public:
     }
 
 private:
-    std::atomic<State> m_state{State::Waiting};
+    std::atomic<State> m_state;
     std::vector<Stretch> m_stretches;
 };
 

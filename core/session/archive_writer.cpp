@@ -61,19 +61,23 @@ ArchiveWriter::ArchiveWriter(const DiskArchive::Config &config)
 {
 }
 
-void ArchiveWriter::write(capture::Deposit &deposit, std::vector<capture::Stretch> stretches)
+void ArchiveWriter::write(capture::Deposit &deposit, const std::vector<capture::Stretch> &stretches)
 {
     using State = capture::Deposit::State;
+    if (deposit.state() != State::Waiting)
+        return;
     auto piece = makePiece(stretches);
     if (!piece)
         return deposit.settle(State::Refused);
     const auto bytes = shared(std::move(piece));
     std::size_t offset = 0;
-    for (capture::Stretch &stretch : stretches) {
-        stretch.data = {bytes, bytes.get() + offset};
+    std::vector<capture::Stretch> stored;
+    stored.reserve(stretches.size());
+    for (const capture::Stretch &stretch : stretches) {
+        stored.push_back({{bytes, bytes.get() + offset}, stretch.size});
         offset += stretch.size;
     }
-    deposit.settle(State::Stored, std::move(stretches));
+    deposit.settle(State::Stored, std::move(stored));
 }
 
 std::unique_ptr<ArchiveWriter::Piece> ArchiveWriter::makePiece(

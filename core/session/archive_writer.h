@@ -13,7 +13,7 @@ public:
     explicit ArchiveWriter(const DiskArchive::Config &config);
 
     /// Settles the deposit, whatever happens.
-    void write(capture::Deposit &deposit, std::vector<capture::Stretch> stretches);
+    void write(capture::Deposit &deposit, const std::vector<capture::Stretch> &stretches);
     void tellAgain() { m_told = false; }
 
     // In any thread.

@@ -39,8 +39,8 @@ std::shared_ptr<const capture::Deposit> DiskArchive::store(std::vector<capture::
     auto deposit = std::make_shared<capture::Deposit>();
     QMetaObject::invokeMethod(
         m_writer.get(),
-        [writer = m_writer.get(), deposit, stretches = std::move(stretches)]() mutable {
-            writer->write(*deposit, std::move(stretches));
+        [writer = m_writer.get(), deposit, stretches = std::move(stretches)] {
+            writer->write(*deposit, stretches);
         },
         Qt::QueuedConnection);
     return deposit;

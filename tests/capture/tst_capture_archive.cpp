@@ -85,7 +85,8 @@ private:
                 }};
     }
 
-    std::shared_ptr<std::uint64_t> m_held = std::make_shared<std::uint64_t>(0);
+    std::shared_ptr<std::atomic<std::uint64_t>> m_held =
+        std::make_shared<std::atomic<std::uint64_t>>(0);
     std::deque<std::pair<std::shared_ptr<Deposit>, std::vector<Stretch>>> m_waiting;
 };
 

@@ -121,6 +121,8 @@ void TestDiskArchive::aCopyIsReadWhileTheRestMoves()
     struct Reader : QThread {
         Snapshot copy;
         std::uint64_t sum = 0;
+        std::atomic<bool> done{
+            false}; ///< wait() says so too, but ThreadSanitizer does not see that
         void run() override
         {
             for (int round = 0; round < 20; ++round)
@@ -128,6 +130,7 @@ void TestDiskArchive::aCopyIsReadWhileTheRestMoves()
                     for (capture::Index i = channel.begin(); i < channel.end(); i += 61)
                         sum += static_cast<std::uint64_t>(channel.fast()->at(i) + 40000);
             copy.reset(); // the last of some pieces is let go here
+            done.store(true, std::memory_order_release);
         }
     };
     Bench bench;
@@ -147,6 +150,8 @@ void TestDiskArchive::aCopyIsReadWhileTheRestMoves()
     bench.twins.record(1'500'000);
     bench.small().clear();
     QVERIFY(small.wait() && whole.wait());
+    QVERIFY(small.done.load(std::memory_order_acquire));
+    QVERIFY(whole.done.load(std::memory_order_acquire));
     QVERIFY(nothingReleased);
     QCOMPARE(small.sum, whole.sum);
     QTRY_COMPARE(bench.archive->bytesOnDisk(), std::uint64_t(0));

@@ -72,7 +72,7 @@ void MainWindow::makeMenus(QMenuBar &bar)
     m_fileSignals = scope->addMenu(tr("Signals of the &file"));
     m_fileSignals->setObjectName(QStringLiteral("fileSignals"));
     connect(scope, &QMenu::aboutToShow, this, &MainWindow::fillFileSignals);
-    QAction *room = addAction(scope, tr("Roo&m for samples\u2026"));
+    QAction *room = addAction(scope, tr("R&oom for samples\u2026"));
     room->setObjectName(QStringLiteral("sampleRoom"));
     connect(room, &QAction::triggered, this, &MainWindow::askForRoom);
     connect(addAction(scope, tr("&Clear what was recorded")), &QAction::triggered, m_selection,
