@@ -2301,6 +2301,10 @@
         <source>This board records nothing by itself. Its line of %1 kB/s is shared by the signals, the registers that are seen and the motor&apos;s state.</source>
         <translation>Dieses Board zeichnet selbst nichts auf. Seine Leitung mit %1 kB/s teilen sich die Signale, die sichtbaren Register und der Zustand des Motors.</translation>
     </message>
+    <message>
+        <source>How %1 is computed</source>
+        <translation>Wie %1 berechnet wird</translation>
+    </message>
 </context>
 <context>
     <name>widgets::CommandBox</name>

@@ -2301,6 +2301,10 @@
         <source>This board records nothing by itself. Its line of %1 kB/s is shared by the signals, the registers that are seen and the motor&apos;s state.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>How %1 is computed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::CommandBox</name>

@@ -64,6 +64,7 @@ ArchiveWriter::ArchiveWriter(const DiskArchive::Config &config)
 void ArchiveWriter::write(capture::Deposit &deposit, const std::vector<capture::Stretch> &stretches)
 {
     using State = capture::Deposit::State;
+    // Settled once. For TSan, which does not see the lock of Qt's queue, this is also where the bytes were handed over.
     if (deposit.state() != State::Waiting)
         return;
     auto piece = makePiece(stretches);

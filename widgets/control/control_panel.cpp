@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kMargin = 10;
 constexpr int kGap =
-    5; ///< so that nothing has to be scrolled on a low screen after a stop, when its words stand there
+    3; ///< so that nothing has to be scrolled on a low screen after a stop, when its words stand there
 
 QFrame *line(QWidget *parent)
 {
