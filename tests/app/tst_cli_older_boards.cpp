@@ -147,8 +147,7 @@ void TestCliOlderBoards::currentsAreInAmpereByAScaleOfOnesOwn()
     const QString torque = QStringLiteral("torque 0.5 100 --expert --max-rpm 3000 --max-amps 2");
     const Run refused = run(board + torque);
     QVERIFY(refused.status != 0);
-    QVERIFY2(
-        refused.error.contains(QLatin1String("current scale")), qPrintable(refused.error));
+    QVERIFY2(refused.error.contains(QLatin1String("current scale")), qPrintable(refused.error));
     QCOMPARE(run(board + torque + scale).status, 0);
 
     const Run told = run(QStringLiteral("--port sim --protocol mcp get I_Q_REF") + scale);

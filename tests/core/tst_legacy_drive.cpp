@@ -1,9 +1,8 @@
 // LegacyDrive on simulated boards of both dialects with a motor behind them: who is there, reading and writing, starting
 // and ramping within what a person allows, stopping, and watching as fast as the line gives.
-#include "support/link_pair.h"
+#include "support/legacy_bench.h"
 
 #include "drive/make_drive.h"
-#include "drive/values.h"
 #include "legacy/framer.h"
 #include "legacy/reply.h"
 #include "legacy/request.h"
@@ -11,56 +10,11 @@
 #include <QTest>
 
 using namespace drive;
+using support::boardOf;
+using support::isRead;
 using namespace std::chrono_literals;
 
 namespace {
-
-simulation::BoardOptions boardOf(const char *profile, int motors = 1)
-{
-    simulation::BoardOptions options;
-    options.profile = profile;
-    options.baud = 115200;
-    options.motors = motors;
-    return options;
-}
-
-/// Connected, identified, armed, and ready to be moved.
-struct Bench : support::LinkPair {
-    explicit Bench(const char *profile, int motors = 1)
-        : LinkPair(boardOf(profile, motors))
-    {
-        connect();
-        ready = runUntilIdentified();
-        drive->arm();
-        exchange();
-    }
-    void expert(int motor = 1)
-    {
-        submit(UserLimits{3000.0, 0.0});
-        submit(ExpertMode{motor});
-    }
-    bool start()
-    {
-        expert();
-        const WishId wish = submit(Command{MotorAction::Start, 1});
-        return runUntilEnded(wish) && outcome(wish) == Outcome::Ok
-            && runUntilState(MotorState::Running);
-    }
-    const Capability *capability(Feature feature) const
-    {
-        for (const Capability &one : identified->capabilities)
-            if (one.feature == feature)
-                return &one;
-        return nullptr;
-    }
-    bool ready = false;
-};
-
-bool isRead(const Bytes &frame)
-{
-    const unsigned code = frame.empty() ? 0 : frame[0] & 0x1FU;
-    return code == 0x02 || code == 0x06 || code == 0x08 || code == 0x0C;
-}
 
 void profiles()
 {
@@ -93,11 +47,6 @@ private Q_SLOTS:
     void theMotorStartsRampsAndStops_data() { profiles(); }
     void theMotorStartsRampsAndStops();
     void beyondAPersonsLimitNothingIsSent();
-    void currentsNeedTheirScale();
-    void aCurrentInAmpereIsWhatFlows();
-    void aNewScaleMovesNothing();
-    void theScaleIsForOneMotorAndOneConnection();
-    void whatIsNoScaleIsRefused();
     void ofTwoMotorsOnlyTheNamedOneMoves();
     void afterAStopNothingButStopsAndReads();
     void aStopWithoutALinkIsSentBlind();
@@ -144,7 +93,7 @@ void TestLegacyDrive::theDialectIsFoundOut()
     QFETCH(QByteArray, profile);
     QFETCH(QByteArray, protocol);
     QFETCH(QByteArray, version);
-    Bench bench(profile.constData());
+    support::LegacyBench bench(profile.constData());
     QVERIFY(bench.ready);
     QCOMPARE(QByteArray::fromStdString(bench.identified->identity.protocol), protocol);
     QCOMPARE(QByteArray::fromStdString(bench.identified->identity.version), version);
@@ -184,7 +133,7 @@ void TestLegacyDrive::theWrongDialectIsReadOnly()
 void TestLegacyDrive::namesAreThoseOfTheForms()
 {
     QFETCH(QByteArray, profile);
-    Bench bench(profile.constData());
+    support::LegacyBench bench(profile.constData());
     QVERIFY(bench.ready);
     for (const char *name : {"SPEED_KP", "SPEED_KI", "I_Q_KP", "I_Q_KI", "I_D_KP", "I_D_KI",
              "STATUS", "FAULTS_FLAGS", "CONTROL_MODE", "SPEED_REF", "SPEED_MEAS", "I_Q_REF",
@@ -215,7 +164,7 @@ void TestLegacyDrive::namesAreThoseOfTheForms()
 void TestLegacyDrive::aWriteIsReadBack()
 {
     QFETCH(QByteArray, profile);
-    Bench bench(profile.constData());
+    support::LegacyBench bench(profile.constData());
     QVERIFY(bench.drive->armed());
     bench.requests.clear();
     const WishId wish = bench.submit(Write{{{bench.id("SPEED_KP"), std::int64_t{1500}}}});
@@ -244,7 +193,7 @@ void TestLegacyDrive::aWriteNeedsArming()
 
 void TestLegacyDrive::aRefusedWriteIsRefused()
 {
-    Bench bench("legacy");
+    support::LegacyBench bench("legacy");
     for (const auto &[name, value] : {std::pair{"SPEED_MEAS", 5}, std::pair{"SPEED_KP", 40000},
              std::pair{"CONTROL_MODE", 1}, std::pair{"I_Q_REF", 100}}) {
         const WishId wish = bench.submit(Write{{{bench.id(name), std::int64_t{value}}}});
@@ -258,7 +207,7 @@ void TestLegacyDrive::aRefusedWriteIsRefused()
 
 void TestLegacyDrive::stagesOfTheRevUpAreOneRegister()
 {
-    Bench bench("legacy");
+    support::LegacyBench bench("legacy");
     bench.expert();
     const RegisterId id = bench.id("REVUP_DATA");
     WishId wish = bench.submit(Read{{id}});
@@ -299,7 +248,7 @@ void TestLegacyDrive::withoutARevUpItsStagesAreNeverSent()
 void TestLegacyDrive::withoutKnownLimitsNothingMoves()
 {
     QFETCH(QByteArray, profile);
-    Bench bench(profile.constData());
+    support::LegacyBench bench(profile.constData());
     for (const auto &wished : {Wish{0, Command{MotorAction::Start, 1}}}) {
         const WishId wish = bench.submit(std::get<Command>(wished.what));
         QVERIFY(bench.runUntilEnded(wish));
@@ -315,7 +264,7 @@ void TestLegacyDrive::withoutKnownLimitsNothingMoves()
 void TestLegacyDrive::theMotorStartsRampsAndStops()
 {
     QFETCH(QByteArray, profile);
-    Bench bench(profile.constData());
+    support::LegacyBench bench(profile.constData());
     QVERIFY(bench.start());
     const WishId ramp = bench.submit(SpeedRamp{1, 1998, 500ms});
     QVERIFY(bench.runUntilEnded(ramp));
@@ -341,7 +290,7 @@ void TestLegacyDrive::theMotorStartsRampsAndStops()
 
 void TestLegacyDrive::beyondAPersonsLimitNothingIsSent()
 {
-    Bench bench("legacy");
+    support::LegacyBench bench("legacy");
     QVERIFY(bench.start());
     bench.requests.clear();
     for (const int rpm : {3001, -3001, 200000}) {
@@ -353,170 +302,9 @@ void TestLegacyDrive::beyondAPersonsLimitNothingIsSent()
         QVERIFY(isRead(frame));
 }
 
-void TestLegacyDrive::currentsNeedTheirScale()
-{
-    Bench bench("legacy");
-    bench.expert();
-    const WishId torque = bench.submit(TorqueRamp{1, 0.5, 100ms});
-    const WishId current = bench.submit(CurrentReference{1, 0.5, 0.0});
-    QVERIFY(bench.runUntilEnded(torque) && bench.runUntilEnded(current));
-    QCOMPARE(bench.outcome(torque), Outcome::Refused);
-    QCOMPARE(bench.outcome(current), Outcome::Refused);
-    for (const Bytes &frame : bench.requests)
-        QVERIFY(isRead(frame));
-
-    // With the scale that a person knows they go out, as digits.
-    support::LinkPair pair(boardOf("legacy"));
-    pair.connect();
-    QVERIFY(pair.runUntilIdentified());
-    const WishId scale = pair.submit(CurrentScale{1, 32.768});
-    QCOMPARE(pair.outcome(scale), Outcome::Ok);
-    pair.drive->arm();
-    pair.submit(UserLimits{3000.0, 2.0});
-    pair.submit(ExpertMode{1});
-    const WishId known = pair.submit(CurrentReference{1, 0.5, -0.25});
-    QVERIFY(pair.runUntilEnded(known));
-    QCOMPARE(pair.outcome(known), Outcome::Ok);
-    const Bytes wanted = legacy::encodeRequest({1, legacy::SetCurrentReference{500, -250}}).value();
-    QCOMPARE(std::count(pair.requests.begin(), pair.requests.end(), wanted), 1);
-    const WishId ramp = pair.submit(TorqueRamp{1, 1.0, 200ms});
-    QVERIFY(pair.runUntilEnded(ramp));
-    QCOMPARE(pair.outcome(ramp), Outcome::Ok);
-    const WishId tooMuch = pair.submit(TorqueRamp{1, 2.5, 200ms});
-    QVERIFY(pair.runUntilEnded(tooMuch));
-    QCOMPARE(pair.outcome(tooMuch), Outcome::Refused);
-}
-
-void TestLegacyDrive::aCurrentInAmpereIsWhatFlows()
-{
-    // The scale is that of the simulated power stage itself: what it makes of a shunt's voltage.
-    const double fullScale = simulation::plantOf(boardOf("legacy"))->inverter.maxReadable_a();
-    Bench bench("legacy");
-    bench.submit(CurrentScale{1, fullScale});
-    bench.drive->arm();
-    bench.exchange();
-    QVERIFY(bench.start());
-    bench.submit(UserLimits{3000.0, 2.0});
-    const WishId known = bench.submit(CurrentReference{1, 1.5, 0.0});
-    QVERIFY(bench.runUntilEnded(known));
-    QCOMPARE(bench.outcome(known), Outcome::Ok);
-    const auto digits = static_cast<std::int16_t>(std::lround(1.5 * 32768.0 / fullScale));
-    const Bytes wanted = legacy::encodeRequest({1, legacy::SetCurrentReference{digits, 0}}).value();
-    QCOMPARE(std::count(bench.requests.begin(), bench.requests.end(), wanted), 1);
-
-    const RegisterId iq = bench.id("I_Q_MEAS");
-    const catalog::Scale scale = bench.identified->catalog->readScale(iq);
-    QCOMPARE(scale.unit, std::string("A"));
-    double sum = 0.0;
-    int count = 0;
-    bench.onEvent = [&](const Event &event) {
-        if (const auto *read = std::get_if<RegistersRead>(&event))
-            for (const Reading &reading : read->readings)
-                if (reading.id == iq) {
-                    sum += asNumber(reading.value).value_or(0.0) * scale.factor;
-                    ++count;
-                }
-    };
-    Watch watch;
-    watch.drawn = watch.registers = {iq};
-    bench.submit(watch);
-    bench.runFor(50ms);
-    sum = count = 0;
-    bench.runFor(100ms);
-    QVERIFY(count > 50);
-    QVERIFY2(std::abs(sum / count - 1.5) < 0.015, std::to_string(sum / count).c_str());
-}
-
-void TestLegacyDrive::aNewScaleMovesNothing()
-{
-    Bench bench("legacy");
-    bench.submit(CurrentScale{1, 60.0});
-    bench.drive->arm();
-    bench.exchange();
-    QVERIFY(bench.start());
-    bench.submit(UserLimits{3000.0, 2.0});
-    QVERIFY(bench.runUntilEnded(bench.submit(CurrentReference{1, 1.0, 0.0})));
-    const RegisterId reference = bench.id("I_Q_REF");
-    const auto digits = [&] {
-        bench.runUntilEnded(bench.submit(Read{{reference}}));
-        return asNumber(bench.values.at(reference).value).value_or(0.0);
-    };
-    const double before = digits();
-    QVERIFY(before > 500.0);
-
-    // What still waits was meant by the scale before: it is not sent.
-    const WishId waiting = bench.submit(
-        Write{{{bench.id("SPEED_KP"), std::int64_t{1500}}, {reference, std::int64_t{800}}}});
-    const WishId late = bench.submit(CurrentReference{1, 1.2, 0.0});
-    const std::size_t sent = bench.requests.size();
-    const WishId scale = bench.submit(CurrentScale{1, 30.0});
-    QCOMPARE(bench.outcome(scale), Outcome::Ok);
-    QVERIFY(!bench.drive->armed());
-    QVERIFY(bench.runUntilEnded(waiting));
-    QVERIFY(bench.outcome(late) == Outcome::NotSent);
-    bench.runFor(300ms);
-    for (std::size_t i = sent; i < bench.requests.size(); ++i)
-        QVERIFY(isRead(bench.requests[i]) || i == sent); // at most the one under way
-    QCOMPARE(digits(), before);
-    QCOMPARE(bench.status.at(1).state, MotorState::Running);
-    QCOMPARE(bench.identified->catalog->readScale(reference).factor, 30.0 / 32768.0);
-
-    // The same again changes nothing, so it takes nobody's arming.
-    bench.drive->arm();
-    QVERIFY(bench.drive->armed());
-    bench.submit(CurrentScale{1, 30.0});
-    QVERIFY(bench.drive->armed());
-}
-
-void TestLegacyDrive::theScaleIsForOneMotorAndOneConnection()
-{
-    Bench bench("legacy", 2);
-    bench.submit(CurrentScale{2, 60.0});
-    const auto unit = [&](const char *name) {
-        const auto &catalog = *bench.identified->catalog;
-        return catalog.readScale(*catalog.resolve(name)).unit;
-    };
-    QCOMPARE(unit("I_Q_REF@2"), std::string("A"));
-    QVERIFY(unit("I_Q_REF@1") != "A");
-    bench.drive->arm();
-    bench.submit(UserLimits{3000.0, 2.0});
-    bench.submit(ExpertMode{1});
-    bench.submit(ExpertMode{2});
-    const WishId without = bench.submit(CurrentReference{1, 0.5, 0.0});
-    const WishId with = bench.submit(CurrentReference{2, 0.5, 0.0});
-    QVERIFY(bench.runUntilEnded(without) && bench.runUntilEnded(with));
-    QCOMPARE(bench.outcome(without), Outcome::Refused);
-    QCOMPARE(bench.outcome(with), Outcome::Ok);
-
-    bench.drive->disconnect(bench.now); // another board may be there the next time
-    bench.identified.reset();
-    bench.connect();
-    QVERIFY(bench.runUntilIdentified());
-    QVERIFY(unit("I_Q_REF@2") != "A");
-    QVERIFY(!bench.capability(Feature::CurrentReference)->available);
-    QVERIFY(bench.capability(Feature::CurrentScale)->available);
-}
-
-void TestLegacyDrive::whatIsNoScaleIsRefused()
-{
-    Bench bench("legacy");
-    for (const double amps : {-1.0, 1e-9, 1e9, std::nan(""), HUGE_VAL})
-        QCOMPARE(bench.outcome(bench.submit(CurrentScale{1, amps})), Outcome::Refused);
-    QCOMPARE(bench.outcome(bench.submit(CurrentScale{3, 60.0})), Outcome::Refused);
-    QCOMPARE(bench.outcome(bench.submit(CurrentScale{1, 60.0})), Outcome::Ok);
-    QVERIFY(bench.capability(Feature::TorqueRamp)->available);
-    QCOMPARE(bench.outcome(bench.submit(CurrentScale{1, 0.0})), Outcome::Ok); // not known again
-    QVERIFY(!bench.capability(Feature::TorqueRamp)->available);
-
-    support::LinkPair newer;
-    newer.connect();
-    QVERIFY(newer.runUntilIdentified());
-    QCOMPARE(newer.outcome(newer.submit(CurrentScale{1, 60.0})), Outcome::Refused);
-}
-
 void TestLegacyDrive::ofTwoMotorsOnlyTheNamedOneMoves()
 {
-    Bench bench("legacy", 2);
+    support::LegacyBench bench("legacy", 2);
     QCOMPARE(bench.identified->identity.motors, 2);
     bench.expert(2);
     const WishId wish = bench.submit(Command{MotorAction::Start, 2});
@@ -531,7 +319,7 @@ void TestLegacyDrive::ofTwoMotorsOnlyTheNamedOneMoves()
 
 void TestLegacyDrive::afterAStopNothingButStopsAndReads()
 {
-    Bench bench("legacy");
+    support::LegacyBench bench("legacy");
     QVERIFY(bench.start());
     const WishId waiting = bench.submit(Write{
         {{bench.id("SPEED_KP"), std::int64_t{1500}}, {bench.id("SPEED_KI"), std::int64_t{1500}}}});
@@ -552,7 +340,7 @@ void TestLegacyDrive::afterAStopNothingButStopsAndReads()
 
 void TestLegacyDrive::aStopWithoutALinkIsSentBlind()
 {
-    Bench bench("legacy");
+    support::LegacyBench bench("legacy");
     QVERIFY(bench.start());
     bench.toDrive.cut = true; // the board hears, nobody hears the board
     bench.requests.clear();
@@ -567,7 +355,7 @@ void TestLegacyDrive::aStopWithoutALinkIsSentBlind()
 
 void TestLegacyDrive::aRestartedBoardIsMetAnewAndReadOnly()
 {
-    Bench bench("legacy");
+    support::LegacyBench bench("legacy");
     QVERIFY(bench.drive->armed());
     bench.identified.reset();
     bench.board->inject(legacy::encodeStartNotice({0xD1B, "5.4.3", 9, 10, 0}));
@@ -580,7 +368,7 @@ void TestLegacyDrive::aRestartedBoardIsMetAnewAndReadOnly()
 
 void TestLegacyDrive::aLostBoardIsFoundAgain()
 {
-    Bench bench("legacy");
+    support::LegacyBench bench("legacy");
     bench.toBoard.cut = true;
     QVERIFY(bench.runUntil([&] { return bench.link == LinkState::Lost; }, 10s));
     QVERIFY(!bench.drive->armed());
@@ -594,7 +382,7 @@ void TestLegacyDrive::aLostBoardIsFoundAgain()
 void TestLegacyDrive::watchingFillsTheLine()
 {
     // 4 bytes out and 7 back: 1047 exchanges a second is what 115200 baud allow.
-    Bench bench("legacy");
+    support::LegacyBench bench("legacy");
     const RegisterId speed = bench.id("SPEED_MEAS");
     int values = 0;
     bench.onEvent = [&](const Event &event) {
@@ -619,7 +407,7 @@ void TestLegacyDrive::watchingFillsTheLine()
 
 void TestLegacyDrive::watchedRegistersGetFairShares()
 {
-    Bench bench("legacy");
+    support::LegacyBench bench("legacy");
     std::map<RegisterId, int> count;
     bench.onEvent = [&](const Event &event) {
         if (const auto *read = std::get_if<RegistersRead>(&event))
@@ -705,7 +493,7 @@ void TestLegacyDrive::autoSendsNothingThatActs()
 
 void TestLegacyDrive::aStopWhileAutoStillLooksStopsWhatItFinds()
 {
-    Bench bench("legacy");
+    support::LegacyBench bench("legacy");
     QVERIFY(bench.ready && bench.start());
     bench.drive = makeDrive({Protocol::Auto, 115200, {}});
     bench.stops.clear();
