@@ -100,13 +100,16 @@ void FastColumn::close(std::size_t from, std::size_t to)
     std::size_t low = from / kFanOut;
     std::size_t high = to / kFanOut;
     std::size_t i = low;
+    // Copies: what the wide stores write might be the members, for all the compiler knows.
+    const std::int16_t *samples = m_filledSamples;
+    CodeRange *ranges = m_filledRanges;
 #ifdef __SSE2__
     for (; i + kTogether <= high; i += kTogether)
-        extremesOf8Times16(m_filledSamples + i * kFanOut, m_filledRanges + i);
+        extremesOf8Times16(samples + i * kFanOut, ranges + i);
 #endif
     for (; i < high; ++i)
-        m_filledRanges[i] = extremesOf16(m_filledSamples + i * kFanOut);
-    const CodeRange *finer = m_filledRanges;
+        ranges[i] = extremesOf16(samples + i * kFanOut);
+    const CodeRange *finer = ranges;
     for (std::size_t level = 1; level < kLevels && high > low; ++level) {
         low /= kFanOut;
         high /= kFanOut;
