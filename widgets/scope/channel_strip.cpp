@@ -21,6 +21,9 @@
 namespace widgets {
 namespace {
 
+/// Two digits, never three ("10.0"): a chip whose width changes from beat to beat moves the ones after it.
+QString rateText(double hz) { return numberText(hz, hz < 9.95 ? 1 : 0); }
+
 constexpr unsigned kSlowestRate = 256;
 constexpr Milliseconds kMeasureOver{1000};
 
@@ -244,7 +247,7 @@ void ChannelStrip::showRates()
         if (planned.detour != Detour::None)
             tip.append(detourText(planned.detour));
         if (const auto reached = m_rates.reached(planned.id)) {
-            const QString rate = numberText(reached->hz, reached->hz < 10.0 ? 1 : 0);
+            const QString rate = rateText(reached->hz);
             text += QLatin1Char(' ') + tr("%1/s", "times a second").arg(rate);
             tip.append(tr("Read %1 times a second.").arg(rate));
             if (reached->spread_s > 0.0)
@@ -323,7 +326,7 @@ QString ChannelStrip::pollingText(int polled) const
         if (const auto reached = m_rates.reached(id))
             slowest = std::min(slowest.value_or(reached->hz), reached->hz);
     if (slowest)
-        text += tr(", reached %1").arg(numberText(*slowest, *slowest < 10.0 ? 1 : 0));
+        text += tr(", reached %1").arg(rateText(*slowest));
     return text;
 }
 
