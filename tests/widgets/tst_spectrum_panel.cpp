@@ -249,6 +249,11 @@ void TestSpectrumPanel::keysMoveTheFrequencies()
     const auto scope = view().visibleRange();
     QTest::keyClick(&plot(), Qt::Key_Plus);
     QVERIFY(plot().to() - plot().from() < 400.0);
+    QTest::keyClick(&plot(), Qt::Key_Minus, Qt::KeypadModifier);
+    QCOMPARE(plot().to(), 500.0);
+    QTest::keyClick(&plot(), Qt::Key_Plus, Qt::AltModifier); // somebody else's
+    QCOMPARE(plot().to(), 500.0);
+    QTest::keyClick(&plot(), Qt::Key_Plus);
     const double before = plot().from();
     QTest::keyClick(&plot(), Qt::Key_Right);
     QVERIFY(plot().from() > before);

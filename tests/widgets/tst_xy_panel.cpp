@@ -274,6 +274,11 @@ void TestXyPanel::keysMoveIt()
     QVERIFY(plot().ranges().left > zoomed.left);
     QTest::keyClick(&plot(), Qt::Key_Up);
     QVERIFY(plot().ranges().top > zoomed.top);
+    const auto moved = plot().ranges();
+    QTest::keyClick(&plot(), Qt::Key_Plus, Qt::AltModifier); // somebody else's
+    QCOMPARE(plot().ranges().left, moved.left);
+    QTest::keyClick(&plot(), Qt::Key_Minus, Qt::KeypadModifier);
+    QVERIFY(plot().ranges().left < moved.left);
     QTest::keyClick(&plot(), Qt::Key_F);
     QCOMPARE(plot().ranges().left, before.left);
     QCOMPARE(view().visibleRange().from, scope.from); // the scope has the same keys

@@ -5,7 +5,6 @@
 #include "widgets/scope/axis_ticks.h"
 #include "widgets/scope/trace_colors.h"
 
-#include <QKeyEvent>
 #include <QLabel>
 #include <QScopedValueRollback>
 #include <QVBoxLayout>
@@ -29,7 +28,7 @@ constexpr double kRoom = 1.12; ///< above the highest line, for the numbers of t
 } // namespace
 
 SpectrumPlot::SpectrumPlot(QWidget *parent)
-    : QWidget(parent)
+    : KeyedPlot(parent)
     , m_plot(new QCustomPlot(this))
     , m_trace(m_plot->addGraph())
     , m_dots(m_plot->addGraph())
@@ -90,7 +89,7 @@ void SpectrumPlot::applyPalette()
 
 void SpectrumPlot::changeEvent(QEvent *event)
 {
-    QWidget::changeEvent(event);
+    KeyedPlot::changeEvent(event);
     const auto type = event->type();
     if (type == QEvent::PaletteChange || type == QEvent::FontChange)
         applyPalette();
@@ -100,7 +99,7 @@ void SpectrumPlot::changeEvent(QEvent *event)
 
 void SpectrumPlot::resizeEvent(QResizeEvent *event)
 {
-    QWidget::resizeEvent(event);
+    KeyedPlot::resizeEvent(event);
     m_why->setGeometry(rect().adjusted(20, 0, -20, 0));
     draw();
 }
@@ -111,27 +110,7 @@ bool SpectrumPlot::eventFilter(QObject *watched, QEvent *event)
         setFocus(Qt::MouseFocusReason);
     if (event->type() == QEvent::MouseButtonDblClick)
         fit();
-    return QWidget::eventFilter(watched, event);
-}
-
-/// Its keys are those of the scope, which has them in the whole window: while this has the focus they are its own.
-bool SpectrumPlot::event(QEvent *event)
-{
-    if (event->type() != QEvent::ShortcutOverride)
-        return QWidget::event(event);
-    const auto *key = static_cast<QKeyEvent *>(event);
-    const bool plain = (key->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-    constexpr int kOwn[] = {Qt::Key_Plus, Qt::Key_Equal, Qt::Key_Minus, Qt::Key_F};
-    if (plain && std::find(std::begin(kOwn), std::end(kOwn), key->key()) != std::end(kOwn))
-        event->accept();
-    return true;
-}
-
-void SpectrumPlot::keyPressEvent(QKeyEvent *event)
-{
-    const bool plain = (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-    if (!plain || !takeKey(event->key()))
-        QWidget::keyPressEvent(event);
+    return KeyedPlot::eventFilter(watched, event);
 }
 
 bool SpectrumPlot::takeKey(int key)

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "scope/spectrum.h"
+#include "widgets/analysis/keyed_plot.h"
 
 #include <QString>
-#include <QWidget>
 
 class QCPGraph;
 class QCPItemStraightLine;
@@ -16,7 +16,7 @@ class QLabel;
 
 namespace widgets {
 
-class SpectrumPlot : public QWidget {
+class SpectrumPlot : public KeyedPlot {
     Q_OBJECT
 public:
     explicit SpectrumPlot(QWidget *parent = nullptr);
@@ -39,14 +39,12 @@ public:
 protected:
     void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
-    void keyPressEvent(QKeyEvent *event) override;
-    bool event(QEvent *event) override;
+    bool takeKey(int key) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     void applyPalette();
     void bound(const QCPRange &range);
-    bool takeKey(int key);
     void zoom(double factor);
     void pan(double share);
     void draw();

@@ -6,14 +6,13 @@
 #include "widgets/scope/axis_ticks.h"
 #include "widgets/scope/trace_colors.h"
 
-#include <QKeyEvent>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QVBoxLayout>
 #include <qcustomplot.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace widgets {
@@ -45,7 +44,7 @@ QCPRange stepped(double low, double high)
 } // namespace
 
 XyPlot::XyPlot(QWidget *parent)
-    : QWidget(parent)
+    : KeyedPlot(parent)
     , m_plot(new QCustomPlot(this))
     , m_glass(new QWidget(m_plot))
     , m_why(new QLabel(this))
@@ -176,7 +175,7 @@ void XyPlot::place()
 
 void XyPlot::changeEvent(QEvent *event)
 {
-    QWidget::changeEvent(event);
+    KeyedPlot::changeEvent(event);
     const auto type = event->type();
     if (type == QEvent::PaletteChange || type == QEvent::FontChange) {
         dressPlot(*m_plot, *this);
@@ -188,7 +187,7 @@ void XyPlot::changeEvent(QEvent *event)
 
 void XyPlot::resizeEvent(QResizeEvent *event)
 {
-    QWidget::resizeEvent(event);
+    KeyedPlot::resizeEvent(event);
     m_why->setGeometry(rect().adjusted(20, 0, -20, 0));
     place();
 }
@@ -204,7 +203,7 @@ bool XyPlot::eventFilter(QObject *watched, QEvent *event)
         m_glass->setGeometry(m_plot->rect());
     if (watched == m_plot && takeMouse(event))
         return true;
-    return QWidget::eventFilter(watched, event);
+    return KeyedPlot::eventFilter(watched, event);
 }
 
 bool XyPlot::takeMouse(QEvent *event)
@@ -232,26 +231,6 @@ bool XyPlot::takeMouse(QEvent *event)
     default:
         return false;
     }
-}
-
-/// Its keys are those of the scope, which has them in the whole window: while this has the focus they are its own.
-bool XyPlot::event(QEvent *event)
-{
-    if (event->type() != QEvent::ShortcutOverride)
-        return QWidget::event(event);
-    const auto *key = static_cast<QKeyEvent *>(event);
-    const bool plain = (key->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-    constexpr std::array kOwn{Qt::Key_Plus, Qt::Key_Equal, Qt::Key_Minus, Qt::Key_F};
-    if (plain && std::find(kOwn.begin(), kOwn.end(), key->key()) != kOwn.end())
-        event->accept();
-    return true;
-}
-
-void XyPlot::keyPressEvent(QKeyEvent *event)
-{
-    const bool plain = (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-    if (!plain || !takeKey(event->key()))
-        QWidget::keyPressEvent(event);
 }
 
 bool XyPlot::takeKey(int key)

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "scope/xy.h"
+#include "widgets/analysis/keyed_plot.h"
 
 #include <QPointF>
-#include <QWidget>
 
 #include <optional>
 
@@ -14,7 +14,7 @@ class QLabel;
 
 namespace widgets {
 
-class XyPlot : public QWidget {
+class XyPlot : public KeyedPlot {
     Q_OBJECT
 public:
     explicit XyPlot(QWidget *parent = nullptr);
@@ -43,12 +43,10 @@ public:
 protected:
     void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
-    void keyPressEvent(QKeyEvent *event) override;
-    bool event(QEvent *event) override;
+    bool takeKey(int key) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    bool takeKey(int key);
     bool takeMouse(QEvent *event);
     void zoom(double factor);
     void pan(double shareX, double shareY);
