@@ -179,6 +179,17 @@ private Q_SLOTS:
         QTRY_VERIFY(device().armed());
     }
 
+    void whatWasDoneBeforeIsNotToldBesideIt()
+    {
+        m_rig->files.answer = m_path;
+        m_rig->find<QAction>("openRecording")->trigger();
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Opened ")));
+        replay();
+        QTRY_VERIFY(device().portOpen());
+        QVERIFY2(banner()->text().isEmpty(), qPrintable(banner()->text()));
+        QVERIFY(!banner()->isVisible());
+    }
+
     void samplesOfABoardAreAskedAbout()
     {
         m_rig->window.connectBar()->connectOrDisconnect();

@@ -398,7 +398,7 @@ void MainWindow::connectParts()
     connect(&m_device, &Device::batchApplied, m_scope, &ScopeView::captureChanged);
     connect(&m_workbench, &Workbench::heartbeat, this, &MainWindow::tellReleased);
     connect(&m_device, &Device::linkStateChanged, this, &MainWindow::linkChanged);
-    connect(&m_device, &Device::portStateChanged, this, &MainWindow::linkChanged);
+    connect(&m_device, &Device::portStateChanged, this, &MainWindow::portChanged);
     connect(&m_device, &Device::armedStateChanged, this, &MainWindow::updateFrame);
     connect(&m_device, &Device::stopAdvanced, this, &MainWindow::stopAdvanced);
     connect(&m_device, &Device::stopImpossible, this, [this] {
@@ -424,17 +424,28 @@ void MainWindow::linkChanged()
     showRunning(m_scope->running()); // its lamp is lit while samples can come
 }
 
+/// What was done before a connection is no news beside what comes now.
+void MainWindow::portChanged()
+{
+    if (m_device.portOpen() && m_told == Told::Done) {
+        m_banner->clear();
+        m_told = Told::Other;
+    }
+    linkChanged();
+}
+
 void MainWindow::tellLink()
 {
     const LinkMessage message = linkMessage();
     // Contact that was lost stays told until there is contact again, not until the next attempt.
     const bool stillLost = m_told == Told::Loss && m_device.identified() && !m_device.answering()
         && m_connectBar->connecting();
+    const bool notOfTheLink = m_told == Told::Other || m_told == Told::Done;
     if (!message.sentence.isEmpty())
         m_banner->say(message.kind, message.sentence);
-    else if (stillLost)
+    else if (stillLost || notOfTheLink)
         return;
-    else if (m_told != Told::Other)
+    else
         m_banner->clear();
     m_told = message.told;
 }
@@ -527,7 +538,6 @@ void MainWindow::exported(const QString &path)
 {
     const QFileInfo file(path);
     m_settings.exportFolder = file.path();
-    m_told = Told::Other;
     QString sentence = tr("Exported to %1.").arg(deviceText(file.filePath()));
     Banner::Kind kind = Banner::Kind::Note;
     if (MotionLogModel &log = m_workbench.motionLog(); log.rowCount() > 0) {
@@ -541,7 +551,7 @@ void MainWindow::exported(const QString &path)
                     ? tr("The motion log is in %1.").arg(name)
                     : tr("The motion log %1 could not be written (%2).").arg(name, wrong));
     }
-    m_banner->say(kind, sentence);
+    say(kind, sentence);
     if (m_firstSteps->step() == FirstSteps::Step::Save)
         m_firstSteps->finish();
 }

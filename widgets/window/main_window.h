@@ -125,6 +125,7 @@ private:
     /// What the banner was last used for.
     enum class Told : std::uint8_t {
         Other,
+        Done, ///< goes when the next connection or replay begins
         Link, ///< goes when the link changes
         Loss, ///< stays until the board answers again
     };
@@ -135,6 +136,7 @@ private:
     };
 
     void linkChanged();
+    void portChanged();
     void tellLink();
     LinkMessage linkMessage() const;
     void askToDisconnect();

@@ -61,11 +61,11 @@ void MainWindow::makeRecording()
 
 void MainWindow::say(Banner::Kind kind, const QString &sentence)
 {
-    m_told = Told::Other;
+    m_told = kind == Banner::Kind::Note ? Told::Done : Told::Other;
     m_banner->say(kind, sentence);
 }
 
-/// Asks before samples of a board go that are in no exported file; goes on at once if there are none.
+/// Asks before samples of a board go that are in no file; goes on at once if there are none.
 void MainWindow::replaceRecorded(std::function<void()> goOn)
 {
     const capture::Capture &capture = m_workbench.capture();
