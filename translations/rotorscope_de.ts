@@ -3895,6 +3895,10 @@
         <source>R&amp;oom for samples…</source>
         <translation>&amp;Platz für Messwerte…</translation>
     </message>
+    <message>
+        <source>All samples of the last connection are in its recording, but not all markers. A file that is opened takes their place.</source>
+        <translation>Alle Messwerte der letzten Verbindung sind in ihrer Aufzeichnung, aber nicht alle Markierungen. Eine Datei, die geöffnet wird, tritt an ihre Stelle.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MathPanel</name>

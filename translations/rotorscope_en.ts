@@ -3895,6 +3895,10 @@
         <source>R&amp;oom for samples…</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>All samples of the last connection are in its recording, but not all markers. A file that is opened takes their place.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::MathPanel</name>

@@ -124,6 +124,8 @@ public:
     /// Samples that were let go since the last clear(), because there is no room for more.
     std::uint64_t released() const { return m_released; }
     std::size_t maxBytes() const { return m_config.maxBytes; }
+    /// True if times are not those of the session: a board's clock restarted, and what followed was moved behind.
+    bool clockMoved() const { return m_shift != 0; }
 
 private:
     struct Entry {

@@ -5,6 +5,7 @@
 // started() exactly one finished(), by stop() or because the disk wants no more.
 #pragma once
 
+#include "record/coverage.h"
 #include "session/recording_file.h"
 #include "session/recording_tap.h"
 
@@ -33,6 +34,8 @@ struct RecordingResult {
     QString path;
     QString systemText; ///< the system's words
     RecordingProgress last;
+    record::Coverage coverage; ///< what of each signal is in it
+    bool complete = false; ///< nothing that was told in that time is missing from it
 };
 
 struct RecordingLimits {

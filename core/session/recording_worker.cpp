@@ -40,12 +40,17 @@ void RecordingWorker::start(
 {
     m_path = path;
     m_lost = {};
+    m_coverage = {};
     m_rate = 0.0;
     m_bytesThen = 0;
     QString systemText;
     auto sink = m_makeSink(path, systemText);
     if (!sink) {
-        Q_EMIT finished({RecordingOutcome::CannotOpen, path, systemText, {}});
+        RecordingResult refused;
+        refused.outcome = RecordingOutcome::CannotOpen;
+        refused.path = path;
+        refused.systemText = systemText;
+        Q_EMIT finished(refused);
         return;
     }
     record::Begin whole = begin;
@@ -75,6 +80,7 @@ void RecordingWorker::take(const ToldPtr &told)
         }
         if (!m_file->add(told->at, entry))
             return finish();
+        m_coverage.take(entry);
     }
     if (!m_file->flush(told->at))
         finish();
@@ -125,6 +131,9 @@ void RecordingWorker::finish()
         result.outcome = outcomeOf(failure->reason);
         result.systemText = QString::fromStdString(failure->text);
     }
+    result.coverage = std::move(m_coverage);
+    result.complete = result.outcome == RecordingOutcome::Stopped && m_lost == record::Lost{}
+        && m_file->leftOut() == 0;
     m_file.reset();
     Q_EMIT finished(result);
 }

@@ -39,6 +39,7 @@ private:
     double m_rate = 0.0;
     QString m_path;
     record::Lost m_lost;
+    record::Coverage m_coverage;
     unsigned m_number = 0;
 };
 

@@ -177,6 +177,66 @@ private Q_SLOTS:
         QVERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
     }
 
+    void whatIsAllInTheRecordingIsNotAskedAbout()
+    {
+        makeRig();
+        connectToBoard();
+        recordAfresh(m_folder.filePath(QStringLiteral("all.pcapng")));
+        scope()->setMarkerAt(capture().timeSpan()->to);
+        const quint32 marker = markerId();
+        disconnectFromBoard();
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Recorded to ")));
+        m_rig->files.answer.clear();
+        action("openRecording")->trigger();
+        QVERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
+        // A text that is in no file is worth the question.
+        scope()->events().setText(marker, QStringLiteral("after the end"));
+        action("openRecording")->trigger();
+        auto *question = m_rig->find<QMessageBox>("replaceQuestion");
+        QVERIFY(question);
+        QVERIFY(question->text().contains(QStringLiteral("not all markers")));
+        QTest::keyClick(question, Qt::Key_Escape);
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
+        // Nor does a recording count that is no longer there.
+        scope()->events().setText(marker, {});
+        QVERIFY(QFile::resize(m_folder.filePath(QStringLiteral("all.pcapng")), 1000));
+        action("openRecording")->trigger();
+        QVERIFY(m_rig->find<QMessageBox>("replaceQuestion"));
+    }
+
+    void whatCameBeforeOrAfterTheRecordingIsAskedAbout_data()
+    {
+        QTest::addColumn<bool>("before");
+        QTest::newRow("before it") << true;
+        QTest::newRow("after it") << false;
+    }
+    void whatCameBeforeOrAfterTheRecordingIsAskedAbout()
+    {
+        QFETCH(bool, before);
+        makeRig();
+        connectToBoard();
+        const QString path =
+            m_folder.filePath(before ? QStringLiteral("c.pcapng") : QStringLiteral("d.pcapng"));
+        if (before)
+            record(path);
+        else
+            recordAfresh(path);
+        QTRY_VERIFY(line()->text().contains(QStringLiteral(" MB, ")));
+        if (!before) {
+            action("record")->trigger();
+            QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Recorded to ")));
+            const auto ended = capture().timeSpan()->to;
+            QTRY_VERIFY(capture().timeSpan()->to > ended + 0.2);
+        }
+        disconnectFromBoard();
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Recorded to ")));
+        m_rig->files.answer.clear();
+        action("openRecording")->trigger();
+        auto *question = m_rig->find<QMessageBox>("replaceQuestion");
+        QVERIFY(question);
+        QVERIFY(question->text().contains(QStringLiteral("not exported")));
+    }
+
     void whatHasNoRoomInMemoryIsTold()
     {
         const QString path = m_folder.filePath(QStringLiteral("long.pcapng"));
@@ -357,6 +417,23 @@ private:
     {
         m_rig->files.answer = path;
         QTest::keyClick(&m_rig->window, Qt::Key_R, Qt::ControlModifier);
+    }
+    /// With nothing in the scope from before.
+    void recordAfresh(const QString &path)
+    {
+        record(path);
+        QTRY_VERIFY(line()->text().contains(QStringLiteral(" MB, ")));
+        m_rig->window.selection()->clearRecorded();
+        QTRY_VERIFY(capture().timeSpan().has_value());
+        const auto first = capture().timeSpan()->from;
+        QTRY_VERIFY(capture().timeSpan()->to > first + 0.3);
+    }
+    quint32 markerId()
+    {
+        for (const auto &event : scope()->events().events())
+            if (event.kind == widgets::EventKind::Marker)
+                return event.id;
+        return 0;
     }
     void openRecording(const QString &path)
     {

@@ -12,6 +12,7 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include <algorithm>
 #include <cmath>
 
 namespace widgets {
@@ -116,6 +117,8 @@ void RecordControl::start(const QString &path)
 {
     using Content = session::RecordingTap::Content;
     const session::Endpoint &endpoint = m_parts.device.endpoint();
+    m_kept.reset();
+    m_marks.clear();
     const bool simulated = endpoint.kind == session::Endpoint::Kind::Simulator;
     m_parts.recording.start(path,
         m_withLink->isChecked() ? Content::SamplesAndLink : Content::Samples,
@@ -162,6 +165,8 @@ void RecordControl::finished(const session::RecordingResult &result)
     const QString name = fileName(result.path);
     const QString why = deviceText(result.systemText);
     update();
+    if (result.complete)
+        m_kept = {result.path, static_cast<qint64>(result.last.counts.bytes), result.coverage};
     if (result.outcome == RecordingOutcome::CannotOpen) {
         Q_EMIT said(Banner::Kind::Warning,
             tr("%1 cannot be recorded (%2). Choose a name that is not there yet, in a folder that "
@@ -203,6 +208,22 @@ void RecordControl::finished(const session::RecordingResult &result)
     }
 }
 
+bool RecordControl::holds(const capture::Capture &capture) const
+{
+    return m_kept && QFileInfo(m_kept->path).size() == m_kept->bytes
+        && m_kept->coverage.holds(capture);
+}
+
+bool RecordControl::holdsMarkers() const
+{
+    const auto &events = m_parts.events.events();
+    return std::all_of(events.begin(), events.end(), [this](const ScopeEvent &event) {
+        const auto told = m_marks.find(event.id);
+        return event.kind != EventKind::Marker
+            || (told != m_marks.end() && told->second == event.text);
+    });
+}
+
 /// A marker, or a new text of one: whoever opens the recording takes the last note of a time.
 void RecordControl::recordMarks(const QModelIndex &, int first, int last)
 {
@@ -210,9 +231,11 @@ void RecordControl::recordMarks(const QModelIndex &, int first, int last)
     for (auto row = static_cast<std::size_t>(first);
          row <= static_cast<std::size_t>(last) && row < events.size(); ++row) {
         const ScopeEvent &event = events[row];
+        if (event.kind != EventKind::Marker || !m_parts.recording.running())
+            continue;
         const record::Nanos at = capture::toNanos(event.seconds);
-        if (event.kind == EventKind::Marker)
-            m_parts.recording.add(at, record::Note{at, at, event.text.toStdString()});
+        m_parts.recording.add(at, record::Note{at, at, event.text.toStdString()});
+        m_marks[event.id] = event.text;
     }
 }
 

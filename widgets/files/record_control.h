@@ -8,6 +8,8 @@
 
 #include <QObject>
 
+#include <map>
+
 class QAction;
 class QModelIndex;
 
@@ -36,6 +38,9 @@ public:
     QAction *withLink() const { return m_withLink; }
     Lamp *line() const { return m_line; } ///< hidden until something is recorded
     QString folder() const { return m_folder; } ///< of the last recording
+    /// True if all samples in it are in the last recording, which ended whole and is still on its disk.
+    bool holds(const capture::Capture &capture) const;
+    bool holdsMarkers() const; ///< with their texts as they are
 
 Q_SIGNALS:
     void said(widgets::Banner::Kind kind, const QString &sentence);
@@ -56,6 +61,13 @@ private:
     QAction *m_withLink;
     Lamp *m_line;
     double m_start = 0.0; ///< of the recording, on the session's axis
+    struct Kept {
+        QString path;
+        qint64 bytes = 0;
+        record::Coverage coverage;
+    };
+    std::optional<Kept> m_kept; ///< the last recording, if nothing is missing from it
+    std::map<quint32, QString> m_marks; ///< that the last recording was told
 };
 
 /// "2026-05-04_13-02-59_motor.pcapng"

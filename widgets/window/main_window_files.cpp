@@ -74,9 +74,17 @@ void MainWindow::replaceRecorded(std::function<void()> goOn)
         goOn();
         return;
     }
+    const bool onlyMarkers = m_record->holds(capture);
+    if (onlyMarkers && m_record->holdsMarkers()) {
+        goOn();
+        return;
+    }
     auto *box = new QMessageBox(QMessageBox::Warning, tr("Replace what was recorded?"),
-        tr("The scope holds samples of the last connection that were not exported. A file that is "
-           "opened takes their place."),
+        onlyMarkers
+            ? tr("All samples of the last connection are in its recording, but not all markers. A "
+                 "file that is opened takes their place.")
+            : tr("The scope holds samples of the last connection that were not exported. A file "
+                 "that is opened takes their place."),
         QMessageBox::NoButton, this);
     box->setObjectName(QStringLiteral("replaceQuestion"));
     box->setAttribute(Qt::WA_DeleteOnClose);

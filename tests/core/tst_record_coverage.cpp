@@ -1,0 +1,114 @@
+// What a recording holds of a capture: the same entries go to both, and some to one alone.
+#include "record/coverage.h"
+#include "record/restore.h"
+
+#include <QtTest>
+
+using record::Coverage;
+using record::Entry;
+
+namespace {
+
+constexpr catalog::RegisterId kFast = (9U << 6) | 1U;
+constexpr catalog::RegisterId kSlow = (1U << 6) | 1U;
+constexpr catalog::RegisterId kPolled = (50U << 6) | 1U;
+
+Entry layout(capture::StreamId id = 1, double origin = 0.0)
+{
+    return capture::StreamLayout{id, 16000.0, origin, 2, {{kFast, "I", "A", 0.01, 0.0}},
+        {{kSlow, "SPEED", "rpm", 1.0, 0.0}}};
+}
+
+Entry block(capture::Tick first, capture::StreamId id = 1)
+{
+    return capture::SampleBlock{id, first, 4, {1, 2, 3, 4}, {{first, {100}}}, 0};
+}
+
+Entry polled(record::Nanos at) { return record::PolledValues{{{kPolled, at, 25.0}}}; }
+
+} // namespace
+
+class TestRecordCoverage : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_capture = capture::Capture();
+        m_restorer.emplace(m_capture);
+        m_coverage = {};
+        m_restorer->take(record::PolledRegister{kPolled, "T", "C"});
+    }
+
+    void whatWentToBothIsHeld()
+    {
+        QVERIFY(m_coverage.holds(m_capture)); // nothing is held by everything
+        both(layout());
+        for (capture::Tick tick = 0; tick < 80; tick += 8)
+            both(block(tick));
+        both(polled(1'000'000));
+        QVERIFY(m_coverage.holds(m_capture));
+        m_coverage.take(block(80)); // more in the file than was shown
+        QVERIFY(m_coverage.holds(m_capture));
+    }
+
+    void aBlockBeforeItIsMissing()
+    {
+        both(layout());
+        m_restorer->take(block(0));
+        both(block(8));
+        QVERIFY(!m_coverage.holds(m_capture));
+    }
+
+    void aBlockAfterItIsMissing()
+    {
+        both(layout());
+        both(block(0));
+        m_restorer->take(block(8));
+        QVERIFY(!m_coverage.holds(m_capture));
+    }
+
+    void aSignalThatWasNotRecordedIsMissing()
+    {
+        both(layout());
+        both(block(0));
+        both(polled(5));
+        QVERIFY(m_coverage.holds(m_capture));
+        m_restorer->take(polled(6));
+        QVERIFY(!m_coverage.holds(m_capture));
+    }
+
+    void whatWasComputedDoesNotCount()
+    {
+        both(layout());
+        both(block(0));
+        const auto own = m_capture.addImported("POWER", "W", capture::kFirstOwnRegister);
+        m_capture.appendImported(own, 1'000'000'000, 2.0, 1'000'000'001);
+        QVERIFY(m_coverage.holds(m_capture));
+    }
+
+    void aBoardThatBeganToCountAnewIsNotHeld()
+    {
+        both(layout());
+        both(block(16000));
+        both(layout(2));
+        both(block(0, 2)); // the capture moves it behind
+        both(layout(3, 10.0));
+        both(block(0, 3));
+        QVERIFY(!m_coverage.holds(m_capture));
+    }
+
+private:
+    void both(const Entry &entry)
+    {
+        m_restorer->take(entry);
+        m_coverage.take(entry);
+    }
+
+    capture::Capture m_capture;
+    std::optional<record::Restorer> m_restorer;
+    Coverage m_coverage;
+};
+
+QTEST_APPLESS_MAIN(TestRecordCoverage)
+#include "tst_record_coverage.moc"
