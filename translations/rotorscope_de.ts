@@ -143,6 +143,10 @@
         <source>Math channels; XY picture</source>
         <translation>Mathematik-Kanäle; XY-Bild</translation>
     </message>
+    <message>
+        <source>Save the markers of an opened recording</source>
+        <translation>Markierungen einer geöffneten Aufzeichnung speichern</translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -3898,6 +3902,61 @@
     <message>
         <source>All samples of the last connection are in its recording, but not all markers. A file that is opened takes their place.</source>
         <translation>Alle Messwerte der letzten Verbindung sind in ihrer Aufzeichnung, aber nicht alle Markierungen. Eine Datei, die geöffnet wird, tritt an ihre Stelle.</translation>
+    </message>
+    <message>
+        <source>Leave the markers unsaved?</source>
+        <translation>Die Markierungen nicht speichern?</translation>
+    </message>
+    <message>
+        <source>Markers of this recording were changed and are in no file.</source>
+        <translation>Markierungen dieser Aufzeichnung wurden geändert und stehen in keiner Datei.</translation>
+    </message>
+    <message>
+        <source>&amp;Save first…</source>
+        <translation>Erst &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Leave unsaved</source>
+        <translation>&amp;Nicht speichern</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MarkerFile</name>
+    <message>
+        <source>&amp;Save the markers…</source>
+        <translation>&amp;Markierungen speichern…</translation>
+    </message>
+    <message>
+        <source>Markers are saved in recordings that are open; those of a connection are in its recording (Ctrl+S)</source>
+        <translation>Markierungen werden in Aufzeichnungen gespeichert, die geöffnet sind; die einer Verbindung stehen in ihrer Aufzeichnung (Strg+S)</translation>
+    </message>
+    <message>
+        <source>Writes the markers into the recording, or into a copy of it (Ctrl+S)</source>
+        <translation>Schreibt die Markierungen in die Aufzeichnung oder in eine Kopie davon (Strg+S)</translation>
+    </message>
+    <message>
+        <source>The recording has the markers as they are (Ctrl+S)</source>
+        <translation>Die Aufzeichnung hat die Markierungen so, wie sie sind (Strg+S)</translation>
+    </message>
+    <message>
+        <source>Save the recording with its markers</source>
+        <translation>Aufzeichnung mit ihren Markierungen speichern</translation>
+    </message>
+    <message>
+        <source>Recordings (*.pcapng)</source>
+        <translation>Aufzeichnungen (*.pcapng)</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>Speichern von %1</translation>
+    </message>
+    <message>
+        <source>The markers could not be saved to %1 (%2). What was there is as it was.</source>
+        <translation>Die Markierungen konnten nicht in %1 gespeichert werden (%2). Was dort war, ist unverändert.</translation>
+    </message>
+    <message>
+        <source>Saved with its markers: %1.</source>
+        <translation>Mit ihren Markierungen gespeichert: %1.</translation>
     </message>
 </context>
 <context>

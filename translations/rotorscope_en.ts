@@ -143,6 +143,10 @@
         <source>Math channels; XY picture</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Save the markers of an opened recording</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -3897,6 +3901,61 @@
     </message>
     <message>
         <source>All samples of the last connection are in its recording, but not all markers. A file that is opened takes their place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave the markers unsaved?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Markers of this recording were changed and are in no file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save first…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Leave unsaved</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MarkerFile</name>
+    <message>
+        <source>&amp;Save the markers…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Markers are saved in recordings that are open; those of a connection are in its recording (Ctrl+S)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes the markers into the recording, or into a copy of it (Ctrl+S)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording has the markers as they are (Ctrl+S)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the recording with its markers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings (*.pcapng)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The markers could not be saved to %1 (%2). What was there is as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved with its markers: %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

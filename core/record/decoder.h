@@ -54,6 +54,7 @@ public:
     /// How it was ended; empty: it was interrupted, or is still being written.
     const std::optional<End> &ending() const { return m_ending; }
     std::uint64_t blocks() const { return m_soundBlocks; }
+    std::uint32_t nextNumber() const { return m_expected.value_or(0); } ///< of a block behind all
 
 private:
     enum class Look : std::uint8_t { Wait, Again, Found };

@@ -71,6 +71,10 @@ struct Note {
     bool operator==(const Note &) const = default;
 };
 
+/// The one that takes back what earlier ones said about this time.
+inline Note noNote(Nanos at) { return {at, at - 1, {}}; }
+inline bool isTakenBack(const Note &note) { return note.to < note.from; }
+
 /// What did not get into the recording, because the disk could not follow, since the entry of this kind before it.
 struct Lost {
     std::uint64_t samples = 0;

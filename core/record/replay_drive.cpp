@@ -292,6 +292,8 @@ void ReplayDrive::play(const Item &item)
         play(*values);
     else if (const auto *happening = std::get_if<Happening>(&item.entry))
         play(item.at, *happening);
+    else if (const auto *note = std::get_if<Note>(&item.entry); note && m_control)
+        m_control->told((isPlausible(note->from) ? note->from : item.at) + m_shift, item.entry);
     else if (m_control && !std::holds_alternative<LinkBytes>(item.entry))
         m_control->told(item.at + m_shift, item.entry);
 }

@@ -27,7 +27,10 @@ void note(RecordingReport &report, const record::Item &item)
         if (room(report.snapshots))
             report.snapshots.push_back({item.at, *snapshot});
     } else if (const auto *words = std::get_if<record::Note>(&item.entry)) {
-        if (room(report.notes))
+        if (record::isTakenBack(*words))
+            std::erase_if(report.notes,
+                [words](const record::Note &said) { return said.from == words->from; });
+        else if (room(report.notes))
             report.notes.push_back(*words);
     } else if (const auto *lost = std::get_if<record::Lost>(&item.entry)) {
         report.lost.samples += lost->samples;

@@ -363,11 +363,14 @@ private Q_SLOTS:
         const QString path = m_folder.filePath(QStringLiteral("b.pcapng"));
         record(path);
         QTRY_VERIFY(line()->text().contains(QStringLiteral(" MB, ")));
+        scope()->setMarkerAt(capture().timeSpan()->to);
+        QVERIFY(scope()->events().removeMarker(markerId())); // nor is it in the file
         disconnectFromBoard();
         QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Recorded to ")));
         capture::Capture independent;
         const auto report = session::readRecording(path, independent);
         QVERIFY(report && report->ending);
+        QVERIFY(report->notes.empty());
     }
 
     void durationsAreHoursMinutesSeconds()

@@ -1,5 +1,6 @@
 // A replay through the real window and the real session thread: it looks like a board that cannot be touched.
 #include "session/recording_file.h"
+#include "session/recording_notes.h"
 #include "support/recording_facts.h"
 #include "support/window_rig.h"
 #include "widgets/scope/scope_view.h"
@@ -179,6 +180,21 @@ private Q_SLOTS:
         QTRY_VERIFY(device().armed());
     }
 
+    void notesThatWereSavedLaterAreAtTheirTime()
+    {
+        const record::Note later{500'000'000, 500'000'000, "said later"};
+        const QString path = m_folder.filePath(QStringLiteral("noted.pcapng"));
+        QCOMPARE(
+            session::saveNotes(m_path, path, {later, record::noNote(1'500'000'000)}), QString());
+        replay(path);
+        QTRY_VERIFY(text()->text().contains(QStringLiteral("its end")));
+        QTRY_VERIFY(eventTexts().contains(QStringLiteral("said later")));
+        QVERIFY(!eventTexts().contains(QStringLiteral("look here")));
+        for (const auto &event : scope()->events().events())
+            if (event.text == QStringLiteral("said later"))
+                QVERIFY(std::abs(event.seconds - capture().timeSpan()->from - 0.5) < 0.01);
+    }
+
     void whatWasDoneBeforeIsNotToldBesideIt()
     {
         m_rig->files.answer = m_path;
@@ -217,9 +233,9 @@ private Q_SLOTS:
     }
 
 private:
-    void replay()
+    void replay(const QString &path = {})
     {
-        m_rig->files.answer = m_path;
+        m_rig->files.answer = path.isEmpty() ? m_path : path;
         m_rig->find<QAction>("replayRecording")->trigger();
     }
     QStringList eventTexts()

@@ -151,7 +151,10 @@ void addReplayed(EventLog &events, const session::ReplayedEntry &entry)
             return event.kind == EventKind::Marker
                 && std::abs(event.seconds - entry.seconds) < 1e-6;
         });
-        if (known != all.end())
+        if (record::isTakenBack(*note)) {
+            if (known != all.end())
+                events.removeMarker(known->id);
+        } else if (known != all.end())
             events.setText(known->id, text);
         else
             events.add(EventKind::Marker, entry.seconds, text);

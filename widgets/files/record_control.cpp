@@ -74,6 +74,8 @@ RecordControl::RecordControl(Parts parts, const QString &folder, QWidget *window
         update();
     });
     connect(&m_parts.events, &QAbstractItemModel::rowsInserted, this, &RecordControl::recordMarks);
+    connect(&m_parts.events, &QAbstractItemModel::rowsAboutToBeRemoved, this,
+        [this](const QModelIndex &, int first, int last) { takeBackMarks(first, last); });
     connect(&m_parts.events, &QAbstractItemModel::dataChanged, this,
         [this](const QModelIndex &from, const QModelIndex &to) {
             if (from.column() == EventLog::TextColumn)
@@ -222,6 +224,18 @@ bool RecordControl::holdsMarkers() const
         return event.kind != EventKind::Marker
             || (told != m_marks.end() && told->second == event.text);
     });
+}
+
+/// Markers that a person deletes while their recording runs are not in it, either.
+void RecordControl::takeBackMarks(int first, int last)
+{
+    const auto &events = m_parts.events.events();
+    for (auto row = static_cast<std::size_t>(first);
+         row <= static_cast<std::size_t>(last) && row < events.size(); ++row)
+        if (m_parts.recording.running() && m_marks.erase(events[row].id) > 0) {
+            const record::Nanos at = capture::toNanos(events[row].seconds);
+            m_parts.recording.add(at, record::noNote(at));
+        }
 }
 
 /// A marker, or a new text of one: whoever opens the recording takes the last note of a time.

@@ -53,6 +53,7 @@ private:
     void finished(const session::RecordingResult &result);
     void update();
     void recordMarks(const QModelIndex &parent, int first, int last);
+    void takeBackMarks(int first, int last);
 
     Parts m_parts;
     QString m_folder;

@@ -106,6 +106,7 @@ void showKeys(QWidget *parent)
         {QStringLiteral("\u2190 \u2192"),
             About::tr("Move the cursor by a sample, else the picture")},
         {QStringLiteral("Ctrl+Shift+E"), About::tr("Export CSV")},
+        {QStringLiteral("Ctrl+S"), About::tr("Save the markers of an opened recording")},
         {QStringLiteral("Ctrl+Shift+M, Ctrl+Shift+X"), About::tr("Math channels; XY picture")},
         {QStringLiteral("Ctrl+Shift+L"), About::tr("Motion log")},
         {QStringLiteral("F9"), About::tr("Large numbers")},

@@ -29,6 +29,7 @@ class EventRecorder;
 class FilePrompt;
 class FirstSteps;
 class Form;
+class MarkerFile;
 class MathChannels;
 class RampForm;
 class RecordControl;
@@ -95,6 +96,7 @@ private:
     void askForRecording();
     void askForReplay();
     void replaceRecorded(std::function<void()> goOn);
+    void replaceMarkers(std::function<void()> goOn);
     void tellReleased();
     void fillFileSignals();
     void showImported(const QString &path, capture::Capture &imported);
@@ -175,6 +177,7 @@ private:
     StatusStrip *m_status = nullptr;
     RecordControl *m_record = nullptr;
     SampleRoom *m_room = nullptr;
+    MarkerFile *m_markers = nullptr;
     std::uint64_t m_exportedRevision = 0; ///< of the capture, when all of it was exported
     bool m_toldReleased = false;
     StopAlarm *m_alarm;

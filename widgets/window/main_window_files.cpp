@@ -7,6 +7,7 @@
 #include "widgets/files/file_job.h"
 #include "widgets/files/file_prompt.h"
 #include "widgets/files/import_csv.h"
+#include "widgets/files/marker_file.h"
 #include "widgets/files/open_recording.h"
 #include "widgets/files/record_control.h"
 #include "widgets/files/sample_room.h"
@@ -51,6 +52,10 @@ void MainWindow::makeRecording()
     m_copyPicture = make(tr("&Copy the picture"), "copyPicture", Qt::CTRL | Qt::SHIFT | Qt::Key_C,
         &MainWindow::copyPicture);
     connect(m_record, &RecordControl::said, this, &MainWindow::say);
+    m_markers = new MarkerFile(
+        m_scope->events(), m_files, [this] { return m_selection->showsFile(); }, this);
+    connect(m_markers, &MarkerFile::said, this, &MainWindow::say);
+    connect(m_selection, &SignalSelection::changed, m_markers, &MarkerFile::update);
     m_room = new SampleRoom(m_workbench.capture(), *m_workbench.archive(), this);
     m_room->setWanted(m_settings.samplesOnDiskGB);
     connect(m_room, &SampleRoom::said, this, &MainWindow::say);
@@ -68,6 +73,10 @@ void MainWindow::say(Banner::Kind kind, const QString &sentence)
 /// Asks before samples of a board go that are in no file; goes on at once if there are none.
 void MainWindow::replaceRecorded(std::function<void()> goOn)
 {
+    if (m_markers->changed()) {
+        replaceMarkers(std::move(goOn));
+        return;
+    }
     const capture::Capture &capture = m_workbench.capture();
     if (m_selection->showsFile() || !capture.timeSpan()
         || capture.revision() == m_exportedRevision) {
@@ -105,6 +114,31 @@ void MainWindow::replaceRecorded(std::function<void()> goOn)
                 goOn();
             else if (button == save)
                 exportCsv();
+        });
+    box->open();
+}
+
+void MainWindow::replaceMarkers(std::function<void()> goOn)
+{
+    auto *box = new QMessageBox(QMessageBox::Warning, tr("Leave the markers unsaved?"),
+        tr("Markers of this recording were changed and are in no file."), QMessageBox::NoButton,
+        this);
+    box->setObjectName(QStringLiteral("markersQuestion"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    QPushButton *save = box->addButton(tr("&Save first…"), QMessageBox::AcceptRole);
+    QPushButton *leave = box->addButton(tr("&Leave unsaved"), QMessageBox::DestructiveRole);
+    leave->setObjectName(QStringLiteral("leaveMarkers"));
+    leave->setAutoDefault(false);
+    QPushButton *cancel = box->addButton(QMessageBox::Cancel);
+    box->setDefaultButton(cancel);
+    box->setEscapeButton(cancel);
+    connect(box, &QMessageBox::buttonClicked, this,
+        [this, save, leave, goOn = std::move(goOn)](QAbstractButton *button) {
+            if (button == leave)
+                goOn();
+            else if (button == save)
+                m_markers->save()->trigger();
         });
     box->open();
 }
@@ -289,6 +323,7 @@ void MainWindow::showRecording(OpenedRecording &opened)
     const QString sentence = openedText(opened, whole);
     m_selection->showFile(std::move(opened.capture));
     fillEvents(m_scope->events(), opened.report);
+    m_markers->opened(opened.path);
     say(whole ? Banner::Kind::Note : Banner::Kind::Warning, sentence);
 }
 

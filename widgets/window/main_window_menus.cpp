@@ -3,6 +3,7 @@
 #include "widgets/base/theme.h"
 #include "widgets/control/control_panel.h"
 #include "widgets/control/motion_allowed.h"
+#include "widgets/files/marker_file.h"
 #include "widgets/files/record_control.h"
 #include "widgets/registers/register_panel.h"
 #include "widgets/scope/scope_tools.h"
@@ -32,7 +33,7 @@ void MainWindow::makeMenus(QMenuBar &bar)
     QMenu *file = bar.addMenu(tr("&File"));
     file->addActions({m_open, m_replayFile, m_import});
     file->addSeparator();
-    file->addActions({m_record->toggle(), m_record->withLink()});
+    file->addActions({m_record->toggle(), m_record->withLink(), m_markers->save()});
     file->setToolTipsVisible(true);
     file->addSeparator();
     file->addActions({m_export, m_copyPicture});

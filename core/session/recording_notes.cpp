@@ -1,0 +1,100 @@
+#include "session/recording_notes.h"
+
+#include "record/decoder.h"
+#include "record/entry_codec.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+
+#include <algorithm>
+
+namespace session {
+
+namespace {
+
+constexpr qint64 kPiece = 1 << 20;
+
+/// A short write is no success: commit() would put a truncated file in place (Qt 6.4).
+bool writeAll(QSaveFile &file, const void *bytes, qint64 size)
+{
+    for (qint64 at = 0; at < size;) {
+        const qint64 count = file.write(static_cast<const char *>(bytes) + at, size - at);
+        if (count <= 0)
+            return false;
+        at += count;
+    }
+    return true;
+}
+
+/// Longer than what a block that is cut may miss while both of its checksums still fit: that must not be taken from
+/// the block behind it.
+constexpr std::size_t kApart = 12;
+
+/// What must be known of the blocks before, to write further ones.
+struct Tail {
+    record::Nanos newest = 0; ///< of all entries: what follows must not seem to come before
+    bool cut = false; ///< within a block
+
+    void follow(record::Decoder &decoder)
+    {
+        while (const auto step = decoder.next()) {
+            if (const auto *item = std::get_if<record::Item>(&*step))
+                newest = std::max(newest, item->at);
+            else
+                cut = std::get<record::Damage>(*step).kind == record::Damage::Kind::CutShort;
+        }
+    }
+};
+
+} // namespace
+
+QString saveNotes(const QString &source, const QString &target,
+    const std::vector<record::Note> &notes, const std::function<bool(double)> &proceed)
+{
+    QFile from(source);
+    if (!from.open(QIODevice::ReadOnly))
+        return from.errorString();
+    const QFileInfo existing(target);
+    if (existing.exists() && !existing.isFile()) // QSaveFile would take the place of a device
+        return QStringLiteral("it is no file");
+    QSaveFile to(target);
+    if (!to.open(QIODevice::WriteOnly | QIODevice::Unbuffered))
+        return to.errorString();
+    record::Decoder decoder;
+    Tail tail;
+    const double size = static_cast<double>(std::max<qint64>(1, from.size()));
+    while (true) {
+        const QByteArray piece = from.read(kPiece);
+        if (from.error() != QFileDevice::NoError)
+            return from.errorString();
+        if (piece.isEmpty())
+            break;
+        if (!writeAll(to, piece.constData(), piece.size()))
+            return to.errorString();
+        decoder.feed({reinterpret_cast<const std::uint8_t *>(piece.constData()),
+            static_cast<std::size_t>(piece.size())});
+        tail.follow(decoder);
+        if (proceed && !proceed(static_cast<double>(from.pos()) / size))
+            return QStringLiteral("cancelled");
+    }
+    decoder.finish();
+    tail.follow(decoder);
+    if (!decoder.isRecording())
+        return QStringLiteral("it is no recording of Rotorscope");
+    if (tail.cut && !writeAll(to, Bytes(kApart).data(), kApart))
+        return to.errorString();
+    std::uint32_t number = decoder.nextNumber();
+    for (const record::Note &note : notes) {
+        const auto payload = record::encodeEntry(note);
+        if (!payload)
+            return QStringLiteral("a note is too long");
+        const Bytes block = record::packetBlock(
+            {record::Interface::Entries, tail.newest, 0, number++, 0}, *payload);
+        if (!writeAll(to, block.data(), static_cast<qint64>(block.size())))
+            return to.errorString();
+    }
+    return to.commit() ? QString() : to.errorString();
+}
+
+} // namespace session

@@ -1,0 +1,161 @@
+// Markers of an opened recording through the real window: set, changed, deleted, saved, and asked about.
+#include "session/recording_file.h"
+#include "session/recording_reader.h"
+#include "support/window_rig.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/window/banner.h"
+#include "widgets/window/connect_bar.h"
+
+#include <QAction>
+#include <QMessageBox>
+#include <QTemporaryDir>
+
+using widgets::Banner;
+
+namespace {
+
+void writeRecording(const QString &path)
+{
+    QString text;
+    session::RecordingFile file(session::makeDiskSink(path, text), {0, "test", "board"});
+    QVERIFY(file.open());
+    file.add(0, capture::StreamLayout{1, 1000.0, 0.0, 1, {{1, "A", "A", 0.1, 0.0}}, {}});
+    file.add(0, capture::SampleBlock{1, 0, 5000, std::vector<std::int16_t>(5000, 7), {}, 0});
+    file.add(1'500'000'000, record::Note{1'500'000'000, 1'500'000'000, "look here"});
+    QVERIFY(file.end());
+}
+
+} // namespace
+
+class TestMarkerFile : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_path = m_folder->filePath(QStringLiteral("a.pcapng"));
+        writeRecording(m_path);
+        m_rig = std::make_unique<facts::WindowRig>();
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+    }
+    void cleanup() { m_rig.reset(); }
+
+    void nothingIsSavedThatIsSaved()
+    {
+        QVERIFY(!save()->isEnabled());
+        QVERIFY(save()->toolTip().contains(QStringLiteral("recordings that are open")));
+        open();
+        QVERIFY(!save()->isEnabled());
+        QVERIFY(save()->toolTip().contains(QStringLiteral("as they are")));
+    }
+
+    void aMarkerIsInTheFileAfterwards()
+    {
+        open();
+        setMarker(2.0, QStringLiteral("it sticks"));
+        QVERIFY(save()->isEnabled());
+        m_rig->files.answer = m_path;
+        QTest::keyClick(&m_rig->window, Qt::Key_S, Qt::ControlModifier);
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Saved with its markers")));
+        QCOMPARE(m_rig->files.asked.suggestedName, QStringLiteral("a.pcapng"));
+        QVERIFY(!save()->isEnabled());
+        const QStringList expected{QStringLiteral("look here"), QStringLiteral("it sticks")};
+        open();
+        QCOMPARE(markers(), expected);
+    }
+
+    void aCopyIsWhatIsOpenFromThenOn()
+    {
+        open();
+        setMarker(2.0, QStringLiteral("it sticks"));
+        const QString copy = m_folder->filePath(QStringLiteral("copy.pcapng"));
+        m_rig->files.answer = copy;
+        save()->trigger();
+        QTRY_VERIFY(banner()->text().contains(QStringLiteral("copy.pcapng")));
+        QCOMPARE(notesIn(m_path), QStringList{QStringLiteral("look here")});
+        QCOMPARE(notesIn(copy).size(), 2);
+        scope().events().removeMarker(scope().events().events().front().id);
+        save()->trigger();
+        QTRY_VERIFY(!save()->isEnabled());
+        QCOMPARE(m_rig->files.asked.suggestedName, QStringLiteral("copy.pcapng"));
+        QCOMPARE(notesIn(copy), QStringList{QStringLiteral("it sticks")});
+    }
+
+    void whatCannotBeWrittenStaysToBeSaved()
+    {
+        open();
+        setMarker(2.0, QStringLiteral("it sticks"));
+        m_rig->files.answer = m_folder->filePath(QStringLiteral("no such folder/b.pcapng"));
+        save()->trigger();
+        QTRY_COMPARE(banner()->kind(), Banner::Kind::Warning);
+        QVERIFY(banner()->text().contains(QStringLiteral("could not be saved")));
+        QVERIFY(save()->isEnabled());
+        QCOMPARE(notesIn(m_path), QStringList{QStringLiteral("look here")});
+    }
+
+    void unsavedOnesAreAskedAbout()
+    {
+        open();
+        setMarker(2.0, QStringLiteral("it sticks"));
+        m_rig->find<QAction>("openRecording")->trigger();
+        auto *question = m_rig->find<QMessageBox>("markersQuestion");
+        QVERIFY(question);
+        QTest::keyClick(question, Qt::Key_Return); // neither Enter nor Esc throws them away
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
+        QCOMPARE(markers().size(), 2);
+        m_rig->find<QAction>("openRecording")->trigger();
+        QTest::mouseClick(m_rig->find<QPushButton>("leaveMarkers"), Qt::LeftButton);
+        QTRY_COMPARE(markers(), QStringList{QStringLiteral("look here")});
+        QVERIFY(!save()->isEnabled());
+    }
+
+    void aConnectionHasNoneToSave()
+    {
+        open();
+        m_rig->window.connectBar()->connectOrDisconnect();
+        QTRY_COMPARE(scope().channels().size(), 4);
+        setMarker(1.0, QStringLiteral("of the board"));
+        QVERIFY(!save()->isEnabled());
+    }
+
+private:
+    void open()
+    {
+        m_rig->files.answer = m_path;
+        m_rig->find<QAction>("openRecording")->trigger();
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Opened ")));
+    }
+    void setMarker(double seconds, const QString &text)
+    {
+        scope().events().setText(
+            scope().events().add(widgets::EventKind::Marker, seconds, text), text);
+    }
+    QStringList markers()
+    {
+        QStringList texts;
+        for (const auto &event : scope().events().events())
+            if (event.kind == widgets::EventKind::Marker)
+                texts.append(event.text);
+        return texts;
+    }
+    static QStringList notesIn(const QString &path)
+    {
+        capture::Capture capture;
+        QStringList texts;
+        if (const auto report = session::readRecording(path, capture))
+            for (const auto &note : report->notes)
+                texts.append(QString::fromStdString(note.text));
+        return texts;
+    }
+    QAction *save() { return m_rig->find<QAction>("saveMarkers"); }
+    Banner *banner() { return m_rig->window.findChild<Banner *>(); }
+    widgets::ScopeView &scope() { return *m_rig->window.scope(); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QString m_path;
+    std::unique_ptr<facts::WindowRig> m_rig;
+};
+
+QTEST_MAIN(TestMarkerFile)
+#include "tst_marker_file.moc"
