@@ -48,7 +48,6 @@ int run(int argc, char **argv, const gui::Arguments &arguments)
     QApplication::setApplicationDisplayName(QStringLiteral("Rotorscope"));
     QApplication::setApplicationVersion(QStringLiteral(ROTORSCOPE_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("rotorscope"));
-    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/rotorscope.svg")));
     loadLanguage(application, arguments.language);
 
     const QString settingsFile = widgets::settingsPath();
@@ -63,6 +62,9 @@ int run(int argc, char **argv, const gui::Arguments &arguments)
     widgets::FilePrompt files;
     widgets::Workbench workbench;
     widgets::MainWindow window(workbench, ports, files, settings);
+    // Drawing it in all its sizes takes about a tenth of a start; the first picture does without.
+    QObject::connect(&window, &widgets::MainWindow::settled, &application,
+        [] { QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/rotorscope.svg"))); });
     window.show();
     // Asked to end by a signal: the same questions as when a person closes the window.
     const cli::Interrupt interrupt;

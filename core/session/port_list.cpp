@@ -60,7 +60,7 @@ bool isStLink(quint16 vendor, quint16 product)
         != kStLinkProducts.end();
 }
 
-QList<PortChoice> portChoices(const PortSource &source)
+QList<PortChoice> simulatedBoards()
 {
     using Kind = PortChoice::Kind;
     QList<PortChoice> choices{{Kind::Simulator, QString::fromLatin1(kSimulatorPath), {}}};
@@ -72,6 +72,13 @@ QList<PortChoice> portChoices(const PortSource &source)
                 + QString::fromLatin1(choice.word.data(), qsizetype(choice.word.size())),
             QString::fromLatin1(choice.title.data(), qsizetype(choice.title.size()))});
     }
+    return choices;
+}
+
+QList<PortChoice> portChoices(const PortSource &source)
+{
+    using Kind = PortChoice::Kind;
+    QList<PortChoice> choices = simulatedBoards();
     const auto boards = choices.size();
     const QList<SystemPort> ports = source.ports();
     for (const SystemPort &port : ports) {

@@ -42,6 +42,7 @@ struct PortChoice {
 inline constexpr char kSimulatorPath[] = "sim";
 
 bool isStLink(quint16 vendor, quint16 product);
+QList<PortChoice> simulatedBoards(); ///< known at once, while the system is asked for its ports
 QList<PortChoice> portChoices(const PortSource &source = SystemPortSource());
 
 } // namespace session

@@ -71,6 +71,41 @@ private Q_SLOTS:
         QTRY_COMPARE(window.findChildren<widgets::Form *>().size(), docks - 2);
     }
 
+    void portsAreAskedForAfterTheFirstPictureOrWhenTheirListOpens()
+    {
+        struct OnePort : session::PortSource {
+            mutable int asked = 0;
+            QList<session::SystemPort> ports() const override
+            {
+                ++asked;
+                return {{QStringLiteral("/dev/ttyACM0"), {}, {}, {}, 0x0483, 0x374b}};
+            }
+        } ports;
+        facts::AnsweredPrompt files;
+        widgets::Workbench workbench;
+        widgets::Settings settings = facts::WindowRig::quietSettings();
+        settings.port = QStringLiteral("/dev/ttyACM0");
+        const QString name = QStringLiteral("/dev/ttyACM0 (ST-LINK)");
+        {
+            widgets::MainWindow window(workbench, ports, files, settings);
+            auto *port = window.findChild<QComboBox *>(QStringLiteral("port"));
+            QCOMPARE(ports.asked, 0);
+            QCOMPARE(port->currentText(), settings.port); // chosen already
+            QCOMPARE(window.connectBar()->path(), settings.port);
+            QVERIFY(port->count() > 0); // the simulated boards
+            window.show();
+            QTRY_COMPARE(port->currentText(), name);
+            QCOMPARE(ports.asked, 1);
+            QCOMPARE(window.connectBar()->path(), settings.port);
+        }
+        widgets::MainWindow window(workbench, ports, files, settings);
+        auto *port = window.findChild<QComboBox *>(QStringLiteral("port"));
+        port->showPopup();
+        QCOMPARE(ports.asked, 2);
+        QCOMPARE(port->currentText(), name);
+        port->hidePopup();
+    }
+
     void aToolThatWasOpenIsThereAtOnce()
     {
         widgets::Settings settings = facts::WindowRig::quietSettings();

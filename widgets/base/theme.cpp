@@ -1,8 +1,8 @@
 #include "widgets/base/theme.h"
 
+#include "widgets/base/late_icons.h"
+
 #include <QApplication>
-#include <QStyle>
-#include <QStyleFactory>
 #include <QToolTip>
 
 namespace widgets {
@@ -71,9 +71,8 @@ QPalette darkPalette()
 void applyTheme(Theme theme)
 {
     const bool dark = desktopIsDark();
-    if (QApplication::style()->objectName().compare(QLatin1String("fusion"), Qt::CaseInsensitive)
-        != 0)
-        QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    if (!qobject_cast<LateIcons *>(QApplication::style()))
+        QApplication::setStyle(new LateIcons);
     const bool wantDark = theme == Theme::Dark || (theme == Theme::System && dark);
     const QPalette palette = wantDark ? darkPalette() : lightPalette();
     QApplication::setPalette(palette);

@@ -7,7 +7,6 @@
 #include "widgets/base/wheel_guard.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -15,6 +14,9 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QVBoxLayout>
+
+#include <functional>
+#include <utility>
 
 namespace widgets {
 namespace {
@@ -43,6 +45,24 @@ protected:
         painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
             fontMetrics().elidedText(text(), Qt::ElideRight, width()));
     }
+};
+
+/// A box that tells before its list opens, so that the list has what was plugged in meanwhile.
+class PortBox : public QComboBox {
+public:
+    PortBox(std::function<void()> aboutToOpen, QWidget *parent)
+        : QComboBox(parent)
+        , m_aboutToOpen(std::move(aboutToOpen))
+    {
+    }
+    void showPopup() override
+    {
+        m_aboutToOpen();
+        QComboBox::showPopup();
+    }
+
+private:
+    std::function<void()> m_aboutToOpen;
 };
 
 QString fromCore(std::string_view text)
@@ -83,7 +103,7 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     : QWidget(parent)
     , m_device(device)
     , m_source(ports)
-    , m_port(new QComboBox(this))
+    , m_port(new PortBox([this] { refreshPorts(); }, this))
     , m_baud(new QComboBox(this))
     , m_protocol(new QComboBox(this))
     , m_connect(new QPushButton(this))
@@ -100,7 +120,6 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     m_port->setEditable(true);
     m_port->setInsertPolicy(QComboBox::NoInsert);
     m_port->setMinimumWidth(190);
-    m_port->installEventFilter(this);
     m_baud->setObjectName(QStringLiteral("baud"));
     m_baud->setAccessibleName(tr("Baud rate"));
     m_baud->setEditable(true);
@@ -155,16 +174,25 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     connect(&device, &Device::linkStateChanged, this, &ConnectBar::updateLink);
     connect(&device, &Device::portStateChanged, this, &ConnectBar::updateLink);
     connect(&device, &Device::identityChanged, this, &ConnectBar::updateIdentity);
-    refreshPorts();
+    fillPorts(session::simulatedBoards());
     updateLink();
     updateIdentity();
 }
 
 void ConnectBar::refreshPorts()
 {
+    if (!m_pathBefore.isEmpty())
+        return; // the name of a recording stands in the place of a port
+    fillPorts(session::portChoices(m_source));
+    m_port->setSizeAdjustPolicy(
+        QComboBox::AdjustToContents); // the list may have come after the first picture
+}
+
+void ConnectBar::fillPorts(const QList<session::PortChoice> &choices)
+{
     const QString before = path();
     m_port->clear();
-    for (const session::PortChoice &choice : session::portChoices(m_source))
+    for (const session::PortChoice &choice : choices)
         m_port->addItem(choiceText(choice), choice.path);
     if (!before.isEmpty())
         setEndpoint(before, baud());
@@ -262,13 +290,6 @@ void ConnectBar::focusPort()
 {
     m_port->setFocus(Qt::OtherFocusReason);
     m_port->showPopup();
-}
-
-bool ConnectBar::eventFilter(QObject *watched, QEvent *event)
-{
-    if (watched == m_port && event->type() == QEvent::MouseButtonPress && !connecting())
-        refreshPorts(); // what was plugged in meanwhile
-    return QWidget::eventFilter(watched, event);
 }
 
 void ConnectBar::updateLink()

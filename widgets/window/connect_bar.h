@@ -32,7 +32,8 @@ public:
 public Q_SLOTS:
     void connectOrDisconnect(); ///< Ctrl+D
     void disconnectNow(); ///< whatever the motors do
-    void refreshPorts();
+    void
+    refreshPorts(); ///< asks the system: some ten milliseconds; until then only simulated boards are listed
     void openSimulator();
     void openReplay(const QString &path); ///< of a recording; nothing while connected
     void focusPort();
@@ -41,10 +42,8 @@ Q_SIGNALS:
     void disconnectWhileTurning(); ///< not done: a person has to say what becomes of the motors
     void refused(const QString &sentence); ///< what was typed cannot be used
 
-protected:
-    bool eventFilter(QObject *watched, QEvent *event) override;
-
 private:
+    void fillPorts(const QList<session::PortChoice> &choices);
     void updateLink();
     void updateIdentity();
 

@@ -71,6 +71,8 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void closed(); ///< the window has agreed to close
+    void
+    settled(); ///< once, soon after the first picture: the time for what that picture does without
 
 protected:
     void closeEvent(QCloseEvent *event) override;

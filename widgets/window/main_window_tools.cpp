@@ -8,6 +8,7 @@
 #include "widgets/forms/ramp_form.h"
 #include "widgets/forms/rev_up_form.h"
 #include "widgets/registers/register_panel.h"
+#include "widgets/window/connect_bar.h"
 #include "widgets/window/first_steps.h"
 #include "widgets/window/main_window.h"
 
@@ -166,8 +167,13 @@ void MainWindow::makeNextTool()
 void MainWindow::paintEvent(QPaintEvent *event)
 {
     QMainWindow::paintEvent(event);
-    if (!std::exchange(m_painted, true))
-        QTimer::singleShot(kSettled, this, &MainWindow::makeNextTool);
+    if (std::exchange(m_painted, true))
+        return;
+    QTimer::singleShot(kSettled, this, [this] {
+        m_connectBar->refreshPorts();
+        Q_EMIT settled();
+        makeNextTool();
+    });
 }
 
 bool MainWindow::anyToolOpen() const
