@@ -2309,6 +2309,21 @@
         <source>How %1 is computed</source>
         <translation>Wie %1 berechnet wird</translation>
     </message>
+    <message numerus="yes">
+        <source>%n signal(s)</source>
+        <translation>
+            <numerusform>%n Signal</numerusform>
+            <numerusform>%n Signale</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Shows the signals as chips</source>
+        <translation>Zeigt die Signale als Plättchen</translation>
+    </message>
+    <message>
+        <source>Folds the chips away: more room for the plots</source>
+        <translation>Klappt die Plättchen ein: mehr Platz für die Kurven</translation>
+    </message>
 </context>
 <context>
     <name>widgets::CommandBox</name>
@@ -7039,7 +7054,7 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     </message>
     <message>
         <source>Force</source>
-        <translation>Erzwingen</translation>
+        <translation>Jetzt</translation>
     </message>
     <message>
         <source>A trigger now (T)</source>

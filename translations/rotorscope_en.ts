@@ -2309,6 +2309,21 @@
         <source>How %1 is computed</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>%n signal(s)</source>
+        <translation>
+            <numerusform>%n signal</numerusform>
+            <numerusform>%n signals</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Shows the signals as chips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folds the chips away: more room for the plots</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::CommandBox</name>

@@ -2,6 +2,7 @@
 // arm, start, drag two signals, see samples move, change the speed, stop, export, compare the file with the capture.
 #include "support/window_rig.h"
 #include "widgets/control/control_panel.h"
+#include "widgets/control/readout_box.h"
 #include "widgets/control/setpoint_edit.h"
 #include "widgets/control/stop_words.h"
 #include "widgets/registers/register_panel.h"
@@ -158,6 +159,12 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(
             words->text().contains(QStringLiteral("standstill measured")), 10000);
         QCOMPARE(m_rig->window.height(), 720);
+        // With the words of the stop and a message over them.
+        QVERIFY(m_rig->find<QWidget>("banner")->isVisible());
+        const auto *panel = m_rig->window.controlPanel();
+        for (const QWidget *seen : {static_cast<const QWidget *>(m_rig->find<QWidget>("stop")),
+                 static_cast<const QWidget *>(panel->findChild<widgets::ReadoutBox *>())})
+            QTRY_COMPARE(seen->visibleRegion().boundingRect().size(), seen->size());
         m_rig->find<QWidget>("banner")->findChild<QToolButton *>()->click();
         const auto *scroll = m_rig->find<QScrollArea>("controlScroll");
         QTRY_COMPARE(scroll->verticalScrollBar()->maximum(), 0); // the readouts stay in view

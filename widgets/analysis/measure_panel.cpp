@@ -53,7 +53,9 @@ MeasurePanel::MeasurePanel(
     m_list->setAllColumnsShowFocus(true);
     m_list->header()->setStretchLastSection(false);
     for (int column = 0; column < MeasureTable::kColumns; ++column)
-        m_list->setColumnWidth(column, kListColumns[static_cast<std::size_t>(column)]);
+        m_list->setColumnWidth(column, // the heading whole, in every language
+            std::max(kListColumns[static_cast<std::size_t>(column)],
+                m_list->header()->sectionSizeHint(column)));
     m_list->installEventFilter(this);
     auto *side = new QWidget(this);
     side->setFixedWidth(kSideWidth);

@@ -66,7 +66,8 @@ SpectrumPanel::SpectrumPanel(
     m_list->header()->setStretchLastSection(true);
     int width = 2 * m_list->frameWidth();
     for (int column = 0; column < SpectrumPeaks::kColumns; ++column) {
-        const int its = kListColumns[static_cast<std::size_t>(column)];
+        const int its = std::max(kListColumns[static_cast<std::size_t>(column)],
+            m_list->header()->sectionSizeHint(column)); // the heading whole, in every language
         m_list->setColumnWidth(column, its);
         width += its;
     }

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include <algorithm>
 #include <utility>
 
 namespace widgets {
@@ -40,15 +41,42 @@ void FlowLayout::setGeometry(const QRect &rect)
         update(); // the least height may be another now
 }
 
+/// As wide as each wants to be; if one line holds them all only when they are squeezed, as wide as that leaves them.
+QList<int> FlowLayout::widths(int room) const
+{
+    QList<int> all;
+    int wanted = -m_gap;
+    int slack = 0; ///< that can be taken from those that may be narrower
+    for (QLayoutItem *item : m_items) {
+        all.append(item->isEmpty() ? 0 : item->sizeHint().width());
+        wanted += item->isEmpty() ? 0 : all.last() + m_gap;
+        slack += item->isEmpty() ? 0 : std::max(0, all.last() - item->minimumSize().width());
+    }
+    int over = wanted - room;
+    if (over <= 0 || over > slack)
+        return all;
+    for (int i = 0; i < all.size(); ++i) {
+        QLayoutItem *item = m_items[i];
+        const int own = item->isEmpty() ? 0 : std::max(0, all[i] - item->minimumSize().width());
+        const int taken = slack > 0 ? (over * own + slack - 1) / slack : 0;
+        all[i] -= taken;
+        over -= taken;
+        slack -= own;
+    }
+    return all;
+}
+
 int FlowLayout::arrange(const QRect &rect, bool move) const
 {
+    const QList<int> widths = this->widths(rect.width());
     int x = rect.x();
     int y = rect.y();
     int lineHeight = 0;
-    for (QLayoutItem *item : m_items) {
+    for (int i = 0; i < m_items.size(); ++i) {
+        QLayoutItem *item = m_items[i];
         if (item->isEmpty())
             continue;
-        const QSize size = item->sizeHint();
+        const QSize size(widths[i], item->sizeHint().height());
         if (x > rect.x() && x + size.width() > rect.x() + rect.width()) {
             x = rect.x();
             y += lineHeight + m_gap;

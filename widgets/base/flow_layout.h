@@ -1,4 +1,5 @@
-// FlowLayout: places widgets in lines, as words in a text.
+// FlowLayout: places widgets in lines, as words in a text. Before it begins a second line it makes those narrower that may
+// be, if that saves the line.
 #pragma once
 
 #include <QLayout>
@@ -23,6 +24,7 @@ public:
 
 private:
     int arrange(const QRect &rect, bool move) const; ///< the height it takes
+    QList<int> widths(int room) const; ///< of the items, 0 for those that are not shown
 
     QList<QLayoutItem *> m_items;
     int m_gap;

@@ -9,6 +9,7 @@ namespace widgets {
 
 namespace {
 constexpr int kLeast = 3; ///< characters
+constexpr int kStillRead = 6; ///< characters that are left where there is little room
 constexpr int kAir = 4; ///< pixels: what the frames of styles take besides
 } // namespace
 
@@ -20,7 +21,11 @@ SnugComboBox::SnugComboBox(int most, QWidget *parent)
     connect(this, &QComboBox::currentTextChanged, this, &SnugComboBox::updateGeometry);
 }
 
-QSize SnugComboBox::sizeHint() const
+QSize SnugComboBox::sizeHint() const { return sizeFor(m_most); }
+
+QSize SnugComboBox::minimumSizeHint() const { return sizeFor(std::min(m_most, kStillRead)); }
+
+QSize SnugComboBox::sizeFor(int most) const
 {
     const QFontMetrics metrics(font());
     const int digit = metrics.horizontalAdvance(QLatin1Char('0'));
@@ -28,12 +33,10 @@ QSize SnugComboBox::sizeHint() const
     QStyleOptionComboBox option;
     initStyleOption(&option);
     const QSize content(
-        std::clamp(text, kLeast * digit, m_most * digit) + kAir, QComboBox::sizeHint().height());
+        std::clamp(text, kLeast * digit, most * digit) + kAir, QComboBox::sizeHint().height());
     const QSize whole = style()->sizeFromContents(QStyle::CT_ComboBox, &option, content, this);
     return {whole.width(), content.height()};
 }
-
-QSize SnugComboBox::minimumSizeHint() const { return sizeHint(); }
 
 void SnugComboBox::showPopup()
 {

@@ -17,6 +17,8 @@ public:
     void showPopup() override;
 
 private:
+    QSize sizeFor(int most) const; ///< characters
+
     int m_most;
 };
 

@@ -12,6 +12,7 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QResizeEvent>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
@@ -21,8 +22,50 @@ namespace widgets {
 namespace {
 
 constexpr int kMargin = 10;
+constexpr int kLeastScrolled = 60; ///< pixels: a set-point
 constexpr int kGap =
     3; ///< so that nothing has to be scrolled on a low screen after a stop, when its words stand there
+
+/// As high as what is in it at its width, and lower where there is no room.
+class Scroll : public QScrollArea {
+public:
+    using QScrollArea::QScrollArea;
+    QSize sizeHint() const override
+    {
+        return {widget() ? widget()->sizeHint().width() : 0, wantedHeight()};
+    }
+
+protected:
+    void resizeEvent(QResizeEvent *event) override
+    {
+        placeBar();
+        QScrollArea::resizeEvent(event);
+    }
+    bool eventFilter(QObject *watched, QEvent *event) override
+    {
+        const bool taken = QScrollArea::eventFilter(watched, event);
+        if (watched == widget() && event->type() == QEvent::LayoutRequest) {
+            updateGeometry();
+            placeBar();
+        }
+        return taken;
+    }
+
+private:
+    int wantedHeight() const
+    {
+        if (!widget())
+            return 0;
+        return widget()->hasHeightForWidth() ? widget()->heightForWidth(width())
+                                             : widget()->sizeHint().height();
+    }
+    /// At once: Qt takes its bar away a turn late, and for that turn all is narrower.
+    void placeBar()
+    {
+        setVerticalScrollBarPolicy(
+            height() >= wantedHeight() ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
+    }
+};
 
 QFrame *line(QWidget *parent)
 {
@@ -50,12 +93,14 @@ ControlPanel::ControlPanel(
     , m_words(new StopWords(this))
 {
     setObjectName(QStringLiteral("controlPanel"));
-    auto *scroll = new QScrollArea(this);
+    auto *scroll = new Scroll(this);
     scroll->setObjectName(QStringLiteral("controlScroll"));
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    scroll->setMinimumHeight(kLeastScrolled);
     QWidget *body = makeBody();
     scroll->setWidget(body);
     const int bar = scroll->verticalScrollBar()->sizeHint().width();
@@ -71,11 +116,20 @@ ControlPanel::ControlPanel(
     top->addWidget(m_words);
     top->addWidget(line(this));
     m_words->hide();
+    // What the motor does is read also where a message and the words of a stop leave no room for all that can be wished.
+    auto *read = new QWidget(this);
+    auto *bottom = new QVBoxLayout(read);
+    bottom->setContentsMargins(kMargin, 0, kMargin, kGap);
+    bottom->setSpacing(kGap);
+    bottom->addWidget(line(this));
+    bottom->addWidget(m_readouts);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(fixed);
-    layout->addWidget(scroll, 1);
+    layout->addWidget(scroll);
+    layout->addWidget(read);
+    layout->addStretch(1);
 
     connect(&device, &Device::linkStateChanged, this, &ControlPanel::follow);
     connect(&device, &Device::statusChanged, this, &ControlPanel::follow);
@@ -130,10 +184,8 @@ QWidget *ControlPanel::makeBody()
     layout->addWidget(line(this));
     layout->addWidget(m_jog);
     layout->addWidget(line(this));
-    layout->addWidget(m_readouts);
     layout->addLayout(limits);
     layout->addLayout(scale);
-    layout->addStretch(1);
     return body;
 }
 

@@ -18,6 +18,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace widgets {
 namespace {
 
@@ -117,6 +119,8 @@ ChannelStrip::ChannelStrip(SignalSelection &selection, Device &device, QWidget *
     , m_flow(new FlowLayout(5, m_chips))
     , m_empty(new QLabel(
           tr("Drag registers here or onto the scope, or press Enter in the list."), this))
+    , m_fold(new QToolButton(this))
+    , m_rateLabel(new QLabel(tr("HF rate"), this))
     , m_rate(new QComboBox(this))
     , m_budget(new QLabel(this))
 {
@@ -130,11 +134,15 @@ ChannelStrip::ChannelStrip(SignalSelection &selection, Device &device, QWidget *
     m_budget->setObjectName(QStringLiteral("linkBudget"));
     m_budget->setTextFormat(Qt::PlainText);
 
-    auto *rateLabel = new QLabel(tr("HF rate"), this);
-    rateLabel->setBuddy(m_rate);
+    m_fold->setObjectName(QStringLiteral("foldChips"));
+    m_fold->setAutoRaise(true);
+    m_fold->setFocusPolicy(Qt::TabFocus);
+    connect(m_fold, &QToolButton::clicked, this, [this] { fold(!m_folded); });
+    m_rateLabel->setBuddy(m_rate);
     auto *bottom = new QHBoxLayout;
     bottom->setSpacing(8);
-    bottom->addWidget(rateLabel);
+    bottom->addWidget(m_fold);
+    bottom->addWidget(m_rateLabel);
     bottom->addWidget(m_rate);
     bottom->addSpacing(8);
     bottom->addWidget(m_budget, 1);
@@ -289,6 +297,41 @@ void ChannelStrip::setComputed(const QList<Computed> &computed)
     rebuild();
 }
 
+void ChannelStrip::foldWhen(std::function<bool()> crowded)
+{
+    m_isCrowded = std::move(crowded);
+    room();
+}
+
+void ChannelStrip::room()
+{
+    const bool crowded = m_isCrowded && m_isCrowded();
+    if (crowded != std::exchange(m_crowded, crowded))
+        fold(crowded);
+}
+
+void ChannelStrip::fold(bool folded)
+{
+    m_folded = folded;
+    showFold();
+}
+
+void ChannelStrip::showFold()
+{
+    const int count = m_flow->count();
+    m_empty->setVisible(count == 0);
+    m_chips->setVisible(count != 0 && !m_folded);
+    m_chips->updateGeometry();
+    // Where the chips are seen the sign says enough.
+    m_fold->setText(!m_folded ? QStringLiteral("\u25be")
+                              : QStringLiteral("\u25b8 ") + tr("%n signal(s)", nullptr, count));
+    m_fold->setVisible(count != 0);
+    const QString says = m_folded ? tr("Shows the signals as chips")
+                                  : tr("Folds the chips away: more room for the plots");
+    m_fold->setToolTip(says);
+    m_fold->setAccessibleName(says);
+}
+
 void ChannelStrip::rebuild()
 {
     m_polledTags.clear();
@@ -309,9 +352,7 @@ void ChannelStrip::rebuild()
         m_flow->addWidget(chip);
         chip->show();
     }
-    m_empty->setVisible(m_flow->count() == 0);
-    m_chips->setVisible(m_flow->count() != 0);
-    m_chips->updateGeometry();
+    showFold();
     showRates();
     updateBudget();
 }

@@ -1,5 +1,6 @@
 // ChannelStrip: the recorded signals as chips, how each gets here, and what that costs of the link; after them the computed
-// ones, which cost nothing. Signals dropped on it are added.
+// ones, which cost nothing. Signals dropped on it are added. The chips can be folded away, and are while there is little
+// room for the plots.
 #pragma once
 
 #include "widgets/scope/polled_rates.h"
@@ -29,6 +30,10 @@ public:
     ChannelStrip(SignalSelection &selection, Device &device, QWidget *parent = nullptr);
 
     void setComputed(const QList<Computed> &computed);
+    /// From now on the chips fold when there is little room, until a person unfolds them; `crowded` asks.
+    void foldWhen(std::function<bool()> crowded);
+    void room(); ///< it may have changed
+    bool folded() const { return m_folded; }
 
 public Q_SLOTS:
     /// Some times a second: what the link really carries, beside what was planned.
@@ -45,6 +50,8 @@ protected:
 
 private:
     void rebuild();
+    void fold(bool folded);
+    void showFold();
     void updateBudget();
     void fillRates();
     QWidget *makeChip(const PlannedSignal &planned);
@@ -57,12 +64,17 @@ private:
     QWidget *m_chips;
     FlowLayout *m_flow;
     QLabel *m_empty;
+    QToolButton *m_fold;
+    QLabel *m_rateLabel;
     QComboBox *m_rate;
     QLabel *m_budget;
     QList<Computed> m_computed;
     std::optional<double> m_measured; ///< bytes a second
     PolledRates m_rates;
     std::map<quint32, QToolButton *> m_polledTags; ///< by signal, of the chips that are shown
+    std::function<bool()> m_isCrowded;
+    bool m_crowded = false;
+    bool m_folded = false;
     std::uint64_t m_bytesBefore = 0;
     Milliseconds m_measuredAt{};
 };

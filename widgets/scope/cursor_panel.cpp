@@ -23,7 +23,7 @@
 namespace widgets {
 
 namespace {
-constexpr int kSideWidth = 190;
+constexpr int kSideWidth = 150;
 constexpr int kRowRoom = 3; ///< pixels above and below a line of the table, together
 } // namespace
 
@@ -57,10 +57,17 @@ CursorPanel::CursorPanel(ScopeView &scope, const capture::Capture &capture, QWid
     layout->addWidget(makeSide());
     layout->addWidget(m_table, 1);
     connect(&scope.cursors(), &Cursors::changed, this, &CursorPanel::follow);
-    // Once there are too many traces it stays: the place must not come and go with the width of a number.
-    connect(m_table->horizontalScrollBar(), &QScrollBar::rangeChanged, this, [this](int, int most) {
-        if (most > 0 && !std::exchange(m_wide, true))
+    // Once there are too many traces it stays: the place must not come and go with the width of a number. While the panel
+    // is being laid out the columns do not have their places yet: asked when that is over.
+    m_look.setSingleShot(true);
+    m_look.setInterval(0);
+    connect(&m_look, &QTimer::timeout, this, [this] {
+        if (m_table->horizontalScrollBar()->maximum() > 0 && !std::exchange(m_wide, true))
             fitHeight();
+    });
+    connect(m_table->horizontalScrollBar(), &QScrollBar::rangeChanged, this, [this](int, int most) {
+        if (most > 0 && isVisible())
+            m_look.start();
     });
     connect(&scope, &ScopeView::channelsChanged, this, [this] {
         m_wide = false;

@@ -2,6 +2,7 @@
 // Shown only while the cursors are. It copies itself as text; it moves nothing.
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 
 class QComboBox;
@@ -42,6 +43,7 @@ private:
     QToolButton *m_remove;
     QLabel *m_distance;
     QTableView *m_table;
+    QTimer m_look; ///< at the width of the table, when it has its place
     bool m_wide = false; ///< more traces than fit beside one another
 };
 

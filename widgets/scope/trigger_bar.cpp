@@ -23,6 +23,7 @@ namespace widgets {
 
 namespace {
 constexpr int kLevelWidth = 76;
+constexpr int kLeastLevelWidth = 56;
 constexpr int kDetailWidth = 120;
 constexpr int kMostLetters = 12; ///< of a trace's name in the bar; whole in the list
 constexpr double kLongestTime = 60.0; ///< seconds
@@ -50,7 +51,7 @@ TriggerBar::TriggerBar(TriggerControl &control, ScopeView &scope, QWidget *paren
     : QWidget(parent)
     , m_control(control)
     , m_scope(scope)
-    , m_mode(new QComboBox(this))
+    , m_mode(new SnugComboBox(kMostLetters, this))
     , m_type(new SnugComboBox(kMostLetters, this))
     , m_source(new SnugComboBox(kMostLetters, this))
     , m_way(new QComboBox(this))
@@ -92,7 +93,8 @@ void TriggerBar::makeBar()
     for (int type = 0; type < kTriggerTypes; ++type)
         m_type->addItem(typeText(static_cast<TriggerType>(type)), type);
     m_level->setObjectName(QStringLiteral("triggerLevel"));
-    m_level->setFixedWidth(kLevelWidth);
+    m_level->setMinimumWidth(kLeastLevelWidth);
+    m_level->setMaximumWidth(kLevelWidth);
     const auto button = [](QToolButton *tool, const char *name, const QString &text,
                             const QString &says) {
         tool->setObjectName(QLatin1String(name));
@@ -116,6 +118,7 @@ void TriggerBar::makeBar()
              m_mode, m_single, m_force, m_type, m_source, m_way, m_level, m_more})
         flow->addWidget(widget);
     layout->addWidget(fields, 1);
+    m_state->setMinimumHeight(m_mode->sizeHint().height()); // beside the first line
     layout->addWidget(m_state, 0, Qt::AlignTop);
 
     connect(m_mode, &QComboBox::activated, this, [this](int index) {

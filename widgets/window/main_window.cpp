@@ -53,6 +53,8 @@ namespace {
 constexpr int kRegisterWidth = 304;
 constexpr int kRegisterMinimum = 240;
 constexpr int kControlWidth = 268;
+constexpr int kCrowdedHeight =
+    480; ///< of plots and what is around them, when cursors are read as well
 constexpr int kLayoutVersion = 1;
 
 /// A green disc while the picture runs, a red square while it is held: told apart by shape, too.
@@ -315,6 +317,11 @@ QWidget *MainWindow::makeCentre()
     auto *strip = new ChannelStrip(*m_selection, m_device, centre);
     layout->addWidget(strip);
     connect(&m_workbench, &Workbench::heartbeat, strip, &ChannelStrip::measure);
+    strip->foldWhen([this, picture] {
+        return m_scope->cursors().visible() && picture->height() < kCrowdedHeight;
+    });
+    connect(&m_scope->cursors(), &Cursors::changed, strip, &ChannelStrip::room);
+    connect(m_scope, &ScopeView::drawn, strip, &ChannelStrip::room);
     connect(&m_device, &Device::openWished, strip,
         [this, strip] { strip->setVisible(!replaying(m_device)); });
     m_bigNumbers = new BigNumbers(m_device, m_workbench.registers(), centre);
