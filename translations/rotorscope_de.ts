@@ -179,6 +179,46 @@
     </message>
 </context>
 <context>
+    <name>Colors</name>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Vermilion</source>
+        <translation>Zinnober</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Purple</source>
+        <translation>Purpur</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>Himmelblau</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gelb</translation>
+    </message>
+    <message>
+        <source>Ink</source>
+        <translation>Tinte</translation>
+    </message>
+    <message>
+        <source>By &amp;itself</source>
+        <comment>a colour is chosen</comment>
+        <translation>Von &amp;selbst</translation>
+    </message>
+</context>
+<context>
     <name>Confirmation</name>
     <message>
         <source>Type %1 to go on:</source>
@@ -2323,6 +2363,14 @@
     <message>
         <source>Folds the chips away: more room for the plots</source>
         <translation>Klappt die Plättchen ein: mehr Platz für die Kurven</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>&amp;Farbe</translation>
+    </message>
+    <message>
+        <source>&amp;Formula…</source>
+        <translation>&amp;Formel…</translation>
     </message>
 </context>
 <context>
@@ -6142,6 +6190,10 @@ mN·m</translation>
     <message>
         <source>Whole recording below	O</source>
         <translation>Ganze Aufzeichnung darunter	O</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Farben</translation>
     </message>
 </context>
 <context>

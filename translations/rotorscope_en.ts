@@ -179,6 +179,46 @@
     </message>
 </context>
 <context>
+    <name>Colors</name>
+    <message>
+        <source>Blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vermilion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Purple</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By &amp;itself</source>
+        <comment>a colour is chosen</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Confirmation</name>
     <message>
         <source>Type %1 to go on:</source>
@@ -2322,6 +2362,14 @@
     </message>
     <message>
         <source>Folds the chips away: more room for the plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Formula…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6135,6 +6183,10 @@ mN·m</source>
     </message>
     <message>
         <source>Whole recording below	O</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -8,6 +8,7 @@
 
 #include <QActionGroup>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QCoreApplication>
 #include <QDragEnterEvent>
 #include <QHBoxLayout>
@@ -72,6 +73,9 @@ public:
     {
     }
 
+    /// What a right click or the menu key on the chip shows.
+    void setMenu(QMenu *menu) { m_menu = menu; }
+
     /// The name, `tag` beside it, and the button that takes it off the scope, which is returned.
     QToolButton *fill(const QString &name, QToolButton *tag)
     {
@@ -92,6 +96,13 @@ public:
     }
 
 protected:
+    void contextMenuEvent(QContextMenuEvent *event) override
+    {
+        if (m_menu)
+            m_menu->popup(event->reason() == QContextMenuEvent::Mouse
+                    ? event->globalPos()
+                    : mapToGlobal(rect().bottomLeft()));
+    }
     void paintEvent(QPaintEvent *) override
     {
         QPainter painter(this);
@@ -107,6 +118,7 @@ protected:
 
 private:
     QColor m_color;
+    QMenu *m_menu = nullptr;
 };
 
 } // namespace
@@ -200,6 +212,10 @@ void ChannelStrip::fillRates()
         m_rate->addItem(text, every);
     }
     m_rate->setEnabled(tickHz > 0.0);
+    const bool readOnly =
+        m_device.identified() && !(tickHz > 0.0); // the board records nothing by itself
+    m_rate->setVisible(!readOnly);
+    m_rateLabel->setVisible(!readOnly);
     m_rate->setCurrentIndex(m_rate->findData(m_selection.fastEvery()));
 }
 
@@ -234,7 +250,14 @@ QWidget *ChannelStrip::makeChip(const PlannedSignal &planned)
         connect(action, &QAction::triggered, this,
             [this, id, chosen = route] { m_selection.setRoute(id, chosen); });
     }
+    menu->addSeparator();
+    QMenu *colors = menu->addMenu(tr("&Colour"));
+    connect(colors, &QMenu::aboutToShow, colors, [this, id, colors] {
+        colors->clear();
+        m_selection.fillColors(*colors, id);
+    });
     tag->setMenu(menu);
+    chip->setMenu(menu);
 
     QToolButton *remove = chip->fill(name, tag);
     connect(
@@ -282,6 +305,16 @@ QWidget *ChannelStrip::makeComputedChip(const Computed &computed)
     tag->setAccessibleName(tr("How %1 is computed").arg(name));
     tag->setToolTip(plainToolTip(computed.formula));
     connect(tag, &QToolButton::clicked, this, [this, name] { Q_EMIT computedChosen(name); });
+    auto *menu = new QMenu(chip);
+    connect(menu->addAction(tr("&Formula\u2026")), &QAction::triggered, this,
+        [this, name] { Q_EMIT computedChosen(name); });
+    QMenu *colors = menu->addMenu(tr("&Colour"));
+    connect(colors, &QMenu::aboutToShow, colors, [colors, fill = computed.fillColors] {
+        colors->clear();
+        if (fill)
+            fill(*colors);
+    });
+    chip->setMenu(menu);
     QToolButton *remove = chip->fill(name, tag);
     connect(
         remove, &QToolButton::clicked, this, [this, name] { Q_EMIT computedRemoved(name); },

@@ -8,8 +8,11 @@
 
 #include <QWidget>
 
+#include <functional>
+
 class QComboBox;
 class QLabel;
+class QMenu;
 class QToolButton;
 
 namespace widgets {
@@ -24,7 +27,11 @@ public:
         QString name;
         QString formula;
         QColor color;
-        bool operator==(const Computed &) const = default;
+        std::function<void(QMenu &)> fillColors; ///< those to choose from
+        bool operator==(const Computed &other) const
+        {
+            return name == other.name && formula == other.formula && color == other.color;
+        }
     };
 
     ChannelStrip(SignalSelection &selection, Device &device, QWidget *parent = nullptr);

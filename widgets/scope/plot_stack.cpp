@@ -17,6 +17,7 @@ constexpr int kTimeLabelWidth = 90; ///< pixels
 constexpr int kValueLabelHeight = 32;
 constexpr int kMostTicks = 10;
 constexpr int kAboveLegend = 4;
+constexpr qsizetype kMostChosen = 500; ///< colours that are remembered
 } // namespace
 
 PlotStack::PlotStack(QCustomPlot &plot, const capture::Capture &capture)
@@ -167,6 +168,9 @@ void PlotStack::labelAxes(ScopePlot &plot)
 
 int PlotStack::slotFor(const capture::ChannelInfo &channel)
 {
+    const auto chosen = m_chosen.constFind(QString::fromStdString(channel.name));
+    if (chosen != m_chosen.constEnd())
+        return *chosen;
     const auto known = m_slots.find(channel.registerId);
     if (known != m_slots.end())
         return known->second;
@@ -265,6 +269,25 @@ QColor PlotStack::colorOf(capture::ChannelId channel) const
 {
     const Trace *shown = trace(channel);
     return shown ? traceColor(shown->colorSlot, isDark(m_palette)) : QColor();
+}
+
+void PlotStack::setColor(capture::ChannelId channel, std::optional<int> slot)
+{
+    const Trace *shown = trace(channel);
+    if (!shown)
+        return;
+    const capture::ChannelInfo info = shown->info;
+    const QString name = QString::fromStdString(info.name);
+    m_slots.erase(info.registerId);
+    m_chosen.remove(name);
+    if (slot && m_chosen.size() < kMostChosen)
+        m_chosen[name] = std::clamp(*slot, 0, kTraceColors - 1);
+    for (const auto &plot : m_plots) {
+        for (Trace &each : plot->traces)
+            if (each.info.name == info.name)
+                each.colorSlot = slotFor(each.info);
+        labelAxes(*plot);
+    }
 }
 
 std::optional<double> PlotStack::newestSample() const

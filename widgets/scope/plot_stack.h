@@ -5,6 +5,8 @@
 
 #include "widgets/scope/scope_plot.h"
 
+#include <QMap>
+
 #include <map>
 #include <memory>
 
@@ -36,6 +38,10 @@ public:
     std::vector<capture::ChannelId> channels() const;
     int plotOf(capture::ChannelId channel) const;
     QColor colorOf(capture::ChannelId channel) const;
+    /// By a person, for every signal of this name; empty: one is found for it again.
+    void setColor(capture::ChannelId channel, std::optional<int> slot);
+    void setChosenColors(const QMap<QString, int> &slotsByName) { m_chosen = slotsByName; }
+    const QMap<QString, int> &chosenColors() const { return m_chosen; }
     std::optional<double> newestSample() const; ///< seconds; of the traces shown
     /// Follows registers into their new channels after the capture was cleared; drops those that have none.
     bool adoptChannels(); ///< true if anything changed
@@ -82,6 +88,7 @@ private:
     std::vector<std::unique_ptr<ScopePlot>> m_plots;
     std::map<catalog::RegisterId, int>
         m_slots; ///< a register keeps its colour, even while it is not shown
+    QMap<QString, int> m_chosen; ///< slots that a person chose, by the name of the signal
     QCPMarginGroup *m_margins = nullptr;
     QPalette m_palette;
     double m_origin = 0.0;

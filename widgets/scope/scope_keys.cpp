@@ -1,6 +1,8 @@
 // The scope's keys and its context menu: which wish each one is. What the wishes do is in the other parts of ScopeView.
+#include "widgets/scope/color_menu.h"
 #include "widgets/scope/plot_stack.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/scope/trace_colors.h"
 
 #include <QKeyEvent>
 #include <QMenu>
@@ -11,6 +13,9 @@ namespace {
 constexpr double kKeyZoom = 1.5;
 constexpr double kKeyPan = 0.1;
 constexpr int kShiftedNudge = 10; ///< samples
+
+/// A device's name is text, not a menu's shortcut mark.
+QString menuText(QString name) { return name.replace(QLatin1Char('&'), QLatin1String("&&")); }
 } // namespace
 
 void ScopeView::keyPressEvent(QKeyEvent *event)
@@ -130,19 +135,29 @@ void ScopeView::fillContextMenu(QMenu &menu, int plot)
     menu.addSeparator();
     menu.addAction(tr("Fit everything\tF"), this, &ScopeView::fitAll);
     menu.addAction(tr("Fit values\tShift+F"), this, &ScopeView::fitValues);
+    if (!channels().isEmpty()) {
+        menu.addSeparator();
+        QMenu *colors = menu.addMenu(tr("&Colours"));
+        for (const capture::ChannelId channel : channels())
+            fillColors(*colors->addMenu(menuText(nameOf(channel))), channel);
+    }
     if (plot < 0 || plot >= plotCount() || m_stack->plot(plot).traces.empty())
         return;
     menu.addSeparator();
     for (const Trace &trace : m_stack->plot(plot).traces) {
-        // A device's name is text, not a menu's shortcut mark.
-        QString name = QString::fromStdString(trace.info.name);
-        name.replace(QLatin1Char('&'), QLatin1String("&&"));
+        const QString name = menuText(QString::fromStdString(trace.info.name));
         const capture::ChannelId channel = trace.channel;
         menu.addAction(tr("Remove %1").arg(name), this, [this, channel] {
             removeChannel(channel);
             Q_EMIT removeRequested(channel);
         });
     }
+}
+
+void ScopeView::fillColors(QMenu &menu, capture::ChannelId channel)
+{
+    fillColorMenu(menu, chosenColor(channel), isDark(palette()),
+        [this, channel](std::optional<int> slot) { setColor(channel, slot); });
 }
 
 } // namespace widgets

@@ -117,6 +117,30 @@ int ScopeView::plotOf(capture::ChannelId channel) const { return m_stack->plotOf
 
 QColor ScopeView::colorOf(capture::ChannelId channel) const { return m_stack->colorOf(channel); }
 
+void ScopeView::setColor(capture::ChannelId channel, std::optional<int> slot)
+{
+    m_stack->setColor(channel, slot);
+    redraw();
+    Q_EMIT colorsChanged();
+    Q_EMIT channelsChanged();
+}
+
+std::optional<int> ScopeView::chosenColor(capture::ChannelId channel) const
+{
+    const Trace *trace = m_stack->trace(channel);
+    const auto &chosen = m_stack->chosenColors();
+    const auto found =
+        trace ? chosen.constFind(QString::fromStdString(trace->info.name)) : chosen.constEnd();
+    return found != chosen.constEnd() ? std::optional(*found) : std::nullopt;
+}
+
+QMap<QString, int> ScopeView::chosenColors() const { return m_stack->chosenColors(); }
+
+void ScopeView::setChosenColors(const QMap<QString, int> &slotsByName)
+{
+    m_stack->setChosenColors(slotsByName);
+}
+
 ScopeView::TimeRange ScopeView::visibleRange() const { return m_range; }
 
 double ScopeView::timeStep() const { return m_stack->timeStep(); }

@@ -10,6 +10,7 @@
 #include "widgets/scope/trigger_marks.h"
 
 #include <QElapsedTimer>
+#include <QMap>
 #include <QTimer>
 #include <QWidget>
 
@@ -47,6 +48,13 @@ public:
     int plotCount() const;
     int plotOf(capture::ChannelId channel) const; ///< -1 if it is not shown
     QColor colorOf(capture::ChannelId channel) const;
+    /// A slot of trace_colors.h for every signal of this name; empty: one is found for it again.
+    void setColor(capture::ChannelId channel, std::optional<int> slot);
+    std::optional<int> chosenColor(capture::ChannelId channel) const; ///< by a person
+    QMap<QString, int> chosenColors() const; ///< slots by the names of signals
+    void setChosenColors(const QMap<QString, int> &slotsByName); ///< before a channel is added
+    /// The colours to choose from, for a channel that is shown.
+    void fillColors(QMenu &menu, capture::ChannelId channel);
 
     struct TimeRange {
         double from = 0.0, to = 1.0; ///< seconds on the session's axis
@@ -137,6 +145,7 @@ Q_SIGNALS:
     void captureAdvanced(); ///< there may be new samples; before they are drawn
     void channelMoved(quint32 channel); ///< to another plot
     void referencesChanged(); ///< hasReference()
+    void colorsChanged(); ///< by a person
     void channelsChanged(); ///< what is shown, or in which channel a register is
     void triggerLevelMoved(int level, double value); ///< by a person, in the source's unit
     void triggerPositionMoved(double seconds); ///< by a person

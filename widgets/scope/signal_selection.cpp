@@ -36,6 +36,7 @@ SignalSelection::SignalSelection(
     connect(&device, &Device::openWished, this, &SignalSelection::opened);
     connect(&device, &Device::identityChanged, this, &SignalSelection::boardChanged);
     connect(&device, &Device::readingsArrived, this, &SignalSelection::takeReadings);
+    connect(&scope, &ScopeView::colorsChanged, this, &SignalSelection::changed);
     connect(&device, &Device::streamStarted, this, [this](const capture::StreamLayout &layout) {
         m_capture.begin(layout);
         syncScope();
@@ -86,6 +87,13 @@ QColor SignalSelection::colorOf(catalog::RegisterId id) const
 {
     const auto channel = channelOf(id);
     return channel && m_scope.plotOf(*channel) >= 0 ? m_scope.colorOf(*channel) : QColor();
+}
+
+void SignalSelection::fillColors(QMenu &menu, catalog::RegisterId id)
+{
+    const auto channel = channelOf(id);
+    if (channel && m_scope.plotOf(*channel) >= 0)
+        m_scope.fillColors(menu, *channel);
 }
 
 void SignalSelection::addDefaults()

@@ -166,6 +166,7 @@ Settings MainWindow::settings() const
     now.samplesOnDiskGB = m_room->wanted();
     now.recordFolder = m_record->folder();
     now.formulas = m_math->formulas();
+    now.traceColors = m_scope->chosenColors();
     return now;
 }
 

@@ -28,6 +28,7 @@ void MainWindow::makeScopeTools()
         [this] { return new MeasurePanel(*m_scope, m_workbench.capture(), *m_trigger, this); });
     addTool(tr("Spectrum"), "spectrumDock", Qt::CTRL | Qt::Key_0,
         [this] { return new SpectrumPanel(*m_scope, m_workbench.capture(), m_device, this); });
+    m_scope->setChosenColors(m_settings.traceColors); // before anything is drawn
     m_math->setPolled([this] { return m_selection->plan().polled; });
     m_math->setFormulas(m_settings.formulas);
     QAction *openMath = addTool(tr("Math"), "mathDock", Qt::CTRL | Qt::SHIFT | Qt::Key_M,
@@ -54,7 +55,12 @@ void MainWindow::showComputedChips(QAction *openMath)
         for (const MathChannels::Entry &entry : m_math->entries()) {
             const QColor color = m_math->colorOf(entry.formula.name);
             if (color.isValid())
-                computed.append({entry.formula.name, entry.formula.text, color});
+                computed.append({entry.formula.name, entry.formula.text, color,
+                    [this, name = entry.formula.name](QMenu &menu) {
+                        for (const MathChannels::Entry &now : m_math->entries())
+                            if (now.formula.name == name)
+                                m_scope->fillColors(menu, now.channel);
+                    }});
         }
         strip->setComputed(computed);
     };

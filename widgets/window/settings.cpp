@@ -1,5 +1,7 @@
 #include "widgets/window/settings.h"
 
+#include "widgets/scope/trace_colors.h"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -79,6 +81,10 @@ QByteArray toJson(const Settings &settings)
     object[QStringLiteral("pinned")] = QJsonArray::fromStringList(settings.pinned);
     object[QStringLiteral("inertias")] = numbersObject(settings.inertias);
     object[QStringLiteral("currentScales")] = numbersObject(settings.currentScales);
+    QJsonObject colors;
+    for (auto each = settings.traceColors.begin(); each != settings.traceColors.end(); ++each)
+        colors[each.key()] = each.value();
+    object[QStringLiteral("traceColors")] = colors;
     object[QStringLiteral("registerColumns")] =
         QJsonArray::fromStringList(settings.registerColumns);
     object[QStringLiteral("maxSpeedRpm")] = settings.maxSpeedRpm;
@@ -113,6 +119,10 @@ Settings settingsFromJson(const QByteArray &json)
     }
     settings.inertias = numbersOf(object[QStringLiteral("inertias")].toObject());
     settings.currentScales = numbersOf(object[QStringLiteral("currentScales")].toObject());
+    const QJsonObject colors = object[QStringLiteral("traceColors")].toObject();
+    for (auto each = colors.begin(); each != colors.end(); ++each)
+        if (const int slot = each.value().toInt(-1); slot >= 0 && slot < kTraceColors)
+            settings.traceColors[each.key()] = slot;
     if (object[QStringLiteral("registerColumns")].isArray()) {
         settings.registerColumns.clear();
         const QJsonArray names = object[QStringLiteral("registerColumns")].toArray();

@@ -30,6 +30,7 @@ struct Settings {
     QMap<QString, double> inertias; ///< of rotor and load in kg m2, by the motor's name
     QMap<QString, double>
         currentScales; ///< full scale in A, by board and port, where boards do not tell
+    QMap<QString, int> traceColors; ///< slots that a person chose, by the names of signals
     QStringList registerColumns{QStringLiteral("value"), QStringLiteral("raw")};
     double maxSpeedRpm = 0.0; ///< a person's own limits; 0: none
     double maxCurrentAmps = 0.0;
