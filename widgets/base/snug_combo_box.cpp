@@ -17,7 +17,6 @@ SnugComboBox::SnugComboBox(int most, QWidget *parent)
     : QComboBox(parent)
     , m_most(most)
 {
-    view()->setTextElideMode(Qt::ElideNone);
     connect(this, &QComboBox::currentTextChanged, this, &SnugComboBox::updateGeometry);
 }
 
@@ -40,6 +39,7 @@ QSize SnugComboBox::sizeFor(int most) const
 
 void SnugComboBox::showPopup()
 {
+    view()->setTextElideMode(Qt::ElideNone); // the list is made with the first question for it
     const int words =
         view()->sizeHintForColumn(0) + view()->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
     view()->setMinimumWidth(std::max(words, QComboBox::sizeHint().width()));

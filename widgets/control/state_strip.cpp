@@ -90,8 +90,10 @@ void StateStrip::describe()
 QSize StateStrip::sizeHint() const
 {
     const int rows = (static_cast<int>(m_steps.size()) + kColumns - 1) / kColumns;
+    if (rows == 0)
+        return {kColumns * 76, 0};
     const int height = QFontMetrics(smallFont(font(), true)).height() + kPadding;
-    return {kColumns * 76, rows == 0 ? 0 : rows * (height + kGap) - kGap};
+    return {kColumns * 76, rows * (height + kGap) - kGap};
 }
 
 QRect StateStrip::cellRect(std::size_t step) const

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
 namespace widgets {
 
@@ -437,6 +438,12 @@ void PlotStack::makeRoom(ScopePlot &plot) const
 
 void PlotStack::layOut()
 {
+    // How many ticks have room is asked of the plots as they are laid out: of a new size they have to be first.
+    if (const QRect now = m_plot.viewport(); now != std::exchange(m_laidOut, now)) {
+        for (const auto phase : {QCPLayoutElement::upPreparation, QCPLayoutElement::upMargins,
+                 QCPLayoutElement::upLayout})
+            m_plot.plotLayout()->update(phase);
+    }
     plot(0).legend->setNote(timePerDivision(timeStep(), m_plot.locale()));
     for (const auto &plot : m_plots) {
         plot->timeAxis()->ticker().dynamicCast<AxisTicker>()->setMost(timeTicks());

@@ -93,6 +93,7 @@ private:
     QPalette m_palette;
     double m_origin = 0.0;
     int m_leastLeft = 8; ///< pixels
+    QRect m_laidOut; ///< the viewport that the plots were laid out for
     bool m_grid = true;
 };
 

@@ -7,6 +7,7 @@
 #include "widgets/scope/scope_overview.h"
 #include "widgets/scope/stale_mark.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QLabel>
 #include <QRubberBand>
@@ -54,6 +55,8 @@ ScopeView::ScopeView(capture::Capture &capture, QWidget *parent)
     layout->addWidget(m_lane);
     layout->addWidget(m_plot, 1);
     layout->addWidget(m_overview);
+    // It has nothing of ours, and with a buffer of its own it would be cleared and drawn over every picture.
+    m_plot->layer(QStringLiteral("overlay"))->setMode(QCPLayer::lmLogical);
     m_plot->setFocusProxy(this);
     m_hint->setText(tr("Drag a signal here, or select one in the tree and press Enter"));
     m_hint->setTextFormat(Qt::PlainText);
@@ -71,6 +74,10 @@ ScopeView::ScopeView(capture::Capture &capture, QWidget *parent)
     m_stack->setLeastLeft(m_lane->nameWidth());
     applyRange(m_range);
     updateDescription();
+    // The first resize event plots. What QCustomPlot queued when it was made, and the frame that the locale asked for,
+    // would do so twice more, and paint the whole view again, right after the first picture.
+    QCoreApplication::removePostedEvents(m_plot, QEvent::MetaCall);
+    m_frame.stop();
 }
 
 ScopeView::~ScopeView()

@@ -60,7 +60,6 @@ TriggerBar::TriggerBar(TriggerControl &control, ScopeView &scope, QWidget *paren
     , m_force(new QToolButton(this))
     , m_more(new QToolButton(this))
     , m_state(new QLabel(this))
-    , m_details(makeDetails())
 {
     setObjectName(QStringLiteral("triggerBar"));
     makeBar();
@@ -76,8 +75,6 @@ void TriggerBar::makeBar()
         box->setObjectName(QLatin1String(name));
         box->setAccessibleName(says);
         box->setToolTip(says);
-        box->view()->setTextElideMode(Qt::ElideNone);
-        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
         new WheelGuard(box);
     };
     choice(m_mode, "triggerMode",
@@ -86,6 +83,7 @@ void TriggerBar::makeBar()
     choice(m_type, "triggerType", tr("What the trigger waits for"));
     choice(m_source, "triggerSource", tr("The trace that is watched"));
     choice(m_way, "triggerWay", {});
+    m_way->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_mode->setAccessibleName(tr("Mode of the trigger"));
     using scope::Mode;
     for (const Mode mode : {Mode::Roll, Mode::Auto, Mode::Normal, Mode::Single})
@@ -283,12 +281,32 @@ void TriggerBar::follow()
     const double step = source && source->kind != capture::ChannelInfo::Kind::Polled
         ? std::abs(source->factor)
         : 0.001;
-    for (ValueEdit *edit : {m_level, m_upper, m_hysteresis})
-        edit->setPlain(unit, step);
+    m_level->setPlain(unit, step);
     m_level->setValue(setup.level);
     m_level->setAccessibleName(levelName(setup.type));
     m_level->setToolTip(
         tr("%1; also the arrow at the right edge of the plot").arg(levelName(setup.type)));
+
+    const auto shown = [](QWidget *widget, bool visible) { widget->setVisible(visible); };
+    shown(m_type, on);
+    shown(m_force, on);
+    shown(m_more, on);
+    shown(m_source, on && fields.source);
+    shown(m_way, on && fields.ways);
+    shown(m_level, on && fields.source);
+    if (on && !m_details)
+        m_details = makeDetails(); // the button that opens them is shown from here on
+    if (m_details)
+        followDetails(unit, step);
+    showState();
+}
+
+void TriggerBar::followDetails(const QString &unit, double step)
+{
+    const TriggerSetup &setup = m_control.setup();
+    const TriggerFields fields = fieldsOf(setup.type);
+    for (ValueEdit *edit : {m_upper, m_hysteresis})
+        edit->setPlain(unit, step);
     m_upper->setValue(setup.upper);
     m_hysteresis->setValue(setup.hysteresis);
     m_inside->setCurrentIndex(setup.outside ? 1 : 0);
@@ -301,13 +319,6 @@ void TriggerBar::follow()
     m_holdOff->setValue(setup.holdOff);
     m_length->setValue(setup.length);
 
-    const auto shown = [](QWidget *widget, bool visible) { widget->setVisible(visible); };
-    shown(m_type, on);
-    shown(m_force, on);
-    shown(m_more, on);
-    shown(m_source, on && fields.source);
-    shown(m_way, on && fields.ways);
-    shown(m_level, on && fields.source);
     const auto row = [this](QWidget *field, bool visible) {
         m_form->labelForField(field)->setVisible(visible);
         field->setVisible(visible);
@@ -323,7 +334,6 @@ void TriggerBar::follow()
     m_problem->setText(m_control.error() ? conditionErrorText(*m_control.error()) : QString());
     m_problem->setVisible(m_control.error().has_value());
     m_details->adjustSize();
-    showState();
 }
 
 void TriggerBar::showState()

@@ -34,6 +34,7 @@ private:
     void makeBar();
     QWidget *makeDetails();
     void follow();
+    void followDetails(const QString &unit, double step);
     void fillSources();
     void fillWays();
     void showState();
@@ -51,7 +52,9 @@ private:
     QToolButton *m_force;
     QToolButton *m_more;
     QLabel *m_state;
-    QFormLayout *m_form = nullptr; ///< of m_details
+    QWidget *m_details =
+        nullptr; ///< made with the first mode that has some, and with it what is below
+    QFormLayout *m_form = nullptr;
     ValueEdit *m_upper = nullptr;
     ValueEdit *m_hysteresis = nullptr;
     ValueEdit *m_least = nullptr;
@@ -64,7 +67,6 @@ private:
     ValueEdit *m_length = nullptr;
     QPushButton *m_middle = nullptr;
     QLabel *m_problem = nullptr;
-    QWidget *m_details; ///< made last: it fills in those above
     QString m_sourcesShown; ///< what fillSources() last made, to leave an open list alone
 };
 

@@ -184,8 +184,8 @@ void ConnectBar::refreshPorts()
     if (!m_pathBefore.isEmpty())
         return; // the name of a recording stands in the place of a port
     fillPorts(session::portChoices(m_source));
-    m_port->setSizeAdjustPolicy(
-        QComboBox::AdjustToContents); // the list may have come after the first picture
+    // The box may have been laid out before it had its ports.
+    m_port->setSizeAdjustPolicy(QComboBox::AdjustToContents);
 }
 
 void ConnectBar::fillPorts(const QList<session::PortChoice> &choices)

@@ -32,8 +32,8 @@ public:
 public Q_SLOTS:
     void connectOrDisconnect(); ///< Ctrl+D
     void disconnectNow(); ///< whatever the motors do
-    void
-    refreshPorts(); ///< asks the system: some ten milliseconds; until then only simulated boards are listed
+    /// Asks the system, which takes some ten milliseconds; until then only simulated boards are listed.
+    void refreshPorts();
     void openSimulator();
     void openReplay(const QString &path); ///< of a recording; nothing while connected
     void focusPort();

@@ -314,7 +314,13 @@ QWidget *MainWindow::makeCentre()
     layout->addWidget(trigger);
     connect(&m_workbench, &Workbench::heartbeat, trigger, &TriggerBar::refreshAge);
     layout->addWidget(m_scope, 1);
-    layout->addWidget(new CursorPanel(*m_scope, m_workbench.capture(), centre));
+    // Made when cursors are first shown.
+    connect(
+        &m_scope->cursors(), &Cursors::changed, picture,
+        [this, picture, layout, place = layout->count()] {
+            layout->insertWidget(place, new CursorPanel(*m_scope, m_workbench.capture(), picture));
+        },
+        Qt::SingleShotConnection);
     auto *strip = new ChannelStrip(*m_selection, m_device, centre);
     layout->addWidget(strip);
     connect(&m_workbench, &Workbench::heartbeat, strip, &ChannelStrip::measure);

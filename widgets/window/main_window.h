@@ -71,8 +71,7 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void closed(); ///< the window has agreed to close
-    void
-    settled(); ///< once, soon after the first picture: the time for what that picture does without
+    void settled(); ///< once, soon after the first picture, which does without what comes then
 
 protected:
     void closeEvent(QCloseEvent *event) override;
