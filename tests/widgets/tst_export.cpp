@@ -156,11 +156,16 @@ private Q_SLOTS:
         const QImage image(png);
         QCOMPARE(image.size(), size);
         QVERIFY(hasTraceIn(image));
+        const auto seen = scope()->visibleRange();
+        scope()->events().add(
+            widgets::EventKind::Marker, (seen.from + seen.to) / 2, QStringLiteral("look here"));
         const QString svg = m_folder.filePath(QStringLiteral("a.svg"));
         exportAs(ExportFormat::Svg, kEverything, svg);
         QFile text(svg);
         QVERIFY(text.open(QIODevice::ReadOnly));
-        QVERIFY(!text.readAll().contains("<image")); // shapes, at any size
+        const QByteArray shapes = text.readAll();
+        QVERIFY(!shapes.contains("<image")); // shapes, at any size
+        QVERIFY(shapes.contains("look here")); // with the events, as on the screen
         QImage drawn(svg);
         QVERIFY(!drawn.isNull());
         QVERIFY(traceShare(drawn) > 0.1);

@@ -16,6 +16,8 @@ public:
     /// Both outlive it.
     MotionLogPanel(MotionLogModel &log, FilePrompt &files, QWidget *parent = nullptr);
 
+    double heightShare() const override { return 0.3; } // the traces are what is looked at
+
 public Q_SLOTS:
     void copy(); ///< the selected rows, or all, into the clipboard
     void save(); ///< asks for a file

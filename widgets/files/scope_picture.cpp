@@ -8,7 +8,6 @@
 #include <QPdfWriter>
 #include <QPixmap>
 #include <QSvgGenerator>
-#include <qcustomplot.h>
 
 namespace widgets {
 namespace {
@@ -20,7 +19,7 @@ QByteArray svgOf(ScopeView &scope)
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     QSvgGenerator svg;
-    const QSize size = scope.plotWidget().size();
+    const QSize size = scope.shapesSize();
     svg.setOutputDevice(&buffer);
     svg.setResolution(kDotsPerInch);
     svg.setSize(size);
@@ -37,7 +36,7 @@ QByteArray pdfOf(ScopeView &scope)
     {
         QPdfWriter pdf(&buffer);
         pdf.setResolution(kDotsPerInch);
-        const QSizeF points = QSizeF(scope.plotWidget().size()) * 72.0 / kDotsPerInch;
+        const QSizeF points = QSizeF(scope.shapesSize()) * 72.0 / kDotsPerInch;
         pdf.setPageSize(QPageSize(points, QPageSize::Point));
         pdf.setPageMargins(QMarginsF());
         scope.drawShapes(pdf);

@@ -100,6 +100,17 @@ const EventLane::Cluster *EventLane::at(const std::vector<Cluster> &all, double 
 void EventLane::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
+    paintOn(painter);
+    if (!hasFocus())
+        return;
+    painter.setPen(palette().color(QPalette::Highlight));
+    painter.drawRect(lane().adjusted(0, 0, 0, -1));
+}
+
+void EventLane::paintOn(QPainter &painter) const
+{
+    painter.save();
+    painter.setFont(font());
     painter.fillRect(rect(), palette().color(QPalette::Base));
     const QRect area = lane();
     painter.setPen(palette().color(QPalette::Disabled, QPalette::Text));
@@ -111,11 +122,7 @@ void EventLane::paintEvent(QPaintEvent *)
     const std::vector<Cluster> all = clusters();
     for (std::size_t i = 0; i < all.size(); ++i)
         paintCluster(painter, all[i], i + 1 < all.size() ? all[i + 1].x : area.right() + kSign);
-    if (hasFocus()) {
-        painter.setClipping(false);
-        painter.setPen(palette().color(QPalette::Highlight));
-        painter.drawRect(area.adjusted(0, 0, 0, -1));
-    }
+    painter.restore();
 }
 
 void EventLane::paintCluster(QPainter &painter, const Cluster &cluster, double end) const

@@ -15,7 +15,7 @@ namespace widgets {
 
 namespace {
 constexpr int kTimeLabelWidth = 90; ///< pixels
-constexpr int kValueLabelHeight = 32;
+constexpr int kValueLabelHeight = 26;
 constexpr int kMostTicks = 10;
 constexpr int kAboveLegend = 4;
 constexpr qsizetype kMostChosen = 500; ///< colours that are remembered

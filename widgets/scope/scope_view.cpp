@@ -258,10 +258,17 @@ void ScopeView::drawFrame()
     Q_EMIT drawn();
 }
 
+QSize ScopeView::shapesSize() const
+{
+    return {m_plot->width(), m_lane->height() + m_plot->height()};
+}
+
 void ScopeView::drawShapes(QPaintDevice &device)
 {
     QCPPainter painter(&device);
     painter.setMode(QCPPainter::pmVectorized);
+    m_lane->paintOn(painter);
+    painter.translate(0, m_lane->height());
     m_plot->toPainter(&painter, m_plot->width(), m_plot->height());
     m_overlay->paintOn(painter);
 }
