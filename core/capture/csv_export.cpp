@@ -49,46 +49,39 @@ char *writeNumber(char *at, double value, char decimal)
     return withDecimal(at, std::to_chars(at, at + kNumberWidth, value).ptr, decimal);
 }
 
-constexpr auto kPairs = [] {
-    std::array<std::array<char, 2>, 100> pairs{};
-    for (std::size_t i = 0; i < 100; ++i)
-        pairs[i] = {static_cast<char>('0' + i / 10), static_cast<char>('0' + i % 10)};
-    return pairs;
-}();
-
-void writePair(char *at, std::uint32_t number) { std::memcpy(at, kPairs[number].data(), 2); }
-
 constexpr Nanos kSecond = 1'000'000'000;
 
-/// Where nine digits that are not all zeros end, from the point in front of them.
-char *withoutZeros(char *point)
+/// The digits of a number below 10^8, the first in the lowest byte: halves, then quarters, then digits side by side in
+/// one word, each by a multiplication that stands for a division.
+constexpr std::uint64_t eightDigits(std::uint32_t number)
 {
-    char *end = point + 10;
-    if constexpr (std::endian::native == std::endian::little) {
-        // Eight of them at once, the last in the highest byte: what a loop would find, without guessing how often it runs.
-        std::uint64_t last = 0;
-        std::memcpy(&last, end - sizeof last, sizeof last);
-        last ^= 0x3030303030303030U;
-        return end - (last != 0 ? std::countl_zero(last) / 8 : 8);
-    }
-    while (end[-1] == '0')
-        --end;
-    return end;
+    const std::uint64_t fours = number / 10'000 | std::uint64_t{number % 10'000} << 32;
+    const std::uint64_t hundreds =
+        (fours * 10486 >> 20) & 0x7F'0000'007FU; // / 100, exact below 10^4
+    const std::uint64_t twos = hundreds | (fours - 100 * hundreds) << 16;
+    const std::uint64_t tens = (twos * 103 >> 10) & 0x000F'000F'000F'000FU; // / 10, exact below 100
+    return tens | (twos - 10 * tens) << 8;
 }
+static_assert(eightDigits(12'345'678) == 0x08'07'06'05'04'03'02'01U);
+static_assert(eightDigits(99'999'999) == 0x09'09'09'09'09'09'09'09U);
 
-/// The digits behind the point, and it, if they are not all zeros.
+/// The digits behind the point, and it, if they are not all zeros; ends with the last that is not 0.
 char *writeFraction(char *at, Nanos nanos, char decimal)
 {
     const auto fraction = static_cast<std::uint32_t>(nanos);
     if (fraction == 0)
         return at;
-    *at = decimal;
-    at[1] = static_cast<char>('0' + fraction / 100'000'000);
-    writePair(at + 2, fraction / 1'000'000 % 100);
-    writePair(at + 4, fraction / 10'000 % 100);
-    writePair(at + 6, fraction / 100 % 100);
-    writePair(at + 8, fraction % 100);
-    return withoutZeros(at);
+    *at++ = decimal;
+    *at++ = static_cast<char>('0' + fraction / 100'000'000);
+    const std::uint64_t digits = eightDigits(fraction % 100'000'000);
+    if constexpr (std::endian::native == std::endian::little) {
+        const std::uint64_t text = digits | 0x3030303030303030U;
+        std::memcpy(at, &text, sizeof text);
+    } else {
+        for (int i = 0; i < 8; ++i)
+            at[i] = static_cast<char>('0' + (digits >> 8 * i & 0xF));
+    }
+    return at + (std::bit_width(digits) + 7) / 8;
 }
 
 /// Writes `time` at `at`, returns the end. The caller has kTimeWidth bytes ready.
@@ -140,45 +133,58 @@ Kind rowKind(const std::vector<Channel> &channels)
 }
 } // namespace
 
-/// 65536 codes need formatting once each: the table turns a number into the copy of one 16-byte entry.
+/// 65536 codes need formatting once each: the table turns a field into the copy of one 16-byte entry.
 class CsvWriter::CodeTexts {
 public:
-    CodeTexts(const Channel &channel, char decimal)
+    CodeTexts(const Channel &channel, const Marks &marks)
         : m_channel(channel)
-        , m_decimal(decimal)
+        , m_marks(marks)
         , m_entries(65536)
     {
     }
 
+    /// Phase currents, and those made of them, share a scale: one table for all of them stays in the cache.
+    bool serves(const Channel &channel) const
+    {
+        return channel.info().factor == m_channel.info().factor
+            && channel.info().offset == m_channel.info().offset;
+    }
+
     char *write(char *at, std::int16_t code)
     {
-        Entry &entry = m_entries[static_cast<std::uint16_t>(code)];
+        const Entry &entry = m_entries[static_cast<std::uint16_t>(code)];
         if (entry.size == 0)
-            fill(entry, code);
+            return writeNew(at, code);
         std::memcpy(at, &entry, kCodeWidth);
         return at + entry.size;
     }
 
 private:
     struct Entry {
-        std::array<char, kCodeWidth - 1> text{};
+        std::array<char, kCodeWidth - 1> text{}; ///< the separator first
         std::uint8_t size = 0;
     };
     static_assert(sizeof(Entry) == kCodeWidth);
 
-    void fill(Entry &entry, std::int16_t code) const
+    char *writeNew(char *at, std::int16_t code)
     {
-        // As float: 24 bits tell 65536 codes apart, and the text is a third shorter than a double's. The longest
-        // is a sign, nine digits, a point and e-38: 15 characters.
+        // As float: 24 bits tell 65536 codes apart, and the text is a third shorter than a double's.
         const auto value = static_cast<float>(m_channel.toShown(code));
-        const auto end =
-            std::to_chars(entry.text.data(), entry.text.data() + entry.text.size(), value);
-        withDecimal(entry.text.data(), end.ptr, m_decimal);
-        entry.size = static_cast<std::uint8_t>(end.ptr - entry.text.data());
+        *at = m_marks.separator;
+        char *const end = std::to_chars(at + 1, at + kColumnWidth, value).ptr;
+        withDecimal(at + 1, end, m_marks.decimal);
+        // A sign, nine digits, a point and e-38 with the separator have no room in the table: made each time.
+        const auto size = static_cast<std::size_t>(end - at);
+        Entry &entry = m_entries[static_cast<std::uint16_t>(code)];
+        if (size <= entry.text.size()) {
+            std::copy(at, end, entry.text.begin());
+            entry.size = static_cast<std::uint8_t>(size);
+        }
+        return end;
     }
 
     const Channel &m_channel;
-    const char m_decimal;
+    const Marks &m_marks;
     std::vector<Entry> m_entries;
 };
 
@@ -187,7 +193,7 @@ struct CsvWriter::Column {
     bool makesRows = false;
     Index next = 0; ///< first sample not yet used
     Index stop = 0; ///< one past the last in the range
-    std::unique_ptr<CodeTexts> texts; ///< fast channels only
+    std::shared_ptr<CodeTexts> texts; ///< fast channels only
     // A held value: its text and how long it holds.
     std::array<char, kNumberWidth> held{};
     std::size_t heldSize = 0;
@@ -266,8 +272,7 @@ CsvWriter::CsvWriter(Snapshot channels, CsvOptions options)
                 --column->next; // may still hold when the range starts
         }
         if (channel.fast())
-            column->texts =
-                std::make_unique<CodeTexts>(channel, marksOf(m_options.dialect).decimal);
+            column->texts = textsFor(channel);
         if (column->makesRows && column->stop > column->next)
             m_total += column->stop - column->next;
         m_columns.push_back(std::move(column));
@@ -275,6 +280,15 @@ CsvWriter::CsvWriter(Snapshot channels, CsvOptions options)
 }
 
 CsvWriter::~CsvWriter() = default;
+
+std::shared_ptr<CsvWriter::CodeTexts> CsvWriter::textsFor(const Channel &channel) const
+{
+    for (const auto &column : m_columns) {
+        if (column->texts && column->texts->serves(channel))
+            return column->texts;
+    }
+    return std::make_shared<CodeTexts>(channel, marksOf(m_options.dialect));
+}
 
 double CsvWriter::progress() const
 {
@@ -285,14 +299,21 @@ double CsvWriter::progress() const
 
 bool CsvWriter::next(std::string &text)
 {
-    text.clear();
+    std::size_t size = 0;
     if (!m_started) {
         m_started = true;
+        text.clear();
         writeHeading(text);
+        size = text.size();
     }
+    // A string clears what it grows by: from one piece to the next that is little, as it is not emptied in between.
+    const std::size_t end = size + kPiece;
+    text.resize(end + kMostRowsARun * (kTimeWidth + m_columns.size() * kColumnWidth + 2));
+    char *at = text.data() + size;
     Run run;
-    while (text.size() < kPiece && plan(run))
-        writeRun(run, text);
+    while (at < text.data() + end && plan(run))
+        at = writeRun(run, at);
+    text.resize(static_cast<std::size_t>(at - text.data()));
     return !text.empty();
 }
 
@@ -355,17 +376,23 @@ bool CsvWriter::plan(Run &run) const
     return true;
 }
 
-void CsvWriter::writeRun(const Run &run, std::string &text)
+/// @param at  has room for kMostRowsARun rows
+char *CsvWriter::writeRun(const Run &run, char *at)
 {
     if (!m_zero)
         m_zero = m_options.zero == CsvOptions::Zero::FirstRow ? run.time : 0;
     m_fields.clear();
+    m_codes.resize(m_columns.size() * kMostRowsARun);
     for (std::size_t i = 0; i < m_columns.size(); ++i) {
         Column &column = *m_columns[i];
         Field field{&column, nullptr, nullptr, run.there[i]};
         if (run.there[i] && column.texts) {
             field.texts = column.texts.get();
-            field.codes = column.channel->fast()->codes(column.next, run.count).data();
+            // Copied: the columns lie whole chunks apart, and would push each other out of the processor's first cache.
+            const auto codes = column.channel->fast()->codes(column.next, run.count);
+            std::int16_t *const copy = m_codes.data() + i * kMostRowsARun;
+            std::copy_n(codes.data(), run.count, copy);
+            field.codes = copy;
         }
         m_fields.push_back(field);
     }
@@ -376,11 +403,6 @@ void CsvWriter::writeRun(const Run &run, std::string &text)
     const Nanos step = segment ? picoKilo / segment->base.milliHz : 0;
 
     const Marks &marks = marksOf(m_options.dialect);
-    // Not into `text`: a string clears what it grows by.
-    const std::size_t room = run.count * (kTimeWidth + m_columns.size() * kColumnWidth + 2);
-    if (m_run.size() < room)
-        m_run.resize(room);
-    char *at = m_run.data();
     TimeTexts times(marks.decimal);
     Nanos time = run.time;
     for (std::size_t row = 0; row < run.count; ++row) {
@@ -388,17 +410,18 @@ void CsvWriter::writeRun(const Run &run, std::string &text)
             time = even ? time + step : segment->timeOf(run.first + row);
         at = times.write(at, time - *m_zero);
         for (const Field &field : m_fields) {
-            *at++ = marks.separator;
-            if (field.codes)
+            if (field.codes) {
                 at = field.texts->write(at, field.codes[row]);
-            else if (!field.column->makesRows)
+                continue;
+            }
+            *at++ = marks.separator;
+            if (!field.column->makesRows)
                 at = writeHeld(*field.column, time, marks.decimal, at);
             else if (field.there)
                 at = writeNumber(at, field.column->channel->at(field.column->next), marks.decimal);
         }
         at = std::copy(marks.lineEnd.begin(), marks.lineEnd.end(), at);
     }
-    text.append(m_run.data(), at);
     for (std::size_t i = 0; i < m_columns.size(); ++i) {
         if (run.there[i]) {
             m_columns[i]->next += run.count;
@@ -406,6 +429,7 @@ void CsvWriter::writeRun(const Run &run, std::string &text)
         }
     }
     m_rows += run.count;
+    return at;
 }
 
 /// The newest value at or before `time`; nothing before the first and where it does not hold any more.

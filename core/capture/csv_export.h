@@ -64,16 +64,17 @@ private:
     };
     struct Run; ///< rows that follow each other without a change of who is there
 
+    std::shared_ptr<CodeTexts> textsFor(const Channel &channel) const;
     void writeHeading(std::string &text) const;
     bool plan(Run &run) const;
-    void writeRun(const Run &run, std::string &text);
+    char *writeRun(const Run &run, char *at);
     static char *writeHeld(Column &column, Nanos time, char decimal, char *at);
 
     Snapshot m_channels;
     CsvOptions m_options;
     std::vector<std::unique_ptr<Column>> m_columns;
     std::vector<Field> m_fields; ///< of the run being written
-    std::vector<char> m_run; ///< its text, and room that is kept
+    std::vector<std::int16_t> m_codes; ///< of it, column by column
     bool m_started = false;
     std::optional<Nanos> m_zero;
     std::uint64_t m_rows = 0;

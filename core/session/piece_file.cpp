@@ -1,13 +1,18 @@
 #include "session/piece_file.h"
 
+#include "session/disk_room.h"
+
 #include <QFileInfo>
 #include <QSaveFile>
 
+#include <algorithm>
 #include <string_view>
 
 namespace session {
 
 namespace {
+
+constexpr qint64 kRoom = 16 << 20; ///< bytes asked for at a time
 
 /// A short write is no success: commit() would put a truncated file in place (Qt 6.4). Only writing the rest tells why.
 bool writeAll(QSaveFile &file, std::string_view text)
@@ -50,14 +55,21 @@ FileResult writePieces(const QString &path, const std::function<bool(std::string
         return result;
     }
     std::string piece;
+    qint64 reserved = 0;
     while (next(piece)) {
+        const auto size = static_cast<qint64>(piece.size());
+        if (result.bytes > 0 && result.bytes + size > reserved) { // not for a file of one piece
+            reserved = result.bytes + std::max(size, kRoom);
+            reserveRoom(file.handle(), result.bytes, reserved - result.bytes);
+        }
         if (!writeAll(file, piece))
             return failed(file, result, FileError::CannotWrite);
-        result.bytes += static_cast<qint64>(piece.size());
+        result.bytes += size;
         if (proceed && !proceed())
             return failed(file, result, FileError::Cancelled);
     }
-    if (!file.flush() || file.size() != result.bytes)
+    const bool whole = file.flush() && file.size() == result.bytes;
+    if (!whole || (reserved > 0 && !file.resize(result.bytes))) // gives back what was reserved
         return failed(file, result, FileError::CannotWrite);
     if (!file.commit()) {
         result.error = FileError::CannotReplace;

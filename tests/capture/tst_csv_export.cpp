@@ -12,7 +12,9 @@ class TestCsvExport : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void theFileLooksAsDocumented();
+    void everyCodeReadsBackAsItself_data();
     void everyCodeReadsBackAsItself();
+    void signalsOfAScaleKeepTheirOwnValues();
     void timesAreExactToTheTick();
     void lostRowsAreAbsent();
     void slowValuesAreHeldAndBlankWhereUnknown();
@@ -91,10 +93,17 @@ void TestCsvExport::theFileLooksAsDocumented()
                     "0.000125,-1.5,-3\n"));
 }
 
+void TestCsvExport::everyCodeReadsBackAsItself_data()
+{
+    QTest::addColumn<double>("factor");
+    // As boards have it, with no short decimal form.
+    QTest::newRow("of a current") << 3.3 / 65536.0 / 0.33 / 1.53;
+    QTest::newRow("with the longest texts there are") << 1.2345678901e-15;
+}
+
 void TestCsvExport::everyCodeReadsBackAsItself()
 {
-    // A factor as boards have it, with no short decimal form.
-    const double factor = 3.3 / 65536.0 / 0.33 / 1.53;
+    QFETCH(const double, factor);
     Capture capture;
     capture.begin(layout(1, {signal(1, factor)}));
     std::vector<std::int16_t> codes(65536);
@@ -109,6 +118,15 @@ void TestCsvExport::everyCodeReadsBackAsItself()
         QCOMPARE(value, static_cast<float>(codes[std::size_t(i)] * factor));
         QCOMPARE(std::lround(double(value) / factor), long(codes[std::size_t(i)]));
     }
+}
+
+void TestCsvExport::signalsOfAScaleKeepTheirOwnValues()
+{
+    Capture capture;
+    capture.begin(layout(1, {signal(1, 0.5), signal(2, -0.1), signal(3, 0.5)}));
+    capture.append(block(1, 0, 2, {1, 2, 1, 2, -1, 2}));
+    QCOMPARE(textOf(allOf(capture)),
+        std::string("time [s],R1 [A],R2 [A],R3 [A]\n0,0.5,-0.1,-0.5\n0.0000625,1,-0.2,1\n"));
 }
 
 void TestCsvExport::timesAreExactToTheTick()
