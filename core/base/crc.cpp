@@ -41,9 +41,9 @@ constexpr Crc16Tables makeCrc16Tables()
 
 constexpr Crc16Tables kCrc16 = makeCrc16Tables();
 
-/// Goes on from `crc` with these bytes.
-unsigned crcByTable(unsigned crc, ByteView bytes)
+std::uint16_t crcByTable(ByteView bytes)
 {
+    unsigned crc = 0;
     for (; bytes.size() >= kSlices; bytes = bytes.subspan(kSlices)) {
         unsigned next = kCrc16[15][bytes[0] ^ (crc >> 8)] ^ kCrc16[14][bytes[1] ^ (crc & 0xFFU)];
         for (std::size_t i = 2; i < kSlices; ++i)
@@ -52,7 +52,7 @@ unsigned crcByTable(unsigned crc, ByteView bytes)
     }
     for (const std::uint8_t byte : bytes)
         crc = ((crc << 8) ^ kCrc16[0][((crc >> 8) ^ byte) & 0xFFU]) & 0xFFFFU;
-    return crc;
+    return static_cast<std::uint16_t>(crc);
 }
 
 } // namespace
@@ -67,11 +67,7 @@ std::uint8_t crc4(std::uint32_t bits28)
 
 std::uint16_t crc16Xmodem(ByteView bytes)
 {
-    unsigned crc = 0;
-    if (bytes.size() >= kLeastFolding && canFoldCrc16()) {
-        const std::size_t whole = bytes.size() / 64 * 64;
-        crc = crcByTable(0, foldForCrc16(bytes.first(whole)));
-        bytes = bytes.subspan(whole);
-    }
-    return static_cast<std::uint16_t>(crcByTable(crc, bytes));
+    if (bytes.size() >= kLeastFolding && canFoldCrc16())
+        return crcByTable(foldForCrc16(bytes));
+    return crcByTable(bytes);
 }

@@ -1,5 +1,6 @@
 #include "base/crc_folding.h"
 
+#include <algorithm>
 #include <cassert>
 
 #if (defined(__x86_64__) || defined(__i386__)) && (defined(__GNUC__) || defined(__clang__))
@@ -47,15 +48,20 @@ bool canFoldCrc16()
 /// Four sums side by side, so that no multiplication waits for the one before it.
 __attribute__((target("pclmul,ssse3"))) Folded foldForCrc16(ByteView bytes)
 {
-    assert(bytes.size() >= 64 && bytes.size() % 64 == 0);
-    const std::uint8_t *at = bytes.data();
-    const std::uint8_t *end = at + bytes.size();
+    constexpr std::size_t kStep = 64;
+    assert(bytes.size() >= kStep);
+    // Zeros in front change nothing, as the CRC begins at 0; bytes left over behind would have to go one at a time.
+    const std::size_t odd = bytes.size() % kStep;
+    std::array<std::uint8_t, kStep> filled{};
+    std::copy_n(bytes.begin(), odd, filled.end() - static_cast<std::ptrdiff_t>(odd));
+    const std::uint8_t *at = odd != 0 ? filled.data() : bytes.data();
+    const std::uint8_t *const end = bytes.data() + bytes.size();
     __m128i a = load(at);
     __m128i b = load(at + 16);
     __m128i c = load(at + 32);
     __m128i d = load(at + 48);
     const __m128i by512 = _mm_set_epi64x(powerOfX(512 + 64), powerOfX(512));
-    for (at += 64; at != end; at += 64) {
+    for (at = bytes.data() + (odd != 0 ? odd : kStep); at != end; at += kStep) {
         a = _mm_xor_si128(shifted(a, by512), load(at));
         b = _mm_xor_si128(shifted(b, by512), load(at + 16));
         c = _mm_xor_si128(shifted(c, by512), load(at + 32));

@@ -14,7 +14,7 @@ constexpr std::size_t kLeastFolding = 128; ///< bytes; tables are as good for le
 /// True if this processor can fold.
 bool canFoldCrc16();
 
-/// The CRC-16/XMODEM of the result followed by bytes that follow is that of `bytes` followed by them.
-/// @param bytes  a multiple of 64, at least 64. Only where canFoldCrc16().
+/// The CRC-16/XMODEM of the result is that of `bytes`.
+/// @param bytes  at least 64. Only where canFoldCrc16().
 /// Source: V. Gopal et al., "Fast CRC Computation for Generic Polynomials Using PCLMULQDQ" (Intel, 2009).
 Folded foldForCrc16(ByteView bytes);

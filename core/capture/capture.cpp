@@ -44,6 +44,7 @@ void Capture::begin(const StreamLayout &layout)
 {
     breakStream();
     m_layout = layout;
+    m_layoutBase = TickBase::of(layout.tickHz, layout.originSeconds);
     m_fresh = true;
     makeStreamChannels();
     ++m_revision;
@@ -89,7 +90,7 @@ ChannelId Capture::add(ChannelInfo info)
 /// on the first one.
 bool Capture::follows(const SampleBlock &block)
 {
-    TickBase base = TickBase::of(m_layout.tickHz, m_layout.originSeconds);
+    TickBase base = m_layoutBase;
     base.origin += m_shift;
     const Nanos start = base.timeOf(block.firstTick);
     if (start < m_streamEnd) {
@@ -149,17 +150,23 @@ void Capture::appendFast(const SampleBlock &block)
 
 void Capture::appendSlow(const SampleBlock &block)
 {
+    if (m_slow.empty())
+        return;
+    m_times.clear();
+    for (const SlowGroup &group : block.slow)
+        m_times.push_back(m_base.timeOf(group.tick));
     for (std::size_t i = 0; i < m_slow.size(); ++i) {
         ValueColumn *column = mutableChannel(m_slow[i])->values();
-        for (const SlowGroup &group : block.slow) {
-            const Nanos time = m_base.timeOf(group.tick);
+        for (std::size_t g = 0; g < block.slow.size(); ++g) {
+            const SlowGroup &group = block.slow[g];
+            const Nanos time = m_times[g];
             const double value = m_layout.slow[i].real
                 ? double{std::bit_cast<float>(group.values[i])}
                 : static_cast<double>(group.values[i]);
             if (!std::isfinite(value)) {
                 ++m_refused.notFinite;
                 column->breakHere();
-            } else if (column->empty() || time > column->timeOf(column->end() - 1))
+            } else if (column->empty() || time > column->lastTime())
                 column->append(time, value, std::max(time + 1, m_streamEnd));
             else
                 ++m_refused.backwards;
@@ -192,7 +199,7 @@ void Capture::appendPolled(catalog::RegisterId id, std::string_view name, std::s
     ValueColumn &column = *mutableChannel(*found)->values();
     const Nanos time = toNanos(seconds);
     if (!column.empty()) {
-        if (time <= column.timeOf(column.end() - 1)) {
+        if (time <= column.lastTime()) {
             ++m_refused.backwards;
             return;
         }
@@ -233,7 +240,7 @@ void Capture::appendImported(ChannelId id, Nanos time, double value, Nanos holdU
 {
     Channel *channel = mutableChannel(id);
     ValueColumn *column = channel ? channel->values() : nullptr;
-    if (!column || (!column->empty() && time <= column->timeOf(column->end() - 1))) {
+    if (!column || (!column->empty() && time <= column->lastTime())) {
         ++m_refused.backwards;
         return;
     }

@@ -166,12 +166,14 @@ private:
     std::vector<Entry> m_entries;
     ChannelId m_nextId = 1;
     StreamLayout m_layout;
-    TickBase m_base;
+    TickBase m_layoutBase; ///< as the layout has it
+    TickBase m_base; ///< and shifted behind what was there
     Nanos m_shift = 0; ///< added to every origin, so that time never runs backwards
     bool m_fresh = false; ///< no block since begin()
     std::vector<ChannelId> m_fast;
     std::vector<ChannelId> m_slow;
     Nanos m_streamEnd = std::numeric_limits<Nanos>::min(); ///< where the streamed samples end
+    std::vector<Nanos> m_times; ///< of the slow groups of the block being appended
     std::uint64_t m_revision = 0;
     std::uint64_t m_channelRevision = 0;
     std::uint64_t m_sinceCheck = 0;

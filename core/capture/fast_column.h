@@ -107,7 +107,7 @@ public:
     // The way into an archive: the oldest full chunk that is not on its way is handed over, and what was handed over
     // first is placed first. Copies made before go on reading where they did.
     static constexpr std::size_t kArchivedBytes =
-        kSliceBytes + kSliceSamples / 16 * sizeof(CodeRange); ///< of a chunk
+        kSliceBytes + kSliceRanges * sizeof(CodeRange); ///< of a chunk
     Index toArchive() const
     {
         return m_archived.handed() * kChunkSamples;
@@ -123,7 +123,7 @@ public:
 private:
     static constexpr std::size_t kFanOut = 16;
     static constexpr std::size_t kLevels = 4;
-    static constexpr std::size_t kFinest = kSliceSamples / kFanOut;
+    static_assert(kSliceRanges == kSliceSamples / kFanOut);
     /// Of the levels above the finest.
     static constexpr std::array<std::size_t, kLevels - 1> kLevelStart{0, 256, 272};
 
@@ -150,8 +150,8 @@ private:
 
     void appendCodes(std::span<const std::int16_t> codes);
     void addChunk();
-    void close(
-        std::size_t from, std::size_t to); ///< builds what [from, to) of the last chunk completes
+    /// Copies into [from, to) of the last chunk and builds the extremes that are complete with it.
+    void fill(const std::int16_t *codes, std::size_t from, std::size_t to);
     Index edge(double time, std::uint64_t block, Walk &walk) const;
     void seek(Nanos wanted, Walk &walk) const;
 

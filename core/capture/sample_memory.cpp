@@ -4,19 +4,32 @@
 
 namespace capture {
 
+template <class Entry>
+std::shared_ptr<Entry[]> SampleMemory::takeFrom(Open &open, std::size_t count)
+{
+    if (open.used == kArenaBytes) {
+        open.arena = makeArena();
+        open.used = 0;
+    }
+    auto *slice = reinterpret_cast<Entry *>(open.arena.get() + open.used);
+    open.used += count * sizeof(Entry);
+    // Shares the arena's life and points into it.
+    std::shared_ptr<Entry[]> taken(open.arena, slice);
+    if (open.used == kArenaBytes)
+        open.arena.reset(); // only its slices hold it
+    return taken;
+}
+
 Slice SampleMemory::take()
 {
-    if (m_used == kArenaBytes) {
-        m_arena = makeArena();
-        m_used = 0;
-    }
-    auto *slice = reinterpret_cast<std::int16_t *>(m_arena.get() + m_used);
-    m_used += kSliceBytes;
-    // Shares the arena's life and points into it.
-    Slice taken(std::shared_ptr<std::byte>(m_arena), slice);
-    if (m_used == kArenaBytes)
-        m_arena.reset(); // only its slices hold it
-    return taken;
+    static_assert(kArenaBytes % kSliceBytes == 0);
+    return takeFrom<std::int16_t>(m_samples, kSliceSamples);
+}
+
+RangeSlice SampleMemory::takeRanges()
+{
+    static_assert(kArenaBytes % (kSliceRanges * sizeof(CodeRange)) == 0);
+    return takeFrom<CodeRange>(m_ranges, kSliceRanges);
 }
 
 std::shared_ptr<std::byte> SampleMemory::makeArena()

@@ -1,9 +1,12 @@
-// Where the samples of fast columns lie, in slices of fixed size. Slices are handed out from arenas of two mebibytes,
-// which the system is asked to back with one page each: handing out 512 small pages instead costs as much time as
-// decoding the samples that go into them. An arena is given back when the last of its slices is.
+// Where the samples of fast columns and their finest extremes lie, in slices of fixed size. Slices are handed out from
+// arenas of two mebibytes, which the system is asked to back with one page each: handing out 512 small pages instead
+// costs as much time as decoding the samples that go into them. An arena holds slices of one size, and is given back
+// when the last of them is.
 //
 // Used in one thread (whoever appends); slices may be let go in any. Others may put the arenas elsewhere, e.g. into a file.
 #pragma once
+
+#include "capture/min_max_kernel.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,10 +16,13 @@ namespace capture {
 
 constexpr std::size_t kSliceSamples = 65536;
 constexpr std::size_t kSliceBytes = kSliceSamples * sizeof(std::int16_t);
+constexpr std::size_t kSliceRanges = kSliceSamples / 16; ///< one for sixteen samples
 constexpr std::size_t kArenaBytes = std::size_t{2} << 20;
 
 /// kSliceSamples codes that nobody has written yet.
 using Slice = std::shared_ptr<std::int16_t[]>;
+/// kSliceRanges extremes, as unwritten.
+using RangeSlice = std::shared_ptr<CodeRange[]>;
 
 class SampleMemory {
 public:
@@ -26,14 +32,23 @@ public:
     virtual ~SampleMemory() = default;
 
     Slice take();
+    RangeSlice takeRanges();
 
 protected:
     /// kArenaBytes bytes, aligned to a page, never nullptr; let go in any thread.
     virtual std::shared_ptr<std::byte> makeArena();
 
 private:
-    std::shared_ptr<std::byte> m_arena;
-    std::size_t m_used = kArenaBytes; ///< bytes of m_arena that are handed out
+    /// The arena that slices of one size are handed out from.
+    struct Open {
+        std::shared_ptr<std::byte> arena;
+        std::size_t used = kArenaBytes; ///< bytes that are handed out
+    };
+    template <class Entry>
+    std::shared_ptr<Entry[]> takeFrom(Open &open, std::size_t count);
+
+    Open m_samples;
+    Open m_ranges;
 };
 
 /// Asks the system for large pages; where it has none, nothing happens.

@@ -20,6 +20,7 @@ void ValueColumn::append(Nanos time, double value, Nanos holdUntil)
         addChunk(time);
     const std::size_t at = inChunk(m_end);
     m_filled->times[at] = time;
+    m_lastTime = time;
     m_filled->values[at] = value;
     if (m_broken || m_runs.empty())
         m_runs.push_back({m_end, 0, holdUntil});

@@ -49,6 +49,7 @@ public:
     /// The next value starts a new run.
     void breakHere() { m_broken = true; }
 
+    Nanos lastTime() const { return m_lastTime; } ///< of the newest value; 0 if there is none
     Nanos timeOf(Index index) const { return chunkOf(index).samples->times[inChunk(index)]; }
     double at(Index index) const { return chunkOf(index).samples->values[inChunk(index)]; }
     std::size_t runOf(Index index) const; ///< the run that holds it; runs().size() if none
@@ -94,6 +95,7 @@ private:
     std::deque<std::shared_ptr<Chunk>> m_chunks;
     Samples *m_filled = nullptr; ///< of the last chunk, for who appends
     ArchivedChunks m_archived;
+    Nanos m_lastTime = 0;
     Index m_released = 0; ///< chunks let go
     Index m_begin = 0;
     Index m_end = 0;
