@@ -1,8 +1,10 @@
 #include "scope/trigger_search.h"
 
+#include "scope/code_masks.h"
 #include "scope/trigger_machines.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace scope {
@@ -105,21 +107,7 @@ MaybeHit scan(const Values &values, AnyMachine &machine, Reader &reader, Index &
     return std::nullopt;
 }
 
-/// The first code from `from` on that is in the half-line; `to` if there is none.
-template <bool kUp>
-const std::int16_t *find(const std::int16_t *from, const std::int16_t *to, std::int32_t bound)
-{
-    while (from != to && (kUp ? *from < bound : *from > bound))
-        ++from;
-    return from;
-}
-const std::int16_t *find(
-    const std::int16_t *from, const std::int16_t *to, const Half<std::int32_t> &half)
-{
-    return half.up ? find<true>(from, to, half.bound) : find<false>(from, to, half.bound);
-}
-
-/// The same for a single edge of codes, which is what most searches are: two tight loops.
+/// The same for a single edge of codes, which is what most searches are: sixteen codes at a time.
 MaybeHit scan(
     const Codes &values, EdgeMachine<std::int32_t> &machine, Reader &reader, Index &from, Index to)
 {
@@ -127,26 +115,30 @@ MaybeHit scan(
     if (edges.slope == Slope::Either)
         return scan<Codes, EdgeMachine<std::int32_t>>(values, machine, reader, from, to);
     Crossing<std::int32_t> &crossing = edges.slope == Slope::Rising ? edges.rising : edges.falling;
-    const std::int16_t *const base = values.codes.data();
-    const std::int16_t *const stop = base + (to - values.first);
-    const std::int16_t *at = base + (from - values.first);
-    while (at != stop) {
-        if (!crossing.armed) {
-            at = find(at, stop, crossing.arm);
-            crossing.armed = at != stop;
-        }
-        at = find(at, stop, crossing.fire);
-        if (at == stop)
-            break;
-        crossing.armed = false;
-        const Index index = values.first + static_cast<Index>(at++ - base);
-        if (reader.counts(index)) {
-            from = index + 1;
-            return reader.crossing(index, edges.level());
+    const CodeMask arms(crossing.arm);
+    const CodeMask fires(crossing.fire);
+    for (; from + kMaskedCodes <= to; from += kMaskedCodes) {
+        const std::int16_t *const codes =
+            &values.codes[static_cast<std::size_t>(from - values.first)];
+        std::uint32_t arm = arms.of(codes);
+        std::uint32_t fire = fires.of(codes);
+        // Bits that lie behind are cleared; arming and firing take turns.
+        while ((crossing.armed ? fire : arm) != 0) {
+            if (!crossing.armed) {
+                fire &= ~std::uint32_t{0} << std::countr_zero(arm);
+                crossing.armed = true;
+                continue;
+            }
+            const int at = std::countr_zero(fire);
+            arm &= ~std::uint32_t{1} << at;
+            crossing.armed = false;
+            if (const Index index = from + static_cast<Index>(at); reader.counts(index)) {
+                from = index + 1;
+                return reader.crossing(index, edges.level());
+            }
         }
     }
-    from = to;
-    return std::nullopt;
+    return scan<Codes, EdgeMachine<std::int32_t>>(values, machine, reader, from, to);
 }
 
 /// The same where a step of more than half a turn is the angle's end and no edge.
@@ -222,22 +214,30 @@ struct CodeWork final : Work {
         const Channel &channel, const capture::Segment &segment, Reader &reader, Nanos notBefore)
     {
         constexpr Index kBlock = FastColumn::kBlockSamples;
+        constexpr Index kMostBlocks = 16;
         const FastColumn &column = *channel.fast();
         const double halfTurn = condition.turn / 2 / std::abs(channel.info().factor);
+        Index atOnce = 1; ///< blocks
         while (next < segment.end()) {
             if constexpr (AnyMachine::kForgetful) {
                 next = known = std::max(next, segment.atOrAfter(notBefore));
                 if (next == segment.end())
                     return std::nullopt;
             }
-            const Index stop = std::min(segment.end(), (next / kBlock + 1) * kBlock);
-            if (stop - next == kBlock && passesOver(column, reader, stop, halfTurn)) {
-                next = known = stop;
+            const Index blockEnd = (next / kBlock + 1) * kBlock;
+            if (next % kBlock == 0 && blockEnd <= segment.end()
+                && passesOver(column, reader, blockEnd, halfTurn)) {
+                next = known = blockEnd;
+                atOnce = 1;
                 if (condition.turn > 0)
-                    before = column.at(stop - 1);
+                    before = column.at(next - 1);
                 continue;
             }
-            const Codes codes{column.codes(next, static_cast<std::size_t>(stop - next)), next};
+            // Where one block could not be passed over, the next ones rarely can: asked less and less often.
+            const Index wanted = std::min(segment.end(), blockEnd + (atOnce - 1) * kBlock) - next;
+            atOnce = std::min(2 * atOnce, kMostBlocks);
+            const Codes codes{column.codes(next, static_cast<std::size_t>(wanted)), next};
+            const Index stop = next + codes.codes.size();
             const MaybeHit hit = condition.turn > 0
                 ? scanAngle(codes, machine, reader, next, stop, halfTurn, before)
                 : scan(codes, machine, reader, next, stop);

@@ -1,8 +1,11 @@
 // The trigger search against a naive one, on noisy channels with gaps, however the samples arrive.
+#include "scope/code_masks.h"
 #include "scope/trigger_search.h"
 #include "support/naive_triggers.h"
 
 #include <QtTest>
+
+#include <array>
 
 using namespace scope;
 using support::NaiveTriggers;
@@ -13,6 +16,7 @@ class TestScopeTrigger : public QObject {
 private Q_SLOTS:
     void hitsEqualANaiveSearch_data();
     void hitsEqualANaiveSearch();
+    void aMaskSaysOfEachCodeWhatItsHalfLineSays();
     void theTimeOfAnEdgeIsFinerThanASample();
     void aGapIsNoEdge();
     void anAnglesEndIsNoEdgeUnlessAskedFor();
@@ -190,6 +194,22 @@ void TestScopeTrigger::hitsEqualANaiveSearch()
         found += hits.size();
     }
     QVERIFY2(found > 200, qPrintable(QString::number(found)));
+}
+
+void TestScopeTrigger::aMaskSaysOfEachCodeWhatItsHalfLineSays()
+{
+    const std::array<std::int16_t, kMaskedCodes> codes{
+        -32768, -32767, -100, -1, 0, 1, 99, 100, 101, 5000, 32766, 32767, 0, 100, -32768, 32767};
+    for (const std::int32_t bound :
+        {-kBeyondCodes, -32769, -32768, -32767, -1, 0, 100, 32766, 32767, 32768, kBeyondCodes}) {
+        for (const bool up : {false, true}) {
+            const Half<std::int32_t> half{up, bound};
+            const std::uint32_t mask = CodeMask(half).of(codes.data());
+            for (std::size_t i = 0; i < codes.size(); ++i)
+                QCOMPARE((mask >> i & 1U) != 0, half.holds(codes[i]));
+            QCOMPARE(mask >> kMaskedCodes, 0U);
+        }
+    }
 }
 
 void TestScopeTrigger::theTimeOfAnEdgeIsFinerThanASample()
