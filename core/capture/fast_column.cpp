@@ -10,8 +10,6 @@ namespace {
 /// Extremes of some entries: minima and maxima lie side by side, so both are taken of all, and half of each counts.
 CodeRange extremesOfAll(const CodeRange *entries, std::size_t count)
 {
-    CodeRange range = CodeRange::nothing();
-    std::size_t i = 0;
 #ifdef __SSE2__
     static_assert(sizeof(CodeRange) == 2 * sizeof(std::int16_t));
     constexpr std::size_t kInOne = 4; // entries in a register
@@ -19,9 +17,10 @@ CodeRange extremesOfAll(const CodeRange *entries, std::size_t count)
         const auto load = [entries](std::size_t at) {
             return _mm_loadu_si128(reinterpret_cast<const __m128i *>(entries + at));
         };
-        __m128i low = load(0);
+        __m128i low =
+            load(count - kInOne); // may overlap what comes: harmless, and no odd end is left
         __m128i high = low;
-        for (i = kInOne; i + kInOne <= count; i += kInOne) {
+        for (std::size_t i = 0; i + kInOne < count; i += kInOne) {
             const __m128i next = load(i);
             low = _mm_min_epi16(low, next);
             high = _mm_max_epi16(high, next);
@@ -30,11 +29,12 @@ CodeRange extremesOfAll(const CodeRange *entries, std::size_t count)
         low = _mm_min_epi16(low, _mm_shuffle_epi32(low, _MM_SHUFFLE(2, 3, 0, 1)));
         high = _mm_max_epi16(high, _mm_shuffle_epi32(high, _MM_SHUFFLE(1, 0, 3, 2)));
         high = _mm_max_epi16(high, _mm_shuffle_epi32(high, _MM_SHUFFLE(2, 3, 0, 1)));
-        range = {static_cast<std::int16_t>(_mm_extract_epi16(low, 0)),
+        return {static_cast<std::int16_t>(_mm_extract_epi16(low, 0)),
             static_cast<std::int16_t>(_mm_extract_epi16(high, 1))};
     }
 #endif
-    for (; i < count; ++i)
+    CodeRange range = CodeRange::nothing();
+    for (std::size_t i = 0; i < count; ++i)
         range.include(entries[i]);
     return range;
 }
@@ -135,8 +135,9 @@ void FastColumn::fill(const std::int16_t *codes, std::size_t from, std::size_t t
 
 CodeRange FastColumn::Chunk::extremes(std::size_t from, std::size_t to) const
 {
-    // Climb: at each level only the ragged ends are read, the aligned middle is left to the next
-    // level.
+    // Climb: at each level only the ragged ends are read, the aligned middle is left to the next level. A few entries are
+    // read as they are: ends of varying length, each guessed wrong by the processor, cost more.
+    constexpr std::size_t kFew = 128;
     std::size_t low = (from + kFanOut - 1) / kFanOut;
     std::size_t high = to / kFanOut;
     if (low >= high)
@@ -147,7 +148,7 @@ CodeRange FastColumn::Chunk::extremes(std::size_t from, std::size_t to) const
         const CodeRange *entries = this->level(level);
         const std::size_t lowUp = (low + kFanOut - 1) / kFanOut;
         const std::size_t highUp = high / kFanOut;
-        const bool last = level + 1 == kLevels || lowUp >= highUp;
+        const bool last = level + 1 == kLevels || high - low <= kFew;
         range.include(extremesOfAll(entries + low, (last ? high : lowUp * kFanOut) - low));
         if (last)
             return range;

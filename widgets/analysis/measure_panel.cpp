@@ -1,5 +1,6 @@
 #include "widgets/analysis/measure_panel.h"
 
+#include "base/wide_registers.h"
 #include "widgets/analysis/measure_table.h"
 #include "widgets/analysis/measure_text.h"
 #include "widgets/base/table_text.h"
@@ -198,6 +199,7 @@ void MeasurePanel::measure(bool record)
     const CursorPair &cursors = m_scope.cursors().pair();
     if (m_range->currentIndex() == BetweenCursors && m_scope.cursors().visible())
         range = {std::min(cursors.a, cursors.b), std::max(cursors.a, cursors.b)};
+    clearWideRegisters();
     m_table->measure(range.from, range.to, record);
     drawChosen();
 }

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstring>
 #include <limits>
-#include <map>
+#include <unordered_map>
 
 namespace widgets {
 
@@ -20,8 +20,8 @@ constexpr std::size_t kGroup = 16; ///< columns that are decided together: a cac
 Mask bitOf(std::size_t band) { return static_cast<Mask>(1U << band); }
 std::size_t firstOf(Mask mask) { return static_cast<std::size_t>(std::countr_zero(mask)); }
 
-/// What a set of bands looks like where all of it covers. Both rows are two periods of the stripes and a group long, so
-/// that a group may begin anywhere in two periods.
+/// What a set of bands looks like where all of it covers. From any place in the first period of the stripes on, the rows
+/// are a whole row of the picture, and another period at least.
 struct Look {
     std::vector<QRgb> pixels;
     std::vector<std::uint32_t>
@@ -30,10 +30,11 @@ struct Look {
 
 class Looks {
 public:
-    Looks(std::span<const Band> bands, int stripeWidth)
+    Looks(std::span<const Band> bands, int stripeWidth, std::size_t width)
         : m_bands(bands)
         , m_stripe(std::size_t(std::max(stripeWidth, 1)))
         , m_period(m_stripe * bands.size())
+        , m_length(m_period + std::max(width, m_period))
     {
     }
     std::size_t period() const { return m_period; }
@@ -43,20 +44,37 @@ public:
         if (mask == 0)
             return nullptr;
         Look &look = m_known[mask];
-        for (std::size_t i = look.pixels.size(); i < 2 * m_period + kGroup; ++i) {
-            const std::size_t owner = i / m_stripe % m_bands.size();
-            const bool there = (mask >> owner & 1) != 0;
-            look.pixels.push_back(m_bands[there ? owner : firstOf(mask)].color);
-            look.owned.push_back(there ? ~std::uint32_t{0} : 0);
-        }
+        if (look.pixels.empty())
+            fill(look, mask);
         return &look;
     }
 
 private:
+    void fill(Look &look, Mask mask) const
+    {
+        look.pixels.reserve(m_length);
+        look.owned.reserve(m_length);
+        for (std::size_t owner = 0; owner < m_bands.size(); ++owner) {
+            const bool there = (mask >> owner & 1) != 0;
+            look.pixels.insert(
+                look.pixels.end(), m_stripe, m_bands[there ? owner : firstOf(mask)].color);
+            look.owned.insert(look.owned.end(), m_stripe, there ? ~std::uint32_t{0} : 0);
+        }
+        const auto repeat = [this](std::vector<std::uint32_t> &row) {
+            row.resize(m_length);
+            for (std::size_t at = m_period; at < m_length; at += m_period)
+                std::copy_n(row.begin(), std::min(m_period, m_length - at),
+                    row.begin() + static_cast<std::ptrdiff_t>(at));
+        };
+        repeat(look.pixels);
+        repeat(look.owned);
+    }
+
     std::span<const Band> m_bands;
     std::size_t m_stripe;
     std::size_t m_period;
-    std::map<Mask, Look> m_known;
+    std::size_t m_length;
+    std::unordered_map<Mask, Look> m_known;
 };
 
 /// The rows that a band covers in a group of columns: some of them, and all.
@@ -88,6 +106,12 @@ struct Stretch {
     Mask part = 0;
     const Look *look = nullptr; ///< of `whole`; nullptr if that is nobody
     bool done = false; ///< painted already
+
+    /// Both are of one look from side to side.
+    bool isAs(const Stretch &other) const
+    {
+        return look == other.look && part == 0 && other.part == 0 && done == other.done;
+    }
 };
 
 class Painter {
@@ -97,9 +121,8 @@ public:
         , m_width(std::size_t(image.width()))
         , m_height(image.height())
         , m_bands(bands)
-        , m_looks(bands, stripeWidth)
+        , m_looks(bands, stripeWidth, std::size_t(image.width()))
         , m_clear(clear)
-        , m_holes(std::size_t(image.height()), 0)
     {
         for (std::size_t b = 0; b < bands.size(); ++b)
             m_alone.push_back(m_looks.of(bitOf(b)));
@@ -107,29 +130,43 @@ public:
             decide(x);
     }
 
-    /// Paints the pixels of a row; whether all of them are covered.
-    bool paintRow(QRgb *row, int y)
+    void paintRow(QRgb *row, int y)
     {
-        bool covered = m_holes[std::size_t(y)] == 0;
         const std::size_t phase = std::size_t(y) % m_looks.period();
-        for (std::size_t group = 0; group < m_at.size(); ++group) {
-            while (y >= m_stretches[m_at[group]].end)
-                ++m_at[group];
-            const Stretch &here = m_stretches[m_at[group]];
+        for (std::size_t group = 0; group < m_at.size();) {
+            const Stretch &here = at(group, y);
+            const std::size_t x = group * kGroup;
+            ++group;
             if (here.done)
                 continue;
-            const std::size_t x = group * kGroup;
-            const std::size_t place = x % m_looks.period() + phase;
-            covered = covered && here.look != nullptr;
-            if (x + kGroup <= m_width)
-                paint(row + x, x, y, place, here, std::integral_constant<std::size_t, kGroup>());
-            else
-                paint(row + x, x, y, place, here, m_width - x);
+            if (here.part != 0) {
+                if (x + kGroup <= m_width)
+                    paintPart(row + x, x, y, x + phase, here,
+                        std::integral_constant<std::size_t, kGroup>());
+                else
+                    paintPart(row + x, x, y, x + phase, here, m_width - x);
+                continue;
+            }
+            // As far as the neighbours look the same, at once.
+            while (group < m_at.size() && at(group, y).isAs(here))
+                ++group;
+            const std::size_t size = (std::min(group * kGroup, m_width) - x) * sizeof(QRgb);
+            if (here.look != nullptr)
+                std::memcpy(row + x, here.look->pixels.data() + x + phase, size);
+            else if (m_clear)
+                std::memset(row + x, 0, size);
         }
-        return covered;
     }
 
 private:
+    /// The stretch of a group that row `y` is in; rows are asked for from top to bottom.
+    const Stretch &at(std::size_t group, int y)
+    {
+        while (y >= m_stretches[m_at[group]].end)
+            ++m_at[group];
+        return m_stretches[m_at[group]];
+    }
+
     void decide(std::size_t x)
     {
         std::array<Reach, kMostBands> reaches;
@@ -208,23 +245,10 @@ private:
                         pixels + done, stripes, std::min(period, rows - done) * sizeof(QRgb));
             } else {
                 std::memset(pixels, 0, rows * sizeof(QRgb));
-                std::memset(&m_holes[std::size_t(y)], 1, rows);
             }
             pixels += rows;
             y = end;
         }
-    }
-
-    template <class Count>
-    void paint(
-        QRgb *pixels, std::size_t x, int y, std::size_t place, const Stretch &here, Count count)
-    {
-        if (here.part != 0)
-            paintPart(pixels, x, y, place, here, count);
-        else if (here.look != nullptr)
-            std::memcpy(pixels, here.look->pixels.data() + place, count * sizeof(QRgb));
-        else if (m_clear)
-            std::memset(pixels, 0, count * sizeof(QRgb));
     }
 
     /// Some bands begin or end here. Plain loops without a branch: the compiler makes wide ones of them.
@@ -293,7 +317,6 @@ private:
     std::vector<const Look *> m_alone; ///< of each band
     std::array<std::array<std::uint32_t, kGroup>, kMostBands> m_covers{};
     bool m_clear;
-    std::vector<std::uint8_t> m_holes; ///< rows of what is done in which something is not covered
     std::vector<QRgb> m_tile;
     std::vector<Stretch> m_stretches; ///< of the first group from top to bottom, then of the next
     std::vector<std::size_t> m_at; ///< for each group: which of them the row is in
@@ -302,8 +325,7 @@ private:
 
 } // namespace
 
-std::vector<RowRun> paintBands(
-    QImage &image, std::span<const Band> bands, int stripeWidth, Uncovered uncovered)
+void paintBands(QImage &image, std::span<const Band> bands, int stripeWidth, Uncovered uncovered)
 {
     bool clear = uncovered == Uncovered::Clear;
     if (bands.empty() || bands.size() > kMostBands) {
@@ -313,21 +335,13 @@ std::vector<RowRun> paintBands(
         for (; bands.size() > kMostBands; bands = bands.subspan(1))
             fillColumns(image, *bands.front().columns, bands.front().color);
         if (bands.empty())
-            return {};
+            return;
     }
-    std::vector<RowRun> covered;
     Painter painter(image, bands, stripeWidth, clear);
     const auto stride = image.bytesPerLine();
     uchar *bits = image.bits();
-    for (int y = 0; y < image.height(); ++y) {
-        if (!painter.paintRow(reinterpret_cast<QRgb *>(bits + y * stride), y))
-            continue;
-        if (!covered.empty() && covered.back().to == y)
-            ++covered.back().to;
-        else
-            covered.push_back({y, y + 1});
-    }
-    return covered;
+    for (int y = 0; y < image.height(); ++y)
+        painter.paintRow(reinterpret_cast<QRgb *>(bits + y * stride), y);
 }
 
 } // namespace widgets

@@ -13,13 +13,6 @@ struct Band {
     const PixelColumns *columns;
 };
 
-/// Rows of a picture, from the first to before the last.
-struct RowRun {
-    int from;
-    int to;
-    bool operator==(const RowRun &) const = default;
-};
-
 /// What becomes of pixels that no band covers.
 enum class Uncovered : std::uint8_t { Clear, Keep };
 
@@ -27,8 +20,6 @@ enum class Uncovered : std::uint8_t { Clear, Keep };
 /// stripe it lies, or of the first of them if that one is not there. Beyond 16 bands the last ones hide the others.
 /// @param image  Format_ARGB32_Premultiplied, as wide as the columns
 /// @param stripeWidth  pixels, at least 1
-/// @return the runs of rows in which every pixel is covered
-std::vector<RowRun> paintBands(
-    QImage &image, std::span<const Band> bands, int stripeWidth, Uncovered uncovered);
+void paintBands(QImage &image, std::span<const Band> bands, int stripeWidth, Uncovered uncovered);
 
 } // namespace widgets

@@ -39,21 +39,16 @@ public:
     }
     void bands(std::span<const Band> bands, int stripeWidth) override
     {
-        m_covered = paintBands(m_image, bands, stripeWidth, m_uncovered);
+        paintBands(m_image, bands, stripeWidth, m_uncovered);
     }
     void box(int left, int top, int width, int height, QRgb color) override
     {
         fillBox(m_image, left, top, width, height, color);
     }
-    const std::vector<RowRun> &covered() const
-    {
-        return m_covered;
-    } ///< rows of bands without a hole
 
 private:
     QImage &m_image;
     Uncovered m_uncovered;
-    std::vector<RowRun> m_covered;
 };
 
 /// Draws with another ink, in dashes: `on` of each `on` + `off` columns of the picture.

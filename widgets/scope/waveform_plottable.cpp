@@ -1,5 +1,6 @@
 #include "widgets/scope/waveform_plottable.h"
 
+#include "base/wide_registers.h"
 #include "scope/unit.h"
 #include "widgets/scope/axis_ticks.h"
 #include "widgets/scope/trace_colors.h"
@@ -112,39 +113,14 @@ void WaveformPlottable::draw(QCPPainter *painter)
     const bool ghosts = !m_scopePlot.ghosts.empty();
     if (ghosts)
         m_image.fill(Qt::transparent);
+    clearWideRegisters();
     const View view = viewOf(size, std::max(1, qRound(ratio)));
     ImageInk ink(m_image, ghosts ? Uncovered::Keep : Uncovered::Clear);
     drawGhosts(view, ink);
     drawTraces(view, ink);
-    showImage(painter, ink.covered());
+    painter->drawImage(rect.topLeft(), m_image);
     drawMarks(painter);
     drawLastValues(painter);
-}
-
-/// Rows that are covered from side to side are copied, the others are laid over the grid.
-void WaveformPlottable::showImage(QCPPainter *painter, const std::vector<RowRun> &covered) const
-{
-    const QPoint corner = m_scopePlot.rect->rect().topLeft();
-    // Only where a pixel of the image is one of the device.
-    if (m_image.devicePixelRatio() != 1.0 || painter->device()->devType() != QInternal::Pixmap) {
-        painter->drawImage(corner, m_image);
-        return;
-    }
-    const auto show = [&](int from, int to, QPainter::CompositionMode mode) {
-        if (from >= to)
-            return;
-        painter->setCompositionMode(mode);
-        painter->drawImage(
-            corner + QPoint(0, from), m_image, QRect(0, from, m_image.width(), to - from));
-    };
-    int shown = 0;
-    for (const RowRun &run : covered) {
-        show(shown, run.from, QPainter::CompositionMode_SourceOver);
-        show(run.from, run.to, QPainter::CompositionMode_Source);
-        shown = run.to;
-    }
-    show(shown, m_image.height(), QPainter::CompositionMode_SourceOver);
-    painter->setCompositionMode(QPainter::CompositionMode_SourceOver);
 }
 
 WaveformPlottable::View WaveformPlottable::viewOf(QSize size, int thickness) const

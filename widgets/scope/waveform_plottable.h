@@ -42,7 +42,6 @@ private:
         const std::vector<capture::MinMax> &extremes, Strokes &strokes) const;
     void drawSteps(const View &view, const Trace &trace, const capture::Channel &channel,
         QRgb color, TraceInk &ink) const;
-    void showImage(QCPPainter *painter, const std::vector<RowRun> &covered) const;
     void drawLastValues(QCPPainter *painter) const;
 
     const ScopePlot &m_scopePlot;
