@@ -50,6 +50,18 @@ private Q_SLOTS:
         QVERIFY(save()->toolTip().contains(QStringLiteral("as they are")));
     }
 
+    void aFileHasNoRowOfABoardsSignals()
+    {
+        const auto *strip = m_rig->find<QWidget>("channelStrip");
+        QVERIFY(strip->isVisible());
+        open();
+        QVERIFY(!strip->isVisible());
+        m_rig->window.connectBar()->connectOrDisconnect();
+        QTRY_COMPARE(scope().channels().size(), 4);
+        QTRY_VERIFY(strip->isVisible());
+        QVERIFY(m_rig->find<QWidget>("fastRate")->isVisible());
+    }
+
     void aMarkerIsInTheFileAfterwards()
     {
         open();

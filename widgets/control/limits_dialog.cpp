@@ -71,6 +71,7 @@ LimitsDialog::LimitsDialog(const drive::UserLimits &limits, QWidget *parent)
     form->addRow(buttons);
     setMinimumWidth(400);
     follow();
+    resize(minimumWidth(), form->totalHeightForWidth(minimumWidth()));
 }
 
 void LimitsDialog::follow()

@@ -212,10 +212,7 @@ void ChannelStrip::fillRates()
         m_rate->addItem(text, every);
     }
     m_rate->setEnabled(tickHz > 0.0);
-    const bool readOnly =
-        m_device.identified() && !(tickHz > 0.0); // the board records nothing by itself
-    m_rate->setVisible(!readOnly);
-    m_rateLabel->setVisible(!readOnly);
+    showFold();
     m_rate->setCurrentIndex(m_rate->findData(m_selection.fastEvery()));
 }
 
@@ -351,8 +348,16 @@ void ChannelStrip::fold(bool folded)
 
 void ChannelStrip::showFold()
 {
+    // A file costs nothing of a link and takes no further signal; math channels it can have.
+    const bool file = m_selection.showsFile();
     const int count = m_flow->count();
-    m_empty->setVisible(count == 0);
+    setVisible(!file || count != 0);
+    m_empty->setVisible(count == 0 && !file);
+    // Nor has a board a rate that records nothing by itself.
+    const bool rate = !file && (!m_device.identified() || m_device.streamLimits().tickHz > 0.0);
+    m_rate->setVisible(rate);
+    m_rateLabel->setVisible(rate);
+    m_budget->setVisible(!file);
     m_chips->setVisible(count != 0 && !m_folded);
     m_chips->updateGeometry();
     // Where the chips are seen the sign says enough.
@@ -375,7 +380,9 @@ void ChannelStrip::rebuild()
         }
         delete item;
     }
-    for (const PlannedSignal &planned : m_selection.plan().signalList) {
+    const bool file = m_selection.showsFile();
+    for (const PlannedSignal &planned :
+        file ? std::vector<PlannedSignal>() : m_selection.plan().signalList) {
         QWidget *chip = makeChip(planned);
         m_flow->addWidget(chip);
         chip->show();

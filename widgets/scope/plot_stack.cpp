@@ -14,8 +14,9 @@
 namespace widgets {
 
 namespace {
-constexpr int kTimeLabelWidth = 90; ///< pixels
+constexpr int kTimeLabelWidth = 76; ///< pixels
 constexpr int kValueLabelHeight = 26;
+constexpr int kLowestLabel = 17; ///< pixels, where there is little room
 constexpr int kMostTicks = 10;
 constexpr int kAboveLegend = 4;
 constexpr qsizetype kMostChosen = 500; ///< colours that are remembered
@@ -402,7 +403,9 @@ int PlotStack::timeTicks() const
 
 int PlotStack::ticksOf(const ScopePlot &plot) const
 {
-    return std::clamp(plot.rect->height() / kValueLabelHeight, 2, kMostTicks);
+    // Fewer than three say nothing of the scale; where they do not fit, two.
+    const int least = plot.rect->height() >= 3 * kLowestLabel ? 3 : 2;
+    return std::clamp(plot.rect->height() / kValueLabelHeight, least, kMostTicks);
 }
 
 double PlotStack::timeStep() const

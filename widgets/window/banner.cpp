@@ -42,6 +42,7 @@ Banner::Banner(QWidget *parent)
     m_text->setWordWrap(true);
     m_text->setObjectName(QStringLiteral("bannerText"));
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_text->setFocusPolicy(Qt::NoFocus);
     m_close->setText(QStringLiteral("\u00d7"));
     m_close->setAutoRaise(true);
     m_close->setAccessibleName(tr("Close this message"));
@@ -64,6 +65,7 @@ void Banner::say(Kind kind, const QString &sentence)
     m_mark->setText(kind == Kind::Note ? QStringLiteral("\u2139") : QStringLiteral("\u26a0"));
     m_text->setText(sentence);
     setAccessibleName(sentence);
+    m_text->setFocusPolicy(Qt::ClickFocus); // so that it can be copied
     recolor();
     show();
 }
@@ -71,6 +73,7 @@ void Banner::say(Kind kind, const QString &sentence)
 void Banner::clear()
 {
     m_text->clear();
+    m_text->setFocusPolicy(Qt::NoFocus); // nothing there, and so no name
     hide();
 }
 

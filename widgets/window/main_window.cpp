@@ -329,8 +329,6 @@ QWidget *MainWindow::makeCentre()
     });
     connect(&m_scope->cursors(), &Cursors::changed, strip, &ChannelStrip::room);
     connect(m_scope, &ScopeView::drawn, strip, &ChannelStrip::room);
-    connect(&m_device, &Device::openWished, strip,
-        [this, strip] { strip->setVisible(!replaying(m_device)); });
     m_bigNumbers = new BigNumbers(m_device, m_workbench.registers(), centre);
     m_pages = new QStackedWidget(centre);
     m_pages->addWidget(picture);
