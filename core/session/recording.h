@@ -18,6 +18,7 @@ struct RecordingProgress {
     RecordingFile::Counts counts;
     double bytesPerSecond = 0.0; ///< over about the last second
     qint64 freeBytes = -1; ///< on the disk; negative: unknown
+    qint64 roomBytes = -1; ///< of them for the recording, until RecordingLimits::endBytes are left
     bool lowSpace = false; ///< less than RecordingLimits::warnBytes
     record::Lost lost; ///< in all: what the disk was too slow for
 };

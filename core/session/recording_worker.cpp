@@ -1,5 +1,7 @@
 #include "session/recording_worker.h"
 
+#include <algorithm>
+
 namespace session {
 
 namespace {
@@ -149,6 +151,8 @@ RecordingProgress RecordingWorker::progress()
     }
     progress.bytesPerSecond = m_rate;
     progress.freeBytes = m_file->freeBytes();
+    if (progress.freeBytes >= 0)
+        progress.roomBytes = std::max<qint64>(0, progress.freeBytes - m_limits.endBytes);
     progress.lowSpace = progress.freeBytes >= 0 && progress.freeBytes < m_limits.warnBytes;
     progress.lost = m_lost;
     return progress;

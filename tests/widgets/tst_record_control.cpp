@@ -28,9 +28,10 @@ namespace {
 /// A disk that is full after so many blocks.
 class SmallDisk : public session::BlockSink {
 public:
-    SmallDisk(std::unique_ptr<BlockSink> inner, int blocks)
+    SmallDisk(std::unique_ptr<BlockSink> inner, int blocks, qint64 free = 1'000'000'000)
         : m_inner(std::move(inner))
         , m_blocks(blocks)
+        , m_free(free)
     {
     }
     bool append(ByteView bytes) override { return m_blocks-- > 0 && m_inner->append(bytes); }
@@ -39,19 +40,28 @@ public:
         return m_inner->overwrite(offset, bytes);
     }
     bool sync() override { return m_inner->sync(); }
-    qint64 freeBytes() const override { return 1'000'000'000; }
+    qint64 freeBytes() const override { return m_free; }
     bool isFull() const override { return true; }
     QString systemText() const override { return QStringLiteral("No space left on device"); }
 
 private:
     std::unique_ptr<BlockSink> m_inner;
     int m_blocks;
+    qint64 m_free;
 };
 
 std::unique_ptr<session::BlockSink> smallDisk(const QString &path, QString &text)
 {
     auto inner = session::makeDiskSink(path, text);
     return inner ? std::make_unique<SmallDisk>(std::move(inner), 4) : nullptr;
+}
+
+/// A megabyte above what a recording leaves free for others.
+std::unique_ptr<session::BlockSink> tightDisk(const QString &path, QString &text)
+{
+    auto inner = session::makeDiskSink(path, text);
+    const qint64 free = session::RecordingLimits().endBytes + 1'000'000;
+    return inner ? std::make_unique<SmallDisk>(std::move(inner), 1'000'000, free) : nullptr;
 }
 
 } // namespace
@@ -301,6 +311,17 @@ private Q_SLOTS:
             session::readRecording(m_folder.filePath(QStringLiteral("full.pcapng")), independent);
         QVERIFY(report && report->ending);
         QCOMPARE(report->ending->reason, record::End::Reason::DiskFull);
+    }
+
+    /// Not when the disk's last byte is gone: the recording ends before others suffer.
+    void theTimeLeftIsThatOfTheRecording()
+    {
+        makeRig(&tightDisk);
+        connectToBoard();
+        record(m_folder.filePath(QStringLiteral("tight.pcapng")));
+        QTRY_VERIFY2(line()->text().contains(QStringLiteral("disk full in 0:00:")),
+            qPrintable(line()->text()));
+        QCOMPARE(line()->light(), Lamp::Light::Waiting);
     }
 
     void recordingMakesNoWindowWider()

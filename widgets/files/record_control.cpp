@@ -146,9 +146,9 @@ void RecordControl::progressed(const session::RecordingProgress &progress)
     QString text = tr("%1, %2 MB", "duration, size")
                        .arg(durationText(m_parts.now() - m_start),
                            numberText(static_cast<double>(progress.counts.bytes) / kMega, 1));
-    const double left = progress.freeBytes < 0 || progress.bytesPerSecond <= 0.0
+    const double left = progress.roomBytes < 0 || progress.bytesPerSecond <= 0.0
         ? kLongest
-        : static_cast<double>(progress.freeBytes) / progress.bytesPerSecond;
+        : static_cast<double>(progress.roomBytes) / progress.bytesPerSecond;
     if (left < kLongest)
         text += tr(", disk full in %1", "duration").arg(durationText(left));
     else if (progress.freeBytes >= 0)
