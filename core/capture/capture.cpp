@@ -60,21 +60,20 @@ void Capture::makeStreamChannels()
         m_slow.push_back(channelFor(signal, Kind::Slow, m_slow));
 }
 
-ChannelId Capture::channelFor(
-    const StreamSignal &signal, Kind kind, std::span<const ChannelId> taken)
+Channel *Capture::channelFor(const StreamSignal &signal, Kind kind, std::span<Channel *const> taken)
 {
     for (auto entry = m_entries.rbegin(); entry != m_entries.rend(); ++entry) {
         const ChannelInfo &info = entry->channel->info();
         if (info.registerId == signal.id && info.kind == kind && info.unit == signal.unit
             && info.factor == signal.factor && info.offset == signal.offset
             && info.real == signal.real
-            && std::find(taken.begin(), taken.end(), info.id) == taken.end()) {
+            && std::find(taken.begin(), taken.end(), entry->channel.get()) == taken.end()) {
             entry->touched = ++m_revision;
-            return info.id;
+            return entry->channel.get();
         }
     }
-    return add(
-        {0, signal.id, signal.name, signal.unit, signal.factor, signal.offset, kind, signal.real});
+    return mutableChannel(add(
+        {0, signal.id, signal.name, signal.unit, signal.factor, signal.offset, kind, signal.real}));
 }
 
 ChannelId Capture::add(ChannelInfo info)
@@ -139,7 +138,7 @@ void Capture::appendFast(const SampleBlock &block)
 {
     const std::span<const std::int16_t> all(block.fast);
     for (std::size_t i = 0; i < m_fast.size(); ++i) {
-        FastColumn *column = mutableChannel(m_fast[i])->fast();
+        FastColumn *column = m_fast[i]->fast();
         column->append(
             m_base, block.firstTick, m_layout.fastStep, all.subspan(i * block.count, block.count));
     }
@@ -156,7 +155,7 @@ void Capture::appendSlow(const SampleBlock &block)
     for (const SlowGroup &group : block.slow)
         m_times.push_back(m_base.timeOf(group.tick));
     for (std::size_t i = 0; i < m_slow.size(); ++i) {
-        ValueColumn *column = mutableChannel(m_slow[i])->values();
+        ValueColumn *column = m_slow[i]->values();
         for (std::size_t g = 0; g < block.slow.size(); ++g) {
             const SlowGroup &group = block.slow[g];
             const Nanos time = m_times[g];
@@ -177,10 +176,10 @@ void Capture::appendSlow(const SampleBlock &block)
 
 void Capture::breakStream()
 {
-    for (const ChannelId id : m_fast)
-        mutableChannel(id)->fast()->breakHere();
-    for (const ChannelId id : m_slow)
-        mutableChannel(id)->values()->breakHere();
+    for (Channel *channel : m_fast)
+        channel->fast()->breakHere();
+    for (Channel *channel : m_slow)
+        channel->values()->breakHere();
 }
 
 void Capture::appendPolled(catalog::RegisterId id, std::string_view name, std::string_view unit,
@@ -349,8 +348,11 @@ std::optional<ChannelId> Capture::find(catalog::RegisterId id, Kind kind) const
 
 std::vector<ChannelId> Capture::streaming() const
 {
-    std::vector<ChannelId> result = m_fast;
-    result.insert(result.end(), m_slow.begin(), m_slow.end());
+    std::vector<ChannelId> result;
+    for (const auto *channels : {&m_fast, &m_slow}) {
+        for (const Channel *channel : *channels)
+            result.push_back(channel->info().id);
+    }
     return result;
 }
 

@@ -133,8 +133,8 @@ private:
         std::uint64_t touched = 0;
     };
 
-    ChannelId channelFor(
-        const StreamSignal &signal, ChannelInfo::Kind kind, std::span<const ChannelId> taken);
+    Channel *channelFor(
+        const StreamSignal &signal, ChannelInfo::Kind kind, std::span<Channel *const> taken);
     ChannelId add(ChannelInfo info);
     void makeStreamChannels();
     Channel *mutableChannel(ChannelId id);
@@ -170,8 +170,9 @@ private:
     TickBase m_base; ///< and shifted behind what was there
     Nanos m_shift = 0; ///< added to every origin, so that time never runs backwards
     bool m_fresh = false; ///< no block since begin()
-    std::vector<ChannelId> m_fast;
-    std::vector<ChannelId> m_slow;
+    std::vector<Channel *>
+        m_fast; ///< of the layout; the entries own them, and keep what a board streams
+    std::vector<Channel *> m_slow;
     Nanos m_streamEnd = std::numeric_limits<Nanos>::min(); ///< where the streamed samples end
     std::vector<Nanos> m_times; ///< of the slow groups of the block being appended
     std::uint64_t m_revision = 0;
