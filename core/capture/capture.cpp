@@ -151,14 +151,14 @@ void Capture::appendSlow(const SampleBlock &block)
 {
     if (m_slow.empty())
         return;
-    m_times.clear();
+    m_slowTimes.clear();
     for (const SlowGroup &group : block.slow)
-        m_times.push_back(m_base.timeOf(group.tick));
+        m_slowTimes.push_back(m_base.timeOf(group.tick));
     for (std::size_t i = 0; i < m_slow.size(); ++i) {
         ValueColumn *column = m_slow[i]->values();
         for (std::size_t g = 0; g < block.slow.size(); ++g) {
             const SlowGroup &group = block.slow[g];
-            const Nanos time = m_times[g];
+            const Nanos time = m_slowTimes[g];
             const double value = m_layout.slow[i].real
                 ? double{std::bit_cast<float>(group.values[i])}
                 : static_cast<double>(group.values[i]);

@@ -174,7 +174,8 @@ private:
         m_fast; ///< of the layout; the entries own them, and keep what a board streams
     std::vector<Channel *> m_slow;
     Nanos m_streamEnd = std::numeric_limits<Nanos>::min(); ///< where the streamed samples end
-    std::vector<Nanos> m_times; ///< of the slow groups of the block being appended
+    std::vector<Nanos>
+        m_slowTimes; ///< of the groups of the block being appended; kept, as memory is
     std::uint64_t m_revision = 0;
     std::uint64_t m_channelRevision = 0;
     std::uint64_t m_sinceCheck = 0;

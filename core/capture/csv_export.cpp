@@ -17,6 +17,7 @@ constexpr std::size_t kTimeWidth = 24; ///< digits of 64 bits, sign and point
 constexpr std::size_t kCodeWidth = 16; ///< of an entry of CodeTexts
 constexpr std::size_t kNumberWidth =
     24; ///< a double's shortest text: sign, 17 digits, point, e-308
+constexpr std::size_t kLineEndWidth = 2;
 constexpr std::size_t kColumnWidth = kNumberWidth + 1; ///< and the separator
 
 /// What a dialect writes between things.
@@ -306,9 +307,11 @@ bool CsvWriter::next(std::string &text)
         writeHeading(text);
         size = text.size();
     }
-    // A string clears what it grows by: from one piece to the next that is little, as it is not emptied in between.
+    // Made in place. A string clears what it grows by, so it is not emptied in between: what is cleared then is the room
+    // of one run, which is cheaper than to copy the piece.
     const std::size_t end = size + kPiece;
-    text.resize(end + kMostRowsARun * (kTimeWidth + m_columns.size() * kColumnWidth + 2));
+    const std::size_t rowWidth = kTimeWidth + m_columns.size() * kColumnWidth + kLineEndWidth;
+    text.resize(end + kMostRowsARun * rowWidth);
     char *at = text.data() + size;
     Run run;
     while (at < text.data() + end && plan(run))
@@ -398,9 +401,10 @@ char *CsvWriter::writeRun(const Run &run, char *at)
     }
     // Most rows of a run are a whole number of nanoseconds apart; the exact division is for the others.
     const Segment *segment = run.segment;
-    const std::int64_t picoKilo = segment ? segment->step * 1'000'000'000'000LL : 0;
-    const bool even = !segment || picoKilo % segment->base.milliHz == 0;
-    const Nanos step = segment ? picoKilo / segment->base.milliHz : 0;
+    const std::int64_t nanosPerKilosteps =
+        segment ? segment->step * TickBase::kNanosPerKilosecond : 0;
+    const bool even = !segment || nanosPerKilosteps % segment->base.milliHz == 0;
+    const Nanos step = segment ? nanosPerKilosteps / segment->base.milliHz : 0;
 
     const Marks &marks = marksOf(m_options.dialect);
     TimeTexts times(marks.decimal);

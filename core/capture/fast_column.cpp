@@ -42,7 +42,8 @@ CodeRange extremesOfAll(const CodeRange *entries, std::size_t count)
 #ifdef __SSE2__
 constexpr std::size_t kTogether = 4;
 
-/// Four registers to the lower half of one that holds what `pick` leaves of each, in their order: halvings of all at once.
+/// Of four registers with eight codes each, what `pick` leaves of each, side by side in the lower half of one: the four are
+/// interleaved, so that one `pick` halves them all.
 template <class Pick>
 __m128i reduceFour(const __m128i *of, Pick pick)
 {
@@ -110,8 +111,10 @@ void FastColumn::fill(const std::int16_t *codes, std::size_t from, std::size_t t
         copy(from, i * kFanOut);
         for (; i + kTogether <= high; i += kTogether)
             copy4Times16(codes + (i * kFanOut - from), samples + i * kFanOut, ranges + i);
-        i = high - kTogether; // some of the last four a second time: cheaper than one at a time
-        copy4Times16(codes + (i * kFanOut - from), samples + i * kFanOut, ranges + i);
+        if (i != high) {
+            i = high - kTogether; // some of the last four a second time: cheaper than one at a time
+            copy4Times16(codes + (i * kFanOut - from), samples + i * kFanOut, ranges + i);
+        }
         copy(high * kFanOut, to);
         if (opened) // not before: a wide load of what narrow stores have just written waits for them
             ranges[low] = extremesOf16(samples + low * kFanOut);
@@ -138,6 +141,7 @@ CodeRange FastColumn::Chunk::extremes(std::size_t from, std::size_t to) const
     // Climb: at each level only the ragged ends are read, the aligned middle is left to the next level. A few entries are
     // read as they are: ends of varying length, each guessed wrong by the processor, cost more.
     constexpr std::size_t kFew = 128;
+    static_assert(kSliceSamples >> 4 * kLevels <= kFew, "the top level ends the climb");
     std::size_t low = (from + kFanOut - 1) / kFanOut;
     std::size_t high = to / kFanOut;
     if (low >= high)
@@ -148,7 +152,7 @@ CodeRange FastColumn::Chunk::extremes(std::size_t from, std::size_t to) const
         const CodeRange *entries = this->level(level);
         const std::size_t lowUp = (low + kFanOut - 1) / kFanOut;
         const std::size_t highUp = high / kFanOut;
-        const bool last = level + 1 == kLevels || high - low <= kFew;
+        const bool last = high - low <= kFew;
         range.include(extremesOfAll(entries + low, (last ? high : lowUp * kFanOut) - low));
         if (last)
             return range;

@@ -76,7 +76,7 @@ public:
 
     std::int16_t at(Index index) const;
 
-    /// Extremes of [from, to), clipped to what is kept; exact. Cost: O(log) reads a chunk touched.
+    /// Extremes of [from, to), clipped to what is kept; exact. Cost: a few dozen reads a chunk touched, however long.
     CodeRange extremes(Index from, Index to) const;
 
     /// Extremes of the whole block of kBlockSamples that starts at `index`, a multiple of it; all of it must be
@@ -122,16 +122,16 @@ public:
 
 private:
     static constexpr std::size_t kFanOut = 16;
-    static constexpr std::size_t kLevels = 4;
+    static constexpr std::size_t kLevels = 3;
     static_assert(kSliceRanges == kSliceSamples / kFanOut);
     /// Of the levels above the finest.
-    static constexpr std::array<std::size_t, kLevels - 1> kLevelStart{0, 256, 272};
+    static constexpr std::array<std::size_t, kLevels - 1> kLevelStart{0, 256};
 
     // Its ranges are written before they are read; clearing them first would cost what appending does.
     struct Chunk { // NOLINT(cppcoreguidelines-pro-type-member-init)
         std::shared_ptr<const std::int16_t[]> samples;
         std::shared_ptr<const CodeRange[]> finest; ///< extremes of sixteen samples each
-        std::array<CodeRange, 273> coarser; ///< the other levels, finer first
+        std::array<CodeRange, 272> coarser; ///< the other levels, finer first
         const CodeRange *level(std::size_t number) const
         {
             return number == 0 ? finest.get() : &coarser[kLevelStart[number - 1]];

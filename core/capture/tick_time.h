@@ -22,9 +22,11 @@ inline double toSeconds(Nanos nanos) { return static_cast<double>(nanos) / kNano
 
 /// Rate and origin of a board's tick counter.
 struct TickBase {
+    static constexpr std::int64_t kNanosPerKilosecond = 1'000'000'000'000;
+
     std::int64_t milliHz = 1000; ///< ticks in 1000 s, at least 1
     Nanos origin = 0; ///< of tick 0
-    std::int64_t wholeNanos = 1'000'000'000; ///< a tick; 0: it is no whole number of them
+    std::int64_t nanosPerTick = 1'000'000'000; ///< 0 if that is no whole number
     bool operator==(const TickBase &) const = default;
 
     static TickBase of(double tickHz, double originSeconds)
@@ -34,14 +36,15 @@ struct TickBase {
         // control loop.
         const bool sane = milliHz >= 1.0 && milliHz <= 9e9;
         const std::int64_t rate = sane ? static_cast<std::int64_t>(milliHz) : 1000;
-        return {rate, toNanos(originSeconds), kPicoKilo % rate == 0 ? kPicoKilo / rate : 0};
+        return {rate, toNanos(originSeconds),
+            kNanosPerKilosecond % rate == 0 ? kNanosPerKilosecond / rate : 0};
     }
 
     /// Rounded to the nearest nanosecond; ticks below 0 are before the origin.
     Nanos timeOf(Tick tick) const
     {
-        if (wholeNanos != 0) // as of the usual control rates: four divisions less
-            return origin + tick * wholeNanos;
+        if (nanosPerTick != 0) // as of the usual control rates: four divisions less
+            return origin + tick * nanosPerTick;
         // tick / (milliHz / 1000) s, split into kilo-seconds and the rest so that no product
         // overflows.
         std::int64_t whole = tick / milliHz;
@@ -53,10 +56,8 @@ struct TickBase {
         const std::int64_t millis = rest * 1'000'000 / milliHz;
         const std::int64_t left = rest * 1'000'000 % milliHz;
         const std::int64_t nanos = (left * 1'000'000 + milliHz / 2) / milliHz;
-        return origin + whole * kPicoKilo + millis * 1'000'000 + nanos;
+        return origin + whole * kNanosPerKilosecond + millis * 1'000'000 + nanos;
     }
-
-    static constexpr std::int64_t kPicoKilo = 1'000'000'000'000; ///< nanoseconds in 1000 s
 
     /// Nanoseconds a tick, for estimates.
     double tickNanos() const { return 1e12 / static_cast<double>(milliHz); }

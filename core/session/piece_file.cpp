@@ -12,7 +12,7 @@ namespace session {
 
 namespace {
 
-constexpr qint64 kRoom = 16 << 20; ///< bytes asked for at a time
+constexpr qint64 kMostRoom = 16 << 20; ///< bytes asked for at a time
 
 /// A short write is no success: commit() would put a truncated file in place (Qt 6.4). Only writing the rest tells why.
 bool writeAll(QSaveFile &file, std::string_view text)
@@ -59,7 +59,8 @@ FileResult writePieces(const QString &path, const std::function<bool(std::string
     while (next(piece)) {
         const auto size = static_cast<qint64>(piece.size());
         if (result.bytes > 0 && result.bytes + size > reserved) { // not for a file of one piece
-            reserved = result.bytes + std::max(size, kRoom);
+            // No more than was written so far: others want room, too.
+            reserved = result.bytes + std::max(size, std::min(result.bytes, kMostRoom));
             reserveRoom(file.handle(), result.bytes, reserved - result.bytes);
         }
         if (!writeAll(file, piece))
@@ -68,9 +69,11 @@ FileResult writePieces(const QString &path, const std::function<bool(std::string
         if (proceed && !proceed())
             return failed(file, result, FileError::Cancelled);
     }
-    const bool whole = file.flush() && file.size() == result.bytes;
-    if (!whole || (reserved > 0 && !file.resize(result.bytes))) // gives back what was reserved
+    if (!file.flush() || file.size() != result.bytes)
         return failed(file, result, FileError::CannotWrite);
+    // Gives back what is left of the room; where that is refused, there was none to be had.
+    if (reserved > 0)
+        file.resize(result.bytes);
     if (!file.commit()) {
         result.error = FileError::CannotReplace;
         result.systemText = file.errorString();

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 using namespace session;
 
@@ -17,6 +18,7 @@ class TestCsvFullDisk : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void whereverItFillsTheOldFileStays();
+    void noRoomIsKeptBehindTheEnd();
 };
 
 namespace {
@@ -71,6 +73,21 @@ void TestCsvFullDisk::whereverItFillsTheOldFileStays()
         old.close();
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 2);
     }
+}
+
+void TestCsvFullDisk::noRoomIsKeptBehindTheEnd()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.csv"));
+    capture::CsvWriter writer(recording());
+    const CsvResult result = writeCsvFile(path, writer);
+    QCOMPARE(result.error, CsvError::None);
+    QVERIFY(result.bytes > 1'000'000); // several pieces
+    struct stat file { };
+    QCOMPARE(stat(QFile::encodeName(path).constData(), &file), 0);
+    constexpr qint64 kBlock = 512; // of st_blocks
+    QVERIFY2(qint64(file.st_blocks) * kBlock < result.bytes + 100'000,
+        qPrintable(QString::number(file.st_blocks)));
 }
 
 QTEST_GUILESS_MAIN(TestCsvFullDisk)

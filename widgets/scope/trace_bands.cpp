@@ -20,8 +20,8 @@ constexpr std::size_t kGroup = 16; ///< columns that are decided together: a cac
 Mask bitOf(std::size_t band) { return static_cast<Mask>(1U << band); }
 std::size_t firstOf(Mask mask) { return static_cast<std::size_t>(std::countr_zero(mask)); }
 
-/// What a set of bands looks like where all of it covers. From any place in the first period of the stripes on, the rows
-/// are a whole row of the picture, and another period at least.
+/// What a set of bands looks like where all of it covers. The rows begin with the first stripe and are at least
+/// two periods long, so that a period can be taken from any place in the first.
 struct Look {
     std::vector<QRgb> pixels;
     std::vector<std::uint32_t>
@@ -38,36 +38,43 @@ public:
     {
     }
     std::size_t period() const { return m_period; }
-    /// Stays where it is; nullptr for nobody.
-    const Look *of(Mask mask)
+    /// For a column: two periods. Stays where it is; nullptr for nobody.
+    const Look *of(Mask mask) { return of(mask, 2 * m_period); }
+    /// For a row: long enough for one that begins anywhere in the first period.
+    const Look *row(Mask mask) { return of(mask, m_length); }
+
+private:
+    /// Ragged traces meet thousands of sets in columns, and few in rows: only those are made long.
+    const Look *of(Mask mask, std::size_t length)
     {
         if (mask == 0)
             return nullptr;
         Look &look = m_known[mask];
         if (look.pixels.empty())
             fill(look, mask);
+        repeat(look.pixels, length);
+        repeat(look.owned, length);
         return &look;
     }
 
-private:
     void fill(Look &look, Mask mask) const
     {
-        look.pixels.reserve(m_length);
-        look.owned.reserve(m_length);
         for (std::size_t owner = 0; owner < m_bands.size(); ++owner) {
             const bool there = (mask >> owner & 1) != 0;
             look.pixels.insert(
                 look.pixels.end(), m_stripe, m_bands[there ? owner : firstOf(mask)].color);
             look.owned.insert(look.owned.end(), m_stripe, there ? ~std::uint32_t{0} : 0);
         }
-        const auto repeat = [this](std::vector<std::uint32_t> &row) {
-            row.resize(m_length);
-            for (std::size_t at = m_period; at < m_length; at += m_period)
-                std::copy_n(row.begin(), std::min(m_period, m_length - at),
-                    row.begin() + static_cast<std::ptrdiff_t>(at));
-        };
-        repeat(look.pixels);
-        repeat(look.owned);
+    }
+
+    void repeat(std::vector<std::uint32_t> &row, std::size_t length) const
+    {
+        row.reserve(length);
+        while (row.size() < length) {
+            const std::size_t part = std::min(m_period, length - row.size());
+            const auto from = row.end() - static_cast<std::ptrdiff_t>(m_period);
+            row.insert(row.end(), from, from + static_cast<std::ptrdiff_t>(part));
+        }
     }
 
     std::span<const Band> m_bands;
@@ -125,7 +132,7 @@ public:
         , m_clear(clear)
     {
         for (std::size_t b = 0; b < bands.size(); ++b)
-            m_alone.push_back(m_looks.of(bitOf(b)));
+            m_alone.push_back(m_looks.row(bitOf(b)));
         for (std::size_t x = 0; x < m_width; x += kGroup)
             decide(x);
     }
@@ -193,7 +200,6 @@ private:
                 else if (reach.some <= edges[i] && edges[i] < reach.someEnd)
                     stretch.part |= bitOf(b);
             }
-            stretch.look = m_looks.of(stretch.whole);
             ragged += stretch.part != 0 ? edges[i + 1] - edges[i] : 0;
             m_stretches.push_back(stretch);
         }
@@ -203,6 +209,8 @@ private:
             m_stretches.push_back({m_height, 0, 0, nullptr, true});
             paintColumns(x, to);
         }
+        for (std::size_t i = m_at.back(); i < m_stretches.size(); ++i)
+            m_stretches[i].look = m_looks.row(m_stretches[i].whole);
     }
 
     /// A group column by column, which turns it on its side, and back into the picture.
