@@ -4021,6 +4021,10 @@
         <source>Saved with its markers: %1.</source>
         <translation>Mit ihren Markierungen gespeichert: %1.</translation>
     </message>
+    <message>
+        <source>%1 has no end and changed just now: it seems that it is still being recorded, and what comes would be lost. Save a copy under another name, or wait until the recording has ended.</source>
+        <translation>%1 hat kein Ende und hat sich gerade noch geändert: Die Aufzeichnung läuft anscheinend noch, und was noch kommt, ginge verloren. Speichern Sie eine Kopie unter einem anderen Namen, oder warten Sie, bis die Aufzeichnung beendet ist.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MathPanel</name>

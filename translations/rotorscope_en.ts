@@ -4021,6 +4021,10 @@
         <source>Saved with its markers: %1.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 has no end and changed just now: it seems that it is still being recorded, and what comes would be lost. Save a copy under another name, or wait until the recording has ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::MathPanel</name>

@@ -47,54 +47,77 @@ struct Tail {
     }
 };
 
+NotesResult failed(const QString &why) { return {NotesResult::Outcome::Failed, why, {}}; }
+
+/// Whether a recorder may still have the file open; it writes several times a second while anything comes.
+/// @param file  as it was before it was read
+bool beingWritten(const QFileInfo &file, qint64 read, const NotesSource &known)
+{
+    if (known.bytes >= 0 && read > known.bytes)
+        return true;
+    const QDateTime time = file.lastModified();
+    return time != known.ownTime && time.msecsTo(known.now) < kQuietBefore_ms;
+}
+
 } // namespace
 
-QString saveNotes(const QString &source, const QString &target,
-    const std::vector<record::Note> &notes, const std::function<bool(double)> &proceed)
+NotesResult saveNotes(const QString &source, const QString &target,
+    const std::vector<record::Note> &notes, const std::function<bool(double)> &proceed,
+    const NotesSource &known)
 {
+    const QFileInfo before(source);
+    (void)before.lastModified(); // now: later it would be asked for later
     QFile from(source);
     if (!from.open(QIODevice::ReadOnly))
-        return from.errorString();
+        return failed(from.errorString());
     const QFileInfo existing(target);
     if (existing.exists() && !existing.isFile()) // QSaveFile would take the place of a device
-        return QStringLiteral("it is no file");
+        return failed(QStringLiteral("it is no file"));
     QSaveFile to(target);
     if (!to.open(QIODevice::WriteOnly | QIODevice::Unbuffered))
-        return to.errorString();
+        return failed(to.errorString());
     record::Decoder decoder;
     Tail tail;
     const double size = static_cast<double>(std::max<qint64>(1, from.size()));
     while (true) {
         const QByteArray piece = from.read(kPiece);
         if (from.error() != QFileDevice::NoError)
-            return from.errorString();
+            return failed(from.errorString());
         if (piece.isEmpty())
             break;
         if (!writeAll(to, piece.constData(), piece.size()))
-            return to.errorString();
+            return failed(to.errorString());
         decoder.feed({reinterpret_cast<const std::uint8_t *>(piece.constData()),
             static_cast<std::size_t>(piece.size())});
         tail.follow(decoder);
         if (proceed && !proceed(static_cast<double>(from.pos()) / size))
-            return QStringLiteral("cancelled");
+            return failed(QStringLiteral("cancelled"));
     }
+    const qint64 read = from.pos();
+    from.close(); // where an open file cannot be replaced
     decoder.finish();
     tail.follow(decoder);
     if (!decoder.isRecording())
-        return QStringLiteral("it is no recording of Rotorscope");
+        return failed(QStringLiteral("it is no recording of Rotorscope"));
+    if (!decoder.ending() && existing == before && beingWritten(before, read, known))
+        return {
+            NotesResult::Outcome::BeingWritten, QStringLiteral("it is still being written"), {}};
     if (tail.cut && !writeAll(to, Bytes(kApart).data(), kApart))
-        return to.errorString();
+        return failed(to.errorString());
     std::uint32_t number = decoder.nextNumber();
     for (const record::Note &note : notes) {
         const auto payload = record::encodeEntry(note);
         if (!payload)
-            return QStringLiteral("a note is too long");
+            return failed(QStringLiteral("a note is too long"));
         const Bytes block = record::packetBlock(
             {record::Interface::Entries, tail.newest, 0, number++, 0}, *payload);
         if (!writeAll(to, block.data(), static_cast<qint64>(block.size())))
-            return to.errorString();
+            return failed(to.errorString());
     }
-    return to.commit() ? QString() : to.errorString();
+    if (!to.commit())
+        return failed(to.errorString());
+    const QFileInfo written(target);
+    return {NotesResult::Outcome::Saved, {}, {written.size(), written.lastModified()}};
 }
 
 } // namespace session

@@ -4,17 +4,40 @@
 
 #include "record/entry.h"
 
+#include <QDateTime>
 #include <QString>
 
 #include <functional>
 
 namespace session {
 
+/// What a caller knows of the source. A file without an end may still be written by another program.
+struct NotesSource {
+    qint64 bytes = -1; ///< when it was opened; negative: not known
+    QDateTime
+        ownTime; ///< its time after this program itself wrote it in its place; invalid: not yet
+    QDateTime now = QDateTime::currentDateTime();
+};
+
+struct NotesResult {
+    enum class Outcome : std::uint8_t {
+        Saved,
+        BeingWritten, ///< what its recorder still writes would be lost: a copy under another name may be made
+        Failed,
+    };
+    Outcome outcome = Outcome::Failed;
+    QString why; ///< in the system's or our own words; empty if saved
+    NotesSource target; ///< once saved: what to tell of it the next time, besides the time
+};
+
+constexpr int kQuietBefore_ms =
+    10'000; ///< a file without an end that was changed later is being written
+
 /// @param target  may be the source; another file of that name is replaced
 /// @param notes  of record::Note::from; one that is there already gets the new text, and noNote() takes it back
 /// @param proceed  called with 0..1; false cancels
-/// @return  empty, or in the system's or our own words why nothing was written
-QString saveNotes(const QString &source, const QString &target,
-    const std::vector<record::Note> &notes, const std::function<bool(double)> &proceed = {});
+NotesResult saveNotes(const QString &source, const QString &target,
+    const std::vector<record::Note> &notes, const std::function<bool(double)> &proceed = {},
+    const NotesSource &known = {});
 
 } // namespace session

@@ -81,6 +81,7 @@ Result<RecordingReport, QString> readRecording(const QString &path,
             QStringLiteral("it is no recording of Rotorscope: no sound block in its %1 bytes")
                 .arg(file.size()));
     report.blocks = decoder.blocks();
+    report.bytes = file.pos();
     report.ending = decoder.ending();
     return report;
 }

@@ -26,6 +26,7 @@ struct RecordingReport {
     std::uint64_t linkBytes = 0;
     std::uint64_t samples = 0;
     std::uint64_t blocks = 0; ///< sound ones
+    qint64 bytes = 0; ///< of the file that were read
     std::vector<record::Damage> damage; ///< the first kMostDamage places
     std::uint64_t damagedPlaces = 0; ///< all of them
     std::optional<record::End> ending; ///< empty: the recorder was interrupted

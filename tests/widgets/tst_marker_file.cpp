@@ -14,7 +14,7 @@ using widgets::Banner;
 
 namespace {
 
-void writeRecording(const QString &path)
+void writeRecording(const QString &path, bool ended = true)
 {
     QString text;
     session::RecordingFile file(session::makeDiskSink(path, text), {0, "test", "board"});
@@ -22,7 +22,8 @@ void writeRecording(const QString &path)
     file.add(0, capture::StreamLayout{1, 1000.0, 0.0, 1, {{1, "A", "A", 0.1, 0.0}}, {}});
     file.add(0, capture::SampleBlock{1, 0, 5000, std::vector<std::int16_t>(5000, 7), {}, 0});
     file.add(1'500'000'000, record::Note{1'500'000'000, 1'500'000'000, "look here"});
-    QVERIFY(file.end());
+    if (ended)
+        QVERIFY(file.end());
 }
 
 } // namespace
@@ -104,6 +105,28 @@ private Q_SLOTS:
         QVERIFY(banner()->text().contains(QStringLiteral("could not be saved")));
         QVERIFY(save()->isEnabled());
         QCOMPARE(notesIn(m_path), QStringList{QStringLiteral("look here")});
+    }
+
+    void whatIsStillBeingRecordedIsNotReplaced()
+    {
+        m_path = m_folder->filePath(QStringLiteral("live.pcapng"));
+        writeRecording(m_path, false);
+        m_rig->files.answer = m_path;
+        m_rig->find<QAction>("openRecording")->trigger();
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Opened ")));
+        QFile file(m_path);
+        QVERIFY(file.open(QIODevice::Append));
+        file.write("more");
+        file.close();
+        setMarker(2.0, QStringLiteral("it sticks"));
+        save()->trigger();
+        QTRY_VERIFY(banner()->text().contains(QStringLiteral("still being recorded")));
+        QCOMPARE(notesIn(m_path), QStringList{QStringLiteral("look here")});
+        QVERIFY(save()->isEnabled());
+        m_rig->files.answer = m_folder->filePath(QStringLiteral("copy.pcapng"));
+        save()->trigger();
+        QTRY_VERIFY(!save()->isEnabled());
+        QCOMPARE(notesIn(m_rig->files.answer).size(), 2);
     }
 
     void unsavedOnesAreAskedAbout()

@@ -184,8 +184,8 @@ private Q_SLOTS:
     {
         const record::Note later{500'000'000, 500'000'000, "said later"};
         const QString path = m_folder.filePath(QStringLiteral("noted.pcapng"));
-        QCOMPARE(
-            session::saveNotes(m_path, path, {later, record::noNote(1'500'000'000)}), QString());
+        QCOMPARE(session::saveNotes(m_path, path, {later, record::noNote(1'500'000'000)}).why,
+            QString());
         replay(path);
         QTRY_VERIFY(text()->text().contains(QStringLiteral("its end")));
         QTRY_VERIFY(eventTexts().contains(QStringLiteral("said later")));

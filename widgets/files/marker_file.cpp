@@ -1,6 +1,5 @@
 #include "widgets/files/marker_file.h"
 
-#include "session/recording_notes.h"
 #include "widgets/base/device_text.h"
 #include "widgets/files/file_job.h"
 #include "widgets/files/file_prompt.h"
@@ -52,9 +51,10 @@ MarkerFile::MarkerFile(
     update();
 }
 
-void MarkerFile::opened(const QString &path)
+void MarkerFile::opened(const QString &path, qint64 bytes)
 {
     m_path = path;
+    m_known = {bytes, {}};
     m_saved = markers();
     update();
 }
@@ -93,6 +93,19 @@ void MarkerFile::ask()
     m_files.askSave(m_window, question, [this](const QString &path) { saveAs(path); });
 }
 
+QString MarkerFile::refusal(const QString &path, const session::NotesResult &result) const
+{
+    if (result.outcome == session::NotesResult::Outcome::BeingWritten)
+        return tr(
+            "%1 has no end and changed just now: it seems that it is still being recorded, and "
+            "what "
+            "comes would be lost. Save a copy under another name, or wait until the recording has "
+            "ended.")
+            .arg(deviceText(path));
+    return tr("The markers could not be saved to %1 (%2). What was there is as it was.")
+        .arg(deviceText(path), deviceText(result.why));
+}
+
 void MarkerFile::saveAs(const QString &path)
 {
     if (m_path.isEmpty())
@@ -100,25 +113,26 @@ void MarkerFile::saveAs(const QString &path)
     const Markers now = markers();
     new FileJob(
         tr("Saving %1").arg(deviceText(QFileInfo(path).fileName())),
-        [this, path, now, source = m_path, notes = differences(m_saved, now)](
+        [this, path, now, source = m_path, known = m_known, notes = differences(m_saved, now)](
+
             const FileJob::Proceed &proceed) -> FileJob::Finish {
             bool cancelled = false;
-            const QString why = session::saveNotes(source, path, notes, [&](double fraction) {
-                cancelled = !proceed(fraction);
-                return !cancelled;
-            });
+            const auto result = session::saveNotes(source, path, notes,
+                [&](double fraction) {
+                    cancelled = !proceed(fraction);
+                    return !cancelled;
+                },
+                {known.bytes, known.ownTime});
             if (cancelled)
                 return {};
-            return [this, path, now, source, why] {
-                if (!why.isEmpty()) {
-                    Q_EMIT said(Banner::Kind::Warning,
-                        tr("The markers could not be saved to %1 (%2). What was there is as it "
-                           "was.")
-                            .arg(deviceText(path), deviceText(why)));
+            return [this, path, now, source, result] {
+                if (result.outcome != session::NotesResult::Outcome::Saved) {
+                    Q_EMIT said(Banner::Kind::Warning, refusal(path, result));
                     return;
                 }
                 if (m_path == source) {
                     m_path = path;
+                    m_known = result.target;
                     m_saved = now;
                     update();
                 }

@@ -2,7 +2,7 @@
 // that: Ctrl+S. What is not of a recording, such as an imported CSV file, has none.
 #pragma once
 
-#include "record/entry.h"
+#include "session/recording_notes.h"
 #include "widgets/window/banner.h"
 
 #include <QObject>
@@ -25,7 +25,8 @@ public:
 
     QAction *save() const { return m_save; }
     /// The log has just been filled from it; once the log is cleared it is no longer open.
-    void opened(const QString &path);
+    /// @param bytes  of it that were read
+    void opened(const QString &path, qint64 bytes);
     bool changed() const; ///< there are markers to be saved
     void update(); ///< the action, when what is shown has changed
 
@@ -37,6 +38,7 @@ private:
     Markers markers() const; ///< of the log
     void ask();
     void saveAs(const QString &path);
+    QString refusal(const QString &path, const session::NotesResult &result) const;
 
     EventLog &m_events;
     FilePrompt &m_files;
@@ -44,6 +46,7 @@ private:
     QWidget *m_window;
     QAction *m_save;
     QString m_path; ///< empty: no recording
+    session::NotesSource m_known; ///< of that file
     Markers m_saved; ///< as the file has them
 };
 

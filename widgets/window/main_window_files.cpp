@@ -323,7 +323,7 @@ void MainWindow::showRecording(OpenedRecording &opened)
     const QString sentence = openedText(opened, whole);
     m_selection->showFile(std::move(opened.capture));
     fillEvents(m_scope->events(), opened.report);
-    m_markers->opened(opened.path);
+    m_markers->opened(opened.path, opened.report.bytes);
     say(whole ? Banner::Kind::Note : Banner::Kind::Warning, sentence);
 }
 
