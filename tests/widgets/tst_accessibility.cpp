@@ -67,6 +67,7 @@ private Q_SLOTS:
     {
         QApplication::setActiveWindow(&m_rig->window);
         m_rig->window.resize(1600, 1000);
+        m_rig->window.scope()->toggleCursors();
         QList<QAction *> tools{nullptr};
         for (QAction *action : m_rig->window.findChildren<QAction *>())
             if (action->objectName().endsWith(QStringLiteral("DockOpen")))
@@ -95,6 +96,27 @@ private Q_SLOTS:
                 qPrintable((tool ? tool->objectName() : QStringLiteral("no tool"))
                     + QStringLiteral(": ") + missed.join(QStringLiteral(", "))));
         }
+    }
+
+    /// It is made late, and yet its place is the one that it is seen at.
+    void tabGoesFromTheScopeThroughTheCursorsToTheChips()
+    {
+        QApplication::setActiveWindow(&m_rig->window);
+        m_rig->window.resize(1600, 1000);
+        m_rig->window.scope()->toggleCursors();
+        QCoreApplication::processEvents();
+        m_rig->window.scope()->setFocus();
+        QCOMPARE(QApplication::focusWidget(), m_rig->window.scope());
+        QStringList order;
+        while (order.size() < 100 && !order.contains(QStringLiteral("foldChips"))) {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+            order.append(QApplication::focusWidget()->objectName());
+        }
+        const QStringList first{QStringLiteral("eventLane"), QStringLiteral("cursorPair"),
+            QStringLiteral("addCursorPair"), QStringLiteral("copyCursors"),
+            QStringLiteral("hideCursors"), QStringLiteral("cursorTable")};
+        QCOMPARE(order.mid(0, first.size()), first);
+        QVERIFY(order.contains(QStringLiteral("foldChips")));
     }
 
     void whatCannotBePressedSaysWhy()

@@ -16,6 +16,7 @@
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -52,6 +53,21 @@ private Q_SLOTS:
         m_motion.reset();
         m_registers.reset();
         m_device.reset();
+    }
+
+    /// Its lines of text wrap then, and there is room below.
+    void aNarrowerPanelHasNoScrollBarWhileThereIsRoom()
+    {
+        auto *scroll = m_panel->findChild<QScrollArea *>(QStringLiteral("controlScroll"));
+        facts::connectBoard(*m_device);
+        m_device->setUserLimits({1500.0, 2.5});
+        m_panel->resize(700, 1200);
+        QCoreApplication::processEvents();
+        const int wide = scroll->height();
+        m_panel->resize(m_panel->minimumSizeHint().width(), 1200);
+        QTRY_VERIFY(scroll->height() > wide);
+        QTRY_COMPARE(scroll->verticalScrollBar()->maximum(), 0);
+        QVERIFY(!scroll->verticalScrollBar()->isVisible());
     }
 
     void setPointsAreReadStrictly_data()

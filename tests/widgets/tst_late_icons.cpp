@@ -1,5 +1,6 @@
 // LateIcons: icons that come late are those of the style.
 #include "widgets/base/late_icons.h"
+#include "widgets/base/theme.h"
 
 #include <QApplication>
 #include <QStyleFactory>
@@ -42,6 +43,29 @@ private Q_SLOTS:
             }
         }
     }
+
+    /// As `-stylesheet` gives the program one: another style then stands before ours.
+    void itIsTheStylesOwnUnderAStyleSheetToo()
+    {
+        QApplication::setStyle(new widgets::LateIcons);
+        qApp->setStyleSheet(QStringLiteral("QLabel { padding: 1px; }"));
+        const auto icon = QStyle::SP_TitleBarCloseButton;
+        const QIcon late = QApplication::style()->standardIcon(icon);
+        const std::unique_ptr<QStyle> fusion(QStyleFactory::create(QStringLiteral("Fusion")));
+        QCOMPARE(
+            late.pixmap(16, 16).toImage(), fusion->standardIcon(icon).pixmap(16, 16).toImage());
+        QVERIFY(!late.pixmap(16, 16).isNull());
+    }
+
+    void aThemeThatChangesUnderAStyleSheetLeavesTheStyle()
+    {
+        qApp->setStyleSheet(QStringLiteral("QLabel { padding: 1px; }"));
+        widgets::applyTheme(widgets::Theme::Light);
+        const QIcon late = QApplication::style()->standardIcon(QStyle::SP_TitleBarCloseButton);
+        widgets::applyTheme(widgets::Theme::Dark);
+        QVERIFY(!late.pixmap(16, 16).isNull());
+    }
+    void cleanup() { qApp->setStyleSheet({}); }
 };
 
 QTEST_MAIN(LateIconsTest)

@@ -103,6 +103,10 @@ private Q_SLOTS:
         QCOMPARE(file.readAll(), rig.workbench.motionLog().text());
         QVERIFY(rig.find<QLabel>("bannerText")->text().contains(QStringLiteral("log.csv")));
 
+        rig.workbench.device().portChanged(session::PortState::Closed, {});
+        rig.workbench.device().portChanged(session::PortState::Open, {});
+        QVERIFY(!rig.find<QLabel>("bannerText")->text().contains(QStringLiteral("log.csv")));
+
         rig.files.answer = folder.filePath(QStringLiteral("missing/log.csv"));
         rig.find<QToolButton>("motionLogSave")->click();
         QVERIFY(

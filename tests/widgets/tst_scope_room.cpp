@@ -83,6 +83,23 @@ private Q_SLOTS:
         QTRY_VERIFY(!strip->folded());
     }
 
+    void chipsThatAPersonFoldedStayFolded()
+    {
+        auto *strip = m_rig->window.findChild<widgets::ChannelStrip *>();
+        auto *fold = m_rig->find<QToolButton>("foldChips");
+        QTest::mouseClick(fold, Qt::LeftButton);
+        QVERIFY(strip->folded());
+        m_rig->scope().toggleCursors();
+        m_rig->find<QAction>("measureDockOpen")->trigger();
+        m_rig->draw();
+        QVERIFY(strip->folded());
+        m_rig->scope().toggleCursors();
+        m_rig->draw();
+        QVERIFY(strip->folded());
+        QTest::mouseClick(fold, Qt::LeftButton);
+        QVERIFY(!strip->folded());
+    }
+
     void columnsThatFitNeedNoScrollBar()
     {
         m_rig->scope().toggleCursors();

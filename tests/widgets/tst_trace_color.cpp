@@ -26,6 +26,32 @@ private Q_SLOTS:
         QVERIFY(m_rig->window.settings().traceColors.isEmpty());
     }
 
+    void byItselfATraceGetsTheColourItHad()
+    {
+        QCOMPARE(color(), widgets::traceColor(0, dark()));
+        QVERIFY(choose(QStringLiteral("I_A"), 0)); // the very one that it has by itself
+        QVERIFY(choose(QStringLiteral("I_A"), -1));
+        QCOMPARE(color(), widgets::traceColor(0, dark()));
+    }
+
+    /// Before its first sample a signal has a chip, and no channel.
+    void aSignalThatIsNotDrawnYetCanBeGivenAColour()
+    {
+        m_rig->window.selection()->add(facts::kSpeed);
+        QVERIFY(!m_rig->workbench.capture().find(facts::kSpeed));
+        QMenu menu;
+        m_rig->window.selection()->fillColors(menu, facts::kSpeed);
+        QCOMPARE(menu.actions().size(), widgets::kTraceColors + 2);
+        QVERIFY(menu.actions().last()->isChecked());
+        menu.actions().at(3)->trigger();
+        QCOMPARE(m_rig->window.settings().traceColors.value(
+                     m_rig->window.selection()->nameOf(facts::kSpeed), -1),
+            3);
+        QMenu again;
+        m_rig->window.selection()->fillColors(again, facts::kSpeed);
+        QVERIFY(again.actions().at(3)->isChecked());
+    }
+
     void theChosenOneIsMarkedAndNamed()
     {
         QVERIFY(choose(QStringLiteral("I_A"), 2));

@@ -1,16 +1,20 @@
 #include "widgets/base/late_icons.h"
 
-#include <QApplication>
 #include <QIconEngine>
+#include <QPointer>
+
+#include <utility>
 
 namespace widgets {
 namespace {
 
-/// Gives every question to the style's icon, which it gets with the first.
+/// Gives every question to the style's icon, which it gets with the first. Not from the style of the application: that one may
+/// stand before ours (Qt's, of a style sheet) and would ask ours, which would make the next late icon.
 class LateIcon : public QIconEngine {
 public:
-    explicit LateIcon(QStyle::StandardPixmap which)
-        : m_which(which)
+    LateIcon(QPointer<QStyle> style, QStyle::StandardPixmap which)
+        : m_style(std::move(style))
+        , m_which(which)
     {
     }
 
@@ -42,13 +46,12 @@ public:
 private:
     const QIcon &icon()
     {
-        if (m_icon.isNull()) {
-            const auto *late = qobject_cast<const LateIcons *>(QApplication::style());
-            m_icon = (late ? late->baseStyle() : QApplication::style())->standardIcon(m_which);
-        }
+        if (m_icon.isNull() && m_style)
+            m_icon = m_style->standardIcon(m_which);
         return m_icon;
     }
 
+    QPointer<QStyle> m_style;
     QStyle::StandardPixmap m_which;
     QIcon m_icon;
 };
@@ -63,7 +66,7 @@ LateIcons::LateIcons()
 QIcon LateIcons::standardIcon(
     StandardPixmap which, const QStyleOption * /*option*/, const QWidget * /*widget*/) const
 {
-    return QIcon(new LateIcon(which));
+    return QIcon(new LateIcon(baseStyle(), which));
 }
 
 } // namespace widgets

@@ -12,7 +12,7 @@ class LateIcons : public QProxyStyle {
 public:
     LateIcons();
 
-    /// As Fusion's without an option and a widget, which may be gone when the icon is painted.
+    /// While this style lasts, as Fusion's without an option and a widget, which may be gone when the icon is painted.
     QIcon standardIcon(StandardPixmap which, const QStyleOption *option = nullptr,
         const QWidget *widget = nullptr) const override;
 };

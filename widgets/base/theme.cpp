@@ -3,6 +3,7 @@
 #include "widgets/base/late_icons.h"
 
 #include <QApplication>
+#include <QPointer>
 #include <QToolTip>
 
 namespace widgets {
@@ -71,8 +72,10 @@ QPalette darkPalette()
 void applyTheme(Theme theme)
 {
     const bool dark = desktopIsDark();
-    if (!qobject_cast<LateIcons *>(QApplication::style()))
-        QApplication::setStyle(new LateIcons);
+    // Kept, not asked for: with a style sheet the application's style is Qt's own, with ours behind it.
+    static QPointer<LateIcons> style;
+    if (!style)
+        QApplication::setStyle(style = new LateIcons);
     const bool wantDark = theme == Theme::Dark || (theme == Theme::System && dark);
     const QPalette palette = wantDark ? darkPalette() : lightPalette();
     QApplication::setPalette(palette);

@@ -40,6 +40,8 @@ protected:
     {
         placeBar();
         QScrollArea::resizeEvent(event);
+        if (event->size().width() != event->oldSize().width())
+            updateGeometry(); // text that wraps makes another height of it
     }
     bool eventFilter(QObject *watched, QEvent *event) override
     {

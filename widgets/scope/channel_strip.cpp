@@ -149,7 +149,10 @@ ChannelStrip::ChannelStrip(SignalSelection &selection, Device &device, QWidget *
     m_fold->setObjectName(QStringLiteral("foldChips"));
     m_fold->setAutoRaise(true);
     m_fold->setFocusPolicy(Qt::TabFocus);
-    connect(m_fold, &QToolButton::clicked, this, [this] { fold(!m_folded); });
+    connect(m_fold, &QToolButton::clicked, this, [this] {
+        m_foldedByHand = !m_folded;
+        fold();
+    });
     m_rateLabel->setBuddy(m_rate);
     auto *bottom = new QHBoxLayout;
     bottom->setSpacing(8);
@@ -337,12 +340,14 @@ void ChannelStrip::room()
 {
     const bool crowded = m_isCrowded && m_isCrowded();
     if (crowded != std::exchange(m_crowded, crowded))
-        fold(crowded);
+        fold();
 }
 
-void ChannelStrip::fold(bool folded)
+void ChannelStrip::fold()
 {
-    m_folded = folded;
+    if (!m_crowded && m_foldedByHand == std::optional(false))
+        m_foldedByHand.reset(); // what was unfolded for want of room is as new when there is room
+    m_folded = m_foldedByHand.value_or(m_crowded);
     showFold();
 }
 

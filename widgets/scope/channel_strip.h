@@ -37,7 +37,8 @@ public:
     ChannelStrip(SignalSelection &selection, Device &device, QWidget *parent = nullptr);
 
     void setComputed(const QList<Computed> &computed);
-    /// From now on the chips fold when there is little room, until a person unfolds them; `crowded` asks.
+    /// From now on the chips fold while there is little room, unless a person unfolds them; `crowded` asks. Those that a person
+    /// folded stay so.
     void foldWhen(std::function<bool()> crowded);
     void room(); ///< it may have changed
     bool folded() const { return m_folded; }
@@ -57,7 +58,7 @@ protected:
 
 private:
     void rebuild();
-    void fold(bool folded);
+    void fold();
     void showFold();
     void updateBudget();
     void fillRates();
@@ -81,6 +82,7 @@ private:
     std::map<quint32, QToolButton *> m_polledTags; ///< by signal, of the chips that are shown
     std::function<bool()> m_isCrowded;
     bool m_crowded = false;
+    std::optional<bool> m_foldedByHand;
     bool m_folded = false;
     std::uint64_t m_bytesBefore = 0;
     Milliseconds m_measuredAt{};

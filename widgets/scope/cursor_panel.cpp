@@ -18,6 +18,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <initializer_list>
 #include <utility>
 
 namespace widgets {
@@ -34,6 +35,8 @@ CursorPanel::CursorPanel(ScopeView &scope, const capture::Capture &capture, QWid
     , m_pairs(new QComboBox(this))
     , m_add(new QToolButton(this))
     , m_remove(new QToolButton(this))
+    , m_copy(new QToolButton(this))
+    , m_hide(new QToolButton(this))
     , m_distance(new QLabel(this))
     , m_table(new QTableView(this))
 {
@@ -42,7 +45,10 @@ CursorPanel::CursorPanel(ScopeView &scope, const capture::Capture &capture, QWid
     m_table->setAccessibleName(tr("Values at the cursors"));
     m_table->setModel(m_model);
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
-    m_table->setFocusPolicy(Qt::NoFocus);
+    // The arrows move it where there are more traces than fit; Tab goes on.
+    m_table->setFocusPolicy(Qt::TabFocus);
+    m_table->setTabKeyNavigation(false);
+    m_table->setCornerButtonEnabled(false);
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->viewport()->setBackgroundRole(QPalette::Window);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -97,12 +103,10 @@ QWidget *CursorPanel::makeSide()
         tool->setToolTip(says);
         tool->setAutoRaise(true);
     };
-    auto *copyIt = new QToolButton(side);
-    auto *hide = new QToolButton(side);
     button(m_add, "addCursorPair", QStringLiteral("+"), tr("Another pair of cursors"));
     button(m_remove, "removeCursorPair", QStringLiteral("\u2212"), tr("Remove this pair"));
-    button(copyIt, "copyCursors", tr("Copy"), tr("Copy the values as text"));
-    button(hide, "hideCursors", QStringLiteral("\u00d7"), tr("Hide the cursors (C)"));
+    button(m_copy, "copyCursors", tr("Copy"), tr("Copy the values as text"));
+    button(m_hide, "hideCursors", QStringLiteral("\u00d7"), tr("Hide the cursors (C)"));
     m_distance->setObjectName(QStringLiteral("cursorInverse"));
     m_distance->setTextFormat(Qt::PlainText);
     m_distance->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -111,9 +115,9 @@ QWidget *CursorPanel::makeSide()
     buttons->setSpacing(2);
     buttons->addWidget(m_add);
     buttons->addWidget(m_remove);
-    buttons->addWidget(copyIt);
+    buttons->addWidget(m_copy);
     buttons->addStretch(1);
-    buttons->addWidget(hide);
+    buttons->addWidget(m_hide);
     auto *layout = new QVBoxLayout(side);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
@@ -132,9 +136,22 @@ QWidget *CursorPanel::makeSide()
         cursors.addPair(seen.from + span * 0.4, seen.from + span * 0.6);
     });
     connect(m_remove, &QToolButton::clicked, &cursors, &Cursors::removeCurrent);
-    connect(copyIt, &QToolButton::clicked, this, &CursorPanel::copy);
-    connect(hide, &QToolButton::clicked, &m_scope, &ScopeView::toggleCursors);
+    connect(m_copy, &QToolButton::clicked, this, &CursorPanel::copy);
+    connect(m_hide, &QToolButton::clicked, &m_scope, &ScopeView::toggleCursors);
     return side;
+}
+
+void CursorPanel::tabAfterScope()
+{
+    QWidget *before = &m_scope;
+    for (QWidget *part = before->nextInFocusChain(); m_scope.isAncestorOf(part);
+         part = part->nextInFocusChain()) {
+        if (part->focusPolicy() & Qt::TabFocus)
+            before = part;
+    }
+    for (QWidget *next :
+        std::initializer_list<QWidget *>{m_pairs, m_add, m_remove, m_copy, m_hide, m_table})
+        setTabOrder(std::exchange(before, next), next);
 }
 
 void CursorPanel::copy() { QApplication::clipboard()->setText(m_model->asText()); }

@@ -25,6 +25,9 @@ public:
     /// Both outlive it.
     CursorPanel(ScopeView &scope, const capture::Capture &capture, QWidget *parent = nullptr);
 
+    /// On the way of the Tab key it follows the scope, which is in the same window, however late it was made.
+    void tabAfterScope();
+
 public Q_SLOTS:
     void copy(); ///< the table as text, into the clipboard
 
@@ -41,6 +44,8 @@ private:
     QComboBox *m_pairs;
     QToolButton *m_add;
     QToolButton *m_remove;
+    QToolButton *m_copy;
+    QToolButton *m_hide;
     QLabel *m_distance;
     QTableView *m_table;
     QTimer m_look; ///< at the width of the table, when it has its place

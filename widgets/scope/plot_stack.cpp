@@ -178,8 +178,11 @@ int PlotStack::slotFor(const capture::ChannelInfo &channel)
         return known->second;
     std::array<int, kTraceColors> uses{};
     for (const auto &plot : m_plots) {
-        for (const Trace &trace : plot->traces)
-            ++uses[std::size_t(trace.colorSlot)];
+        for (const Trace &trace : plot->traces) {
+            // Not its own, which it is to lose.
+            if (trace.info.registerId != channel.registerId)
+                ++uses[std::size_t(trace.colorSlot)];
+        }
     }
     // The first free one of its family's; where none is free, one that the fewest have.
     const int preferred = preferredSlot(QString::fromStdString(channel.unit));
@@ -273,21 +276,17 @@ QColor PlotStack::colorOf(capture::ChannelId channel) const
     return shown ? traceColor(shown->colorSlot, isDark(m_palette)) : QColor();
 }
 
-void PlotStack::setColor(capture::ChannelId channel, std::optional<int> slot)
+void PlotStack::setColor(const QString &name, std::optional<int> slot)
 {
-    const Trace *shown = trace(channel);
-    if (!shown)
-        return;
-    const capture::ChannelInfo info = shown->info;
-    const QString name = QString::fromStdString(info.name);
-    m_slots.erase(info.registerId);
     m_chosen.remove(name);
     if (slot && m_chosen.size() < kMostChosen)
         m_chosen[name] = std::clamp(*slot, 0, kTraceColors - 1);
     for (const auto &plot : m_plots) {
         for (Trace &each : plot->traces)
-            if (each.info.name == info.name)
+            if (QString::fromStdString(each.info.name) == name) {
+                m_slots.erase(each.info.registerId);
                 each.colorSlot = slotFor(each.info);
+            }
         labelAxes(*plot);
     }
 }

@@ -39,7 +39,7 @@ public:
     int plotOf(capture::ChannelId channel) const;
     QColor colorOf(capture::ChannelId channel) const;
     /// By a person, for every signal of this name; empty: one is found for it again.
-    void setColor(capture::ChannelId channel, std::optional<int> slot);
+    void setColor(const QString &name, std::optional<int> slot);
     void setChosenColors(const QMap<QString, int> &slotsByName) { m_chosen = slotsByName; }
     const QMap<QString, int> &chosenColors() const { return m_chosen; }
     std::optional<double> newestSample() const; ///< seconds; of the traces shown

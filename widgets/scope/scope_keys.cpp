@@ -156,8 +156,14 @@ void ScopeView::fillContextMenu(QMenu &menu, int plot)
 
 void ScopeView::fillColors(QMenu &menu, capture::ChannelId channel)
 {
-    fillColorMenu(menu, chosenColor(channel), isDark(palette()),
-        [this, channel](std::optional<int> slot) { setColor(channel, slot); });
+    if (const Trace *trace = m_stack->trace(channel))
+        fillColors(menu, QString::fromStdString(trace->info.name));
+}
+
+void ScopeView::fillColors(QMenu &menu, const QString &name)
+{
+    fillColorMenu(menu, chosenColor(name), isDark(palette()),
+        [this, name](std::optional<int> slot) { setColor(name, slot); });
 }
 
 } // namespace widgets

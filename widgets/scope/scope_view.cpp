@@ -124,20 +124,18 @@ int ScopeView::plotOf(capture::ChannelId channel) const { return m_stack->plotOf
 
 QColor ScopeView::colorOf(capture::ChannelId channel) const { return m_stack->colorOf(channel); }
 
-void ScopeView::setColor(capture::ChannelId channel, std::optional<int> slot)
+void ScopeView::setColor(const QString &name, std::optional<int> slot)
 {
-    m_stack->setColor(channel, slot);
+    m_stack->setColor(name, slot);
     redraw();
     Q_EMIT colorsChanged();
     Q_EMIT channelsChanged();
 }
 
-std::optional<int> ScopeView::chosenColor(capture::ChannelId channel) const
+std::optional<int> ScopeView::chosenColor(const QString &name) const
 {
-    const Trace *trace = m_stack->trace(channel);
     const auto &chosen = m_stack->chosenColors();
-    const auto found =
-        trace ? chosen.constFind(QString::fromStdString(trace->info.name)) : chosen.constEnd();
+    const auto found = chosen.constFind(name);
     return found != chosen.constEnd() ? std::optional(*found) : std::nullopt;
 }
 

@@ -49,12 +49,13 @@ public:
     int plotOf(capture::ChannelId channel) const; ///< -1 if it is not shown
     QColor colorOf(capture::ChannelId channel) const;
     /// A slot of trace_colors.h for every signal of this name; empty: one is found for it again.
-    void setColor(capture::ChannelId channel, std::optional<int> slot);
-    std::optional<int> chosenColor(capture::ChannelId channel) const; ///< by a person
+    void setColor(const QString &name, std::optional<int> slot);
+    std::optional<int> chosenColor(const QString &name) const; ///< by a person
     QMap<QString, int> chosenColors() const; ///< slots by the names of signals
     void setChosenColors(const QMap<QString, int> &slotsByName); ///< before a channel is added
     /// The colours to choose from, for a channel that is shown.
     void fillColors(QMenu &menu, capture::ChannelId channel);
+    void fillColors(QMenu &menu, const QString &name); ///< for one that may not be shown yet
 
     struct TimeRange {
         double from = 0.0, to = 1.0; ///< seconds on the session's axis

@@ -91,9 +91,8 @@ QColor SignalSelection::colorOf(catalog::RegisterId id) const
 
 void SignalSelection::fillColors(QMenu &menu, catalog::RegisterId id)
 {
-    const auto channel = channelOf(id);
-    if (channel && m_scope.plotOf(*channel) >= 0)
-        m_scope.fillColors(menu, *channel);
+    if (const auto catalog = m_device.catalog())
+        m_scope.fillColors(menu, QString::fromStdString(catalog->nameOf(id)));
 }
 
 void SignalSelection::addDefaults()

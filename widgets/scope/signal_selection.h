@@ -33,7 +33,7 @@ public:
     void addDefaults();
     QString nameOf(catalog::RegisterId id) const;
     QColor colorOf(catalog::RegisterId id) const;
-    void fillColors(QMenu &menu, catalog::RegisterId id); ///< nothing while it is not drawn
+    void fillColors(QMenu &menu, catalog::RegisterId id); ///< also before it is drawn
     /// Shows what was read from a file, in the place of everything recorded; until the next connection.
     void showFile(capture::Capture file);
     bool showsFile() const { return m_fromFile; }

@@ -318,7 +318,9 @@ QWidget *MainWindow::makeCentre()
     connect(
         &m_scope->cursors(), &Cursors::changed, picture,
         [this, picture, layout, place = layout->count()] {
-            layout->insertWidget(place, new CursorPanel(*m_scope, m_workbench.capture(), picture));
+            auto *panel = new CursorPanel(*m_scope, m_workbench.capture(), picture);
+            layout->insertWidget(place, panel);
+            panel->tabAfterScope();
         },
         Qt::SingleShotConnection);
     auto *strip = new ChannelStrip(*m_selection, m_device, centre);

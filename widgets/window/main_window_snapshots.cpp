@@ -19,10 +19,8 @@ void MainWindow::makeSnapshots()
     };
     m_snapshots = new SnapshotActions(m_device, m_files, panel, *this);
     connect(m_snapshots, &SnapshotActions::panelWanted, show, &QAction::trigger);
-    connect(m_snapshots, &SnapshotActions::saved, this, [this](const QString &sentence) {
-        m_told = Told::Other;
-        m_banner->say(Banner::Kind::Note, sentence);
-    });
+    connect(m_snapshots, &SnapshotActions::saved, this,
+        [this](const QString &sentence) { say(Banner::Kind::Note, sentence); });
 }
 
 } // namespace widgets

@@ -62,8 +62,7 @@ void MainWindow::makeTools()
     addTool(tr("Motion log"), "motionLogDock", Qt::CTRL | Qt::SHIFT | Qt::Key_L, [this] {
         auto *log = new MotionLogPanel(m_workbench.motionLog(), m_files);
         connect(log, &MotionLogPanel::saved, this, [this](const QString &path) {
-            m_told = Told::Other;
-            m_banner->say(Banner::Kind::Note, tr("Exported to %1.").arg(deviceText(path)));
+            say(Banner::Kind::Note, tr("Exported to %1.").arg(deviceText(path)));
         });
         return log;
     });
@@ -141,10 +140,8 @@ Form *MainWindow::formOf(Tool &tool)
         if (form->isVisible())
             form->refresh(now);
     });
-    connect(form, &Form::failed, this, [this](const QString &sentence) {
-        m_told = Told::Other;
-        m_banner->say(Banner::Kind::Warning, sentence);
-    });
+    connect(form, &Form::failed, this,
+        [this](const QString &sentence) { say(Banner::Kind::Warning, sentence); });
     return form;
 }
 
