@@ -3963,10 +3963,6 @@
         <translation>&amp;Platz für Messwerte…</translation>
     </message>
     <message>
-        <source>All samples of the last connection are in its recording, but not all markers. A file that is opened takes their place.</source>
-        <translation>Alle Messwerte der letzten Verbindung sind in ihrer Aufzeichnung, aber nicht alle Markierungen. Eine Datei, die geöffnet wird, tritt an ihre Stelle.</translation>
-    </message>
-    <message>
         <source>Leave the markers unsaved?</source>
         <translation>Die Markierungen nicht speichern?</translation>
     </message>
@@ -3981,6 +3977,22 @@
     <message>
         <source>&amp;Leave unsaved</source>
         <translation>&amp;Nicht speichern</translation>
+    </message>
+    <message>
+        <source>All samples of the last connection are in a file, but not all markers. A file that is opened takes their place.</source>
+        <translation>Alle Messwerte der letzten Verbindung sind in einer Datei, aber nicht alle Markierungen. Eine Datei, die geöffnet wird, tritt an ihre Stelle.</translation>
+    </message>
+    <message>
+        <source>They can be saved into the recording of that connection.</source>
+        <translation>Sie lassen sich in der Aufzeichnung dieser Verbindung speichern.</translation>
+    </message>
+    <message>
+        <source>Exported files hold no markers, and there is no whole recording of that connection to save them into.</source>
+        <translation>Exportierte Dateien enthalten keine Markierungen, und es gibt keine vollständige Aufzeichnung dieser Verbindung, in der sie gespeichert werden könnten.</translation>
+    </message>
+    <message>
+        <source>&amp;Save the markers</source>
+        <translation>Markierungen &amp;speichern</translation>
     </message>
 </context>
 <context>
@@ -5184,6 +5196,18 @@
     <message>
         <source>The disk failed (%3): the recording %1 ends here, with %2 MB. What was recorded is in it, and the connection goes on.</source>
         <translation>Die Platte versagt (%3): Die Aufzeichnung %1 endet hier, mit %2 MB. Was bis dahin kam, ist in ihr, und die Verbindung läuft weiter.</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>Speichern von %1</translation>
+    </message>
+    <message>
+        <source>The markers could not be saved to %1 (%2). What was there is as it was.</source>
+        <translation>Die Markierungen konnten nicht in %1 gespeichert werden (%2). Was dort war, ist unverändert.</translation>
+    </message>
+    <message>
+        <source>Saved with its markers: %1.</source>
+        <translation>Mit ihren Markierungen gespeichert: %1.</translation>
     </message>
 </context>
 <context>

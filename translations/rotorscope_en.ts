@@ -3963,10 +3963,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All samples of the last connection are in its recording, but not all markers. A file that is opened takes their place.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Leave the markers unsaved?</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3980,6 +3976,22 @@
     </message>
     <message>
         <source>&amp;Leave unsaved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All samples of the last connection are in a file, but not all markers. A file that is opened takes their place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They can be saved into the recording of that connection.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exported files hold no markers, and there is no whole recording of that connection to save them into.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save the markers</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5183,6 +5195,18 @@
     </message>
     <message>
         <source>The disk failed (%3): the recording %1 ends here, with %2 MB. What was recorded is in it, and the connection goes on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The markers could not be saved to %1 (%2). What was there is as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved with its markers: %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -39,6 +39,7 @@ void Recording::start(const QString &path, RecordingTap::Content content, const 
     if (m_running)
         return;
     m_running = true;
+    m_ending = false;
     record::Begin begin;
     begin.program = program.toStdString();
     begin.source = source.toStdString();
@@ -52,19 +53,21 @@ void Recording::stop()
 {
     if (!m_running)
         return;
+    m_ending = true;
     RecordingWorker *worker = m_worker;
     QMetaObject::invokeMethod(
         worker, [worker] { worker->stop(); }, Qt::QueuedConnection);
 }
 
-void Recording::add(record::Nanos at, record::Entry entry)
+bool Recording::add(record::Nanos at, record::Entry entry)
 {
-    if (!m_running)
-        return;
+    if (!m_running || m_ending)
+        return false;
     RecordingWorker *worker = m_worker;
     QMetaObject::invokeMethod(
         worker, [worker, at, what = std::move(entry)] { worker->add(at, what); },
         Qt::QueuedConnection);
+    return true;
 }
 
 } // namespace session

@@ -59,8 +59,8 @@ public:
     void start(const QString &path, RecordingTap::Content content, const QString &program,
         const QString &source);
     void stop(); ///< finished() follows
-    /// A note or a snapshot at this time of the session; nothing if none is running.
-    void add(record::Nanos at, record::Entry entry);
+    /// A note or a snapshot at this time of the session; false if it is in no file: none is running, or it is ending.
+    bool add(record::Nanos at, record::Entry entry);
     bool running() const { return m_running; }
 
 Q_SIGNALS:
@@ -72,6 +72,7 @@ private:
     QThread m_thread;
     RecordingWorker *m_worker; ///< lives in m_thread and ends with it
     bool m_running = false;
+    bool m_ending = false; ///< stop() was called
 };
 
 } // namespace session

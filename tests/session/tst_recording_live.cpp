@@ -24,6 +24,7 @@ private Q_SLOTS:
     void aFileThatIsThereAlreadyIsAnError();
     void leavingWithoutAStopEndsTheFile();
     void aSecondRecordingIsAWholeOne();
+    void aNoteIsTakenUntilTheEndIsAskedFor();
 };
 
 namespace {
@@ -168,6 +169,23 @@ void TestRecordingLive::everythingThatIsToldIsInTheFile()
     QCOMPARE(bench.results[0].last.counts.samples, 2000U);
     QCOMPARE(qint64(bench.results[0].last.counts.bytes), QFileInfo(bench.path).size());
     QCOMPARE(bench.tap->waiting(), std::size_t(0));
+}
+
+void TestRecordingLive::aNoteIsTakenUntilTheEndIsAskedFor()
+{
+    const record::Note note{1, 2, "look here"};
+    Bench bench;
+    QVERIFY(!bench.recording.add(1, note));
+    for (int round = 0; round < 2; ++round) {
+        bench.path = bench.folder.filePath(QStringLiteral("%1.pcapng").arg(round));
+        bench.start();
+        QVERIFY(bench.recording.add(2, note));
+        bench.recording.stop();
+        QVERIFY(bench.recording.running()); // still, and yet its file takes no more
+        QVERIFY(!bench.recording.add(3, note));
+        QTRY_VERIFY(!bench.recording.running());
+        QCOMPARE(support::readRecording(bench.path).all<record::Note>().size(), std::size_t(1));
+    }
 }
 
 void TestRecordingLive::theMotionLogIsInTheFile()

@@ -10,6 +10,7 @@
 #include "widgets/window/connect_bar.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
@@ -212,6 +213,55 @@ private Q_SLOTS:
         QVERIFY(QFile::resize(m_folder.filePath(QStringLiteral("all.pcapng")), 1000));
         action("openRecording")->trigger();
         QVERIFY(m_rig->find<QMessageBox>("replaceQuestion"));
+    }
+
+    /// While its file is being closed: it is in no file until it is saved.
+    void aMarkerOfTheLastMomentIsAskedAboutAndSaved()
+    {
+        makeRig();
+        connectToBoard();
+        const QString path = m_folder.filePath(QStringLiteral("late.pcapng"));
+        recordAfresh(path);
+        connect(&device(), &widgets::Device::portStateChanged, this, [this] {
+            if (!device().portOpen())
+                scope()->setMarkerAt(capture().timeSpan()->to);
+        });
+        disconnectFromBoard();
+        QVERIFY(markerId() != 0);
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Recorded to ")));
+        m_rig->files.answer.clear();
+        action("openRecording")->trigger();
+        QVERIFY(m_rig->find<QMessageBox>("replaceQuestion"));
+        QTest::mouseClick(m_rig->find<QPushButton>("replaceSave"), Qt::LeftButton);
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Saved with its markers")));
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
+        capture::Capture independent;
+        const auto report = session::readRecording(path, independent);
+        QVERIFY(report && report->ending && report->damage.empty());
+        QCOMPARE(report->notes.size(), std::size_t(1));
+        action("openRecording")->trigger();
+        QVERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
+    }
+
+    void anExportHoldsNoMarkers()
+    {
+        makeRig();
+        connectToBoard();
+        disconnectFromBoard();
+        m_rig->files.answer = m_folder.filePath(QStringLiteral("all.csv"));
+        m_rig->window.exportCsv();
+        m_rig->find<QComboBox>("exportRange")->setCurrentIndex(1);
+        QTest::mouseClick(m_rig->find<QPushButton>("exportSave"), Qt::LeftButton);
+        QTRY_VERIFY(banner()->text().contains(QStringLiteral("all.csv")));
+        m_rig->files.answer.clear();
+        action("openRecording")->trigger();
+        QVERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
+        scope()->setMarkerAt(capture().timeSpan()->to);
+        action("openRecording")->trigger();
+        auto *question = m_rig->find<QMessageBox>("replaceQuestion");
+        QVERIFY(question);
+        QVERIFY(question->text().contains(QStringLiteral("not all markers")));
+        QVERIFY(!m_rig->find<QPushButton>("replaceSave")); // there is nothing that takes them
     }
 
     void whatCameBeforeOrAfterTheRecordingIsAskedAbout_data()

@@ -46,6 +46,7 @@ private Q_SLOTS:
     void keysDoNothingWhileTextIsTyped();
     void theTableIsAModel();
     void timesAndInversesAreExact();
+    void aTimeHasOneMarker();
 
 private:
     widgets::ScopeView &scope() { return m_rig->scope(); }
@@ -59,6 +60,31 @@ private:
 
     std::unique_ptr<facts::ScopeWindow> m_rig;
 };
+
+/// A recording has one for a time, and a key that is held is one wish.
+void TestScopeCursors::aTimeHasOneMarker()
+{
+    const auto markers = [this] {
+        const auto &events = scope().events().events();
+        return std::count_if(events.begin(), events.end(),
+            [](const auto &event) { return event.kind == widgets::EventKind::Marker; });
+    };
+    scope().setMarkerAt(1.0);
+    scope().setMarkerAt(1.0 + 1e-11);
+    QCOMPARE(markers(), 1);
+    scope().setMarkerAt(1.0 + 1e-8);
+    QCOMPARE(markers(), 2);
+    cursors().move(CursorEnd::A, 2.0);
+    key(Qt::Key_C);
+    cursors().setActive(CursorEnd::A);
+    QKeyEvent held(QEvent::KeyPress, Qt::Key_M, Qt::NoModifier, QStringLiteral("m"), true);
+    QApplication::sendEvent(&scope(), &held);
+    QCOMPARE(markers(), 2);
+    key(Qt::Key_M);
+    QCOMPARE(markers(), 3);
+    for (const QAction *action : m_rig->window.findChildren<QAction *>())
+        QVERIFY(action->shortcut() != QKeySequence(Qt::Key_M) || !action->autoRepeat());
+}
 
 void TestScopeCursors::cShowsTheCursorsInsideThePictureAndHidesThem()
 {

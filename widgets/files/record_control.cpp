@@ -3,6 +3,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/lamp.h"
 #include "widgets/base/value_text.h"
+#include "widgets/files/file_job.h"
 #include "widgets/files/file_prompt.h"
 #include "widgets/scope/event_log.h"
 
@@ -212,18 +213,68 @@ void RecordControl::finished(const session::RecordingResult &result)
 
 bool RecordControl::holds(const capture::Capture &capture) const
 {
-    return m_kept && QFileInfo(m_kept->path).size() == m_kept->bytes
-        && m_kept->coverage.holds(capture);
+    return takesMarkers() && m_kept->coverage.holds(capture);
+}
+
+bool RecordControl::takesMarkers() const
+{
+    return m_kept && QFileInfo(m_kept->path).size() == m_kept->bytes;
 }
 
 bool RecordControl::holdsMarkers() const
 {
     const auto &events = m_parts.events.events();
-    return std::all_of(events.begin(), events.end(), [this](const ScopeEvent &event) {
+    const bool kept = takesMarkers();
+    return std::all_of(events.begin(), events.end(), [this, kept](const ScopeEvent &event) {
         const auto told = m_marks.find(event.id);
         return event.kind != EventKind::Marker
-            || (told != m_marks.end() && told->second == event.text);
+            || (kept && told != m_marks.end() && told->second == event.text);
     });
+}
+
+void RecordControl::saveMarkers()
+{
+    if (!takesMarkers())
+        return;
+    std::map<quint32, QString> now;
+    std::vector<record::Note> notes;
+    for (const ScopeEvent &event : m_parts.events.events()) {
+        if (event.kind != EventKind::Marker)
+            continue;
+        const record::Nanos at = capture::toNanos(event.seconds);
+        now[event.id] = event.text;
+        notes.push_back({at, at, event.text.toStdString()});
+    }
+    new FileJob(
+        tr("Saving %1").arg(fileName(m_kept->path)),
+        [this, path = m_kept->path, now, notes](
+            const FileJob::Proceed &proceed) -> FileJob::Finish {
+            bool cancelled = false;
+            const auto result = session::saveNotes(path, path, notes, [&](double fraction) {
+                cancelled = !proceed(fraction);
+                return !cancelled;
+            });
+            if (cancelled)
+                return {};
+            return [this, path, now, result] { markersSaved(path, now, result); };
+        },
+        m_line->window());
+}
+
+void RecordControl::markersSaved(const QString &path, const std::map<quint32, QString> &markers,
+    const session::NotesResult &result)
+{
+    if (result.outcome != session::NotesResult::Outcome::Saved) {
+        Q_EMIT said(Banner::Kind::Warning,
+            tr("The markers could not be saved to %1 (%2). What was there is as it was.")
+                .arg(deviceText(path), deviceText(result.why)));
+        return;
+    }
+    if (m_kept && m_kept->path == path) {
+        m_kept->bytes = result.target.bytes;
+        m_marks = markers;
+    }
+    Q_EMIT said(Banner::Kind::Note, tr("Saved with its markers: %1.").arg(deviceText(path)));
 }
 
 /// Markers that a person deletes while their recording runs are not in it, either.
@@ -245,11 +296,11 @@ void RecordControl::recordMarks(const QModelIndex &, int first, int last)
     for (auto row = static_cast<std::size_t>(first);
          row <= static_cast<std::size_t>(last) && row < events.size(); ++row) {
         const ScopeEvent &event = events[row];
-        if (event.kind != EventKind::Marker || !m_parts.recording.running())
+        if (event.kind != EventKind::Marker)
             continue;
         const record::Nanos at = capture::toNanos(event.seconds);
-        m_parts.recording.add(at, record::Note{at, at, event.text.toStdString()});
-        m_marks[event.id] = event.text;
+        if (m_parts.recording.add(at, record::Note{at, at, event.text.toStdString()}))
+            m_marks[event.id] = event.text;
     }
 }
 

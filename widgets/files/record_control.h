@@ -3,6 +3,7 @@
 #pragma once
 
 #include "session/recording.h"
+#include "session/recording_notes.h"
 #include "widgets/base/device.h"
 #include "widgets/window/banner.h"
 
@@ -40,7 +41,10 @@ public:
     QString folder() const { return m_folder; } ///< of the last recording
     /// True if all samples in it are in the last recording, which ended whole and is still on its disk.
     bool holds(const capture::Capture &capture) const;
-    bool holdsMarkers() const; ///< with their texts as they are
+    /// True if all markers are in that recording, too, with their texts as they are.
+    bool holdsMarkers() const;
+    bool takesMarkers() const; ///< there is such a recording, as it was when it ended
+    void saveMarkers(); ///< into it; said() follows
 
 Q_SIGNALS:
     void said(widgets::Banner::Kind kind, const QString &sentence);
@@ -52,6 +56,8 @@ private:
     void progressed(const session::RecordingProgress &progress);
     void finished(const session::RecordingResult &result);
     void update();
+    void markersSaved(const QString &path, const std::map<quint32, QString> &markers,
+        const session::NotesResult &result);
     void recordMarks(const QModelIndex &parent, int first, int last);
     void takeBackMarks(int first, int last);
 

@@ -123,8 +123,15 @@ void ScopeView::setMarker()
         setMarkerAt(newest && inView(*newest) ? *newest : middle);
 }
 
+/// Not where there is one already: a recording has one for a time.
 void ScopeView::setMarkerAt(double seconds)
 {
+    const auto there = [at = capture::toNanos(seconds)](const ScopeEvent &event) {
+        return event.kind == EventKind::Marker && capture::toNanos(event.seconds) == at;
+    };
+    const auto &events = m_events.events();
+    if (std::any_of(events.begin(), events.end(), there))
+        return;
     m_events.add(EventKind::Marker, seconds, m_events.freeMarkerName());
 }
 

@@ -26,6 +26,8 @@ void ScopeView::keyPressEvent(QKeyEvent *event)
         QWidget::keyPressEvent(event);
         return;
     }
+    if (event->key() == Qt::Key_M && event->isAutoRepeat())
+        return; // a marker is meant once
     if (cursorKey(event->key(), shift) || scopeKey(event->key(), shift))
         return;
     QWidget::keyPressEvent(event);

@@ -38,9 +38,11 @@ ScopeTools::ScopeTools(ScopeView &scope, TriggerControl &trigger, QWidget &windo
         m_scope.setFocus(Qt::ShortcutFocusReason);
     });
     m_groups.append({m_cursors, takeA, takeB});
-    m_groups.append({make(tr("Set a &marker"), Qt::Key_M,
+    QAction *marker = make(tr("Set a &marker"), Qt::Key_M,
         tr("At the mouse, else at the active cursor, else at the newest sample (M)"),
-        &ScopeView::setMarker)});
+        &ScopeView::setMarker);
+    marker->setAutoRepeat(false);
+    m_groups.append(QList<QAction *>{marker});
     QAction *overview = make(tr("&Whole recording below"), Qt::Key_O,
         tr("A strip with everything recorded, and a box around what the plots show (O)"),
         [this] { m_scope.setOverviewVisible(!m_scope.overviewVisible()); });

@@ -78,30 +78,38 @@ void MainWindow::replaceRecorded(std::function<void()> goOn)
         return;
     }
     const capture::Capture &capture = m_workbench.capture();
+    const bool onlyMarkers = capture.revision() == m_exportedRevision || m_record->holds(capture);
     if (m_selection->showsFile() || !capture.timeSpan()
-        || capture.revision() == m_exportedRevision) {
+        || (onlyMarkers && m_record->holdsMarkers())) {
         goOn();
         return;
     }
-    const bool onlyMarkers = m_record->holds(capture);
-    if (onlyMarkers && m_record->holdsMarkers()) {
-        goOn();
-        return;
-    }
+    const bool saves = onlyMarkers && m_record->takesMarkers();
     auto *box = new QMessageBox(QMessageBox::Warning, tr("Replace what was recorded?"),
         onlyMarkers
-            ? tr("All samples of the last connection are in its recording, but not all markers. A "
-                 "file that is opened takes their place.")
+            ? tr("All samples of the last connection are in a file, but not all markers. A file "
+                 "that "
+                 "is opened takes their place.")
             : tr("The scope holds samples of the last connection that were not exported. A file "
                  "that is opened takes their place."),
         QMessageBox::NoButton, this);
     box->setObjectName(QStringLiteral("replaceQuestion"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setTextFormat(Qt::PlainText);
-    box->setInformativeText(
-        tr("What was recorded to a disk stays there. The scope's own samples cannot be brought "
-           "back."));
-    QPushButton *save = box->addButton(tr("&Export first\u2026"), QMessageBox::AcceptRole);
+    box->setInformativeText(saves ? tr("They can be saved into the recording of that connection.")
+            : onlyMarkers ? tr("Exported files hold no markers, and there is no whole recording of "
+                               "that connection "
+                               "to save them into.")
+                          : tr("What was recorded to a disk stays there. The scope's own samples "
+                               "cannot be brought "
+                               "back."));
+    QPushButton *save = nullptr;
+    if (saves)
+        save = box->addButton(tr("&Save the markers"), QMessageBox::AcceptRole);
+    else if (!onlyMarkers)
+        save = box->addButton(tr("&Export first\u2026"), QMessageBox::AcceptRole);
+    if (save)
+        save->setObjectName(QStringLiteral("replaceSave"));
     QPushButton *replace = box->addButton(tr("&Replace"), QMessageBox::DestructiveRole);
     replace->setObjectName(QStringLiteral("replaceYes"));
     replace->setAutoDefault(false);
@@ -109,10 +117,12 @@ void MainWindow::replaceRecorded(std::function<void()> goOn)
     box->setDefaultButton(cancel);
     box->setEscapeButton(cancel);
     connect(box, &QMessageBox::buttonClicked, this,
-        [this, save, replace, goOn = std::move(goOn)](QAbstractButton *button) {
+        [this, saves, save, replace, goOn = std::move(goOn)](QAbstractButton *button) {
             if (button == replace)
                 goOn();
-            else if (button == save)
+            else if (save && button == save && saves)
+                m_record->saveMarkers();
+            else if (save && button == save)
                 exportCsv();
         });
     box->open();
