@@ -8,6 +8,7 @@
 
 #include <QAction>
 #include <QMessageBox>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 
 using widgets::Banner;
@@ -143,6 +144,72 @@ private Q_SLOTS:
         QTest::mouseClick(m_rig->find<QPushButton>("leaveMarkers"), Qt::LeftButton);
         QTRY_COMPARE(markers(), QStringList{QStringLiteral("look here")});
         QVERIFY(!save()->isEnabled());
+    }
+
+    void aConnectionAsksBeforeTheyGo()
+    {
+        open();
+        setMarker(2.0, QStringLiteral("it sticks"));
+        m_rig->window.connectBar()->connectOrDisconnect();
+        auto *question = m_rig->find<QMessageBox>("markersQuestion");
+        QVERIFY(question);
+        QVERIFY(!m_rig->window.connectBar()->connecting());
+        QTest::keyClick(question, Qt::Key_Escape);
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
+        QCOMPARE(markers().size(), 2);
+        QVERIFY(!m_rig->window.connectBar()->connecting());
+        m_rig->window.connectBar()->connectOrDisconnect();
+        QTest::mouseClick(m_rig->find<QPushButton>("leaveMarkers"), Qt::LeftButton);
+        QTRY_COMPARE(scope().channels().size(), 4);
+        QVERIFY(markers().isEmpty());
+    }
+
+    void leavingAsksBeforeTheyGo()
+    {
+        open();
+        setMarker(2.0, QStringLiteral("it sticks"));
+        QSignalSpy closed(&m_rig->window, &widgets::MainWindow::closed);
+        QVERIFY(!m_rig->window.close());
+        QVERIFY(!m_rig->window.close()); // and asks once
+        QCOMPARE(
+            m_rig->window.findChildren<QMessageBox *>(QStringLiteral("markersQuestion")).size(), 1);
+        QTest::keyClick(m_rig->find<QMessageBox>("markersQuestion"), Qt::Key_Escape);
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
+        QVERIFY(m_rig->window.isVisible() && closed.isEmpty());
+        QVERIFY(!m_rig->window.close());
+        QTest::mouseClick(m_rig->find<QPushButton>("leaveMarkers"), Qt::LeftButton);
+        QTRY_COMPARE(closed.size(), 1);
+        QVERIFY(!m_rig->window.isVisible());
+    }
+
+    void whatIsSetWhileAFileIsReadIsAskedAbout()
+    {
+        open();
+        m_rig->find<QAction>("openRecording")->trigger();
+        setMarker(2.0, QStringLiteral("it sticks"));
+        QTRY_VERIFY(m_rig->find<QMessageBox>("markersQuestion"));
+        QCOMPARE(markers().size(), 2);
+        QTest::mouseClick(m_rig->find<QPushButton>("leaveMarkers"), Qt::LeftButton);
+        QTRY_COMPARE(markers(), QStringList{QStringLiteral("look here")});
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("markersQuestion")); // and not once more
+        QVERIFY(!save()->isEnabled());
+    }
+
+    void clearingAsksAndTakesThemAlong()
+    {
+        open();
+        setMarker(2.0, QStringLiteral("it sticks"));
+        m_rig->find<QAction>("clearRecorded")->trigger();
+        auto *question = m_rig->find<QMessageBox>("markersQuestion");
+        QVERIFY(question);
+        QTest::keyClick(question, Qt::Key_Escape);
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
+        QVERIFY(!scope().channels().isEmpty());
+        m_rig->find<QAction>("clearRecorded")->trigger();
+        QTest::mouseClick(m_rig->find<QPushButton>("leaveMarkers"), Qt::LeftButton);
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
+        QVERIFY(scope().channels().isEmpty());
+        QVERIFY(markers().isEmpty());
     }
 
     void aConnectionHasNoneToSave()

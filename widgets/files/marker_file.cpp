@@ -56,6 +56,7 @@ void MarkerFile::opened(const QString &path, qint64 bytes)
     m_path = path;
     m_known = {bytes, {}};
     m_saved = markers();
+    m_left.reset();
     update();
 }
 
@@ -69,6 +70,10 @@ MarkerFile::Markers MarkerFile::markers() const
 }
 
 bool MarkerFile::changed() const { return !m_path.isEmpty() && m_shown() && markers() != m_saved; }
+
+void MarkerFile::leave() { m_left = markers(); }
+
+bool MarkerFile::changedSinceLeft() const { return changed() && m_left != markers(); }
 
 void MarkerFile::update()
 {

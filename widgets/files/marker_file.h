@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 
 class QAction;
 
@@ -28,6 +29,8 @@ public:
     /// @param bytes  of it that were read
     void opened(const QString &path, qint64 bytes);
     bool changed() const; ///< there are markers to be saved
+    void leave(); ///< a person does not want them saved as they are now
+    bool changedSinceLeft() const; ///< there are others to be saved than those
     void update(); ///< the action, when what is shown has changed
 
 Q_SIGNALS:
@@ -48,6 +51,7 @@ private:
     QString m_path; ///< empty: no recording
     session::NotesSource m_known; ///< of that file
     Markers m_saved; ///< as the file has them
+    std::optional<Markers> m_left;
 };
 
 } // namespace widgets

@@ -252,9 +252,17 @@ void ConnectBar::connectOrDisconnect()
         Q_EMIT refused(tr("\"%1\" is not a baud rate.").arg(deviceText(m_baud->currentText())));
         return;
     }
-    m_wanted = true;
-    m_device.open(endpoint);
-    updateLink();
+    const auto open = [this, endpoint] {
+        if (connecting())
+            return; // meanwhile
+        m_wanted = true;
+        m_device.open(endpoint);
+        updateLink();
+    };
+    if (m_beforeOpening)
+        m_beforeOpening(open);
+    else
+        open();
 }
 
 void ConnectBar::disconnectNow()

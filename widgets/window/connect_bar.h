@@ -7,6 +7,8 @@
 
 #include <QWidget>
 
+#include <functional>
+
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -26,6 +28,11 @@ public:
     quint32 baud() const; ///< 0 if the text is not a baud rate
     void setProtocol(const QString &word); ///< as drive::wordOf(); unknown ones are passed over
     QString protocol() const;
+    /// Called instead of opening a port, with what opens it; a replay is asked about before it comes here.
+    void setBeforeOpening(std::function<void(std::function<void()>)> ask)
+    {
+        m_beforeOpening = std::move(ask);
+    }
     /// A connection is open, or wanted and being looked for.
     bool connecting() const { return m_wanted || m_device.portOpen(); }
 
@@ -58,6 +65,7 @@ private:
     QLabel *m_firmware;
     QLabel *m_board;
     QComboBox *m_motor;
+    std::function<void(std::function<void()>)> m_beforeOpening;
     QString m_pathBefore; ///< while a recording is shown in its place
     bool m_wanted = false; ///< the person asked for a connection and has not taken that back
 };

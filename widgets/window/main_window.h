@@ -98,6 +98,8 @@ private:
     void askForReplay();
     void replaceRecorded(std::function<void()> goOn);
     void replaceMarkers(std::function<void()> goOn);
+    void askForMarkers(std::function<void()> goOn);
+    void clearRecorded();
     void tellReleased();
     void fillFileSignals();
     void showImported(const QString &path, capture::Capture &imported);
@@ -181,6 +183,7 @@ private:
     MarkerFile *m_markers = nullptr;
     std::uint64_t m_exportedRevision = 0; ///< of the capture, when all of it was exported
     bool m_toldReleased = false;
+    bool m_leaveMarkers = false; ///< the window closes without them
     StopAlarm *m_alarm;
     Shutdown *m_shutdown;
     Shutdown *m_parting; ///< the same for a disconnection

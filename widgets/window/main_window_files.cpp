@@ -56,6 +56,8 @@ void MainWindow::makeRecording()
         m_scope->events(), m_files, [this] { return m_selection->showsFile(); }, this);
     connect(m_markers, &MarkerFile::said, this, &MainWindow::say);
     connect(m_selection, &SignalSelection::changed, m_markers, &MarkerFile::update);
+    m_connectBar->setBeforeOpening(
+        [this](std::function<void()> goOn) { askForMarkers(std::move(goOn)); });
     m_room = new SampleRoom(m_workbench.capture(), *m_workbench.archive(), this);
     m_room->setWanted(m_settings.samplesOnDiskGB);
     connect(m_room, &SampleRoom::said, this, &MainWindow::say);
@@ -128,8 +130,31 @@ void MainWindow::replaceRecorded(std::function<void()> goOn)
     box->open();
 }
 
+/// Asks before changed markers of a file go; goes on at once if there are none.
+void MainWindow::askForMarkers(std::function<void()> goOn)
+{
+    if (m_markers->changed())
+        replaceMarkers(std::move(goOn));
+    else
+        goOn();
+}
+
+/// What happened in a file goes with it.
+void MainWindow::clearRecorded()
+{
+    askForMarkers([this] {
+        const bool file = m_selection->showsFile();
+        m_selection->clearRecorded();
+        if (file && !m_selection->showsFile()) // a replay goes on
+            m_scope->events().clear();
+    });
+}
+
 void MainWindow::replaceMarkers(std::function<void()> goOn)
 {
+    const auto *asked = findChild<QMessageBox *>(QStringLiteral("markersQuestion"));
+    if (asked && asked->isVisible())
+        return;
     auto *box = new QMessageBox(QMessageBox::Warning, tr("Leave the markers unsaved?"),
         tr("Markers of this recording were changed and are in no file."), QMessageBox::NoButton,
         this);
@@ -145,9 +170,10 @@ void MainWindow::replaceMarkers(std::function<void()> goOn)
     box->setEscapeButton(cancel);
     connect(box, &QMessageBox::buttonClicked, this,
         [this, save, leave, goOn = std::move(goOn)](QAbstractButton *button) {
-            if (button == leave)
+            if (button == leave) {
+                m_markers->leave();
                 goOn();
-            else if (button == save)
+            } else if (button == save)
                 m_markers->save()->trigger();
         });
     box->open();
@@ -229,6 +255,13 @@ void MainWindow::showImported(const QString &path, capture::Capture &imported)
 {
     if (m_connectBar->connecting()) // meanwhile: what lives goes first
         return;
+    if (m_markers->changedSinceLeft()) { // while it was read
+        replaceMarkers(
+            [this, path, kept = std::make_shared<capture::Capture>(std::move(imported))] {
+                showImported(path, *kept);
+            });
+        return;
+    }
     const QString released = releasedText(imported);
     m_selection->showFile(std::move(imported));
     m_scope->events().clear();
@@ -329,6 +362,12 @@ void MainWindow::showRecording(OpenedRecording &opened)
 {
     if (m_connectBar->connecting()) // meanwhile: what lives goes first
         return;
+    if (m_markers->changedSinceLeft()) { // while it was read
+        replaceMarkers([this, kept = std::make_shared<OpenedRecording>(std::move(opened))] {
+            showRecording(*kept);
+        });
+        return;
+    }
     bool whole = true;
     const QString sentence = openedText(opened, whole);
     m_selection->showFile(std::move(opened.capture));

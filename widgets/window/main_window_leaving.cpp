@@ -1,5 +1,6 @@
 // What the main window asks before a motor is left behind: when it is closed and when it disconnects.
 #include "widgets/base/messages.h"
+#include "widgets/files/marker_file.h"
 #include "widgets/window/connect_bar.h"
 #include "widgets/window/main_window.h"
 #include "widgets/window/shutdown.h"
@@ -17,6 +18,15 @@ void MainWindow::closeEvent(QCloseEvent *event)
         m_banner->say(
             Banner::Kind::Warning, tr("Stopping the motors before Rotorscope ends\u2026"));
         m_shutdown->begin();
+        return;
+    }
+    if (m_markers->changed() && !m_leaveMarkers) {
+        event->ignore();
+        replaceMarkers([this] {
+            m_leaveMarkers = true;
+            close();
+            m_leaveMarkers = false;
+        });
         return;
     }
     m_device.close();

@@ -76,8 +76,9 @@ void MainWindow::makeMenus(QMenuBar &bar)
     QAction *room = addAction(scope, tr("R&oom for samples\u2026"));
     room->setObjectName(QStringLiteral("sampleRoom"));
     connect(room, &QAction::triggered, this, &MainWindow::askForRoom);
-    connect(addAction(scope, tr("&Clear what was recorded")), &QAction::triggered, m_selection,
-        &SignalSelection::clearRecorded);
+    QAction *clear = addAction(scope, tr("&Clear what was recorded"));
+    clear->setObjectName(QStringLiteral("clearRecorded"));
+    connect(clear, &QAction::triggered, this, &MainWindow::clearRecorded);
 
     fillToolsMenu(bar.addMenu(tr("&Tools")));
 
