@@ -1,6 +1,5 @@
 #include "widgets/scope/trigger_control.h"
 
-#include "base/wide_registers.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QScopedValueRollback>
@@ -176,7 +175,6 @@ void TriggerControl::runningChanged(bool running)
 
 void TriggerControl::advance()
 {
-    clearWideRegisters();
     if (const capture::Channel *source = sourceChannel(); source && m_scope.running())
         m_acquisition.advance(*source);
     const std::vector<scope::Record> records = m_acquisition.takeRecords();
