@@ -3,6 +3,7 @@
 #include "session/disk_archive.h"
 #include "support/capture_twins.h"
 #include "support/once.h"
+#include "support/size_limit_posix.h"
 
 #include <QDir>
 #include <QSignalSpy>
@@ -10,11 +11,10 @@
 #include <QtTest>
 
 #include <cerrno>
-#include <csignal>
-#include <sys/resource.h>
 
 using session::ArchiveFailure;
 using session::DiskArchive;
+using support::SizeLimit;
 
 class TestArchiveFullDisk : public QObject {
     Q_OBJECT
@@ -28,19 +28,6 @@ namespace {
 
 constexpr std::size_t kMemory = 4'000'000;
 constexpr std::size_t kPiece = 524288;
-
-/// No file of this process may grow past `bytes` while this lives.
-struct SizeLimit {
-    rlimit before{};
-    explicit SizeLimit(rlim_t bytes)
-    {
-        std::signal(SIGXFSZ, SIG_IGN);
-        getrlimit(RLIMIT_FSIZE, &before);
-        const rlimit limit{bytes, before.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~SizeLimit() { setrlimit(RLIMIT_FSIZE, &before); }
-};
 
 } // namespace
 

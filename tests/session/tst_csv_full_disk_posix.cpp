@@ -1,6 +1,7 @@
 // A disk that is full after so many bytes, for each such number: a limit on the file's size gives the same short
 // write as a full disk, without one.
 #include "session/csv_file.h"
+#include "support/size_limit_posix.h"
 
 #include <QDir>
 #include <QFile>
@@ -8,11 +9,10 @@
 #include <QtTest>
 
 #include <cerrno>
-#include <csignal>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 using namespace session;
+using support::SizeLimit;
 
 class TestCsvFullDisk : public QObject {
     Q_OBJECT
@@ -32,19 +32,6 @@ capture::Snapshot recording()
     const std::vector<capture::ChannelId> ids{*capture.find(1)};
     return capture.snapshot(ids);
 }
-
-/// No file of this process may grow past `bytes` while this lives.
-struct SizeLimit {
-    rlimit before{};
-    explicit SizeLimit(rlim_t bytes)
-    {
-        std::signal(SIGXFSZ, SIG_IGN);
-        getrlimit(RLIMIT_FSIZE, &before);
-        const rlimit limit{bytes, before.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~SizeLimit() { setrlimit(RLIMIT_FSIZE, &before); }
-};
 
 } // namespace
 

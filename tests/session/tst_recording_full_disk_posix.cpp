@@ -2,14 +2,13 @@
 // disk, without one.
 #include "session/recording_file.h"
 #include "support/recording_facts.h"
+#include "support/size_limit_posix.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include <csignal>
-#include <sys/resource.h>
-
 using namespace session;
+using support::SizeLimit;
 
 class TestRecordingFullDisk : public QObject {
     Q_OBJECT
@@ -18,19 +17,6 @@ private Q_SLOTS:
 };
 
 namespace {
-
-/// No file of this process may grow past `bytes` while this lives.
-struct SizeLimit {
-    rlimit before{};
-    explicit SizeLimit(rlim_t bytes)
-    {
-        std::signal(SIGXFSZ, SIG_IGN);
-        getrlimit(RLIMIT_FSIZE, &before);
-        const rlimit limit{bytes, before.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~SizeLimit() { setrlimit(RLIMIT_FSIZE, &before); }
-};
 
 RecordingFile::Counts recordBlocks(const QString &path)
 {

@@ -1,32 +1,14 @@
 // Notes that are added to a closed recording on a disk that fills up: what was there stays whole.
 #include "session/recording_notes.h"
 #include "support/notes_bench.h"
+#include "support/size_limit_posix.h"
 
 #include <QDir>
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include <csignal>
-#include <sys/resource.h>
-
 using support::contentOf;
-
-namespace {
-
-/// No file of this process may grow past `bytes` while this lives.
-struct SizeLimit {
-    rlimit before{};
-    explicit SizeLimit(rlim_t bytes)
-    {
-        std::signal(SIGXFSZ, SIG_IGN);
-        getrlimit(RLIMIT_FSIZE, &before);
-        const rlimit limit{bytes, before.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~SizeLimit() { setrlimit(RLIMIT_FSIZE, &before); }
-};
-
-} // namespace
+using support::SizeLimit;
 
 class TestRecordingNotesFullDisk : public QObject {
     Q_OBJECT
