@@ -1,6 +1,10 @@
 // The scope as a person sees it: pixels of the grabbed widget.
 #include "support/scope_bench.h"
+#include "widgets/scope/axis_ticker.h"
 #include "widgets/scope/axis_ticks.h"
+
+#include <limits>
+#include <random>
 
 using namespace facts;
 using namespace widgets;
@@ -15,6 +19,9 @@ private Q_SLOTS:
     void aPeakOfOneSampleIsNeverLost();
     void theLegendCoversNoTrace();
     void labelsSayWhatADivisionIsWorth();
+    void smallTicksAreRoundNumbersAndFew();
+    void smallTicksStandBetweenTheLinesOfTheGrid_data();
+    void smallTicksStandBetweenTheLinesOfTheGrid();
     void signalsOfOneUnitShareAnAxisAndOthersGetTheirOwn();
     void aFifthUnitSharesTheLastAxis();
     void plotsAreStackedAndVanishWhenEmpty();
@@ -159,6 +166,84 @@ void TestScopeView::labelsSayWhatADivisionIsWorth()
     bench.view.setVisibleRange(0.0, 0.001);
     bench.picture();
     QVERIFY(std::abs(bench.view.timeStep() / step - 0.001) < 1e-9);
+}
+
+void TestScopeView::smallTicksAreRoundNumbersAndFew()
+{
+    const QVector<double> quarters = {0.5, 1.0, 1.5, 2.5, 3.0, 3.5};
+    QCOMPARE(smallTicksIn(0.0, 4.0, 2.0), quarters);
+    QCOMPARE(smallTicksIn(-0.5, 1.1, 1.0).size(), 6);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> power(-9.0, 9.0);
+    std::uniform_real_distribution<double> place(-1e6, 1e6);
+    for (int i = 0; i < 2000; ++i) {
+        const double step = tickStep(std::pow(10.0, power(random)), 1 + i % 10);
+        const double small = step / piecesOf(step);
+        const double again = tickStep(small, 1); // leaves numbers of the form 1, 2 or 5 alone
+        QVERIFY2(std::abs(again / small - 1.0) < 1e-6, qPrintable(QString::number(step)));
+        const double from = step * place(random);
+        QVERIFY(smallTicksIn(from, from + 10 * step, step).size() <= 50);
+    }
+    QVERIFY(smallTicksIn(0.0, 1e300, 1e-300).size() <= 1000);
+
+    AxisTicker ticker(AxisTicker::Labels::Values);
+    const auto count = [&ticker](const QCPRange &range) {
+        QVector<double> ticks;
+        QVector<double> small;
+        ticker.generate(range, QLocale::c(), QLatin1Char('g'), 6, ticks, &small, nullptr);
+        return small.size();
+    };
+    ticker.setMost(10, 400);
+    QCOMPARE(count({0.0, 10.0}), 40);
+    ticker.setMost(10, 199); // they would be closer than 4 pixels
+    QCOMPARE(count({0.0, 10.0}), 0);
+    ticker.setMost(10, 400);
+    QCOMPARE(count({0.0, std::numeric_limits<double>::infinity()}), 0);
+}
+
+void TestScopeView::smallTicksStandBetweenTheLinesOfTheGrid_data()
+{
+    QTest::addColumn<bool>("dark");
+    QTest::newRow("light") << false;
+    QTest::newRow("dark") << true;
+}
+
+/// Along the axes, in the picture and in what is exported as shapes: longer ticks with the grid, short ones between.
+void TestScopeView::smallTicksStandBetweenTheLinesOfTheGrid()
+{
+    QFETCH(bool, dark);
+    Bench bench({signal(1, "A")});
+    if (dark) {
+        QPalette colors;
+        colors.setColor(QPalette::Base, Qt::black);
+        colors.setColor(QPalette::Text, Qt::white);
+        bench.view.setPalette(colors);
+    }
+    bench.view.addChannel(bench.id(1));
+    bench.record(2000, 0);
+    bench.view.setVisibleRange(0.0, 1.0);
+    bench.picture();
+    const QImage screen = bench.picture();
+    QImage shapes(bench.view.shapesSize(), QImage::Format_RGB32);
+    shapes.fill(dark ? Qt::black : Qt::white);
+    bench.view.drawShapes(shapes);
+    const QRect area = bench.view.plotRect(0);
+    const int lines = qRound(1.0 / bench.view.timeStep());
+    const int pieces = piecesOf(bench.view.timeStep());
+    for (const bool exported : {false, true}) {
+        const QImage &image = exported ? shapes : screen;
+        const auto marks = [&](int up) {
+            int found = 0;
+            for (int x = area.left() + 8; x < area.right() - 8; ++x) {
+                const int lightness = image.pixelColor(x, area.bottom() - up).lightness();
+                found += dark ? lightness > 90 : lightness < 165; // the grid is fainter
+            }
+            return found;
+        };
+        QCOMPARE(marks(4), lines - 1);
+        QCOMPARE(marks(2), lines * pieces - 1);
+        QCOMPARE(marks(7), 0);
+    }
 }
 
 void TestScopeView::signalsOfOneUnitShareAnAxisAndOthersGetTheirOwn()

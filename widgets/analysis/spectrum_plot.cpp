@@ -284,11 +284,11 @@ void SpectrumPlot::draw()
         const double step = tickStep(wanted, 8); // in steps, so that it stands still
         m_plot->yAxis->setRange(0.0, step * std::ceil(wanted / step));
     }
-    const auto ticks = [](QCPAxis *axis, int count) {
-        axis->ticker().dynamicCast<AxisTicker>()->setMost(std::max(2, count));
+    const auto ticks = [](QCPAxis *axis, int pixels, int each) {
+        axis->ticker().dynamicCast<AxisTicker>()->setMost(std::max(2, pixels / each), pixels);
     };
-    ticks(m_plot->xAxis, m_plot->axisRect()->width() / 80);
-    ticks(m_plot->yAxis, m_plot->axisRect()->height() / 30);
+    ticks(m_plot->xAxis, m_plot->axisRect()->width(), 80);
+    ticks(m_plot->yAxis, m_plot->axisRect()->height(), 30);
     drawPeaks();
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }

@@ -164,11 +164,12 @@ void XyPlot::place()
             r = equalised(r);
         m_plot->xAxis->setRange(r.left, r.right);
         m_plot->yAxis->setRange(r.bottom, r.top);
-        const auto ticks = [](QCPAxis *axis, int count) {
-            axis->ticker().dynamicCast<AxisTicker>()->setMost(std::clamp(count, 2, 10));
+        const auto ticks = [](QCPAxis *axis, int pixels, int each) {
+            axis->ticker().dynamicCast<AxisTicker>()->setMost(
+                std::clamp(pixels / each, 2, 10), pixels);
         };
-        ticks(m_plot->xAxis, area().width() / 60);
-        ticks(m_plot->yAxis, area().height() / 30);
+        ticks(m_plot->xAxis, area().width(), 60);
+        ticks(m_plot->yAxis, area().height(), 30);
         m_plot->replot(i == 0 ? QCustomPlot::rpImmediateRefresh : QCustomPlot::rpQueuedRefresh);
     }
 }

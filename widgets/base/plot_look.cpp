@@ -4,24 +4,40 @@
 
 namespace widgets {
 
-void dressPlot(QCustomPlot &plot, const QWidget &like)
+namespace {
+constexpr int kFaint = 38; ///< of 255: seen, and never in the way of a trace
+constexpr int kQuiet = 150; ///< of 255: a small tick beside one with a number
+constexpr int kSmallTick = 3; ///< pixels
+} // namespace
+
+void colorAxis(QCPAxis &axis, const QColor &color)
 {
-    constexpr int kFaint = 38; // of 255: seen, and never in the way of a trace
-    const QColor text = like.palette().color(QPalette::Text);
+    QColor quiet = color;
+    quiet.setAlpha(kQuiet);
+    axis.setBasePen(QPen(color, 0));
+    axis.setTickPen(QPen(color, 0));
+    axis.setSubTickPen(QPen(quiet, 0));
+    axis.setTickLabelColor(color);
+    axis.setLabelColor(color);
+}
+
+void dressAxis(QCPAxis &axis, const QColor &text, const QFont &font)
+{
     QColor faint = text;
     faint.setAlpha(kFaint);
+    colorAxis(axis, text);
+    axis.setTickLabelFont(font);
+    axis.setLabelFont(font);
+    axis.setSubTickLength(kSmallTick);
+    axis.grid()->setPen(QPen(faint, 0));
+    axis.grid()->setZeroLinePen(Qt::NoPen);
+}
+
+void dressPlot(QCustomPlot &plot, const QWidget &like)
+{
     plot.setBackground(like.palette().brush(QPalette::Base));
-    for (QCPAxis *axis : {plot.xAxis, plot.yAxis}) {
-        axis->setBasePen(QPen(text, 0));
-        axis->setTickPen(QPen(text, 0));
-        axis->setTickLabelColor(text);
-        axis->setLabelColor(text);
-        axis->setTickLabelFont(like.font());
-        axis->setLabelFont(like.font());
-        axis->setSubTicks(false);
-        axis->grid()->setPen(QPen(faint, 0));
-        axis->grid()->setZeroLinePen(Qt::NoPen);
-    }
+    for (QCPAxis *axis : {plot.xAxis, plot.yAxis})
+        dressAxis(*axis, like.palette().color(QPalette::Text), like.font());
 }
 
 } // namespace widgets

@@ -12,15 +12,24 @@ public:
         : m_labels(labels)
     {
     }
-    void setMost(int count) { m_most = count; } ///< ticks, at most
+    /// @param count  ticks, at most
+    /// @param pixels  how long the axis is: small ticks closer than a few pixels are left out
+    void setMost(int count, int pixels)
+    {
+        m_most = count;
+        m_pixels = pixels;
+    }
     void setOrigin(double origin) { m_origin = origin; } ///< what the labels call zero
 
     void generate(const QCPRange &range, const QLocale &locale, QChar format, int precision,
         QVector<double> &ticks, QVector<double> *subTicks, QVector<QString> *labels) override;
 
 private:
+    QVector<double> smallTicks(double from, double to, double step) const;
+
     Labels m_labels;
     int m_most = 10;
+    int m_pixels = 0;
     double m_origin = 0.0;
 };
 

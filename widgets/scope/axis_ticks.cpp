@@ -82,6 +82,29 @@ QVector<double> ticksIn(double from, double to, double step)
     return ticks;
 }
 
+int piecesOf(double step)
+{
+    const double mantissa = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
+    return std::abs(mantissa - 2.0) < 0.5 ? 4 : 5;
+}
+
+QVector<double> smallTicksIn(double from, double to, double step)
+{
+    QVector<double> ticks;
+    if (!(step > 0) || !(to >= from))
+        return ticks;
+    const int pieces = piecesOf(step);
+    const double small = step / pieces;
+    const double first = std::ceil(from / small - 1e-9);
+    const double last = std::floor(to / small + 1e-9);
+    const int count = static_cast<int>(std::min(last - first + 1, double(kMostTicks)));
+    for (int i = 0; i < count; ++i) {
+        if (std::fmod(first + i, pieces) != 0.0)
+            ticks.append((first + i) * small);
+    }
+    return ticks;
+}
+
 QString valueLabel(double value, double step, const QLocale &locale)
 {
     if (std::abs(value) < step * 1e-6)

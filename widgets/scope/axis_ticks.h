@@ -22,6 +22,12 @@ double steppedScale(double scale, int steps);
 /// Multiples of `step` in [from, to]; at most 1000, whatever is asked for.
 QVector<double> ticksIn(double from, double to, double step);
 
+/// How many pieces small ticks cut a step of tickStep() into, each again of the form 1, 2 or 5: four of a 2, else five.
+int piecesOf(double step);
+
+/// Where the small ticks in [from, to] are, which are no multiples of `step`; at most 1000.
+QVector<double> smallTicksIn(double from, double to, double step);
+
 /// A value with as many digits as the step shows, e.g. "1.50" for steps of 0.05.
 QString valueLabel(double value, double step, const QLocale &locale);
 

@@ -1,5 +1,6 @@
 #include "widgets/scope/plot_stack.h"
 
+#include "widgets/base/plot_look.h"
 #include "widgets/scope/axis_ticker.h"
 #include "widgets/scope/axis_ticks.h"
 #include "widgets/scope/trace_colors.h"
@@ -161,10 +162,7 @@ void PlotStack::labelAxes(ScopePlot &plot)
         labelAxis(plot, axis);
         const QColor color =
             users == 1 ? traceColor(only->colorSlot, plot.dark) : m_palette.color(QPalette::Text);
-        axis.axis->setTickLabelColor(color);
-        axis.axis->setLabelColor(color);
-        axis.axis->setBasePen(QPen(color, 0));
-        axis.axis->setTickPen(QPen(color, 0));
+        colorAxis(*axis.axis, color);
     }
 }
 
@@ -364,19 +362,8 @@ void PlotStack::setGrid(bool visible)
 
 void PlotStack::styleAxis(QCPAxis &axis) const
 {
-    const QColor text = m_palette.color(QPalette::Text);
-    QColor faint = text;
-    faint.setAlpha(38);
-    axis.setBasePen(QPen(text, 0));
-    axis.setTickPen(QPen(text, 0));
-    axis.setTickLabelColor(text);
-    axis.setLabelColor(text);
-    axis.setTickLabelFont(m_plot.font());
-    axis.setLabelFont(m_plot.font());
-    axis.setSubTicks(false);
+    dressAxis(axis, m_palette.color(QPalette::Text), m_plot.font());
     axis.setLayer(QStringLiteral("axes"));
-    axis.grid()->setPen(QPen(faint, 0));
-    axis.grid()->setZeroLinePen(Qt::NoPen);
     axis.grid()->setVisible(m_grid);
 }
 
@@ -448,9 +435,11 @@ void PlotStack::layOut()
     }
     plot(0).legend->setNote(timePerDivision(timeStep(), m_plot.locale()));
     for (const auto &plot : m_plots) {
-        plot->timeAxis()->ticker().dynamicCast<AxisTicker>()->setMost(timeTicks());
+        plot->timeAxis()->ticker().dynamicCast<AxisTicker>()->setMost(
+            timeTicks(), plot->rect->width());
         for (const ValueAxis &axis : plot->axes) {
-            axis.axis->ticker().dynamicCast<AxisTicker>()->setMost(ticksOf(*plot));
+            axis.axis->ticker().dynamicCast<AxisTicker>()->setMost(
+                ticksOf(*plot), plot->rect->height());
             labelAxis(*plot, axis);
         }
         makeRoom(*plot);
