@@ -56,7 +56,9 @@ bool beingWritten(const QFileInfo &file, qint64 read, const NotesSource &known)
     if (known.bytes >= 0 && read > known.bytes)
         return true;
     const QDateTime time = file.lastModified();
-    return time != known.ownTime && time.msecsTo(known.now) < kQuietBefore_ms;
+    if (time == known.ownTime)
+        return false;
+    return !known.now.isValid() || time.msecsTo(known.now) < kQuietBefore_ms;
 }
 
 } // namespace
@@ -117,7 +119,7 @@ NotesResult saveNotes(const QString &source, const QString &target,
     if (!to.commit())
         return failed(to.errorString());
     const QFileInfo written(target);
-    return {NotesResult::Outcome::Saved, {}, {written.size(), written.lastModified()}};
+    return {NotesResult::Outcome::Saved, {}, {written.size(), written.lastModified(), {}}};
 }
 
 } // namespace session

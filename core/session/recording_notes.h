@@ -16,7 +16,7 @@ struct NotesSource {
     qint64 bytes = -1; ///< when it was opened; negative: not known
     QDateTime
         ownTime; ///< its time after this program itself wrote it in its place; invalid: not yet
-    QDateTime now = QDateTime::currentDateTime();
+    QDateTime now; ///< invalid: what has no end counts as being written
 };
 
 struct NotesResult {

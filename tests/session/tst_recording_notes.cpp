@@ -119,6 +119,23 @@ private Q_SLOTS:
         QCOMPARE(notesOf(path).size(), 4U);
     }
 
+    /// Nothing below the window reads a clock.
+    void whoTellsNoTimeReplacesNothingWithoutAnEnd()
+    {
+        const QString path = m_folder->filePath(QStringLiteral("live.pcapng"));
+        writeRecording(path, false);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QVERIFY(file.setFileTime(
+            QDateTime::currentDateTimeUtc().addSecs(-3600), QFileDevice::FileModificationTime));
+        file.close();
+        const auto save = [&path](const session::NotesSource &known) {
+            return session::saveNotes(path, path, {{3, 3, "third"}}, {}, known).outcome;
+        };
+        QCOMPARE(save({}), NotesResult::Outcome::BeingWritten);
+        QCOMPARE(save({-1, {}, QDateTime::currentDateTimeUtc()}), NotesResult::Outcome::Saved);
+    }
+
     void aFileWithAnEndMayHaveBeenWrittenJustNow()
     {
         QCOMPARE(session::saveNotes(m_path, m_path, {{3, 3, "third"}}).why, QString());

@@ -54,7 +54,7 @@ MarkerFile::MarkerFile(
 void MarkerFile::opened(const QString &path, qint64 bytes)
 {
     m_path = path;
-    m_known = {bytes, {}};
+    m_known = {bytes, {}, {}};
     m_saved = markers();
     m_left.reset();
     update();
@@ -127,7 +127,7 @@ void MarkerFile::saveAs(const QString &path)
                     cancelled = !proceed(fraction);
                     return !cancelled;
                 },
-                {known.bytes, known.ownTime});
+                {known.bytes, known.ownTime, QDateTime::currentDateTimeUtc()});
             if (cancelled)
                 return {};
             return [this, path, now, source, result] {
