@@ -3994,6 +3994,16 @@
         <source>&amp;Save the markers</source>
         <translation>Markierungen &amp;speichern</translation>
     </message>
+    <message>
+        <source>Replay</source>
+        <comment>the scope shows it</comment>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <comment>the scope shows it</comment>
+        <translation>Datei</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MarkerFile</name>

@@ -248,6 +248,22 @@ private Q_SLOTS:
         QCOMPARE(shown->text(), QStringLiteral("Drive watchdog: none"));
     }
 
+    void nothingOfABoardOutlivesItsConnectionInTheStatus()
+    {
+        drive::Identified board = facts::identified();
+        facts::feed(device(), {board});
+        const auto text = [this](const char *name) { return m_rig->find<QLabel>(name)->text(); };
+        QVERIFY(!text("sizes").isEmpty());
+        QVERIFY(!text("statusWatchdog").isEmpty());
+        QVERIFY(!text("statusLost").isEmpty());
+        QCOMPARE(m_rig->find<QAction>("scopeRun")->text(), QStringLiteral("Live"));
+        device().portChanged(session::PortState::Closed, {});
+        for (const char *name :
+            {"sizes", "statusMotor", "statusFaults", "statusLost", "statusBad", "statusWatchdog"})
+            QVERIFY2(text(name).isEmpty(), name);
+        QCOMPARE(m_rig->find<QAction>("scopeRun")->text(), QStringLiteral("Run"));
+    }
+
     void everyReasonIsASentence()
     {
         for (int reason = 1; reason <= int(LinkReason::OldProtocol); ++reason) {

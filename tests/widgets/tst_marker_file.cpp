@@ -58,10 +58,13 @@ private Q_SLOTS:
         QVERIFY(strip->isVisible());
         open();
         QVERIFY(!strip->isVisible());
+        const auto *run = m_rig->find<QAction>("scopeRun");
+        QCOMPARE(run->text(), QStringLiteral("File"));
         m_rig->window.connectBar()->connectOrDisconnect();
         QTRY_COMPARE(scope().channels().size(), 4);
         QTRY_VERIFY(strip->isVisible());
         QVERIFY(m_rig->find<QWidget>("fastRate")->isVisible());
+        QCOMPARE(run->text(), QStringLiteral("Live"));
     }
 
     void aMarkerIsInTheFileAfterwards()

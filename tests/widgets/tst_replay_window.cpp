@@ -75,6 +75,7 @@ private Q_SLOTS:
         replay();
         QTRY_VERIFY(text()->text().contains(QStringLiteral("its end")));
         QVERIFY(m_rig->find<QWidget>("replayBar")->isVisible());
+        QCOMPARE(m_rig->find<QAction>("scopeRun")->text(), QStringLiteral("Replay"));
         QVERIFY(text()->text().startsWith(QStringLiteral("a.pcapng: 0:00:")));
         QCOMPARE(device().droppedForDisplay(), 0U);
         QCOMPARE(scope()->channels().size(), 2); // what was streamed, a plot for each unit

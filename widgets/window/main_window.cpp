@@ -212,6 +212,7 @@ void MainWindow::makeScopeActions()
         return action;
     };
     m_run = make(tr("Run", "the scope's picture moves"), Qt::Key_Space, &ScopeView::setRunning);
+    m_run->setObjectName(QStringLiteral("scopeRun"));
     m_run->setCheckable(true);
     m_run->setChecked(m_scope->running());
     m_run->setToolTip(tr("Lets the picture run or holds it; recording goes on (Space)"));
@@ -232,16 +233,27 @@ void MainWindow::makeScopeActions()
     m_zoomIn->setIconText(QStringLiteral("+"));
     m_zoomOut->setIconText(QStringLiteral("\u2212"));
     connect(m_scope, &ScopeView::runningChanged, this, &MainWindow::showRunning);
+    connect(
+        m_selection, &SignalSelection::changed, this, [this] { showRunning(m_scope->running()); });
     showRunning(m_scope->running());
     connect(m_scope, &ScopeView::followingChanged, m_follow, &QAction::setChecked);
     m_scopeTools = new ScopeTools(*m_scope, *m_trigger, *this);
 }
 
+/// Where the samples of the picture come from.
+QString MainWindow::sourceText() const
+{
+    if (m_device.answering())
+        return replaying(m_device) ? tr("Replay", "the scope shows it")
+                                   : tr("Live", "the scope's picture moves");
+    return m_selection->showsFile() ? tr("File", "the scope shows it")
+                                    : tr("Run", "the scope's picture moves");
+}
+
 void MainWindow::showRunning(bool running)
 {
     m_run->setChecked(running);
-    m_run->setText(running ? tr("Live", "the scope's picture moves")
-                           : tr("Held", "the scope's picture stands still"));
+    m_run->setText(!running ? tr("Held", "the scope's picture stands still") : sourceText());
     m_run->setIcon(runIcon(running, m_device.answering(), palette()));
 }
 
@@ -274,6 +286,8 @@ QWidget *MainWindow::makeScopeBar()
         button->setFocusPolicy(Qt::TabFocus);
         button->setMinimumHeight(26);
         button->setAccessibleName(action->text());
+        connect(action, &QAction::changed, button,
+            [button, action] { button->setAccessibleName(action->text()); });
         flow->addWidget(button);
     }
     layout->addWidget(buttons, 1);

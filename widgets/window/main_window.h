@@ -84,6 +84,7 @@ private:
     QWidget *makeCentre();
     QWidget *makeScopeBar();
     void showRunning(bool running);
+    QString sourceText() const;
     void makeDocks();
     void makeTools();
     void makeScopeTools();

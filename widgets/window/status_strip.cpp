@@ -95,8 +95,9 @@ void StatusStrip::updateLink()
             : QStringLiteral("%1 @ %2").arg(where, QString::number(endpoint.baud));
     }
     m_link->show(lightOf(m_device.link().state), text);
-    const auto &identified = m_device.identified();
     updateWatchdog();
+    updateCounters();
+    const auto identified = connected();
     m_sizes->setText(identified ? tr("%1 / %2 / %3 B", "sizes in bytes: request, answer, stream")
                                       .arg(QString::number(identified->requestBytes),
                                           QString::number(identified->responseBytes),
@@ -104,9 +105,15 @@ void StatusStrip::updateLink()
                                 : QString());
 }
 
+/// What a board said of itself is of its connection.
+std::optional<drive::Identified> StatusStrip::connected() const
+{
+    return m_device.portOpen() ? m_device.identified() : std::nullopt;
+}
+
 void StatusStrip::updateWatchdog()
 {
-    const auto &identified = m_device.identified();
+    const auto identified = connected();
     if (!identified) {
         m_watchdog->clear();
         m_watchdog->setToolTip(QString());

@@ -22,6 +22,7 @@ public:
 
 private:
     QLabel *addPart(const char *objectName);
+    std::optional<drive::Identified> connected() const;
     void updateLink();
     void updateWatchdog();
     void updateMotor();
