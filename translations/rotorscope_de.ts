@@ -5239,10 +5239,6 @@
         <translation>aus</translation>
     </message>
     <message>
-        <source>So many earlier records stay paler behind the newest one</source>
-        <translation>So viele frühere Aufnahmen bleiben blasser hinter der neuesten</translation>
-    </message>
-    <message>
         <source>&amp;Persistence</source>
         <translation>Nach&amp;leuchten</translation>
     </message>
@@ -5265,6 +5261,22 @@
     <message>
         <source>Dr&amp;op B</source>
         <translation>B ver&amp;werfen</translation>
+    </message>
+    <message>
+        <source>So many earlier records stay paler behind the newest one, while the trigger is the same</source>
+        <translation>So viele frühere Aufnahmen bleiben blasser hinter der neuesten, solange der Trigger derselbe ist</translation>
+    </message>
+    <message>
+        <source>C&amp;lear</source>
+        <translation>Leere&amp;n</translation>
+    </message>
+    <message>
+        <source>Clear the persistence</source>
+        <translation>Nachleuchten leeren</translation>
+    </message>
+    <message>
+        <source>Takes the earlier records out of the picture; those to come stay again</source>
+        <translation>Nimmt die früheren Aufnahmen aus dem Bild; die nächsten bleiben wieder stehen</translation>
     </message>
 </context>
 <context>

@@ -5239,10 +5239,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>So many earlier records stay paler behind the newest one</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Persistence</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5264,6 +5260,22 @@
     </message>
     <message>
         <source>Dr&amp;op B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So many earlier records stay paler behind the newest one, while the trigger is the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;lear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear the persistence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the earlier records out of the picture; those to come stay again</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

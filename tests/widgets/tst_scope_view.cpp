@@ -30,6 +30,7 @@ private Q_SLOTS:
     void noiseOfADigitStaysSmall();
     void tracesThatOverlapAllStayVisible();
     void aLineIsNeverHiddenByABand();
+    void ofEarlierTracesTheNewerOneIsOnTop();
     void aStoppedPictureStandsStillWhileRecordingGoesOn();
     void manyChangesMakeOneRedraw();
     void coloursStayWithTheRegisterAndFollowTheTheme();
@@ -375,6 +376,31 @@ void TestScopeView::aLineIsNeverHiddenByABand()
     const QRect area = bench.view.plotRect(0);
     for (int x = area.left() + 20; x < area.right() - 100; ++x)
         QCOMPARE(rowsOf(image, x, bench.view.colorOf(bench.id(1))).size(), 1);
+}
+
+void TestScopeView::ofEarlierTracesTheNewerOneIsOnTop()
+{
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.record(300, [](int, int tick) { return tick < 200 ? 50 : -50; });
+    bench.view.fitAll();
+    bench.view.setVisibleRange(0.2, 0.3);
+    bench.view.setGhosts({{nullptr, -0.1, 120}, {nullptr, -0.2, 40}}); // both where nothing else is
+    const QImage image = bench.picture();
+    QColor newer = bench.view.colorOf(bench.id(1));
+    newer.setAlpha(120);
+    QImage ground(1, 1, QImage::Format_RGB32);
+    ground.fill(Qt::white);
+    QPainter(&ground).fillRect(ground.rect(), newer);
+    const QRect area = bench.view.plotRect(0);
+    int found = 0;
+    for (int y = area.top(); y < area.center().y(); ++y) {
+        const QColor pixel = image.pixelColor(area.left() + 303, y);
+        const QColor wanted = ground.pixelColor(0, 0);
+        found +=
+            std::abs(pixel.red() - wanted.red()) + std::abs(pixel.green() - wanted.green()) < 6;
+    }
+    QCOMPARE(found, 1);
 }
 
 void TestScopeView::aStoppedPictureStandsStillWhileRecordingGoesOn()

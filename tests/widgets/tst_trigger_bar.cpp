@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSpinBox>
 #include <QToolButton>
 #include <QTranslator>
@@ -59,6 +60,7 @@ private Q_SLOTS:
     void cursorsKeepTheirPlaceFromTheTrigger();
     void aReferenceStaysBehind();
     void persistenceKeepsEarlierRecords();
+    void persistenceIsClearedAndBeginsAnew();
     void singleKeysActWhereNoTextIsTyped();
     void theBarFits();
     void anEdgeTakesOneLine();
@@ -539,6 +541,33 @@ void TestTriggerBar::persistenceKeepsEarlierRecords()
     m_rig->draw();
     m_rig->find<QSpinBox>("persistence")->setValue(0);
     QCOMPARE(view().ghostCount(), 0);
+}
+
+void TestTriggerBar::persistenceIsClearedAndBeginsAnew()
+{
+    normal(0.02);
+    QTest::keyClick(&m_rig->window, Qt::Key_8, Qt::ControlModifier);
+    auto *clear = m_rig->find<QPushButton>("clearPersistence");
+    QVERIFY(!clear->isEnabled());
+    m_rig->find<QSpinBox>("persistence")->setValue(4);
+    square(1000);
+    QCOMPARE(view().ghostCount(), 4);
+    QTest::mouseClick(clear, Qt::LeftButton);
+    QCOMPARE(view().ghostCount(), 0);
+    square(1000);
+    QCOMPARE(view().ghostCount(), 4);
+    // Where an edge the other way was the trigger, the signal stood half a period further.
+    setup([](TriggerSetup &setup) { setup.way = widgets::TriggerWay::Second; });
+    const auto first = control().shown()->id;
+    while (control().shown()->id == first)
+        square(10);
+    QCOMPARE(view().ghostCount(), 0);
+    square(1000);
+    QCOMPARE(view().ghostCount(), 4);
+    // What is only framed in another way stays comparable.
+    setup([](TriggerSetup &setup) { setup.preTrigger = 0.7; });
+    square(100);
+    QCOMPARE(view().ghostCount(), 4);
 }
 
 void TestTriggerBar::singleKeysActWhereNoTextIsTyped()

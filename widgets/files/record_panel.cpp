@@ -52,8 +52,14 @@ RecordPanel::RecordPanel(TriggerControl &control, ScopeView &scope, QWidget *par
     m_persistence->setObjectName(QStringLiteral("persistence"));
     m_persistence->setRange(0, ScopeView::kMostGhosts);
     m_persistence->setSpecialValueText(tr("off"));
-    m_persistence->setToolTip(tr("So many earlier records stay paler behind the newest one"));
+    m_persistence->setToolTip(tr(
+        "So many earlier records stay paler behind the newest one, while the trigger is the same"));
     new WheelGuard(m_persistence);
+    auto *clear = new QPushButton(tr("C&lear"), this);
+    clear->setObjectName(QStringLiteral("clearPersistence"));
+    clear->setAccessibleName(tr("Clear the persistence"));
+    clear->setToolTip(tr("Takes the earlier records out of the picture; those to come stay again"));
+    clear->setEnabled(false);
     auto *label = new QLabel(tr("&Persistence"), this);
     label->setBuddy(m_persistence);
 
@@ -61,7 +67,10 @@ RecordPanel::RecordPanel(TriggerControl &control, ScopeView &scope, QWidget *par
     side->addWidget(show);
     side->addWidget(makeReferences(scope));
     side->addWidget(label);
-    side->addWidget(m_persistence);
+    auto *staying = new QHBoxLayout;
+    staying->addWidget(m_persistence, 1);
+    staying->addWidget(clear);
+    side->addLayout(staying);
     side->addStretch(1);
     auto *layout = new QHBoxLayout(this);
     layout->addWidget(m_list, 1);
@@ -70,6 +79,9 @@ RecordPanel::RecordPanel(TriggerControl &control, ScopeView &scope, QWidget *par
     connect(m_list, &QTreeView::doubleClicked, this, &RecordPanel::showChosen);
     connect(show, &QPushButton::clicked, this, &RecordPanel::showChosen);
     connect(m_persistence, &QSpinBox::valueChanged, &control, &TriggerControl::setPersistence);
+    connect(m_persistence, &QSpinBox::valueChanged, clear,
+        [clear](int records) { clear->setEnabled(records > 0); });
+    connect(clear, &QPushButton::clicked, &control, &TriggerControl::clearPersistence);
     connect(&control, &TriggerControl::stateChanged, this, &RecordPanel::followShown);
 }
 

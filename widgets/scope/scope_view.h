@@ -119,7 +119,8 @@ public Q_SLOTS:
     void setTimeOrigin(double seconds);
     void setTriggerMarks(const TriggerMarks &marks);
     void setMeasureMarks(const MeasureMarks &marks); ///< what a measurement measured; empty ends it
-    void setGhosts(std::vector<Ghost> ghosts); ///< behind the traces; at most kMostGhosts
+    void setGhosts(
+        std::vector<Ghost> ghosts); ///< behind the traces, newest first; at most kMostGhosts
     /// R, B: the traces as they are now stay dashed and paler behind those that come, at the same place from the trigger
     /// or, in a picture that rolls, from the left edge. With Shift they go.
     void keepReference(widgets::Reference which);

@@ -17,6 +17,7 @@ constexpr double kLongest = 60.0;
 constexpr capture::Nanos kSlow = 200'000'000;
 constexpr double kLately = 1.0; ///< seconds that decide the middle
 constexpr int kNewestAlpha = 120; ///< of the record before the shown one, of 255
+constexpr int kOldestAlpha = 36; ///< still seen, on light and on dark ground
 constexpr double kHysteresisShare = 0.02; ///< of the swing
 } // namespace
 
@@ -103,6 +104,13 @@ void TriggerControl::setSetup(const TriggerSetup &setup)
 void TriggerControl::configure()
 {
     const scope::AcquisitionSettings settings = settingsOf(m_setup, m_source);
+    Watched watched{m_setup, m_source ? m_source->registerId : 0};
+    watched.setup.mode = {};
+    watched.setup.preTrigger = watched.setup.holdOff = watched.setup.length = 0.0;
+    if (watched != m_watched) {
+        m_watched = watched;
+        m_persistFrom = nextRecord();
+    }
     m_error = scope::check(settings.condition);
     if (!m_error)
         m_acquisition.configure(settings, sourceChannel());
@@ -320,13 +328,28 @@ void TriggerControl::levelToMiddle()
     Q_EMIT changed();
 }
 
+/// The least id that no record has yet, neither a complete one nor one that is being filled.
+scope::RecordId TriggerControl::nextRecord() const
+{
+    const auto &all = m_history.records();
+    const scope::Record *filling = m_acquisition.current();
+    return std::max(all.empty() ? 0 : all.back().id, filling ? filling->id : 0) + 1;
+}
+
+void TriggerControl::clearPersistence()
+{
+    m_persistFrom = m_shown ? m_shown->id : nextRecord();
+    showPersistence();
+}
+
 void TriggerControl::setPersistence(int records)
 {
     m_persistence = std::max(records, 0);
     showPersistence();
 }
 
-/// The records before the shown one, the older the paler.
+/// The records before the shown one, the older the paler; not across a clearing or another trigger, under which the
+/// same moment of a signal stood elsewhere.
 void TriggerControl::showPersistence()
 {
     std::vector<Ghost> ghosts;
@@ -336,11 +359,13 @@ void TriggerControl::showPersistence()
         const bool there = record->state != scope::Record::State::Released;
         if (std::ptrdiff_t(ghosts.size()) >= m_persistence)
             break;
-        if (!earlier || !there)
+        const bool together = (record->id < m_persistFrom) == (m_shown->id < m_persistFrom);
+        if (!earlier || !there || !together)
             continue;
         const int age = static_cast<int>(ghosts.size());
         const double shift = capture::toSeconds(record->trigger - m_shown->trigger);
-        ghosts.push_back({nullptr, shift, kNewestAlpha - kNewestAlpha * age / (m_persistence + 1)});
+        const int fade = (kNewestAlpha - kOldestAlpha) * age / std::max(1, m_persistence - 1);
+        ghosts.push_back({nullptr, shift, kNewestAlpha - fade});
     }
     m_scope.setGhosts(std::move(ghosts));
 }

@@ -45,6 +45,7 @@ public Q_SLOTS:
     void step(int records); ///< to an earlier (< 0) or later record of the history
     void setPinned(scope::RecordId id, bool pinned);
     void setPersistence(int records); ///< so many earlier ones stay behind the newest; 0: none
+    void clearPersistence(); ///< those there are now; later ones stay again
     void setLabel(scope::RecordId id, const QString &label);
 
 Q_SIGNALS:
@@ -53,6 +54,12 @@ Q_SIGNALS:
     void historyChanged();
 
 private:
+    /// What decides where the trigger lies in a record.
+    struct Watched {
+        TriggerSetup setup; ///< without what only frames the record
+        catalog::RegisterId source = 0;
+        bool operator==(const Watched &) const = default;
+    };
     void advance();
     void configure();
     void follow();
@@ -64,6 +71,7 @@ private:
     void findSource();
     void markPicture();
     void showPersistence();
+    scope::RecordId nextRecord() const;
     bool triggered() const { return m_setup.mode != scope::Mode::Roll; }
     const capture::Channel *sourceChannel() const;
 
@@ -79,6 +87,9 @@ private:
     scope::AcquisitionState m_told = scope::AcquisitionState::Roll;
     double m_rollSpan = 5.0; ///< seconds; what roll shows when it is chosen again
     int m_persistence = 0;
+    Watched m_watched;
+    scope::RecordId m_persistFrom =
+        0; ///< earlier records do not stay behind this one and later ones
     bool m_showing = false; ///< the picture moves because of a record, not of a person
 };
 

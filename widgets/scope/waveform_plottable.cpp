@@ -225,17 +225,19 @@ void WaveformPlottable::drawTraces(const View &view, TraceInk &ink) const
             view, *trace, *channel, traceColor(trace->colorSlot, m_scopePlot.dark).rgba(), ink);
 }
 
-/// The same traces of another time, paler and behind; references dashed, so that they are not told by their colour alone.
+/// The same traces of another time, paler and behind, older ones first; references dashed, so that they are not told by
+/// their colour alone.
 void WaveformPlottable::drawGhosts(const View &view, TraceInk &ink) const
 {
-    for (const Ghost &ghost : m_scopePlot.ghosts) {
-        if (ghost.mark == 0) {
-            drawGhost(ghost, view, ink);
+    const auto &ghosts = m_scopePlot.ghosts;
+    for (auto ghost = ghosts.rbegin(); ghost != ghosts.rend(); ++ghost) {
+        if (ghost->mark == 0) {
+            drawGhost(*ghost, view, ink);
             continue;
         }
-        const int on = (ghost.mark == 'A' ? kLongDash : kShortDash) * view.thickness;
+        const int on = (ghost->mark == 'A' ? kLongDash : kShortDash) * view.thickness;
         DashedInk dashed(ink, on, on / 2 + view.thickness);
-        drawGhost(ghost, view, dashed);
+        drawGhost(*ghost, view, dashed);
     }
 }
 
