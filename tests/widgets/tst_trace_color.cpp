@@ -100,6 +100,25 @@ private Q_SLOTS:
             m_rig->scope().colorOf(m_rig->id(facts::kCurrentB)), widgets::traceColor(6, dark()));
     }
 
+    /// One of a signal that is not shown makes room; what is seen keeps its colour.
+    void aFullListTakesAnotherColour()
+    {
+        widgets::Settings settings = facts::WindowRig::quietSettings();
+        settings.traceColors[QStringLiteral("I_B")] = 6;
+        for (int i = 0; settings.traceColors.size() < 500; ++i)
+            settings.traceColors[QStringLiteral("Board %1").arg(i)] = i % widgets::kTraceColors;
+        m_rig.reset();
+        open(settings);
+        QVERIFY(choose(QStringLiteral("I_A"), 4));
+        QCOMPARE(color(), widgets::traceColor(4, dark()));
+        const QMap<QString, int> now = m_rig->window.settings().traceColors;
+        QCOMPARE(now.size(), 500);
+        QCOMPARE(now.value(QStringLiteral("I_A"), -1), 4);
+        QCOMPARE(now.value(QStringLiteral("I_B"), -1), 6);
+        QVERIFY(choose(QStringLiteral("I_A"), -1)); // none of the others
+        QCOMPARE(m_rig->window.settings().traceColors.size(), 499);
+    }
+
     void slotsThatAreNoneAreLeftOut()
     {
         const auto settings =

@@ -7,8 +7,11 @@
 #include "widgets/scope/trace_legend.h"
 #include "widgets/scope/waveform_plottable.h"
 
+#include <QSet>
+
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -274,11 +277,28 @@ QColor PlotStack::colorOf(capture::ChannelId channel) const
     return shown ? traceColor(shown->colorSlot, isDark(m_palette)) : QColor();
 }
 
+/// One of a signal that is not shown, which nobody sees change; there are more colours than a picture has traces.
+void PlotStack::forgetColor()
+{
+    QSet<QString> shown;
+    for (const auto &plot : m_plots) {
+        for (const Trace &trace : plot->traces)
+            shown.insert(QString::fromStdString(trace.info.name));
+    }
+    auto forgotten = m_chosen.begin();
+    while (std::next(forgotten) != m_chosen.end() && shown.contains(forgotten.key()))
+        ++forgotten;
+    m_chosen.erase(forgotten);
+}
+
 void PlotStack::setColor(const QString &name, std::optional<int> slot)
 {
     m_chosen.remove(name);
-    if (slot && m_chosen.size() < kMostChosen)
+    if (slot) {
+        while (m_chosen.size() >= kMostChosen)
+            forgetColor();
         m_chosen[name] = std::clamp(*slot, 0, kTraceColors - 1);
+    }
     for (const auto &plot : m_plots) {
         for (Trace &each : plot->traces)
             if (QString::fromStdString(each.info.name) == name) {

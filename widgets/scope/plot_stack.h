@@ -80,6 +80,7 @@ private:
     void styleAxis(QCPAxis &axis) const;
     void labelAxes(ScopePlot &plot);
     int slotFor(const capture::ChannelInfo &channel);
+    void forgetColor();
     double leastSpanOf(const ScopePlot &plot, const ValueAxis &axis) const;
     capture::MinMax extremes(const ScopePlot &plot, const QCPAxis *axis) const;
 
