@@ -3979,22 +3979,6 @@
         <translation>&amp;Nicht speichern</translation>
     </message>
     <message>
-        <source>All samples of the last connection are in a file, but not all markers. A file that is opened takes their place.</source>
-        <translation>Alle Messwerte der letzten Verbindung sind in einer Datei, aber nicht alle Markierungen. Eine Datei, die geöffnet wird, tritt an ihre Stelle.</translation>
-    </message>
-    <message>
-        <source>They can be saved into the recording of that connection.</source>
-        <translation>Sie lassen sich in der Aufzeichnung dieser Verbindung speichern.</translation>
-    </message>
-    <message>
-        <source>Exported files hold no markers, and there is no whole recording of that connection to save them into.</source>
-        <translation>Exportierte Dateien enthalten keine Markierungen, und es gibt keine vollständige Aufzeichnung dieser Verbindung, in der sie gespeichert werden könnten.</translation>
-    </message>
-    <message>
-        <source>&amp;Save the markers</source>
-        <translation>Markierungen &amp;speichern</translation>
-    </message>
-    <message>
         <source>Replay</source>
         <comment>the scope shows it</comment>
         <translation>Wiedergabe</translation>
@@ -4004,6 +3988,30 @@
         <comment>the scope shows it</comment>
         <translation>Datei</translation>
     </message>
+    <message>
+        <source>Markers that are in no file go with them.</source>
+        <translation>Markierungen, die in keiner Datei stehen, gehen mit ihnen verloren.</translation>
+    </message>
+    <message>
+        <source>Save the &amp;markers</source>
+        <translation>&amp;Markierungen speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Save first</source>
+        <translation>Erst &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Markers are in no file, and there is no recording that could take them. They can be saved as a list of times and words (CSV).</source>
+        <translation>Markierungen stehen in keiner Datei, und keine Aufzeichnung kann sie aufnehmen. Sie können als Liste mit Zeiten und Worten (CSV) gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>The recording %1 does not hold all markers as they are now.</source>
+        <translation>Die Aufzeichnung %1 enthält nicht alle Markierungen so, wie sie jetzt sind.</translation>
+    </message>
+    <message>
+        <source>The recording that runs does not hold all markers: some were set before it began.</source>
+        <translation>Die laufende Aufzeichnung enthält nicht alle Markierungen: einige wurden gesetzt, bevor sie begann.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MarkerFile</name>
@@ -4012,16 +4020,8 @@
         <translation>&amp;Markierungen speichern…</translation>
     </message>
     <message>
-        <source>Markers are saved in recordings that are open; those of a connection are in its recording (Ctrl+S)</source>
-        <translation>Markierungen werden in Aufzeichnungen gespeichert, die geöffnet sind; die einer Verbindung stehen in ihrer Aufzeichnung (Strg+S)</translation>
-    </message>
-    <message>
         <source>Writes the markers into the recording, or into a copy of it (Ctrl+S)</source>
         <translation>Schreibt die Markierungen in die Aufzeichnung oder in eine Kopie davon (Strg+S)</translation>
-    </message>
-    <message>
-        <source>The recording has the markers as they are (Ctrl+S)</source>
-        <translation>Die Aufzeichnung hat die Markierungen so, wie sie sind (Strg+S)</translation>
     </message>
     <message>
         <source>Save the recording with its markers</source>
@@ -4046,6 +4046,42 @@
     <message>
         <source>%1 has no end and changed just now: it seems that it is still being recorded, and what comes would be lost. Save a copy under another name, or wait until the recording has ended.</source>
         <translation>%1 hat kein Ende und hat sich gerade noch geändert: Die Aufzeichnung läuft anscheinend noch, und was noch kommt, ginge verloren. Speichern Sie eine Kopie unter einem anderen Namen, oder warten Sie, bis die Aufzeichnung beendet ist.</translation>
+    </message>
+    <message>
+        <source>There are no markers; M sets one (Ctrl+S)</source>
+        <translation>Es gibt keine Markierungen; M setzt eine (Strg+S)</translation>
+    </message>
+    <message>
+        <source>All markers are saved as they are (Ctrl+S)</source>
+        <translation>Alle Markierungen sind so gespeichert, wie sie sind (Strg+S)</translation>
+    </message>
+    <message>
+        <source>Writes the markers into the recording of the connection (Ctrl+S)</source>
+        <translation>Schreibt die Markierungen in die Aufzeichnung der Verbindung (Strg+S)</translation>
+    </message>
+    <message>
+        <source>Writes times and words of the markers to a list, because there is no recording that takes them (Ctrl+S)</source>
+        <translation>Schreibt Zeiten und Worte der Markierungen in eine Liste, weil keine Aufzeichnung sie aufnehmen kann (Strg+S)</translation>
+    </message>
+    <message>
+        <source>The recording is just being ended. Save the markers again when it has.</source>
+        <translation>Die Aufzeichnung wird gerade beendet. Speichern Sie die Markierungen noch einmal, wenn sie beendet ist.</translation>
+    </message>
+    <message>
+        <source>The markers are in the recording that runs.</source>
+        <translation>Die Markierungen sind in der laufenden Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Save the markers as a list</source>
+        <translation>Markierungen als Liste speichern</translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv)</source>
+        <translation>CSV-Dateien (*.csv)</translation>
+    </message>
+    <message>
+        <source>The markers are in %1.</source>
+        <translation>Die Markierungen sind in %1.</translation>
     </message>
 </context>
 <context>
@@ -5206,18 +5242,6 @@
     <message>
         <source>The disk failed (%3): the recording %1 ends here, with %2 MB. What was recorded is in it, and the connection goes on.</source>
         <translation>Die Platte versagt (%3): Die Aufzeichnung %1 endet hier, mit %2 MB. Was bis dahin kam, ist in ihr, und die Verbindung läuft weiter.</translation>
-    </message>
-    <message>
-        <source>Saving %1</source>
-        <translation>Speichern von %1</translation>
-    </message>
-    <message>
-        <source>The markers could not be saved to %1 (%2). What was there is as it was.</source>
-        <translation>Die Markierungen konnten nicht in %1 gespeichert werden (%2). Was dort war, ist unverändert.</translation>
-    </message>
-    <message>
-        <source>Saved with its markers: %1.</source>
-        <translation>Mit ihren Markierungen gespeichert: %1.</translation>
     </message>
 </context>
 <context>

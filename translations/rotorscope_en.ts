@@ -3979,22 +3979,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All samples of the last connection are in a file, but not all markers. A file that is opened takes their place.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>They can be saved into the recording of that connection.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Exported files hold no markers, and there is no whole recording of that connection to save them into.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Save the markers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Replay</source>
         <comment>the scope shows it</comment>
         <translation type="unfinished"></translation>
@@ -4002,6 +3986,30 @@
     <message>
         <source>File</source>
         <comment>the scope shows it</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Markers that are in no file go with them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the &amp;markers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Markers are in no file, and there is no recording that could take them. They can be saved as a list of times and words (CSV).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording %1 does not hold all markers as they are now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording that runs does not hold all markers: some were set before it began.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4012,15 +4020,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Markers are saved in recordings that are open; those of a connection are in its recording (Ctrl+S)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Writes the markers into the recording, or into a copy of it (Ctrl+S)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The recording has the markers as they are (Ctrl+S)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4045,6 +4045,42 @@
     </message>
     <message>
         <source>%1 has no end and changed just now: it seems that it is still being recorded, and what comes would be lost. Save a copy under another name, or wait until the recording has ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no markers; M sets one (Ctrl+S)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All markers are saved as they are (Ctrl+S)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes the markers into the recording of the connection (Ctrl+S)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes times and words of the markers to a list, because there is no recording that takes them (Ctrl+S)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording is just being ended. Save the markers again when it has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The markers are in the recording that runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the markers as a list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The markers are in %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5205,18 +5241,6 @@
     </message>
     <message>
         <source>The disk failed (%3): the recording %1 ends here, with %2 MB. What was recorded is in it, and the connection goes on.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Saving %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The markers could not be saved to %1 (%2). What was there is as it was.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Saved with its markers: %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

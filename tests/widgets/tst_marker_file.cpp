@@ -46,10 +46,10 @@ private Q_SLOTS:
     void nothingIsSavedThatIsSaved()
     {
         QVERIFY(!save()->isEnabled());
-        QVERIFY(save()->toolTip().contains(QStringLiteral("recordings that are open")));
+        QVERIFY(save()->toolTip().startsWith(QStringLiteral("There are no markers")));
         open();
         QVERIFY(!save()->isEnabled());
-        QVERIFY(save()->toolTip().contains(QStringLiteral("as they are")));
+        QVERIFY(save()->toolTip().startsWith(QStringLiteral("All markers are saved")));
     }
 
     void aFileHasNoRowOfABoardsSignals()
@@ -215,13 +215,127 @@ private Q_SLOTS:
         QVERIFY(markers().isEmpty());
     }
 
-    void aConnectionHasNoneToSave()
+    void whatIsSavedFirstGoesOnAfterwards()
     {
         open();
-        m_rig->window.connectBar()->connectOrDisconnect();
-        QTRY_COMPARE(scope().channels().size(), 4);
-        setMarker(1.0, QStringLiteral("of the board"));
+        setMarker(2.0, QStringLiteral("it sticks"));
+        m_rig->files.answer = m_path;
+        QSignalSpy closed(&m_rig->window, &widgets::MainWindow::closed);
+        QVERIFY(!m_rig->window.close());
+        QTest::mouseClick(m_rig->find<QPushButton>("saveMarkersFirst"), Qt::LeftButton);
+        QTRY_COMPARE(closed.size(), 1);
+        QCOMPARE(notesIn(m_path).size(), 2);
+    }
+
+    void whatCannotBeSavedFirstKeepsTheWindow()
+    {
+        open();
+        setMarker(2.0, QStringLiteral("it sticks"));
+        m_rig->files.answer = m_folder->filePath(QStringLiteral("no such folder/b.pcapng"));
+        QVERIFY(!m_rig->window.close());
+        QTest::mouseClick(m_rig->find<QPushButton>("saveMarkersFirst"), Qt::LeftButton);
+        QTRY_VERIFY(banner()->text().contains(QStringLiteral("could not be saved")));
+        QVERIFY(m_rig->window.isVisible());
+        QCOMPARE(markers().size(), 2);
+    }
+
+    /// And not into the file that was open before.
+    void thoseOfAConnectionGoIntoAList()
+    {
+        open();
+        connectToBoard();
         QVERIFY(!save()->isEnabled());
+        setMarker(1.25, QStringLiteral("=sticks, \"loud\""));
+        setMarker(0.5, QStringLiteral("starts"));
+        QVERIFY(save()->isEnabled());
+        m_rig->files.answer = m_folder->filePath(QStringLiteral("list.csv"));
+        save()->trigger();
+        QVERIFY(banner()->text().contains(QStringLiteral("list.csv")));
+        QVERIFY(m_rig->files.asked.suggestedName.endsWith(QStringLiteral("_markers.csv")));
+        QFile list(m_rig->files.answer);
+        QVERIFY(list.open(QIODevice::ReadOnly));
+        QCOMPARE(list.readAll(),
+            QByteArray("time [s],marker\n0.5,starts\n1.25,\"'=sticks, \"\"loud\"\"\"\n"));
+        QVERIFY(!save()->isEnabled());
+        QCOMPARE(notesIn(m_path), QStringList{QStringLiteral("look here")});
+        setMarker(1.5, QStringLiteral("again"));
+        QVERIFY(save()->isEnabled());
+    }
+
+    void leavingAsksForThoseOfAConnection()
+    {
+        connectToBoard();
+        setMarker(1.0, QStringLiteral("it sticks"));
+        QSignalSpy closed(&m_rig->window, &widgets::MainWindow::closed);
+        QVERIFY(!m_rig->window.close());
+        auto *question = m_rig->find<QMessageBox>("markersQuestion");
+        QVERIFY(question && question->text().contains(QStringLiteral("no recording that could")));
+        QTest::keyClick(question, Qt::Key_Escape);
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
+        QVERIFY(m_rig->window.isVisible() && closed.isEmpty());
+        QVERIFY(m_rig->workbench.device().answering()); // the connection goes on
+        m_rig->files.answer = m_folder->filePath(QStringLiteral("list.csv"));
+        QVERIFY(!m_rig->window.close());
+        QTest::mouseClick(m_rig->find<QPushButton>("saveMarkersFirst"), Qt::LeftButton);
+        QTRY_COMPARE(closed.size(), 1);
+        QVERIFY(QFile::exists(m_rig->files.answer));
+    }
+
+    void thoseOfAConnectionOutliveItAndClearing()
+    {
+        connectToBoard();
+        setMarker(1.0, QStringLiteral("it sticks"));
+        disconnectFromBoard();
+        connectToBoard();
+        disconnectFromBoard();
+        m_rig->find<QAction>("clearRecorded")->trigger();
+        QVERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
+        QCOMPARE(markers(), QStringList{QStringLiteral("it sticks")});
+        // There are no samples to be asked about, but a file takes the place of markers, too.
+        m_rig->files.answer = m_path;
+        m_rig->find<QAction>("openRecording")->trigger();
+        QVERIFY(m_rig->find<QMessageBox>("markersQuestion"));
+        QTest::mouseClick(m_rig->find<QPushButton>("leaveMarkers"), Qt::LeftButton);
+        QTRY_COMPARE(markers(), QStringList{QStringLiteral("look here")});
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
+    }
+
+    void aQuestionAboutSamplesTellsOfMarkers()
+    {
+        connectToBoard();
+        disconnectFromBoard();
+        m_rig->find<QAction>("openRecording")->trigger();
+        auto *question = m_rig->find<QMessageBox>("replaceQuestion");
+        QVERIFY(question && !question->informativeText().contains(QStringLiteral("Markers")));
+        QVERIFY(!m_rig->find<QPushButton>("replaceSaveMarkers"));
+        QTest::keyClick(question, Qt::Key_Escape);
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
+        setMarker(1.0, QStringLiteral("it sticks"));
+        m_rig->find<QAction>("openRecording")->trigger();
+        question = m_rig->find<QMessageBox>("replaceQuestion");
+        QVERIFY(question && question->informativeText().contains(QStringLiteral("Markers")));
+        m_rig->files.answer = m_folder->filePath(QStringLiteral("list.csv"));
+        QTest::mouseClick(m_rig->find<QPushButton>("replaceSaveMarkers"), Qt::LeftButton);
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
+        QVERIFY(QFile::exists(m_rig->files.answer));
+        QVERIFY(!save()->isEnabled());
+    }
+
+    void thoseOfAnImportAreAskedAbout()
+    {
+        QFile csv(m_folder->filePath(QStringLiteral("a.csv")));
+        QVERIFY(csv.open(QIODevice::WriteOnly));
+        csv.write("time [s],A\n0,1\n1,2\n2,3\n");
+        csv.close();
+        m_rig->files.answer = csv.fileName();
+        m_rig->find<QAction>("importCsv")->trigger();
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Imported ")));
+        setMarker(1.0, QStringLiteral("it sticks"));
+        m_rig->window.connectBar()->connectOrDisconnect();
+        QVERIFY(m_rig->find<QMessageBox>("markersQuestion"));
+        QTest::mouseClick(m_rig->find<QPushButton>("leaveMarkers"), Qt::LeftButton);
+        QTRY_COMPARE(scope().channels().size(), 4);
+        QVERIFY(markers().isEmpty());
     }
 
 private:
@@ -230,6 +344,17 @@ private:
         m_rig->files.answer = m_path;
         m_rig->find<QAction>("openRecording")->trigger();
         QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Opened ")));
+    }
+    void connectToBoard()
+    {
+        m_rig->window.connectBar()->connectOrDisconnect();
+        QTRY_COMPARE(scope().channels().size(), 4);
+        QTRY_VERIFY(m_rig->workbench.capture().timeSpan().has_value());
+    }
+    void disconnectFromBoard()
+    {
+        m_rig->window.connectBar()->disconnectNow();
+        QTRY_VERIFY(!m_rig->workbench.device().portOpen());
     }
     void setMarker(double seconds, const QString &text)
     {

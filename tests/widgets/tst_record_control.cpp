@@ -201,15 +201,18 @@ private Q_SLOTS:
         action("openRecording")->trigger();
         QVERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
         // A text that is in no file is worth the question.
+        const QString before = scope()->events().find(marker)->text;
         scope()->events().setText(marker, QStringLiteral("after the end"));
         action("openRecording")->trigger();
-        auto *question = m_rig->find<QMessageBox>("replaceQuestion");
+        auto *question = m_rig->find<QMessageBox>("markersQuestion");
         QVERIFY(question);
-        QVERIFY(question->text().contains(QStringLiteral("not all markers")));
+        QVERIFY(question->text().contains(QStringLiteral("all.pcapng")));
         QTest::keyClick(question, Qt::Key_Escape);
-        QTRY_VERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
         // Nor does a recording count that is no longer there.
-        scope()->events().setText(marker, {});
+        scope()->events().setText(marker, before);
+        action("openRecording")->trigger();
+        QVERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
         QVERIFY(QFile::resize(m_folder.filePath(QStringLiteral("all.pcapng")), 1000));
         action("openRecording")->trigger();
         QVERIFY(m_rig->find<QMessageBox>("replaceQuestion"));
@@ -231,16 +234,88 @@ private Q_SLOTS:
         QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Recorded to ")));
         m_rig->files.answer.clear();
         action("openRecording")->trigger();
-        QVERIFY(m_rig->find<QMessageBox>("replaceQuestion"));
-        QTest::mouseClick(m_rig->find<QPushButton>("replaceSave"), Qt::LeftButton);
+        QVERIFY(m_rig->find<QMessageBox>("markersQuestion"));
+        QTest::mouseClick(m_rig->find<QPushButton>("saveMarkersFirst"), Qt::LeftButton);
         QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Saved with its markers")));
-        QTRY_VERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
         capture::Capture independent;
         const auto report = session::readRecording(path, independent);
         QVERIFY(report && report->ending && report->damage.empty());
         QCOMPARE(report->notes.size(), std::size_t(1));
         action("openRecording")->trigger();
+        QVERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
         QVERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
+    }
+
+    void aMarkerThatIsDeletedAfterTheEndLeavesTheFile()
+    {
+        makeRig();
+        connectToBoard();
+        const QString path = m_folder.filePath(QStringLiteral("deleted.pcapng"));
+        recordAfresh(path);
+        const double time = capture().timeSpan()->to;
+        scope()->setMarkerAt(time - 0.1);
+        scope()->setMarkerAt(time);
+        disconnectFromBoard();
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Recorded to ")));
+        QCOMPARE(notesIn(path), std::size_t(2));
+        QVERIFY(!action("saveMarkers")->isEnabled());
+        QVERIFY(scope()->events().removeMarker(markerId()));
+        QVERIFY(action("saveMarkers")->isEnabled());
+        action("openRecording")->trigger();
+        auto *question = m_rig->find<QMessageBox>("markersQuestion");
+        QVERIFY(question);
+        QTest::keyClick(question, Qt::Key_Escape);
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
+        action("saveMarkers")->trigger();
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Saved with its markers")));
+        QCOMPARE(notesIn(path), std::size_t(1));
+        QVERIFY(!action("saveMarkers")->isEnabled());
+        m_rig->files.answer.clear();
+        action("openRecording")->trigger();
+        QVERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
+        QVERIFY(!m_rig->find<QMessageBox>("replaceQuestion")); // the samples are in it as before
+    }
+
+    void markersOfBeforeARecordingCanBeToldToIt()
+    {
+        makeRig();
+        connectToBoard();
+        scope()->setMarkerAt(capture().timeSpan()->to);
+        const QString path = m_folder.filePath(QStringLiteral("before.pcapng"));
+        recordAfresh(path);
+        QVERIFY(action("saveMarkers")->isEnabled());
+        scope()->setMarkerAt(capture().timeSpan()->to); // goes there by itself
+        QVERIFY(!m_rig->window.close());
+        auto *question = m_rig->find<QMessageBox>("markersQuestion");
+        QVERIFY(question && question->text().contains(QStringLiteral("before it began")));
+        QTest::keyClick(question, Qt::Key_Escape);
+        QTRY_VERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
+        action("saveMarkers")->trigger();
+        QVERIFY(!action("saveMarkers")->isEnabled());
+        disconnectFromBoard();
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Recorded to ")));
+        QCOMPARE(notesIn(path), std::size_t(2));
+        QVERIFY(!action("saveMarkers")->isEnabled());
+    }
+
+    /// Each is in the file of its time; that is where it stays.
+    void aSecondRecordingAsksForNothingOfTheFirst()
+    {
+        makeRig();
+        connectToBoard();
+        recordAfresh(m_folder.filePath(QStringLiteral("first.pcapng")));
+        scope()->setMarkerAt(capture().timeSpan()->to);
+        action("record")->trigger();
+        QTRY_VERIFY(banner()->text().contains(QStringLiteral("first.pcapng")));
+        const QString second = m_folder.filePath(QStringLiteral("second.pcapng"));
+        recordAfresh(second);
+        scope()->setMarkerAt(capture().timeSpan()->to);
+        QVERIFY(!action("saveMarkers")->isEnabled());
+        disconnectFromBoard();
+        QTRY_VERIFY(banner()->text().contains(QStringLiteral("second.pcapng")));
+        QVERIFY(!action("saveMarkers")->isEnabled());
+        QCOMPARE(notesIn(second), std::size_t(1));
     }
 
     void anExportHoldsNoMarkers()
@@ -258,10 +333,9 @@ private Q_SLOTS:
         QVERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
         scope()->setMarkerAt(capture().timeSpan()->to);
         action("openRecording")->trigger();
-        auto *question = m_rig->find<QMessageBox>("replaceQuestion");
+        auto *question = m_rig->find<QMessageBox>("markersQuestion");
         QVERIFY(question);
-        QVERIFY(question->text().contains(QStringLiteral("not all markers")));
-        QVERIFY(!m_rig->find<QPushButton>("replaceSave")); // there is nothing that takes them
+        QVERIFY(question->text().contains(QStringLiteral("no recording that could take them")));
     }
 
     void whatCameBeforeOrAfterTheRecordingIsAskedAbout_data()
@@ -501,6 +575,12 @@ private:
         QTRY_VERIFY(capture().timeSpan().has_value());
         const auto first = capture().timeSpan()->from;
         QTRY_VERIFY(capture().timeSpan()->to > first + 0.3);
+    }
+    static std::size_t notesIn(const QString &path)
+    {
+        capture::Capture independent;
+        const auto report = session::readRecording(path, independent);
+        return report ? report->notes.size() : 99;
     }
     quint32 markerId()
     {

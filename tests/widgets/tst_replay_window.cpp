@@ -196,6 +196,24 @@ private Q_SLOTS:
                 QVERIFY(std::abs(event.seconds - capture().timeSpan()->from - 0.5) < 0.01);
     }
 
+    void onlyMarkersThatAreNotInTheFileAreAskedAbout()
+    {
+        replay();
+        QTRY_VERIFY(eventTexts().contains(QStringLiteral("look here")));
+        QTRY_VERIFY(text()->text().contains(QStringLiteral("its end")));
+        const auto *save = m_rig->find<QAction>("saveMarkers");
+        QVERIFY(!save->isEnabled());
+        m_rig->window.connectBar()->disconnectNow();
+        QTRY_VERIFY(!device().portOpen());
+        m_rig->files.answer.clear();
+        m_rig->find<QAction>("openRecording")->trigger();
+        QVERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
+        scope()->setMarkerAt(capture().timeSpan()->from);
+        QVERIFY(save->isEnabled());
+        m_rig->find<QAction>("openRecording")->trigger();
+        QVERIFY(m_rig->find<QMessageBox>("markersQuestion"));
+    }
+
     void whatWasDoneBeforeIsNotToldBesideIt()
     {
         m_rig->files.answer = m_path;

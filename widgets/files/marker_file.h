@@ -1,14 +1,14 @@
-// MarkerFile: the markers of an opened recording as its file has them, what a person changed of them since, and saving
-// that: Ctrl+S. What is not of a recording, such as an imported CSV file, has none.
+// MarkerFile: where the markers of what is shown are kept, which of them are in no file, and saving those: Ctrl+S. Into an
+// opened recording or a copy of it, into the recording of the connection, or, where there is none, into a list.
 #pragma once
 
 #include "session/recording_notes.h"
+#include "widgets/files/markers.h"
 #include "widgets/window/banner.h"
 
 #include <QObject>
 
 #include <functional>
-#include <map>
 #include <optional>
 
 class QAction;
@@ -17,41 +17,62 @@ namespace widgets {
 
 class EventLog;
 class FilePrompt;
+class RecordControl;
 
 class MarkerFile : public QObject {
     Q_OBJECT
 public:
-    /// Log and prompt outlive it. @param shown  true while the scope shows a file
-    MarkerFile(EventLog &events, FilePrompt &files, std::function<bool()> shown, QWidget *window);
+    /// All outlive it.
+    MarkerFile(EventLog &events, FilePrompt &files, RecordControl &record, QWidget *window);
 
     QAction *save() const { return m_save; }
     /// The log has just been filled from it; once the log is cleared it is no longer open.
     /// @param bytes  of it that were read
     void opened(const QString &path, qint64 bytes);
+    void replayed(double seconds); ///< the marker of that time is in the file that is replayed
+
+    enum class Place : std::uint8_t {
+        Opened, ///< the recording that is open, or a copy
+        Running, ///< the recording that runs
+        Recorded, ///< the last recording of the connection
+        List, ///< there is no recording for them
+    };
+    Place place() const; ///< where they would go now
+    QString path() const { return m_path; } ///< of the recording, if it is open or has ended
+
     bool changed() const; ///< there are markers to be saved
     void leave(); ///< a person does not want them saved as they are now
     bool changedSinceLeft() const; ///< there are others to be saved than those
-    void update(); ///< the action, when what is shown has changed
+    void saveThen(std::function<void()> goOn); ///< which is not called unless they are saved
 
 Q_SIGNALS:
     void said(widgets::Banner::Kind kind, const QString &sentence);
 
 private:
-    using Markers = std::map<record::Nanos, QString>;
-    Markers markers() const; ///< of the log
-    void ask();
-    void saveAs(const QString &path);
+    void update();
+    void updateFor(const QModelIndex &parent, int first, int last);
+    bool anyMarker(int first, int last) const;
+    void ended(const QString &path, qint64 bytes, const Markers &markers);
+    bool isThere() const;
+    void askForCopy(std::function<void()> goOn);
+    void askForList(std::function<void()> goOn);
+    void saveAs(const QString &path, std::function<void()> goOn);
+    void saved(const QString &source, const QString &path, const Markers &markers,
+        const session::NotesResult &result, const std::function<void()> &goOn);
     QString refusal(const QString &path, const session::NotesResult &result) const;
 
     EventLog &m_events;
     FilePrompt &m_files;
-    std::function<bool()> m_shown;
+    RecordControl &m_record;
     QWidget *m_window;
     QAction *m_save;
     QString m_path; ///< empty: no recording
+    bool m_opened = false; ///< by a person, not recorded here
     session::NotesSource m_known; ///< of that file
     Markers m_saved; ///< as the file has them
+    Markers m_elsewhere; ///< in earlier recordings, in lists, and in what is replayed
     std::optional<Markers> m_left;
+    bool m_markerGoes = false;
 };
 
 } // namespace widgets

@@ -3,7 +3,6 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/lamp.h"
 #include "widgets/base/value_text.h"
-#include "widgets/files/file_job.h"
 #include "widgets/files/file_prompt.h"
 #include "widgets/scope/event_log.h"
 
@@ -77,6 +76,8 @@ RecordControl::RecordControl(Parts parts, const QString &folder, QWidget *window
     connect(&m_parts.events, &QAbstractItemModel::rowsInserted, this, &RecordControl::recordMarks);
     connect(&m_parts.events, &QAbstractItemModel::rowsAboutToBeRemoved, this,
         [this](const QModelIndex &, int first, int last) { takeBackMarks(first, last); });
+    connect(&m_parts.events, &QAbstractItemModel::modelReset, this,
+        [this] { m_told.reset(); }); // what comes is of something else
     connect(&m_parts.events, &QAbstractItemModel::dataChanged, this,
         [this](const QModelIndex &from, const QModelIndex &to) {
             if (from.column() == EventLog::TextColumn)
@@ -121,7 +122,7 @@ void RecordControl::start(const QString &path)
     using Content = session::RecordingTap::Content;
     const session::Endpoint &endpoint = m_parts.device.endpoint();
     m_kept.reset();
-    m_marks.clear();
+    m_told.emplace();
     const bool simulated = endpoint.kind == session::Endpoint::Kind::Simulator;
     m_parts.recording.start(path,
         m_withLink->isChecked() ? Content::SamplesAndLink : Content::Samples,
@@ -167,9 +168,14 @@ void RecordControl::finished(const session::RecordingResult &result)
     using session::RecordingOutcome;
     const QString name = fileName(result.path);
     const QString why = deviceText(result.systemText);
+    const std::optional<Markers> told = std::exchange(m_told, {});
     update();
     if (result.complete)
         m_kept = {result.path, static_cast<qint64>(result.last.counts.bytes), result.coverage};
+    // What a disk took that failed is not known.
+    if (told && result.outcome != RecordingOutcome::CannotOpen)
+        Q_EMIT ended(result.path, QFileInfo(result.path).size(),
+            result.outcome == RecordingOutcome::Stopped ? *told : Markers());
     if (result.outcome == RecordingOutcome::CannotOpen) {
         Q_EMIT said(Banner::Kind::Warning,
             tr("%1 cannot be recorded (%2). Choose a name that is not there yet, in a folder that "
@@ -213,68 +219,32 @@ void RecordControl::finished(const session::RecordingResult &result)
 
 bool RecordControl::holds(const capture::Capture &capture) const
 {
-    return takesMarkers() && m_kept->coverage.holds(capture);
+    return m_kept && QFileInfo(m_kept->path).size() == m_kept->bytes
+        && m_kept->coverage.holds(capture);
 }
 
-bool RecordControl::takesMarkers() const
+void RecordControl::markersSaved(const QString &path, qint64 bytes)
 {
-    return m_kept && QFileInfo(m_kept->path).size() == m_kept->bytes;
+    if (m_kept && m_kept->path == path)
+        m_kept->bytes = bytes;
 }
 
-bool RecordControl::holdsMarkers() const
+const Markers *RecordControl::told() const
 {
+    return m_told && m_parts.recording.running() ? &*m_told : nullptr;
+}
+
+void RecordControl::tellMarkers()
+{
+    if (!m_told)
+        return;
     const auto &events = m_parts.events.events();
-    const bool kept = takesMarkers();
-    return std::all_of(events.begin(), events.end(), [this, kept](const ScopeEvent &event) {
-        const auto told = m_marks.find(event.id);
-        return event.kind != EventKind::Marker
-            || (kept && told != m_marks.end() && told->second == event.text);
-    });
-}
-
-void RecordControl::saveMarkers()
-{
-    if (!takesMarkers())
-        return;
-    std::map<quint32, QString> now;
-    std::vector<record::Note> notes;
-    for (const ScopeEvent &event : m_parts.events.events()) {
-        if (event.kind != EventKind::Marker)
-            continue;
-        const record::Nanos at = capture::toNanos(event.seconds);
-        now[event.id] = event.text;
-        notes.push_back({at, at, event.text.toStdString()});
+    for (int row = 0; row < static_cast<int>(events.size()); ++row) {
+        const ScopeEvent &event = events[static_cast<std::size_t>(row)];
+        const auto told = m_told->find(capture::toNanos(event.seconds));
+        if (told == m_told->end() || told->second != event.text)
+            recordMarks({}, row, row);
     }
-    new FileJob(
-        tr("Saving %1").arg(fileName(m_kept->path)),
-        [this, path = m_kept->path, now, notes](
-            const FileJob::Proceed &proceed) -> FileJob::Finish {
-            bool cancelled = false;
-            const auto result = session::saveNotes(path, path, notes, [&](double fraction) {
-                cancelled = !proceed(fraction);
-                return !cancelled;
-            });
-            if (cancelled)
-                return {};
-            return [this, path, now, result] { markersSaved(path, now, result); };
-        },
-        m_line->window());
-}
-
-void RecordControl::markersSaved(const QString &path, const std::map<quint32, QString> &markers,
-    const session::NotesResult &result)
-{
-    if (result.outcome != session::NotesResult::Outcome::Saved) {
-        Q_EMIT said(Banner::Kind::Warning,
-            tr("The markers could not be saved to %1 (%2). What was there is as it was.")
-                .arg(deviceText(path), deviceText(result.why)));
-        return;
-    }
-    if (m_kept && m_kept->path == path) {
-        m_kept->bytes = result.target.bytes;
-        m_marks = markers;
-    }
-    Q_EMIT said(Banner::Kind::Note, tr("Saved with its markers: %1.").arg(deviceText(path)));
 }
 
 /// Markers that a person deletes while their recording runs are not in it, either.
@@ -282,11 +252,12 @@ void RecordControl::takeBackMarks(int first, int last)
 {
     const auto &events = m_parts.events.events();
     for (auto row = static_cast<std::size_t>(first);
-         row <= static_cast<std::size_t>(last) && row < events.size(); ++row)
-        if (m_parts.recording.running() && m_marks.erase(events[row].id) > 0) {
-            const record::Nanos at = capture::toNanos(events[row].seconds);
-            m_parts.recording.add(at, record::noNote(at));
-        }
+         row <= static_cast<std::size_t>(last) && row < events.size(); ++row) {
+        const record::Nanos at = capture::toNanos(events[row].seconds);
+        if (events[row].kind == EventKind::Marker && m_told && m_told->contains(at)
+            && m_parts.recording.add(at, record::noNote(at)))
+            m_told->erase(at);
+    }
 }
 
 /// A marker, or a new text of one: whoever opens the recording takes the last note of a time.
@@ -299,8 +270,8 @@ void RecordControl::recordMarks(const QModelIndex &, int first, int last)
         if (event.kind != EventKind::Marker)
             continue;
         const record::Nanos at = capture::toNanos(event.seconds);
-        if (m_parts.recording.add(at, record::Note{at, at, event.text.toStdString()}))
-            m_marks[event.id] = event.text;
+        if (m_told && m_parts.recording.add(at, record::Note{at, at, event.text.toStdString()}))
+            (*m_told)[at] = event.text;
     }
 }
 

@@ -3,13 +3,11 @@
 #pragma once
 
 #include "session/recording.h"
-#include "session/recording_notes.h"
 #include "widgets/base/device.h"
+#include "widgets/files/markers.h"
 #include "widgets/window/banner.h"
 
 #include <QObject>
-
-#include <map>
 
 class QAction;
 class QModelIndex;
@@ -41,13 +39,16 @@ public:
     QString folder() const { return m_folder; } ///< of the last recording
     /// True if all samples in it are in the last recording, which ended whole and is still on its disk.
     bool holds(const capture::Capture &capture) const;
-    /// True if all markers are in that recording, too, with their texts as they are.
-    bool holdsMarkers() const;
-    bool takesMarkers() const; ///< there is such a recording, as it was when it ended
-    void saveMarkers(); ///< into it; said() follows
+    void markersSaved(const QString &path, qint64 bytes); ///< into that file, behind what it held
+    /// The markers that the recording which runs was told; nullptr: none runs, or what is shown is not of it any more.
+    const Markers *told() const;
+    void tellMarkers(); ///< all that there are, also those that were set before it began
 
 Q_SIGNALS:
     void said(widgets::Banner::Kind kind, const QString &sentence);
+    /// A recording of what is shown has ended, and is on its disk.
+    /// @param markers  that it surely has
+    void ended(const QString &path, qint64 bytes, const widgets::Markers &markers);
 
 private:
     void ask();
@@ -56,8 +57,6 @@ private:
     void progressed(const session::RecordingProgress &progress);
     void finished(const session::RecordingResult &result);
     void update();
-    void markersSaved(const QString &path, const std::map<quint32, QString> &markers,
-        const session::NotesResult &result);
     void recordMarks(const QModelIndex &parent, int first, int last);
     void takeBackMarks(int first, int last);
 
@@ -74,7 +73,7 @@ private:
         record::Coverage coverage;
     };
     std::optional<Kept> m_kept; ///< the last recording, if nothing is missing from it
-    std::map<quint32, QString> m_marks; ///< that the last recording was told
+    std::optional<Markers> m_told; ///< by the recording that runs or is ending
 };
 
 /// "2026-05-04_13-02-59_motor.pcapng"

@@ -98,8 +98,8 @@ private:
     void askForRecording();
     void askForReplay();
     void replaceRecorded(std::function<void()> goOn);
-    void replaceMarkers(std::function<void()> goOn);
     void askForMarkers(std::function<void()> goOn);
+    QString markersText() const;
     void clearRecorded();
     void tellReleased();
     void fillFileSignals();

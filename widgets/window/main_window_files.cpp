@@ -24,8 +24,6 @@
 #include <QGuiApplication>
 #include <QImage>
 #include <QMenu>
-#include <QMessageBox>
-#include <QPushButton>
 
 namespace widgets {
 
@@ -52,131 +50,31 @@ void MainWindow::makeRecording()
     m_copyPicture = make(tr("&Copy the picture"), "copyPicture", Qt::CTRL | Qt::SHIFT | Qt::Key_C,
         &MainWindow::copyPicture);
     connect(m_record, &RecordControl::said, this, &MainWindow::say);
-    m_markers = new MarkerFile(
-        m_scope->events(), m_files, [this] { return m_selection->showsFile(); }, this);
+    m_markers = new MarkerFile(m_scope->events(), m_files, *m_record, this);
     connect(m_markers, &MarkerFile::said, this, &MainWindow::say);
-    connect(m_selection, &SignalSelection::changed, m_markers, &MarkerFile::update);
-    m_connectBar->setBeforeOpening(
-        [this](std::function<void()> goOn) { askForMarkers(std::move(goOn)); });
+    // Those of a connection stay for the next one.
+    m_connectBar->setBeforeOpening([this](std::function<void()> goOn) {
+        if (m_selection->showsFile())
+            askForMarkers(std::move(goOn));
+        else
+            goOn();
+    });
     m_room = new SampleRoom(m_workbench.capture(), *m_workbench.archive(), this);
     m_room->setWanted(m_settings.samplesOnDiskGB);
     connect(m_room, &SampleRoom::said, this, &MainWindow::say);
     connect(&m_workbench, &Workbench::heartbeat, m_room, &SampleRoom::refresh);
     connect(&m_workbench.replay(), &session::Replay::happened, this,
-        [this](const session::ReplayedEntry &entry) { addReplayed(m_scope->events(), entry); });
+        [this](const session::ReplayedEntry &entry) {
+            addReplayed(m_scope->events(), entry);
+            if (std::holds_alternative<record::Note>(entry.entry))
+                m_markers->replayed(entry.seconds);
+        });
 }
 
 void MainWindow::say(Banner::Kind kind, const QString &sentence)
 {
     m_told = kind == Banner::Kind::Note ? Told::Done : Told::Other;
     m_banner->say(kind, sentence);
-}
-
-/// Asks before samples of a board go that are in no file; goes on at once if there are none.
-void MainWindow::replaceRecorded(std::function<void()> goOn)
-{
-    if (m_markers->changed()) {
-        replaceMarkers(std::move(goOn));
-        return;
-    }
-    const capture::Capture &capture = m_workbench.capture();
-    const bool onlyMarkers = capture.revision() == m_exportedRevision || m_record->holds(capture);
-    if (m_selection->showsFile() || !capture.timeSpan()
-        || (onlyMarkers && m_record->holdsMarkers())) {
-        goOn();
-        return;
-    }
-    const bool saves = onlyMarkers && m_record->takesMarkers();
-    auto *box = new QMessageBox(QMessageBox::Warning, tr("Replace what was recorded?"),
-        onlyMarkers
-            ? tr("All samples of the last connection are in a file, but not all markers. A file "
-                 "that "
-                 "is opened takes their place.")
-            : tr("The scope holds samples of the last connection that were not exported. A file "
-                 "that is opened takes their place."),
-        QMessageBox::NoButton, this);
-    box->setObjectName(QStringLiteral("replaceQuestion"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setTextFormat(Qt::PlainText);
-    box->setInformativeText(saves ? tr("They can be saved into the recording of that connection.")
-            : onlyMarkers ? tr("Exported files hold no markers, and there is no whole recording of "
-                               "that connection "
-                               "to save them into.")
-                          : tr("What was recorded to a disk stays there. The scope's own samples "
-                               "cannot be brought "
-                               "back."));
-    QPushButton *save = nullptr;
-    if (saves)
-        save = box->addButton(tr("&Save the markers"), QMessageBox::AcceptRole);
-    else if (!onlyMarkers)
-        save = box->addButton(tr("&Export first\u2026"), QMessageBox::AcceptRole);
-    if (save)
-        save->setObjectName(QStringLiteral("replaceSave"));
-    QPushButton *replace = box->addButton(tr("&Replace"), QMessageBox::DestructiveRole);
-    replace->setObjectName(QStringLiteral("replaceYes"));
-    replace->setAutoDefault(false);
-    QPushButton *cancel = box->addButton(QMessageBox::Cancel);
-    box->setDefaultButton(cancel);
-    box->setEscapeButton(cancel);
-    connect(box, &QMessageBox::buttonClicked, this,
-        [this, saves, save, replace, goOn = std::move(goOn)](QAbstractButton *button) {
-            if (button == replace)
-                goOn();
-            else if (save && button == save && saves)
-                m_record->saveMarkers();
-            else if (save && button == save)
-                exportCsv();
-        });
-    box->open();
-}
-
-/// Asks before changed markers of a file go; goes on at once if there are none.
-void MainWindow::askForMarkers(std::function<void()> goOn)
-{
-    if (m_markers->changed())
-        replaceMarkers(std::move(goOn));
-    else
-        goOn();
-}
-
-/// What happened in a file goes with it.
-void MainWindow::clearRecorded()
-{
-    askForMarkers([this] {
-        const bool file = m_selection->showsFile();
-        m_selection->clearRecorded();
-        if (file && !m_selection->showsFile()) // a replay goes on
-            m_scope->events().clear();
-    });
-}
-
-void MainWindow::replaceMarkers(std::function<void()> goOn)
-{
-    const auto *asked = findChild<QMessageBox *>(QStringLiteral("markersQuestion"));
-    if (asked && asked->isVisible())
-        return;
-    auto *box = new QMessageBox(QMessageBox::Warning, tr("Leave the markers unsaved?"),
-        tr("Markers of this recording were changed and are in no file."), QMessageBox::NoButton,
-        this);
-    box->setObjectName(QStringLiteral("markersQuestion"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setTextFormat(Qt::PlainText);
-    QPushButton *save = box->addButton(tr("&Save first…"), QMessageBox::AcceptRole);
-    QPushButton *leave = box->addButton(tr("&Leave unsaved"), QMessageBox::DestructiveRole);
-    leave->setObjectName(QStringLiteral("leaveMarkers"));
-    leave->setAutoDefault(false);
-    QPushButton *cancel = box->addButton(QMessageBox::Cancel);
-    box->setDefaultButton(cancel);
-    box->setEscapeButton(cancel);
-    connect(box, &QMessageBox::buttonClicked, this,
-        [this, save, leave, goOn = std::move(goOn)](QAbstractButton *button) {
-            if (button == leave) {
-                m_markers->leave();
-                goOn();
-            } else if (button == save)
-                m_markers->save()->trigger();
-        });
-    box->open();
 }
 
 /// Once: the room is bounded, and what was let go is only where somebody recorded it.
@@ -256,10 +154,9 @@ void MainWindow::showImported(const QString &path, capture::Capture &imported)
     if (m_connectBar->connecting()) // meanwhile: what lives goes first
         return;
     if (m_markers->changedSinceLeft()) { // while it was read
-        replaceMarkers(
-            [this, path, kept = std::make_shared<capture::Capture>(std::move(imported))] {
-                showImported(path, *kept);
-            });
+        askForMarkers([this, path, kept = std::make_shared<capture::Capture>(std::move(imported))] {
+            showImported(path, *kept);
+        });
         return;
     }
     const QString released = releasedText(imported);
@@ -363,7 +260,7 @@ void MainWindow::showRecording(OpenedRecording &opened)
     if (m_connectBar->connecting()) // meanwhile: what lives goes first
         return;
     if (m_markers->changedSinceLeft()) { // while it was read
-        replaceMarkers([this, kept = std::make_shared<OpenedRecording>(std::move(opened))] {
+        askForMarkers([this, kept = std::make_shared<OpenedRecording>(std::move(opened))] {
             showRecording(*kept);
         });
         return;

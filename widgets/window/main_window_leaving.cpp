@@ -22,7 +22,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
     }
     if (m_markers->changed() && !m_leaveMarkers) {
         event->ignore();
-        replaceMarkers([this] {
+        askForMarkers([this] {
             m_leaveMarkers = true;
             close();
             m_leaveMarkers = false;
