@@ -99,8 +99,8 @@ Outcome<Written> writeWav(const QString &path, const capture::Snapshot &channels
     capture::WavWriter writer(channels, range);
     if (writer.problem() != capture::WavProblem::None)
         return failure(kUsage, QStringLiteral("No WAV file: %1.").arg(wavText(writer.problem())));
-    const auto file =
-        session::writePieces(path, [&writer](std::string &bytes) { return writer.next(bytes); });
+    const auto file = session::writePieces(
+        path, [&writer](std::string_view &bytes) { return writer.next(bytes); });
     return Written{file, writer.frames(), writer.gaps()};
 }
 
@@ -119,7 +119,7 @@ Written writeCsv(
 {
     capture::CsvWriter writer(channels, options);
     const auto file =
-        session::writePieces(path, [&writer](std::string &text) { return writer.next(text); });
+        session::writePieces(path, [&writer](std::string_view &text) { return writer.next(text); });
     return {file, writer.rows(), 0};
 }
 

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace capture {
@@ -47,8 +48,9 @@ public:
     CsvWriter(const CsvWriter &) = delete;
     CsvWriter &operator=(const CsvWriter &) = delete;
 
-    /// Replaces `text` by the next piece, about 256 KiB of whole rows. False, and no text, when all is written.
-    bool next(std::string &text);
+    /// Shows the next 256 KiB of the text, the last time what is left of it: good until the following call. False when all
+    /// was shown.
+    bool next(std::string_view &piece);
 
     double progress() const; ///< 0..1
     std::uint64_t rows() const { return m_rows; } ///< written so far, without the heading
@@ -65,7 +67,7 @@ private:
     struct Run; ///< rows that follow each other without a change of who is there
 
     std::shared_ptr<CodeTexts> textsFor(const Channel &channel) const;
-    void writeHeading(std::string &text) const;
+    std::string heading() const;
     bool plan(Run &run) const;
     char *writeRun(const Run &run, char *at);
     static char *writeHeld(Column &column, Nanos time, char decimal, char *at);
@@ -75,7 +77,9 @@ private:
     std::vector<std::unique_ptr<Column>> m_columns;
     std::vector<Field> m_fields; ///< of the run being written
     std::vector<std::int16_t> m_codes; ///< of it, column by column
-    bool m_started = false;
+    std::vector<char> m_text; ///< with room for one run more than a piece
+    std::size_t m_size = 0; ///< of what is written in it
+    std::size_t m_shown = 0; ///< of that, as the last piece
     std::optional<Nanos> m_zero;
     std::uint64_t m_rows = 0;
     std::uint64_t m_total = 0; ///< samples to write in the columns that make rows

@@ -120,23 +120,31 @@ void WavWriter::addRun(Nanos start, Run run)
     m_runs.push_back(std::move(run));
 }
 
-bool WavWriter::next(std::string &bytes)
+bool WavWriter::next(std::string_view &bytes)
 {
-    bytes.clear();
+    m_piece.clear();
+    const bool more = makePiece();
+    bytes = m_piece;
+    return more;
+}
+
+/// Appends to m_piece, which is empty.
+bool WavWriter::makePiece()
+{
     if (m_problem != WavProblem::None || m_part == Part::Over)
         return false;
     if (m_part == Part::Head) {
-        bytes = head();
+        m_piece = head();
         m_part = Part::Frames;
         return true;
     }
     if (m_part == Part::Tail) {
-        bytes = cues() + comment();
+        m_piece = cues() + comment();
         m_part = Part::Over;
         return true;
     }
     const std::size_t channelCount = m_channels.size();
-    bytes.reserve(kPieceFrames * 2 * channelCount);
+    m_piece.reserve(kPieceFrames * 2 * channelCount);
     for (std::size_t room = kPieceFrames; room > 0 && m_run < m_runs.size();) {
         const Run &run = m_runs[m_run];
         std::size_t count =
@@ -149,8 +157,8 @@ bool WavWriter::next(std::string &bytes)
         for (std::size_t frame = 0; frame < count; ++frame) {
             for (const auto &channel : codes) {
                 const auto code = static_cast<std::uint16_t>(channel[frame]);
-                bytes += static_cast<char>(code & 0xFF);
-                bytes += static_cast<char>(code >> 8);
+                m_piece += static_cast<char>(code & 0xFF);
+                m_piece += static_cast<char>(code >> 8);
             }
         }
         room -= count;

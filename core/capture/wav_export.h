@@ -10,6 +10,7 @@
 #include "capture/capture.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace capture {
@@ -28,8 +29,8 @@ public:
     explicit WavWriter(const Snapshot &channels, std::optional<TimeSpan> range = {});
 
     WavProblem problem() const { return m_problem; }
-    /// Replaces `bytes` by the next piece, about 1 MiB. False, and nothing, when all is written, or with a problem.
-    bool next(std::string &bytes);
+    /// Shows the next piece, about 1 MiB, good until the following call. False when all is written, or with a problem.
+    bool next(std::string_view &bytes);
     double progress() const; ///< 0..1
 
     std::uint64_t frames() const { return m_frames; } ///< instants in the file
@@ -46,6 +47,7 @@ private:
         Nanos length = 0;
     };
 
+    bool makePiece();
     void findRuns(Nanos from, Nanos to);
     void addRun(Nanos start, Run run);
     std::string head() const;
@@ -54,6 +56,7 @@ private:
 
     Snapshot m_all;
     std::vector<const Channel *> m_channels;
+    std::string m_piece; ///< shown last
     std::vector<Run> m_runs;
     std::vector<Gap> m_gaps;
     WavProblem m_problem = WavProblem::None;

@@ -14,7 +14,7 @@ CsvResult writeCsvFile(
     const QString &path, capture::CsvWriter &writer, const std::function<bool(double)> &proceed)
 {
     const FileResult file = writePieces(
-        path, [&writer](std::string &text) { return writer.next(text); },
+        path, [&writer](std::string_view &text) { return writer.next(text); },
         [&] { return !proceed || proceed(writer.progress()); });
     CsvResult result;
     result.error = file.error;

@@ -213,13 +213,14 @@ MatResult writeMatFile(const QString &path, const capture::Snapshot &channels,
     if (proceed && !proceed(kPacked))
         return result;
     bool whole = true;
+    QByteArray bytes;
     result.file = writePieces(
         path,
-        [&](std::string &piece) {
+        [&](std::string_view &piece) {
             constexpr qint64 kPiece = 1 << 20;
-            const QByteArray bytes = made.read(kPiece);
+            bytes = made.read(kPiece);
             whole = !bytes.isEmpty() || made.pos() == made.size();
-            piece.assign(bytes.constData(), static_cast<std::size_t>(bytes.size()));
+            piece = {bytes.constData(), static_cast<std::size_t>(bytes.size())};
             return !piece.empty() || !whole;
         },
         [&] { return whole && (!proceed || proceed(1.0)); });

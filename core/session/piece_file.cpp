@@ -6,7 +6,6 @@
 #include <QSaveFile>
 
 #include <algorithm>
-#include <string_view>
 
 namespace session {
 
@@ -38,7 +37,7 @@ FileResult failed(QSaveFile &file, FileResult result, FileError error)
 
 } // namespace
 
-FileResult writePieces(const QString &path, const std::function<bool(std::string &)> &next,
+FileResult writePieces(const QString &path, const std::function<bool(std::string_view &)> &next,
     const std::function<bool()> &proceed)
 {
     FileResult result;
@@ -54,7 +53,7 @@ FileResult writePieces(const QString &path, const std::function<bool(std::string
         result.systemText = file.errorString();
         return result;
     }
-    std::string piece;
+    std::string_view piece;
     qint64 reserved = 0;
     while (next(piece)) {
         const auto size = static_cast<qint64>(piece.size());

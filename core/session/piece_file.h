@@ -4,7 +4,7 @@
 #include <QString>
 
 #include <functional>
-#include <string>
+#include <string_view>
 
 namespace session {
 
@@ -24,9 +24,9 @@ struct FileResult {
 };
 
 /// Writes the pieces until there are none.
-/// @param next      replaces its argument by the next piece; false when there is none
+/// @param next      shows the next piece, which need not live beyond the following call; false when there is none
 /// @param proceed   called behind each piece; false cancels
-FileResult writePieces(const QString &path, const std::function<bool(std::string &)> &next,
+FileResult writePieces(const QString &path, const std::function<bool(std::string_view &)> &next,
     const std::function<bool()> &proceed = {});
 
 } // namespace session

@@ -39,7 +39,8 @@ Snapshot all(const Capture &capture)
 std::string csv(const Snapshot &channels, CsvOptions options = {})
 {
     CsvWriter writer(channels, options);
-    std::string text, piece;
+    std::string text;
+    std::string_view piece;
     while (writer.next(piece))
         text += piece;
     return text;

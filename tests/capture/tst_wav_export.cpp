@@ -66,7 +66,8 @@ Wav parse(const std::string &file)
 
 std::string write(WavWriter &writer)
 {
-    std::string file, piece;
+    std::string file;
+    std::string_view piece;
     while (writer.next(piece))
         file += piece;
     return file;
@@ -192,7 +193,7 @@ void TestWavExport::whatCannotBeAWavFileIsNamed()
     rates.append({2, 20, 2, {1, 2}, {}, 0});
     QCOMPARE(WavWriter(all(rates)).problem(), WavProblem::DifferentRates);
     WavWriter writer(all(rates));
-    std::string piece;
+    std::string_view piece;
     QVERIFY(!writer.next(piece));
 }
 

@@ -87,7 +87,7 @@ struct CaptureTwins {
         options.range = span;
         capture::CsvWriter writer(of.snapshot(ids), options);
         std::string all;
-        std::string piece;
+        std::string_view piece;
         while (writer.next(piece))
             all += piece;
         return all;

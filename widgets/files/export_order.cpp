@@ -28,7 +28,7 @@ void writePart(const ExportOrder &order, const ExportOrder::Part &part, const Pr
         if (result.wav == capture::WavProblem::None)
             result.file =
                 resultOf(session::writePieces(
-                             part.path, [&](std::string &bytes) { return writer.next(bytes); },
+                             part.path, [&](std::string_view &bytes) { return writer.next(bytes); },
                              [&] { return proceed(writer.progress()); }),
                     part.path);
     } else if (order.format == ExportFormat::Mat) {

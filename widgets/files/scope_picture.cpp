@@ -62,8 +62,8 @@ session::CsvResult writePicture(ScopeView &scope, ExportFormat format, const QSt
         : format == ExportFormat::Pdf                    ? pdfOf(scope)
                                                          : pngOf(scope);
     bool written = false;
-    const session::FileResult file = session::writePieces(path, [&](std::string &piece) {
-        piece = bytes.toStdString();
+    const session::FileResult file = session::writePieces(path, [&](std::string_view &piece) {
+        piece = {bytes.constData(), static_cast<std::size_t>(bytes.size())};
         return !std::exchange(written, true);
     });
     return {file.error, path, file.systemText, 0, file.bytes};
