@@ -67,7 +67,7 @@ std::uint8_t crc4(std::uint32_t bits28)
 
 std::uint16_t crc16Xmodem(ByteView bytes)
 {
-    if (bytes.size() >= kLeastFolding && canFoldCrc16())
-        return crcByTable(foldForCrc16(bytes));
+    if (bytes.size() >= kLeastFolding && widestFolding() != Folding::None)
+        return crcByTable(foldForCrc16(bytes, widestFolding()));
     return crcByTable(bytes);
 }

@@ -1,4 +1,4 @@
-// CRC-16/XMODEM by carry-less multiplication, where the processor has it: five to eight times as fast as tables.
+// CRC-16/XMODEM by carry-less multiplication, where the processor has it: five to fifteen times as fast as tables.
 #pragma once
 
 #include "base/bytes.h"
@@ -11,10 +11,17 @@ using Folded = std::array<std::uint8_t, 16>;
 
 constexpr std::size_t kLeastFolding = 128; ///< bytes; tables are as good for less
 
-/// True if this processor can fold.
-bool canFoldCrc16();
+enum class Folding : std::uint8_t {
+    None,
+    By16, ///< bytes in a register
+    By32,
+};
+
+/// The widest that this processor can do.
+Folding widestFolding();
 
 /// The CRC-16/XMODEM of the result is that of `bytes`.
-/// @param bytes  at least 64. Only where canFoldCrc16().
+/// @param bytes  at least kLeastFolding
+/// @param how    not None, and no wider than widestFolding()
 /// Source: V. Gopal et al., "Fast CRC Computation for Generic Polynomials Using PCLMULQDQ" (Intel, 2009).
-Folded foldForCrc16(ByteView bytes);
+Folded foldForCrc16(ByteView bytes, Folding how);
