@@ -9,8 +9,6 @@ Channel::Column columnFor(ChannelInfo::Kind kind, std::shared_ptr<SampleMemory> 
         return FastColumn(std::move(memory));
     return ValueColumn();
 }
-/// Slices are half-open: a sample belongs to [from, to) if ceil(from) <= its nanosecond < ceil(to).
-Nanos edgeOf(double seconds) { return static_cast<Nanos>(std::ceil(seconds * kNanosPerSecond)); }
 } // namespace
 
 Channel::Channel(ChannelInfo info, std::shared_ptr<SampleMemory> memory)
@@ -75,8 +73,8 @@ MinMax Channel::shown(CodeRange range) const
 
 MinMax Channel::extremes(double from, double to) const
 {
-    const Index low = atOrAfter(edgeOf(from));
-    const Index high = atOrAfter(edgeOf(to));
+    const Index low = atOrAfter(toNanos(from));
+    const Index high = atOrAfter(toNanos(to));
     if (const FastColumn *column = fast())
         return shown(column->extremes(low, high));
     MinMax range = values()->extremes(low, high);
@@ -98,10 +96,10 @@ std::vector<MinMax> Channel::columns(double from, double to, std::size_t count) 
     }
     const double width = (to - from) / static_cast<double>(count);
     const ValueColumn *column = values();
-    Index low = column->atOrAfter(edgeOf(from));
+    Index low = column->atOrAfter(toNanos(from));
     for (std::size_t i = 0; i < count && low < column->end(); ++i) {
         const double next = i + 1 == count ? to : from + width * static_cast<double>(i + 1);
-        const Index high = column->atOrAfter(edgeOf(next));
+        const Index high = column->atOrAfter(toNanos(next));
         if (high > low)
             result[i] = extremes(from + width * static_cast<double>(i), next);
         low = high;
@@ -109,10 +107,7 @@ std::vector<MinMax> Channel::columns(double from, double to, std::size_t count) 
     return result;
 }
 
-std::optional<double> Channel::valueAt(double time) const
-{
-    return valueAt(static_cast<Nanos>(std::floor(time * kNanosPerSecond)));
-}
+std::optional<double> Channel::valueAt(double time) const { return valueAt(toNanos(time)); }
 
 std::optional<double> Channel::valueAt(Nanos time) const
 {
@@ -124,17 +119,17 @@ std::optional<double> Channel::valueAt(Nanos time) const
 
 std::uint64_t Channel::countIn(double from, double to) const
 {
-    const Index low = atOrAfter(edgeOf(from));
-    const Index high = atOrAfter(edgeOf(to));
+    const Index low = atOrAfter(toNanos(from));
+    const Index high = atOrAfter(toNanos(to));
     return high > low ? high - low : 0;
 }
 
 std::vector<Sample> Channel::samples(double from, double to, std::size_t limit) const
 {
     std::vector<Sample> result;
-    Index index = atOrAfter(edgeOf(from));
-    const Index stop = atOrAfter(edgeOf(to));
-    if (index > begin() && holdUntil(index - 1) > edgeOf(from))
+    Index index = atOrAfter(toNanos(from));
+    const Index stop = atOrAfter(toNanos(to));
+    if (index > begin() && holdUntil(index - 1) > toNanos(from))
         --index;
     Nanos known = index > begin() ? holdUntil(index - 1) : 0;
     for (; index < stop && result.size() < limit; ++index) {
@@ -154,8 +149,8 @@ std::vector<TimeSpan> Channel::gaps(double from, double to, double least) const
         if (gap.to > from && gap.from < to && gap.to - gap.from > least)
             result.push_back(gap);
     };
-    const Nanos stop = edgeOf(to);
-    const Index near = atOrAfter(edgeOf(from));
+    const Nanos stop = toNanos(to);
+    const Index near = atOrAfter(toNanos(from));
     if (empty())
         return result;
     if (m_released && near == begin())

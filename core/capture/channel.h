@@ -36,7 +36,7 @@ struct ChannelInfo {
     double digit() const { return kind == Kind::Polled || real || !isBoards() ? 0.0 : factor; }
 };
 
-/// Seconds on the session's axis, half-open.
+/// Seconds on the session's axis, half-open; each end stands for its nearest nanosecond.
 struct TimeSpan {
     double from = 0.0;
     double to = 0.0;

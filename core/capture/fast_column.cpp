@@ -323,7 +323,8 @@ void FastColumn::seek(Nanos wanted, Walk &walk) const
 Index FastColumn::edge(double time, std::uint64_t block, Walk &walk) const
 {
     auto wanted = static_cast<Nanos>(time);
-    wanted += static_cast<double>(wanted) < time ? 1 : 0; // rounded up, without a call
+    const double rest = time - static_cast<double>(wanted);
+    wanted += (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0); // as toNanos(), without a call
     if (!walk.known || wanted >= walk.next)
         seek(wanted, walk);
     const Segment &here = m_segments[walk.segment];

@@ -1,7 +1,6 @@
 #include "capture/rows.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace capture {
 
@@ -13,8 +12,6 @@ struct Cursor {
     Index stop = 0;
 };
 
-Nanos edgeOf(double seconds) { return static_cast<Nanos>(std::ceil(seconds * kNanosPerSecond)); }
-
 } // namespace
 
 Rows rowsOf(const Snapshot &channels, const std::optional<TimeSpan> &range)
@@ -25,8 +22,8 @@ Rows rowsOf(const Snapshot &channels, const std::optional<TimeSpan> &range)
     for (const Channel &channel : *channels) {
         cursors.push_back({&channel, channel.begin(), channel.end()});
         if (range) {
-            cursors.back().next = channel.atOrAfter(edgeOf(range->from));
-            cursors.back().stop = channel.atOrAfter(edgeOf(range->to));
+            cursors.back().next = channel.atOrAfter(toNanos(range->from));
+            cursors.back().stop = channel.atOrAfter(toNanos(range->to));
         }
     }
     rows.columns.resize(cursors.size());

@@ -14,6 +14,8 @@ using Nanos = std::int64_t;
 
 constexpr double kNanosPerSecond = 1e9;
 
+/// The nearest one, for every time that comes in seconds: that of a sample may lie a hair before it as a floating-point
+/// number, and still means that sample.
 inline Nanos toNanos(double seconds)
 {
     return static_cast<Nanos>(std::llround(seconds * kNanosPerSecond));

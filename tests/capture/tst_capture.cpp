@@ -1,6 +1,7 @@
 // The store against a plain list of samples: whatever it answers must equal what brute force
 // answers.
 #include "capture/capture.h"
+#include "capture/rows.h"
 
 #include <QtTest>
 
@@ -31,6 +32,8 @@ private Q_SLOTS:
     void aSnapshotStaysAsItWas();
     void clearingForgetsEverythingAndTheStreamGoesOn();
     void timesAreExactToTheNanosecond();
+    void theTimeOfASampleLeadsBackToIt_data();
+    void theTimeOfASampleLeadsBackToIt();
     void whatWasComputedIsFoundCutAndForgotten();
 };
 
@@ -98,7 +101,7 @@ struct Recorded {
     std::pair<std::size_t, std::size_t> indexes(double from, double to) const
     {
         const auto at = [this](double t) {
-            const double edge = std::ceil(t * 1e9);
+            const double edge = std::round(t * 1e9);
             return static_cast<std::size_t>(
                 std::lower_bound(times.begin(), times.end(), edge,
                     [](double time, double wanted) { return std::round(time * 1e9) < wanted; })
@@ -475,6 +478,55 @@ void TestCapture::aSnapshotStaysAsItWas()
     QCOMPARE(snapshot->at(1).size(), std::uint64_t(3));
     QCOMPARE(snapshot->at(1).at(2), 1.5);
     QCOMPARE(snapshot->at(0).info().registerId, 9U);
+}
+
+void TestCapture::theTimeOfASampleLeadsBackToIt_data()
+{
+    QTest::addColumn<double>("tickHz");
+    QTest::addColumn<double>("origin");
+    for (const double rate : {1000.0, 16000.0, 30000.0, 12345.678}) {
+        for (const double origin : {0.0, -3.3, 0.1, 3601.7, 86399.123456789})
+            QTest::addRow("%g Hz from %g s", rate, origin) << rate << origin;
+    }
+}
+
+/// In seconds, as a cursor has it: a floating-point number that may lie a hair before the instant it stands for.
+void TestCapture::theTimeOfASampleLeadsBackToIt()
+{
+    QFETCH(double, tickHz);
+    QFETCH(double, origin);
+    StreamLayout stream = layout(1, {7}, {8});
+    stream.tickHz = tickHz;
+    stream.originSeconds = origin;
+    Capture capture;
+    capture.begin(stream);
+    constexpr int kCount = 5000;
+    std::vector<std::int16_t> codes;
+    for (int i = 0; i < kCount; ++i)
+        codes.push_back(static_cast<std::int16_t>(i));
+    SampleBlock samples = block(1, 0, codes);
+    for (Tick tick = 0; tick < kCount; ++tick)
+        samples.slow.push_back({tick, {static_cast<std::int32_t>(tick)}});
+    capture.append(samples);
+    const Snapshot all = capture.snapshot(std::vector{*capture.find(7), *capture.find(8)});
+    for (const Channel &channel : *all) {
+        const double digit = channel.info().factor;
+        const auto timeOf = [&channel](Index i) { return toSeconds(channel.timeOf(i)); };
+        QCOMPARE(channel.size(), std::uint64_t(kCount));
+        for (Index i = 0; i + 1 < kCount; ++i) {
+            QCOMPARE(channel.valueAt(timeOf(i)), std::optional(double(i) * digit));
+            QCOMPARE(channel.countIn(timeOf(i), timeOf(i + 1)), 1U);
+            const auto found = channel.samples(timeOf(i), timeOf(i + 1), 10);
+            QCOMPARE(found.size(), 1U);
+            QCOMPARE(found[0].value, double(i) * digit);
+            QCOMPARE(channel.extremes(timeOf(i), timeOf(i + 1)).max, float(double(i) * digit));
+            QCOMPARE(channel.columns(timeOf(i), timeOf(i + 1), 1)[0].max, float(double(i) * digit));
+        }
+        const Rows rows = rowsOf(std::make_shared<std::vector<Channel>>(1, channel),
+            TimeSpan{timeOf(1001), timeOf(1003)});
+        QCOMPARE(rows.time.size(), 2U);
+        QCOMPARE(rows.columns[0][0], 1001 * digit);
+    }
 }
 
 void TestCapture::whatWasComputedIsFoundCutAndForgotten()

@@ -1,5 +1,4 @@
 // Measurements against signals whose answers are known on paper.
-#include "scope/cursors.h"
 #include "scope/measurer.h"
 #include "scope/phase.h"
 #include "scope/statistics.h"
@@ -33,8 +32,6 @@ private Q_SLOTS:
     void phases();
     void phaseNeedsOneFrequency();
     void statisticsKeepTheirDigits();
-    void cursorsReadThePreviousSample();
-    void cursorsMoveFromSampleToSample();
     void measuresDrawWhatTheyMeasured();
 };
 
@@ -315,46 +312,6 @@ void TestScopeMeasure::statisticsKeepTheirDigits()
     QCOMPARE(statistics.count(), 0U);
     statistics.add(4.0);
     QVERIFY(!statistics.sigma());
-}
-
-void TestScopeMeasure::cursorsReadThePreviousSample()
-{
-    const auto channel = fastChannel(
-        10, [](double t) { return t * kRate; }, 0.0, 1, kRate);
-    const Nanos sample = 62500;
-    CursorPair cursors{"rise", 2 * sample + 60000, 5 * sample};
-    const CursorValues values = valuesAt(channel, cursors);
-    QCOMPARE(*values.a, 2.0);
-    QCOMPARE(*values.b, 5.0);
-    QCOMPARE(*values.delta, 3.0);
-    QVERIFY(near(cursors.seconds(), 127.5e-6, 1e-12));
-    QVERIFY(near(*cursors.hertz(), 1 / 127.5e-6, 1e-6));
-    QVERIFY(near(*values.slope, 3.0 / 127.5e-6, 1e-6));
-    std::swap(cursors.a, cursors.b);
-    QVERIFY(cursors.seconds() < 0 && *cursors.hertz() > 0);
-    cursors.b = 20 * sample; // nothing is recorded there
-    QVERIFY(!valuesAt(channel, cursors).b && !valuesAt(channel, cursors).delta);
-    cursors.b = cursors.a;
-    QVERIFY(!cursors.hertz() && !valuesAt(channel, cursors).slope);
-}
-
-void TestScopeMeasure::cursorsMoveFromSampleToSample()
-{
-    const auto channel = fastChannel(10, [](double) { return 0.0; });
-    const Nanos sample = 62500;
-    QCOMPARE(nudged(channel, 3 * sample, 1), 4 * sample);
-    QCOMPARE(nudged(channel, 3 * sample, -1), 2 * sample);
-    QCOMPARE(nudged(channel, 3 * sample + 1, 1), 4 * sample);
-    QCOMPARE(nudged(channel, 3 * sample + 1, -1), 3 * sample);
-    QCOMPARE(nudged(channel, 3 * sample, -100), 0);
-    QCOMPARE(nudged(channel, 3 * sample, std::numeric_limits<std::int64_t>::max()), 9 * sample);
-    QCOMPARE(nudged(channel, 100 * sample, -1), 9 * sample);
-    QCOMPARE(snapped(channel, 3 * sample + 40000), 4 * sample);
-    QCOMPARE(snapped(channel, 3 * sample + 20000), 3 * sample);
-    QCOMPARE(snapped(channel, -5), 0);
-    const auto empty = fastChannel(0, [](double) { return 0.0; });
-    QCOMPARE(nudged(empty, 77, 1), 77);
-    QCOMPARE(snapped(empty, 77), 77);
 }
 
 void TestScopeMeasure::measuresDrawWhatTheyMeasured()

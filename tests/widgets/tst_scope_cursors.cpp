@@ -33,6 +33,7 @@ private Q_SLOTS:
 
     void cShowsTheCursorsInsideThePictureAndHidesThem();
     void theReadOutHoldsTheSampleBefore();
+    void onASampleTheReadOutIsThatSample();
     void inAGapThereIsNoSample();
     void oneAndTwoTakeACursorToTheMouse();
     void withoutAMouseACursorComesIntoView();
@@ -121,6 +122,18 @@ void TestScopeCursors::theReadOutHoldsTheSampleBefore()
     QCOMPARE(cell(2, 2), QStringLiteral("0\u00a0A"));
     QCOMPARE(m_rig->find<QLabel>("cursorInverse")->text(),
         QStringLiteral("1/\u0394t\u200220.367\u00a0Hz"));
+}
+
+/// Every one of them: as a floating-point number, some instants lie a hair before the sample they stand for.
+void TestScopeCursors::onASampleTheReadOutIsThatSample()
+{
+    m_rig->mouseLeaves();
+    key(Qt::Key_1);
+    cursors().move(CursorEnd::A, 0.0);
+    for (int sample = 0; sample < 4000; ++sample) {
+        QCOMPARE(cell(0, 1), QString::number(sample) + QStringLiteral("\u00a0A"));
+        key(Qt::Key_Right);
+    }
 }
 
 void TestScopeCursors::inAGapThereIsNoSample()
