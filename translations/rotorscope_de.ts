@@ -4044,10 +4044,6 @@
         <translation>Mit ihren Markierungen gespeichert: %1.</translation>
     </message>
     <message>
-        <source>%1 has no end and changed just now: it seems that it is still being recorded, and what comes would be lost. Save a copy under another name, or wait until the recording has ended.</source>
-        <translation>%1 hat kein Ende und hat sich gerade noch geändert: Die Aufzeichnung läuft anscheinend noch, und was noch kommt, ginge verloren. Speichern Sie eine Kopie unter einem anderen Namen, oder warten Sie, bis die Aufzeichnung beendet ist.</translation>
-    </message>
-    <message>
         <source>There are no markers; M sets one (Ctrl+S)</source>
         <translation>Es gibt keine Markierungen; M setzt eine (Strg+S)</translation>
     </message>
@@ -4082,6 +4078,10 @@
     <message>
         <source>The markers are in %1.</source>
         <translation>Die Markierungen sind in %1.</translation>
+    </message>
+    <message>
+        <source>%1 is still being recorded, as it seems, and what comes would be lost. Save a copy under another name, or wait until the recording has ended.</source>
+        <translation>%1 wird anscheinend noch aufgezeichnet, und was noch kommt, ginge verloren. Speichern Sie eine Kopie unter einem anderen Namen, oder warten Sie, bis die Aufzeichnung beendet ist.</translation>
     </message>
 </context>
 <context>

@@ -4044,10 +4044,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 has no end and changed just now: it seems that it is still being recorded, and what comes would be lost. Save a copy under another name, or wait until the recording has ended.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>There are no markers; M sets one (Ctrl+S)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4081,6 +4077,10 @@
     </message>
     <message>
         <source>The markers are in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is still being recorded, as it seems, and what comes would be lost. Save a copy under another name, or wait until the recording has ended.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1,6 +1,7 @@
 #include "session/recording_file.h"
 
 #include "session/disk_sync.h"
+#include "session/recording_lock.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -31,8 +32,11 @@ public:
 
     bool open(QString &systemText)
     {
-        if (m_file.open(QIODevice::ReadWrite | QIODevice::NewOnly | QIODevice::Unbuffered))
+        if (m_file.open(QIODevice::ReadWrite | QIODevice::NewOnly | QIODevice::Unbuffered)) {
+            m_lock = recordingLock(m_file.fileName());
+            (void)m_lock->tryLock(); // one that is there is of a file of this name that is no more
             return true;
+        }
         systemText = m_file.errorString();
         return false;
     }
@@ -88,6 +92,7 @@ private:
         return true;
     }
 
+    std::unique_ptr<QLockFile> m_lock; ///< outlives the open file
     QFile m_file;
     QStorageInfo m_disk;
     qint64 m_size = 0;

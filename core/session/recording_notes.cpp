@@ -2,6 +2,7 @@
 
 #include "record/decoder.h"
 #include "record/entry_codec.h"
+#include "session/recording_lock.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -49,9 +50,15 @@ struct Tail {
 
 NotesResult failed(const QString &why) { return {NotesResult::Outcome::Failed, why, {}}; }
 
-/// Whether a recorder may still have the file open; it writes several times a second while anything comes.
+NotesResult beingWritten()
+{
+    return {NotesResult::Outcome::BeingWritten, QStringLiteral("it is still being written"), {}};
+}
+
+/// Whether a recorder that could make no lock may still have the file open; it writes several times a second while
+/// anything comes.
 /// @param file  as it was before it was read
-bool beingWritten(const QFileInfo &file, qint64 read, const NotesSource &known)
+bool changedLately(const QFileInfo &file, qint64 read, const NotesSource &known)
 {
     if (known.bytes >= 0 && read > known.bytes)
         return true;
@@ -78,6 +85,9 @@ NotesResult saveNotes(const QString &source, const QString &target,
     QSaveFile to(target);
     if (!to.open(QIODevice::WriteOnly | QIODevice::Unbuffered))
         return failed(to.errorString());
+    const auto lock = recordingLock(source); // meanwhile nobody begins to write it, either
+    if (existing == before && !lock->tryLock() && lock->error() == QLockFile::LockFailedError)
+        return beingWritten();
     record::Decoder decoder;
     Tail tail;
     const double size = static_cast<double>(std::max<qint64>(1, from.size()));
@@ -101,9 +111,8 @@ NotesResult saveNotes(const QString &source, const QString &target,
     tail.follow(decoder);
     if (!decoder.isRecording())
         return failed(QStringLiteral("it is no recording of Rotorscope"));
-    if (!decoder.ending() && existing == before && beingWritten(before, read, known))
-        return {
-            NotesResult::Outcome::BeingWritten, QStringLiteral("it is still being written"), {}};
+    if (!decoder.ending() && existing == before && changedLately(before, read, known))
+        return beingWritten();
     if (tail.cut && !writeAll(to, Bytes(kApart).data(), kApart))
         return failed(to.errorString());
     std::uint32_t number = decoder.nextNumber();

@@ -136,6 +136,41 @@ private Q_SLOTS:
         QCOMPARE(save({-1, {}, QDateTime::currentDateTimeUtc()}), NotesResult::Outcome::Saved);
     }
 
+    /// However long its recorder has been silent.
+    void aFileThatIsRecordedIsNotReplaced()
+    {
+        const QString path = m_folder->filePath(QStringLiteral("live.pcapng"));
+        QString text;
+        auto recorder = std::make_unique<session::RecordingFile>(
+            session::makeDiskSink(path, text), record::Begin{0, "test", "board"});
+        QVERIFY(recorder->open());
+        QVERIFY(recorder->add(kSecond, Note{kSecond, kSecond, "first"}) && recorder->flushAll());
+        const QByteArray before = contentOf(path);
+        const QString other = m_folder->filePath(QStringLiteral("./live.pcapng")); // the same file
+        const auto result = session::saveNotes(path, other, {{3, 3, "third"}}, {}, later());
+        QCOMPARE(result.outcome, NotesResult::Outcome::BeingWritten);
+        QCOMPARE(contentOf(path), before);
+        const QString copy = m_folder->filePath(QStringLiteral("copy.pcapng"));
+        QCOMPARE(saveNotes(path, copy, {{3, 3, "third"}}), QString());
+        recorder.reset();
+        QCOMPARE(saveNotes(path, path, {{3, 3, "third"}}), QString());
+        QCOMPARE(notesOf(path).size(), 2U);
+        QVERIFY(!QFile::exists(path + QStringLiteral(".lock")));
+    }
+
+    /// A crash leaves its lock behind, and the number of its process.
+    void aLockOfARecorderThatIsGoneIsNone()
+    {
+        const QString path = m_folder->filePath(QStringLiteral("live.pcapng"));
+        writeRecording(path, false);
+        QFile lock(path + QStringLiteral(".lock"));
+        QVERIFY(lock.open(QIODevice::WriteOnly));
+        lock.write("2147483646\nrotorscope\n" + QSysInfo::machineHostName().toUtf8() + "\n");
+        lock.close();
+        QCOMPARE(saveNotes(path, path, {{3, 3, "third"}}), QString());
+        QVERIFY(!lock.exists());
+    }
+
     void aFileWithAnEndMayHaveBeenWrittenJustNow()
     {
         QCOMPARE(session::saveNotes(m_path, m_path, {{3, 3, "third"}}).why, QString());

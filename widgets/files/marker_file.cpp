@@ -255,10 +255,8 @@ QString MarkerFile::refusal(const QString &path, const session::NotesResult &res
 {
     if (result.outcome == session::NotesResult::Outcome::BeingWritten)
         return tr(
-            "%1 has no end and changed just now: it seems that it is still being recorded, and "
-            "what "
-            "comes would be lost. Save a copy under another name, or wait until the recording has "
-            "ended.")
+            "%1 is still being recorded, as it seems, and what comes would be lost. Save a copy "
+            "under another name, or wait until the recording has ended.")
             .arg(deviceText(path));
     return tr("The markers could not be saved to %1 (%2). What was there is as it was.")
         .arg(deviceText(path), deviceText(result.why));
