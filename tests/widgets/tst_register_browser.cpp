@@ -2,6 +2,7 @@
 #include "support/edit_bench.h"
 #include "support/window_rig.h"
 
+#include "widgets/registers/register_delegate.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QAbstractProxyModel>
@@ -69,6 +70,36 @@ private Q_SLOTS:
         QCOMPARE(textOf(bench, "SPEED_MEAS", RegisterModel::AccessColumn), QStringLiteral("R"));
         QVERIFY(!bench.model.editable(bench.id("SPEED_KP"), RegisterModel::HexColumn));
         QVERIFY(!bench.model.editable(bench.id("SPEED_KP"), RegisterModel::HelpColumn));
+    }
+
+    /// Cut off it would say less than it does with fewer digits: no unit, no power of ten.
+    void aFloatIsRoundedToTheRoomOfItsColumn()
+    {
+        struct Seen : widgets::RegisterDelegate {
+            using RegisterDelegate::initStyleOption;
+            using RegisterDelegate::RegisterDelegate;
+        };
+        EditBench bench;
+        const catalog::RegisterId power = bench.id("MOTOR_POWER");
+        const auto shown = [&](RegisterModel::Column column, int width) {
+            const Seen delegate(bench.model);
+            QStyleOptionViewItem option;
+            option.widget = bench.panel.tree();
+            option.font = bench.panel.font();
+            option.rect = QRect(0, 0, width, 20);
+            delegate.initStyleOption(&option, bench.model.indexOf(power, column));
+            return option.text;
+        };
+        bench.model.take({{power, drive::ReadStatus::Ok, 0.005509190, {}, {}}}, bench.ms());
+        const QString whole = textOf(bench, "MOTOR_POWER", RegisterModel::ValueColumn);
+        QCOMPARE(whole, QStringLiteral("0.00550919\u202fW"));
+        const int wide = bench.panel.fontMetrics().horizontalAdvance(whole) + 20;
+        const int digit = bench.panel.fontMetrics().horizontalAdvance(QLatin1Char('1'));
+        QCOMPARE(shown(RegisterModel::ValueColumn, wide), whole);
+        QCOMPARE(shown(RegisterModel::ValueColumn, wide - 20 - digit + 6),
+            QStringLiteral("0.0055092\u202fW"));
+        QCOMPARE(shown(RegisterModel::ValueColumn, 10), QStringLiteral("0.00551\u202fW"));
+        QCOMPARE(shown(RegisterModel::RawColumn, 10), QStringLiteral("0.0055"));
     }
 
     void theColumnsThatAreShownAreRemembered()

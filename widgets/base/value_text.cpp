@@ -63,11 +63,11 @@ QString flagsText(const catalog::RegisterInfo &info, std::int64_t bits)
     return parts.join(QLatin1String("; "));
 }
 
-QString floatText(double value)
+QString floatText(double value, int digits)
 {
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return std::isfinite(value) ? locale.toString(value, 'g', 6) : QStringLiteral("\u2013");
+    return std::isfinite(value) ? locale.toString(value, 'g', digits) : QStringLiteral("\u2013");
 }
 
 } // namespace
@@ -102,15 +102,15 @@ double rawNumber(const catalog::Value &value)
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-QString shownText(
-    const catalog::RegisterInfo &info, const catalog::Value &value, const catalog::Scale &scale)
+QString shownText(const catalog::RegisterInfo &info, const catalog::Value &value,
+    const catalog::Scale &scale, int digits)
 {
     if (const auto *text = std::get_if<std::string>(&value))
         return deviceText(*text);
     if (const auto *bytes = std::get_if<Bytes>(&value))
         return QObject::tr("%n byte(s)", nullptr, static_cast<int>(bytes->size()));
     if (const auto *real = std::get_if<double>(&value))
-        return withUnit(floatText(*real * scale.factor), scale.unit);
+        return withUnit(floatText(*real * scale.factor, digits), scale.unit);
     const auto integer = std::get<std::int64_t>(value);
     switch (info.meaning) {
     case catalog::Meaning::Flags:
@@ -143,14 +143,14 @@ QString hexText(catalog::ValueType type, const catalog::Value &value)
     return rawText(value);
 }
 
-QString rawText(const catalog::Value &value)
+QString rawText(const catalog::Value &value, int digits)
 {
     if (const auto *text = std::get_if<std::string>(&value))
         return deviceText(*text);
     if (const auto *bytes = std::get_if<Bytes>(&value))
         return bytesText(*bytes);
     if (const auto *real = std::get_if<double>(&value))
-        return floatText(*real);
+        return floatText(*real, digits);
     const auto integer = std::get<std::int64_t>(value);
     return QString::number(integer);
 }

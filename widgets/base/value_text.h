@@ -14,15 +14,19 @@ int decimalsFor(double factor);
 /// `value` in the locale's manner, group marks left out.
 QString numberText(double value, int decimals);
 
+/// Of a floating-point number, which has no step of its own.
+constexpr int kFloatDigits = 6;
+
 /// A register's value as shown, unit included; enumerations, flags, text and structures in their own manner.
-QString shownText(
-    const catalog::RegisterInfo &info, const catalog::Value &value, const catalog::Scale &scale);
+/// @param digits  that count, of a floating-point number
+QString shownText(const catalog::RegisterInfo &info, const catalog::Value &value,
+    const catalog::Scale &scale, int digits = kFloatDigits);
 
 /// A boolean register's value in words.
 QString booleanText(bool yes);
 
 /// The same value as the wire has it: digits, hexadecimal bytes for structures.
-QString rawText(const catalog::Value &value);
+QString rawText(const catalog::Value &value, int digits = kFloatDigits);
 
 /// Digits in hexadecimal, as many as the type has; the bits of a floating-point number; bytes as rawText() has them.
 QString hexText(catalog::ValueType type, const catalog::Value &value);

@@ -6,8 +6,11 @@
 #include "widgets/registers/flags_edit.h"
 #include "widgets/registers/register_texts.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
+#include <QHelpEvent>
 #include <QKeyEvent>
+#include <QToolTip>
 
 namespace widgets {
 namespace {
@@ -15,6 +18,8 @@ namespace {
 constexpr int kLongestEntry = 2048;
 constexpr int kNarrowest = 120;
 const char *const kFilled = "filled";
+constexpr int kLeastDigits = 3; ///< that count, of a value that is rounded
+constexpr int kLeastRawDigits = 2; ///< the value stands beside it
 
 /// The values that a combo box offers; empty where text is typed.
 QList<std::pair<QString, qint64>> choicesOf(const catalog::RegisterInfo &info)
@@ -154,9 +159,47 @@ QWidget *RegisterDelegate::createEditor(
     return makeRegisterEditor(m_model, idOf(index), index.column(), parent);
 }
 
+/// A floating-point number with fewer digits where its column is too narrow for all of them: cut off, it would lose its
+/// unit or its power of ten. Empty if the text is to stay.
+QString RegisterDelegate::roundedFor(
+    const QStyleOptionViewItem &option, const QModelIndex &index) const
+{
+    const QWidget *view = option.widget;
+    if (!view || option.rect.width() <= 0 || index.column() == RegisterModel::NameColumn)
+        return {};
+    const int margin = view->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, view) + 1;
+    const int room = option.rect.width() - 2 * margin;
+    const auto fits = [&](const QString &text) {
+        return option.fontMetrics.horizontalAdvance(text) <= room;
+    };
+    if (fits(index.data().toString()))
+        return {};
+    const int least = index.column() == RegisterModel::RawColumn ? kLeastRawDigits : kLeastDigits;
+    QString text;
+    for (int digits = kFloatDigits - 1; digits >= least; --digits) {
+        text = m_model.roundedText(idOf(index), index.column(), digits);
+        if (text.isEmpty() || fits(text))
+            break;
+    }
+    return text;
+}
+
+/// What was rounded is told whole.
+bool RegisterDelegate::helpEvent(QHelpEvent *event, QAbstractItemView *view,
+    const QStyleOptionViewItem &option, const QModelIndex &index)
+{
+    if (event->type() != QEvent::ToolTip || roundedFor(option, index).isEmpty())
+        return QStyledItemDelegate::helpEvent(event, view, option, index);
+    const QStringList parts{index.data().toString(), index.data(Qt::ToolTipRole).toString()};
+    QToolTip::showText(event->globalPos(), parts.join(QLatin1Char('\n')).trimmed(), view);
+    return true;
+}
+
 void RegisterDelegate::initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const
 {
     QStyledItemDelegate::initStyleOption(option, index);
+    if (const QString rounded = roundedFor(*option, index); !rounded.isEmpty())
+        option->text = rounded;
     // The colour of an edit is also seen in a selected row.
     const auto state =
         static_cast<RegisterModel::EditState>(index.data(RegisterModel::EditStateRole).toInt());

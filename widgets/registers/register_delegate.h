@@ -60,6 +60,8 @@ public:
         QWidget *editor, QAbstractItemModel *model, const QModelIndex &index) const override;
     void updateEditorGeometry(QWidget *editor, const QStyleOptionViewItem &option,
         const QModelIndex &index) const override;
+    bool helpEvent(QHelpEvent *event, QAbstractItemView *view, const QStyleOptionViewItem &option,
+        const QModelIndex &index) override;
 
 protected:
     void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override;
@@ -69,6 +71,8 @@ Q_SIGNALS:
         const QString &sentence) const; ///< an editor closed on a text that is not good
 
 private:
+    QString roundedFor(const QStyleOptionViewItem &option, const QModelIndex &index) const;
+
     const RegisterModel &m_model;
 };
 

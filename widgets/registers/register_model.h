@@ -92,6 +92,9 @@ public:
     /// The value of the edit if there is one that is not yet written, known() otherwise.
     std::optional<catalog::Value> wanted(catalog::RegisterId id) const;
     QString describe(catalog::RegisterId id, const catalog::Value &value) const; ///< with unit
+    /// What a cell of a floating-point number shows with so many digits that count; empty for all others, and
+    /// for one with an edit.
+    QString roundedText(catalog::RegisterId id, int column, int digits) const;
     QString copyText(catalog::RegisterId id) const; ///< name, value, raw: tabs between
     /// What a register is: name, access, range and help, in plain text; empty if it is not shown.
     QString details(catalog::RegisterId id) const;

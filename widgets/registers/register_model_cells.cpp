@@ -89,6 +89,20 @@ QString RegisterModel::valueText(const Row &row) const
     return shownText(*row.info, row.value, row.scale);
 }
 
+QString RegisterModel::roundedText(catalog::RegisterId id, int column, int digits) const
+{
+    const Row *row = find(id);
+    const Edit *edit = editOf(id);
+    // What a person wants is shown as it was typed.
+    const bool wanted = edit && edit->state != EditState::Verified;
+    if (!row || wanted || row->known != Known::Value || !std::holds_alternative<double>(row->value))
+        return {};
+    if (column == ValueColumn)
+        return shownText(*row->info, row->value, row->scale, digits);
+    return column == RawColumn ? rawText(catalog::onWire(*row->info, row->value), digits)
+                               : QString();
+}
+
 QVariant RegisterModel::display(const Row &row, int column) const
 {
     if (column == NameColumn)
