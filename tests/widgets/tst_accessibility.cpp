@@ -98,6 +98,39 @@ private Q_SLOTS:
         }
     }
 
+    /// As one reads: what connects, then the panels at the sides, then the picture.
+    void tabBeginsAtTheConnectBar()
+    {
+        QApplication::setActiveWindow(&m_rig->window);
+        m_rig->window.resize(1600, 1000);
+        QCoreApplication::processEvents();
+        QList<QWidget *> stops;
+        auto *first = m_rig->find<QWidget>("connectBar");
+        QVERIFY(first);
+        QWidget *next = &m_rig->window;
+        while ((next = next->nextInFocusChain()) != &m_rig->window) {
+            if (tabStops().contains(next))
+                stops.append(next);
+        }
+        QVERIFY(stops.size() > 15);
+        QVERIFY(first->isAncestorOf(stops.first()));
+        const auto placeOf = [&stops](const QWidget *part) {
+            const auto found = std::find_if(stops.begin(), stops.end(),
+                [part](const QWidget *stop) { return part == stop || part->isAncestorOf(stop); });
+            return found - stops.begin();
+        };
+        const QList<qsizetype> places{placeOf(first), placeOf(m_rig->find<QWidget>("stopMotors")),
+            placeOf(m_rig->find<QWidget>("registerDock")),
+            placeOf(m_rig->find<QWidget>("controlDock")), placeOf(m_rig->window.scope())};
+        QVERIFY(std::is_sorted(places.begin(), places.end()));
+        QVERIFY(places.last() < stops.size());
+        QWidget *focused = stops.first(); // and the key goes that way
+        focused->setFocus();
+        for (int i = 0; i < 40 && QApplication::focusWidget() != m_rig->window.scope(); ++i)
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QCOMPARE(QApplication::focusWidget(), m_rig->window.scope());
+    }
+
     /// It is made late, and yet its place is the one that it is seen at.
     void tabGoesFromTheScopeThroughTheCursorsToTheChips()
     {

@@ -36,6 +36,7 @@
 #include "widgets/window/shortcut_guard.h"
 #include "widgets/window/shutdown.h"
 #include "widgets/window/status_strip.h"
+#include "widgets/window/tab_order.h"
 
 #include <QDockWidget>
 #include <QEvent>
@@ -125,6 +126,7 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     setStatusBar(m_status = new StatusStrip(m_device, this));
     setMenuWidget(makeTop());
     connectParts();
+    orderTabs(*this, {menuWidget(), m_registerDock, m_control});
 
     resize(1280, 720);
     if (!settings.geometry.isEmpty())
