@@ -314,13 +314,20 @@ void FastColumn::seek(Nanos wanted, Walk &walk) const
     }
     const Segment &here = m_segments[low];
     const bool last = low + 1 == m_segments.size();
-    walk = {low, true, here.start(),
-        last ? std::numeric_limits<Nanos>::max() : m_segments[low + 1].start(),
-        1.0 / here.stepNanos()};
+    walk.segment = low;
+    walk.known = true;
+    walk.start = here.start();
+    walk.next = last ? std::numeric_limits<Nanos>::max() : m_segments[low + 1].start();
+    walk.perNano = 1.0 / here.stepNanos();
+    // A segment at another rate has other blocks: as many samples may be many slices there.
+    const double density = walk.width * walk.perNano;
+    walk.block = 1;
+    while (walk.block < kChunkSamples && static_cast<double>(walk.block) * 8 * kFanOut <= density)
+        walk.block *= kFanOut;
 }
 
-/// Index of the first sample at or after `time`, rounded to a multiple of `block` inside its segment.
-Index FastColumn::edge(double time, std::uint64_t block, Walk &walk) const
+/// Index of the first sample at or after `time`, rounded to a multiple of the walk's block inside its segment.
+Index FastColumn::edge(double time, Walk &walk) const
 {
     auto wanted = static_cast<Nanos>(time);
     const double rest = time - static_cast<double>(wanted);
@@ -328,6 +335,7 @@ Index FastColumn::edge(double time, std::uint64_t block, Walk &walk) const
     if (!walk.known || wanted >= walk.next)
         seek(wanted, walk);
     const Segment &here = m_segments[walk.segment];
+    const std::uint64_t block = walk.block;
     if (block == 1)
         return std::max(here.atOrAfter(wanted), m_begin);
     // An estimate may be one sample off, which the rounding below makes nothing of.

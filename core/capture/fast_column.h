@@ -146,13 +146,16 @@ private:
         Nanos start = 0; ///< of the segment
         Nanos next = 0; ///< start of the one behind it; the end of all times if there is none
         double perNano = 0.0; ///< samples
+        double width = 0.0; ///< of a slice, in nanoseconds
+        std::uint64_t block =
+            1; ///< its edges are rounded to, as long as that is less than a sixteenth of a slice
     };
 
     void appendCodes(std::span<const std::int16_t> codes);
     void addChunk();
     /// Copies into [from, to) of the last chunk and builds the extremes that are complete with it.
     void fill(const std::int16_t *codes, std::size_t from, std::size_t to);
-    Index edge(double time, std::uint64_t block, Walk &walk) const;
+    Index edge(double time, Walk &walk) const;
     void seek(Nanos wanted, Walk &walk) const;
 
     std::shared_ptr<SampleMemory> m_memory;
@@ -173,15 +176,12 @@ void FastColumn::slices(double from, double to, std::size_t count, Visit visit) 
     if (m_segments.empty() || count == 0 || !(to > from))
         return;
     const double width = (to - from) / static_cast<double>(count);
-    const double density = width / m_segments.back().stepNanos();
-    std::uint64_t block = 1;
-    while (block < kChunkSamples && static_cast<double>(block) * 8 * kFanOut <= density)
-        block *= kFanOut;
     Walk walk;
-    Index low = edge(from, block, walk);
+    walk.width = width;
+    Index low = edge(from, walk);
     for (std::size_t i = 0; i < count && low < m_end; ++i) {
         const double next = i + 1 == count ? to : from + width * static_cast<double>(i + 1);
-        const Index high = edge(next, block, walk);
+        const Index high = edge(next, walk);
         if (high > low)
             visit(i, extremes(low, high));
         low = high;

@@ -72,28 +72,39 @@ struct Recorded {
     std::vector<std::size_t> starts; ///< of the runs
 
     /// @param angle  codes that turn and wrap instead of random ones
-    explicit Recorded(
-        std::uint32_t seed, std::size_t blocks = 600, Tick tick = 5, bool angle = false)
+    /// @param steps  ticks between two samples: the board records at another rate now and then, in this order
+    explicit Recorded(std::uint32_t seed, std::size_t blocks = 600, Tick tick = 5,
+        bool angle = false, const std::vector<std::uint32_t> &steps = {1})
     {
         std::mt19937 random(seed);
         capture.begin(layout(1, {7}));
         id = *capture.find(7);
+        StreamId stream = 1;
+        Tick step = steps.front();
         for (std::size_t i = 0; i < blocks; ++i) {
+            const std::size_t turn = i * steps.size() / blocks;
+            if (i == 0 || turn != (i - 1) * steps.size() / blocks) {
+                StreamLayout other = layout(++stream, {7});
+                other.fastStep = steps[turn];
+                step = steps[turn];
+                capture.begin(other);
+            }
             const Tick lost = random() % 20 == 0 ? 1 + static_cast<Tick>(random() % 60000) : 0;
             std::vector<std::int16_t> codes(1 + random() % 1000);
             if (lost != 0 || i == 0)
                 starts.push_back(times.size());
             tick += lost;
             for (std::size_t k = 0; k < codes.size(); ++k) {
-                const auto turned = static_cast<std::uint64_t>(tick + static_cast<Tick>(k)) * 411;
+                const Tick at = tick + static_cast<Tick>(k) * step;
+                const auto turned = static_cast<std::uint64_t>(at) * 411;
                 codes[k] = static_cast<std::int16_t>(angle ? turned : random());
-                times.push_back(static_cast<double>(tick + static_cast<Tick>(k)) / 16000.0);
+                times.push_back(static_cast<double>(at) / 16000.0);
                 values.push_back(static_cast<float>(codes[k] * 0.5));
             }
-            SampleBlock next = block(1, tick, codes);
+            SampleBlock next = block(stream, tick, codes);
             next.lostTicks = lost;
             capture.append(next);
-            tick += static_cast<Tick>(codes.size());
+            tick += static_cast<Tick>(codes.size()) * step;
         }
     }
 
@@ -147,8 +158,15 @@ void TestCapture::everyColumnEqualsAScanOfItsSamples_data()
 {
     QTest::addColumn<bool>("angle");
     QTest::addColumn<qint64>("firstTick");
-    QTest::addRow("random codes") << false << qint64(5);
-    QTest::addRow("an angle that wraps, across 2^32 ticks") << true << qint64(0xFFFF0000);
+    QTest::addColumn<std::vector<std::uint32_t>>("steps");
+    using Steps = std::vector<std::uint32_t>;
+    QTest::addRow("random codes") << false << qint64(5) << Steps{1};
+    QTest::addRow("an angle that wraps, across 2^32 ticks")
+        << true << qint64(0xFFFF0000) << Steps{1};
+    QTest::addRow("several rates, the last one fast")
+        << false << qint64(5) << Steps{16, 2, 64, 4, 256, 1};
+    QTest::addRow("several rates, the last one slow")
+        << false << qint64(5) << Steps{1, 256, 4, 16, 1, 64};
 }
 
 /// Where an envelope entry is as long as a column is wide no edge is rounded and the scan must give the same; elsewhere
@@ -157,9 +175,11 @@ void TestCapture::everyColumnEqualsAScanOfItsSamples()
 {
     QFETCH(const bool, angle);
     QFETCH(const qint64, firstTick);
+    QFETCH(const std::vector<std::uint32_t>, steps);
     constexpr int kSpans = 12000;
     constexpr double kRate = 16000.0;
-    const Recorded recorded(11, 600, firstTick, angle);
+    const Recorded recorded(11, 600, firstTick, angle, steps);
+    const double longest = *std::max_element(steps.begin(), steps.end()) / kRate;
     QVERIFY(recorded.starts.size() > 10);
     std::mt19937 random(12);
     std::uniform_real_distribution<double> anywhere(
@@ -173,7 +193,7 @@ void TestCapture::everyColumnEqualsAScanOfItsSamples()
         const std::size_t count = 1 + random() % 40;
         const double width = length / static_cast<double>(count);
         const bool exact = width * kRate < 128;
-        const double blur = exact ? 2e-9 : width / 16 + 1 / kRate;
+        const double blur = exact ? 2e-9 : width / 16 + longest;
         const auto columns = recorded.capture.columns(recorded.id, from, from + length, count);
         QCOMPARE(columns.size(), count);
         bool all = exact;
@@ -189,7 +209,7 @@ void TestCapture::everyColumnEqualsAScanOfItsSamples()
         }
         equal += all ? 1 : 0;
     }
-    // Two rows of these: more than 20,000 spans of which every column is the scan's own.
+    // Two rows at one rate and two at several: of each, more than 20,000 spans of which every column is the scan's own.
     QVERIFY2(equal > 10'500, qPrintable(QString::number(equal)));
 }
 
