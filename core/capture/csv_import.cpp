@@ -16,6 +16,8 @@ constexpr Nanos kDay = 86'400 * kSecond;
 constexpr Nanos kFarthest =
     4'000'000'000 * kSecond; ///< 127 years: UTC seconds fit, products do, too
 constexpr int kGap = 10; ///< usual distances
+constexpr int kExact =
+    1000; ///< equal distances differ by less than this part of one, or a nanosecond of rounding
 constexpr std::size_t kShownField = 40;
 
 struct TimeName {
@@ -48,6 +50,13 @@ std::pair<std::string, std::string> nameAndUnit(std::string_view heading)
         return {std::string(heading), {}};
     return {std::string(heading.substr(0, open)),
         std::string(heading.substr(open + 2, heading.size() - open - 3))};
+}
+
+bool isCalled(std::string_view name, std::string_view known)
+{
+    return std::equal(name.begin(), name.end(), known.begin(), known.end(), [](char a, char b) {
+        return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
+    });
 }
 
 std::optional<Nanos> unitOfTime(std::string_view unit)
@@ -116,6 +125,7 @@ std::optional<Nanos> exactTime(std::string_view text, Nanos unit)
 
 bool CsvImport::fail(CsvError::What what, std::size_t column, std::string_view field)
 {
+    settleAll();
     m_error = CsvError{what, m_line, column, std::string(field.substr(0, kShownField))};
     return false;
 }
@@ -151,6 +161,7 @@ bool CsvImport::finish()
         const std::string line = std::exchange(m_rest, {});
         takeLine(line);
     }
+    settleAll();
     if (!m_error && m_rows == 0)
         return fail(m_columns == 0 ? CsvError::What::NoHeading : CsvError::What::NoRows);
     return !m_error;
@@ -215,16 +226,17 @@ bool CsvImport::takeHeading(std::string_view line)
     m_columns = m_fields.size();
     bool found = false;
     for (std::size_t i = 0; i < m_columns && !found; ++i) {
-        const auto [name, unit] = nameAndUnit(m_fields[i]);
+        const std::string name = nameAndUnit(m_fields[i]).first;
         for (const TimeName &known : kTimeNames) {
-            if (name != known.name)
+            if (!isCalled(name, known.name))
                 continue;
             m_timeColumn = i;
-            m_timeUnit = unitOfTime(unit).value_or(known.unit);
+            m_timeUnit = known.unit;
             m_wrapsAtMidnight = known.wraps;
             found = true;
         }
     }
+    m_timeUnit = unitOfTime(nameAndUnit(m_fields[m_timeColumn]).second).value_or(m_timeUnit);
     for (std::size_t i = 0; i < m_columns; ++i) {
         if (i == m_timeColumn)
             continue;
@@ -269,15 +281,63 @@ std::optional<double> CsvImport::number(std::string_view field)
     return value;
 }
 
-/// The usual distance is the least one so far: a gap never makes it larger.
-bool CsvImport::isGap(Nanos time)
+/// The distance that three of four rows around this one, and itself, keep to. A few close rows or a few gaps do not change
+/// it, and rows that come in twos and threes have that of their longer pauses.
+Nanos CsvImport::usualAround(std::uint64_t row) const
 {
-    if (m_rows == 0)
+    const std::uint64_t from = row > kAround ? row - kAround : 1;
+    const std::uint64_t to = std::min(m_rows, row + kAround + 1);
+    if (to <= from)
+        return 1;
+    std::array<Nanos, 2 * kAround + 1> near{};
+    const auto count = static_cast<std::ptrdiff_t>(to - from);
+    for (std::uint64_t i = from; i < to; ++i)
+        near[i - from] = m_distances[i % m_distances.size()];
+    const auto usual = near.begin() + (count - 1) * 3 / 4;
+    std::nth_element(near.begin(), usual, near.begin() + count);
+    return *usual;
+}
+
+/// Far from the row before; or at several times the usual distance, where rows come at equal ones: then rows are missing.
+bool CsvImport::isGap(std::uint64_t row, Nanos usual) const
+{
+    const Nanos distance = m_distances[row % m_distances.size()];
+    if (distance > kGap * usual)
+        return true;
+    const auto isTimes = [usual](Nanos some, Nanos times) {
+        return std::abs(some - times * usual) <= usual / kExact + 1;
+    };
+    const Nanos times = (distance + usual / 2) / usual;
+    if (times < 2 || !isTimes(distance, times))
         return false;
-    const Nanos distance = time - m_last;
-    if (m_usual == 0 || distance < m_usual)
-        m_usual = distance;
-    return distance > kGap * m_usual;
+    const std::uint64_t from = row > kAround ? row - kAround : 1;
+    const std::uint64_t to = std::min(m_rows, row + kAround + 1);
+    std::uint64_t equal = 0;
+    for (std::uint64_t i = from; i < to; ++i)
+        equal += isTimes(m_distances[i % m_distances.size()], 1) ? 1 : 0;
+    return equal * 4 >= (to - from) * 3;
+}
+
+/// The oldest row that waits goes into the capture.
+void CsvImport::settle()
+{
+    const Row &row = m_ahead[m_settled % m_ahead.size()];
+    const Nanos usual = usualAround(m_settled);
+    const bool gap = m_settled > 0 && isGap(m_settled, usual);
+    for (std::size_t i = 0; i < m_channels.size(); ++i) {
+        const std::optional<double> &value = row.values[i];
+        if (gap || !value)
+            m_capture.breakImported(m_channels[i]);
+        if (value)
+            m_capture.appendImported(m_channels[i], row.time, *value, row.time + usual);
+    }
+    ++m_settled;
+}
+
+void CsvImport::settleAll()
+{
+    while (m_settled < m_rows)
+        settle();
 }
 
 bool CsvImport::takeRow(std::string_view line)
@@ -300,26 +360,22 @@ bool CsvImport::takeRow(std::string_view line)
         ++m_repeated;
         return true;
     }
-    m_values.clear();
+    Row &row = m_ahead[m_rows % m_ahead.size()];
+    row.time = time;
+    row.values.clear();
     for (std::size_t i = 0; i < m_columns; ++i) {
         if (i == m_timeColumn)
             continue;
         const std::string_view field = trimmed(m_fields[i]);
-        m_values.push_back(number(field));
-        if (!m_values.back() && !isUnknown(field))
+        row.values.push_back(number(field));
+        if (!row.values.back() && !isUnknown(field))
             return fail(CsvError::What::NoNumber, i + 1, field);
     }
-    // Whole rows only.
-    const bool gap = isGap(time);
-    for (std::size_t i = 0; i < m_channels.size(); ++i) {
-        if (gap || !m_values[i])
-            m_capture.breakImported(m_channels[i]);
-        if (m_values[i])
-            m_capture.appendImported(
-                m_channels[i], time, *m_values[i], time + std::max<Nanos>(1, m_usual));
-    }
+    m_distances[m_rows % m_distances.size()] = time - m_last; // means nothing for the first row
     m_last = time;
     ++m_rows;
+    if (m_rows - m_settled > kAround)
+        settle();
     return true;
 }
 

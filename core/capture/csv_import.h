@@ -3,12 +3,13 @@
 // the system's language: what separates fields is counted in the heading, and a comma within a number is its decimal
 // mark only where fields are separated by something else.
 //
-// Each column but the time becomes a channel of values. Rows further apart than ten times the usual distance, and empty
-// fields, are gaps. Source of the foreign formats: headings as these programs write them.
+// Each column but the time becomes a channel of values. Empty fields are gaps, and so are distances that stand out among
+// those of the rows around: docs/csv.md says when. So a row reaches the capture when some more have been read. Source of the foreign formats: headings as these programs write them.
 #pragma once
 
 #include "capture/capture.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,13 +64,21 @@ private:
     bool split(std::string_view line);
     bool takeTime(std::string_view field, std::size_t column, Nanos &time);
     std::optional<double> number(std::string_view field);
-    bool isGap(Nanos time);
+    void settle();
+    void settleAll();
+    Nanos usualAround(std::uint64_t row) const;
+    bool isGap(std::uint64_t row, Nanos usual) const;
     bool fail(CsvError::What what, std::size_t column = 0, std::string_view field = {});
+
+    static constexpr std::size_t kAround = 16; ///< rows, either way, that tell what is usual
+    struct Row {
+        Nanos time = 0;
+        std::vector<std::optional<double>> values; ///< empty: unknown
+    };
 
     Capture &m_capture;
     std::string m_rest; ///< a line that has not ended yet
     std::vector<std::string> m_fields;
-    std::vector<std::optional<double>> m_values; ///< of one row; empty: unknown
     std::vector<ChannelId> m_channels;
     char m_separator = ',';
     std::size_t m_timeColumn = 0;
@@ -78,7 +87,9 @@ private:
     bool m_wrapsAtMidnight = false;
     Nanos m_midnights = 0; ///< added to times of a clock that begins anew each day
     Nanos m_last = 0;
-    Nanos m_usual = 0; ///< least distance of two rows so far
+    std::array<Row, kAround + 1> m_ahead; ///< row n at n modulo the size, until it is settled
+    std::array<Nanos, 2 * kAround + 1> m_distances{}; ///< of row n from the one before, likewise
+    std::uint64_t m_settled = 0; ///< rows in the capture
     std::uint64_t m_line = 0;
     std::uint64_t m_rows = 0;
     std::uint64_t m_repeated = 0;

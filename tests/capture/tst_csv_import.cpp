@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <map>
 
 using namespace capture;
 
@@ -17,6 +18,13 @@ private Q_SLOTS:
     void continentalIsAsSpreadsheetsWantIt();
     void itReadsTheSameHoweverItIsCut();
     void gapsAndEmptyFieldsAreGaps();
+    void gapsOfEveryLengthComeBack_data();
+    void gapsOfEveryLengthComeBack();
+    void rowsThatComeUnevenlyAreNoGaps_data();
+    void rowsThatComeUnevenlyAreNoGaps();
+    void anotherRateIsNoGap();
+    void aTimeColumnHasItsUnitWhateverItsName_data();
+    void aTimeColumnHasItsUnitWhateverItsName();
     void filesOfPlotJugglerAreRead();
     void filesOfVescToolAreReadAcrossMidnight();
     void timesAreExact();
@@ -53,11 +61,13 @@ Capture recording()
     capture.begin({1, 16000.0, 0.25, 1,
         {{1, "I,A", "A", 0.0123456789, 0.0}, {2, "=B\"x\"", "A", -3.3e-7, 32768.0}},
         {{3, "SPEED", "rpm", 6.0, 0.0}}});
-    for (Tick tick = 0; tick < 3000; tick += 100) {
-        if (tick == 1500)
-            continue; // lost
-        SampleBlock block{1, tick, 100, {}, {{tick + 99, {static_cast<std::int32_t>(tick)}}},
-            tick == 1600 ? 100 : 0};
+    Tick tick = 0;
+    for (int number = 0; number < 29; ++number, tick += 100) {
+        const std::map<int, Tick> lossBefore{{1, 1}, {2, 2}, {9, 9}, {15, 100}, {20, 10}, {28, 5}};
+        const auto loss = lossBefore.find(number);
+        const Tick lost = loss == lossBefore.end() ? 0 : loss->second;
+        tick += lost;
+        SampleBlock block{1, tick, 100, {}, {{tick + 99, {static_cast<std::int32_t>(tick)}}}, lost};
         for (int i = 0; i < 200; ++i)
             block.fast.push_back(static_cast<std::int16_t>(std::int64_t(i) * 317 + tick * 11));
         capture.append(block);
@@ -103,6 +113,14 @@ void TestCsvImport::ourOwnFilesReadBackIdentical()
     QVERIFY(import.feed(text) && import.finish());
     QCOMPARE(import.rows(), 2900U);
     QCOMPARE(csv(all(read), again), csv(all(capture), again));
+    for (const std::size_t fast : {0U, 1U}) {
+        const auto lost = all(capture)->at(fast).gaps(0, 10, 0.0);
+        const auto found = read.channel(import.channels()[fast])->gaps(0, 10, 0.0);
+        QCOMPARE(lost.size(), std::size_t(6));
+        QCOMPARE(found.size(), lost.size());
+        for (std::size_t i = 0; i < lost.size(); ++i)
+            QVERIFY(found[i].from == lost[i].from && found[i].to == lost[i].to);
+    }
     QCOMPARE(read.info(import.channels()[0])->name, std::string("I,A"));
     QCOMPARE(read.info(import.channels()[1])->name, std::string("=B\"x\""));
     QCOMPARE(read.info(import.channels()[3])->unit, std::string("V"));
@@ -154,6 +172,115 @@ void TestCsvImport::gapsAndEmptyFieldsAreGaps()
     QCOMPARE(a->valueAt(0.0025), std::optional(3.0)); // holds for the usual distance
     QVERIFY(!a->valueAt(0.05));
     QVERIFY(!b->valueAt(0.0015));
+}
+
+void TestCsvImport::gapsOfEveryLengthComeBack_data()
+{
+    QTest::addColumn<double>("rate");
+    for (const double rate : {1000.0, 16000.0, 30000.0, 12345.678})
+        QTest::addRow("%g Hz", rate) << rate;
+}
+
+void TestCsvImport::gapsOfEveryLengthComeBack()
+{
+    QFETCH(double, rate);
+    Capture capture;
+    capture.begin({1, rate, 7.5, 1, {{1, "I", "A", 0.5, 0.0}}, {}});
+    Tick tick = 0;
+    for (Tick lost = 0; lost < 40; ++lost) {
+        tick += lost;
+        capture.append({1, tick, 37, std::vector<std::int16_t>(37, 5), {}, lost});
+        tick += 37;
+    }
+    Capture read;
+    CsvImport import(read);
+    QVERIFY(import.feed(csv(all(capture))) && import.finish());
+    const auto lost = all(capture)->front().gaps(0, 100, 0.0);
+    const auto found = all(read)->front().gaps(0, 100, 0.0);
+    QCOMPARE(lost.size(), std::size_t(39));
+    QCOMPARE(found.size(), lost.size());
+    for (std::size_t i = 0; i < lost.size(); ++i) {
+        QVERIFY(std::abs(found[i].from - lost[i].from) < 2e-9); // its step has no finite decimal
+        QVERIFY(std::abs(found[i].to - lost[i].to) < 1e-12);
+    }
+}
+
+void TestCsvImport::rowsThatComeUnevenlyAreNoGaps_data()
+{
+    QTest::addColumn<QString>("distances"); // ms, again and again
+    QTest::newRow("a close pair now and then") << "50 50 0.5 49.5 50 50 50";
+    QTest::newRow("late and early again") << "50 1 50 99 50 50 51 49 50";
+    QTest::newRow("one late") << "50 50 50 50 50 50 50 50 50 50 50 50 50 50 50 50 85 15";
+    QTest::newRow("pairs") << "0.5 49.5";
+    QTest::newRow("threes") << "2 2 46";
+    QTest::newRow("of any length") << "3 17 6 11 2.5 8 14 9 5 23 1 12";
+}
+
+void TestCsvImport::rowsThatComeUnevenlyAreNoGaps()
+{
+    QFETCH(QString, distances);
+    std::string text = "__time,A\n0,0\n";
+    double time = 0.0;
+    for (int round = 0; round < 20; ++round) {
+        for (const QString &one : distances.split(QLatin1Char(' '))) {
+            time += one.toDouble() / 1000.0;
+            text += std::to_string(time) + ",1\n";
+        }
+    }
+    Capture read;
+    CsvImport import(read);
+    QVERIFY(import.feed(text) && import.finish());
+    QCOMPARE(all(read)->front().gaps(0, 1e6, 0.0).size(), std::size_t(0));
+    QVERIFY(import.feed(std::to_string(time + 20.0) + ",1\n") && import.finish());
+    QCOMPARE(all(read)->front().gaps(0, 1e6, 0.0).size(), std::size_t(1)); // this is one
+}
+
+void TestCsvImport::anotherRateIsNoGap()
+{
+    for (const int slower : {2, 10, 100}) {
+        std::string text = "time [ms],A\n";
+        int time = 0;
+        for (int row = 0; row < 300; ++row) {
+            text += std::to_string(time) + ",1\n";
+            time += row >= 100 && row < 200 ? slower : 1;
+        }
+        Capture read;
+        CsvImport import(read);
+        QVERIFY(import.feed(text) && import.finish());
+        QCOMPARE(all(read)->front().size(), 300U);
+        QCOMPARE(all(read)->front().gaps(0, 1e6, 0.0).size(), std::size_t(0));
+    }
+}
+
+void TestCsvImport::aTimeColumnHasItsUnitWhateverItsName_data()
+{
+    QTest::addColumn<QByteArray>("heading");
+    QTest::addColumn<qint64>("nanos");
+    const auto row = [](const char *heading, Nanos nanos) {
+        QTest::newRow(heading) << QByteArray(heading) << qint64(nanos);
+    };
+    row("Time [ms],A", 5'000'000);
+    row("Zeit [ms],A", 5'000'000);
+    row("TIME [us],A", 5'000);
+    row("TimeStamp [ns],A", 5);
+    row("Zeit [s],A", 5'000'000'000);
+    row("when,A", 5'000'000'000);
+    row("MS_Today,A", 5'000'000);
+    row("ms_today [s],A", 5'000'000'000);
+}
+
+void TestCsvImport::aTimeColumnHasItsUnitWhateverItsName()
+{
+    QFETCH(QByteArray, heading);
+    Capture read;
+    CsvImport import(read);
+    QVERIFY(import.feed(heading.toStdString() + "\n5,1\n") && import.finish());
+    QTEST(qint64(read.channel(import.channels()[0])->timeOf(0)), "nanos");
+    // Behind the values, only a name tells which column it is.
+    Capture other;
+    CsvImport second(other);
+    QVERIFY(second.feed("A,Time [ms]\n1,5\n") && second.finish());
+    QCOMPARE(other.channel(second.channels()[0])->timeOf(0), Nanos(5'000'000));
 }
 
 void TestCsvImport::filesOfPlotJugglerAreRead()
