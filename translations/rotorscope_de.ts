@@ -3742,7 +3742,7 @@
     <message>
         <source>Held</source>
         <comment>the scope&apos;s picture stands still</comment>
-        <translation>Angehalten</translation>
+        <translation>Halt</translation>
     </message>
     <message>
         <source>Disconnect</source>

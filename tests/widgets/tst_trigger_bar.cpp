@@ -65,6 +65,7 @@ private Q_SLOTS:
     void theBarFits();
     void anEdgeTakesOneLine();
     void longWordsTakeTwoLines();
+    void aChangingStateMovesNothing();
 
 private:
     widgets::ScopeView &view() { return m_rig->scope(); }
@@ -647,6 +648,40 @@ void TestTriggerBar::longWordsTakeTwoLines()
     for (const QWidget *field : {level, mode}) // the bar grows at the next turn of the loop
         QTRY_VERIFY(bar->rect().contains(QRect(field->mapTo(bar, QPoint()), field->size())));
     QVERIFY(level->mapTo(bar, QPoint()).y() > mode->mapTo(bar, QPoint()).y());
+}
+
+/// Neither the trigger's state, which changes many times a second, nor a picture that is held.
+void TestTriggerBar::aChangingStateMovesNothing()
+{
+    QTranslator german;
+    QVERIFY(german.load(QStringLiteral(":/i18n/rotorscope_de")));
+    QCoreApplication::installTranslator(&german);
+    m_rig.reset();
+    init();
+    m_rig->window.resize(1280, 720);
+    normal(10.0); // a record that takes its time
+    flat(500);
+    const auto *more = m_rig->find<QWidget>("triggerMore");
+    const auto places = [&] {
+        m_rig->draw();
+        QCoreApplication::sendPostedEvents();
+        QCoreApplication::processEvents();
+        return QList<int>{more->mapTo(&m_rig->window, QPoint()).x(), view().plotRect(0).height()};
+    };
+    QVERIFY(control().state() == AcquisitionState::Armed);
+    control().force();
+    square(100);
+    QVERIFY(control().state() == AcquisitionState::Triggered);
+    const QList<int> triggered = places();
+    view().setRunning(false);
+    QVERIFY(control().state() == AcquisitionState::Stop);
+    QCOMPARE(places(), triggered);
+    setup([](TriggerSetup &setup) { setup.length = 0.02; });
+    view().setRunning(true);
+    square(500);
+    flat(100);
+    QVERIFY(control().state() == AcquisitionState::Armed);
+    QCOMPARE(places(), triggered);
 }
 
 QTEST_MAIN(TestTriggerBar)

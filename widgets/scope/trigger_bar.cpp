@@ -17,6 +17,7 @@
 #include <QSpinBox>
 #include <QToolButton>
 
+#include <algorithm>
 #include <cmath>
 
 namespace widgets {
@@ -28,6 +29,7 @@ constexpr int kDetailWidth = 120;
 constexpr int kMostLetters = 12; ///< of a trace's name in the bar; whole in the list
 constexpr double kLongestTime = 60.0; ///< seconds
 constexpr double kShortestRecord = 1e-5;
+constexpr QLatin1String kBeforeAge(" \xb7 ");
 
 /// The state's word with a sign of its own, so that its colour is never the only one.
 QString stateSign(scope::AcquisitionState state)
@@ -336,6 +338,18 @@ void TriggerBar::followDetails(const QString &unit, double step)
     m_details->adjustSize();
 }
 
+/// In pixels: with a state that changes many times a second the fields beside it are not to move.
+int TriggerBar::widestState() const
+{
+    using State = scope::AcquisitionState;
+    int widest = 0;
+    for (const State state : {State::Stop, State::Armed, State::Triggered, State::Auto}) {
+        const QString text = stateSign(state) + stateText(state) + kBeforeAge + ageText(0.0);
+        widest = std::max(widest, m_state->fontMetrics().horizontalAdvance(text));
+    }
+    return widest;
+}
+
 void TriggerBar::showState()
 {
     const scope::AcquisitionState state = m_control.state();
@@ -345,8 +359,9 @@ void TriggerBar::showState()
         text = QStringLiteral("\u26a0 ") + conditionErrorText(*m_control.error());
     if (const scope::Record *record = m_control.shown(); record && !roll) {
         const double age = m_control.now() - capture::toSeconds(record->trigger);
-        text += QStringLiteral(" \u00b7 ") + ageText(age);
+        text += kBeforeAge + ageText(age);
     }
+    m_state->setMinimumWidth(roll ? 0 : widestState());
     m_state->setText(text);
     m_state->setToolTip(tr("State of the trigger, and how old the shown record is"));
     m_state->setAccessibleName(text);

@@ -38,6 +38,7 @@ private:
     void fillSources();
     void fillWays();
     void showState();
+    int widestState() const;
     void change(const std::function<void(TriggerSetup &)> &edit);
     void openDetails();
 
