@@ -5,6 +5,7 @@
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <QtEndian>
 #include <QtTest>
 
 class TestCliRecording : public QObject {
@@ -59,6 +60,18 @@ void put(const QString &path, const QByteArray &bytes)
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly));
     QCOMPARE(file.write(bytes), bytes.size());
+}
+
+/// Of the block that lies across the middle. Its length, which it repeats at its end, may be damaged without any harm.
+qsizetype firstDataInTheMiddle(const QByteArray &file)
+{
+    constexpr qsizetype kHead = 28;
+    qsizetype at = 0;
+    for (qsizetype next = 0; next < file.size() / 2;) {
+        at = next;
+        next += std::max<qsizetype>(12, qFromLittleEndian<qint32>(file.constData() + at + 4));
+    }
+    return at + kHead;
 }
 
 } // namespace
@@ -186,7 +199,7 @@ void TestCliRecording::aMatlabFileIsReadByOthers()
 void TestCliRecording::aDamagedRecordingIsExportedAndTold()
 {
     QByteArray bytes = contents(path("a.pcapng"));
-    const qsizetype middle = bytes.size() / 2;
+    const qsizetype middle = firstDataInTheMiddle(bytes);
     bytes[middle] = static_cast<char>(~bytes[middle]);
     bytes.chop(20);
     put(path("damaged.pcapng"), bytes);
