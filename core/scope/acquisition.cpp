@@ -61,7 +61,8 @@ void Acquisition::run(const capture::Channel *source)
     m_search.reset();
     m_source.reset();
     m_waitingSince.reset();
-    m_notBefore = std::numeric_limits<Nanos>::min();
+    m_notBefore = kNoTime;
+    m_held = kNoTime; // the samples before may have been those of a file, later than all that comes
     if (source && !source->empty()) {
         m_held = heldUntil(*source);
         m_notBefore = m_held;
@@ -82,6 +83,8 @@ void Acquisition::stop()
 void Acquisition::force(Nanos now)
 {
     if (!m_running || m_settings.mode == Mode::Roll || (m_current && !isAutomatic()))
+        return;
+    if (m_held == kNoTime)
         return;
     m_current.reset();
     m_candidate.reset();

@@ -50,7 +50,8 @@ public:
     void run(const capture::Channel *source);
     /// A record that waits for samples is cut. Nothing happens until run().
     void stop();
-    /// A trigger at `now`, which is cut to where the samples end. Only while armed or automatic.
+    /// A trigger at `now`, which is cut to where the samples end. Only while armed or automatic, and not before
+    /// advance() or run() saw a sample: a record would begin nowhere.
     void force(Nanos now);
     void event(const Happening &happening);
 
@@ -85,9 +86,10 @@ private:
     bool m_automatic = false; ///< the last record was, and no hit came since
     std::optional<TriggerSearch> m_search;
     std::optional<capture::ChannelId> m_source;
-    Nanos m_notBefore = std::numeric_limits<Nanos>::min();
+    static constexpr Nanos kNoTime = std::numeric_limits<Nanos>::min();
+    Nanos m_notBefore = kNoTime;
     std::optional<Nanos> m_waitingSince; ///< from when mode Auto counts
-    Nanos m_held = std::numeric_limits<Nanos>::min();
+    Nanos m_held = kNoTime; ///< of samples seen since run(), and of those that were there then
     std::optional<Candidate> m_candidate;
     std::optional<Record> m_current;
     std::vector<Record> m_over;

@@ -17,6 +17,8 @@ private Q_SLOTS:
     void autoShowsSomethingWhenNothingComes();
     void aHitPushesAnAutomaticRecordOut();
     void forceMakesARecordWhereTheSamplesEnd();
+    void forceWithoutSamplesMakesNoRecord();
+    void runForgetsHowFarSamplesReachedBefore();
     void onlyWhatHappensAfterRunCounts();
     void stoppingCutsARecordThatWaits();
     void holdOffKeepsTriggersApart();
@@ -183,6 +185,43 @@ void TestScopeAcquisition::forceMakesARecordWhereTheSamplesEnd()
     QCOMPARE(records.size(), 1U);
     QCOMPARE(records[0].trigger, 500 * kMs);
     QCOMPARE(records[0].cause, Cause::Forced);
+}
+
+void TestScopeAcquisition::forceWithoutSamplesMakesNoRecord()
+{
+    for (const Mode mode : {Mode::Normal, Mode::Single, Mode::Auto}) {
+        Pulses signal({});
+        Acquisition scope(settings(mode));
+        scope.run(nullptr);
+        scope.force(500 * kMs);
+        QCOMPARE(scope.state(), State::Armed);
+        QVERIFY(!scope.current());
+        scope.advance(signal.to(100));
+        QCOMPARE(scope.state(), State::Armed); // nor later
+        QVERIFY(scope.takeRecords().empty());
+        scope.force(500 * kMs);
+        QCOMPARE(scope.current()->trigger, 100 * kMs);
+    }
+}
+
+void TestScopeAcquisition::runForgetsHowFarSamplesReachedBefore()
+{
+    Pulses file({});
+    Acquisition scope(settings(Mode::Auto));
+    scope.run(nullptr);
+    scope.advance(file.to(10'000));
+    static_cast<void>(scope.takeRecords());
+    scope.run(nullptr); // the file is gone, and a board's time begins at zero
+    scope.force(20'000 * kMs);
+    QVERIFY(!scope.current());
+    Pulses live({});
+    scope.advance(live.to(10));
+    QVERIFY(scope.takeRecords().empty());
+    QCOMPARE(scope.state(), State::Armed);
+    scope.advance(live.to(300)); // automatic at 200 ms, until 275 ms
+    const auto records = scope.takeRecords();
+    QCOMPARE(records.size(), 1U);
+    QCOMPARE(records[0].trigger, 200 * kMs);
 }
 
 void TestScopeAcquisition::onlyWhatHappensAfterRunCounts()
