@@ -183,7 +183,7 @@ void Capture::breakStream()
 }
 
 void Capture::appendPolled(catalog::RegisterId id, std::string_view name, std::string_view unit,
-    double seconds, double value)
+    double seconds, double value, Asked why)
 {
     if (!std::isfinite(value) || !std::isfinite(seconds)) {
         ++m_refused.notFinite;
@@ -193,8 +193,10 @@ void Capture::appendPolled(catalog::RegisterId id, std::string_view name, std::s
     const bool anew = m_polledAnew.erase(id) > 0;
     if (found && (anew || info(*found)->unit != unit))
         found.reset();
-    if (!found)
+    if (!found) {
         found = add({0, id, std::string(name), std::string(unit), 1.0, 0.0, Kind::Polled});
+        entryOf(*found).touched = 0;
+    }
     ValueColumn &column = *mutableChannel(*found)->values();
     const Nanos time = toNanos(seconds);
     if (!column.empty()) {
@@ -206,10 +208,9 @@ void Capture::appendPolled(catalog::RegisterId id, std::string_view name, std::s
             column.breakHere();
     }
     column.append(time, value, time + toNanos(m_config.polledHold));
-    for (Entry &entry : m_entries) {
-        if (entry.channel->info().id == *found)
-            entry.touched = ++m_revision;
-    }
+    ++m_revision;
+    if (why == Asked::AsSignal)
+        entryOf(*found).touched = m_revision;
     ++m_sinceCheck;
 }
 
@@ -293,8 +294,11 @@ void Capture::adopt(Capture other)
     other.takeArchived();
     other.forgetDeposits();
     const std::vector<Entry> entries = std::move(other.m_entries);
-    for (const Entry &entry : entries)
-        m_entries.push_back({std::make_unique<Channel>(*entry.channel, m_nextId++), ++m_revision});
+    for (const Entry &entry : entries) {
+        const std::uint64_t touched = entry.touched != 0 ? m_revision + entry.touched : 0;
+        m_entries.push_back({std::make_unique<Channel>(*entry.channel, m_nextId++), touched});
+    }
+    m_revision += other.m_revision + 1;
     m_streamEnd = other.m_streamEnd;
     m_released = other.m_released;
     m_shift = 0;
@@ -318,6 +322,12 @@ const Channel *Capture::channel(ChannelId id) const
     return there ? entry->channel.get() : nullptr;
 }
 
+Capture::Entry &Capture::entryOf(ChannelId id)
+{
+    return *std::find_if(m_entries.begin(), m_entries.end(),
+        [id](const Entry &entry) { return entry.channel->info().id == id; });
+}
+
 Channel *Capture::mutableChannel(ChannelId id) { return const_cast<Channel *>(channel(id)); }
 
 std::optional<ChannelInfo> Capture::info(ChannelId id) const
@@ -328,12 +338,15 @@ std::optional<ChannelInfo> Capture::info(ChannelId id) const
 
 std::optional<ChannelId> Capture::find(catalog::RegisterId id) const
 {
-    const Entry *newest = nullptr;
+    const Entry *best = nullptr;
+    const auto rank = [](const Entry &entry) {
+        return std::pair(!entry.channel->empty(), entry.touched);
+    };
     for (const Entry &entry : m_entries) {
-        if (entry.channel->info().registerId == id && (!newest || entry.touched > newest->touched))
-            newest = &entry;
+        if (entry.channel->info().registerId == id && (!best || rank(entry) > rank(*best)))
+            best = &entry;
     }
-    return newest ? std::optional(newest->channel->info().id) : std::nullopt;
+    return best ? std::optional(best->channel->info().id) : std::nullopt;
 }
 
 std::optional<ChannelId> Capture::find(catalog::RegisterId id, Kind kind) const

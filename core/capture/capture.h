@@ -55,10 +55,12 @@ public:
     /// gap.
     void append(const SampleBlock &block);
 
+    /// Why a value was asked for: as a signal, or for a table of the window (a recording holds such ones, too).
+    enum class Asked : std::uint8_t { AsSignal, Aside };
     /// Appends a value that was asked for at `seconds` on the session's axis; makes its channel if
     /// needed.
     void appendPolled(catalog::RegisterId id, std::string_view name, std::string_view unit,
-        double seconds, double value);
+        double seconds, double value, Asked why = Asked::AsSignal);
 
     /// Nobody asks for this register any more: its last value is not held any longer.
     void endPolled(catalog::RegisterId id);
@@ -89,7 +91,8 @@ public:
     const Channel *channel(
         ChannelId id) const; ///< nullptr if there is none; valid until the next change
     std::optional<ChannelInfo> info(ChannelId id) const;
-    /// The channel of a register that got a sample last (or was made last).
+    /// The channel of a register that was streamed or asked for as a signal last; one that holds samples goes before
+    /// one that holds none, and one with values read aside comes last.
     std::optional<ChannelId> find(catalog::RegisterId id) const;
     std::optional<ChannelId> find(catalog::RegisterId id, ChannelInfo::Kind kind) const;
     std::vector<ChannelId>
@@ -130,8 +133,9 @@ public:
 private:
     struct Entry {
         std::unique_ptr<Channel> channel; ///< pointers stay valid while others are added
-        std::uint64_t touched = 0;
+        std::uint64_t touched = 0; ///< 0: only by values that were read aside
     };
+    Entry &entryOf(ChannelId id); ///< which is there
 
     Channel *channelFor(
         const StreamSignal &signal, ChannelInfo::Kind kind, std::span<Channel *const> taken);

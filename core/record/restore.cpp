@@ -23,7 +23,7 @@ void Restorer::take(const Entry &entry)
             const auto found = m_polled.find(value.id);
             if (found != m_polled.end() && value.at > -kFarthest && value.at < kFarthest)
                 m_capture.appendPolled(value.id, found->second.name, found->second.unit,
-                    capture::toSeconds(value.at), value.value);
+                    capture::toSeconds(value.at), value.value, capture::Capture::Asked::Aside);
         }
     }
 }

@@ -27,6 +27,7 @@ private Q_SLOTS:
     void blocksThatDoNotFitAreCountedAndLeftOut();
     void slowValuesHoldUntilTheNextOne();
     void polledValuesAreTheirOwnChannel();
+    void aRegisterIsFoundWhereItWasStreamed();
     void aFastSampleCostsLessThanTwoPointThreeBytes();
     void theOldestSamplesAreReleasedFirst();
     void aSnapshotStaysAsItWas();
@@ -441,6 +442,33 @@ void TestCapture::polledValuesAreTheirOwnChannel()
     capture.appendPolled(7, "F7", "A", 11.0, 0.5); // another unit, too: one new channel, not two
     capture.appendPolled(7, "F7", "A", 11.1, 0.6);
     QCOMPARE(capture.size(*capture.find(7, Kind::Polled)), std::uint64_t(2));
+}
+
+void TestCapture::aRegisterIsFoundWhereItWasStreamed()
+{
+    Capture file;
+    file.appendPolled(7, "F7", "rpm", 0.5, 1.0, Capture::Asked::Aside);
+    QCOMPARE(file.info(*file.find(7))->kind, Kind::Polled); // better than nothing
+    file.begin(layout(1, {7}));
+    QCOMPARE(file.info(*file.find(7))->kind, Kind::Polled); // nothing streamed yet
+    file.append(block(1, 0, {{1, 2, 3}}));
+    QCOMPARE(file.info(*file.find(7))->kind, Kind::Fast);
+    file.appendPolled(7, "F7", "rpm", 1.0, 1.0, Capture::Asked::Aside);
+    file.appendPolled(8, "F8", "rpm", 1.0, 1.0, Capture::Asked::Aside);
+    file.begin({});
+    file.appendPolled(7, "F7", "rpm", 2.0, 1.0, Capture::Asked::Aside);
+    QCOMPARE(file.info(*file.find(7))->kind, Kind::Fast);
+    QCOMPARE(file.info(*file.find(8))->kind, Kind::Polled);
+
+    Capture window;
+    const std::uint64_t before = window.revision();
+    window.adopt(std::move(file));
+    QVERIFY(window.revision() > before);
+    QCOMPARE(window.info(*window.find(7))->kind, Kind::Fast);
+    window.appendPolled(7, "F7", "rpm", 3.0, 1.0); // as a signal: what is recorded now
+    QCOMPARE(window.info(*window.find(7))->kind, Kind::Polled);
+    window.begin(layout(2, {7}));
+    QCOMPARE(window.info(*window.find(7))->kind, Kind::Fast);
 }
 
 void TestCapture::aFastSampleCostsLessThanTwoPointThreeBytes()

@@ -22,6 +22,7 @@ namespace {
 
 constexpr capture::Tick kTicks = 320'000;
 constexpr catalog::RegisterId kTemperature = (50U << 6) | 1U;
+constexpr catalog::RegisterId kSquare = (9U << 6) | 1U;
 
 /// Twenty seconds of a square wave of 10 Hz and a ramp at 16 kHz; a motor that runs, a command, a mark.
 void writeRecording(const QString &path)
@@ -32,9 +33,9 @@ void writeRecording(const QString &path)
     file.add(0, record::Happening{"board", {{"firmware", "ST MC SDK"}, {"version", "6.4.0"}}});
     file.add(0,
         capture::StreamLayout{1, 16000.0, 0.0, 1,
-            {{(9U << 6) | 1U, "SQUARE", "A", 0.01, 0.0}, {(10U << 6) | 1U, "RAMP", "V", 1.0, 0.0}},
-            {}});
+            {{kSquare, "SQUARE", "A", 0.01, 0.0}, {(10U << 6) | 1U, "RAMP", "V", 1.0, 0.0}}, {}});
     file.add(0, record::PolledRegister{kTemperature, "TEMPERATURE", "\u00b0C"});
+    file.add(0, record::PolledRegister{kSquare, "SQUARE", "A"}); // for a table
     file.add(0,
         record::Happening{
             "motor state", {{"motor", "1"}, {"state", "running"}, {"raw", "6"}, {"name", "RUN"}}});
@@ -48,7 +49,7 @@ void writeRecording(const QString &path)
         file.add(at, std::move(block));
         file.flush(at);
         if (tick % 16'000 == 0)
-            file.add(at, record::PolledValues{{{kTemperature, at, 25.5}}});
+            file.add(at, record::PolledValues{{{kTemperature, at, 25.5}, {kSquare, at, 10.0}}});
     }
     file.add(1'000'000'000, record::Happening{"speed ramp", {{"motor", "1"}, {"rpm", "500"}}});
     file.add(1'500'000'000, record::Note{1'500'000'000, 1'500'000'000, "look here"});
@@ -95,6 +96,21 @@ private Q_SLOTS:
         QTRY_VERIFY(eventTexts().contains(QStringLiteral("look here")));
         QVERIFY(eventTexts().contains(QStringLiteral("speed ramp motor=1 rpm=500")));
         QVERIFY(eventTexts().contains(QStringLiteral("RUN")));
+    }
+
+    void aStreamedRegisterIsFoundAtItsFullRate()
+    {
+        replay();
+        QTRY_VERIFY(text()->text().contains(QStringLiteral("its end")));
+        QTRY_VERIFY(capture().find(kSquare, capture::ChannelInfo::Kind::Polled));
+        QVERIFY(capture().info(*capture().find(kSquare))->kind == capture::ChannelInfo::Kind::Fast);
+        m_rig->window.connectBar()->connectOrDisconnect();
+        QTRY_VERIFY(!device().portOpen());
+        m_rig->files.answer = m_path;
+        m_rig->find<QAction>("openRecording")->trigger();
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Opened ")));
+        QVERIFY(capture().find(kSquare, capture::ChannelInfo::Kind::Polled));
+        QVERIFY(capture().info(*capture().find(kSquare))->kind == capture::ChannelInfo::Kind::Fast);
     }
 
     void nothingCanBeArmedAndTheReasonIsSaid()

@@ -345,6 +345,9 @@ void SignalSelection::takeReadings(const std::vector<drive::Reading> &readings)
         return m_replaying
             || std::find(m_plan.polled.begin(), m_plan.polled.end(), id) != m_plan.polled.end();
     };
+    // A recording does not say for what a value was read.
+    using Asked = capture::Capture::Asked;
+    const Asked why = m_replaying ? Asked::Aside : Asked::AsSignal;
     bool isNew = false;
     for (const drive::Reading &reading : readings) {
         if (reading.status != drive::ReadStatus::Ok || !asked(reading.id))
@@ -353,7 +356,7 @@ void SignalSelection::takeReadings(const std::vector<drive::Reading> &readings)
         const bool known = m_capture.find(reading.id, Kind::Polled).has_value();
         m_polledFactors[reading.id] = scale.factor;
         m_capture.appendPolled(reading.id, catalog->nameOf(reading.id), scale.unit,
-            toSeconds(reading.at.time_since_epoch()), rawNumber(reading.value) * scale.factor);
+            toSeconds(reading.at.time_since_epoch()), rawNumber(reading.value) * scale.factor, why);
         isNew = isNew || !known;
     }
     if (isNew) {
