@@ -280,7 +280,6 @@ Entry DriveEntries::stop() { return Happening{"stop", {{"word", "wanted"}}}; }
 
 std::vector<Entry> DriveEntries::state()
 {
-    m_described.clear();
     std::vector<Entry> entries;
     if (m_link)
         entries.emplace_back(linkHappening(*m_link));
@@ -290,7 +289,14 @@ std::vector<Entry> DriveEntries::state()
         entries.emplace_back(statusHappening(status));
     if (m_layout && !m_layout->empty())
         entries.emplace_back(*m_layout);
+    m_described.clear();
     return entries;
+}
+
+std::vector<Entry> DriveEntries::descriptions()
+{
+    m_described.clear();
+    return m_layout ? std::vector<Entry>{*m_layout} : std::vector<Entry>{};
 }
 
 } // namespace record

@@ -24,6 +24,8 @@ public:
 
     /// What holds now, for a recording that begins in the middle. Polled registers are described again.
     std::vector<Entry> state();
+    /// Of that what values mean nothing without, for a recording that missed some entries.
+    std::vector<Entry> descriptions();
 
 private:
     std::vector<Entry> readings(const drive::RegistersRead &read);

@@ -1,5 +1,7 @@
 #include "session/recording_tap.h"
 
+#include <algorithm>
+
 namespace session {
 
 namespace {
@@ -68,12 +70,14 @@ void RecordingTap::tell(std::vector<record::Entry> entries, TimePoint now)
     if (m_toldState != recording) {
         m_toldState = recording;
         m_lost = {};
+        m_untold.clear();
         std::vector<record::Entry> state = m_entries.state();
         std::move(entries.begin(), entries.end(), std::back_inserter(state));
         entries = std::move(state);
     }
     if (entries.empty())
         return;
+    addUntold(entries);
     std::size_t bytes = 0;
     for (const record::Entry &entry : entries)
         bytes += sizeOf(entry);
@@ -111,8 +115,21 @@ void RecordingTap::drop(const std::vector<record::Entry> &entries)
             m_lost.linkBytes += link->bytes.size();
         } else {
             ++m_lost.others;
+            if (std::holds_alternative<capture::StreamLayout>(entry)
+                || std::holds_alternative<record::PolledRegister>(entry))
+                m_untold = m_entries.descriptions();
         }
     }
+}
+
+void RecordingTap::addUntold(std::vector<record::Entry> &entries)
+{
+    const bool newer = std::any_of(entries.begin(), entries.end(), [](const record::Entry &entry) {
+        return std::holds_alternative<capture::StreamLayout>(entry);
+    });
+    if (!newer)
+        entries.insert(entries.begin(), m_untold.begin(), m_untold.end());
+    m_untold.clear();
 }
 
 } // namespace session

@@ -63,6 +63,7 @@ private:
     void tell(std::vector<record::Entry> entries, TimePoint now);
     void send(std::vector<record::Entry> entries, std::size_t bytes, TimePoint now);
     void drop(const std::vector<record::Entry> &entries);
+    void addUntold(std::vector<record::Entry> &entries);
 
     const std::size_t m_mostWaiting;
     std::atomic<unsigned> m_recording = 0; ///< 0: off
@@ -74,6 +75,7 @@ private:
     record::DriveEntries m_entries;
     unsigned m_toldState = 0; ///< the recording that knows what held when it began
     record::Lost m_lost; ///< not told yet
+    std::vector<record::Entry> m_untold; ///< descriptions that got lost, too: what follows needs them
     std::int64_t m_streamEnd = 0; ///< tick behind the last block handed on
     std::uint32_t m_step = 1;
     bool m_dropping = false;

@@ -20,6 +20,7 @@ private Q_SLOTS:
     void aRecordingThatBeginsLateKnowsWhatHolds();
     void theBytesOfTheLineAreThereIfAskedFor();
     void aSlowDiskStallsNobodyAndItsLossIsTold();
+    void whatASlowDiskMissedIsDescribedAgain();
     void aFullDiskEndsTheRecordingAndNotTheSession();
     void aFileThatIsThereAlreadyIsAnError();
     void leavingWithoutAStopEndsTheFile();
@@ -282,6 +283,41 @@ void TestRecordingLive::aSlowDiskStallsNobodyAndItsLossIsTold()
     const auto blocks = facts.all<capture::SampleBlock>();
     QCOMPARE(blocks.back().firstTick, capture::Tick(100'000));
     QCOMPARE(blocks.back().lostTicks, capture::Tick(last.lost.samples / 2));
+}
+
+void TestRecordingLive::whatASlowDiskMissedIsDescribedAgain()
+{
+    Gate gate;
+    gate.open.release();
+    Bench bench(gated(gate), 200'000);
+    bench.start();
+    bench.tell(drive::StreamStarted{layout()});
+    gate.open.acquire();
+    capture::Tick tick = 0;
+    for (; tick < 100'000; tick += 100)
+        bench.tell(block(tick));
+    capture::StreamLayout other = layout();
+    other.id = 2;
+    other.fast = {{7, "C", "V", 0.5, 0.0}};
+    for (int i = 0; i < 5; ++i) // the first may find room, the last does not
+        bench.tell(drive::StreamStarted{i < 4 ? layout() : other});
+    const auto one = [](capture::Tick at) {
+        return capture::SampleBlock{2, at, 100, std::vector<std::int16_t>(100, 5), {}, 0};
+    };
+    bench.tell(one(0));
+    gate.open.release();
+    QTRY_COMPARE(bench.tap->waiting(), std::size_t(0));
+    bench.tell(one(100));
+    bench.stop();
+
+    const auto facts = support::readRecording(bench.path);
+    QVERIFY(facts.damage.empty());
+    const auto channels = facts.capture.channels();
+    const auto named = std::find_if(channels.begin(), channels.end(),
+        [](const capture::ChannelInfo &channel) { return channel.name == "C"; });
+    QVERIFY(named != channels.end());
+    QCOMPARE(facts.capture.size(named->id), capture::Index(100));
+    QCOMPARE(facts.all<record::Lost>().empty(), false);
 }
 
 void TestRecordingLive::aFullDiskEndsTheRecordingAndNotTheSession()
