@@ -6781,6 +6781,11 @@ mN·m</translation>
         <source>Copy</source>
         <translation>Kopieren</translation>
     </message>
+    <message>
+        <source>%1 at %2 s</source>
+        <comment>recording, seconds</comment>
+        <translation>%1 bei %2 s</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SpectrumPanel</name>

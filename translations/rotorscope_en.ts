@@ -6775,6 +6775,11 @@ mN·m</source>
         <source>Copy</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 at %2 s</source>
+        <comment>recording, seconds</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::SpectrumPanel</name>

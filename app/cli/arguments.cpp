@@ -59,8 +59,9 @@ const CommandText kCommands[] = {
         "Writes the tuned values as a C header in the names of ST's drive_parameters.h.", 0, 0},
     {"show", "FILE.pcapng", "Says what is in a recording, and what is missing from it.", 1, 1,
         false},
-    {"export", "FILE.pcapng -o FILE.csv|.mat|.wav",
-        "Writes the signals of a recording, or of a CSV file, in another format.", 1, 1, false},
+    {"export", "FILE.pcapng -o FILE.csv|.mat|.wav|.json",
+        "Writes the signals of a recording, or of a CSV file, in another format; or its registers.",
+        1, 1, false},
     {"decode", "TRACE.jsonl", "Decodes a recorded session and prints one JSON object per packet.",
         1, 1, false},
 };

@@ -6,6 +6,7 @@
 #include "sentences.h"
 #include "session/motion_log_file.h"
 #include "session/whole_file.h"
+#include "snapshot_work.h"
 #include "values.h"
 
 #include <QCoreApplication>
@@ -296,7 +297,13 @@ Outcome<int> CaptureRun::startRecording()
     if (m_wanted.recording.isEmpty())
         return kDone;
     m_recording.emplace(m_desk.talk, m_wanted.recording, m_wanted.recordLink);
-    return m_recording->start(m_desk.arguments.port);
+    if (const auto started = m_recording->start(m_desk.arguments.port); !started)
+        return started;
+    const auto board = readBoard(m_desk, tuning::Scope::All);
+    if (!board)
+        return tl::make_unexpected(salvage(abandon(board.error())));
+    m_recording->add(board->at, board->snapshot);
+    return kDone;
 }
 
 Outcome<int> CaptureRun::begin(const drive::Stream &stream)

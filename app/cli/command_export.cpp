@@ -9,6 +9,7 @@
 #include <QJsonObject>
 
 #include <algorithm>
+#include <utility>
 
 namespace cli {
 
@@ -24,7 +25,7 @@ struct Source {
 
 struct Written {
     session::FileResult file;
-    std::uint64_t rows = 0;
+    std::uint64_t rows = 0; ///< of samples
     std::size_t gaps = 0; ///< of a WAV file
 };
 
@@ -123,8 +124,28 @@ Written writeCsv(
     return {file, writer.rows(), 0};
 }
 
-Outcome<Written> write(const RecordingArguments &wanted, const capture::Capture &capture)
+/// The newest snapshot of the registers, as the file that the command snapshot writes.
+Outcome<Written> writeJson(const QString &path, const Source &source, std::optional<double> to)
 {
+    const record::RegisterSnapshot *newest = nullptr;
+    if (source.recording)
+        for (const auto &[at, snapshot] : source.recording->report.snapshots)
+            if (!to || capture::toSeconds(at) <= *to)
+                newest = &snapshot;
+    if (newest == nullptr)
+        return failure(kUsage, QStringLiteral("It holds no register snapshot of that time."));
+    bool written = false;
+    return Written{session::writePieces(path, [&](std::string_view &piece) {
+        piece = newest->json;
+        return !std::exchange(written, true);
+    })};
+}
+
+Outcome<Written> write(const RecordingArguments &wanted, const Source &source)
+{
+    if (endsWith(wanted.file, ".json"))
+        return writeJson(wanted.file, source, wanted.to);
+    const capture::Capture &capture = source.capture();
     const auto channels = chosen(capture, wanted.only);
     if (!channels)
         return tl::make_unexpected(channels.error());
@@ -151,9 +172,10 @@ Outcome<int> runExport(const Arguments &arguments, Output &out)
     const RecordingArguments &wanted = arguments.recording;
     const QString &path = arguments.words.first();
     if (!endsWith(wanted.file, ".csv") && !endsWith(wanted.file, ".mat")
-        && !endsWith(wanted.file, ".wav"))
+        && !endsWith(wanted.file, ".wav") && !endsWith(wanted.file, ".json"))
         return failure(kUsage,
-            QStringLiteral("Let the name of the file end in .csv, .mat or .wav, not as in \"%1\".")
+            QStringLiteral(
+                "Let the name of the file end in .csv, .mat, .wav or .json, not as in \"%1\".")
                 .arg(wanted.file));
     if (QFileInfo::exists(wanted.file)
         && QFileInfo(path).canonicalFilePath() == QFileInfo(wanted.file).canonicalFilePath())
@@ -161,7 +183,7 @@ Outcome<int> runExport(const Arguments &arguments, Output &out)
     const auto source = openSource(path);
     if (!source)
         return tl::make_unexpected(source.error());
-    const auto written = write(wanted, source->capture());
+    const auto written = write(wanted, *source);
     if (!written)
         return tl::make_unexpected(written.error());
     if (written->file.error != FileError::None)
@@ -176,6 +198,8 @@ Outcome<int> runExport(const Arguments &arguments, Output &out)
             {QStringLiteral("rows"), static_cast<qint64>(written->rows)},
             {QStringLiteral("bytes"), written->file.bytes},
             {QStringLiteral("complete"), lack.isEmpty()}});
+    else if (endsWith(wanted.file, ".json"))
+        out.line(wanted.file);
     else
         out.line(QStringLiteral("%1: %2 rows").arg(wanted.file, QString::number(written->rows)));
     if (!lack.isEmpty())

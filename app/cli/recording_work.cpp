@@ -1,6 +1,7 @@
 #include "recording_work.h"
 
 #include "capture/csv_import.h"
+#include "session/snapshot_json.h"
 
 #include <QCoreApplication>
 #include <QEventLoop>
@@ -142,6 +143,12 @@ Outcome<int> ConversationRecording::start(const QString &source)
         QStringLiteral("%1 cannot be recorded: %2; choose a name that is not there yet.")
             .arg(m_path,
                 m_result ? m_result->systemText : QStringLiteral("the disk does not answer")));
+}
+
+void ConversationRecording::add(TimePoint at, const tuning::Snapshot &registers)
+{
+    m_recording.add(at.time_since_epoch().count(),
+        record::RegisterSnapshot{"all registers", session::snapshotJson(registers).toStdString()});
 }
 
 Outcome<int> ConversationRecording::finish()

@@ -4,6 +4,7 @@
 #include "conversation.h"
 #include "session/recording.h"
 #include "session/recording_reader.h"
+#include "tuning/snapshot.h"
 
 namespace cli {
 
@@ -27,6 +28,8 @@ public:
     ConversationRecording(Conversation &talk, const QString &path, bool withLink);
 
     Outcome<int> start(const QString &source);
+    /// What the board holds.
+    void add(TimePoint at, const tuning::Snapshot &registers);
     /// Ends it, if it is not over already.
     /// @return  kDone; a failure if it ended early or something did not get into it
     Outcome<int> finish();

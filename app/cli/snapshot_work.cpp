@@ -71,9 +71,11 @@ Outcome<BoardSnapshot> readBoard(Desk &desk, tuning::Scope scope)
     if (!readings)
         return tl::make_unexpected(readings.error());
     BoardSnapshot result;
-    for (const drive::Reading &reading : *readings)
+    for (const drive::Reading &reading : *readings) {
+        result.at = std::max(result.at, reading.at);
         if (reading.status != drive::ReadStatus::Ok && reading.at == TimePoint{})
             result.unanswered.append(QString::fromStdString(desk.catalog().nameOf(reading.id)));
+    }
     result.snapshot = tuning::snapshotOf(desk.board.identity, desk.catalog(), *readings);
     return result;
 }

@@ -9,6 +9,7 @@ namespace cli {
 struct BoardSnapshot {
     tuning::Snapshot snapshot;
     QStringList unanswered; ///< registers that may be there and whose answer never came
+    TimePoint at; ///< of the newest value
 };
 
 /// What the board holds now.

@@ -1,5 +1,6 @@
 #include "record/drive_entries.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -167,6 +168,14 @@ Happening DriveEntries::identity() const
             {"motors", text(board.motorNames)}, {"tick Hz", text(m_identified->streaming.tickHz)}}};
 }
 
+/// Not if it is read for a wish only. Values that come unasked, as from a replay, are signals.
+bool DriveEntries::isSignal(RegisterId id) const
+{
+    return m_watched.contains(id)
+        || std::none_of(m_readOnce.begin(), m_readOnce.end(),
+            [id](const auto &wish) { return wish.second.contains(id); });
+}
+
 std::vector<Entry> DriveEntries::readings(const drive::RegistersRead &read)
 {
     std::vector<Entry> entries;
@@ -175,7 +184,7 @@ std::vector<Entry> DriveEntries::readings(const drive::RegistersRead &read)
         bool isNumber = false;
         const double number = numberOf(reading.value, isNumber);
         if (reading.status != drive::ReadStatus::Ok || !isNumber || !m_identified
-            || !m_identified->catalog)
+            || !m_identified->catalog || !isSignal(reading.id))
             continue;
         const catalog::Scale scale = m_identified->catalog->readScale(reading.id);
         if (m_described.insert(reading.id).second)
@@ -220,6 +229,7 @@ std::vector<Entry> DriveEntries::counters(const drive::LinkCounters &counters)
 
 std::vector<Entry> DriveEntries::ended(const drive::Ended &ended)
 {
+    m_readOnce.erase(ended.id);
     if (m_waiting.erase(ended.id) == 0 && ended.writes.empty())
         return {};
     Happening happening{"ended",
@@ -267,6 +277,12 @@ std::vector<Entry> DriveEntries::take(const drive::Wish &wish)
         for (const RegisterWrite &one : write->writes)
             happening.fields.emplace_back(nameOf(one.id), text(one.value));
     } else {
+        if (const auto *watch = std::get_if<drive::Watch>(&wish.what)) {
+            m_watched = {watch->registers.begin(), watch->registers.end()};
+            m_watched.insert(watch->drawn.begin(), watch->drawn.end());
+        } else if (const auto *read = std::get_if<drive::Read>(&wish.what)) {
+            m_readOnce[wish.id] = {read->registers.begin(), read->registers.end()};
+        }
         return {};
     }
     constexpr std::size_t kMostWaiting = 10'000;

@@ -18,7 +18,8 @@ class DriveEntries {
 public:
     /// The entries of an event; most have one, many none.
     std::vector<Entry> take(const drive::Event &event);
-    /// A wish on its way to the drive. Reading is none of anybody's business.
+    /// A wish on its way to the drive. Reading is none of anybody's business: what is read once, a hundred registers for a
+    /// snapshot, is no signal and has no entry.
     std::vector<Entry> take(const drive::Wish &wish);
     static Entry stop(); ///< somebody wants every motor to stop
 
@@ -34,6 +35,7 @@ private:
     std::vector<Entry> ended(const drive::Ended &ended);
     Happening identity() const;
     std::string nameOf(RegisterId id) const;
+    bool isSignal(RegisterId id) const;
 
     std::optional<drive::Identified> m_identified;
     std::optional<drive::LinkChanged> m_link;
@@ -41,6 +43,8 @@ private:
     std::map<int, drive::MotorStatus> m_status;
     drive::LinkCounters m_counters;
     std::set<RegisterId> m_described;
+    std::set<RegisterId> m_watched;
+    std::map<drive::WishId, std::set<RegisterId>> m_readOnce; ///< by wishes that have not ended
     std::set<drive::WishId> m_waiting; ///< wishes whose end is worth an entry
 };
 

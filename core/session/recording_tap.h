@@ -75,7 +75,7 @@ private:
     record::DriveEntries m_entries;
     unsigned m_toldState = 0; ///< the recording that knows what held when it began
     record::Lost m_lost; ///< not told yet
-    std::vector<record::Entry> m_untold; ///< descriptions that got lost, too: what follows needs them
+    std::vector<record::Entry> m_untold; ///< descriptions that got lost; what follows needs them
     std::int64_t m_streamEnd = 0; ///< tick behind the last block handed on
     std::uint32_t m_step = 1;
     bool m_dropping = false;

@@ -1,4 +1,6 @@
 // Recordings as scripts see them: capture --record, show and export. The real program, against its own simulated board.
+#include "session/snapshot_json.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -12,6 +14,7 @@ class TestCliRecording : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase();
+    void theRegistersComeOut();
     void captureRecordsWhatItWrites();
     void showSaysWhatIsInIt();
     void exportAndImportGiveTheSameFile();
@@ -94,6 +97,21 @@ void TestCliRecording::initTestCase()
     QVERIFY(result.json().value(QLatin1String("recording_samples")).toInt() >= 16'500);
     QCOMPARE(result.json().value(QLatin1String("recording_bytes")).toInt(),
         contents(path("a.pcapng")).size());
+}
+
+/// What the board held is in the recording, as the file that can be compared and restored.
+void TestCliRecording::theRegistersComeOut()
+{
+    COMPARE_STATUS(
+        run({QStringLiteral("export"), path("a.pcapng"), QStringLiteral("-o"), path("a.json")}), 0);
+    const auto snapshot = session::readSnapshotJson(contents(path("a.json")));
+    QVERIFY(snapshot && snapshot->entries.size() > 50);
+    const Run same = run({QStringLiteral("diff"), path("a.json"), path("a.json")});
+    COMPARE_STATUS(same, 0);
+    const Run early = run({QStringLiteral("export"), path("a.pcapng"), QStringLiteral("-o"),
+        path("none.json"), QStringLiteral("--to"), QStringLiteral("0.0001")});
+    COMPARE_STATUS(early, 2);
+    QVERIFY(!QFile::exists(path("none.json")));
 }
 
 /// The CSV of the run is exactly the beginning of what the recording holds.

@@ -1,5 +1,6 @@
 // Recording to a disk and opening it again, through the real window, the real session thread and the simulated board.
 #include "session/recording_reader.h"
+#include "session/snapshot_json.h"
 #include "support/window_rig.h"
 #include "widgets/base/lamp.h"
 #include "widgets/control/motion_log_model.h"
@@ -134,6 +135,44 @@ private Q_SLOTS:
             QVERIFY(info.kind == capture::ChannelInfo::Kind::Polled
                 || (range.from <= span->from && range.to >= span->to));
         }
+    }
+
+    void whatTheRegistersHeldIsInTheFileAndCanBeCompared()
+    {
+        makeRig();
+        connectToBoard();
+        const QString path = m_folder.filePath(QStringLiteral("registers.pcapng"));
+        record(path);
+        QTRY_COMPARE(snapshotsIn(path).size(), 1U); // without a person's asking
+        m_rig->workbench.snapshots().take(); // as before a list of writes
+        QTRY_COMPARE(m_rig->workbench.snapshots().kept().size(), 1U);
+        QTest::keyClick(&m_rig->window, Qt::Key_R, Qt::ControlModifier);
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Recorded to ")));
+
+        const auto recorded = snapshotsIn(path);
+        QCOMPARE(recorded.size(), 2U);
+        const auto all = session::readSnapshotJson(QByteArray::fromStdString(recorded[0].json));
+        QVERIFY(all && all->entries.size() > 50 && all->find("SPEED_KP", 1) != nullptr);
+        QCOMPARE(recorded[1].title, std::string("before a write"));
+
+        disconnectFromBoard();
+        openRecording(path);
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Opened ")));
+        // What was read for them is no signal.
+        QVERIFY(capture().channels().size() < 20);
+        m_rig->window.findChild<QAction *>(QStringLiteral("snapshotsDockOpen"))->trigger();
+        auto *a = m_rig->find<QComboBox>("snapshotA");
+        auto *b = m_rig->find<QComboBox>("snapshotB");
+        const int first = a->findText(QStringLiteral("registers.pcapng at "), Qt::MatchStartsWith);
+        QVERIFY(first > 0);
+        QVERIFY(a->itemText(first + 1).startsWith(QStringLiteral("registers.pcapng at ")));
+        choose(a, first);
+        choose(b, first + 1);
+        QCOMPARE(m_rig->find<QLabel>("snapshotSummary")->text(), QStringLiteral("No differences."));
+        // Opened again, it is listed once.
+        openRecording(path);
+        QTRY_COMPARE(a->currentIndex(), -1);
+        QCOMPARE(a->findText(QStringLiteral("registers.pcapng at "), Qt::MatchStartsWith), first);
     }
 
     void whatWasDoneToAMotorIsInTheFile()
@@ -575,6 +614,20 @@ private:
         QTRY_VERIFY(capture().timeSpan().has_value());
         const auto first = capture().timeSpan()->from;
         QTRY_VERIFY(capture().timeSpan()->to > first + 0.3);
+    }
+    static std::vector<record::RegisterSnapshot> snapshotsIn(const QString &path)
+    {
+        capture::Capture independent;
+        std::vector<record::RegisterSnapshot> found;
+        if (const auto report = session::readRecording(path, independent))
+            for (const auto &one : report->snapshots)
+                found.push_back(one.what);
+        return found;
+    }
+    static void choose(QComboBox *box, int index)
+    {
+        box->setCurrentIndex(index);
+        Q_EMIT box->activated(index);
     }
     static std::size_t notesIn(const QString &path)
     {

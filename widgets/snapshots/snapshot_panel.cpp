@@ -1,7 +1,9 @@
 #include "widgets/snapshots/snapshot_panel.h"
 
+#include "capture/tick_time.h"
 #include "session/whole_file.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/value_text.h"
 #include "widgets/files/file_prompt.h"
 #include "widgets/snapshots/snapshot_text.h"
 
@@ -24,6 +26,7 @@ namespace {
 
 const QString kBoard = QStringLiteral("board");
 constexpr qsizetype kMostKept = 20;
+constexpr std::size_t kMostRecorded = 200; ///< the newest
 
 bool atRest(drive::MotorState state)
 {
@@ -93,8 +96,17 @@ bool SnapshotPanel::isBoard(const Side &side) const { return side.key == kBoard;
 void SnapshotPanel::listSources()
 {
     std::erase_if(m_sources, [this](const Source &one) {
-        return one.kind == Kind::Kept && one.key != m_a.key && one.key != m_b.key;
+        return one.kind >= Kind::Kept && one.key != m_a.key && one.key != m_b.key;
     });
+    const QString recording = deviceText(QFileInfo(m_recorded.path).fileName());
+    const std::size_t recorded = m_recorded.all.size();
+    for (std::size_t i = recorded - std::min(recorded, kMostRecorded); i < recorded; ++i) {
+        const QString key = QStringLiteral("%1#%2").arg(m_recorded.path, QString::number(i));
+        const double at = capture::toSeconds(m_recorded.all[i].at);
+        if (source(key) == nullptr)
+            m_sources.push_back({Kind::Recorded, key,
+                tr("%1 at %2 s", "recording, seconds").arg(recording, numberText(at, 3)), nullptr});
+    }
     const auto title = [](const QDateTime &at) {
         return tr("Before a write, %1", "date and time")
             .arg(QLocale().toString(at, QLocale::ShortFormat));
@@ -125,8 +137,10 @@ void SnapshotPanel::chooseSource(Side &side, int index)
     const QString before = side.key;
     side.key = side.box->itemData(index).toString();
     Source *chosen = source(side.key);
-    if (chosen != nullptr && chosen->kind == Kind::Kept && !chosen->snapshot
-        && !load(side.key, side))
+    const bool unread = chosen != nullptr && !chosen->snapshot;
+    if (unread
+        && ((chosen->kind == Kind::Kept && !load(side.key, side))
+            || (chosen->kind == Kind::Recorded && !take(*chosen))))
         side.key = before;
     const QSignalBlocker quiet(side.box);
     side.box->setCurrentIndex(side.box->findData(side.key));
@@ -179,6 +193,33 @@ bool SnapshotPanel::load(const QString &path, Side &side)
         m_folder = QFileInfo(path).path();
     listSources();
     return true;
+}
+
+/// Makes sense of what a recording holds. False: it was told why it is none.
+bool SnapshotPanel::take(Source &recorded)
+{
+    const auto number =
+        static_cast<std::size_t>(recorded.key.section(QLatin1Char('#'), -1).toUInt());
+    auto snapshot =
+        session::readSnapshotJson(QByteArray::fromStdString(m_recorded.all.at(number).what.json));
+    if (!snapshot) {
+        tell(snapshotFileErrorText(m_recorded.path, snapshot.error()));
+        return false;
+    }
+    tell({});
+    recorded.snapshot = std::make_shared<const tuning::Snapshot>(std::move(*snapshot));
+    return true;
+}
+
+void SnapshotPanel::offerRecorded(RecordedSnapshots recorded)
+{
+    for (Side *side : {&m_a, &m_b}) { // what is compared stays, unless its name is of another now
+        if (const Source *shown = source(side->key); shown && shown->kind == Kind::Recorded)
+            side->key.clear();
+    }
+    m_recorded = std::move(recorded);
+    listSources();
+    compare();
 }
 
 void SnapshotPanel::openFile(const QString &path)

@@ -5,6 +5,7 @@
 
 #include "widgets/forms/form.h"
 #include "widgets/registers/register_edits.h"
+#include "widgets/snapshots/recorded_snapshots.h"
 #include "widgets/snapshots/snapshot_auto.h"
 #include "widgets/snapshots/snapshot_model.h"
 
@@ -32,6 +33,9 @@ public:
     void setFolder(const QString &folder) { m_folder = folder; } ///< where files are looked for
     QString folder() const { return m_folder; }
 
+    /// Lists them among what can be compared, in place of those of another recording.
+    void offerRecorded(RecordedSnapshots recorded);
+
     SnapshotModel *model() const { return m_model; }
     void focusFirst() override;
 
@@ -46,7 +50,7 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
-    enum class Kind : std::uint8_t { Board, File, Kept };
+    enum class Kind : std::uint8_t { Board, File, Kept, Recorded };
     struct Source {
         Kind kind = Kind::Board;
         QString key, title;
@@ -69,6 +73,7 @@ private:
     void askFile(Side &side);
     void sourcesChanged();
     bool load(const QString &path, Side &side);
+    bool take(Source &recorded);
     Source *source(const QString &key);
     std::shared_ptr<const tuning::Snapshot> snapshotOf(const Side &side) const;
     bool isBoard(const Side &side) const;
@@ -94,6 +99,7 @@ private:
     SnapshotModel *m_model;
     QSortFilterProxyModel *m_proxy;
     QString m_folder;
+    RecordedSnapshots m_recorded;
     std::vector<Source> m_sources;
     Side m_a, m_b;
     std::vector<int> m_moving; ///< motors that are not idle

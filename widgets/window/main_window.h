@@ -4,6 +4,7 @@
 
 #include "session/port_list.h"
 #include "widgets/scope/signal_selection.h"
+#include "widgets/snapshots/recorded_snapshots.h"
 #include "widgets/window/banner.h"
 #include "widgets/window/settings.h"
 #include "widgets/window/workbench.h"
@@ -176,6 +177,7 @@ private:
     QDockWidget *m_registerDock = nullptr;
     SnapshotPanel *m_snapshotPanel = nullptr; ///< like all tools, made after the first picture
     SnapshotActions *m_snapshots = nullptr;
+    RecordedSnapshots m_recordedSnapshots; ///< of the recording opened last
     Banner *m_banner = nullptr;
     FirstSteps *m_firstSteps = nullptr;
     StatusStrip *m_status = nullptr;

@@ -14,6 +14,8 @@
 #include "widgets/files/sample_room_dialog.h"
 #include "widgets/files/scope_picture.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/snapshots/snapshot_panel.h"
+#include "widgets/snapshots/snapshot_recorder.h"
 #include "widgets/window/connect_bar.h"
 #include "widgets/window/main_window.h"
 
@@ -50,6 +52,9 @@ void MainWindow::makeRecording()
     m_copyPicture = make(tr("&Copy the picture"), "copyPicture", Qt::CTRL | Qt::SHIFT | Qt::Key_C,
         &MainWindow::copyPicture);
     connect(m_record, &RecordControl::said, this, &MainWindow::say);
+    new SnapshotRecorder(
+        m_device, m_workbench.recording(), m_workbench.snapshots(),
+        [this] { return m_recorder->now(); }, this);
     m_markers = new MarkerFile(m_scope->events(), m_files, *m_record, this);
     connect(m_markers, &MarkerFile::said, this, &MainWindow::say);
     // Those of a connection stay for the next one.
@@ -270,6 +275,9 @@ void MainWindow::showRecording(OpenedRecording &opened)
     m_selection->showFile(std::move(opened.capture));
     fillEvents(m_scope->events(), opened.report);
     m_markers->opened(opened.path, opened.report.bytes);
+    m_recordedSnapshots = {opened.path, std::move(opened.report.snapshots)};
+    if (m_snapshotPanel)
+        m_snapshotPanel->offerRecorded(m_recordedSnapshots);
     say(whole ? Banner::Kind::Note : Banner::Kind::Warning, sentence);
 }
 

@@ -11,6 +11,7 @@ void MainWindow::makeSnapshots()
         m_snapshotPanel =
             new SnapshotPanel(m_device, m_workbench.edits(), m_workbench.snapshots(), m_files);
         m_snapshotPanel->setFolder(m_settings.snapshotFolder);
+        m_snapshotPanel->offerRecorded(m_recordedSnapshots);
         return m_snapshotPanel;
     });
     const auto panel = [this]() -> SnapshotPanel & {
