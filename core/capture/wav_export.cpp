@@ -67,8 +67,7 @@ WavWriter::WavWriter(const Snapshot &channels, std::optional<TimeSpan> range)
     m_rate = static_cast<std::uint32_t>(
         std::lround(static_cast<double>(one.base.milliHz) / 1000.0 / one.step));
     constexpr auto kEver = std::numeric_limits<Nanos>::max();
-    findRuns(range ? static_cast<Nanos>(std::ceil(range->from * kNanosPerSecond)) : -kEver,
-        range ? static_cast<Nanos>(std::ceil(range->to * kNanosPerSecond)) : kEver);
+    findRuns(range ? toNanos(range->from) : -kEver, range ? toNanos(range->to) : kEver);
     if (m_frames == 0)
         m_problem = WavProblem::NoFastSamples;
     else if (m_frames > kMostBytes / (2 * m_channels.size()))

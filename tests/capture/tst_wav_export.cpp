@@ -176,6 +176,15 @@ void TestWavExport::aRangeIsExact()
     QCOMPARE(wav.channels.at(1).size(), std::size_t(160));
     QCOMPARE(wav.channels[1].front(), code(1, 160));
     QCOMPARE(wav.channels[1].back(), code(1, 319));
+    // From sample to sample, wherever the time in seconds lies as a floating-point number.
+    const Snapshot channels = all(capture);
+    for (Index first = 0; first + 10 < 1000; ++first) {
+        const Channel &channel = channels->front();
+        const TimeSpan ten{toSeconds(channel.timeOf(first)), toSeconds(channel.timeOf(first + 10))};
+        WavWriter some(channels, ten);
+        QCOMPARE(some.frames(), 10U);
+        QCOMPARE(parse(write(some)).channels.at(0).front(), code(0, Tick(first)));
+    }
 }
 
 void TestWavExport::whatCannotBeAWavFileIsNamed()
