@@ -311,8 +311,8 @@
         <translation>CSV-Dateien (*.csv)</translation>
     </message>
     <message>
-        <source>No MATLAB file: a signal would be longer than 2 GiB. Choose a shorter range.</source>
-        <translation>Keine MATLAB-Datei: Ein Signal wäre länger als 2 GiB. Wählen Sie einen kürzeren Bereich.</translation>
+        <source>No MATLAB file: it would hold more than 2 GiB of numbers. Choose a shorter range.</source>
+        <translation>Keine MATLAB-Datei: Sie enthielte mehr als 2 GiB an Zahlen. Wählen Sie einen kürzeren Bereich.</translation>
     </message>
 </context>
 <context>

@@ -311,7 +311,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No MATLAB file: a signal would be longer than 2 GiB. Choose a shorter range.</source>
+        <source>No MATLAB file: it would hold more than 2 GiB of numbers. Choose a shorter range.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -111,7 +111,8 @@ Outcome<Written> writeMat(const QString &path, const capture::Snapshot &channels
     const session::MatResult result = session::writeMatFile(path, channels, range);
     if (result.tooLong)
         return failure(kUsage,
-            QStringLiteral("A MATLAB file holds 2 GiB a signal; take less with --from and --to."));
+            QStringLiteral(
+                "A MATLAB file holds 2 GiB of numbers; take less with --from and --to."));
     return Written{result.file, result.rows, 0};
 }
 

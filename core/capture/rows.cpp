@@ -14,8 +14,10 @@ struct Cursor {
 
 } // namespace
 
-Rows rowsOf(const Snapshot &channels, const std::optional<TimeSpan> &range)
+Rows rowsOf(const Snapshot &channels, const std::optional<TimeSpan> &range,
+    const std::function<bool(std::size_t rows, std::size_t least)> &proceed)
 {
+    constexpr std::size_t kTold = 1 << 16; ///< rows
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     Rows rows;
     std::vector<Cursor> cursors;
@@ -27,7 +29,17 @@ Rows rowsOf(const Snapshot &channels, const std::optional<TimeSpan> &range)
         }
     }
     rows.columns.resize(cursors.size());
+    std::size_t least = 0;
+    for (const Cursor &cursor : cursors)
+        least = std::max(least, cursor.stop - std::min(cursor.next, cursor.stop));
+    if (proceed && !proceed(0, least))
+        return rows;
+    rows.time.reserve(least); // most often all there are: growing would take as much again
+    for (std::vector<double> &column : rows.columns)
+        column.reserve(least);
     while (true) {
+        if (proceed && rows.time.size() % kTold == kTold - 1 && !proceed(rows.time.size(), least))
+            return rows;
         std::optional<Nanos> time;
         for (const Cursor &cursor : cursors) {
             if (cursor.next < cursor.stop)

@@ -3,6 +3,7 @@
 
 #include "capture/capture.h"
 
+#include <functional>
 #include <vector>
 
 namespace capture {
@@ -15,6 +16,9 @@ struct Rows {
 
 /// The instants at which any of the channels has a sample in the range; see splitByRate() for channels that go together.
 /// Cost: 8 bytes a number, and a search a sample.
-Rows rowsOf(const Snapshot &channels, const std::optional<TimeSpan> &range = {});
+/// @param proceed  told now and then how many rows there are and how many there are at least in the end; false: these
+///                 are enough
+Rows rowsOf(const Snapshot &channels, const std::optional<TimeSpan> &range = {},
+    const std::function<bool(std::size_t rows, std::size_t least)> &proceed = {});
 
 } // namespace capture

@@ -7,8 +7,10 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <array>
 #include <memory>
+#include <new>
 
 namespace session {
 
@@ -18,7 +20,6 @@ using capture::Channel;
 using capture::ChannelInfo;
 using capture::Rows;
 
-constexpr std::size_t kMostRows = (std::size_t{1} << 31) / sizeof(double) - 1024;
 constexpr double kGathered = 0.3; ///< of all the time, about
 constexpr double kPacked = 0.95;
 constexpr qsizetype kLongestName = 31; ///< that libmatio and old MATLAB keep
@@ -39,12 +40,21 @@ struct Group {
     Rows rows;
 };
 
-/// libmatio copies what it is given here.
+/// libmatio copies what it is given here; nullptr if there is no memory for that.
 matvar_t *columnOf(std::vector<double> &values)
 {
     std::array<std::size_t, 2> size{values.size(), 1};
     return matLibrary()->varCreate(
         nullptr, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, size.data(), values.data(), 0);
+}
+
+bool addColumn(matvar_t *structure, const char *field, std::vector<double> &values)
+{
+    matvar_t *column = columnOf(values);
+    if (!column)
+        return false;
+    matLibrary()->varSetField(structure, field, 0, column);
+    return true;
 }
 
 matvar_t *textOf(const std::string &text)
@@ -94,10 +104,13 @@ Variable structOf(Group &group)
     if (!structure)
         return nullptr;
     matvar_t *target = structure.get();
-    matLibrary()->varSetField(target, "time", 0, columnOf(group.rows.time));
-    for (std::size_t i = 0; i < signalFields.size(); ++i)
-        matLibrary()->varSetField(
-            target, signalFields[i].constData(), 0, columnOf(group.rows.columns[i]));
+    if (!addColumn(target, "time", group.rows.time))
+        return nullptr;
+    for (std::size_t i = 0; i < signalFields.size(); ++i) {
+        if (!addColumn(target, signalFields[i].constData(), group.rows.columns[i]))
+            return nullptr;
+        std::vector<double>().swap(group.rows.columns[i]); // never all of it twice
+    }
     matLibrary()->varSetField(
         target, "units", 0, texts(signalFields, group.channels, &ChannelInfo::unit).release());
     matLibrary()->varSetField(
@@ -105,27 +118,53 @@ Variable structOf(Group &group)
     return structure;
 }
 
-std::vector<Group> groupsOf(
-    const capture::Snapshot &channels, const std::optional<capture::TimeSpan> &range)
+/// How a structure for signals of this kind is called.
+QString groupName(ChannelInfo::Kind kind, int &polled)
 {
-    std::vector<Group> groups;
-    int polled = 0;
-    for (const capture::Snapshot &part : capture::splitByRate(channels)) {
-        QString name;
-        switch (part->front().info().kind) {
-        case ChannelInfo::Kind::Fast:
-            name = QStringLiteral("fast");
-            break;
-        case ChannelInfo::Kind::Slow:
-            name = QStringLiteral("slow");
-            break;
-        case ChannelInfo::Kind::Polled:
-            name = QStringLiteral("polled%1").arg(++polled);
-            break;
-        }
-        groups.push_back({name, part, capture::rowsOf(part, range)});
+    switch (kind) {
+    case ChannelInfo::Kind::Fast:
+        return QStringLiteral("fast");
+    case ChannelInfo::Kind::Slow:
+        return QStringLiteral("slow");
+    case ChannelInfo::Kind::Polled:
+        break;
     }
-    return groups;
+    return QStringLiteral("polled%1").arg(++polled);
+}
+
+struct Gathered {
+    std::vector<Group> groups;
+    bool tooLong = false;
+    bool cancelled = false;
+};
+
+Gathered gather(const capture::Snapshot &channels, const std::optional<capture::TimeSpan> &range,
+    const std::function<bool(double)> &proceed, std::size_t mostBytes)
+{
+    Gathered result;
+    int polled = 0;
+    std::size_t before = 0; ///< bytes
+    const std::vector<capture::Snapshot> parts = capture::splitByRate(channels);
+    for (const capture::Snapshot &part : parts) {
+        const std::size_t rowBytes = (part->size() + 1) * sizeof(double);
+        const auto goesOn = [&](std::size_t rows, std::size_t least) {
+            const std::size_t left = (mostBytes - before) / rowBytes;
+            result.tooLong = result.tooLong || std::max(rows, least) > left;
+            const double done = static_cast<double>(result.groups.size())
+                + static_cast<double>(rows)
+                    / static_cast<double>(std::max({rows, least, std::size_t{1}}));
+            result.cancelled = result.cancelled
+                || (proceed && !proceed(kGathered * done / static_cast<double>(parts.size())));
+            return !result.tooLong && !result.cancelled;
+        };
+        Group group{groupName(part->front().info().kind, polled), part, {}};
+        group.rows = capture::rowsOf(part, range, goesOn);
+        if (!goesOn(group.rows.time.size(), 0))
+            return result;
+        before += group.rows.time.size() * rowBytes;
+        result.groups.push_back(std::move(group));
+    }
+    return result;
 }
 
 /// libmatio does not look whether the disk took what it wrote: the file is read back before it is believed.
@@ -144,19 +183,80 @@ bool readsBack(const QByteArray &path, const std::vector<Group> &groups)
     return true;
 }
 
-bool writeGroups(const QByteArray &path, std::vector<Group> &groups)
+/// @param done  told how many are written; false: these are enough
+bool writeGroups(const QByteArray &path, std::vector<Group> &groups,
+    const std::function<bool(std::size_t)> &done)
 {
     const MatFile file(
         matLibrary()->createVer(path.constData(), "MATLAB 5.0 MAT-file, Rotorscope", MAT_FT_MAT5));
     if (!file)
         return false;
-    for (Group &group : groups) {
-        const Variable structure = structOf(group);
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const Variable structure = structOf(groups[i]);
         if (!structure
-            || matLibrary()->varWrite(file.get(), structure.get(), MAT_COMPRESSION_ZLIB) != 0)
+            || matLibrary()->varWrite(file.get(), structure.get(), MAT_COMPRESSION_ZLIB) != 0
+            || !done(i + 1))
             return false;
     }
     return true;
+}
+
+MatResult write(const QString &path, const capture::Snapshot &channels,
+    const std::optional<capture::TimeSpan> &range, const std::function<bool(double)> &proceed,
+    std::size_t mostBytes)
+{
+    MatResult result;
+    result.file.error = FileError::Cancelled;
+    auto [groups, tooLong, cancelled] = gather(channels, range, proceed, mostBytes);
+    if (cancelled)
+        return result;
+    result.file.error = FileError::None;
+    result.tooLong = tooLong;
+    if (result.tooLong)
+        return result;
+    for (const Group &group : groups)
+        result.rows += group.rows.time.size();
+    if (matLibrary() == nullptr) {
+        result.file.error = FileError::CannotWrite;
+        result.file.systemText = QStringLiteral("libmatio is not installed");
+        return result;
+    }
+    // libmatio opens files by their names; from its own place the file then goes to where it is wanted, or nowhere.
+    const QTemporaryDir folder;
+    const QString temporary = folder.filePath(QStringLiteral("capture.mat"));
+    const QByteArray name = QFile::encodeName(temporary);
+    QFile made(temporary);
+    bool stopped = false;
+    const auto written = [&, count = static_cast<double>(groups.size())](std::size_t done) {
+        stopped = proceed
+            && !proceed(kGathered + (kPacked - kGathered) * static_cast<double>(done) / count);
+        return !stopped;
+    };
+    const bool packed = writeGroups(name, groups, written);
+    if (stopped) {
+        result.file.error = FileError::Cancelled;
+        return result;
+    }
+    if (!packed || !readsBack(name, groups) || !made.open(QIODevice::ReadOnly)) {
+        result.file.error = FileError::CannotWrite;
+        result.file.systemText = QStringLiteral("there is no room for it in %1").arg(folder.path());
+        return result;
+    }
+    bool whole = true;
+    QByteArray bytes;
+    result.file = writePieces(
+        path,
+        [&](std::string_view &piece) {
+            constexpr qint64 kPiece = 1 << 20;
+            bytes = made.read(kPiece);
+            whole = !bytes.isEmpty() || made.pos() == made.size();
+            piece = {bytes.constData(), static_cast<std::size_t>(bytes.size())};
+            return !piece.empty() || !whole;
+        },
+        [&] { return whole && (!proceed || proceed(1.0)); });
+    if (!whole)
+        result.file = {FileError::CannotWrite, made.errorString()};
+    return result;
 }
 
 } // namespace
@@ -180,53 +280,16 @@ QString matName(const QString &name, const QStringList &taken)
 }
 
 MatResult writeMatFile(const QString &path, const capture::Snapshot &channels,
-    const std::optional<capture::TimeSpan> &range, const std::function<bool(double)> &proceed)
+    const std::optional<capture::TimeSpan> &range, const std::function<bool(double)> &proceed,
+    std::size_t mostBytes)
 {
-    MatResult result;
-    result.file.error = FileError::Cancelled;
-    std::vector<Group> groups = groupsOf(channels, range);
-    if (proceed && !proceed(kGathered))
-        return result;
-    result.file.error = FileError::None;
-    for (const Group &group : groups) {
-        result.rows += group.rows.time.size();
-        result.tooLong = result.tooLong || group.rows.time.size() > kMostRows;
-    }
-    if (result.tooLong)
-        return result;
-    if (matLibrary() == nullptr) {
-        result.file.error = FileError::CannotWrite;
-        result.file.systemText = QStringLiteral("libmatio is not installed");
+    try {
+        return write(path, channels, range, proceed, mostBytes);
+    } catch (const std::bad_alloc &) { // a thread that ends with it ends the program
+        MatResult result;
+        result.file = {FileError::CannotWrite, QStringLiteral("there is not enough memory for it")};
         return result;
     }
-    // libmatio opens files by their names; from its own place the file then goes to where it is wanted, or nowhere.
-    const QTemporaryDir folder;
-    const QString temporary = folder.filePath(QStringLiteral("capture.mat"));
-    const QByteArray name = QFile::encodeName(temporary);
-    QFile made(temporary);
-    if (!writeGroups(name, groups) || !readsBack(name, groups) || !made.open(QIODevice::ReadOnly)) {
-        result.file.error = FileError::CannotWrite;
-        result.file.systemText = QStringLiteral("there is no room for it in %1").arg(folder.path());
-        return result;
-    }
-    result.file.error = FileError::Cancelled;
-    if (proceed && !proceed(kPacked))
-        return result;
-    bool whole = true;
-    QByteArray bytes;
-    result.file = writePieces(
-        path,
-        [&](std::string_view &piece) {
-            constexpr qint64 kPiece = 1 << 20;
-            bytes = made.read(kPiece);
-            whole = !bytes.isEmpty() || made.pos() == made.size();
-            piece = {bytes.constData(), static_cast<std::size_t>(bytes.size())};
-            return !piece.empty() || !whole;
-        },
-        [&] { return whole && (!proceed || proceed(1.0)); });
-    if (!whole)
-        result.file = {FileError::CannotWrite, made.errorString()};
-    return result;
 }
 
 } // namespace session

@@ -10,17 +10,20 @@ namespace session {
 /// A name that MATLAB takes for a field: letters, digits and _, a letter first, at most 31, told apart from `taken`.
 QString matName(const QString &name, const QStringList &taken);
 
+/// Of numbers in a file, 8 each: the format cannot hold much more in one structure, and all of it is in memory at once.
+constexpr std::size_t kMostMatBytes = std::size_t{1} << 31;
+
 struct MatResult {
     FileResult file;
-    bool tooLong =
-        false; ///< a column of more than 2 GiB, which the format cannot hold; nothing was written
+    bool tooLong = false; ///< more numbers than kMostMatBytes; nothing was written
     quint64 rows = 0; ///< of all structures
 };
 
 /// @param channels  those that are empty are left out
-/// @param proceed  told 0..1 after each step of it; false cancels
+/// @param proceed  told 0..1 while rows are gathered and after each structure; false cancels
+/// @param mostBytes  for tests
 MatResult writeMatFile(const QString &path, const capture::Snapshot &channels,
     const std::optional<capture::TimeSpan> &range = {},
-    const std::function<bool(double)> &proceed = {});
+    const std::function<bool(double)> &proceed = {}, std::size_t mostBytes = kMostMatBytes);
 
 } // namespace session

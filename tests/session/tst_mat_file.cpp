@@ -20,6 +20,8 @@ private Q_SLOTS:
     void aRangeIsExact();
     void namesAreWhatMatlabTakes();
     void aPlaceThatTakesNoFileIsOneError();
+    void allItHoldsIsBounded();
+    void itIsCancelledAnywhere();
 };
 
 namespace {
@@ -143,6 +145,56 @@ void TestMatFile::aPlaceThatTakesNoFileIsOneError()
     QCOMPARE(result.file.error, FileError::CannotOpen);
     QVERIFY(!result.file.systemText.isEmpty());
     QCOMPARE(writeMatFile(folder.path(), all(recording())).file.error, FileError::NotAFile);
+}
+
+/// All columns of all structures, not one of them.
+void TestMatFile::allItHoldsIsBounded()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.mat"));
+    const Snapshot channels = all(recording());
+    constexpr std::size_t kAll = (2902 * 3 + 29 * 2 + 2 * 2) * sizeof(double);
+    const MatResult over = writeMatFile(path, channels, {}, {}, kAll - 1);
+    QVERIFY(over.tooLong);
+    QVERIFY(!QFile::exists(path));
+    QVERIFY(writeMatFile(path, channels, {}, {}, 1000).tooLong);
+    const MatResult fits = writeMatFile(path, channels, {}, {}, kAll);
+    QVERIFY(!fits.tooLong);
+    QCOMPARE(fits.file.error, FileError::None);
+    const TimeSpan some{0.25, 0.26}; // a range is bounded by what is in it
+    QVERIFY(!writeMatFile(path, channels, some, {}, 160 * (3 * sizeof(double)) + 100).tooLong);
+}
+
+void TestMatFile::itIsCancelledAnywhere()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.mat"));
+    Capture capture = recording();
+    for (Tick tick = 4000; tick < 204'000; tick += 1000) // some times between two reports
+        capture.append({2, tick, 1000, std::vector<std::int16_t>(1000, 5), {}, 0});
+    const Snapshot channels = all(capture);
+    std::vector<double> told;
+    const auto tell = [&told](double fraction) {
+        told.push_back(fraction);
+        return true;
+    };
+    QCOMPARE(writeMatFile(path, channels, {}, tell).file.error, FileError::None);
+    QVERIFY(std::is_sorted(told.begin(), told.end()));
+    const auto in = [&told](double from, double to) {
+        return std::count_if(
+            told.begin(), told.end(), [=](double at) { return at > from && at < to; });
+    };
+    QVERIFY(in(0.0, 0.3) >= 4); // while it gathers
+    QVERIFY(in(0.3, 0.95) >= 2); // and behind each structure
+    QVERIFY(QFile::remove(path));
+    for (std::size_t stop = 1; stop <= told.size(); ++stop) {
+        std::size_t calls = 0;
+        const MatResult result =
+            writeMatFile(path, channels, {}, [&](double) { return ++calls < stop; });
+        QCOMPARE(result.file.error, FileError::Cancelled);
+        QCOMPARE(calls, stop);
+        QVERIFY(!QFile::exists(path));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestMatFile)
