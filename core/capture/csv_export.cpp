@@ -127,12 +127,28 @@ private:
     std::size_t m_size = 0;
 };
 
-/// The kind whose samples make the rows: the fastest there is.
-Kind rowKind(const std::vector<Channel> &channels)
+/// Samples of a channel in a range.
+struct Part {
+    Index begin = 0;
+    Index end = 0;
+};
+
+Part partOf(const Channel &channel, const std::optional<TimeSpan> &range)
+{
+    if (!range)
+        return {channel.begin(), channel.end()};
+    return {channel.atOrAfter(toNanos(range->from)), channel.atOrAfter(toNanos(range->to))};
+}
+
+/// The kind whose samples make the rows: the fastest that has any.
+Kind rowKind(const std::vector<Channel> &channels, const std::optional<TimeSpan> &range)
 {
     Kind fastest = Kind::Polled;
-    for (const Channel &channel : channels)
-        fastest = std::min(fastest, channel.info().kind);
+    for (const Channel &channel : channels) {
+        const Part part = partOf(channel, range);
+        if (part.begin < part.end)
+            fastest = std::min(fastest, channel.info().kind);
+    }
     return fastest;
 }
 } // namespace
@@ -236,6 +252,29 @@ std::vector<Snapshot> splitByRate(const Snapshot &channels)
     return result;
 }
 
+bool everySampleHasARow(const Snapshot &channels)
+{
+    const Kind rows = rowKind(*channels, {});
+    std::vector<const Channel *> makers;
+    for (const Channel &channel : *channels) {
+        if (channel.info().kind == rows)
+            makers.push_back(&channel);
+    }
+    for (const Channel &channel : *channels) {
+        for (Index i = channel.begin(); channel.info().kind != rows && i < channel.end(); ++i) {
+            const Nanos from = channel.timeOf(i);
+            const Nanos until = channel.holdUntil(i);
+            const bool shown = std::any_of(makers.begin(), makers.end(), [&](const Channel *maker) {
+                const Index row = maker->atOrAfter(from);
+                return row < maker->end() && maker->timeOf(row) < until;
+            });
+            if (!shown)
+                return false;
+        }
+    }
+    return true;
+}
+
 std::string csvHeading(const ChannelInfo &channel, CsvDialect dialect)
 {
     std::string heading = channel.name;
@@ -262,19 +301,16 @@ CsvWriter::CsvWriter(Snapshot channels, CsvOptions options)
     : m_channels(std::move(channels))
     , m_options(options)
 {
-    const Kind rows = rowKind(*m_channels);
+    const Kind rows = rowKind(*m_channels, m_options.range);
     for (const Channel &channel : *m_channels) {
         auto column = std::make_unique<Column>();
         column->channel = &channel;
-        column->makesRows = channel.info().kind == rows;
-        column->next = channel.begin();
-        column->stop = channel.end();
-        if (m_options.range) {
-            column->next = channel.atOrAfter(toNanos(m_options.range->from));
-            column->stop = channel.atOrAfter(toNanos(m_options.range->to));
-            if (!column->makesRows && column->next > channel.begin())
-                --column->next; // may still hold when the range starts
-        }
+        column->makesRows = channel.info().kind == rows || channel.fast(); // which is never held
+        const Part part = partOf(channel, m_options.range);
+        column->next = part.begin;
+        column->stop = part.end;
+        if (!column->makesRows && column->next > channel.begin())
+            --column->next; // may still hold when the range starts
         if (channel.fast())
             column->texts = textsFor(channel);
         if (column->makesRows && column->stop > column->next)

@@ -1,7 +1,7 @@
 // A capture as comma-separated text, made piece by piece from a snapshot: whoever owns the file writes the pieces.
 // The format is described in docs/csv.md: two dialects, UTF-8, shortest numbers that read back exactly, time first.
 //
-// Rows are the samples of the fastest kind of channel in the snapshot; slower ones are held. What is not known is
+// Rows are the samples of the fastest kind of channel that has any in the range; slower ones are held. What is not known is
 // blank, what was lost has no row, and nothing is ever filled in.
 #pragma once
 
@@ -32,6 +32,10 @@ struct CsvOptions {
 /// Snapshots that share a rate: all fast channels, all slow ones, each polled one alone. Empty channels are left out.
 /// For one file per rate; every sample of every channel is then in some file.
 std::vector<Snapshot> splitByRate(const Snapshot &channels);
+
+/// Whether CsvWriter would write every sample of these channels, all of their time, into one file: not if a slower one has
+/// values that no row shows. Cost: a search for each of those.
+bool everySampleHasARow(const Snapshot &channels);
 
 /// A column's heading, e.g. `I_Q_MEAS [A]`: quoted where it must be, and with a leading apostrophe where a
 /// spreadsheet would take it for a formula.

@@ -12,6 +12,8 @@ class TestCsvExport : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void theFileLooksAsDocumented();
+    void theFastestThatHasSamplesMakesTheRows();
+    void whatNoRowShowsIsKnown();
     void everyCodeReadsBackAsItself_data();
     void everyCodeReadsBackAsItself();
     void signalsOfAScaleKeepTheirOwnValues();
@@ -91,6 +93,52 @@ void TestCsvExport::theFileLooksAsDocumented()
                     "0,0.5,-1\n"
                     "0.0000625,1,-0\n"
                     "0.000125,-1.5,-3\n"));
+}
+
+void TestCsvExport::theFastestThatHasSamplesMakesTheRows()
+{
+    Capture capture;
+    capture.begin(layout(1, {signal(1)})); // announced, and nothing came
+    capture.appendPolled(5, "P", "rpm", 0.1, 1500.5);
+    capture.appendPolled(5, "P", "rpm", 0.2, 1600.5);
+    QCOMPARE(
+        textOf(allOf(capture)), std::string("time [s],R1 [A],P [rpm]\n0.1,,1500.5\n0.2,,1600.5\n"));
+    capture.append(block(1, 16000, 1, {7}));
+    QCOMPARE(textOf(allOf(capture)), std::string("time [s],R1 [A],P [rpm]\n1,3.5,1600.5\n"));
+    // Where it has none, the slower one makes them, and what was fast does not stay.
+    capture.appendPolled(5, "P", "rpm", 1.5, 1.0);
+    capture.appendPolled(5, "P", "rpm", 2.5, 2.0);
+    CsvOptions behind;
+    behind.range = TimeSpan{1.25, 3.0};
+    QCOMPARE(
+        textOf(allOf(capture), behind), std::string("time [s],R1 [A],P [rpm]\n1.5,,1\n2.5,,2\n"));
+}
+
+void TestCsvExport::whatNoRowShowsIsKnown()
+{
+    Capture capture;
+    QVERIFY(everySampleHasARow(allOf(capture)));
+    capture.begin(layout(1, {signal(1)}));
+    capture.appendPolled(5, "P", "rpm", 0.9, 1.0);
+    QVERIFY(everySampleHasARow(allOf(capture)));
+    capture.append(block(1, 16000, 100, std::vector<std::int16_t>(100, 7)));
+    QVERIFY(everySampleHasARow(allOf(capture))); // it holds when the first row comes
+    capture.appendPolled(5, "P", "rpm", 1.001, 2.0);
+    QVERIFY(everySampleHasARow(allOf(capture)));
+    capture.appendPolled(5, "P", "rpm", 1.00101, 3.0); // until the next row
+    QVERIFY(everySampleHasARow(allOf(capture)));
+    const std::string shown = textOf(allOf(capture));
+    QVERIFY(shown.find(",2\n") != std::string::npos && shown.find(",3\n") != std::string::npos);
+    capture.appendPolled(
+        5, "P", "rpm", 1.00102, 4.0); // between two rows as well: the one before is in none
+    QVERIFY(!everySampleHasARow(allOf(capture)));
+    Capture after;
+    after.begin(layout(1, {signal(1)}));
+    after.append(block(1, 0, 100, std::vector<std::int16_t>(100, 7)));
+    after.appendPolled(5, "P", "rpm", 60.0, 2.0);
+    QVERIFY(!everySampleHasARow(allOf(after)));
+    for (const Snapshot &part : splitByRate(allOf(after)))
+        QVERIFY(everySampleHasARow(part));
 }
 
 void TestCsvExport::everyCodeReadsBackAsItself_data()

@@ -1,6 +1,6 @@
 // Export and import through the real window: every format, every range, read back; and work that takes long.
 #include "capture/csv_import.h"
-#include "support/window_rig.h"
+#include "support/scope_window.h"
 #include "widgets/files/export_order.h"
 #include "widgets/files/file_job.h"
 #include "widgets/scope/scope_view.h"
@@ -12,6 +12,7 @@
 #include <QFile>
 #include <QGuiApplication>
 #include <QImage>
+#include <QMessageBox>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QSemaphore>
@@ -21,6 +22,7 @@
 
 #include <qcustomplot.h>
 
+#include <algorithm>
 #include <atomic>
 
 using namespace capture;
@@ -97,6 +99,98 @@ private Q_SLOTS:
                 QCOMPARE(to->at(to->begin() + i), from->at(i));
             }
             QVERIFY(!to->valueAt(1.05)); // the gap is one again
+        }
+    }
+
+    /// One register in two units has two channels, and some disks do not tell capitals from others.
+    void aFileForEachRateIsNeverAnothers()
+    {
+        Capture capture;
+        capture.appendPolled(9, "I_Q_REF", "s16A", 0.1, 100.0);
+        capture.appendPolled(9, "I_Q_REF", "A", 0.2, 1.5);
+        capture.appendPolled(10, "I-Q/REF", "A", 0.3, 2.5);
+        capture.appendPolled(11, "I-Q-REF", "A", 0.4, 3.5);
+        capture.appendPolled(12, "i_q_ref", "A", 0.5, 4.5);
+        QCOMPARE(capture.channels().size(), std::size_t(5));
+        m_rig->window.selection()->showFile(std::move(capture));
+        const QTemporaryDir folder;
+        m_rig->files.answer = folder.filePath(QStringLiteral("x.csv"));
+        m_rig->window.exportCsv();
+        m_rig->find<QComboBox>("exportRange")->setCurrentIndex(kEverything);
+        m_rig->find<QComboBox>("exportRates")->setCurrentIndex(1);
+        QTest::mouseClick(m_rig->find<QPushButton>("exportSave"), Qt::LeftButton);
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Exported to ")));
+        QByteArrayList rows;
+        const QDir made(folder.path());
+        for (const QString &name : made.entryList(QDir::Files))
+            rows.append(linesOf(made.filePath(name)).last());
+        std::sort(rows.begin(), rows.end());
+        QCOMPARE(rows, (QByteArrayList{"0.1,100", "0.2,1.5", "0.3,2.5", "0.4,3.5", "0.5,4.5"}));
+        QVERIFY(made.exists(QStringLiteral("x_I_Q_REF_2.csv")));
+    }
+
+    void whatAFileHoldsIsKnown_data()
+    {
+        QTest::addColumn<int>("format");
+        QTest::addColumn<bool>("alone");
+        QTest::addColumn<bool>("all");
+        QTest::newRow("one CSV") << int(ExportFormat::Csv) << false << false;
+        QTest::newRow("one for each rate") << int(ExportFormat::Csv) << true << true;
+        QTest::newRow("MATLAB") << int(ExportFormat::Mat) << false << true;
+        QTest::newRow("WAV") << int(ExportFormat::Wav) << false << false;
+    }
+    /// Streamed for two seconds, then only read now and then: one table has the rows of what was streamed.
+    void whatAFileHoldsIsKnown()
+    {
+        QFETCH(int, format);
+        QFETCH(bool, alone);
+        QFETCH(bool, all);
+        Capture capture = recording();
+        std::vector<ChannelId> ids;
+        for (const ChannelInfo &info : capture.channels())
+            ids.push_back(info.id);
+        widgets::ExportOrder order{ExportFormat(format), {}, {}, {}};
+        const auto carriedOut = [&] {
+            order.parts.clear();
+            const Snapshot channels = capture.snapshot(ids);
+            const std::vector<Snapshot> parts =
+                alone ? splitByRate(channels) : std::vector{channels};
+            for (const Snapshot &part : parts)
+                order.parts.append({m_folder.filePath(QStringLiteral("held%1_%2")
+                                                          .arg(QString::number(format),
+                                                              QString::number(order.parts.size()))),
+                    part});
+            return widgets::carryOut(order, [](double) { return true; });
+        };
+        ids.resize(2); // the fast ones
+        QVERIFY(carriedOut().ok());
+        QCOMPARE(carriedOut().allInIt, ExportFormat(format) != ExportFormat::Wav);
+        capture.appendPolled(9, "TEMPERATURE", "\u00b0C", 60.0, 25.0);
+        ids.push_back(*capture.find(9));
+        QCOMPARE(carriedOut().allInIt, all);
+        order.range = TimeSpan{0.0, 1.0};
+        QVERIFY(!carriedOut().allInIt);
+    }
+
+    void whatNoRowHoldsIsAskedAbout()
+    {
+        m_rig.reset();
+        for (const bool later : {false, true}) {
+            facts::ScopeWindow rig;
+            rig.record(1000, [](int, int tick) { return tick; });
+            if (later)
+                rig.workbench.capture().appendPolled(77, "TEMPERATURE", "\u00b0C", 60.0, 25.0);
+            rig.files.answer = m_folder.filePath(QStringLiteral("live%1.csv").arg(later));
+            rig.window.exportCsv();
+            rig.find<QComboBox>("exportRange")->setCurrentIndex(kEverything);
+            QTest::mouseClick(rig.find<QPushButton>("exportSave"), Qt::LeftButton);
+            QTRY_VERIFY(
+                QFile::exists(rig.files.answer)); // the banner warns of the board that is none
+            QTRY_VERIFY(!rig.window.findChild<widgets::FileJob *>());
+            rig.device().portChanged(session::PortState::Closed, {});
+            rig.files.answer.clear();
+            rig.find<QAction>("openRecording")->trigger();
+            QCOMPARE(rig.find<QMessageBox>("replaceQuestion") != nullptr, later);
         }
     }
 

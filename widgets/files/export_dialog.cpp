@@ -17,12 +17,23 @@
 namespace widgets {
 namespace {
 
-/// "x.csv" and "HF" make "x_HF.csv".
-QString partPath(const QString &path, const QString &part)
+/// "x.csv" and "HF" make "x_HF.csv", or "x_HF_2.csv" where that is taken: some disks do not tell capitals from others.
+QString partPath(const QString &path, const QString &part, const QList<ExportOrder::Part> &taken)
 {
     const QFileInfo info(path);
-    const QString name = info.completeBaseName() + QLatin1Char('_') + part + QStringLiteral(".csv");
-    return QDir(info.path()).filePath(name);
+    const QString stem = info.completeBaseName() + QLatin1Char('_') + part;
+    const auto named = [&info](const QString &name) {
+        return QDir(info.path()).filePath(name + QStringLiteral(".csv"));
+    };
+    const auto isTaken = [&taken](const QString &one) {
+        return std::any_of(taken.begin(), taken.end(), [&one](const ExportOrder::Part &other) {
+            return one.compare(other.path, Qt::CaseInsensitive) == 0;
+        });
+    };
+    QString found = named(stem);
+    for (int i = 2; isTaken(found); ++i)
+        found = named(QStringLiteral("%1_%2").arg(stem, QString::number(i)));
+    return found;
 }
 
 QString partName(const capture::Channel &channel)
@@ -187,7 +198,7 @@ void ExportDialog::order(const QString &path)
     const capture::Snapshot all = snapshot();
     if (m_rates->isEnabled() && m_rates->currentIndex() == 1) {
         for (const capture::Snapshot &part : capture::splitByRate(all))
-            made.parts.append({partPath(path, partName(part->front())), part});
+            made.parts.append({partPath(path, partName(part->front()), made.parts), part});
     } else if (!isPicture(made.format)) {
         made.parts.append({path, all});
     }

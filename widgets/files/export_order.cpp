@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace widgets {
 namespace {
 
@@ -44,6 +46,17 @@ void writePart(const ExportOrder &order, const ExportOrder::Part &part, const Pr
         capture::CsvWriter writer(part.channels, options);
         result.file = session::writeCsvFile(part.path, writer, proceed);
     }
+}
+
+/// Pictures and sound leave much out, and so may rows that are those of the fastest signals.
+bool holdsAll(const ExportOrder &order)
+{
+    if (order.range || isPicture(order.format) || order.format == ExportFormat::Wav)
+        return false;
+    return order.format == ExportFormat::Mat
+        || std::all_of(order.parts.begin(), order.parts.end(), [](const ExportOrder::Part &part) {
+               return capture::everySampleHasARow(part.channels);
+           });
 }
 
 QString wavText(capture::WavProblem problem)
@@ -123,6 +136,7 @@ ExportResult carryOut(const ExportOrder &order, const Proceed &proceed)
                     (static_cast<double>(i) + fraction) / static_cast<double>(order.parts.size()));
             },
             result);
+    result.allInIt = result.ok() && holdsAll(order);
     return result;
 }
 
@@ -132,7 +146,7 @@ QString exportErrorText(const ExportResult &result)
         return wavText(result.wav);
     if (result.matTooLong)
         return Exports::tr(
-            "No MATLAB file: a signal would be longer than 2 GiB. Choose a shorter range.");
+            "No MATLAB file: it would hold more than 2 GiB of numbers. Choose a shorter range.");
     return csvErrorText(result.file);
 }
 

@@ -32,6 +32,7 @@ struct ExportResult {
     session::CsvResult file; ///< of the first part that failed, else of the last one
     capture::WavProblem wav = capture::WavProblem::None;
     bool matTooLong = false;
+    bool allInIt = false; ///< every sample of the parts is in a file
     bool ok() const
     {
         return file.error == session::FileError::None && wav == capture::WavProblem::None

@@ -177,11 +177,9 @@ void MainWindow::showImported(const QString &path, capture::Capture &imported)
 void MainWindow::runExport(const ExportOrder &order)
 {
     // Everything in it, as it is now: then nothing is lost when a file takes its place.
-    const bool all = !isPicture(order.format) && !order.range && order.format != ExportFormat::Wav;
-    const auto done = [this, order,
-                          revision = all ? m_workbench.capture().revision() : m_exportedRevision](
+    const auto done = [this, order, revision = m_workbench.capture().revision()](
                           const ExportResult &result) {
-        if (result.ok())
+        if (result.allInIt)
             m_exportedRevision = revision;
         if (!result.ok()) {
             say(Banner::Kind::Warning, exportErrorText(result));
