@@ -5,15 +5,6 @@
 
 namespace capture {
 
-namespace {
-/// A single value as a range; drawing needs no more than float.
-MinMax rangeOf(double value)
-{
-    const auto rounded = static_cast<float>(value);
-    return {rounded, rounded};
-}
-} // namespace
-
 void ValueColumn::append(Nanos time, double value, Nanos holdUntil)
 {
     if (inChunk(m_end) == 0)
@@ -28,11 +19,11 @@ void ValueColumn::append(Nanos time, double value, Nanos holdUntil)
     m_runs.back().count += 1;
     m_runs.back().holdUntil = holdUntil;
     ++m_end;
-    if (inChunk(m_end) % kBlock == 0) {
-        const std::size_t block = at / kBlock;
-        MinMax range;
-        for (std::size_t i = block * kBlock; i <= at; ++i)
-            range.include(rangeOf(m_filled->values[i]));
+    if (inChunk(m_end) % kBlockSamples == 0) {
+        const std::size_t block = at / kBlockSamples;
+        ValueRange range;
+        for (std::size_t i = block * kBlockSamples; i <= at; ++i)
+            range.include({m_filled->values[i], m_filled->values[i]});
         m_chunks.back()->ranges[block] = range;
     }
 }
@@ -104,15 +95,22 @@ Index ValueColumn::atOrAfter(Nanos time) const
 
 MinMax ValueColumn::extremes(Index from, Index to) const
 {
+    // Rounding keeps the order: the extremes of rounded values are the rounded extremes.
+    const ValueRange range = valueExtremes(from, to);
+    return {static_cast<float>(range.min), static_cast<float>(range.max)};
+}
+
+ValueRange ValueColumn::valueExtremes(Index from, Index to) const
+{
     from = std::max(from, m_begin);
     to = std::min(to, m_end);
-    MinMax range;
+    ValueRange range;
     while (from < to) {
-        if (from % kBlock == 0 && from + kBlock <= to) {
-            range.include(chunkOf(from).ranges[inChunk(from) / kBlock]);
-            from += kBlock;
+        if (from % kBlockSamples == 0 && from + kBlockSamples <= to) {
+            range.include(blockExtremes(from));
+            from += kBlockSamples;
         } else {
-            range.include(rangeOf(at(from)));
+            range.include({at(from), at(from)});
             ++from;
         }
     }

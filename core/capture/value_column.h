@@ -22,6 +22,17 @@ struct MinMax {
     }
 };
 
+/// Extremes of values as they are; min > max where there is none.
+struct ValueRange {
+    double min = std::numeric_limits<double>::infinity();
+    double max = -std::numeric_limits<double>::infinity();
+    void include(ValueRange other)
+    {
+        min = std::min(min, other.min);
+        max = std::max(max, other.max);
+    }
+};
+
 /// Values without a gap between them.
 struct Run {
     Index first = 0;
@@ -33,6 +44,7 @@ struct Run {
 class ValueColumn {
 public:
     static constexpr std::size_t kChunkSamples = 4096;
+    static constexpr std::size_t kBlockSamples = 64; ///< with extremes of their own
 
     bool empty() const { return m_begin == m_end; }
     Index begin() const { return m_begin; }
@@ -55,7 +67,14 @@ public:
     std::size_t runOf(Index index) const; ///< the run that holds it; runs().size() if none
 
     Index atOrAfter(Nanos time) const; ///< first value at or after `time`; end() if there is none
-    MinMax extremes(Index from, Index to) const; ///< of [from, to), clipped to what is kept; exact
+    MinMax extremes(
+        Index from, Index to) const; ///< of [from, to), clipped to what is kept; rounded to float
+    ValueRange valueExtremes(Index from, Index to) const; ///< the same, not rounded
+    /// Of the whole block that begins there; all of it has to be there. Cost: no sample is read.
+    const ValueRange &blockExtremes(Index from) const
+    {
+        return chunkOf(from).ranges[inChunk(from) / kBlockSamples];
+    }
 
     void releaseOldest();
     bool canRelease() const { return m_chunks.size() > 1; }
@@ -71,7 +90,6 @@ public:
     void takeBack() { m_archived.takeBack(); }
 
 private:
-    static constexpr std::size_t kBlock = 64;
     struct Samples { // NOLINT(cppcoreguidelines-pro-type-member-init) written before it is read
         std::array<Nanos, kChunkSamples> times;
         std::array<double, kChunkSamples> values;
@@ -80,7 +98,7 @@ private:
     struct Chunk {
         Nanos start = 0; ///< of its first sample: a search touches one chunk's samples only
         std::shared_ptr<const Samples> samples;
-        std::array<MinMax, kChunkSamples / kBlock> ranges;
+        std::array<ValueRange, kChunkSamples / kBlockSamples> ranges;
     };
     void addChunk(Nanos start);
     static std::size_t inChunk(Index index)

@@ -6,16 +6,18 @@
 namespace scope {
 
 using capture::FastColumn;
+using capture::ValueColumn;
 
 namespace {
-/// The first code in [from, to) that equals `wanted`; it is there.
-Index findCode(const FastColumn &column, Index from, Index to, std::int16_t wanted)
+/// The first sample in [from, to) that equals `wanted`; it is there.
+template <class Column, class Value>
+Index findSample(const Column &column, Index from, Index to, Value wanted)
 {
-    constexpr Index kBlock = FastColumn::kBlockSamples;
+    constexpr Index kBlock = Column::kBlockSamples;
     while (from < to) {
         const Index stop = std::min(to, (from / kBlock + 1) * kBlock);
         if (stop - from == kBlock) {
-            const capture::CodeRange range = column.blockExtremes(from);
+            const auto range = column.blockExtremes(from);
             if (wanted < range.min || wanted > range.max) {
                 from = stop;
                 continue;
@@ -53,27 +55,23 @@ SampleRange::Extremes SampleRange::extremes() const
 {
     if (const FastColumn *column = m_channel.fast()) {
         const capture::CodeRange range = column->extremes(m_begin, m_end);
-        const Index lowAt = findCode(*column, m_begin, m_end, range.min);
-        const Index highAt = findCode(*column, m_begin, m_end, range.max);
+        const Index lowAt = findSample(*column, m_begin, m_end, range.min);
+        const Index highAt = findSample(*column, m_begin, m_end, range.max);
         const double low = m_channel.toShown(range.min);
         const double high = m_channel.toShown(range.max);
         if (low <= high)
             return {low, high, lowAt, highAt};
         return {high, low, highAt, lowAt}; // a scale that turns the sign
     }
-    Extremes result{m_channel.at(m_begin), m_channel.at(m_begin), m_begin, m_begin};
-    for (Index at = m_begin + 1; at < m_end; ++at) {
-        const double value = m_channel.at(at);
-        if (value < result.min) {
-            result.min = value;
-            result.minAt = at;
-        }
-        if (value > result.max) {
-            result.max = value;
-            result.maxAt = at;
-        }
-    }
-    return result;
+    const ValueColumn &column = *m_channel.values();
+    const capture::ValueRange range = column.valueExtremes(m_begin, m_end);
+    const Index lowAt = findSample(column, m_begin, m_end, range.min);
+    const Index highAt = findSample(column, m_begin, m_end, range.max);
+    const double low = m_channel.toShown(range.min);
+    const double high = m_channel.toShown(range.max);
+    if (low <= high)
+        return {low, high, lowAt, highAt};
+    return {high, low, highAt, lowAt};
 }
 
 std::optional<SampleRange::Moments> SampleRange::moments() const

@@ -29,7 +29,7 @@ public:
         Index minAt = 0; ///< the first sample with that value
         Index maxAt = 0;
     };
-    /// Exact. Not on an empty range. Cost: one read for 256 fast samples.
+    /// Exact. Not on an empty range. Cost: one read for 256 fast samples or 64 others.
     Extremes extremes() const;
 
     struct Moments {
