@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 using namespace capture;
 using widgets::Banner;
@@ -288,6 +289,46 @@ private Q_SLOTS:
         QTRY_VERIFY(
             banner()->text().contains(QStringLiteral("line 3, column 2: \"oops\" is no number")));
         QCOMPARE(scope()->channels(), shown);
+    }
+
+    void aFileThatCountsFrom1970IsSeen()
+    {
+        const QString path = m_folder.filePath(QStringLiteral("epoch.csv"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("__time,/motor/speed\n");
+        for (int i = 0; i < 1000; ++i)
+            file.write(QStringLiteral("17000000%1.%2,%3\n")
+                           .arg(i / 100, 2, 10, QLatin1Char('0'))
+                           .arg(i % 100, 2, 10, QLatin1Char('0'))
+                           .arg(i)
+                           .toLatin1());
+        file.close();
+        m_rig->files.answer = path;
+        m_rig->find<QAction>("importCsv")->trigger();
+        QTRY_COMPARE(scope()->channels().size(), 1);
+        const Capture &capture = m_rig->workbench.capture();
+        const ChannelId id = scope()->channels().first();
+        const auto filled = [&] {
+            const auto range = scope()->visibleRange();
+            int count = 0;
+            for (const MinMax &column : capture.columns(id, range.from, range.to, 500))
+                count += column.empty() ? 0 : 1;
+            return count;
+        };
+        QVERIFY2(filled() > 490, qPrintable(QString::number(filled())));
+        QCOMPARE(capture.extremes(id, scope()->visibleRange().from, scope()->visibleRange().to).max,
+            999.0F);
+        const quint64 before = scope()->redraws();
+        for (int i = 0; i < 60; ++i) // as near as it goes
+            scope()->zoom(2.0);
+        scope()->pan(0.5);
+        QTRY_VERIFY(scope()->redraws() > before);
+        const auto near = scope()->visibleRange();
+        QVERIFY(near.from >= 1.7e9 && near.to <= 1.7e9 + 10.0);
+        QVERIFY((near.to - near.from) / 1000.0 > near.to - std::nextafter(near.to, 0.0));
+        scope()->fitAll();
+        QVERIFY(filled() > 490);
     }
 
     void atAnyDensityTracesAreShapes()

@@ -21,9 +21,10 @@ namespace widgets {
 namespace {
 constexpr int kFrameMs = 16;
 constexpr double kLeastSpan = 1e-6; ///< seconds
+constexpr double kLeastShare = 1e-12; ///< of what is counted from; a double tells 1e-16 apart
 constexpr double kMostSpan = 1e7;
-constexpr double kFarthest =
-    1e9; ///< from the session's start; the axis loses its resolution beyond
+/// From zero; files may count from 1970.
+constexpr double kFarthest = 4e9;
 } // namespace
 
 ScopeView::ScopeView(capture::Capture &capture, QWidget *parent)
@@ -320,9 +321,10 @@ void ScopeView::applyRange(TimeRange range)
 {
     if (!std::isfinite(range.from) || !std::isfinite(range.to) || !(range.to > range.from))
         return;
-    const double span = std::clamp(range.to - range.from, kLeastSpan, kMostSpan);
     const double center =
         std::clamp(range.from + (range.to - range.from) / 2, -kFarthest, kFarthest);
+    const double least = std::max(kLeastSpan, std::abs(center) * kLeastShare);
+    const double span = std::clamp(range.to - range.from, least, kMostSpan);
     const bool resized = span != range.to - range.from || std::abs(center) == kFarthest;
     if (resized)
         range = {center - span / 2, center + span / 2};
