@@ -37,6 +37,7 @@ private Q_SLOTS:
     void aWriteTellsOldAndNewValue();
     void statesAndFaultsHaveTheirOwnTime();
     void lostSamplesAreNotedWhereTheyAreMissing();
+    void soAreThoseOfABoardWithSlowSignalsOnly();
     void aLinkThatGoesAndComesBackIsNoted();
     void aStopIsNoted();
     void mSetsAMarkerAtTheMouse();
@@ -149,6 +150,29 @@ void TestScopeEvents::lostSamplesAreNotedWhereTheyAreMissing()
     QCOMPARE(event.seconds, 4.0);
     QVERIFY(event.kind == EventKind::Loss);
     QCOMPARE(event.text, QStringLiteral("250.0000\u2009ms of samples lost"));
+}
+
+void TestScopeEvents::soAreThoseOfABoardWithSlowSignalsOnly()
+{
+    facts::feed(m_rig->device(),
+        {drive::StreamStarted{
+            {2, 1000.0, 0.0, 1, {}, {{facts::kSpeed, "SPEED", "rpm", 1.0, 0.0}}}}});
+    const auto block = [this](capture::Tick first, capture::Tick lost, int groups) {
+        capture::SampleBlock one{2, first, 20, {}, {}, lost};
+        for (int i = 0; i < groups; ++i, first += 5)
+            one.slow.push_back({first + 4, {100 + i}});
+        facts::feed(m_rig->device(), {one});
+    };
+    block(5000, 30, 4); // the first one: a beginning
+    block(5020, 0, 4);
+    QCOMPARE(log().in(4.5, 9.0).last - log().in(4.5, 9.0).first, std::size_t{0});
+    block(5290, 250, 4);
+    block(5400, 90, 0); // without a value, lost all the same
+    const auto range = log().in(4.5, 9.0);
+    QCOMPARE(range.last - range.first, std::size_t{2});
+    QCOMPARE(log().events()[range.first].seconds, 5.04);
+    QCOMPARE(log().events()[range.first].text, QStringLiteral("250.0000\u2009ms of samples lost"));
+    QCOMPARE(log().events()[range.first + 1].seconds, 5.31);
 }
 
 void TestScopeEvents::aLinkThatGoesAndComesBackIsNoted()

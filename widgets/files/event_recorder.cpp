@@ -230,10 +230,12 @@ void EventRecorder::lost(const capture::SampleBlock &block)
     const auto streaming = m_capture.streaming();
     const capture::Channel *channel =
         streaming.empty() ? nullptr : m_capture.channel(streaming.front());
-    if (!channel || channel->size() <= block.count || !channel->fast())
+    // A slow channel has a value for each group of the block, which may be none.
+    const std::size_t count = channel && channel->fast() ? block.count : block.slow.size();
+    if (!channel || channel->size() <= count)
         return; // nothing was there before: it is a beginning
     // Where the last sample before the gap ends.
-    const capture::Index last = channel->end() - block.count - 1;
+    const capture::Index last = channel->end() - count - 1;
     const double seconds = capture::toSeconds(channel->holdUntil(last));
     const double length = static_cast<double>(block.lostTicks) / m_tickHz;
     note(EventKind::Loss, seconds, tr("%1 of samples lost").arg(exactTime(length, QLocale())));
