@@ -23,6 +23,7 @@ private Q_SLOTS:
 
     void aSetThatFitsIsRecordedWithoutANotice();
     void aSetThatDoesNotFitIsSaidBeforeItStarts();
+    void theNoticeComesAgainWithTheNextConnection();
     void theTipSaysWhatFits();
     void theMeasuredRateStandsBesideThePlan();
     void readSignalsSayHowOftenAndHowWellTheyAreTimed();
@@ -71,6 +72,20 @@ void TestChannelStrip::aSetThatDoesNotFitIsSaidBeforeItStarts()
     QVERIFY(order.contains(QStringLiteral("stream")));
     QVERIFY(selection->plan().rateLowered);
     QVERIFY(budget().text().contains(QStringLiteral("rate lowered")));
+}
+
+void TestChannelStrip::theNoticeComesAgainWithTheNextConnection()
+{
+    auto *selection = m_rig->window.findChild<widgets::SignalSelection *>();
+    QSignalSpy notices(selection, &widgets::SignalSelection::noticed);
+    connectBehind(11520.0);
+    QCOMPARE(notices.size(), 1);
+    selection->setRoute(facts::kCurrentA, widgets::Route::Fast); // the same plan, the same board
+    QCoreApplication::processEvents();
+    QCOMPARE(notices.size(), 1);
+    connectBehind(11520.0);
+    QCOMPARE(notices.size(), 2);
+    QVERIFY(selection->plan().rateLowered);
 }
 
 void TestChannelStrip::theTipSaysWhatFits()

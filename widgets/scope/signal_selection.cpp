@@ -277,6 +277,7 @@ void SignalSelection::boardChanged()
     std::erase_if(
         m_wanted, [&](const WantedSignal &signal) { return catalog->find(signal.id) == nullptr; });
     m_streamWish = 0;
+    m_newBoard = true;
     for (const auto &[id, factor] : std::exchange(m_polledFactors, {}))
         if (catalog->readScale(id).factor != factor)
             m_capture.endPolledForGood(id); // the same unit by another scale
@@ -293,7 +294,7 @@ void SignalSelection::replan()
     if (!catalog || m_replaying)
         return;
     const std::vector<catalog::RegisterId> polledBefore = m_plan.polled;
-    const ChannelPlan before = m_plan;
+    const ChannelPlan before = std::exchange(m_newBoard, false) ? ChannelPlan() : m_plan;
     m_plan = planChannels(m_wanted, *catalog, m_device.streamLimits(), m_fastEvery);
     for (const catalog::RegisterId id : polledBefore)
         if (std::find(m_plan.polled.begin(), m_plan.polled.end(), id) == m_plan.polled.end())

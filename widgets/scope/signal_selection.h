@@ -83,6 +83,7 @@ private:
     bool m_fromFile = false; ///< the capture is a file's
     bool m_replaying = false; ///< it grows as the file is told
     std::set<capture::ChannelId> m_offered; ///< of a replay, that were shown once
+    bool m_newBoard = false; ///< what does not fit was not told since it is there
     bool m_streamed = false; ///< something may be streaming that has to be ended
     QTimer m_soon;
 };
