@@ -75,14 +75,18 @@ bool RecordHistory::remove(RecordId id)
 
 void RecordHistory::clear() { m_records.clear(); }
 
-void RecordHistory::release(Nanos oldest)
+bool RecordHistory::release(Nanos oldest)
 {
-    std::erase_if(
-        m_records, [oldest](const Record &one) { return !one.pinned && one.to <= oldest; });
+    bool changed = std::erase_if(m_records, [oldest](const Record &one) {
+        return !one.pinned && one.to <= oldest;
+    }) > 0;
     for (Record &one : m_records) {
-        if (one.to <= oldest)
+        if (one.to <= oldest && one.state != Record::State::Released) {
             one.state = Record::State::Released;
+            changed = true;
+        }
     }
+    return changed;
 }
 
 } // namespace scope

@@ -65,7 +65,8 @@ public:
     void clear(); ///< pinned ones too
 
     /// Samples before `oldest` are gone: drops the records that lie there, and marks the pinned ones.
-    void release(Nanos oldest);
+    /// False if there is nothing new to that.
+    bool release(Nanos oldest);
 
 private:
     std::vector<Record>::iterator position(RecordId id);

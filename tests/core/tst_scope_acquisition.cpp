@@ -435,7 +435,8 @@ void TestScopeAcquisition::releasedRecordsLeaveUnlessPinned()
         history.add(record);
     }
     QVERIFY(history.setPinned(1, true));
-    history.release(2 * kMs);
+    QVERIFY(history.release(2 * kMs));
+    QVERIFY(!history.release(2 * kMs)); // known
     QCOMPARE(history.records().size(), 2U);
     QCOMPARE(history.find(1)->state, Record::State::Released);
     QCOMPARE(history.find(3)->state, Record::State::Complete);

@@ -40,6 +40,9 @@ private Q_SLOTS:
     void whatCannotBeMeasuredIsSaidInWords();
     void theChosenRowIsDrawn();
     void recordsAreCounted();
+    void everyRecordOfABatchIsCounted();
+    void recordsAreCountedWhileTheNextFills();
+    void betweenCursorsRecordsAreCountedThereToo();
     void phaseNeedsASecondTrace();
     void tooManySamplesAreNotRead();
     void longPicturesAreMeasuredInTurns();
@@ -64,6 +67,27 @@ private:
     QString cell(int row, int column)
     {
         return list()->model()->index(row, column).data().toString();
+    }
+
+    /// Records of so many seconds from each upward edge on.
+    widgets::TriggerControl &triggerOn(double length)
+    {
+        auto *trigger = m_rig->window.findChild<widgets::TriggerControl *>();
+        widgets::TriggerSetup setup = trigger->setup();
+        setup.mode = scope::Mode::Normal;
+        setup.level = 0.0;
+        setup.hysteresis = 1.0;
+        setup.length = length;
+        setup.preTrigger = 0.0;
+        trigger->setSetup(setup);
+        return *trigger;
+    }
+    static int complete(const widgets::TriggerControl &trigger)
+    {
+        int count = 0;
+        for (const scope::Record &record : trigger.history().records())
+            count += record.state == scope::Record::State::Complete ? 1 : 0;
+        return count;
     }
 
     std::unique_ptr<facts::ScopeWindow> m_rig;
@@ -149,6 +173,51 @@ void TestMeasurePanel::recordsAreCounted()
     QCOMPARE(cell(0, MeasureTable::CountColumn), counted);
     QTest::mouseClick(m_rig->find<QWidget>("clearStatistics"), Qt::LeftButton);
     QCOMPARE(cell(0, MeasureTable::CountColumn), QStringLiteral("0"));
+}
+
+void TestMeasurePanel::everyRecordOfABatchIsCounted()
+{
+    add(facts::kCurrentA, Quantity::Max);
+    add(facts::kCurrentA, Quantity::Mean);
+    const widgets::TriggerControl &trigger = triggerOn(0.005);
+    for (int batch = 0; batch < 4; ++batch) // ten records in each
+        m_rig->record(100, [](int, int tick) { return tick % 10 < 5 ? tick / 100 : -10; });
+    QVERIFY(complete(trigger) >= 38);
+    QCOMPARE(cell(0, MeasureTable::CountColumn).toInt(), complete(trigger));
+    QCOMPARE(cell(1, MeasureTable::CountColumn).toInt(), complete(trigger));
+    QCOMPARE(
+        cell(0, MeasureTable::MinColumn), QStringLiteral("40.0\u00a0A")); // each its own samples
+    QCOMPARE(cell(0, MeasureTable::MaxColumn), QStringLiteral("43.0\u00a0A"));
+}
+
+void TestMeasurePanel::recordsAreCountedWhileTheNextFills()
+{
+    add(facts::kCurrentA, Quantity::Mean);
+    const widgets::TriggerControl &trigger = triggerOn(0.25);
+    for (int batch = 0; batch < 20; ++batch) // the next edge comes in the batch that ends a record
+        m_rig->record(100, [](int, int tick) { return tick % 20 < 10 ? 10 : -10; });
+    QVERIFY(complete(trigger) >= 6);
+    QCOMPARE(cell(0, MeasureTable::CountColumn).toInt(), complete(trigger));
+}
+
+void TestMeasurePanel::betweenCursorsRecordsAreCountedThereToo()
+{
+    add(facts::kCurrentA, Quantity::Max);
+    const widgets::TriggerControl &trigger = triggerOn(0.05);
+    const auto ramps = [](int, int tick) { return tick % 100 < 50 ? tick % 100 + 1 : -10; };
+    m_rig->record(100, ramps);
+    m_rig->record(100, ramps);
+    auto *range = m_rig->find<QComboBox>("measureRange");
+    range->setCurrentIndex(1);
+    Q_EMIT range->activated(1);
+    const double zero = capture::toSeconds(trigger.shown()->trigger);
+    view().cursors().move(widgets::CursorEnd::A, zero + 0.0105);
+    view().cursors().move(widgets::CursorEnd::B, zero + 0.0205);
+    QTest::mouseClick(m_rig->find<QWidget>("clearStatistics"), Qt::LeftButton);
+    m_rig->record(1000, ramps); // several in one batch, of which one is shown
+    QVERIFY(cell(0, MeasureTable::CountColumn).toInt() >= 9);
+    QCOMPARE(cell(0, MeasureTable::MinColumn), cell(0, MeasureTable::MaxColumn));
+    QCOMPARE(cell(0, MeasureTable::SigmaColumn), QStringLiteral("0.0\u00a0A"));
 }
 
 void TestMeasurePanel::phaseNeedsASecondTrace()

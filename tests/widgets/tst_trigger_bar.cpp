@@ -3,6 +3,7 @@
 #include "support/scope_window.h"
 #include "widgets/base/value_edit.h"
 #include "widgets/files/record_table.h"
+#include "widgets/scope/signal_selection.h"
 #include "widgets/scope/trigger_control.h"
 
 #include <QAbstractItemModelTester>
@@ -11,6 +12,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSpinBox>
 #include <QToolButton>
 #include <QTranslator>
@@ -53,6 +55,8 @@ private Q_SLOTS:
     void everyTypeIsSearchedFor();
     void stateChangesAndWritesTrigger();
     void recordsAreSteppedPinnedAndNamed();
+    void recordsGoWithTheirSamples();
+    void recordsWhoseSamplesWereLetGoAreMarked();
     void theRecordsAreAModel();
     void endGoesBackToRoll();
     void fittingStopsFirst();
@@ -420,6 +424,64 @@ void TestTriggerBar::recordsAreSteppedPinnedAndNamed()
     square(20000); // far more records than are kept
     QVERIFY(control().history().find(third));
     QVERIFY(!control().history().find(records.front().id));
+}
+
+void TestTriggerBar::recordsGoWithTheirSamples()
+{
+    normal(0.02);
+    square(1000);
+    view().keepReference(widgets::Reference::A);
+    control().setPersistence(3);
+    control().setPinned(control().history().records().back().id, true);
+    QVERIFY(view().timeOrigin() > 0.0);
+    QVERIFY(view().ghostCount() > 0);
+    m_rig->window.selection()->clearRecorded();
+    QVERIFY(control().history().records().empty());
+    QVERIFY(!control().shown());
+    QCOMPARE(view().timeOrigin(), 0.0);
+    QCOMPARE(view().ghostCount(), 0);
+    QVERIFY(view().hasReference()); // a copy of its own
+    QVERIFY(control().state() == AcquisitionState::Armed);
+    square(1000);
+    const std::size_t again = control().history().records().size();
+    QVERIFY(again >= 8 && again <= 10); // none from before, none that nothing triggered
+    QVERIFY(view().ghostCount() > 0);
+
+    capture::Capture file;
+    file.begin({7, 1000.0, 0.0, 1, {{900, "F", "A", 1.0, 0.0}}, {}});
+    capture::SampleBlock block{7, 0, 60000, {}, {}, 0};
+    block.fast.assign(60000, 3);
+    file.append(block);
+    m_rig->window.selection()->showFile(std::move(file));
+    m_rig->draw();
+    QVERIFY(control().history().records().empty());
+    QCOMPARE(view().timeOrigin(), 0.0);
+    QCOMPARE(view().ghostCount(), 0);
+    QTest::keyClick(&view(), Qt::Key_PageUp); // nothing of the board over the file
+    QVERIFY(!control().shown());
+    QCOMPARE(view().visibleRange().to, 60.0);
+}
+
+void TestTriggerBar::recordsWhoseSamplesWereLetGoAreMarked()
+{
+    capture::Capture &capture = m_rig->workbench.capture();
+    m_rig->window.selection()->clearRecorded();
+    capture = capture::Capture({.maxBytes = 1'000'000});
+    m_rig->stream();
+    capture.appendPolled(900, "ONCE", "V", 0.001, 1.0); // kept for ever
+    square(200);
+    normal(0.02);
+    square(300);
+    const auto records = control().history().records();
+    QVERIFY(records.size() >= 2);
+    control().setPinned(records.front().id, true);
+    setup([](TriggerSetup &setup) { setup.level = 50.0; }); // nothing gets there
+    QSignalSpy told(&control(), &TriggerControl::historyChanged);
+    for (int i = 0; i < 30 && control().history().records().size() > 1; ++i)
+        flat(50000);
+    QCOMPARE(control().history().records().size(), std::size_t{1});
+    QVERIFY(control().history().records().front().state == scope::Record::State::Released);
+    QVERIFY(!told.isEmpty());
 }
 
 void TestTriggerBar::theRecordsAreAModel()

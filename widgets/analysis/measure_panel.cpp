@@ -66,7 +66,7 @@ MeasurePanel::MeasurePanel(
     layout->addWidget(m_list, 1);
 
     connect(&scope, &ScopeView::channelsChanged, this, &MeasurePanel::fillTraces);
-    connect(&trigger, &TriggerControl::stateChanged, this, &MeasurePanel::recordShown);
+    connect(&trigger, &TriggerControl::recordCompleted, this, &MeasurePanel::recordCompleted);
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
         &MeasurePanel::drawChosen);
     fillTraces();
@@ -124,7 +124,7 @@ void MeasurePanel::makeSide(QWidget *side)
     connect(m_range, &QComboBox::activated, this, [this](int range) {
         if (range == BetweenCursors && !m_scope.cursors().visible())
             m_scope.toggleCursors();
-        measure(false);
+        measure();
     });
     connect(add, &QPushButton::clicked, this, &MeasurePanel::addChosen);
     connect(remove, &QPushButton::clicked, this, &MeasurePanel::removeChosen);
@@ -158,7 +158,7 @@ void MeasurePanel::addChosen()
     }
     if (!m_table->add(wanted))
         return;
-    measure(false);
+    measure();
     m_list->setCurrentIndex(m_table->index(m_table->rowCount() - 1, 0));
     // Names may be long; what numbers there will be is not known yet.
     for (const int column : {MeasureTable::SignalColumn, MeasureTable::QuantityColumn}) {
@@ -174,33 +174,51 @@ void MeasurePanel::removeChosen()
     drawChosen();
 }
 
-void MeasurePanel::refresh(Milliseconds) { measure(false); }
+void MeasurePanel::refresh(Milliseconds) { measure(); }
 
 void MeasurePanel::focusFirst()
 {
     m_trace->setFocus(Qt::ShortcutFocusReason);
-    measure(false);
+    measure();
 }
 
-/// Each whole record is counted once.
-void MeasurePanel::recordShown()
+/// Counts it as it would be measured in the picture: between cursors, where they stand from the trigger.
+void MeasurePanel::recordCompleted(const scope::Record &record)
 {
-    const scope::Record *record = m_trigger.shown();
-    if (!record || record->state != scope::Record::State::Complete || record->id <= m_counted
-        || !m_scope.running())
-        return;
-    m_counted = record->id;
-    measure(true);
-}
-
-void MeasurePanel::measure(bool record)
-{
-    ScopeView::TimeRange range = m_scope.visibleRange();
-    const CursorPair &cursors = m_scope.cursors().pair();
-    if (m_range->currentIndex() == BetweenCursors && m_scope.cursors().visible())
-        range = {std::min(cursors.a, cursors.b), std::max(cursors.a, cursors.b)};
+    const scope::Record *shown = m_trigger.shown();
+    capture::Nanos from = record.from;
+    capture::Nanos to = record.to;
+    if (betweenCursors()) {
+        const capture::TimeSpan range = measuredRange();
+        const capture::Nanos shift = shown ? record.trigger - shown->trigger : 0;
+        from = capture::toNanos(range.from) + shift;
+        to = capture::toNanos(range.to) + shift;
+    }
     clearWideRegisters();
-    m_table->measure(range.from, range.to, record);
+    m_table->count(from, to, record.trigger);
+    if (shown && shown->id == record.id)
+        measure();
+}
+
+bool MeasurePanel::betweenCursors() const
+{
+    return m_range->currentIndex() == BetweenCursors && m_scope.cursors().visible();
+}
+
+capture::TimeSpan MeasurePanel::measuredRange() const
+{
+    const ScopeView::TimeRange seen = m_scope.visibleRange();
+    if (!betweenCursors())
+        return {seen.from, seen.to};
+    const CursorPair &cursors = m_scope.cursors().pair();
+    return {std::min(cursors.a, cursors.b), std::max(cursors.a, cursors.b)};
+}
+
+void MeasurePanel::measure()
+{
+    const capture::TimeSpan range = measuredRange();
+    clearWideRegisters();
+    m_table->measure(range.from, range.to);
     drawChosen();
 }
 

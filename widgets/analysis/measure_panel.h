@@ -2,16 +2,14 @@
 // is drawn over its trace. Measures a few times a second while it can be seen, and every record of the trigger.
 #pragma once
 
+#include "capture/capture.h"
+#include "scope/record.h"
 #include "widgets/forms/form.h"
 
 #include <optional>
 
 class QComboBox;
 class QTreeView;
-
-namespace capture {
-class Capture;
-}
 
 namespace widgets {
 
@@ -39,8 +37,10 @@ private:
     void fillTraces();
     void addChosen();
     void removeChosen();
-    void recordShown();
-    void measure(bool record);
+    void recordCompleted(const scope::Record &record);
+    void measure();
+    bool betweenCursors() const;
+    capture::TimeSpan measuredRange() const;
     void drawChosen();
 
     ScopeView &m_scope;
@@ -52,7 +52,6 @@ private:
     QComboBox *m_quantity;
     QComboBox *m_against;
     QComboBox *m_range;
-    quint32 m_counted = 0; ///< the last record in the statistics
 };
 
 } // namespace widgets

@@ -98,53 +98,69 @@ const capture::Channel *MeasureTable::secondOf(const Wanted &wanted) const
     return id ? m_capture.channel(*id) : nullptr;
 }
 
-/// @return  how many samples were read
-std::uint64_t MeasureTable::measureRow(Row &row, capture::Nanos from, capture::Nanos to) const
+/// @param trigger  a step is measured from there if it lies inside
+MeasureTable::Measured MeasureTable::measured(const Wanted &wanted, capture::Nanos from,
+    capture::Nanos to, std::optional<capture::Nanos> trigger) const
 {
-    row.result = {};
-    row.result.quantity = row.wanted.quantity;
-    row.result.unit = scope::unitOf(row.wanted.quantity);
-    row.tooLong = false;
-    const capture::Channel *channel = channelOf(row.wanted);
+    Measured one;
+    one.result.quantity = wanted.quantity;
+    one.result.unit = scope::unitOf(wanted.quantity);
+    const capture::Channel *channel = channelOf(wanted);
     if (!channel || channel->empty())
-        return 0;
+        return one;
     const double seconds = capture::toSeconds(from);
     const std::uint64_t count =
-        fromEnvelope(row.wanted.quantity) ? 0 : channel->countIn(seconds, capture::toSeconds(to));
-    row.tooLong = count > kMostSamples;
-    if (row.tooLong)
-        return 0;
-    if (row.wanted.quantity == Quantity::Phase) {
-        if (const capture::Channel *second = secondOf(row.wanted))
-            row.result = scope::measurePhase(*channel, *second, from, to);
-        return 2 * count;
+        fromEnvelope(wanted.quantity) ? 0 : channel->countIn(seconds, capture::toSeconds(to));
+    one.tooLong = count > kMostSamples;
+    if (one.tooLong)
+        return one;
+    if (wanted.quantity == Quantity::Phase) {
+        if (const capture::Channel *second = secondOf(wanted))
+            one.result = scope::measurePhase(*channel, *second, from, to);
+        one.read = 2 * count;
+        return one;
     }
     std::optional<scope::StepSettings> step;
-    if (aboutStep(row.wanted.quantity)) {
+    if (aboutStep(wanted.quantity)) {
         step.emplace();
         // A record of the trigger has the step where the trigger is.
-        const auto trigger = m_scope.triggerMarks().position;
-        if (trigger && capture::toNanos(*trigger) > from && capture::toNanos(*trigger) < to)
-            step->at = capture::toNanos(*trigger);
+        if (trigger && *trigger > from && *trigger < to)
+            step->at = *trigger;
     }
-    row.result = scope::Measurer(*channel, from, to, step).measure(row.wanted.quantity);
-    return count;
+    one.result = scope::Measurer(*channel, from, to, step).measure(wanted.quantity);
+    one.read = count;
+    return one;
 }
 
-void MeasureTable::measure(double from, double to, bool record)
+void MeasureTable::measure(double from, double to)
 {
     if (m_rows.empty() || !(to > from))
         return;
+    const auto mark = m_scope.triggerMarks().position;
+    const auto trigger = mark ? std::optional(capture::toNanos(*mark)) : std::nullopt;
     // Long pictures are measured some rows at a time, so that the window never waits for all of them.
     std::uint64_t cost = 0;
-    for (std::size_t done = 0; done < m_rows.size() && (record || cost < kSamplesAtOnce); ++done) {
+    for (std::size_t done = 0; done < m_rows.size() && cost < kSamplesAtOnce; ++done) {
         m_next %= m_rows.size();
         Row &row = m_rows[m_next++];
-        cost += measureRow(row, capture::toNanos(from), capture::toNanos(to));
-        if (record)
-            row.statistics.add(row.result.value ? std::optional(*row.result.value) : std::nullopt);
+        const Measured now =
+            measured(row.wanted, capture::toNanos(from), capture::toNanos(to), trigger);
+        row.result = now.result;
+        row.tooLong = now.tooLong;
+        cost += now.read;
     }
     Q_EMIT dataChanged(index(0, ValueColumn), index(rowCount() - 1, CountColumn));
+}
+
+void MeasureTable::count(capture::Nanos from, capture::Nanos to, capture::Nanos trigger)
+{
+    if (m_rows.empty() || to <= from)
+        return;
+    for (Row &row : m_rows) {
+        const auto value = measured(row.wanted, from, to, trigger).result.value;
+        row.statistics.add(value ? std::optional(*value) : std::nullopt);
+    }
+    Q_EMIT dataChanged(index(0, MeanColumn), index(rowCount() - 1, CountColumn));
 }
 
 MeasureMarks MeasureTable::marks(int row) const

@@ -48,8 +48,10 @@ public:
     void remove(int row);
     void clearStatistics();
     /// Measures in [from, to): everything, or where that is long the next rows in turn.
-    /// @param record  everything, and counts it in the statistics
-    void measure(double from, double to, bool record);
+    void measure(double from, double to);
+    /// Counts a record of the trigger in the statistics of every row, with what lies in [from, to) of it; what is
+    /// written as the value stays.
+    void count(capture::Nanos from, capture::Nanos to, capture::Nanos trigger);
     MeasureMarks marks(int row) const; ///< what that row measured; empty if it did not
 
     int rowCount(const QModelIndex &parent = {}) const override;
@@ -67,7 +69,13 @@ private:
     };
     const capture::Channel *channelOf(const Wanted &wanted) const;
     const capture::Channel *secondOf(const Wanted &wanted) const;
-    std::uint64_t measureRow(Row &row, capture::Nanos from, capture::Nanos to) const;
+    struct Measured {
+        scope::Measurement result;
+        bool tooLong = false;
+        std::uint64_t read = 0; ///< samples
+    };
+    Measured measured(const Wanted &wanted, capture::Nanos from, capture::Nanos to,
+        std::optional<capture::Nanos> trigger) const;
     QString valueText(const Row &row) const;
     QString numberOf(const Row &row, std::optional<double> value) const;
 

@@ -184,8 +184,9 @@ void SignalSelection::setFastEvery(unsigned ticks)
 void SignalSelection::takeOffScope()
 {
     const auto shown = m_scope.channels();
-    for (const capture::ChannelId channel : shown)
-        m_scope.removeChannel(channel);
+    // The first one last: a trigger on it would go to the next, with a level of its own.
+    std::for_each(shown.rbegin(), shown.rend(),
+        [this](capture::ChannelId channel) { m_scope.removeChannel(channel); });
 }
 
 void SignalSelection::showFile(capture::Capture file)
@@ -193,6 +194,7 @@ void SignalSelection::showFile(capture::Capture file)
     takeOffScope();
     m_capture.adopt(std::move(file));
     m_fromFile = true;
+    Q_EMIT forgot();
     // What was only read now and then, for the tables of the window, would bury what somebody wanted to see.
     const std::vector<capture::ChannelInfo> all = m_capture.channels();
     const bool streamed = std::any_of(
@@ -263,6 +265,7 @@ void SignalSelection::clearRecorded()
     m_fromFile = m_replaying;
     m_capture.clear();
     m_offered.clear();
+    Q_EMIT forgot();
     syncScope();
     showReplayed();
     m_scope.captureChanged();

@@ -50,6 +50,7 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void changed(); ///< wanted(), plan() or what the scope shows
+    void forgot(); ///< all samples that were there are gone
     void failed(const QString &sentence); ///< the board did not take the stream
     /// What was wished for does not fit, and what is done instead; before it starts.
     void noticed(const QString &sentence);

@@ -188,8 +188,6 @@ void TriggerControl::advance()
     const std::vector<scope::Record> records = m_acquisition.takeRecords();
     for (const scope::Record &record : records)
         m_history.add(record);
-    if (const auto span = m_capture.timeSpan(); span && !records.empty())
-        m_history.release(capture::toNanos(span->from));
     if (triggered()) {
         const scope::Record *filling = m_acquisition.current();
         if (filling && filling->to - filling->from >= kSlow && m_scope.running())
@@ -197,9 +195,39 @@ void TriggerControl::advance()
         else if (!records.empty() && m_scope.running())
             show(records.back());
     }
+    for (const scope::Record &record : records)
+        if (record.state == scope::Record::State::Complete)
+            Q_EMIT recordCompleted(record);
     if (!records.empty())
         Q_EMIT historyChanged();
+    release();
     follow();
+}
+
+/// Marks the records whose samples were let go: those of the source, for a register that was read once is kept for ever.
+void TriggerControl::release()
+{
+    const capture::Channel *source = sourceChannel();
+    const bool some = source && source->begin() > 0 && !source->empty();
+    if (some && m_history.release(source->oldest()))
+        Q_EMIT historyChanged();
+}
+
+void TriggerControl::forget()
+{
+    if (m_scope.running())
+        m_acquisition.run(sourceChannel());
+    else
+        m_acquisition.stop();
+    static_cast<void>(m_acquisition.takeRecords()); // what was cut has no samples either
+    m_history.clear();
+    m_shown.reset();
+    showPersistence();
+    m_scope.setTimeOrigin(0.0);
+    markPicture();
+    m_told = state();
+    Q_EMIT historyChanged();
+    Q_EMIT stateChanged();
 }
 
 /// Tells of a new state, and stops the picture after a single record.

@@ -47,11 +47,14 @@ public Q_SLOTS:
     void setPersistence(int records); ///< so many earlier ones stay behind the newest; 0: none
     void clearPersistence(); ///< those there are now; later ones stay again
     void setLabel(scope::RecordId id, const QString &label);
+    /// The samples of all records are gone: so are the records, pinned ones too, for they would show others' samples.
+    void forget();
 
 Q_SIGNALS:
     void changed(); ///< setup, source or error
     void stateChanged(); ///< state(), shown()
     void historyChanged();
+    void recordCompleted(const scope::Record &record); ///< each once, whether it is shown or not
 
 private:
     /// What decides where the trigger lies in a record.
@@ -61,6 +64,7 @@ private:
         bool operator==(const Watched &) const = default;
     };
     void advance();
+    void release();
     void configure();
     void follow();
     void show(const scope::Record &record);

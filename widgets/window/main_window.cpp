@@ -237,6 +237,7 @@ void MainWindow::makeScopeActions()
     connect(m_scope, &ScopeView::runningChanged, this, &MainWindow::showRunning);
     connect(
         m_selection, &SignalSelection::changed, this, [this] { showRunning(m_scope->running()); });
+    connect(m_selection, &SignalSelection::forgot, m_trigger, &TriggerControl::forget);
     showRunning(m_scope->running());
     connect(m_scope, &ScopeView::followingChanged, m_follow, &QAction::setChecked);
     m_scopeTools = new ScopeTools(*m_scope, *m_trigger, *this);
