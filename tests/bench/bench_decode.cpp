@@ -13,10 +13,6 @@
 #include <cstring>
 #include <memory>
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 namespace {
 
 using namespace bench;
@@ -242,20 +238,8 @@ const Line &line()
     return made;
 }
 
-/// While it lives, what is freed stays with the process: the pages of chunks that slow signals fill are as warm as the rest.
-class KeptHeap {
-public:
-#ifdef __GLIBC__
-    KeptHeap() { mallopt(M_TRIM_THRESHOLD, 256 << 20); }
-    KeptHeap(const KeptHeap &) = delete;
-    KeptHeap &operator=(const KeptHeap &) = delete;
-    ~KeptHeap() { mallopt(M_TRIM_THRESHOLD, 128 << 10); }
-#endif
-};
-
 void decodeAgainstMemcpy(benchmark::State &state)
 {
-    const KeptHeap kept;
     const Line &l = line();
     Bytes copy(l.bytes.size());
     const auto warm = std::make_shared<WarmMemory>();
