@@ -52,7 +52,7 @@ public:
     CsvWriter(const CsvWriter &) = delete;
     CsvWriter &operator=(const CsvWriter &) = delete;
 
-    /// Shows the next 256 KiB of the text, the last time what is left of it: good until the following call. False when all
+    /// Shows the next mebibyte of the text, the last time what is left of it: good until the following call. False when all
     /// was shown.
     bool next(std::string_view &piece);
 

@@ -339,8 +339,8 @@ void TestCsvExport::progressEndsAtOne()
         QVERIFY(whole);
         QVERIFY(writer.progress() >= last);
         last = writer.progress();
-        whole = piece.size() == std::size_t(1) << 18;
-        QVERIFY(piece.size() <= std::size_t(1) << 18);
+        whole = piece.size() == std::size_t(1) << 20;
+        QVERIFY(piece.size() <= std::size_t(1) << 20);
         ++pieces;
     }
     QCOMPARE(last, 1.0);
