@@ -1,10 +1,9 @@
 // The trigger in the real window: modes and keys, what is set and what is shown, marks that are dragged, records of the
 // past, references. Where a trigger is found is core's own business and tested there.
-#include "support/scope_window.h"
+#include "support/trigger_test.h"
 #include "widgets/base/value_edit.h"
 #include "widgets/files/record_table.h"
 #include "widgets/scope/signal_selection.h"
-#include "widgets/scope/trigger_control.h"
 
 #include <QAbstractItemModelTester>
 #include <QAbstractItemView>
@@ -26,18 +25,10 @@ using widgets::TriggerControl;
 using widgets::TriggerSetup;
 using widgets::TriggerType;
 
-class TestTriggerBar : public QObject {
+class TestTriggerBar : public facts::TriggerTest {
     Q_OBJECT
 private Q_SLOTS:
-    void init()
-    {
-        QLocale::setDefault(QLocale::c());
-        m_rig = std::make_unique<facts::ScopeWindow>();
-        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
-        square(2000);
-        m_rig->draw();
-        view().setFocus();
-    }
+    void init() { open(); }
     void cleanup() { m_rig.reset(); }
 
     void rollIsWhatItWasBefore();
@@ -66,47 +57,6 @@ private Q_SLOTS:
     void persistenceKeepsEarlierRecords();
     void persistenceIsClearedAndBeginsAnew();
     void singleKeysActWhereNoTextIsTyped();
-    void theBarFits();
-    void anEdgeTakesOneLine();
-    void longWordsTakeTwoLines();
-    void aChangingStateMovesNothing();
-
-private:
-    widgets::ScopeView &view() { return m_rig->scope(); }
-    TriggerControl &control() { return *m_rig->window.findChild<TriggerControl *>(); }
-    /// I_A: 10 A up, 10 A down, a turn of it in 100 ms; I_B: the tick.
-    void square(int count)
-    {
-        m_rig->record(count, [](int signal, int tick) {
-            return signal == 1 ? tick % 1000 : tick % 100 < 50 ? 10 : -10;
-        });
-    }
-    void flat(int count)
-    {
-        m_rig->record(count, [](int, int) { return -10; });
-    }
-    void setup(const std::function<void(TriggerSetup &)> &edit)
-    {
-        TriggerSetup setup = control().setup();
-        edit(setup);
-        control().setSetup(setup);
-    }
-    void normal(double length = 0.05)
-    {
-        setup([length](TriggerSetup &setup) {
-            setup.mode = Mode::Normal;
-            setup.level = 0.0;
-            setup.hysteresis = 1.0;
-            setup.length = length;
-            setup.preTrigger = 0.2;
-        });
-    }
-    QString stateWord() { return m_rig->find<QLabel>("triggerState")->text(); }
-    double left() { return view().visibleRange().from; }
-    double span() { return view().visibleRange().to - left(); }
-    bool near(double one, double other) { return std::abs(one - other) < 1e-6; }
-
-    std::unique_ptr<facts::ScopeWindow> m_rig;
 };
 
 void TestTriggerBar::rollIsWhatItWasBefore()
@@ -651,99 +601,6 @@ void TestTriggerBar::singleKeysActWhereNoTextIsTyped()
     QTest::keyClicks(text, QStringLiteral("cos"));
     QVERIFY(!view().cursors().visible());
     QCOMPARE(text->text(), QStringLiteral("cos"));
-}
-
-void TestTriggerBar::theBarFits()
-{
-    normal();
-    setup([](TriggerSetup &setup) { setup.type = TriggerType::RegisterWrite; });
-    setup([](TriggerSetup &setup) { setup.type = TriggerType::Slew; });
-    square(500);
-    m_rig->window.resize(1280, 720);
-    m_rig->draw();
-    QCOMPARE(m_rig->window.width(), 1280);
-    auto *bar = m_rig->find<QWidget>("triggerBar");
-    const QLabel *state = m_rig->find<QLabel>("triggerState");
-    QVERIFY(bar->rect().contains(state->geometry()));
-    QVERIFY2(bar->minimumSizeHint().width() <= bar->width(),
-        qPrintable(QString::number(bar->minimumSizeHint().width())));
-}
-
-void TestTriggerBar::anEdgeTakesOneLine()
-{
-    normal();
-    square(500);
-    m_rig->window.resize(1280, 720);
-    m_rig->draw();
-    const auto *bar = m_rig->find<QWidget>("triggerBar");
-    const auto lineOf = [&](const char *name) {
-        return m_rig->find<QWidget>(name)->mapTo(bar, QPoint()).y();
-    };
-    for (const char *name : {"triggerSource", "triggerLevel", "triggerMore"})
-        QVERIFY2(std::abs(lineOf(name) - lineOf("triggerMode")) < 8, name);
-    // A long word is whole in the list though the box is narrow.
-    auto *type = m_rig->find<QComboBox>("triggerType");
-    type->showPopup();
-    QVERIFY(type->view()->width() > type->width());
-    QVERIFY(type->view()->width() >= type->view()->sizeHintForColumn(0));
-    type->hidePopup();
-}
-
-void TestTriggerBar::longWordsTakeTwoLines()
-{
-    QTranslator german;
-    QVERIFY(german.load(QStringLiteral(":/i18n/rotorscope_de")));
-    QCoreApplication::installTranslator(&german);
-    m_rig.reset();
-    init();
-    normal();
-    square(500);
-    const auto *bar = m_rig->find<QWidget>("triggerBar");
-    const auto *level = m_rig->find<QWidget>("triggerLevel");
-    const auto *mode = m_rig->find<QWidget>("triggerMode");
-    QVERIFY2(
-        bar->minimumSizeHint().width() < 400, // it never makes the window wider than the screen
-        qPrintable(QString::number(bar->minimumSizeHint().width())));
-    m_rig->window.resize(m_rig->window.minimumSizeHint());
-    m_rig->draw();
-    QVERIFY(m_rig->window.width() <= 1280);
-    for (const QWidget *field : {level, mode}) // the bar grows at the next turn of the loop
-        QTRY_VERIFY(bar->rect().contains(QRect(field->mapTo(bar, QPoint()), field->size())));
-    QVERIFY(level->mapTo(bar, QPoint()).y() > mode->mapTo(bar, QPoint()).y());
-}
-
-/// Neither the trigger's state, which changes many times a second, nor a picture that is held.
-void TestTriggerBar::aChangingStateMovesNothing()
-{
-    QTranslator german;
-    QVERIFY(german.load(QStringLiteral(":/i18n/rotorscope_de")));
-    QCoreApplication::installTranslator(&german);
-    m_rig.reset();
-    init();
-    m_rig->window.resize(1280, 720);
-    normal(10.0); // a record that takes its time
-    flat(500);
-    const auto *more = m_rig->find<QWidget>("triggerMore");
-    const auto places = [&] {
-        m_rig->draw();
-        QCoreApplication::sendPostedEvents();
-        QCoreApplication::processEvents();
-        return QList<int>{more->mapTo(&m_rig->window, QPoint()).x(), view().plotRect(0).height()};
-    };
-    QVERIFY(control().state() == AcquisitionState::Armed);
-    control().force();
-    square(100);
-    QVERIFY(control().state() == AcquisitionState::Triggered);
-    const QList<int> triggered = places();
-    view().setRunning(false);
-    QVERIFY(control().state() == AcquisitionState::Stop);
-    QCOMPARE(places(), triggered);
-    setup([](TriggerSetup &setup) { setup.length = 0.02; });
-    view().setRunning(true);
-    square(500);
-    flat(100);
-    QVERIFY(control().state() == AcquisitionState::Armed);
-    QCOMPARE(places(), triggered);
 }
 
 QTEST_MAIN(TestTriggerBar)
