@@ -65,17 +65,6 @@ __attribute__((target("vpclmulqdq,avx2"))) inline __m256i shiftedTwo(__m256i val
         _mm256_clmulepi64_epi128(values, by, 0x11), _mm256_clmulepi64_epi128(values, by, 0x00));
 }
 
-} // namespace
-
-bool canFoldCrc16()
-{
-    static const bool can =
-        __builtin_cpu_supports("pclmul") != 0 && __builtin_cpu_supports("ssse3") != 0;
-    return can;
-}
-
-namespace {
-
 /// Zeros in front change nothing, as the CRC begins at 0; bytes left over behind would have to go one at a time.
 /// @param filled  takes what is odd in front of the whole steps
 /// @return where the first step begins, and the second
