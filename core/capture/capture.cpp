@@ -154,22 +154,35 @@ void Capture::appendSlow(const SampleBlock &block)
     m_slowTimes.clear();
     for (const SlowGroup &group : block.slow)
         m_slowTimes.push_back(m_base.timeOf(group.tick));
+    m_slowValues.resize(block.slow.size());
     for (std::size_t i = 0; i < m_slow.size(); ++i) {
         ValueColumn *column = m_slow[i]->values();
+        const bool real = m_layout.slow[i].real;
+        Nanos last = column->empty() ? std::numeric_limits<Nanos>::min() : column->lastTime();
+        std::size_t first = 0;
+        const auto storeUpTo = [&](std::size_t end) {
+            const std::size_t count = end - first;
+            column->append(std::span(m_slowTimes).subspan(first, count),
+                std::span(m_slowValues).subspan(first, count), std::max(last + 1, m_streamEnd));
+            first = end + 1;
+        };
         for (std::size_t g = 0; g < block.slow.size(); ++g) {
-            const SlowGroup &group = block.slow[g];
-            const Nanos time = m_slowTimes[g];
-            const double value = m_layout.slow[i].real
-                ? double{std::bit_cast<float>(group.values[i])}
-                : static_cast<double>(group.values[i]);
+            const std::int32_t code = block.slow[g].values[i];
+            const double value =
+                real ? double{std::bit_cast<float>(code)} : static_cast<double>(code);
+            m_slowValues[g] = value;
             if (!std::isfinite(value)) {
                 ++m_refused.notFinite;
+                storeUpTo(g);
                 column->breakHere();
-            } else if (column->empty() || time > column->lastTime())
-                column->append(time, value, std::max(time + 1, m_streamEnd));
-            else
+            } else if (m_slowTimes[g] <= last) {
                 ++m_refused.backwards;
+                storeUpTo(g);
+            } else {
+                last = m_slowTimes[g];
+            }
         }
+        storeUpTo(block.slow.size());
         column->extendHold(m_streamEnd);
     }
 }

@@ -180,6 +180,7 @@ private:
     Nanos m_streamEnd = std::numeric_limits<Nanos>::min(); ///< where the streamed samples end
     std::vector<Nanos>
         m_slowTimes; ///< of the groups of the block being appended; kept, as memory is
+    std::vector<double> m_slowValues; ///< of one signal at those times; kept, too
     std::uint64_t m_revision = 0;
     std::uint64_t m_channelRevision = 0;
     std::uint64_t m_sinceCheck = 0;

@@ -1,5 +1,7 @@
 #include "capture/fast_column.h"
 
+#include "base/prefetch.h"
+
 #include <cassert>
 #include <cstring>
 
@@ -186,6 +188,10 @@ void FastColumn::appendCodes(std::span<const std::int16_t> codes)
         fill(codes.data(), used, used + count);
         m_end += count;
         codes = codes.subspan(count);
+        // As many again are likely, and until then there is time to fetch where they go.
+        const std::size_t next = used + count;
+        prefetch(std::span<const std::int16_t>(
+            m_filledSamples + next, std::min(count, kChunkSamples - next)));
     }
 }
 

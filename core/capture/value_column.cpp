@@ -5,27 +5,38 @@
 
 namespace capture {
 
-void ValueColumn::append(Nanos time, double value, Nanos holdUntil)
+void ValueColumn::append(
+    std::span<const Nanos> times, std::span<const double> values, Nanos holdUntil)
 {
-    if (inChunk(m_end) == 0)
-        addChunk(time);
-    const std::size_t at = inChunk(m_end);
-    m_filled->times[at] = time;
-    m_lastTime = time;
-    m_filled->values[at] = value;
+    assert(times.size() == values.size());
+    if (times.empty())
+        return;
     if (m_broken || m_runs.empty())
         m_runs.push_back({m_end, 0, holdUntil});
     m_broken = false;
-    m_runs.back().count += 1;
+    m_runs.back().count += times.size();
     m_runs.back().holdUntil = holdUntil;
-    ++m_end;
-    if (inChunk(m_end) % kBlockSamples == 0) {
-        const std::size_t block = at / kBlockSamples;
-        ValueRange range;
-        for (std::size_t i = block * kBlockSamples; i <= at; ++i)
-            range.include({m_filled->values[i], m_filled->values[i]});
-        m_chunks.back()->ranges[block] = range;
+    m_lastTime = times.back();
+    for (std::size_t done = 0; done < times.size();) {
+        const std::size_t at = inChunk(m_end);
+        if (at == 0)
+            addChunk(times[done]);
+        const std::size_t count = std::min(times.size() - done, kChunkSamples - at);
+        std::copy_n(times.data() + done, count, m_filled->times.data() + at);
+        std::copy_n(values.data() + done, count, m_filled->values.data() + at);
+        m_end += count;
+        done += count;
+        for (std::size_t b = at / kBlockSamples; b < (at + count) / kBlockSamples; ++b)
+            measure(b);
     }
+}
+
+void ValueColumn::measure(std::size_t block)
+{
+    ValueRange range;
+    for (std::size_t i = block * kBlockSamples; i < (block + 1) * kBlockSamples; ++i)
+        range.include({m_filled->values[i], m_filled->values[i]});
+    m_chunks.back()->ranges[block] = range;
 }
 
 void ValueColumn::addChunk(Nanos start)

@@ -53,7 +53,15 @@ public:
 
     /// @param time       later than every instant before it
     /// @param holdUntil  how long the value certainly holds if nothing follows
-    void append(Nanos time, double value, Nanos holdUntil);
+    void append(Nanos time, double value, Nanos holdUntil)
+    {
+        append(std::span(&time, 1), std::span(&value, 1), holdUntil);
+    }
+    /// Several without a gap between them, as a packet brings them.
+    /// @param times   rising, the first later than every instant before it
+    /// @param values  as many
+    void append(
+        std::span<const Nanos> times, std::span<const double> values, Nanos holdUntil);
 
     /// The last value is still true at `time`; nothing if the run is broken.
     void extendHold(Nanos time);
@@ -101,6 +109,7 @@ private:
         std::array<ValueRange, kChunkSamples / kBlockSamples> ranges;
     };
     void addChunk(Nanos start);
+    void measure(std::size_t block); ///< of the last chunk: whole now
     static std::size_t inChunk(Index index)
     {
         return static_cast<std::size_t>(index % kChunkSamples);
