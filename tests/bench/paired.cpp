@@ -131,9 +131,14 @@ bool writeFigures(const std::string &path)
     return file.good();
 }
 
-Pair pairedRatio(
-    benchmark::State &state, const std::function<void()> &a, const std::function<void()> &b)
+Pair pairedRatio(benchmark::State &state, const std::function<void()> &a,
+    const std::function<void()> &b, const std::function<void()> &before)
 {
+    const auto seconds = [&before](const std::function<void()> &work) {
+        if (before)
+            before();
+        return secondsOf(work);
+    };
     a();
     b();
     std::vector<double> ratios;
@@ -144,11 +149,11 @@ Pair pairedRatio(
         double aTime = 0;
         double bTime = 0;
         if (first) {
-            aTime = secondsOf(a);
-            bTime = secondsOf(b);
+            aTime = seconds(a);
+            bTime = seconds(b);
         } else {
-            bTime = secondsOf(b);
-            aTime = secondsOf(a);
+            bTime = seconds(b);
+            aTime = seconds(a);
         }
         first = !first;
         aTimes.push_back(aTime);

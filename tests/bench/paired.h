@@ -39,8 +39,9 @@ struct Pair {
 
 /// Runs `a` and `b` once to warm up and then once each an iteration of `state`; publishes the counters ratio, p10,
 /// p90, a_ms and b_ms. Each should take a millisecond or more: the clock counts microseconds.
-Pair pairedRatio(
-    benchmark::State &state, const std::function<void()> &a, const std::function<void()> &b);
+/// @param before  called before each of them, outside of what is timed
+Pair pairedRatio(benchmark::State &state, const std::function<void()> &a,
+    const std::function<void()> &b, const std::function<void()> &before = {});
 
 /// Seconds that all threads of this process have computed.
 double cpuSeconds();
