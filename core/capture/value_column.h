@@ -60,8 +60,7 @@ public:
     /// Several without a gap between them, as a packet brings them.
     /// @param times   rising, the first later than every instant before it
     /// @param values  as many
-    void append(
-        std::span<const Nanos> times, std::span<const double> values, Nanos holdUntil);
+    void append(std::span<const Nanos> times, std::span<const double> values, Nanos holdUntil);
 
     /// The last value is still true at `time`; nothing if the run is broken.
     void extendHold(Nanos time);
