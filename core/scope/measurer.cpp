@@ -175,13 +175,16 @@ void Measurer::duty(Measurement &result)
     const double from = m_crossings.rising.front();
     const double to = m_crossings.rising.back();
     double above = 0.0;
+    double counted = from; // up to here: a pulse that dips falls twice and rises once
     auto up = m_crossings.rising.begin();
     for (const double down : m_crossings.falling) {
         // The last upward crossing before this downward one; noise may have made several.
         while (up + 1 != m_crossings.rising.end() && *(up + 1) <= down)
             ++up;
-        if (down > from && down < to)
-            above += down - *up;
+        if (down > from && down < to) {
+            above += down - std::max(*up, counted);
+            counted = down;
+        }
     }
     result.value = above / (to - from) * 100.0;
     const double middle = m_levels->at(0.5);

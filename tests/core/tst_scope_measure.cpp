@@ -25,6 +25,7 @@ private Q_SLOTS:
     void sines();
     void squaresHaveTheirDutyAndLevels_data();
     void squaresHaveTheirDutyAndLevels();
+    void aPulseThatDipsIsCountedOnce();
     void aRampsRiseIsTenToNinety();
     void valuesThatHoldWeighAsLongAsTheyHold();
     void thereIsAReasonWhereThereIsNoNumber();
@@ -191,6 +192,18 @@ void TestScopeMeasure::squaresHaveTheirDutyAndLevels()
     // An edge lies anywhere between two samples.
     QVERIFY(near(value(channel, Quantity::Duty), duty * 100.0, 100.0 * hertz / kRate));
     QVERIFY(near(value(channel, Quantity::Frequency), hertz, hertz * hertz / kRate / 30));
+}
+
+void TestScopeMeasure::aPulseThatDipsIsCountedOnce()
+{
+    // High for 8 of 10 ms; the dips cross the middle and do not end the pulse.
+    const auto channel = fastChannel(16000, [](double t) {
+        const double ms = std::fmod(t + 0.003, 0.01) * 1000.0;
+        const bool dip = (ms > 2.0 && ms < 2.3) || (ms > 4.0 && ms < 4.3);
+        return ms >= 8.0 ? 0.0 : dip ? 4.0 : 10.0;
+    });
+    QVERIFY(near(value(channel, Quantity::Duty), 80.0, 0.7));
+    QVERIFY(near(value(channel, Quantity::Frequency), 100.0, 0.1));
 }
 
 void TestScopeMeasure::aRampsRiseIsTenToNinety()
