@@ -55,23 +55,39 @@ WavWriter::WavWriter(const Snapshot &channels, std::optional<TimeSpan> range)
         m_problem = WavProblem::TooManyChannels;
         return;
     }
-    const Segment &one = m_channels.front()->fast()->segments().front();
-    for (const Channel *channel : m_channels) {
-        for (const Segment &segment : channel->fast()->segments()) {
-            if (segment.base.milliHz != one.base.milliHz || segment.step != one.step)
-                m_problem = WavProblem::DifferentRates;
-        }
-    }
-    if (m_problem != WavProblem::None)
-        return;
-    m_rate = static_cast<std::uint32_t>(
-        std::lround(static_cast<double>(one.base.milliHz) / 1000.0 / one.step));
     constexpr auto kEver = std::numeric_limits<Nanos>::max();
-    findRuns(range ? toNanos(range->from) : -kEver, range ? toNanos(range->to) : kEver);
+    const Nanos from = range ? toNanos(range->from) : -kEver;
+    const Nanos to = range ? toNanos(range->to) : kEver;
+    if (!findRate(from, to))
+        return;
+    findRuns(from, to);
     if (m_frames == 0)
         m_problem = WavProblem::NoFastSamples;
     else if (m_frames > kMostBytes / (2 * m_channels.size()))
         m_problem = WavProblem::TooLong;
+}
+
+/// The one rate of all samples in [from, to); false if there is none.
+bool WavWriter::findRate(Nanos from, Nanos to)
+{
+    const Segment *one = nullptr;
+    for (const Channel *channel : m_channels) {
+        for (const Segment &segment : channel->fast()->segments()) {
+            if (segment.start() >= to || segment.atOrAfter(from) == segment.end())
+                continue;
+            if (!one)
+                one = &segment;
+            if (segment.base.milliHz != one->base.milliHz || segment.step != one->step)
+                m_problem = WavProblem::DifferentRates;
+        }
+    }
+    if (!one)
+        m_problem = WavProblem::NoFastSamples;
+    if (m_problem != WavProblem::None)
+        return false;
+    m_rate = static_cast<std::uint32_t>(
+        std::lround(static_cast<double>(one->base.milliHz) / 1000.0 / one->step));
+    return true;
 }
 
 /// Where every channel has samples at the same instants, as far as that goes on.

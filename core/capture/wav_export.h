@@ -18,7 +18,7 @@ namespace capture {
 enum class WavProblem : std::uint8_t {
     None,
     NoFastSamples, ///< in the range, at which all channels have one
-    DifferentRates, ///< one file has one rate
+    DifferentRates, ///< in the range; one file has one rate
     TooManyChannels, ///< more than 64
     TooLong, ///< 4 GiB is the end of a WAV file
 };
@@ -48,6 +48,7 @@ private:
     };
 
     bool makePiece();
+    bool findRate(Nanos from, Nanos to);
     void findRuns(Nanos from, Nanos to);
     void addRun(Nanos start, Run run);
     std::string head() const;

@@ -15,6 +15,7 @@ private Q_SLOTS:
     void gapsAreCuePointsAndNothingIsFilledIn();
     void onlyInstantsThatAllSignalsHaveAreWritten();
     void aRangeIsExact();
+    void onlyRatesInTheRangeCount();
     void whatCannotBeAWavFileIsNamed();
 };
 
@@ -185,6 +186,31 @@ void TestWavExport::aRangeIsExact()
         QCOMPARE(some.frames(), 10U);
         QCOMPARE(parse(write(some)).channels.at(0).front(), code(0, Tick(first)));
     }
+}
+
+/// A stream went on with every second sample: each part is a file, both are none.
+void TestWavExport::onlyRatesInTheRangeCount()
+{
+    Capture capture;
+    capture.begin(layout());
+    append(capture, 1, 0, 160); // up to 0.51 s
+    StreamLayout slower = layout(2);
+    slower.fastStep = 2;
+    capture.begin(slower);
+    append(capture, 2, 160, 80); // up to 0.52 s
+    const Snapshot channels = all(capture);
+    QCOMPARE(channels->size(), 2U);
+    const WavWriter fast(channels, TimeSpan{0.0, 0.51});
+    QCOMPARE(fast.problem(), WavProblem::None);
+    QCOMPARE(fast.rate(), 16000U);
+    QCOMPARE(fast.frames(), 160U);
+    const WavWriter slow(channels, TimeSpan{0.51, 1.0});
+    QCOMPARE(slow.problem(), WavProblem::None);
+    QCOMPARE(slow.rate(), 8000U);
+    QCOMPARE(slow.frames(), 80U);
+    QCOMPARE(WavWriter(channels, TimeSpan{0.5, 0.5101}).problem(), WavProblem::DifferentRates);
+    QCOMPARE(WavWriter(channels).problem(), WavProblem::DifferentRates);
+    QCOMPARE(WavWriter(channels, TimeSpan{2.0, 3.0}).problem(), WavProblem::NoFastSamples);
 }
 
 void TestWavExport::whatCannotBeAWavFileIsNamed()
