@@ -224,7 +224,8 @@ void Capture::appendPolled(catalog::RegisterId id, std::string_view name, std::s
     ++m_revision;
     if (why == Asked::AsSignal)
         entryOf(*found).touched = m_revision;
-    ++m_sinceCheck;
+    if (++m_sinceCheck >= kSamplesBetweenChecks)
+        keepWithinLimit();
 }
 
 void Capture::endPolled(catalog::RegisterId id)

@@ -17,6 +17,7 @@ private Q_SLOTS:
     void anExportOfBothIsTheSame();
     void aSlowArchiveIsWaitedForWithinTheLimit();
     void anArchiveThatHangsCostsTheOldestOnly();
+    void valuesThatAreReadInTurnMakeRoomToo();
     void whoIsPatientLosesNothing();
     void aFullArchiveGoesRound();
     void whatIsRefusedStaysInMemory();
@@ -188,6 +189,30 @@ void TestCaptureArchive::anArchiveThatHangsCostsTheOldestOnly()
     QCOMPARE(bench.small().released(), released);
     QVERIFY(bench.holdsWhatIsRead());
     bench.twins.verifyTheSame();
+}
+
+void TestCaptureArchive::valuesThatAreReadInTurnMakeRoomToo()
+{
+    constexpr std::uint64_t kValues = 2'000'000; // 32 MB
+    constexpr std::size_t kRoom = 4 * kMemory;
+    constexpr std::size_t kUnseen = 65536 * 24; // between two looks
+    const auto record = [](Capture &capture) {
+        for (std::uint64_t i = 0; i < kValues; ++i)
+            capture.appendPolled(40, "P", "K", double(i) * 0.01, double(i));
+        return *capture.find(40);
+    };
+    const auto archive = std::make_shared<FakeArchive>();
+    Capture whole({.maxBytes = kRoom, .archive = archive});
+    const ChannelId id = record(whole);
+    QVERIFY(whole.bytes() <= kRoom + kUnseen);
+    QCOMPARE(whole.size(id), kValues);
+    QCOMPARE(whole.channel(id)->at(5), 5.0);
+    QVERIFY(archive->deposits > 20);
+    Capture newest({.maxBytes = kRoom});
+    const ChannelId other = record(newest);
+    QVERIFY(newest.bytes() <= kRoom + kUnseen);
+    QCOMPARE(newest.size(other) + newest.released(), kValues);
+    QCOMPARE(newest.lastValue(other), std::optional(double(kValues - 1)));
 }
 
 void TestCaptureArchive::whoIsPatientLosesNothing()
