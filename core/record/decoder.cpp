@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace record {
 
@@ -159,6 +160,9 @@ void Decoder::takeEntry(const BlockHead &head, ByteView data)
     const auto *block = std::get_if<capture::SampleBlock>(&decoded->entry);
     if (block && !isDescribed(*block))
         return damage(Damage::Kind::Undescribed);
+    const auto *values = std::get_if<PolledValues>(&decoded->entry);
+    if (values && !isDescribed(*values) && !std::exchange(m_toldUndescribed, true))
+        damage(Damage::Kind::Undescribed); // once: they come one by one
     if (const auto *end = std::get_if<End>(&decoded->entry))
         m_ending = *end;
     if (isNews(decoded->entry, decoded->repeat == Repeat::Yes))
@@ -178,9 +182,17 @@ bool Decoder::isNews(const Entry &entry, bool repeated)
         const bool known = found != m_polled.end() && found->second == *polled;
         if (m_polled.size() < kMostPolled || found != m_polled.end())
             m_polled[polled->id] = *polled;
+        m_toldUndescribed = false;
         return !repeated || !known;
     }
     return true;
+}
+
+bool Decoder::isDescribed(const PolledValues &values) const
+{
+    return m_polled.size() == kMostPolled
+        || std::all_of(values.values.begin(), values.values.end(),
+            [this](const PolledValue &value) { return m_polled.contains(value.id); });
 }
 
 bool Decoder::isDescribed(const capture::SampleBlock &block) const

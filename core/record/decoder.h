@@ -31,7 +31,8 @@ struct Damage {
         Unreadable, ///< bytes that are no sound block
         CutShort, ///< such bytes at the end of the file: its writer was stopped there
         Missing, ///< sound bytes, but the numbers of the blocks jump
-        Undescribed, ///< samples whose layout is among what is missing
+        Undescribed, ///< samples whose layout is among what is missing, or values whose register is;
+        ///< such values are told once, up to the next description
     } kind = Kind::Unreadable;
     std::uint64_t offset = 0; ///< where it begins
     std::uint64_t bytes = 0;
@@ -67,6 +68,7 @@ private:
     bool skipOther(const Claim &claim);
     void takeEntry(const BlockHead &head, ByteView data);
     bool isNews(const Entry &entry, bool repeated);
+    bool isDescribed(const PolledValues &values) const;
     bool isDescribed(const capture::SampleBlock &block) const;
     void tellDamage(std::uint32_t number);
     void tellEnd();
@@ -83,6 +85,7 @@ private:
     std::optional<End> m_ending;
     std::optional<capture::StreamLayout> m_layout;
     std::map<RegisterId, PolledRegister> m_polled;
+    bool m_toldUndescribed = false; ///< values, since a register was described
 };
 
 } // namespace record

@@ -219,7 +219,8 @@ bool Encoder::emitEntry(Nanos at, const Entry &entry)
     if (!payload)
         return false;
     const auto *block = std::get_if<SampleBlock>(&entry);
-    if (block && m_sinceRepeat >= m_config.repeatBytes)
+    const bool described = block || std::holds_alternative<PolledValues>(entry);
+    if (described && m_sinceRepeat >= m_config.repeatBytes)
         repeatDescriptions(at);
     emitPayload(at, *payload, block ? samplesOf(*block) : 0);
     return true;

@@ -28,7 +28,7 @@ public:
         Nanos gatherSamples = 250'000'000; ///< nanoseconds, no longer than that
         std::size_t linkBytes = 16384; ///< bytes of one direction until they are a block
         Nanos gatherLink = 20'000'000; ///< and so long; a block has the time of its first byte
-        std::size_t repeatBytes = 4 << 20; ///< the layout is written again after so many bytes
+        std::size_t repeatBytes = 4 << 20; ///< descriptions are written again after so many bytes
     };
 
     explicit Encoder(Begin begin)

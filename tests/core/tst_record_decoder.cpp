@@ -22,6 +22,7 @@ private Q_SLOTS:
     void bytesTakenOutOrPutInCostTheirBlocksOnly();
     void aBlockThatIsMissingIsTold();
     void samplesBehindALostLayoutWaitForTheNextOne();
+    void valuesBehindALostRegisterWaitForTheNextOne();
     void aRecordingWithoutAnEndWasInterrupted();
     void theEndFitsThePlaceThatWasKeptForIt();
     void otherFilesAreNoRecordings();
@@ -327,6 +328,39 @@ void TestRecordDecoder::samplesBehindALostLayoutWaitForTheNextOne()
         restorer.take(item.entry);
     const std::uint64_t kept = capture.size(*capture.find(1));
     QVERIFY(kept > 240 && kept < 480);
+}
+
+/// As of a drive whose registers are all read in turn: no block of samples is ever written.
+void TestRecordDecoder::valuesBehindALostRegisterWaitForTheNextOne()
+{
+    Encoder encoder({0, "test", ""}, small());
+    File file;
+    file.put(encoder.head());
+    encoder.add(0, PolledRegister{9, "U", "V"});
+    for (Nanos i = 1; i <= 100; ++i)
+        encoder.add(i, PolledValues{{{9, i * 1'000'000, double(i)}}});
+    encoder.end(200, {});
+    file.put(encoder);
+    const auto restored = [](const Read &read) {
+        capture::Capture capture;
+        Restorer restorer(capture);
+        for (const Item &item : read.items)
+            restorer.take(item.entry);
+        return capture;
+    };
+    const Read whole = read(file.bytes);
+    QVERIFY(whole.damage.empty());
+    QCOMPARE(restored(whole).size(*restored(whole).find(9)), 100U);
+    file.bytes[file.starts[1] + 40] ^= 1; // within the register's name
+    const Read result = read(file.bytes);
+    QCOMPARE(result.damage.size(), std::size_t(2));
+    QCOMPARE(result.damage[0].kind, Damage::Kind::Unreadable);
+    QCOMPARE(result.damage[1].kind, Damage::Kind::Undescribed);
+    const capture::Capture kept = restored(result);
+    QVERIFY(kept.find(9));
+    QVERIFY(kept.size(*kept.find(9)) > 50 && kept.size(*kept.find(9)) < 100);
+    QCOMPARE(kept.lastValue(*kept.find(9)), std::optional(100.0));
+    QCOMPARE(kept.info(*kept.find(9))->name, std::string("U"));
 }
 
 void TestRecordDecoder::aRecordingWithoutAnEndWasInterrupted()
