@@ -276,15 +276,15 @@ bool everySampleHasARow(const Snapshot &channels)
     return true;
 }
 
-std::string csvHeading(const ChannelInfo &channel, CsvDialect dialect)
+std::string csvHeading(const ChannelInfo &channel)
 {
     std::string heading = channel.name;
     if (!heading.empty() && std::strchr("=+-@\t\r\n", heading.front()))
         heading.insert(heading.begin(), '\'');
     if (!channel.unit.empty())
         heading += " [" + channel.unit + "]";
-    if (heading.find_first_of("\"\r\n") == std::string::npos
-        && heading.find(marksOf(dialect).separator) == std::string::npos)
+    // Readers find out what separates the names by counting outside quotes: a name may hold none of it there.
+    if (heading.find_first_of("\",;\t\r\n") == std::string::npos)
         return heading;
     std::string quoted = "\"";
     for (const char c : heading)
@@ -364,7 +364,7 @@ std::string CsvWriter::heading() const
     std::string text{marks.begin};
     text += "time [s]";
     for (const Channel &channel : *m_channels)
-        text += marks.separator + csvHeading(channel.info(), m_options.dialect);
+        text += marks.separator + csvHeading(channel.info());
     text += marks.lineEnd;
     return text;
 }

@@ -39,7 +39,7 @@ bool everySampleHasARow(const Snapshot &channels);
 
 /// A column's heading, e.g. `I_Q_MEAS [A]`: quoted where it must be, and with a leading apostrophe where a
 /// spreadsheet would take it for a formula.
-std::string csvHeading(const ChannelInfo &channel, CsvDialect dialect = CsvDialect::Plain);
+std::string csvHeading(const ChannelInfo &channel);
 
 /// Nanoseconds as seconds with as few digits as say it exactly, e.g. 62500 -> "0.0000625".
 std::string csvTime(Nanos time);

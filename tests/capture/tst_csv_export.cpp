@@ -311,7 +311,8 @@ void TestCsvExport::namesThatASpreadsheetWouldRunAreMadeHarmless()
     QCOMPARE(heading("=1+1", ""), std::string("'=1+1"));
     QCOMPARE(heading("@x", "V"), std::string("'@x [V]"));
     QCOMPARE(heading("-a", ""), std::string("'-a"));
-    QCOMPARE(heading("\tb", ""), std::string("'\tb"));
+    QCOMPARE(heading("\tb", ""), std::string("\"'\tb\""));
+    QCOMPARE(heading("a;b", ""), std::string("\"a;b\""));
     QCOMPARE(heading("a,b", "A"), std::string("\"a,b [A]\""));
     QCOMPARE(heading("a\"b", ""), std::string("\"a\"\"b\""));
     QCOMPARE(heading("\xC3\xA9", "\xC2\xB0"), std::string("\xC3\xA9 [\xC2\xB0]"));

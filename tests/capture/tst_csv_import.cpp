@@ -15,6 +15,8 @@ class TestCsvImport : public QObject {
 private Q_SLOTS:
     void ourOwnFilesReadBackIdentical_data();
     void ourOwnFilesReadBackIdentical();
+    void whatSeparatesIsNotGuessedFromNames_data();
+    void whatSeparatesIsNotGuessedFromNames();
     void continentalIsAsSpreadsheetsWantIt();
     void itReadsTheSameHoweverItIsCut();
     void gapsAndEmptyFieldsAreGaps();
@@ -126,6 +128,32 @@ void TestCsvImport::ourOwnFilesReadBackIdentical()
     QCOMPARE(read.info(import.channels()[3])->unit, std::string("V"));
 }
 
+void TestCsvImport::whatSeparatesIsNotGuessedFromNames_data()
+{
+    QTest::addColumn<QByteArray>("name");
+    for (const char *name : {"B,1", "a;b;c", "x\ty\tz", "q\";,;\"r"}) {
+        QTest::addRow("%s", name) << QByteArray(name);
+    }
+}
+
+void TestCsvImport::whatSeparatesIsNotGuessedFromNames()
+{
+    QFETCH(QByteArray, name);
+    Capture capture;
+    capture.begin({1, 16000.0, 0.25, 1, {{1, name.toStdString(), "A", 0.5, 0.0}}, {}});
+    capture.append({1, 0, 2, {3, -5}, {}, 0});
+    for (const CsvDialect dialect : {CsvDialect::Plain, CsvDialect::Continental}) {
+        CsvOptions options;
+        options.dialect = dialect;
+        Capture read;
+        CsvImport import(read);
+        QVERIFY(import.feed(csv(all(capture), options)) && import.finish());
+        QCOMPARE(import.channels().size(), std::size_t(1));
+        QCOMPARE(read.info(import.channels()[0])->name, name.toStdString());
+        QCOMPARE(read.lastValue(import.channels()[0]), std::optional(-2.5));
+    }
+}
+
 void TestCsvImport::continentalIsAsSpreadsheetsWantIt()
 {
     Capture capture;
@@ -136,7 +164,7 @@ void TestCsvImport::continentalIsAsSpreadsheetsWantIt()
     options.dialect = CsvDialect::Continental;
     QCOMPARE(csv(all(capture), options),
         std::string("\xEF\xBB\xBF"
-                    "time [s];\"A;1 [A]\";B,1 [A]\r\n0,25;1,5;-2,5\r\n0,2500625;2;0\r\n"));
+                    "time [s];\"A;1 [A]\";\"B,1 [A]\"\r\n0,25;1,5;-2,5\r\n0,2500625;2;0\r\n"));
 }
 
 void TestCsvImport::itReadsTheSameHoweverItIsCut()
