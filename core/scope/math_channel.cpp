@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace scope {
 
@@ -36,6 +38,30 @@ double distance(const Channel &channel, Index index, Nanos otherwise)
         return column->segments()[column->segmentOf(index)].stepNanos() / capture::kNanosPerSecond;
     return capture::toSeconds(otherwise);
 }
+
+/// Between its first samples, as most of them are.
+Nanos usualDistance(const Channel &channel)
+{
+    constexpr Index kFirst = 32;
+    std::vector<Nanos> distances;
+    const Index end = std::min(channel.end(), channel.begin() + kFirst);
+    for (Index i = channel.begin() + 1; i < end; ++i)
+        distances.push_back(channel.timeOf(i) - channel.timeOf(i - 1));
+    if (distances.empty())
+        return std::numeric_limits<Nanos>::max();
+    const auto middle = distances.begin() + std::ssize(distances) / 2;
+    std::nth_element(distances.begin(), middle, distances.end());
+    return *middle;
+}
+
+/// Fast is before Slow is before Polled; what was computed or came from a file is Slow at any rate.
+bool isFaster(const Channel &channel, const Channel &other)
+{
+    const ChannelInfo::Kind kind = channel.info().kind;
+    if (kind != other.info().kind)
+        return kind < other.info().kind;
+    return kind == ChannelInfo::Kind::Slow && usualDistance(channel) < usualDistance(other);
+}
 } // namespace
 
 MathChannel::MathChannel(Formula formula, ChannelInfo info, std::uint64_t mostSamples)
@@ -49,9 +75,12 @@ MathChannel::MathChannel(Formula formula, ChannelInfo info, std::uint64_t mostSa
 
 void MathChannel::chooseClock(std::span<const Channel *const> inputs)
 {
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (!m_clock || inputs[i]->info().kind < inputs[*m_clock]->info().kind)
-            m_clock = i; // Fast is before Slow is before Polled
+    if (m_clock)
+        return;
+    m_clock = 0;
+    for (std::size_t i = 1; i < inputs.size(); ++i) {
+        if (isFaster(*inputs[i], *inputs[*m_clock]))
+            m_clock = i;
     }
 }
 

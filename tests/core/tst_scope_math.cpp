@@ -20,6 +20,7 @@ private Q_SLOTS:
     void aMathChannelIsAChannelLikeAnyOther();
     void gapsStayGaps();
     void theOtherInputsHoldTheirSampleBefore();
+    void theCloserValuesAreTheClock();
     void whatIsNotFiniteIsAGap();
     void nothingIsComputedBeforeItIsSettled();
     void resultsDoNotDependOnHowSamplesArrive_data();
@@ -100,6 +101,35 @@ void TestScopeMath::theOtherInputsHoldTheirSampleBefore()
     MathChannel other = math("Y + X");
     other.update(Inputs{&fast, &slow}, kEver);
     QCOMPARE(other.channel().size(), 6U);
+}
+
+/// As of a math channel of fast signals beside a signal that the board records slowly.
+void TestScopeMath::theCloserValuesAreTheClock()
+{
+    const auto sparse = support::slowChannel(
+        100, [](double) { return 1.0; }, 1000.0);
+    auto dense = support::slowChannel(
+        1, [](double) { return 2.0; }, 16000.0);
+    const auto tick = [](capture::Tick number) {
+        return capture::TickBase::of(16000.0, 0.0).timeOf(number);
+    };
+    dense.values()->breakHere();
+    for (capture::Tick i = 800; i < 1600; ++i)
+        dense.values()->append(tick(i), 2.0, tick(i + 1));
+    for (const char *text : {"X * Y", "Y * X"}) {
+        MathChannel product = math(text);
+        const bool first = product.formula().used().front() == 0;
+        const Inputs inputs = first ? Inputs{&sparse, &dense} : Inputs{&dense, &sparse};
+        product.update(inputs, tick(900));
+        QCOMPARE(product.channel().size(), 101U);
+        product.update(inputs, kEver);
+        QCOMPARE(product.channel().size(), 801U);
+    }
+    const auto same = support::slowChannel(
+        50, [](double) { return 3.0; }, 1000.0);
+    MathChannel sum = math("X + Y");
+    sum.update(Inputs{&same, &sparse}, kEver);
+    QCOMPARE(sum.channel().size(), 50U);
 }
 
 void TestScopeMath::whatIsNotFiniteIsAGap()
