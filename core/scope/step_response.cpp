@@ -221,7 +221,39 @@ void StepResponse::ripple(Measurement &result) const
         {LevelMark::Role::BandHigh, extremes.max, settled.from(), settled.to()}};
 }
 
-/// Trapezoids over fast samples, steps over values that hold.
+/// Each value for as long as it is known to hold behind the step, also one from before it.
+double StepResponse::heldErrorIntegral(bool timed) const
+{
+    const capture::Channel &channel = m_after.channel();
+    const Index begin = m_after.begin();
+    double sum = 0.0;
+    for (Index at = begin > channel.begin() ? begin - 1 : begin; at < m_after.end(); ++at) {
+        const double from = std::max(0.0, m_after.secondsOf(at));
+        const double to =
+            capture::toSeconds(std::min(m_after.to(), channel.holdUntil(at)) - m_after.from());
+        const double error = std::abs(*m_settings.setPoint - channel.at(at));
+        if (to > from)
+            sum += error * (timed ? (to * to - from * from) / 2 : to - from);
+    }
+    return sum;
+}
+
+/// Trapezoids over fast samples.
+double StepResponse::fastErrorIntegral(bool timed) const
+{
+    double sum = 0.0;
+    double before = 0.0;
+    double beforeError = 0.0;
+    m_after.visit([&](double time, double value, bool joined) {
+        const double error = std::abs(*m_settings.setPoint - value) * (timed ? time : 1.0);
+        if (joined)
+            sum += (time - before) * (beforeError + error) / 2;
+        before = time;
+        beforeError = error;
+    });
+    return sum;
+}
+
 void StepResponse::errorIntegral(Measurement &result) const
 {
     if (!m_settings.setPoint) {
@@ -229,18 +261,8 @@ void StepResponse::errorIntegral(Measurement &result) const
         return;
     }
     const bool timed = result.quantity == Quantity::TimedError;
-    const bool holds = m_after.between() == Between::Hold;
-    double sum = 0.0;
-    double before = 0.0;
-    double beforeError = 0.0;
-    m_after.visit([&](double time, double value, bool joined) {
-        const double error = std::abs(*m_settings.setPoint - value) * (timed ? time : 1.0);
-        if (joined)
-            sum += (time - before) * (holds ? beforeError : (beforeError + error) / 2);
-        before = time;
-        beforeError = error;
-    });
-    result.value = sum;
+    result.value =
+        m_after.between() == Between::Hold ? heldErrorIntegral(timed) : fastErrorIntegral(timed);
     result.levels = {
         {LevelMark::Role::Reference, *m_settings.setPoint, m_after.from(), m_after.to()}};
 }

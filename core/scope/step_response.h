@@ -52,6 +52,8 @@ private:
     void steadyStateError(Measurement &result) const;
     void ripple(Measurement &result) const;
     void errorIntegral(Measurement &result) const;
+    double heldErrorIntegral(bool timed) const;
+    double fastErrorIntegral(bool timed) const;
 
     SampleRange m_after; ///< from the step on
     StepSettings m_settings;

@@ -23,6 +23,7 @@ private Q_SLOTS:
     void noNumberBeforeItHasSettled();
     void withoutAStepThereAreNoMetrics();
     void errorsNeedASetPoint();
+    void valuesThatHoldErrAsLongAsTheyHold();
     void rippleIsWhatRemains();
 };
 
@@ -220,6 +221,28 @@ void TestScopeStep::errorsNeedASetPoint()
         near(measure(channel, Quantity::AbsoluteError, settings), 0.5 * length + 9.5 * 0.01, 2e-4));
     QVERIFY(near(measure(channel, Quantity::TimedError, settings),
         0.25 * length * length + 9.5 * 0.01 * 0.01, 2e-4));
+}
+
+void TestScopeStep::valuesThatHoldErrAsLongAsTheyHold()
+{
+    // Ten a second: 0 when the step comes, 1 from 0.1 s on, 1.5 from 0.2 s to 1 s.
+    const auto channel = support::slowChannel(
+        10, [](double t) { return t < 0.05 ? 0.0
+                               : t < 0.15  ? 1.0
+                                           : 1.5; }, 10.0);
+    StepSettings settings = stepAt();
+    settings.setPoint = 2.0;
+    QVERIFY(near(
+        measure(channel, Quantity::AbsoluteError, settings), 2 * 0.05 + 1 * 0.1 + 0.5 * 0.8, 1e-9));
+    const auto timed = [](double error, double from, double to) {
+        return error * (to * to - from * from) / 2;
+    };
+    QVERIFY(near(measure(channel, Quantity::TimedError, settings),
+        timed(2, 0, 0.05) + timed(1, 0.05, 0.15) + timed(0.5, 0.15, 0.95), 1e-9));
+    // A range that ends while a value holds.
+    Measurer some(channel, 0, capture::toNanos(0.55), settings);
+    QVERIFY(
+        near(some.measure(Quantity::AbsoluteError).value, 2 * 0.05 + 1 * 0.1 + 0.5 * 0.35, 1e-9));
 }
 
 void TestScopeStep::rippleIsWhatRemains()
