@@ -4,6 +4,9 @@
 
 #include <QFile>
 
+#include <map>
+#include <utility>
+
 namespace session {
 
 namespace {
@@ -11,7 +14,8 @@ namespace {
 constexpr qint64 kPiece = 1 << 20;
 
 /// What is kept of the entries besides samples.
-void note(RecordingReport &report, const record::Item &item)
+void note(
+    RecordingReport &report, std::map<record::Nanos, record::Note> &notes, const record::Item &item)
 {
     const auto room = [](const auto &list) { return list.size() < RecordingReport::kMostKept; };
     if (const auto *begin = std::get_if<record::Begin>(&item.entry)) {
@@ -28,10 +32,9 @@ void note(RecordingReport &report, const record::Item &item)
             report.snapshots.push_back({item.at, *snapshot});
     } else if (const auto *words = std::get_if<record::Note>(&item.entry)) {
         if (record::isTakenBack(*words))
-            std::erase_if(report.notes,
-                [words](const record::Note &said) { return said.from == words->from; });
-        else if (room(report.notes))
-            report.notes.push_back(*words);
+            notes.erase(words->from);
+        else if (room(notes) || notes.contains(words->from))
+            notes[words->from] = *words;
     } else if (const auto *lost = std::get_if<record::Lost>(&item.entry)) {
         report.lost.samples += lost->samples;
         report.lost.linkBytes += lost->linkBytes;
@@ -49,10 +52,11 @@ Result<RecordingReport, QString> readRecording(const QString &path,
         return fail(file.errorString());
     record::Decoder decoder;
     RecordingReport report;
+    std::map<record::Nanos, record::Note> notes; // the last one said of each time
     const auto drain = [&] {
         while (auto step = decoder.next()) {
             if (auto *item = std::get_if<record::Item>(&*step)) {
-                note(report, *item);
+                note(report, notes, *item);
                 take(std::move(*item));
                 continue;
             }
@@ -80,6 +84,8 @@ Result<RecordingReport, QString> readRecording(const QString &path,
         return fail(
             QStringLiteral("it is no recording of Rotorscope: no sound block in its %1 bytes")
                 .arg(file.size()));
+    for (auto &[from, words] : notes)
+        report.notes.push_back(std::move(words));
     report.blocks = decoder.blocks();
     report.bytes = file.pos();
     report.ending = decoder.ending();
@@ -106,7 +112,7 @@ QString damageText(const record::Damage &damage)
     case Kind::CutShort:
         return QStringLiteral("it ends within a block, at byte %1").arg(damage.offset);
     case Kind::Undescribed:
-        return QStringLiteral("bytes %1 to %2 are samples whose layout is missing")
+        return QStringLiteral("bytes %1 to %2 are samples whose description is missing")
             .arg(number(damage.offset), last);
     case Kind::Unreadable:
         break;

@@ -21,7 +21,8 @@ struct RecordingReport {
     record::Begin begin;
     std::vector<At<record::Happening>> happenings;
     std::vector<At<record::RegisterSnapshot>> snapshots;
-    std::vector<record::Note> notes; ///< without those that were taken back
+    std::vector<record::Note>
+        notes; ///< as they were said last, by their time; without those taken back
     record::Lost lost; ///< in all: what the disk was too slow for
     std::uint64_t linkBytes = 0;
     std::uint64_t samples = 0;

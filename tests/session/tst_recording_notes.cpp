@@ -65,6 +65,17 @@ private Q_SLOTS:
         QCOMPARE(notesOf(m_path), notes);
     }
 
+    void aNoteThatWasChangedIsOne()
+    {
+        QCOMPARE(saveNotes(m_path, m_path, {{kSecond, kSecond, "changed"}}), QString());
+        capture::Capture capture;
+        const auto report = session::readRecording(m_path, capture);
+        QVERIFY(report);
+        QCOMPARE(report->notes.size(), std::size_t(2));
+        QCOMPARE(report->notes[0].text, std::string("changed"));
+        QCOMPARE(report->notes[1].text, std::string("second"));
+    }
+
     void aNoteThatWasDeletedIsTakenBack()
     {
         QCOMPARE(saveNotes(m_path, m_path, {record::noNote(kSecond)}), QString());
