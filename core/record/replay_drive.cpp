@@ -189,7 +189,7 @@ void ReplayDrive::advance(TimePoint now)
         if (m_limited || m_told > kMostATurn)
             break;
         const Item item = std::move(m_pending.extract(m_pending.begin()).mapped());
-        m_progress.bytes = item.offset;
+        m_progress.bytes = std::max(m_progress.bytes, item.offset);
         m_progress.position = std::max(m_progress.position, item.at - *m_first);
         play(item);
         if (at.speed <= 0.0)
@@ -229,6 +229,10 @@ bool ReplayDrive::fetch(TimePoint now)
             keep(std::move(std::get<Item>(*step)));
         }
     }
+    if (m_pending.empty() && m_last) {
+        const Nanos at = m_last->at;
+        m_pending.emplace(at, *std::exchange(m_last, std::nullopt));
+    }
     if (m_pending.empty()) {
         end(now);
         return false;
@@ -257,6 +261,11 @@ void ReplayDrive::keep(Item item)
 {
     if (std::holds_alternative<Begin>(item.entry) || !isPlausible(item.at))
         return; // the time of the first is that of the file's making
+    if (std::holds_alternative<End>(item.entry)) {
+        m_last =
+            std::move(item); // it may stand in front, and says nothing about how far ahead was read
+        return;
+    }
     if (const auto *block = std::get_if<capture::SampleBlock>(&item.entry)) {
         for (auto &[after, part] : slices(*block, m_layout)) {
             m_samplesUntil = std::max(m_samplesUntil, item.at + after);
@@ -294,7 +303,8 @@ void ReplayDrive::play(const Item &item)
         play(item.at, *happening);
     else if (const auto *note = std::get_if<Note>(&item.entry); note && m_control)
         m_control->told((isPlausible(note->from) ? note->from : item.at) + m_shift, item.entry);
-    else if (m_control && !std::holds_alternative<LinkBytes>(item.entry))
+    else if (m_control && !std::holds_alternative<LinkBytes>(item.entry)
+        && !std::holds_alternative<End>(item.entry)) // end() tells that one
         m_control->told(item.at + m_shift, item.entry);
 }
 

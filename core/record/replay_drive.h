@@ -96,6 +96,7 @@ private:
     std::vector<Output> m_output;
     std::vector<drive::Event> m_events;
     std::multimap<Nanos, Item> m_pending; ///< decoded and not told, by time
+    std::optional<Item> m_last; ///< the end, until all else was told
     capture::StreamLayout m_layout; ///< of the samples that are decoded next
     Nanos m_samplesUntil = std::numeric_limits<Nanos>::min(); ///< of those in m_pending
     bool m_open = false;

@@ -44,6 +44,33 @@ Bytes recording()
     return file;
 }
 
+/// Three seconds of a signal at 1 kHz, gathered as a live recording does: what is told meanwhile stands in front of them.
+/// @param full  the end lies in the place that was kept for it
+Bytes gathered(bool full)
+{
+    Encoder encoder({0, "test", "board"});
+    Bytes file = encoder.head().bytes;
+    encoder.add(0, capture::StreamLayout{1, 1000.0, 0.0, 1, {{9, "I_A", "A", 0.5, 0.0}}, {}});
+    for (capture::Tick tick = 0; tick < 3000; tick += 20) {
+        const Nanos at = tick * 1'000'000;
+        encoder.flush(at);
+        encoder.add(at, capture::SampleBlock{1, tick, 20, std::vector<std::int16_t>(20, 7), {}, 0});
+        if (tick % 100 == 40)
+            encoder.add(at, Happening{"speed ramp", {{"rpm", "500"}}});
+    }
+    encoder.flushAll();
+    if (!full)
+        encoder.end(3 * kSecond, {});
+    for (const Block &block : encoder.takeBlocks())
+        file.insert(file.end(), block.bytes.begin(), block.bytes.end());
+    if (full) {
+        const auto end = encoder.endInReserve(3 * kSecond, {End::Reason::DiskFull, "", 0, 0});
+        std::copy(end.bytes.begin(), end.bytes.end(),
+            file.begin() + static_cast<std::ptrdiff_t>(end.offset));
+    }
+    return file;
+}
+
 bool near(std::uint64_t one, std::uint64_t other, std::uint64_t by = 40)
 {
     return one + by >= other && one <= other + by;
@@ -154,6 +181,26 @@ private Q_SLOTS:
         QCOMPARE(bench.samples(), 3000U);
         QCOMPARE(bench.control.values, 3003U); // and three readings
         QVERIFY(bench.control.last.ended);
+    }
+
+    void anEndInFrontChangesNoOrder()
+    {
+        for (const bool full : {false, true}) {
+            Bench bench(gathered(full));
+            for (std::uint64_t step = 0; step < 100; ++step) {
+                QVERIFY(bench.samples() >= 20 * step);
+                QVERIFY(bench.samples() <= 20 * step + 40);
+                bench.runFor(20ms);
+            }
+            bench.runFor(3s);
+            QCOMPARE(bench.samples(), 3000U);
+            QVERIFY(bench.control.last.ended);
+            QCOMPARE(bench.control.entries.size(), std::size_t(31));
+            const auto &[at, last] = bench.control.entries.back();
+            QVERIFY(std::holds_alternative<End>(last)); // once
+            QCOMPARE(at, 503 * kSecond);
+            QVERIFY(bench.control.last.bytes > bench.file.size() / 2);
+        }
     }
 
     void aPauseLosesNothing()
