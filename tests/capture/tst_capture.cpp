@@ -5,7 +5,9 @@
 
 #include <QtTest>
 
+#include <bit>
 #include <random>
+#include <tuple>
 
 using namespace capture;
 using Kind = ChannelInfo::Kind;
@@ -26,6 +28,7 @@ private Q_SLOTS:
     void timeNeverRunsBackwards();
     void blocksThatDoNotFitAreCountedAndLeftOut();
     void slowValuesHoldUntilTheNextOne();
+    void slowValuesThatAreRefusedLeaveTheOthersOfTheirBlock();
     void polledValuesAreTheirOwnChannel();
     void aRegisterIsFoundWhereItWasStreamed();
     void aFastSampleCostsLessThanTwoPointThreeBytes();
@@ -409,6 +412,53 @@ void TestCapture::slowValuesHoldUntilTheNextOne()
     QCOMPARE(capture.valueAt(slow, 102.5 * tick), std::optional(-200.0));
     QCOMPARE(capture.extremes(slow, 0, 1).min, -200.0F);
     QCOMPARE(capture.extremes(slow, 0, 1).max, 100.0F);
+}
+
+/// No number, or not later, in the middle and at the end of a block: as if each group had come alone.
+void TestCapture::slowValuesThatAreRefusedLeaveTheOthersOfTheirBlock()
+{
+    StreamLayout slow = layout(1, {}, {8, 9});
+    slow.slow[0].real = true;
+    using Group = std::pair<Tick, float>;
+    const float none = std::nanf("");
+    const std::vector<std::vector<Group>> blocks{
+        {{0, 1}, {8, 2}, {4, 99}, {16, 4}, {24, none}, {32, 5}, {34, none}, {36, 6}, {36, 99}},
+        {{44, 8}, {52, none}}, {{50, 9}, {60, 10}, {30, 99}}, {{70, 12}}};
+    Capture together, alone;
+    together.begin(slow);
+    alone.begin(slow);
+    for (const auto &groups : blocks) {
+        SampleBlock all = block(1, 100, {}); // no fast sample; the stream has come to tick 100
+        for (const auto &[tick, value] : groups) {
+            all.slow.push_back({tick, {std::bit_cast<std::int32_t>(value), int(tick)}});
+            SampleBlock one = block(1, 100, {});
+            one.slow.push_back(all.slow.back());
+            alone.append(one);
+        }
+        together.append(all);
+    }
+    const auto facts = [](const Capture &capture, catalog::RegisterId id) {
+        const ValueColumn &column = *capture.channel(*capture.find(id))->values();
+        std::vector<std::tuple<Nanos, double, std::size_t>> result;
+        for (Index i = column.begin(); i < column.end(); ++i)
+            result.emplace_back(column.timeOf(i), column.at(i), column.runOf(i));
+        for (const Run &run : column.runs())
+            result.emplace_back(run.holdUntil, double(run.first), run.count);
+        return result;
+    };
+    for (const catalog::RegisterId id : {8U, 9U})
+        QVERIFY(facts(together, id) == facts(alone, id));
+    const Channel &real = *together.channel(*together.find(8));
+    std::vector<double> values;
+    for (Index i = real.begin(); i < real.end(); ++i)
+        values.push_back(std::round(real.at(i) / 0.1));
+    QCOMPARE(values, (std::vector<double>{1, 2, 4, 5, 6, 8, 9, 10, 12}));
+    QCOMPARE(real.values()->runs().size(), std::size_t(4));
+    QCOMPARE(together.size(*together.find(9)), 11U);
+    for (const Capture *capture : {&together, &alone}) {
+        QCOMPARE(capture->refused().notFinite, 3U);
+        QCOMPARE(capture->refused().backwards, 3U + 4U);
+    }
 }
 
 void TestCapture::polledValuesAreTheirOwnChannel()
