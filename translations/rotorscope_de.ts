@@ -7256,8 +7256,16 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
         <translation>%1; auch der Pfeil am rechten Rand des Diagramms</translation>
     </message>
     <message>
+        <source>File: replay it to trigger</source>
+        <translation>Datei: zum Triggern wiedergeben</translation>
+    </message>
+    <message>
         <source>State of the trigger, and how old the shown record is</source>
         <translation>Zustand des Triggers und Alter der gezeigten Aufnahme</translation>
+    </message>
+    <message>
+        <source>The trigger waits for samples, and a file has none to come. A replay of it (Ctrl+Shift+R) has.</source>
+        <translation>Der Trigger wartet auf Messwerte, und eine Datei bekommt keine mehr. Bei ihrer Wiedergabe (Strg+Umschalt+R) kommen sie.</translation>
     </message>
 </context>
 <context>

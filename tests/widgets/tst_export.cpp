@@ -150,7 +150,7 @@ private Q_SLOTS:
         std::vector<ChannelId> ids;
         for (const ChannelInfo &info : capture.channels())
             ids.push_back(info.id);
-        widgets::ExportOrder order{ExportFormat(format), {}, {}, {}};
+        widgets::ExportOrder order{ExportFormat(format), {}, {}, {}, {}};
         const auto carriedOut = [&] {
             order.parts.clear();
             const Snapshot channels = capture.snapshot(ids);

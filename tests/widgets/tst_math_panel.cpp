@@ -44,6 +44,7 @@ private Q_SLOTS:
     void itIsKeptAndWaitsForItsSignals();
     void aRemovedOneIsGoneEverywhere();
     void readyFormulasAreFilledIn();
+    void readyFormulasAreOfOneMotor();
     void aLongRecordingIsComputedInTurns();
     void theTableIsAModel();
 
@@ -336,7 +337,7 @@ void TestMathPanel::readyFormulasAreFilledIn()
     const std::vector<scope::FormulaName> names{{"I_A", "A"}, {"I_B", "A"},
         {"MECH_ANGLE", "\u00b0"}, {"HALL_EL_ANGLE", "\u00b0"}, {"V_D (2)", "V"}};
     int empty = 0;
-    for (const widgets::ReadyFormula &ready : widgets::readyFormulas(names, {})) {
+    for (const widgets::ReadyFormula &ready : widgets::readyFormulas(names, {}, 1)) {
         QCOMPARE(ready.text.isEmpty(), !ready.missing.isEmpty());
         empty += ready.text.isEmpty() ? 1 : 0;
         if (!ready.text.isEmpty())
@@ -345,8 +346,23 @@ void TestMathPanel::readyFormulasAreFilledIn()
     }
     QCOMPARE(empty, 1); // no power without voltages
     QCOMPARE(widgets::inFormula(QStringLiteral("V_D (2)")), QStringLiteral("[V_D (2)]"));
-    for (const widgets::ReadyFormula &ready : widgets::readyFormulas({}, {}))
+    for (const widgets::ReadyFormula &ready : widgets::readyFormulas({}, {}, 0))
         QVERIFY(ready.text.isEmpty());
+}
+
+void TestMathPanel::readyFormulasAreOfOneMotor()
+{
+    const std::vector<scope::FormulaName> names{{"I_A@1", "A"}, {"I_A@2", "A"}, {"I_B@2", "A"},
+        {"HALL_EL_ANGLE@1", "\u00b0"}, {"HALL_EL_ANGLE@2", "\u00b0"}};
+    for (const int motor : {0, 2}) { // of a file: the one that has both
+        const auto all = widgets::readyFormulas(names, {}, motor);
+        QCOMPARE(all[0].text, QStringLiteral("clarke_alpha([I_A@2], [I_B@2])"));
+        QCOMPARE(all[2].text,
+            QStringLiteral("park_d(clarke_alpha([I_A@2], [I_B@2]), "
+                           "clarke_beta([I_A@2], [I_B@2]), [HALL_EL_ANGLE@2])"));
+        QVERIFY(scope::Formula::compile(all[2].text.toStdString(), names));
+    }
+    QCOMPARE(widgets::readyFormulas(names, {}, 1)[0].text, QString());
 }
 
 void TestMathPanel::aLongRecordingIsComputedInTurns()

@@ -1,9 +1,10 @@
 // The motion log in the window: every act of the session is a row, it can be copied and saved, and it goes with each
 // export.
-#include "support/window_rig.h"
+#include "support/scope_window.h"
 #include "widgets/control/motion_log_model.h"
 #include "widgets/control/motion_log_panel.h"
 #include "widgets/files/export_dialog.h"
+#include "widgets/files/file_job.h"
 
 #include <QAbstractItemModelTester>
 #include <QClipboard>
@@ -36,6 +37,20 @@ drive::MotionRecord ramp()
 
 class TestMotionLog : public QObject {
     Q_OBJECT
+
+    static void exportTo(facts::ScopeWindow &rig, const QString &path)
+    {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // a dialog of before
+        rig.files.answer = path;
+        rig.window.exportCsv();
+        QTest::mouseClick(rig.find<QPushButton>("exportSave"), Qt::LeftButton);
+        QTRY_VERIFY(!rig.window.findChild<widgets::FileJob *>());
+    }
+    static QByteArray contentOf(const QString &path)
+    {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
 
 private Q_SLOTS:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
@@ -115,18 +130,51 @@ private Q_SLOTS:
 
     void itGoesBesideEachExport()
     {
-        facts::WindowRig rig;
+        facts::ScopeWindow rig;
+        rig.record(100, [](int, int tick) { return tick; });
         QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("run.csv"));
         const QString beside = folder.filePath(QStringLiteral("run.motion.csv"));
-        rig.window.exported(path);
+        exportTo(rig, folder.filePath(QStringLiteral("run.csv")));
         QVERIFY(!QFile::exists(beside)); // nothing was asked of a motor
+        for (int acts = 1; acts <= 2; ++acts) { // who replaces the capture replaces its log
+            facts::feed(rig.workbench.device(), {ramp()});
+            exportTo(rig, folder.filePath(QStringLiteral("run.csv")));
+            QCOMPARE(contentOf(beside), rig.workbench.motionLog().text());
+            QCOMPARE(rig.workbench.motionLog().rowCount(), acts);
+            QVERIFY(
+                rig.find<QLabel>("bannerText")->text().contains(QStringLiteral("run.motion.csv")));
+        }
+    }
+
+    void aFilesExportHasNoneOfThisSession()
+    {
+        facts::ScopeWindow rig;
         facts::feed(rig.workbench.device(), {ramp()});
-        rig.window.exported(path);
-        QFile file(beside);
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        QCOMPARE(file.readAll(), rig.workbench.motionLog().text());
-        QVERIFY(rig.find<QLabel>("bannerText")->text().contains(QStringLiteral("run.motion.csv")));
+        capture::Capture file;
+        file.appendPolled(9, "TEMPERATURE", "\u00b0C", 0.1, 20.0);
+        rig.window.selection()->showFile(std::move(file));
+        QTemporaryDir folder;
+        exportTo(rig, folder.filePath(QStringLiteral("run.csv")));
+        QVERIFY(QFile::exists(folder.filePath(QStringLiteral("run.csv"))));
+        QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("run.motion.csv"))));
+    }
+
+    void anothersLogIsNotReplaced()
+    {
+        facts::ScopeWindow rig;
+        rig.record(100, [](int, int tick) { return tick; });
+        facts::feed(rig.workbench.device(), {ramp()});
+        QTemporaryDir folder;
+        const QString beside = folder.filePath(QStringLiteral("run.motion.csv"));
+        QFile kept(beside);
+        QVERIFY(kept.open(QIODevice::WriteOnly));
+        kept.write("kept");
+        kept.close();
+        exportTo(rig, folder.filePath(QStringLiteral("run.csv")));
+        QCOMPARE(contentOf(beside), QByteArray("kept"));
+        QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("run.csv"))));
+        QVERIFY(
+            rig.find<QLabel>("exportSummary")->text().startsWith(QStringLiteral("run.motion.csv")));
     }
 
     void theDockIsThereAndHidden()

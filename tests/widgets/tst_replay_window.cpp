@@ -48,6 +48,14 @@ void writeRecording(const QString &path)
             block.fast.push_back(static_cast<std::int16_t>(i % 30'000));
         file.add(at, std::move(block));
         file.flush(at);
+        if (tick == 7 * 16'000 || tick == 8 * 16'000) { // the first one is refused
+            const std::string wish = tick == 7 * 16'000 ? "6" : "7";
+            file.add(at, record::Happening{"write", {{"SPEED_KP", "520"}, {"wish", wish}}});
+            file.add(at + 10'000'000,
+                record::Happening{"ended",
+                    {{"wish", wish}, {"outcome", "ok"}, {"reason", ""},
+                        {"SPEED_KP", wish == "6" ? "refused, was 400" : "ok, was 400, is 520"}}});
+        }
         if (tick % 16'000 == 0)
             file.add(at, record::PolledValues{{{kTemperature, at, 25.5}, {kSquare, at, 10.0}}});
     }
@@ -146,6 +154,23 @@ private Q_SLOTS:
         const auto first = *capture().timeSpan(scope()->channels().first());
         const double at = capture::toSeconds(trigger->history().records().back().trigger);
         QVERIFY(std::abs(std::remainder(at - first.from - 0.05 + 0.5 / 16000.0, 0.1)) < 1e-6);
+    }
+
+    void aWriteThatWasTakenTriggers()
+    {
+        auto *trigger = m_rig->window.findChild<widgets::TriggerControl *>();
+        m_rig->workbench.replay().setSpeed(4.0);
+        replay();
+        QTRY_COMPARE(scope()->channels().size(), 2);
+        widgets::TriggerSetup setup = trigger->setup();
+        setup.mode = scope::Mode::Normal;
+        setup.type = widgets::TriggerType::RegisterWrite;
+        setup.length = 0.05;
+        trigger->setSetup(setup);
+        QTRY_VERIFY(!trigger->history().records().empty());
+        const auto first = *capture().timeSpan(scope()->channels().first());
+        const double at = capture::toSeconds(trigger->history().records().front().trigger);
+        QVERIFY2(std::abs(at - first.from - 8.01) < 0.02, qPrintable(QString::number(at)));
     }
 
     void aPauseHoldsIt()

@@ -19,6 +19,7 @@ private Q_SLOTS:
     void theWheelOnAnAxisStepsItsGain();
     void gainsAreOneTwoFive();
     void aLegendEntryIsDraggedToAnotherPlot();
+    void aLegendEntryThatIsBroughtBackLeavesNoMark();
     void theOverviewShowsAndMovesTheView();
     void clickingTheLegendSelectsAndDeleteRemoves();
     void registersDroppedOnAPlotAreReported();
@@ -240,6 +241,31 @@ void TestScopeGestures::gainsAreOneTwoFive()
     QVERIFY(std::abs(scale / 1e-10 - 1.0) < 1e-9);
     QCOMPARE(steppedScale(0.0, 1), 1.0);
     QCOMPARE(steppedScale(std::nan(""), 1), 1.0);
+}
+
+void TestScopeGestures::aLegendEntryThatIsBroughtBackLeavesNoMark()
+{
+    Bench bench({signal(1, "A")});
+    bench.view.addChannel(bench.id(1));
+    bench.record(100, 1);
+    bench.picture();
+    QWidget &plot = plotOf(bench.view);
+    const QPoint entry = legendOf(bench.view, 0);
+    QTest::mousePress(&plot, Qt::LeftButton, {}, entry);
+    const QPoint away = entry + QPoint(40, 40);
+    QMouseEvent move(
+        QEvent::MouseMove, away, plot.mapToGlobal(away), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&plot, &move);
+    const auto count = [&bench] {
+        int visible = 0;
+        for (const QRubberBand *band : bench.view.findChildren<QRubberBand *>())
+            visible += band->isVisible() ? 1 : 0;
+        return visible;
+    };
+    const int marks = count();
+    QTest::mouseRelease(&plot, Qt::LeftButton, {}, entry);
+    QCOMPARE(marks, 1);
+    QCOMPARE(count(), 0);
 }
 
 void TestScopeGestures::aLegendEntryIsDraggedToAnotherPlot()

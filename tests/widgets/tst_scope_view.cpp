@@ -23,6 +23,7 @@ private Q_SLOTS:
     void smallTicksStandBetweenTheLinesOfTheGrid_data();
     void smallTicksStandBetweenTheLinesOfTheGrid();
     void signalsOfOneUnitShareAnAxisAndOthersGetTheirOwn();
+    void theFirstAxisTakesTheUnitThatIsLeft();
     void aFifthUnitSharesTheLastAxis();
     void plotsAreStackedAndVanishWhenEmpty();
     void followingKeepsTheNewestSampleAtTheRightEdge();
@@ -260,6 +261,23 @@ void TestScopeView::signalsOfOneUnitShareAnAxisAndOthersGetTheirOwn()
     QVERIFY(bench.view.valueRangeOf(bench.id(3)).to > 1500);
     bench.view.removeChannel(bench.id(3));
     QCOMPARE(bench.view.axisCount(0), 1);
+    bench.picture();
+}
+
+void TestScopeView::theFirstAxisTakesTheUnitThatIsLeft()
+{
+    Bench bench({signal(1, "A"), signal(2, "rpm"), signal(3, "V")});
+    bench.view.addChannel(bench.id(1));
+    bench.view.addChannel(bench.id(2));
+    bench.record(1000, [](int s, int) { return s == 1 ? 1500 : 0; });
+    bench.picture();
+    const auto before = bench.view.valueRangeOf(bench.id(2));
+    bench.view.removeChannel(bench.id(1));
+    QCOMPARE(bench.view.axisCount(0), 1);
+    QCOMPARE(bench.view.valueRangeOf(bench.id(2)).from, before.from);
+    QCOMPARE(bench.view.valueRangeOf(bench.id(2)).to, before.to);
+    bench.view.addChannel(bench.id(3));
+    QCOMPARE(bench.view.axisCount(0), 2);
     bench.picture();
 }
 

@@ -53,6 +53,8 @@ private Q_SLOTS:
     void anotherTraceAndTheCursorsAreAnotherSpectrum();
     void ordersAreMultiplesOfTheLargestPeak();
     void ordersOfASpeedNeedThePolePairs();
+    void ordersAreOfTheMotorThatHasTheSpeed();
+    void aFileHasNoOrdersOfABoard();
     void whereThereIsNoSpectrumTheReasonIsSaid();
     void spectraAreAveragedAndBegunAnew();
     void eachSampleIsAveragedOnce();
@@ -146,6 +148,48 @@ void TestSpectrumPanel::ordersOfASpeedNeedThePolePairs()
     choose("spectrumAxis", int(speed)); // 750 rpm backwards, 4 pole pairs: 50 Hz
     QCOMPARE(cell(0, SpectrumPeaks::OrderColumn), QStringLiteral("1.00"));
     QCOMPARE(cell(1, SpectrumPeaks::OrderColumn), QStringLiteral("3.00"));
+}
+
+void TestSpectrumPanel::ordersAreOfTheMotorThatHasTheSpeed()
+{
+    drive::Identified board = facts::identified();
+    board.identity.motors = 2;
+    auto registers = board.catalog->registers();
+    for (catalog::RegisterInfo &info : registers)
+        info.perMotor = info.id == facts::kSpeed;
+    board.catalog = std::make_shared<const catalog::Catalog>(
+        std::move(registers), 2, std::vector<catalog::Scales>(2));
+    board.limits.resize(2);
+    board.limits[0].polePairs = 2.0;
+    board.limits[1].polePairs = 4.0;
+    facts::feed(m_rig->device(), {board});
+    QCOMPARE(m_rig->device().motor(), 1);
+    capture::Capture &capture = m_rig->workbench.capture();
+    for (int i = 0; i < 40; ++i)
+        capture.appendPolled(facts::kSpeed | 2U, "SPEED_MEAS@2", "rpm", i * 0.1, 750.0);
+    view().addChannel(m_rig->id(facts::kSpeed | 2U));
+    choose("spectrumAxis", int(m_rig->id(facts::kSpeed | 2U))); // 4 pole pairs: 50 Hz
+    QCOMPARE(cell(0, SpectrumPeaks::OrderColumn), QStringLiteral("1.00"));
+}
+
+void TestSpectrumPanel::aFileHasNoOrdersOfABoard()
+{
+    drive::Identified board = facts::identified();
+    board.limits[0].polePairs = 4.0;
+    facts::feed(m_rig->device(), {board});
+    capture::Capture file;
+    const auto trace = file.addImported("I", "A");
+    const auto speed = file.addImported("SPEED", "rpm");
+    for (int i = 0; i < 4000; ++i) {
+        file.appendImported(trace, i * 1'000'000LL, sine(50, 1000, i), (i + 1) * 1'000'000LL);
+        file.appendImported(speed, i * 1'000'000LL, 750.0, (i + 1) * 1'000'000LL);
+    }
+    m_rig->window.selection()->showFile(std::move(file));
+    choose("spectrumTrace", view().channels().first());
+    choose("spectrumAxis", int(view().channels().last()));
+    update();
+    QVERIFY(peaks().rowCount() > 0);
+    QVERIFY2(note().startsWith(QStringLiteral("No orders")), qPrintable(note()));
 }
 
 void TestSpectrumPanel::whereThereIsNoSpectrumTheReasonIsSaid()

@@ -49,7 +49,9 @@ private Q_SLOTS:
     void recordsGoWithTheirSamples();
     void recordsWhoseSamplesWereLetGoAreMarked();
     void theRecordsAreAModel();
+    void aFileIsReplayedToTriggerOnIt();
     void endGoesBackToRoll();
+    void aRecordSeenInRollIsLeftWhenThePictureRuns();
     void fittingStopsFirst();
     void anAgeNeverGoesBack();
     void cursorsKeepTheirPlaceFromTheTrigger();
@@ -450,6 +452,32 @@ void TestTriggerBar::theRecordsAreAModel()
     table.refresh();
 }
 
+void TestTriggerBar::aFileIsReplayedToTriggerOnIt()
+{
+    normal();
+    m_rig->device().portChanged(session::PortState::Closed, {});
+    capture::Capture file;
+    const auto trace = file.addImported("I", "A");
+    for (int i = 0; i < 1000; ++i)
+        file.appendImported(trace, i * 1'000'000LL, i % 100, (i + 1) * 1'000'000LL);
+    m_rig->window.selection()->showFile(std::move(file));
+    QVERIFY2(stateWord().contains(QStringLiteral("replay it")), qPrintable(stateWord()));
+    auto *mode = m_rig->find<QComboBox>("triggerMode");
+    QVERIFY(mode->isEnabled()); // it may be ended
+    control().setMode(Mode::Roll);
+    QVERIFY(!mode->isEnabled());
+    for (const char *button : {"triggerSingle", "triggerForce"})
+        QVERIFY(!m_rig->find<QToolButton>(button)->isEnabled());
+    QTest::keyClick(&view(), Qt::Key_S);
+    control().single();
+    control().setMode(Mode::Auto);
+    control().force();
+    QVERIFY(control().setup().mode == Mode::Roll);
+    m_rig->window.selection()->clearRecorded();
+    QVERIFY(mode->isEnabled());
+    QVERIFY2(!stateWord().contains(QStringLiteral("replay it")), qPrintable(stateWord()));
+}
+
 void TestTriggerBar::endGoesBackToRoll()
 {
     normal();
@@ -462,6 +490,20 @@ void TestTriggerBar::endGoesBackToRoll()
     square(4000);
     m_rig->draw();
     QCOMPARE(view().visibleRange().to, double(m_rig->tick - 1) / 1000.0);
+}
+
+void TestTriggerBar::aRecordSeenInRollIsLeftWhenThePictureRuns()
+{
+    normal();
+    square(500);
+    control().setMode(Mode::Roll);
+    for (const Qt::Key goOn : {Qt::Key_Space, Qt::Key_End}) {
+        QTest::keyClick(&view(), Qt::Key_PageUp);
+        QVERIFY(control().shown() && view().timeOrigin() > 0.0);
+        QTest::keyClick(&view(), goOn);
+        QVERIFY(!control().shown());
+        QCOMPARE(view().timeOrigin(), 0.0);
+    }
 }
 
 void TestTriggerBar::fittingStopsFirst()

@@ -48,6 +48,7 @@ private Q_SLOTS:
     void anyTraceGoesOverAnyOther();
     void theBusLimitsVoltages();
     void whatIsMissingIsSaid();
+    void ofSeveralMotorsItIsTheChosenOne();
     void strokesFollowThePixels();
     void aGapBreaksTheLine();
     void itFollowsTheRecordThatIsShown();
@@ -210,6 +211,32 @@ void TestXyPanel::whatIsMissingIsSaid()
     view().setVisibleRange(100.0, 101.0);
     update();
     QVERIFY2(why().contains(QStringLiteral("same time")), qPrintable(why()));
+}
+
+void TestXyPanel::ofSeveralMotorsItIsTheChosenOne()
+{
+    choose(XyPanel::Kind::CurrentDq);
+    addChannel("I_D_MEAS@1", "A", [](int) { return 1.0; });
+    addChannel("I_D_MEAS@2", "A", [](int) { return 3.0; });
+    addChannel("I_Q_MEAS@2", "A", [](int) { return 4.0; });
+    update();
+    QVERIFY2(!why().isEmpty(), "motor 1 is chosen, and has only one of them");
+    drive::Identified board = facts::identified();
+    board.identity.motors = 2;
+    facts::feed(m_rig->device(), {board});
+    m_rig->device().setMotor(2);
+    update();
+    QCOMPARE(why(), QString());
+    QVERIFY2(note().startsWith(QStringLiteral("Newest: 5")), qPrintable(note()));
+    capture::Capture file; // says nothing about what is chosen
+    for (const auto &[name, value] : {std::pair{"V_D@1", 6.0}, {"V_Q@1", 8.0}}) {
+        const auto id = file.addImported(name, "V");
+        for (int i = 0; i < 100; ++i)
+            file.appendImported(id, i * 1'000'000LL, value, (i + 1) * 1'000'000LL);
+    }
+    m_rig->window.selection()->showFile(std::move(file));
+    choose(XyPanel::Kind::VoltageDq);
+    QVERIFY2(note().startsWith(QStringLiteral("Newest: 10")), qPrintable(note()));
 }
 
 void TestXyPanel::strokesFollowThePixels()

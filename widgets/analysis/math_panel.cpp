@@ -25,11 +25,12 @@ constexpr int kNameWidth = 130;
 constexpr int kValueWidth = 150;
 } // namespace
 
-MathPanel::MathPanel(
-    MathChannels &channels, ScopeView &scope, const capture::Capture &capture, QWidget *parent)
+MathPanel::MathPanel(MathChannels &channels, ScopeView &scope, const capture::Capture &capture,
+    ChosenMotor motor, QWidget *parent)
     : Form(parent)
     , m_channels(channels)
     , m_scope(scope)
+    , m_motor(std::move(motor))
     , m_table(new MathTable(channels, capture, scope, this))
     , m_list(new QTreeView(this))
     , m_name(new QLineEdit(this))
@@ -133,7 +134,8 @@ void MathPanel::fillReady(QMenu &menu)
     menu.clear();
     const auto selected = m_scope.selectedChannel();
     const QString chosen = selected ? m_scope.nameOf(*selected) : QString();
-    for (const ReadyFormula &ready : readyFormulas(m_channels.names(chosenName()), chosen)) {
+    const std::vector<scope::FormulaName> names = m_channels.names(chosenName());
+    for (const ReadyFormula &ready : readyFormulas(names, chosen, m_motor())) {
         QAction *action = menu.addAction(ready.title);
         action->setEnabled(!ready.text.isEmpty());
         action->setToolTip(plainToolTip(ready.text.isEmpty() ? ready.missing : ready.text));

@@ -1,6 +1,7 @@
 // The math channels as a tool: those that there are, and one formula at a time to be written, checked while it is typed.
 #pragma once
 
+#include "widgets/analysis/motor_names.h"
 #include "widgets/forms/form.h"
 
 class QLabel;
@@ -24,7 +25,7 @@ class MathPanel : public Form {
 public:
     /// All outlive it.
     MathPanel(MathChannels &channels, ScopeView &scope, const capture::Capture &capture,
-        QWidget *parent = nullptr);
+        ChosenMotor motor, QWidget *parent = nullptr);
 
     void choose(const QString &name); ///< that channel, to be changed
 
@@ -50,6 +51,7 @@ private:
 
     MathChannels &m_channels;
     ScopeView &m_scope;
+    ChosenMotor m_motor;
     MathTable *m_table;
     QTreeView *m_list;
     QLineEdit *m_name;

@@ -1,6 +1,7 @@
 #include "widgets/analysis/ready_formulas.h"
 
 #include "widgets/analysis/math_formula.h"
+#include "widgets/analysis/motor_names.h"
 #include "widgets/base/device_text.h"
 
 #include <QCoreApplication>
@@ -15,29 +16,43 @@ struct Ready {
     Q_DECLARE_TR_FUNCTIONS(widgets::ReadyFormulas)
 };
 
+/// As they stand in a formula, and the motor that they are of, as in "@2".
+struct Found {
+    QStringList names; ///< empty ones: some are missing
+    std::string motor;
+    bool there() const { return !names.contains(QString()); }
+};
+
 /// Finds signals by what boards call them.
 class Signals {
 public:
-    explicit Signals(const std::vector<scope::FormulaName> &names)
+    Signals(const std::vector<scope::FormulaName> &names, int motor)
         : m_names(names)
+        , m_endings(motorEndings(motor))
+        , m_chosen(motor > 0 ? m_endings.back() : std::string())
     {
     }
-    /// The first of these that is there, as it stands in a formula; empty if none is.
-    QString any(std::initializer_list<const char *> wanted) const
+    /// Of each list the first that is there; all of one motor.
+    Found together(std::initializer_list<std::initializer_list<const char *>> wanted) const
     {
-        for (const char *name : wanted) {
-            const auto found = std::find_if(m_names.begin(), m_names.end(),
-                [name](const scope::FormulaName &one) { return one.name == name; });
-            if (found != m_names.end())
-                return inFormula(QString::fromStdString(found->name));
+        for (const std::string &ending : m_endings) {
+            Found found{{}, ending};
+            for (const auto &one : wanted)
+                found.names.append(any(one, ending));
+            if (found.there())
+                return found;
         }
-        return {};
+        return {QStringList(static_cast<qsizetype>(wanted.size()), QString()), {}};
     }
-    /// The first electrical angle, or else the first signal in degrees or radians.
-    QString angle() const
+    /// The first electrical angle of the chosen motor, or else its first signal in degrees or radians.
+    QString angle() const { return angle(m_chosen); }
+    QString angle(const std::string &motor) const
     {
         const scope::FormulaName *best = nullptr;
         for (const scope::FormulaName &one : m_names) {
+            const std::string its = motorEndingOf(one.name);
+            if (!its.empty() && !motor.empty() && its != motor)
+                continue;
             const bool turns = one.unit == "°" || one.unit == "rad";
             const bool electrical = one.name.find("EL_ANGLE") != std::string::npos;
             if (turns && (!best || (electrical && best->name.find("EL_") == std::string::npos)))
@@ -52,7 +67,20 @@ public:
     }
 
 private:
+    QString any(std::initializer_list<const char *> wanted, const std::string &ending) const
+    {
+        for (const char *name : wanted) {
+            const auto found = std::find_if(m_names.begin(), m_names.end(),
+                [&](const scope::FormulaName &one) { return one.name == name + ending; });
+            if (found != m_names.end())
+                return inFormula(QString::fromStdString(found->name));
+        }
+        return {};
+    }
+
     const std::vector<scope::FormulaName> &m_names;
+    std::vector<std::string> m_endings;
+    std::string m_chosen;
 };
 
 ReadyFormula made(
@@ -81,25 +109,21 @@ QString inFormula(const QString &name)
 }
 
 std::vector<ReadyFormula> readyFormulas(
-    const std::vector<scope::FormulaName> &names, const QString &chosen)
+    const std::vector<scope::FormulaName> &names, const QString &chosen, int motor)
 {
-    const Signals all(names);
-    const QString a = all.any({"I_A"});
-    const QString b = all.any({"I_B"});
-    const QStringList phases{a, b};
+    const Signals all(names, motor);
+    const Found both = all.together({{"I_A"}, {"I_B"}});
+    const QStringList &phases = both.names;
     const QString needPhases = Ready::tr("needs I_A and I_B in the recording");
-    QString alpha = all.any({"I_ALPHA_MEAS", "I_ALPHA"});
-    QString beta = all.any({"I_BETA_MEAS", "I_BETA"});
-    const bool computed = (alpha.isEmpty() || beta.isEmpty()) && !phases.contains(QString());
-    if (computed) {
-        alpha = call("clarke_alpha", phases);
-        beta = call("clarke_beta", phases);
-    }
+    Found turned = all.together({{"I_ALPHA_MEAS", "I_ALPHA"}, {"I_BETA_MEAS", "I_BETA"}});
+    if (!turned.there() && both.there())
+        turned = {{call("clarke_alpha", phases), call("clarke_beta", phases)}, both.motor};
     const QString angle = all.angle();
-    const QStringList park{alpha, beta, angle};
+    const QString its = turned.motor.empty() ? angle : all.angle(turned.motor);
+    const QStringList park = turned.names + QStringList{its};
     const QString needPark = Ready::tr("needs two phase currents and an electrical angle");
-    const QStringList powers{all.any({"V_D"}), all.any({"I_D_MEAS", "I_D"}), all.any({"V_Q"}),
-        all.any({"I_Q_MEAS", "I_Q"})};
+    const QStringList powers =
+        all.together({{"V_D"}, {"I_D_MEAS", "I_D"}, {"V_Q"}, {"I_Q_MEAS", "I_Q"}}).names;
     const QString one = chosen.isEmpty() ? all.first() : inFormula(chosen);
     const QString needOne = Ready::tr("needs a signal in the recording");
     const auto ofOne = [&](const QString &title, const QString &text) {

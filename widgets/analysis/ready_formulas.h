@@ -17,8 +17,9 @@ struct ReadyFormula {
 
 /// @param names   that a formula may use
 /// @param chosen  the signal that those of one signal are filled with; else the first of `names`
+/// @param motor   whose signals those of several are filled with; 0: of any, but all of one
 std::vector<ReadyFormula> readyFormulas(
-    const std::vector<scope::FormulaName> &names, const QString &chosen);
+    const std::vector<scope::FormulaName> &names, const QString &chosen, int motor);
 
 /// A name as it stands in a formula: in brackets if it has to be.
 QString inFormula(const QString &name);

@@ -36,12 +36,13 @@ enum Axis { Hertz = -1, OrdersOfLargest = 0 }; // above: orders of that channel'
 enum Scale { Amplitude, Decibels };
 } // namespace
 
-SpectrumPanel::SpectrumPanel(
-    ScopeView &scope, const capture::Capture &capture, const Device &device, QWidget *parent)
+SpectrumPanel::SpectrumPanel(ScopeView &scope, const capture::Capture &capture,
+    const Device &device, ChosenMotor motor, QWidget *parent)
     : Form(parent)
     , m_scope(scope)
     , m_capture(capture)
     , m_device(device)
+    , m_motor(std::move(motor))
     , m_peaks(new SpectrumPeaks(this))
     , m_plot(new SpectrumPlot(this))
     , m_list(new QTreeView(this))
@@ -318,6 +319,20 @@ QString SpectrumPanel::whyNot(scope::NoSpectrum why) const
     return tr("Fewer than 16 samples in one piece: no spectrum.");
 }
 
+/// Of the motor whose speed it is, or that is chosen; 0 if it is not known, as in a file of another board.
+int SpectrumPanel::polePairsOf(catalog::RegisterId speed) const
+{
+    const auto &board = m_device.identified();
+    int motor = m_motor();
+    if (!board || motor == 0)
+        return 0;
+    const catalog::RegisterInfo *info = board->catalog ? board->catalog->find(speed) : nullptr;
+    if (info && info->perMotor)
+        motor = board->catalog->motorOf(speed);
+    const auto index = static_cast<std::size_t>(motor - 1);
+    return index < board->limits.size() ? static_cast<int>(board->limits[index].polePairs) : 0;
+}
+
 /// Not valid where the axis is frequency, or the speed or the pole pairs are not known.
 scope::OrderAxis SpectrumPanel::orders(double largestHz) const
 {
@@ -327,12 +342,10 @@ scope::OrderAxis SpectrumPanel::orders(double largestHz) const
     if (axis == Axis::OrdersOfLargest)
         return {largestHz};
     const capture::Channel *speed = m_capture.channel(static_cast<capture::ChannelId>(axis));
-    const auto board = m_device.identified();
-    const auto motor = static_cast<std::size_t>(m_device.motor() - 1);
-    if (!speed || !board || motor >= board->limits.size())
+    const int polePairs = speed ? polePairsOf(speed->info().registerId) : 0;
+    if (polePairs == 0)
         return {};
     const auto moments = scope::SampleRange(*speed, m_answered->from, m_answered->to).moments();
-    const int polePairs = static_cast<int>(board->limits[motor].polePairs);
     return moments ? scope::OrderAxis::ofSpeed(moments->mean, polePairs) : scope::OrderAxis();
 }
 

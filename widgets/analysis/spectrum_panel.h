@@ -2,6 +2,7 @@
 // Computed in a thread of its own from a copy of the samples, a few times a second while it can be seen.
 #pragma once
 
+#include "widgets/analysis/motor_names.h"
 #include "widgets/analysis/spectrum_job.h"
 #include "widgets/forms/form.h"
 
@@ -26,7 +27,7 @@ class SpectrumPanel : public Form {
 public:
     /// All outlive it.
     SpectrumPanel(ScopeView &scope, const capture::Capture &capture, const Device &device,
-        QWidget *parent = nullptr);
+        ChosenMotor motor, QWidget *parent = nullptr);
     ~SpectrumPanel() override;
 
     void refresh(Milliseconds now) override;
@@ -59,10 +60,12 @@ private:
     void showNote(const scope::Spectrum &spectrum);
     QString whyNot(scope::NoSpectrum why) const;
     scope::OrderAxis orders(double largestHz) const;
+    int polePairsOf(catalog::RegisterId speed) const;
 
     ScopeView &m_scope;
     const capture::Capture &m_capture;
     const Device &m_device;
+    ChosenMotor m_motor;
     SpectrumPeaks *m_peaks;
     SpectrumPlot *m_plot;
     QTreeView *m_list;

@@ -41,11 +41,12 @@ constexpr std::array kVoltageDq{Names{"V_D", "V_Q"}, Names{"U_D", "U_Q"}};
 } // namespace
 
 XyPanel::XyPanel(ScopeView &scope, const capture::Capture &capture, const RegisterModel &registers,
-    QWidget *parent)
+    ChosenMotor motor, QWidget *parent)
     : Form(parent)
     , m_scope(scope)
     , m_capture(capture)
     , m_registers(registers)
+    , m_motor(std::move(motor))
     , m_plot(new XyPlot(this))
     , m_kind(new QComboBox(this))
     , m_x(new QComboBox(this))
@@ -157,7 +158,7 @@ void XyPanel::kindChosen()
 }
 
 /// The channel of that name that got a sample last.
-std::optional<capture::ChannelId> XyPanel::recorded(const char *name) const
+std::optional<capture::ChannelId> XyPanel::recorded(const std::string &name) const
 {
     for (const capture::ChannelInfo &info : m_capture.channels()) {
         if (info.name == name)
@@ -166,12 +167,26 @@ std::optional<capture::ChannelId> XyPanel::recorded(const char *name) const
     return std::nullopt;
 }
 
+/// Both of it are of one motor.
 std::optional<XyPanel::Pair> XyPanel::pair() const
 {
-    const auto named = [this](const auto &all) -> std::optional<Pair> {
+    if (kind() == Kind::Any) {
+        const Pair chosen{m_x->currentData().toUInt(), m_y->currentData().toUInt(), false};
+        return m_capture.channel(chosen.x) && m_capture.channel(chosen.y) ? std::optional(chosen)
+                                                                          : std::nullopt;
+    }
+    for (const std::string &ending : motorEndings(m_motor()))
+        if (const auto both = vectorOf(ending))
+            return both;
+    return std::nullopt;
+}
+
+std::optional<XyPanel::Pair> XyPanel::vectorOf(const std::string &ending) const
+{
+    const auto named = [&](const auto &all) -> std::optional<Pair> {
         for (const Names &names : all) {
-            const auto x = recorded(names.x);
-            const auto y = recorded(names.y);
+            const auto x = recorded(names.x + ending);
+            const auto y = recorded(names.y + ending);
             if (x && y)
                 return Pair{*x, *y, false};
         }
@@ -180,8 +195,8 @@ std::optional<XyPanel::Pair> XyPanel::pair() const
     switch (kind()) {
     case Kind::CurrentAlphaBeta: {
         const auto logged = named(kCurrentAlphaBeta);
-        const auto a = recorded("I_A");
-        const auto b = recorded("I_B");
+        const auto a = recorded("I_A" + ending);
+        const auto b = recorded("I_B" + ending);
         // What is recorded now goes before what was once.
         const ScopeView::TimeRange seen = m_scope.visibleRange();
         const bool there = logged && !m_capture.extremes(logged->x, seen.from, seen.to).empty();
@@ -198,9 +213,14 @@ std::optional<XyPanel::Pair> XyPanel::pair() const
     case Kind::Any:
         break;
     }
-    const Pair chosen{m_x->currentData().toUInt(), m_y->currentData().toUInt(), false};
-    return m_capture.channel(chosen.x) && m_capture.channel(chosen.y) ? std::optional(chosen)
-                                                                      : std::nullopt;
+    return std::nullopt;
+}
+
+/// "@2"; empty where there is but one motor.
+std::string XyPanel::motorShown() const
+{
+    const auto info = m_capture.info(m_answered ? m_answered->x : 0);
+    return info ? motorEndingOf(info->name) : std::string();
 }
 
 QString XyPanel::missingText() const
@@ -254,9 +274,10 @@ std::vector<catalog::RegisterId> XyPanel::watchedRegisters() const
 /// As recorded in the picture, else as it was asked for last.
 std::optional<double> XyPanel::busVolts() const
 {
-    if (const auto channel = recorded("BUS_VOLTAGE")) {
-        if (const auto value = m_capture.valueAt(*channel, m_scope.visibleRange().to))
-            return value;
+    for (const std::string &ending : {motorShown(), std::string()}) {
+        if (const auto channel = recorded("BUS_VOLTAGE" + ending))
+            if (const auto value = m_capture.valueAt(*channel, m_scope.visibleRange().to))
+                return value;
     }
     const auto id = m_registers.idOf("BUS_VOLTAGE");
     return id ? m_registers.shownValue(*id) : std::nullopt;
@@ -322,8 +343,9 @@ void XyPanel::showAnswer()
     XyPlot::Picture picture;
     picture.points = m_answer.trace.points;
     const bool clarke = m_answered->clarke;
-    picture.xLabel = labelOf(m_answered->x, clarke ? QStringLiteral("I\u03b1") : QString());
-    picture.yLabel = labelOf(m_answered->y, clarke ? QStringLiteral("I\u03b2") : QString());
+    const QString motor = QString::fromStdString(motorShown());
+    picture.xLabel = labelOf(m_answered->x, clarke ? QStringLiteral("I\u03b1") + motor : QString());
+    picture.yLabel = labelOf(m_answered->y, clarke ? QStringLiteral("I\u03b2") + motor : QString());
     picture.vector = kind() != Kind::Any;
     picture.equal = picture.vector || m_equal->isChecked();
     picture.trail = static_cast<XyPlot::Trail>(m_trail->currentData().toInt());

@@ -2,6 +2,7 @@
 // any two traces. Follows the picture of the scope; computed in a thread of its own from a copy of the samples.
 #pragma once
 
+#include "widgets/analysis/motor_names.h"
 #include "widgets/analysis/xy_job.h"
 #include "widgets/analysis/xy_plot.h"
 #include "widgets/forms/form.h"
@@ -35,7 +36,7 @@ public:
 
     /// All outlive it.
     XyPanel(ScopeView &scope, const capture::Capture &capture, const RegisterModel &registers,
-        QWidget *parent = nullptr);
+        ChosenMotor motor, QWidget *parent = nullptr);
     ~XyPanel() override;
 
     std::vector<catalog::RegisterId>
@@ -57,8 +58,10 @@ private:
     QFormLayout *makeChoices();
     void fillTraces();
     Kind kind() const;
-    std::optional<capture::ChannelId> recorded(const char *name) const;
+    std::optional<capture::ChannelId> recorded(const std::string &name) const;
     std::optional<Pair> pair() const;
+    std::optional<Pair> vectorOf(const std::string &ending) const;
+    std::string motorShown() const;
     bool isVoltage() const;
     XyWanted wanted() const;
     void kindChosen();
@@ -73,6 +76,7 @@ private:
     ScopeView &m_scope;
     const capture::Capture &m_capture;
     const RegisterModel &m_registers;
+    ChosenMotor m_motor;
     XyPlot *m_plot;
     QComboBox *m_kind;
     QComboBox *m_x;

@@ -1,5 +1,6 @@
 #include "widgets/files/export_dialog.h"
 
+#include "session/motion_log_file.h"
 #include "widgets/base/device_text.h"
 #include "widgets/files/file_prompt.h"
 #include "widgets/scope/scope_view.h"
@@ -97,6 +98,7 @@ ExportDialog::ExportDialog(capture::Capture &capture, ScopeView &scope, FileProm
     m_rates->setObjectName(QStringLiteral("exportRates"));
     m_rates->addItem(tr("One file; slower signals keep their last value"));
     m_rates->addItem(tr("One file for each rate"));
+    m_summary->setObjectName(QStringLiteral("exportSummary"));
     m_summary->setTextFormat(Qt::PlainText);
     m_summary->setWordWrap(true);
     m_summary->setEnabled(false);
@@ -192,9 +194,28 @@ void ExportDialog::ask()
     m_files.askSave(this, question, [this](const QString &path) { order(path); });
 }
 
+/// The files that it would replace and the prompt has not asked about: it knows the name that was typed only. Whoever
+/// agreed to replace that one means its log, too.
+QStringList ExportDialog::taken(const ExportOrder &order) const
+{
+    QStringList names;
+    const auto check = [&names](const QString &path) {
+        if (QFileInfo::exists(path))
+            names.append(QFileInfo(path).fileName());
+    };
+    for (const ExportOrder::Part &part : order.parts)
+        if (part.path != order.path)
+            check(part.path);
+    const bool agreed = !order.parts.isEmpty() && order.parts.first().path == order.path
+        && QFileInfo::exists(order.path);
+    if (!order.motionLog.isEmpty() && !agreed)
+        check(order.motionLog);
+    return names;
+}
+
 void ExportDialog::order(const QString &path)
 {
-    ExportOrder made{format(), path, {}, range()};
+    ExportOrder made{format(), path, {}, range(), {}};
     const capture::Snapshot all = snapshot();
     if (m_rates->isEnabled() && m_rates->currentIndex() == 1) {
         for (const capture::Snapshot &part : capture::splitByRate(all))
@@ -206,13 +227,11 @@ void ExportDialog::order(const QString &path)
         m_summary->setText(tr("Nothing has been recorded yet."));
         return;
     }
-    QStringList taken;
-    for (const ExportOrder::Part &part : made.parts)
-        if (part.path != path && QFileInfo::exists(part.path))
-            taken.append(QFileInfo(part.path).fileName());
-    if (!taken.isEmpty()) { // the prompt has asked about the name that was typed, not about these
+    if (!made.parts.isEmpty() && m_hasLog && m_hasLog())
+        made.motionLog = session::motionLogPath(made.parts.first().path);
+    if (const QStringList there = taken(made); !there.isEmpty()) {
         m_summary->setText(tr("%1 exists already. Choose another name.")
-                               .arg(deviceText(taken.join(QStringLiteral(", ")))));
+                               .arg(deviceText(there.join(QStringLiteral(", ")))));
         return;
     }
     Q_EMIT wanted(made);

@@ -6,6 +6,8 @@
 
 #include <QDialog>
 
+#include <functional>
+
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -22,6 +24,9 @@ public:
     ExportDialog(capture::Capture &capture, ScopeView &scope, FilePrompt &files,
         const QString &folder, QWidget *parent = nullptr);
 
+    /// @param hasLog  a motion log goes beside what is exported; asked when the file name is given
+    void setMotionLog(std::function<bool()> hasLog) { m_hasLog = std::move(hasLog); }
+
 Q_SIGNALS:
     void wanted(const widgets::ExportOrder &order); ///< the dialog closes behind it
 
@@ -30,6 +35,7 @@ private:
 
     void ask();
     void order(const QString &path);
+    QStringList taken(const ExportOrder &order) const;
     void updateSummary();
     ExportFormat format() const;
     std::optional<capture::TimeSpan> range() const;
@@ -39,6 +45,7 @@ private:
     ScopeView &m_scope;
     FilePrompt &m_files;
     QString m_folder;
+    std::function<bool()> m_hasLog;
     QComboBox *m_format;
     QComboBox *m_range;
     QComboBox *m_rates;

@@ -26,6 +26,7 @@ struct ExportOrder {
     QString path; ///< as the person named it
     QList<Part> parts; ///< a file each; none for a picture
     std::optional<capture::TimeSpan> range; ///< all if not set
+    QString motionLog; ///< where the log goes beside it; empty: it has none
 };
 
 struct ExportResult {

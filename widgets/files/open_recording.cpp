@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace widgets {
 namespace {
@@ -136,6 +135,31 @@ void fillEvents(EventLog &events, const session::RecordingReport &report)
         notes[note.from] = deviceText(note.text);
     for (const auto &[at, text] : notes)
         events.add(EventKind::Marker, capture::toSeconds(at), text);
+}
+
+std::optional<double> ReplayedWrites::take(const session::ReplayedEntry &entry)
+{
+    const auto *happening = std::get_if<record::Happening>(&entry.entry);
+    if (!happening || (happening->name != "write" && happening->name != "ended"))
+        return {};
+    std::string wish;
+    bool taken = false; // one of its registers; what is told of each begins with how it ended
+    for (const auto &[key, value] : happening->fields) {
+        if (key == "wish")
+            wish = value;
+        else if (key != "outcome" && key != "reason")
+            taken = taken || value == "ok" || value.starts_with("ok,");
+    }
+    if (happening->name == "write") {
+        m_asked[wish] = entry.seconds;
+        return {};
+    }
+    const auto asked = m_asked.find(wish);
+    if (asked == m_asked.end())
+        return {};
+    const double seconds = asked->second;
+    m_asked.erase(asked);
+    return taken ? std::optional(seconds) : std::nullopt;
 }
 
 void addReplayed(EventLog &events, const session::ReplayedEntry &entry)

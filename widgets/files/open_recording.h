@@ -8,6 +8,9 @@
 
 #include <QObject>
 
+#include <map>
+#include <optional>
+
 namespace widgets {
 
 class EventLog;
@@ -38,5 +41,15 @@ void fillEvents(EventLog &events, const session::RecordingReport &report);
 
 /// The same for one thing of a replay.
 void addReplayed(EventLog &events, const session::ReplayedEntry &entry);
+
+/// Of a replay: the writes that the board took, at the time they were asked for, as those of a connection.
+class ReplayedWrites {
+public:
+    /// Seconds of the write that this entry says was taken; empty if it says no such thing.
+    std::optional<double> take(const session::ReplayedEntry &entry);
+
+private:
+    std::map<std::string, double> m_asked; ///< by the number of the wish
+};
 
 } // namespace widgets

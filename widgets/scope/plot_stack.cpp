@@ -139,13 +139,25 @@ ValueAxis &PlotStack::axisFor(ScopePlot &plot, const QString &unit)
 
 void PlotStack::dropUnusedAxes(ScopePlot &plot)
 {
-    // The first axis stays: the grid and the waveform belong to it.
+    const auto isUsed = [&plot](const ValueAxis &axis) {
+        return std::any_of(plot.traces.begin(), plot.traces.end(),
+            [&axis](const Trace &trace) { return trace.valueAxis == axis.axis; });
+    };
+    // The first axis stays: the grid and the waveform belong to it. Where its unit is gone it takes the next one.
+    const auto heir = std::find_if(plot.axes.begin(), plot.axes.end(), isUsed);
+    if (heir != plot.axes.end() && heir != plot.axes.begin()) {
+        ValueAxis &front = plot.axes.front();
+        for (Trace &trace : plot.traces)
+            if (trace.valueAxis == heir->axis)
+                trace.valueAxis = front.axis;
+        front.axis->setRange(heir->axis->range());
+        front.unit = heir->unit;
+        front.automatic = heir->automatic;
+        front.fitted = heir->fitted;
+    }
     for (std::size_t i = plot.axes.size(); i-- > 1;) {
-        QCPAxis *axis = plot.axes[i].axis;
-        const bool used = std::any_of(plot.traces.begin(), plot.traces.end(),
-            [axis](const Trace &trace) { return trace.valueAxis == axis; });
-        if (!used) {
-            plot.rect->removeAxis(axis);
+        if (!isUsed(plot.axes[i])) {
+            plot.rect->removeAxis(plot.axes[i].axis);
             plot.axes.erase(plot.axes.begin() + static_cast<std::ptrdiff_t>(i));
         }
     }

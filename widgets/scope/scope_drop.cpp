@@ -51,10 +51,12 @@ void ScopeView::highlightDrop(int plot)
     m_dropMark->raise();
 }
 
+void ScopeView::hideDropMark() { m_dropMark->hide(); }
+
 /// A trace's legend entry was let go there.
 void ScopeView::dropTrace(capture::ChannelId channel, const QPoint &position)
 {
-    m_dropMark->hide();
+    hideDropMark();
     if (!rect().contains(position))
         return;
     const int plot = dropPlotAt(position);
@@ -75,11 +77,11 @@ void ScopeView::dragMoveEvent(QDragMoveEvent *event)
     event->acceptProposedAction();
 }
 
-void ScopeView::dragLeaveEvent(QDragLeaveEvent *) { m_dropMark->hide(); }
+void ScopeView::dragLeaveEvent(QDragLeaveEvent *) { hideDropMark(); }
 
 void ScopeView::dropEvent(QDropEvent *event)
 {
-    m_dropMark->hide();
+    hideDropMark();
     const int plot = dropPlotAt(event->position().toPoint());
     const QList<quint32> ids = registersIn(*event->mimeData());
     event->acceptProposedAction();

@@ -179,6 +179,8 @@ bool ScopeMouse::release(const QMouseEvent &event)
     const double moved = (event.position() - m_start).manhattanLength();
     if (gesture == Gesture::MoveTrace && moved > 2 * kClick)
         m_view.dropTrace(*m_trace, m_plot.mapTo(&m_view, event.position().toPoint()));
+    else if (gesture == Gesture::MoveTrace)
+        m_view.hideDropMark(); // it was brought back
     if (gesture == Gesture::Box) {
         m_box->hide();
         const QRect box = QRect(m_start.toPoint(), event.position().toPoint()).normalized();

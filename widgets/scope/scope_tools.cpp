@@ -55,6 +55,10 @@ void ScopeTools::makeTrigger(TriggerControl &trigger)
 {
     QAction *single = make(tr("&Single record"), Qt::Key_S, {}, [&trigger] { trigger.single(); });
     QAction *force = make(tr("Force a &trigger"), Qt::Key_T, {}, [&trigger] { trigger.force(); });
+    connect(&trigger, &TriggerControl::changed, this, [&trigger, single, force] {
+        single->setEnabled(trigger.awaitsSamples());
+        force->setEnabled(trigger.awaitsSamples());
+    });
     m_groups.append(QList<QAction *>{single, force});
     QAction *before =
         make(tr("&Previous record"), Qt::Key_PageUp, {}, [&trigger] { trigger.step(-1); });

@@ -188,6 +188,7 @@ private:
     friend class ScopeMouse; // drags traces as drags drop registers
     int dropPlotAt(const QPoint &position) const;
     void highlightDrop(int plot);
+    void hideDropMark();
     void dropTrace(capture::ChannelId channel, const QPoint &position);
 
     capture::Capture &m_capture;

@@ -290,6 +290,10 @@ void TriggerBar::follow()
         tr("%1; also the arrow at the right edge of the plot").arg(levelName(setup.type)));
 
     const auto shown = [](QWidget *widget, bool visible) { widget->setVisible(visible); };
+    const bool awaits = m_control.awaitsSamples();
+    m_mode->setEnabled(awaits || on); // back to Roll
+    m_single->setEnabled(awaits);
+    m_force->setEnabled(awaits);
     shown(m_type, on);
     shown(m_force, on);
     shown(m_more, on);
@@ -354,16 +358,20 @@ void TriggerBar::showState()
 {
     const scope::AcquisitionState state = m_control.state();
     const bool roll = m_control.setup().mode == scope::Mode::Roll;
-    QString text = stateSign(state) + stateText(state);
-    if (m_control.error() && !roll)
+    const bool awaits = m_control.awaitsSamples();
+    QString text = awaits ? stateSign(state) + stateText(state) : tr("File: replay it to trigger");
+    if (awaits && m_control.error() && !roll)
         text = QStringLiteral("\u26a0 ") + conditionErrorText(*m_control.error());
     if (const scope::Record *record = m_control.shown(); record && !roll) {
         const double age = m_control.now() - capture::toSeconds(record->trigger);
         text += kBeforeAge + ageText(age);
     }
-    m_state->setMinimumWidth(roll ? 0 : widestState());
+    m_state->setMinimumWidth(roll || !awaits ? 0 : widestState());
     m_state->setText(text);
-    m_state->setToolTip(tr("State of the trigger, and how old the shown record is"));
+    m_state->setToolTip(awaits
+            ? tr("State of the trigger, and how old the shown record is")
+            : tr("The trigger waits for samples, and a file has none to come. A replay of it "
+                 "(Ctrl+Shift+R) has."));
     m_state->setAccessibleName(text);
 }
 

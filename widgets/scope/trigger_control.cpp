@@ -38,6 +38,8 @@ TriggerControl::TriggerControl(
     connect(&scope, &ScopeView::followingChanged, this, [this](bool following) {
         if (following && triggered())
             setMode(scope::Mode::Roll);
+        else if (following)
+            leaveRecord();
     });
     m_acquisition.run(nullptr);
     findSource();
@@ -118,8 +120,18 @@ void TriggerControl::configure()
     follow();
 }
 
+void TriggerControl::setAwaitsSamples(bool awaits)
+{
+    if (std::exchange(m_awaits, awaits) != awaits)
+        Q_EMIT changed();
+}
+
 void TriggerControl::setMode(scope::Mode mode)
 {
+    if (!m_awaits && mode != scope::Mode::Roll) {
+        Q_EMIT changed(); // what is shown stays
+        return;
+    }
     const bool wasRoll = !triggered();
     m_setup.mode = mode;
     if (triggered() && wasRoll)
@@ -133,9 +145,7 @@ void TriggerControl::setMode(scope::Mode mode)
             m_scope.setVisibleRange(to - m_setup.length, to);
         }
     } else {
-        m_shown.reset();
-        showPersistence();
-        m_scope.setTimeOrigin(0.0);
+        leaveRecord();
         const double to = m_scope.visibleRange().to;
         m_scope.setVisibleRange(to - m_rollSpan, to);
         m_scope.setFollowing(true);
@@ -156,7 +166,7 @@ void TriggerControl::single()
 
 void TriggerControl::force()
 {
-    if (!triggered() || !m_scope.running())
+    if (!triggered() || !m_scope.running() || !m_awaits)
         return;
     m_acquisition.force(capture::toNanos(m_now()));
     advance();
@@ -177,8 +187,22 @@ void TriggerControl::runningChanged(bool running)
     if (running && triggered() && m_shown) { // back to where records come
         const QScopedValueRollback showing(m_showing, true);
         m_scope.setFollowing(false);
+    } else if (running && !triggered()) {
+        leaveRecord();
     }
     advance();
+}
+
+/// In Roll a record may be looked at; when the picture goes on it counts in the session's time again.
+void TriggerControl::leaveRecord()
+{
+    if (!m_shown)
+        return;
+    m_shown.reset();
+    showPersistence();
+    m_scope.setTimeOrigin(0.0);
+    markPicture();
+    Q_EMIT stateChanged();
 }
 
 void TriggerControl::advance()

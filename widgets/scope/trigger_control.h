@@ -32,6 +32,9 @@ public:
     /// The record in the picture; nullptr if there is none.
     const scope::Record *shown() const;
     double now() const { return m_now(); }
+    /// false: a file is shown. It is searched in a replay, where samples come.
+    bool awaitsSamples() const { return m_awaits; }
+    void setAwaitsSamples(bool awaits);
 
 public Q_SLOTS:
     void setSetup(const widgets::TriggerSetup &setup);
@@ -72,6 +75,7 @@ private:
     void moveLevel(int which, double value);
     void movePosition(double seconds);
     void runningChanged(bool running);
+    void leaveRecord();
     void findSource();
     void markPicture();
     void showPersistence();
@@ -90,6 +94,7 @@ private:
     std::optional<scope::Record> m_shown;
     scope::AcquisitionState m_told = scope::AcquisitionState::Roll;
     double m_rollSpan = 5.0; ///< seconds; what roll shows when it is chosen again
+    bool m_awaits = true;
     int m_persistence = 0;
     Watched m_watched;
     scope::RecordId m_persistFrom =

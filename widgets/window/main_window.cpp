@@ -561,20 +561,22 @@ void MainWindow::exportCsv()
     auto *dialog =
         new ExportDialog(m_workbench.capture(), *m_scope, m_files, m_settings.exportFolder, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    // What was asked of this session's motors says nothing about a file's samples.
+    dialog->setMotionLog(
+        [this] { return !m_selection->showsFile() && m_workbench.motionLog().rowCount() > 0; });
     connect(dialog, &ExportDialog::wanted, this, &MainWindow::runExport);
     dialog->open();
 }
 
-void MainWindow::exported(const QString &path)
+void MainWindow::exported(const QString &path, const QString &motionLog)
 {
     const QFileInfo file(path);
     m_settings.exportFolder = file.path();
     QString sentence = tr("Exported to %1.").arg(deviceText(file.filePath()));
     Banner::Kind kind = Banner::Kind::Note;
-    if (MotionLogModel &log = m_workbench.motionLog(); log.rowCount() > 0) {
-        const QString beside = session::motionLogPath(path);
-        const QString wrong = session::writeWholeFile(beside, log.text());
-        const QString name = deviceText(QFileInfo(beside).fileName());
+    if (!motionLog.isEmpty()) {
+        const QString wrong = session::writeWholeFile(motionLog, m_workbench.motionLog().text());
+        const QString name = deviceText(QFileInfo(motionLog).fileName());
         if (!wrong.isEmpty())
             kind = Banner::Kind::Warning;
         sentence += QLatin1Char(' ')

@@ -67,8 +67,8 @@ public:
 
 public Q_SLOTS:
     void exportCsv();
-    /// A capture is in this file: its motion log goes beside it.
-    void exported(const QString &path);
+    /// A capture is in this file; its motion log goes into the other one, if that has a name.
+    void exported(const QString &path, const QString &motionLog);
 
 Q_SIGNALS:
     void closed(); ///< the window has agreed to close

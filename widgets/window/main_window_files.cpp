@@ -14,6 +14,7 @@
 #include "widgets/files/sample_room_dialog.h"
 #include "widgets/files/scope_picture.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/scope/trigger_control.h"
 #include "widgets/snapshots/snapshot_panel.h"
 #include "widgets/snapshots/snapshot_recorder.h"
 #include "widgets/window/connect_bar.h"
@@ -69,8 +70,10 @@ void MainWindow::makeRecording()
     connect(m_room, &SampleRoom::said, this, &MainWindow::say);
     connect(&m_workbench, &Workbench::heartbeat, m_room, &SampleRoom::refresh);
     connect(&m_workbench.replay(), &session::Replay::happened, this,
-        [this](const session::ReplayedEntry &entry) {
+        [this, writes = ReplayedWrites()](const session::ReplayedEntry &entry) mutable {
             addReplayed(m_scope->events(), entry);
+            if (const auto seconds = writes.take(entry))
+                m_trigger->event(scope::EventTrigger::Kind::RegisterWrite, *seconds, 0);
             if (std::holds_alternative<record::Note>(entry.entry))
                 m_markers->replayed(entry.seconds);
         });
@@ -187,7 +190,7 @@ void MainWindow::runExport(const ExportOrder &order)
             m_settings.exportFolder = QFileInfo(order.path).path();
             say(Banner::Kind::Note, tr("Exported to %1.").arg(deviceText(order.path)));
         } else {
-            exported(order.parts.first().path);
+            exported(order.parts.first().path, order.motionLog);
         }
     };
     if (isPicture(order.format)) {

@@ -6,6 +6,7 @@
 #include "widgets/analysis/xy_panel.h"
 #include "widgets/files/event_recorder.h"
 #include "widgets/files/record_panel.h"
+#include "widgets/files/replaying.h"
 #include "widgets/scope/channel_strip.h"
 #include "widgets/scope/event_panel.h"
 #include "widgets/scope/scope_view.h"
@@ -16,6 +17,7 @@ namespace widgets {
 
 void MainWindow::makeScopeTools()
 {
+    const auto motor = [this] { return m_selection->showsFile() ? 0 : m_device.motor(); };
     QAction *open = addTool(tr("Events"), "eventDock", Qt::CTRL | Qt::Key_7,
         [this] { return m_events = new EventPanel(*m_scope, this); });
     connect(m_scope, &ScopeView::noteWanted, this, [this, open](quint32 marker) {
@@ -26,17 +28,26 @@ void MainWindow::makeScopeTools()
         [this] { return new RecordPanel(*m_trigger, *m_scope, this); });
     addTool(tr("Measurements"), "measureDock", Qt::CTRL | Qt::Key_9,
         [this] { return new MeasurePanel(*m_scope, m_workbench.capture(), *m_trigger, this); });
-    addTool(tr("Spectrum"), "spectrumDock", Qt::CTRL | Qt::Key_0,
-        [this] { return new SpectrumPanel(*m_scope, m_workbench.capture(), m_device, this); });
+    addTool(tr("Spectrum"), "spectrumDock", Qt::CTRL | Qt::Key_0, [this, motor] {
+        return new SpectrumPanel(*m_scope, m_workbench.capture(), m_device, motor, this);
+    });
     m_scope->setChosenColors(m_settings.traceColors); // before anything is drawn
     m_math->setPolled([this] { return m_selection->plan().polled; });
     m_math->setFormulas(m_settings.formulas);
-    QAction *openMath = addTool(tr("Math"), "mathDock", Qt::CTRL | Qt::SHIFT | Qt::Key_M,
-        [this] { return new MathPanel(*m_math, *m_scope, m_workbench.capture(), this); });
+    QAction *openMath =
+        addTool(tr("Math"), "mathDock", Qt::CTRL | Qt::SHIFT | Qt::Key_M, [this, motor] {
+            return new MathPanel(*m_math, *m_scope, m_workbench.capture(), motor, this);
+        });
     showComputedChips(openMath);
-    addTool(tr("XY"), "xyDock", Qt::CTRL | Qt::SHIFT | Qt::Key_X, [this] {
-        return new XyPanel(*m_scope, m_workbench.capture(), m_workbench.registers(), this);
+    addTool(tr("XY"), "xyDock", Qt::CTRL | Qt::SHIFT | Qt::Key_X, [this, motor] {
+        return new XyPanel(*m_scope, m_workbench.capture(), m_workbench.registers(), motor, this);
     });
+    const auto tellTrigger = [this] {
+        const bool replay = replaying(m_device) && m_device.portOpen();
+        m_trigger->setAwaitsSamples(!m_selection->showsFile() || replay);
+    };
+    connect(m_selection, &SignalSelection::changed, m_trigger, tellTrigger);
+    connect(&m_device, &Device::portStateChanged, m_trigger, tellTrigger);
     using Kind = scope::EventTrigger::Kind;
     connect(m_recorder, &EventRecorder::stateChanged, m_trigger,
         [this](double seconds, EventKind kind, quint32 which) {
