@@ -3893,6 +3893,13 @@
         <source>Imported %1.</source>
         <translation>%1 ist importiert.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n signal(s) of it are not shown: see Scope, Signals of the file.</source>
+        <translation>
+            <numerusform>%n Signal daraus wird nicht gezeigt: siehe Oszilloskop, Signale der Datei.</numerusform>
+            <numerusform>%n Signale daraus werden nicht gezeigt: siehe Oszilloskop, Signale der Datei.</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Exporting %1</source>
         <translation>%1 wird exportiert</translation>
@@ -6430,6 +6437,10 @@ mN·m</translation>
             <numerusform>%n Signal passt nicht in die Aufzeichnung und wird einzeln gelesen.</numerusform>
             <numerusform>%n Signale passen nicht in die Aufzeichnung und werden einzeln gelesen.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The scope shows up to %1 signals of a file: take one off to see another.</source>
+        <translation>Das Oszilloskop zeigt bis zu %1 Signale einer Datei: Nehmen Sie eines weg, um ein anderes zu sehen.</translation>
     </message>
 </context>
 <context>

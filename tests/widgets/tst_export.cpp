@@ -351,6 +351,34 @@ private Q_SLOTS:
         }
     }
 
+    void moreSignalsThanTheScopeTakesAreSaid()
+    {
+        const QString path = m_folder.filePath(QStringLiteral("many.csv"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QByteArray heading = "time [s]";
+        QByteArray row;
+        for (int column = 0; column < 40; ++column) {
+            heading += ",C" + QByteArray::number(column) + " [A]";
+            row += ",1";
+        }
+        file.write(heading + "\n0" + row + "\n0.1" + row + "\n");
+        file.close();
+        m_rig->files.answer = path;
+        m_rig->find<QAction>("importCsv")->trigger();
+        QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Imported ")));
+        QCOMPARE(scope()->channels().size(), 32);
+        QVERIFY2(
+            banner()->text().contains(QStringLiteral("8 signal")), qPrintable(banner()->text()));
+        const auto all = m_rig->workbench.capture().channels();
+        m_rig->window.selection()->showOfFile(all.back().id, true);
+        QCOMPARE(scope()->channels().size(), 32);
+        QVERIFY(banner()->text().contains(QStringLiteral("up to 32 signals")));
+        m_rig->window.selection()->showOfFile(all.front().id, false);
+        m_rig->window.selection()->add(all.back().registerId); // as one that is dropped
+        QVERIFY(scope()->plotOf(all.back().id) >= 0);
+    }
+
     void aPlaceThatTakesNoFileIsOneSentence()
     {
         exportAs(ExportFormat::Mat, kEverything,

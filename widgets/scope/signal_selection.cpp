@@ -131,7 +131,7 @@ int SignalSelection::plotFor(catalog::RegisterId id) const
 
 void SignalSelection::add(quint32 id, int plot)
 {
-    if (m_replaying) {
+    if (m_fromFile) {
         if (const auto channel = m_capture.find(id))
             showOfFile(*channel, true);
         return;
@@ -189,7 +189,9 @@ void SignalSelection::takeOffScope()
         [this](capture::ChannelId channel) { m_scope.removeChannel(channel); });
 }
 
-void SignalSelection::showFile(capture::Capture file)
+bool SignalSelection::isFullOfFile() const { return m_scope.channels().size() >= kMostFromFile; }
+
+int SignalSelection::showFile(capture::Capture file)
 {
     takeOffScope();
     m_capture.adopt(std::move(file));
@@ -199,12 +201,19 @@ void SignalSelection::showFile(capture::Capture file)
     const std::vector<capture::ChannelInfo> all = m_capture.channels();
     const bool streamed = std::any_of(
         all.begin(), all.end(), [](const auto &info) { return info.kind != Kind::Polled; });
-    for (const capture::ChannelInfo &info : all)
-        if (!streamed || info.kind != Kind::Polled)
+    int left = 0;
+    for (const capture::ChannelInfo &info : all) {
+        if (streamed && info.kind == Kind::Polled)
+            continue;
+        if (isFullOfFile())
+            ++left;
+        else
             showOfFile(info.id, true);
+    }
     m_scope.captureChanged();
     m_scope.fitAll();
     Q_EMIT changed();
+    return left;
 }
 
 /// A plot for each unit, as long as there is room.
@@ -217,9 +226,13 @@ void SignalSelection::showOfFile(capture::ChannelId id, bool shown)
         m_scope.removeChannel(id);
         return;
     }
-    const QList<capture::ChannelId> there = m_scope.channels();
-    if (there.size() >= kMostFromFile)
+    if (isFullOfFile()) {
+        Q_EMIT noticed(
+            tr("The scope shows up to %1 signals of a file: take one off to see another.")
+                .arg(QString::number(kMostFromFile)));
         return;
+    }
+    const QList<capture::ChannelId> there = m_scope.channels();
     int plot = there.isEmpty() ? 0 : std::min(m_scope.plotCount(), kMostPlotsFromFile - 1);
     for (const capture::ChannelId other : there)
         if (m_capture.info(other)->unit == info->unit)

@@ -35,7 +35,8 @@ public:
     QColor colorOf(catalog::RegisterId id) const;
     void fillColors(QMenu &menu, catalog::RegisterId id); ///< also before it is drawn
     /// Shows what was read from a file, in the place of everything recorded; until the next connection.
-    void showFile(capture::Capture file);
+    /// @return  signals for which the scope has no room
+    int showFile(capture::Capture file);
     bool showsFile() const { return m_fromFile; }
     /// Shows or hides one of the file's signals.
     void showOfFile(capture::ChannelId id, bool shown);
@@ -68,6 +69,7 @@ private:
     std::optional<capture::ChannelId> channelOf(catalog::RegisterId id) const;
     void boardChanged();
     void takeOffScope();
+    bool isFullOfFile() const;
     void leaveFile();
     void opened(const session::Endpoint &endpoint);
     void showReplayed();

@@ -104,6 +104,7 @@ private:
     void clearRecorded();
     void tellReleased();
     void fillFileSignals();
+    static QString leftText(int signalsLeft);
     void showImported(const QString &path, capture::Capture &imported);
     void openRecording(const QString &path);
     capture::Capture::Config forFiles() const;

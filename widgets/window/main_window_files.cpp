@@ -157,6 +157,15 @@ void MainWindow::askForCsv()
     });
 }
 
+/// Of a file's signals, that the scope has no room for so many.
+QString MainWindow::leftText(int signalsLeft)
+{
+    return signalsLeft == 0 ? QString()
+                            : QLatin1Char(' ')
+            + tr("%n signal(s) of it are not shown: see Scope, Signals of the file.", nullptr,
+                signalsLeft);
+}
+
 void MainWindow::showImported(const QString &path, capture::Capture &imported)
 {
     if (m_connectBar->connecting()) // meanwhile: what lives goes first
@@ -168,9 +177,9 @@ void MainWindow::showImported(const QString &path, capture::Capture &imported)
         return;
     }
     const QString released = releasedText(imported);
-    m_selection->showFile(std::move(imported));
+    const int left = m_selection->showFile(std::move(imported));
     m_scope->events().clear();
-    const QString sentence = tr("Imported %1.").arg(deviceText(path));
+    const QString sentence = tr("Imported %1.").arg(deviceText(path)) + leftText(left);
     if (released.isEmpty())
         say(Banner::Kind::Note, sentence);
     else
@@ -272,8 +281,8 @@ void MainWindow::showRecording(OpenedRecording &opened)
         return;
     }
     bool whole = true;
-    const QString sentence = openedText(opened, whole);
-    m_selection->showFile(std::move(opened.capture));
+    QString sentence = openedText(opened, whole);
+    sentence += leftText(m_selection->showFile(std::move(opened.capture)));
     fillEvents(m_scope->events(), opened.report);
     m_markers->opened(opened.path, opened.report.bytes);
     m_recordedSnapshots = {opened.path, std::move(opened.report.snapshots)};
