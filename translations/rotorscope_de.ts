@@ -6932,6 +6932,10 @@ mN·m</translation>
         <translation>Das Oszilloskop zeigt keine Kurve.</translation>
     </message>
     <message>
+        <source>Choose a trace.</source>
+        <translation>Wählen Sie eine Kurve.</translation>
+    </message>
+    <message>
         <source>The samples of this trace are not at equal distances, so it has no spectrum.</source>
         <translation>Die Messwerte dieser Kurve haben keine gleichen Abstände, also hat sie kein Spektrum.</translation>
     </message>
@@ -7375,6 +7379,10 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>No trace is shown on the scope.</source>
         <translation>Auf dem Oszilloskop ist keine Kurve zu sehen.</translation>
+    </message>
+    <message>
+        <source>Choose a trace for X and for Y.</source>
+        <translation>Wählen Sie je eine Kurve für X und für Y.</translation>
     </message>
     <message>
         <source>%1 in %2</source>

@@ -55,6 +55,7 @@ private Q_SLOTS:
     void ordersOfASpeedNeedThePolePairs();
     void ordersAreOfTheMotorThatHasTheSpeed();
     void aFileHasNoOrdersOfABoard();
+    void itStaysWithItsSignal();
     void whereThereIsNoSpectrumTheReasonIsSaid();
     void spectraAreAveragedAndBegunAnew();
     void eachSampleIsAveragedOnce();
@@ -190,6 +191,30 @@ void TestSpectrumPanel::aFileHasNoOrdersOfABoard()
     update();
     QVERIFY(peaks().rowCount() > 0);
     QVERIFY2(note().startsWith(QStringLiteral("No orders")), qPrintable(note()));
+}
+
+void TestSpectrumPanel::itStaysWithItsSignal()
+{
+    capture::Capture &capture = m_rig->workbench.capture();
+    const catalog::RegisterId own = capture::kFirstOwnRegister + 1000;
+    const auto before = capture.addImported("M", "A", own);
+    view().addChannel(before);
+    choose("spectrumTrace", before);
+    const auto after = capture.addImported("M", "A", own); // its formula was changed
+    view().addChannel(after);
+    view().removeChannel(before);
+    capture.removeImported(before);
+    const auto *box = m_rig->find<QComboBox>("spectrumTrace");
+    QCOMPARE(box->currentData().toUInt(), after);
+    view().removeChannel(after);
+    QCOMPARE(box->currentIndex(), -1); // and no other in its place
+    const auto asked = [this] {
+        Q_EMIT m_rig->workbench.heartbeat({});
+        return why();
+    };
+    QTRY_COMPARE(asked(), QStringLiteral("Choose a trace."));
+    view().addChannel(after);
+    QCOMPARE(box->currentData().toUInt(), after);
 }
 
 void TestSpectrumPanel::whereThereIsNoSpectrumTheReasonIsSaid()

@@ -3,6 +3,7 @@
 #include "base/wide_registers.h"
 #include "widgets/analysis/measure_table.h"
 #include "widgets/analysis/measure_text.h"
+#include "widgets/analysis/trace_box.h"
 #include "widgets/base/table_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/scope/scope_view.h"
@@ -135,14 +136,8 @@ void MeasurePanel::makeSide(QWidget *side)
 
 void MeasurePanel::fillTraces()
 {
-    for (QComboBox *box : {m_trace, m_against}) {
-        const QVariant chosen = box->currentData();
-        box->clear();
-        for (const capture::ChannelId id : m_scope.channels())
-            box->addItem(m_scope.nameOf(id), id);
-        const int index = box->findData(chosen);
-        box->setCurrentIndex(index >= 0 ? index : box == m_against ? box->count() - 1 : 0);
-    }
+    fillTraceBox(*m_trace, m_scope, m_capture);
+    fillTraceBox(*m_against, m_scope, m_capture, static_cast<int>(m_scope.channels().size()));
 }
 
 void MeasurePanel::addChosen()

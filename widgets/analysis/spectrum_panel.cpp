@@ -2,6 +2,7 @@
 
 #include "widgets/analysis/spectrum_peaks.h"
 #include "widgets/analysis/spectrum_plot.h"
+#include "widgets/analysis/trace_box.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/table_text.h"
@@ -183,12 +184,7 @@ QWidget *SpectrumPanel::makeSide()
 
 void SpectrumPanel::fillTraces()
 {
-    const QSignalBlocker quiet(m_trace);
-    const QVariant chosen = m_trace->currentData();
-    m_trace->clear();
-    for (const capture::ChannelId id : m_scope.channels())
-        m_trace->addItem(m_scope.nameOf(id), id);
-    m_trace->setCurrentIndex(std::max(0, m_trace->findData(chosen)));
+    fillTraceBox(*m_trace, m_scope, m_capture);
     fillAxes();
 }
 
@@ -243,11 +239,12 @@ void SpectrumPanel::compute()
     const SpectrumWanted next = wanted();
     if (next == m_answered || waits(next))
         return;
-    if (m_scope.channels().isEmpty()) {
+    if (m_trace->currentIndex() < 0) {
         m_answered.reset();
         m_peaks->show({}, {}, {});
         m_note->clear();
-        m_plot->showNothing(tr("No trace is shown on the scope."));
+        m_plot->showNothing(m_scope.channels().isEmpty() ? tr("No trace is shown on the scope.")
+                                                         : tr("Choose a trace."));
         return;
     }
     m_busy = true;

@@ -1,5 +1,6 @@
 #include "widgets/analysis/xy_panel.h"
 
+#include "widgets/analysis/trace_box.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
@@ -125,15 +126,8 @@ QFormLayout *XyPanel::makeChoices()
 
 void XyPanel::fillTraces()
 {
-    for (QComboBox *box : {m_x, m_y}) {
-        const QSignalBlocker quiet(box);
-        const QVariant chosen = box->currentData();
-        box->clear();
-        for (const capture::ChannelId id : m_scope.channels())
-            box->addItem(m_scope.nameOf(id), id);
-        const int other = box == m_y ? std::min(1, box->count() - 1) : 0;
-        box->setCurrentIndex(box->findData(chosen) >= 0 ? box->findData(chosen) : other);
-    }
+    fillTraceBox(*m_x, m_scope, m_capture);
+    fillTraceBox(*m_y, m_scope, m_capture, 1);
     compute();
 }
 
@@ -237,7 +231,8 @@ QString XyPanel::missingText() const
     case Kind::Any:
         break;
     }
-    return tr("No trace is shown on the scope.");
+    return m_scope.channels().isEmpty() ? tr("No trace is shown on the scope.")
+                                        : tr("Choose a trace for X and for Y.");
 }
 
 XyWanted XyPanel::wanted() const
