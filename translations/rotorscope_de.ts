@@ -2893,6 +2893,10 @@
         <translation>Es wurde noch nichts aufgezeichnet.</translation>
     </message>
     <message>
+        <source>No trace is shown. Choose everything recorded.</source>
+        <translation>Es wird keine Kurve gezeigt. Wählen Sie alles Aufgezeichnete.</translation>
+    </message>
+    <message>
         <source>%1 exists already. Choose another name.</source>
         <translation>%1 gibt es schon. Wählen Sie einen anderen Namen.</translation>
     </message>

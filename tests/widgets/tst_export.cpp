@@ -12,6 +12,7 @@
 #include <QFile>
 #include <QGuiApplication>
 #include <QImage>
+#include <QLabel>
 #include <QMessageBox>
 #include <QProgressDialog>
 #include <QPushButton>
@@ -217,6 +218,38 @@ private Q_SLOTS:
         exportAs(ExportFormat::Csv, kVisible, path);
         QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Exported to ")));
         QCOMPARE(linesOf(path).size(), 4000 + 1);
+    }
+
+    void thePictureIsHeldWhileItIsAskedFor()
+    {
+        m_rig.reset();
+        facts::ScopeWindow rig;
+        rig.record(1000, [](int, int tick) { return tick % 100; });
+        rig.draw();
+        QVERIFY(rig.scope().running() && rig.scope().following());
+        const double seen = rig.scope().visibleRange().to;
+        rig.files.answer = m_folder.filePath(QStringLiteral("held.csv"));
+        rig.window.exportCsv();
+        rig.record(9000, [](int, int tick) { return tick % 100; }); // meanwhile
+        rig.draw();
+        QTest::mouseClick(rig.find<QPushButton>("exportSave"), Qt::LeftButton);
+        QTRY_VERIFY(QFile::exists(rig.files.answer));
+        QVERIFY(linesOf(rig.files.answer).last().split(',').first().toDouble() <= seen);
+        QVERIFY(rig.scope().running());
+    }
+
+    void whatIsNotShownIsSaid()
+    {
+        for (const ChannelId id : scope()->channels())
+            m_rig->window.selection()->showOfFile(id, false);
+        m_rig->window.exportCsv();
+        auto *range = m_rig->find<QComboBox>("exportRange");
+        range->setCurrentIndex(kVisible);
+        QVERIFY(m_rig->find<QLabel>("exportSummary")
+                    ->text()
+                    .startsWith(QStringLiteral("No trace is shown")));
+        range->setCurrentIndex(kEverything);
+        QVERIFY(m_rig->find<QPushButton>("exportSave")->isEnabled());
     }
 
     void otherFormatsAreWhatTheirNameSays_data()

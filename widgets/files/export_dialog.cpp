@@ -157,6 +157,12 @@ capture::Snapshot ExportDialog::snapshot() const
     return m_capture.snapshot(ids);
 }
 
+QString ExportDialog::emptyText() const
+{
+    return m_capture.channels().empty() ? tr("Nothing has been recorded yet.")
+                                        : tr("No trace is shown. Choose everything recorded.");
+}
+
 void ExportDialog::updateSummary()
 {
     const bool picture = isPicture(format());
@@ -166,7 +172,7 @@ void ExportDialog::updateSummary()
     const auto channels = snapshot();
     m_save->setEnabled(!channels->empty());
     if (channels->empty()) {
-        m_summary->setText(tr("Nothing has been recorded yet."));
+        m_summary->setText(emptyText());
     } else if (picture) {
         m_summary->setText(tr("The scope as it is on the screen now."));
     } else if (csv) {
@@ -224,7 +230,7 @@ void ExportDialog::order(const QString &path)
         made.parts.append({path, all});
     }
     if (made.parts.isEmpty() && !isPicture(made.format)) {
-        m_summary->setText(tr("Nothing has been recorded yet."));
+        m_summary->setText(emptyText());
         return;
     }
     if (!made.parts.isEmpty() && m_hasLog && m_hasLog())

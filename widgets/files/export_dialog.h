@@ -37,6 +37,7 @@ private:
     void order(const QString &path);
     QStringList taken(const ExportOrder &order) const;
     void updateSummary();
+    QString emptyText() const;
     ExportFormat format() const;
     std::optional<capture::TimeSpan> range() const;
     capture::Snapshot snapshot() const;

@@ -565,6 +565,10 @@ void MainWindow::exportCsv()
     dialog->setMotionLog(
         [this] { return !m_selection->showsFile() && m_workbench.motionLog().rowCount() > 0; });
     connect(dialog, &ExportDialog::wanted, this, &MainWindow::runExport);
+    if (m_scope->running()) { // what is on the screen now is what is meant
+        m_scope->setRunning(false);
+        connect(dialog, &QDialog::finished, m_scope, [this] { m_scope->setRunning(true); });
+    }
     dialog->open();
 }
 
