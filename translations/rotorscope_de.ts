@@ -314,6 +314,16 @@
         <source>No MATLAB file: it would hold more than 2 GiB of numbers. Choose a shorter range.</source>
         <translation>Keine MATLAB-Datei: Sie enthielte mehr als 2 GiB an Zahlen. Wählen Sie einen kürzeren Bereich.</translation>
     </message>
+    <message>
+        <source>The export was cancelled. Written before: %1.</source>
+        <comment>files</comment>
+        <translation>Der Export wurde abgebrochen. Vorher geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>Written before: %1.</source>
+        <comment>files</comment>
+        <translation>Vorher geschrieben: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Fault</name>
@@ -3713,6 +3723,22 @@
     <message>
         <source>End Rotorscope all the same…</source>
         <translation>Rotorscope trotzdem beenden…</translation>
+    </message>
+    <message>
+        <source>An export is under way.</source>
+        <translation>Ein Export läuft.</translation>
+    </message>
+    <message>
+        <source>Without it there is no file.</source>
+        <translation>Ohne ihn gibt es keine Datei.</translation>
+    </message>
+    <message>
+        <source>Close when it is written</source>
+        <translation>Schließen, wenn er geschrieben ist</translation>
+    </message>
+    <message>
+        <source>Close without it</source>
+        <translation>Ohne ihn schließen</translation>
     </message>
     <message>
         <source>Leave running?</source>

@@ -447,6 +447,72 @@ private Q_SLOTS:
         QVERIFY(!m_rig->find<QProgressDialog>("fileJob"));
     }
 
+    void closingDuringAnExportAsks_data()
+    {
+        QTest::addColumn<int>("role");
+        QTest::newRow("when it is written") << int(QMessageBox::AcceptRole);
+        QTest::newRow("without it") << int(QMessageBox::DestructiveRole);
+        QTest::newRow("not at all") << int(QMessageBox::RejectRole);
+    }
+    void closingDuringAnExportAsks()
+    {
+        QFETCH(int, role);
+        std::atomic<bool> written = false;
+        auto *job = new widgets::FileJob(
+            QStringLiteral("Exporting"),
+            [&](const widgets::FileJob::Proceed &proceed) -> widgets::FileJob::Finish {
+                while (proceed(0.5) && !written)
+                    QThread::yieldCurrentThread();
+                return {};
+            },
+            &m_rig->window);
+        job->setObjectName(QLatin1String(widgets::MainWindow::kExportJob));
+        QSignalSpy over(job, &widgets::FileJob::over);
+        QVERIFY(!m_rig->window.close());
+        auto *box = m_rig->find<QMessageBox>("exportQuestion");
+        QVERIFY(box);
+        for (QAbstractButton *button : box->buttons())
+            if (box->buttonRole(button) == role)
+                QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(m_rig->window.isVisible(), role != QMessageBox::DestructiveRole);
+        written = true;
+        QTRY_COMPARE(over.count(), 1);
+    }
+
+    void anExportThatIsWaitedForClosesTheWindow()
+    {
+        m_rig->files.answer = m_folder.filePath(QStringLiteral("waited.csv"));
+        m_rig->window.exportCsv();
+        m_rig->find<QComboBox>("exportRange")->setCurrentIndex(kEverything);
+        QTest::mouseClick(m_rig->find<QPushButton>("exportSave"), Qt::LeftButton);
+        QVERIFY(!m_rig->window.close()); // its end is told by the event loop
+        for (QAbstractButton *button : m_rig->find<QMessageBox>("exportQuestion")->buttons())
+            if (button->text().startsWith(QStringLiteral("Close when")))
+                QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY(m_rig->window.isVisible());
+        QTRY_VERIFY(!m_rig->window.isVisible());
+        QVERIFY(QFile::exists(m_rig->files.answer));
+    }
+
+    void whatWasWrittenBeforeACancelIsSaid()
+    {
+        const Capture capture = recording();
+        std::vector<ChannelId> ids;
+        for (const ChannelInfo &info : capture.channels())
+            ids.push_back(info.id);
+        widgets::ExportOrder order{ExportFormat::Csv, {}, {}, {}, {}};
+        for (const Snapshot &part : splitByRate(capture.snapshot(ids)))
+            order.parts.append(
+                {m_folder.filePath(QStringLiteral("part%1.csv").arg(order.parts.size())), part});
+        QCOMPARE(order.parts.size(), 2);
+        const auto result = widgets::carryOut(
+            order, [&order](double) { return !QFile::exists(order.parts[0].path); });
+        QVERIFY(result.cancelled());
+        QVERIFY(QFile::exists(order.parts[0].path));
+        QCOMPARE(widgets::exportErrorText(result),
+            QStringLiteral("The export was cancelled. Written before: part0.csv."));
+    }
+
     void workEndsWithItsWindow()
     {
         bool used = false;

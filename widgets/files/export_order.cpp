@@ -1,9 +1,11 @@
 #include "widgets/files/export_order.h"
 
 #include "session/mat_file.h"
+#include "widgets/base/device_text.h"
 #include "widgets/base/messages.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 #include <algorithm>
 
@@ -128,7 +130,7 @@ QString filterOf(ExportFormat format)
 ExportResult carryOut(const ExportOrder &order, const Proceed &proceed)
 {
     ExportResult result;
-    for (qsizetype i = 0; i < order.parts.size() && result.ok(); ++i)
+    for (qsizetype i = 0; i < order.parts.size() && result.ok(); ++i) {
         writePart(
             order, order.parts[i],
             [&](double fraction) {
@@ -136,11 +138,15 @@ ExportResult carryOut(const ExportOrder &order, const Proceed &proceed)
                     (static_cast<double>(i) + fraction) / static_cast<double>(order.parts.size()));
             },
             result);
+        if (result.ok())
+            result.written.append(QFileInfo(order.parts[i].path).fileName());
+    }
     result.allInIt = result.ok() && holdsAll(order);
     return result;
 }
 
-QString exportErrorText(const ExportResult &result)
+namespace {
+QString partErrorText(const ExportResult &result)
 {
     if (result.wav != capture::WavProblem::None)
         return wavText(result.wav);
@@ -148,6 +154,18 @@ QString exportErrorText(const ExportResult &result)
         return Exports::tr(
             "No MATLAB file: it would hold more than 2 GiB of numbers. Choose a shorter range.");
     return csvErrorText(result.file);
+}
+} // namespace
+
+QString exportErrorText(const ExportResult &result)
+{
+    if (result.written.isEmpty())
+        return partErrorText(result);
+    const QString names = deviceText(result.written.join(QStringLiteral(", ")));
+    if (result.cancelled())
+        return Exports::tr("The export was cancelled. Written before: %1.", "files").arg(names);
+    return partErrorText(result) + QLatin1Char(' ')
+        + Exports::tr("Written before: %1.", "files").arg(names);
 }
 
 } // namespace widgets

@@ -8,6 +8,7 @@
 
 #include <QList>
 #include <QString>
+#include <QStringList>
 
 namespace widgets {
 
@@ -33,6 +34,7 @@ struct ExportResult {
     session::CsvResult file; ///< of the first part that failed, else of the last one
     capture::WavProblem wav = capture::WavProblem::None;
     bool matTooLong = false;
+    QStringList written; ///< names of the parts that are whole
     bool allInIt = false; ///< every sample of the parts is in a file
     bool ok() const
     {

@@ -35,6 +35,7 @@ FileJob::FileJob(const QString &title, Work work, QWidget *window)
                 delete m_dialog;
                 if (finish)
                     finish();
+                m_over = true;
                 Q_EMIT over();
                 deleteLater();
             },

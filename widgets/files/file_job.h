@@ -30,6 +30,7 @@ public:
     ~FileJob() override;
 
     void cancel(); ///< the work ends soon, in its own words
+    bool underWay() const { return !m_over && !m_cancelled; }
 
 Q_SIGNALS:
     void over(); ///< after the work's function ran
@@ -42,6 +43,7 @@ private:
     QPointer<QProgressDialog> m_dialog;
     QTimer m_timer;
     QElapsedTimer m_elapsed;
+    bool m_over = false;
     std::atomic<bool> m_cancelled = false;
     std::atomic<double> m_fraction = 0.0;
     std::shared_ptr<QSemaphore> m_left; ///< available once the thread has let go of this

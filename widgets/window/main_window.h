@@ -27,6 +27,7 @@ class ControlPanel;
 class CurrentScales;
 class EventPanel;
 class EventRecorder;
+class FileJob;
 class FilePrompt;
 class FirstSteps;
 class Form;
@@ -64,6 +65,7 @@ public:
     FirstSteps *firstSteps() const { return m_firstSteps; }
     /// Makes now what is made after the first picture; a second call costs nothing.
     void finishTools();
+    static constexpr char kExportJob[] = "exportJob"; ///< its object's name
 
 public Q_SLOTS:
     void exportCsv();
@@ -153,6 +155,8 @@ private:
     void showBigNumbers(bool shown);
     void stopAdvanced(const drive::StopProgress &progress);
     void updateFrame();
+    FileJob *exportUnderWay() const;
+    void askAboutExport(FileJob &job);
     void askToLeave();
     void confirmLeaving();
     QAction *addAction(QMenu *menu, const QString &text, const QKeySequence &keys = {});
@@ -188,6 +192,7 @@ private:
     std::uint64_t m_exportedRevision = 0; ///< of the capture, when all of it was exported
     bool m_toldReleased = false;
     bool m_leaveMarkers = false; ///< the window closes without them
+    bool m_closeAfterExport = false;
     StopAlarm *m_alarm;
     Shutdown *m_shutdown;
     Shutdown *m_parting; ///< the same for a disconnection

@@ -194,6 +194,7 @@ void MainWindow::runExport(const ExportOrder &order)
         if (result.allInIt)
             m_exportedRevision = revision;
         if (!result.ok()) {
+            m_closeAfterExport = false; // somebody has to read why
             say(Banner::Kind::Warning, exportErrorText(result));
         } else if (isPicture(order.format)) {
             m_settings.exportFolder = QFileInfo(order.path).path();
@@ -208,13 +209,18 @@ void MainWindow::runExport(const ExportOrder &order)
         done(result);
         return;
     }
-    new FileJob(
+    auto *job = new FileJob(
         tr("Exporting %1").arg(deviceText(QFileInfo(order.path).fileName())),
         [order, done](const FileJob::Proceed &proceed) -> FileJob::Finish {
             const ExportResult result = carryOut(order, proceed);
             return [result, done] { done(result); };
         },
         this);
+    job->setObjectName(QLatin1String(kExportJob));
+    connect(job, &FileJob::over, this, [this] {
+        if (std::exchange(m_closeAfterExport, false))
+            close();
+    });
 }
 
 void MainWindow::copyPicture()

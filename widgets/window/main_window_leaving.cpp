@@ -1,5 +1,6 @@
 // What the main window asks before a motor is left behind: when it is closed and when it disconnects.
 #include "widgets/base/messages.h"
+#include "widgets/files/file_job.h"
 #include "widgets/files/marker_file.h"
 #include "widgets/window/connect_bar.h"
 #include "widgets/window/main_window.h"
@@ -8,6 +9,8 @@
 #include <QCloseEvent>
 #include <QMessageBox>
 #include <QPushButton>
+
+#include <algorithm>
 
 namespace widgets {
 
@@ -29,9 +32,48 @@ void MainWindow::closeEvent(QCloseEvent *event)
         });
         return;
     }
+    if (FileJob *job = exportUnderWay()) {
+        event->ignore();
+        askAboutExport(*job);
+        return;
+    }
     m_device.close();
     event->accept();
     Q_EMIT closed();
+}
+
+FileJob *MainWindow::exportUnderWay() const
+{
+    const auto jobs =
+        findChildren<FileJob *>(QLatin1String(kExportJob), Qt::FindDirectChildrenOnly);
+    const auto found =
+        std::find_if(jobs.begin(), jobs.end(), [](const FileJob *job) { return job->underWay(); });
+    return found == jobs.end() ? nullptr : *found;
+}
+
+/// Closing ends it, and with it the file that is not whole yet.
+void MainWindow::askAboutExport(FileJob &job)
+{
+    auto *box = new QMessageBox(QMessageBox::Warning, tr("Export"), tr("An export is under way."),
+        QMessageBox::NoButton, this);
+    box->setObjectName(QStringLiteral("exportQuestion"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    box->setInformativeText(tr("Without it there is no file."));
+    QPushButton *wait = box->addButton(tr("Close when it is written"), QMessageBox::AcceptRole);
+    QPushButton *leave = box->addButton(tr("Close without it"), QMessageBox::DestructiveRole);
+    box->setDefaultButton(wait);
+    box->setEscapeButton(box->addButton(QMessageBox::Cancel));
+    connect(&job, &FileJob::over, box, &QMessageBox::reject); // nothing to be asked any more
+    connect(
+        box, &QMessageBox::buttonClicked, &job, [this, &job, wait, leave](QAbstractButton *button) {
+            m_closeAfterExport = button == wait;
+            if (button != leave)
+                return;
+            job.cancel();
+            close();
+        });
+    box->open();
 }
 
 void MainWindow::askToLeave()
