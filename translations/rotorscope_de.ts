@@ -136,6 +136,10 @@
         <translation>Die ganze Aufzeichnung darunter zeigen</translation>
     </message>
     <message>
+        <source>Show the grid or hide it</source>
+        <translation>Das Gitter zeigen oder verbergen</translation>
+    </message>
+    <message>
         <source>Keep the traces as reference A, B; with Shift: drop it</source>
         <translation>Kurven als Referenz A, B behalten; mit Umschalt: verwerfen</translation>
     </message>
@@ -6234,6 +6238,10 @@ mN·m</translation>
     <message>
         <source>&amp;Whole recording below</source>
         <translation>&amp;Ganze Aufzeichnung darunter</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Gitter</translation>
     </message>
     <message>
         <source>A strip with everything recorded, and a box around what the plots show (O)</source>

@@ -638,6 +638,8 @@ void TestTriggerBar::singleKeysActWhereNoTextIsTyped()
     button->setFocus();
     QTest::keyClick(button, Qt::Key_C);
     QVERIFY(!view().cursors().visible());
+    QTest::keyClick(button, Qt::Key_G);
+    QVERIFY(!view().gridVisible());
     QTest::keyClick(&m_rig->window, Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
     auto *text = m_rig->find<QLineEdit>("mathFormula");
     QTest::keyClicks(text, QStringLiteral("cos"));

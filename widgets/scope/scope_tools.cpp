@@ -46,7 +46,9 @@ ScopeTools::ScopeTools(ScopeView &scope, TriggerControl &trigger, QWidget &windo
     QAction *overview = make(tr("&Whole recording below"), Qt::Key_O,
         tr("A strip with everything recorded, and a box around what the plots show (O)"),
         [this] { m_scope.setOverviewVisible(!m_scope.overviewVisible()); });
-    m_groups.append(QList<QAction *>{overview});
+    QAction *grid = make(
+        tr("&Grid"), Qt::Key_G, {}, [this] { m_scope.setGridVisible(!m_scope.gridVisible()); });
+    m_groups.append(QList<QAction *>{overview, grid});
     connect(&scope.cursors(), &Cursors::changed, m_cursors,
         [this] { m_cursors->setChecked(m_scope.cursors().visible()); });
 }

@@ -101,6 +101,7 @@ void showKeys(QWidget *parent)
         {QStringLiteral("R, B"),
             About::tr("Keep the traces as reference A, B; with Shift: drop it")},
         {QStringLiteral("O"), About::tr("Show the whole recording below")},
+        {QStringLiteral("G"), About::tr("Show the grid or hide it")},
         {QStringLiteral("C, 1, 2"), About::tr("Cursors; 1 and 2 give one to the mouse")},
         {QStringLiteral("M"), About::tr("Set a marker")},
         {QStringLiteral("\u2190 \u2192"),
