@@ -70,6 +70,20 @@ std::optional<Nanos> unitOfTime(std::string_view unit)
     return std::nullopt;
 }
 
+/// The same of what may be the time: a unit of time may stand there without a blank, unlike one of a signal, whose name may
+/// end like `joint[0]`.
+std::pair<std::string, std::string> timeNameAndUnit(std::string_view heading)
+{
+    auto [name, unit] = nameAndUnit(heading);
+    const auto open = name.rfind('[');
+    if (!unit.empty() || open == std::string::npos || !name.ends_with(']'))
+        return {std::move(name), std::move(unit)};
+    unit = name.substr(open + 1, name.size() - open - 2);
+    if (!unitOfTime(unit))
+        return {std::move(name), {}};
+    return {name.substr(0, open), std::move(unit)};
+}
+
 /// What separates the names: the most frequent of three outside quotes.
 char separatorOf(std::string_view heading)
 {
@@ -226,7 +240,7 @@ bool CsvImport::takeHeading(std::string_view line)
     m_columns = m_fields.size();
     bool found = false;
     for (std::size_t i = 0; i < m_columns && !found; ++i) {
-        const std::string name = nameAndUnit(m_fields[i]).first;
+        const std::string name = timeNameAndUnit(m_fields[i]).first;
         for (const TimeName &known : kTimeNames) {
             if (!isCalled(name, known.name))
                 continue;
@@ -236,7 +250,7 @@ bool CsvImport::takeHeading(std::string_view line)
             found = true;
         }
     }
-    m_timeUnit = unitOfTime(nameAndUnit(m_fields[m_timeColumn]).second).value_or(m_timeUnit);
+    m_timeUnit = unitOfTime(timeNameAndUnit(m_fields[m_timeColumn]).second).value_or(m_timeUnit);
     for (std::size_t i = 0; i < m_columns; ++i) {
         if (i == m_timeColumn)
             continue;

@@ -293,6 +293,9 @@ void TestCsvImport::aTimeColumnHasItsUnitWhateverItsName_data()
     row("TimeStamp [ns],A", 5);
     row("Zeit [s],A", 5'000'000'000);
     row("when,A", 5'000'000'000);
+    row("time[ms],A", 5'000'000);
+    row("Zeit[us],A", 5'000);
+    row("t[0],time[ns]", 1); // the time is behind its value
     row("MS_Today,A", 5'000'000);
     row("ms_today [s],A", 5'000'000'000);
 }
