@@ -10,7 +10,6 @@ namespace capture {
 namespace {
 
 constexpr std::size_t kMostChannels = 64;
-constexpr std::uint64_t kMostBytes = 0xFFFF0000U; ///< of data, so that the rest fits 32 bits, too
 constexpr std::size_t kPieceFrames = 32768;
 constexpr std::size_t kMostCues = 10'000;
 constexpr std::size_t kFormatBytes = 16;
@@ -63,7 +62,7 @@ WavWriter::WavWriter(const Snapshot &channels, std::optional<TimeSpan> range)
     findRuns(from, to);
     if (m_frames == 0)
         m_problem = WavProblem::NoFastSamples;
-    else if (m_frames > kMostBytes / (2 * m_channels.size()))
+    else if (m_frames > kMostDataBytes / (2 * m_channels.size()))
         m_problem = WavProblem::TooLong;
 }
 

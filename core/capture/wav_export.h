@@ -25,6 +25,9 @@ enum class WavProblem : std::uint8_t {
 
 class WavWriter {
 public:
+    /// So that the size of the file fits 32 bits, too: ten thousand gaps are marked with 600 KB.
+    static constexpr std::uint64_t kMostDataBytes = 0xFFFFFFFFU - (1U << 20);
+
     /// @param channels  those that are not fast are left out
     explicit WavWriter(const Snapshot &channels, std::optional<TimeSpan> range = {});
 

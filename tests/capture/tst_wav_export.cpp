@@ -13,6 +13,7 @@ class TestWavExport : public QObject {
 private Q_SLOTS:
     void everyCodeIsInItsPlace();
     void gapsAreCuePointsAndNothingIsFilledIn();
+    void theLongestFileHasRoomForAllItsGaps();
     void onlyInstantsThatAllSignalsHaveAreWritten();
     void aRangeIsExact();
     void onlyRatesInTheRangeCount();
@@ -148,6 +149,21 @@ void TestWavExport::gapsAreCuePointsAndNothingIsFilledIn()
     QCOMPARE(cue.u32(), 1U);
     QCOMPARE(cue.u32(), 1U); // its name
     QCOMPARE(cue.u32(), 100U); // the frame behind the gap
+}
+
+void TestWavExport::theLongestFileHasRoomForAllItsGaps()
+{
+    Capture capture;
+    capture.begin(layout());
+    for (Tick tick = 0; tick < 12'000 * Tick{1'234'567}; tick += 1'234'567)
+        append(capture, 1, tick, 2, 1'234'565);
+    WavWriter writer(all(capture));
+    QCOMPARE(writer.gaps(), std::size_t(10'000)); // more are not marked
+    const std::string file = write(writer);
+    const Wav wav = parse(file);
+    QCOMPARE(wav.channels.at(0).size(), std::size_t(24'000));
+    const std::size_t rest = file.size() - wav.chunks.at("data").size();
+    QVERIFY(WavWriter::kMostDataBytes + rest <= 0xFFFFFFFFU);
 }
 
 /// Signals of two streams that overlap in time are not there together; those of one with different beginnings are.
