@@ -193,7 +193,7 @@ Outcome<int> runExport(const Arguments &arguments, Output &out)
                 .arg(wanted.file,
                     written->file.error == FileError::NotAFile ? QStringLiteral("it is no file")
                                                                : written->file.systemText));
-    const QString lack = source->recording ? lackText(source->recording->report) : QString();
+    const QString lack = source->recording ? lackText(*source->recording) : lackText(*source->csv);
     if (out.json())
         out.line(QJsonObject{{QStringLiteral("file"), wanted.file},
             {QStringLiteral("rows"), static_cast<qint64>(written->rows)},
@@ -204,7 +204,7 @@ Outcome<int> runExport(const Arguments &arguments, Output &out)
     else
         out.line(QStringLiteral("%1: %2 rows").arg(wanted.file, QString::number(written->rows)));
     if (!lack.isEmpty())
-        return failure(kDataLost, QStringLiteral("%1 is damaged: %2.").arg(path, lack));
+        return failure(kDataLost, QStringLiteral("%1 is not whole: %2.").arg(path, lack));
     return kDone;
 }
 

@@ -146,9 +146,9 @@ Outcome<int> runShow(const Arguments &arguments, Output &out)
         out.line(json(**opened));
     else
         print(**opened, arguments.recording.events, out);
-    const QString lack = lackText((*opened)->report);
+    const QString lack = lackText(**opened);
     if (!lack.isEmpty())
-        return failure(kDataLost, QStringLiteral("%1 is damaged: %2.").arg(path, lack));
+        return failure(kDataLost, QStringLiteral("%1 is not whole: %2.").arg(path, lack));
     return kDone;
 }
 

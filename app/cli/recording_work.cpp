@@ -1,6 +1,8 @@
 #include "recording_work.h"
 
 #include "capture/csv_import.h"
+#include "output.h"
+#include "session/disk_archive.h"
 #include "session/snapshot_json.h"
 
 #include <QCoreApplication>
@@ -17,12 +19,22 @@ namespace {
 constexpr auto kOpenWithin = 10s;
 constexpr auto kCloseWithin = 60s; ///< a slow disk may have a lot to write
 constexpr std::size_t kMostMemory = 4'000'000'000; ///< of samples
+
+/// What does not fit into memory waits on a disk, as in the window.
+capture::Capture::Config roomForAFile()
+{
+    const QString folder = session::archiveFolder();
+    auto archive =
+        std::make_shared<session::DiskArchive>(session::DiskArchive::Config{.folder = folder});
+    archive->setBudget(session::usualArchiveBudget(folder));
+    return {.maxBytes = kMostMemory, .archive = std::move(archive), .patient = true};
+}
 } // namespace
 
 Outcome<std::unique_ptr<OpenedRecording>> openRecording(const QString &path)
 {
-    auto opened = std::make_unique<OpenedRecording>(
-        OpenedRecording{capture::Capture({.maxBytes = kMostMemory}), {}});
+    auto opened =
+        std::make_unique<OpenedRecording>(OpenedRecording{capture::Capture(roomForAFile()), {}});
     auto report = session::readRecording(path, opened->capture);
     if (!report)
         return failure(kFileError,
@@ -79,8 +91,7 @@ Outcome<std::unique_ptr<capture::Capture>> importCsv(const QString &path)
     };
     if (!file.open(QIODevice::ReadOnly))
         return refused(file.errorString());
-    auto capture =
-        std::make_unique<capture::Capture>(capture::Capture::Config{.maxBytes = kMostMemory});
+    auto capture = std::make_unique<capture::Capture>(roomForAFile());
     capture::CsvImport import(*capture);
     bool goesOn = true;
     while (goesOn && !file.atEnd()) {
@@ -92,9 +103,22 @@ Outcome<std::unique_ptr<capture::Capture>> importCsv(const QString &path)
     return capture;
 }
 
-QString lackText(const session::RecordingReport &report)
+QString lackText(const capture::Capture &capture)
 {
+    const auto span = capture.timeSpan();
+    if (capture.released() == 0 || !span)
+        return {};
+    return QStringLiteral("%1 samples before %2 s are left out, because there is no room for them; "
+                          "make some in %3")
+        .arg(QString::number(capture.released()), numberText(span->from), session::archiveFolder());
+}
+
+QString lackText(const OpenedRecording &recording)
+{
+    const session::RecordingReport &report = recording.report;
     QStringList lacks;
+    if (const QString room = lackText(recording.capture); !room.isEmpty())
+        lacks.append(room);
     if (!report.damage.empty()) {
         QString first = session::damageText(report.damage.front());
         if (report.damagedPlaces > 1)

@@ -13,14 +13,17 @@ struct OpenedRecording {
     session::RecordingReport report;
 };
 
-/// The whole recording in memory; a failure if the file holds none.
+/// The whole recording, on a disk what memory has no room for; a failure if the file holds none.
 Outcome<std::unique_ptr<OpenedRecording>> openRecording(const QString &path);
 
 /// A CSV file of ours, of PlotJuggler or of VESC Tool; a failure that names line and column if it is none.
 Outcome<std::unique_ptr<capture::Capture>> importCsv(const QString &path);
 
-/// The sentence about what a damaged or interrupted recording lacks; empty if it is whole.
-QString lackText(const session::RecordingReport &report);
+/// The sentence about samples that there was no room for; empty if all are there.
+QString lackText(const capture::Capture &capture);
+
+/// And about what a damaged or interrupted recording lacks; empty if it is whole.
+QString lackText(const OpenedRecording &recording);
 
 /// A recording of a conversation, as capture --record makes it.
 class ConversationRecording {
