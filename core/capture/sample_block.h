@@ -23,6 +23,7 @@ struct StreamSignal {
     double factor = 1.0; ///< shown = (stored + offset) * factor
     double offset = 0.0; ///< 32768 for unsigned 16-bit signals, which are stored signed; else 0
     bool real = false; ///< slow signals: a value is the bits of a 32-bit float
+    bool operator==(const StreamSignal &) const = default;
 };
 
 struct StreamLayout {
@@ -35,6 +36,7 @@ struct StreamLayout {
     std::vector<StreamSignal> slow;
     bool ticksAreControlPeriods = true; ///< false: a tick only measures time
     bool empty() const { return fast.empty() && slow.empty(); }
+    bool operator==(const StreamLayout &) const = default;
 };
 
 /// Values of the slow signals at one instant.

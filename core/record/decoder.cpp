@@ -173,7 +173,8 @@ void Decoder::takeEntry(const BlockHead &head, ByteView data)
 bool Decoder::isNews(const Entry &entry, bool repeated)
 {
     if (const auto *layout = std::get_if<capture::StreamLayout>(&entry)) {
-        const bool known = m_layout && m_layout->id == layout->id;
+        // Ids come again: after a port was opened anew, and with a count that began anew.
+        const bool known = m_layout == *layout;
         m_layout = *layout;
         return !repeated || !known;
     }

@@ -22,6 +22,7 @@ private Q_SLOTS:
     void bytesTakenOutOrPutInCostTheirBlocksOnly();
     void aBlockThatIsMissingIsTold();
     void samplesBehindALostLayoutWaitForTheNextOne();
+    void aLostLayoutWhoseIdWasUsedBeforeIsNews();
     void valuesBehindALostRegisterWaitForTheNextOne();
     void aRecordingWithoutAnEndWasInterrupted();
     void theEndFitsThePlaceThatWasKeptForIt();
@@ -331,6 +332,33 @@ void TestRecordDecoder::samplesBehindALostLayoutWaitForTheNextOne()
 }
 
 /// As of a drive whose registers are all read in turn: no block of samples is ever written.
+/// The board's count begins anew: same id, other origin.
+void TestRecordDecoder::aLostLayoutWhoseIdWasUsedBeforeIsNews()
+{
+    Encoder encoder({1'700'000'000, "test", "sim"}, small());
+    File file;
+    file.put(encoder.head());
+    encoder.add(0, layout());
+    for (Nanos i = 0; i < 4; ++i)
+        encoder.add(i * 1000, block(i * 40, 40));
+    file.put(encoder);
+    capture::StreamLayout later = layout();
+    later.originSeconds = 10.0;
+    encoder.add(5000, later);
+    file.put(encoder);
+    const std::size_t lost = file.starts.back();
+    for (Nanos i = 0; i < 12; ++i)
+        encoder.add(6000 + i * 1000, block(i * 40, 40));
+    encoder.end(20'000, {});
+    file.put(encoder);
+    file.bytes[lost + 40] ^= 1;
+    capture::Capture capture;
+    Restorer restorer(capture);
+    for (const Item &item : read(file.bytes).items)
+        restorer.take(item.entry);
+    QVERIFY(capture.timeSpan()->to > 10.0);
+}
+
 void TestRecordDecoder::valuesBehindALostRegisterWaitForTheNextOne()
 {
     Encoder encoder({0, "test", ""}, small());
