@@ -16,7 +16,7 @@ bool streamable(const catalog::RegisterInfo *info)
     return info && info->streaming != catalog::Streaming::Polled;
 }
 
-/// Packets a second: as large as allowed, but never older than a packet may get.
+/// Packets a second for so many bytes of samples: as large as allowed, but never older than a packet may get.
 double packetsPerSecond(double bytes, const drive::StreamLimits &limits)
 {
     const double room = std::max(32.0, static_cast<double>(limits.maxPacket) - kPacketOverhead);
@@ -37,13 +37,10 @@ unsigned fullRateSignals(const drive::StreamLimits &limits)
     return fit;
 }
 
-} // namespace
-
-double streamBytesPerSecond(
+/// Without what frames them.
+double sampleBytesPerSecond(
     const drive::Stream &stream, const catalog::Catalog &catalog, const drive::StreamLimits &limits)
 {
-    if (stream.fast.empty() && stream.slow.empty())
-        return 0.0;
     const double blockHz = limits.tickHz / std::max(1U, stream.fastEvery);
     double bytes = kFastBytes * static_cast<double>(stream.fast.size()) * blockHz;
     for (const catalog::RegisterId id : stream.slow) {
@@ -51,6 +48,17 @@ double streamBytesPerSecond(
         const auto width = info ? static_cast<double>(catalog::widthOf(info->type)) : 4.0;
         bytes += width * blockHz / std::max(1U, stream.slowEvery);
     }
+    return bytes;
+}
+
+} // namespace
+
+double streamBytesPerSecond(
+    const drive::Stream &stream, const catalog::Catalog &catalog, const drive::StreamLimits &limits)
+{
+    if (stream.fast.empty() && stream.slow.empty())
+        return 0.0;
+    const double bytes = sampleBytesPerSecond(stream, catalog, limits);
     return bytes + kPacketOverhead * packetsPerSecond(bytes, limits);
 }
 
@@ -100,8 +108,8 @@ ChannelPlan planChannels(std::span<const WantedSignal> wanted, const catalog::Ca
     }
     plan.bytesPerSecond = need();
     if (plan.bytesPerSecond > 0.0) {
-        const double perSecond = packetsPerSecond(plan.bytesPerSecond, limits);
-        plan.packetSeconds = 1.0 / perSecond;
+        const double bytes = sampleBytesPerSecond(plan.stream, catalog, limits);
+        plan.packetSeconds = 1.0 / packetsPerSecond(bytes, limits);
     }
     plan.fastHz = plan.stream.fast.empty() ? 0.0 : limits.tickHz / plan.stream.fastEvery;
     return plan;
