@@ -75,8 +75,6 @@ MathChannel::MathChannel(Formula formula, ChannelInfo info, std::uint64_t mostSa
 
 void MathChannel::chooseClock(std::span<const Channel *const> inputs)
 {
-    if (m_clock)
-        return;
     m_clock = 0;
     for (std::size_t i = 1; i < inputs.size(); ++i) {
         if (isFaster(*inputs[i], *inputs[*m_clock]))
@@ -114,7 +112,12 @@ bool MathChannel::update(std::span<const Channel *const> inputs, Nanos until, st
 {
     if (inputs.empty() || inputs.size() != m_inputs.size())
         return false;
-    chooseClock(inputs);
+    if (!m_clock) {
+        // Until all have begun there is nothing to compute, and which is the fastest may not be known.
+        if (std::any_of(inputs.begin(), inputs.end(), [](const auto *in) { return in->empty(); }))
+            return false;
+        chooseClock(inputs);
+    }
     const Channel &clock = *inputs[*m_clock];
     if (m_next < clock.begin()) {
         m_next = clock.begin();

@@ -2,8 +2,9 @@
 // searched for triggers, and an input of further formulas.
 //
 // It has a value at each sample of its clock, the fastest kind among its inputs (the first of them; among values the one
-// whose first samples are closest). The other inputs are worth what their sample before says (previous-sample hold). Where one of them is not known, or the result is no
-// finite number, there is a gap; it also restarts the functions with a memory.
+// whose first samples are closest). The other inputs are worth what their sample before says (previous-sample hold).
+// Where one of them is not known, or the result is no finite number, there is a gap; it also restarts the functions with
+// a memory.
 //
 // Call order: update() whenever the inputs have grown. Results do not depend on how often, as long as `until` keeps its
 // word: no input will get a sample before it any more.

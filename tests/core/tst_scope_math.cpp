@@ -120,6 +120,9 @@ void TestScopeMath::theCloserValuesAreTheClock()
         MathChannel product = math(text);
         const bool first = product.formula().used().front() == 0;
         const Inputs inputs = first ? Inputs{&sparse, &dense} : Inputs{&dense, &sparse};
+        const auto nothing = support::slowChannel(
+            0, [](double) { return 2.0; }, 16000.0);
+        product.update(first ? Inputs{&sparse, &nothing} : Inputs{&nothing, &sparse}, tick(900));
         product.update(inputs, tick(900));
         QCOMPARE(product.channel().size(), 101U);
         product.update(inputs, kEver);
