@@ -707,6 +707,33 @@
     </message>
 </context>
 <context>
+    <name>Happenings</name>
+    <message>
+        <source>bad packets: %1</source>
+        <translation>schlechte Pakete: %1</translation>
+    </message>
+    <message>
+        <source>refused packets: %1</source>
+        <translation>abgelehnte Pakete: %1</translation>
+    </message>
+    <message>
+        <source>unanswered: %1</source>
+        <translation>unbeantwortet: %1</translation>
+    </message>
+    <message>
+        <source>recoveries: %1</source>
+        <translation>Wiederherstellungen: %1</translation>
+    </message>
+    <message>
+        <source>lost control periods: %1</source>
+        <translation>verlorene Regelperioden: %1</translation>
+    </message>
+    <message>
+        <source>skipped packets: %1</source>
+        <translation>ausgelassene Pakete: %1</translation>
+    </message>
+</context>
+<context>
     <name>Imports</name>
     <message>
         <source>there is no heading with the names of signals</source>

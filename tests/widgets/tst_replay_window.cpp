@@ -3,6 +3,8 @@
 #include "session/recording_notes.h"
 #include "support/recording_facts.h"
 #include "support/window_rig.h"
+#include "widgets/base/messages.h"
+#include "widgets/files/happening_text.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trigger_control.h"
 #include "widgets/window/banner.h"
@@ -59,7 +61,8 @@ void writeRecording(const QString &path)
         if (tick % 16'000 == 0)
             file.add(at, record::PolledValues{{{kTemperature, at, 25.5}, {kSquare, at, 10.0}}});
     }
-    file.add(1'000'000'000, record::Happening{"speed ramp", {{"motor", "1"}, {"rpm", "500"}}});
+    file.add(1'000'000'000,
+        record::Happening{"speed ramp", {{"motor", "1"}, {"rpm", "500"}, {"ms", "1000"}}});
     file.add(1'500'000'000, record::Note{1'500'000'000, 1'500'000'000, "look here"});
     file.end();
 }
@@ -102,7 +105,7 @@ private Q_SLOTS:
                     QFAIL("a sample differs");
         }
         QTRY_VERIFY(eventTexts().contains(QStringLiteral("look here")));
-        QVERIFY(eventTexts().contains(QStringLiteral("speed ramp motor=1 rpm=500")));
+        QVERIFY(eventTexts().contains(QStringLiteral("Ramp to 500 rpm in 1000 ms")));
         QVERIFY(eventTexts().contains(QStringLiteral("RUN")));
     }
 
@@ -171,6 +174,40 @@ private Q_SLOTS:
         const auto first = *capture().timeSpan(scope()->channels().first());
         const double at = capture::toSeconds(trigger->history().records().front().trigger);
         QVERIFY2(std::abs(at - first.from - 8.01) < 0.02, qPrintable(QString::number(at)));
+    }
+
+    void whatHappenedIsToldInWords_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("fields");
+        QTest::addColumn<QString>("text");
+        const auto row = [](const char *name, const char *fields, const QString &text) {
+            QTest::addRow("%s %s", name, fields) << name << fields << text;
+        };
+        row("command", "motor=2;action=start", QStringLiteral("Motor 2: Start"));
+        row("torque ramp", "A=1.5;ms=100", QStringLiteral("Ramp to 1.500 A in 100 ms"));
+        row("torque ramp", "A=1.5", QStringLiteral("torque ramp A=1.5")); // not all of it
+        row("write", "SPEED_KP=520;wish=7", QStringLiteral("SPEED_KP \u2192 520"));
+        row("motor state", "motor=1;state=idle", widgets::motorStateText(drive::MotorState::Idle));
+        row("motor state", "state=fault now;name=FAULT_NOW;faults now=OVER_VOLT",
+            QStringLiteral("FAULT_NOW: OVER_VOLT"));
+        row("link", "state=lost;reason=silence", widgets::linkStateText(drive::LinkState::Lost));
+        row("link trouble", "bad packets=0;lost ticks=16",
+            QStringLiteral("lost control periods: 16"));
+        row("stop", "word=wanted", QStringLiteral("Stop motors"));
+        row("ended", "wish=7;outcome=refused;reason=BUSY",
+            widgets::outcomeText(drive::Outcome::Refused) + QStringLiteral(", BUSY"));
+        row("weather", "rain=some", QStringLiteral("weather rain=some"));
+    }
+    void whatHappenedIsToldInWords()
+    {
+        QFETCH(QString, name);
+        QFETCH(QString, fields);
+        record::Happening happening{name.toStdString(), {}};
+        for (const QString &field : fields.split(QLatin1Char(';')))
+            happening.fields.emplace_back(field.section(QLatin1Char('='), 0, 0).toStdString(),
+                field.section(QLatin1Char('='), 1).toStdString());
+        QTEST(widgets::happeningText(happening), "text");
     }
 
     void aPauseHoldsIt()

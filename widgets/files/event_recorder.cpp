@@ -71,13 +71,24 @@ void EventRecorder::note(EventKind kind, double seconds, const QString &text)
 
 QString EventRecorder::named(int motor, const QString &text) const
 {
-    const bool several = m_device.identified() && m_device.identified()->identity.motors > 1;
+    return motorText(motor, text, severalMotors());
+}
+
+bool EventRecorder::severalMotors() const
+{
+    return m_device.identified() && m_device.identified()->identity.motors > 1;
+}
+
+QString EventRecorder::motorText(int motor, const QString &text, bool several)
+{
     return several ? tr("Motor %1: %2").arg(QString::number(motor), text) : text;
 }
 
-/// What was asked for, in words; empty for what is no command.
-QString EventRecorder::wishText(const drive::Wish &wish) const
+QString EventRecorder::wishText(const drive::Wish &wish, bool several)
 {
+    const auto named = [several](int motor, const QString &text) {
+        return motorText(motor, text, several);
+    };
     const auto inTime = [](std::chrono::milliseconds duration) {
         return QString::number(duration.count());
     };
@@ -124,7 +135,7 @@ QString EventRecorder::wishText(const drive::Wish &wish) const
 void EventRecorder::wished(const drive::Wish &wish)
 {
     const bool write = std::holds_alternative<drive::Write>(wish.what);
-    const QString text = wishText(wish);
+    const QString text = wishText(wish, severalMotors());
     if ((!write && text.isEmpty()) || m_asked.size() >= kMostAsked)
         return;
     const double seconds = now();

@@ -30,6 +30,10 @@ public:
 
     double now() const; ///< seconds on the session's axis
 
+    /// What was asked for, in words; empty for what is no command. @param several  motors, which are told apart
+    static QString wishText(const drive::Wish &wish, bool several);
+    static QString motorText(int motor, const QString &text, bool several);
+
 Q_SIGNALS:
     // The same for a trigger that waits for it; `seconds` on the session's axis.
     void stateChanged(double seconds, widgets::EventKind kind, quint32 which); ///< State or Fault
@@ -48,7 +52,7 @@ private:
     void link();
     void lost(const capture::SampleBlock &block);
     QString named(int motor, const QString &text) const;
-    QString wishText(const drive::Wish &wish) const;
+    bool severalMotors() const;
 
     Device &m_device;
     const capture::Capture &m_capture;

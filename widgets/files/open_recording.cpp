@@ -3,6 +3,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/value_text.h"
 #include "widgets/files/file_job.h"
+#include "widgets/files/happening_text.h"
 #include "widgets/scope/event_log.h"
 
 #include <QCoreApplication>
@@ -45,17 +46,6 @@ bool isShown(const record::Happening &happening)
         return is("act", "ARM") || is("act", "DISARM") || is("act", "LIMITS")
             || is("act", "EXPERT_MODE");
     return happening.name != "ended" || !is("outcome", "ok");
-}
-
-QString textOf(const record::Happening &happening)
-{
-    if (happening.name == "motion")
-        return deviceText(happening.fields.front().second);
-    QString text = deviceText(happening.name);
-    for (const auto &[key, value] : happening.fields)
-        if (!value.empty() && key != "wish")
-            text += QStringLiteral(" %1=%2").arg(deviceText(key), deviceText(value));
-    return text;
 }
 
 } // namespace
@@ -128,7 +118,7 @@ void fillEvents(EventLog &events, const session::RecordingReport &report)
     events.clear();
     for (const auto &[at, happening] : report.happenings)
         if (isShown(happening))
-            events.add(kindOf(happening), capture::toSeconds(at), textOf(happening));
+            events.add(kindOf(happening), capture::toSeconds(at), happeningText(happening));
     // A marker whose text was changed is in it again.
     std::map<record::Nanos, QString> notes;
     for (const record::Note &note : report.notes)
@@ -166,7 +156,7 @@ void addReplayed(EventLog &events, const session::ReplayedEntry &entry)
 {
     if (const auto *happening = std::get_if<record::Happening>(&entry.entry)) {
         if (isShown(*happening))
-            events.add(kindOf(*happening), entry.seconds, textOf(*happening));
+            events.add(kindOf(*happening), entry.seconds, happeningText(*happening));
     } else if (const auto *note = std::get_if<record::Note>(&entry.entry)) {
         // A marker whose text was changed is told again.
         const QString text = deviceText(note->text);
