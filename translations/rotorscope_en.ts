@@ -147,6 +147,10 @@
         <source>Save the markers of an opened recording</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Show the grid or hide it</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -312,6 +316,16 @@
     </message>
     <message>
         <source>No MATLAB file: it would hold more than 2 GiB of numbers. Choose a shorter range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The export was cancelled. Written before: %1.</source>
+        <comment>files</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written before: %1.</source>
+        <comment>files</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -689,6 +703,33 @@
     </message>
     <message>
         <source>Ld is above Lq: are they swapped?</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Happenings</name>
+    <message>
+        <source>bad packets: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refused packets: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unanswered: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recoveries: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lost control periods: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>skipped packets: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2966,6 +3007,10 @@
             <numerusform>%n signals in a structure for each rate, with time and units; what is unknown is NaN.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>No trace is shown. Choose everything recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::FaultHelp</name>
@@ -4010,6 +4055,29 @@
     </message>
     <message>
         <source>The recording that runs does not hold all markers: some were set before it began.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s) of it are not shown: see Scope, Signals of the file.</source>
+        <translation>
+            <numerusform>%n signal of it is not shown: see Scope, Signals of the file.</numerusform>
+            <numerusform>%n signals of it are not shown: see Scope, Signals of the file.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>An export is under way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without it there is no file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close when it is written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close without it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6212,6 +6280,10 @@ mN·m</source>
         <source>Drop re&amp;ference B</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::ScopeView</name>
@@ -6424,6 +6496,10 @@ mN·m</source>
             <numerusform>%n signal does not fit into the recording and is read one by one.</numerusform>
             <numerusform>%n signals do not fit into the recording and are read one by one.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The scope shows up to %1 signals of a file: take one off to see another.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6946,6 +7022,10 @@ mN·m</source>
         <source>The mean of so many spectra, one after the other, of samples that do not overlap</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Choose a trace.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::SpectrumPeaks</name>
@@ -7252,6 +7332,14 @@ A program on a PC is no replacement for a switch that removes the power.</source
         <source>State of the trigger, and how old the shown record is</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>File: replay it to trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trigger waits for samples, and a file has none to come. A replay of it (Ctrl+Shift+R) has.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::ValueEdit</name>
@@ -7390,6 +7478,10 @@ A program on a PC is no replacement for a switch that removes the power.</source
     </message>
     <message>
         <source>The bus voltage is not known, so its limits are not drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a trace for X and for Y.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
