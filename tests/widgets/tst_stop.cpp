@@ -83,6 +83,18 @@ private Q_SLOTS:
         QVERIFY(!box.isVisible());
     }
 
+    void escapeStopsUnderADialogAfterAClickBesideIt()
+    {
+        QMessageBox box(QMessageBox::Question, QStringLiteral("Title"), QStringLiteral("Text"),
+            QMessageBox::Ok, &m_rig->window);
+        box.open();
+        m_rig->window.activateWindow(); // as some window managers do on a click
+        QTRY_COMPARE(QApplication::activeWindow(), &box);
+        QTest::keyClick(QGuiApplication::focusWindow(), Qt::Key_Escape);
+        QCOMPARE(m_stops->size(), 1);
+        QVERIFY(!box.isVisible());
+    }
+
     void escapeStopsWhileAMenuIsOpenAndStillClosesIt()
     {
         auto *menu = m_rig->window.menuWidget()->findChild<QMenuBar *>()->actions().at(0)->menu();

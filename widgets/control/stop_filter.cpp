@@ -1,14 +1,35 @@
 #include "widgets/control/stop_filter.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QKeyEvent>
+#include <QWindow>
 
 namespace widgets {
+
+namespace {
+/// Whether `window` is one of those behind the dialog.
+bool blocks(const QWidget &dialog, const QWindow *window)
+{
+    const QWindow *behind = dialog.windowHandle();
+    while (behind && behind != window)
+        behind = behind->transientParent();
+    return behind && behind != dialog.windowHandle();
+}
+
+/// Qt throws away the keys of a window that a dialog blocks, and some window managers let such a window have the focus.
+void keepKeysFromBlockedWindows(const QWindow *focused)
+{
+    QWidget *dialog = QApplication::activeModalWidget();
+    if (dialog && focused && blocks(*dialog, focused))
+        dialog->activateWindow();
+}
+} // namespace
 
 StopFilter::StopFilter(QObject *parent)
     : QObject(parent)
 {
     QCoreApplication::instance()->installEventFilter(this);
+    connect(qApp, &QGuiApplication::focusWindowChanged, this, &keepKeysFromBlockedWindows);
 }
 
 bool StopFilter::eventFilter(QObject *watched, QEvent *event)
