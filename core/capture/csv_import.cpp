@@ -80,7 +80,7 @@ std::pair<std::string, std::string> timeNameAndUnit(std::string_view heading)
         return {std::move(name), std::move(unit)};
     unit = name.substr(open + 1, name.size() - open - 2);
     if (!unitOfTime(unit))
-        return {std::move(name), {}};
+        return {std::move(name), std::string()};
     return {name.substr(0, open), std::move(unit)};
 }
 

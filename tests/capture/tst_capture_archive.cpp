@@ -195,7 +195,7 @@ void TestCaptureArchive::valuesThatAreReadInTurnMakeRoomToo()
 {
     constexpr std::uint64_t kValues = 2'000'000; // 32 MB
     constexpr std::size_t kRoom = 4 * kMemory;
-    constexpr std::size_t kUnseen = 65536 * 24; // between two looks
+    constexpr std::size_t kUnseen = std::size_t(65536) * 24; // between two looks
     const auto record = [](Capture &capture) {
         for (std::uint64_t i = 0; i < kValues; ++i)
             capture.appendPolled(40, "P", "K", double(i) * 0.01, double(i));
