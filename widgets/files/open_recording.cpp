@@ -119,12 +119,8 @@ void fillEvents(EventLog &events, const session::RecordingReport &report)
     for (const auto &[at, happening] : report.happenings)
         if (isShown(happening))
             events.add(kindOf(happening), capture::toSeconds(at), happeningText(happening));
-    // A marker whose text was changed is in it again.
-    std::map<record::Nanos, QString> notes;
     for (const record::Note &note : report.notes)
-        notes[note.from] = deviceText(note.text);
-    for (const auto &[at, text] : notes)
-        events.add(EventKind::Marker, capture::toSeconds(at), text);
+        events.add(EventKind::Marker, capture::toSeconds(note.from), deviceText(note.text));
 }
 
 std::optional<double> ReplayedWrites::take(const session::ReplayedEntry &entry)
