@@ -1,5 +1,7 @@
 #include "record/drive_entries.h"
 
+#include "record/happening_words.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -53,17 +55,9 @@ std::string word(const std::array<const char *, N> &words, Enum value)
     return index < N ? words[index] : "?";
 }
 
-constexpr std::array kLinkStates{
-    "closed", "connecting", "connected", "suspect", "recovering", "lost"};
 constexpr std::array kLinkReasons{"", "no answer", "only garbage", "no agreement", "silence",
     "recovery failed", "board reset", "old protocol", "asking newer", "asking older",
     "other protocol", "not ready", "dead line"};
-constexpr std::array kOutcomes{"ok", "refused", "not sent", "unknown"};
-constexpr std::array kStopWords{
-    "requested", "accepted", "drive idle", "standstill", "NOT CONFIRMED"};
-constexpr std::array kMotorStates{
-    "unknown", "idle", "starting", "running", "stopping", "fault now", "fault over"};
-constexpr std::array kActions{"start", "stop motor", "stop ramp", "acknowledge faults"};
 
 double numberOf(const catalog::Value &value, bool &isNumber)
 {
@@ -79,7 +73,8 @@ double numberOf(const catalog::Value &value, bool &isNumber)
 Happening linkHappening(const drive::LinkChanged &link)
 {
     return {"link",
-        {{"state", word(kLinkStates, link.state)}, {"reason", word(kLinkReasons, link.reason)}}};
+        {{"state", word(kLinkStateWords, link.state)},
+            {"reason", word(kLinkReasons, link.reason)}}};
 }
 
 /// A line of the motion log, with what it says and no more.
@@ -108,7 +103,7 @@ Happening motionHappening(const drive::MotionRecord &motion)
 Happening statusHappening(const drive::MotorStatus &status)
 {
     Happening happening{"motor state",
-        {{"motor", std::to_string(status.motor)}, {"state", word(kMotorStates, status.state)},
+        {{"motor", std::to_string(status.motor)}, {"state", word(kMotorStateWords, status.state)},
             {"name", status.stateName}, {"raw", std::to_string(status.rawState)},
             {"faults now", text(status.faultsNow)}, {"faults past", text(status.faultsPast)}}};
     if (status.speedRpm)
@@ -233,10 +228,10 @@ std::vector<Entry> DriveEntries::ended(const drive::Ended &ended)
     if (m_waiting.erase(ended.id) == 0 && ended.writes.empty())
         return {};
     Happening happening{"ended",
-        {{"wish", std::to_string(ended.id)}, {"outcome", word(kOutcomes, ended.outcome)},
+        {{"wish", std::to_string(ended.id)}, {"outcome", word(kOutcomeWords, ended.outcome)},
             {"reason", ended.reason}}};
     for (const drive::WriteResult &write : ended.writes) {
-        std::string words = word(kOutcomes, write.outcome);
+        std::string words = word(kOutcomeWords, write.outcome);
         if (write.before)
             words += ", was " + text(*write.before);
         if (write.readBack)
@@ -255,7 +250,7 @@ std::vector<Entry> DriveEntries::take(const drive::Wish &wish)
     if (const auto *command = std::get_if<drive::Command>(&wish.what)) {
         happening = {"command",
             {{"motor", std::to_string(command->motor)},
-                {"action", word(kActions, command->action)}}};
+                {"action", word(kActionWords, command->action)}}};
     } else if (const auto *ramp = std::get_if<drive::SpeedRamp>(&wish.what)) {
         happening = {"speed ramp",
             {{"motor", std::to_string(ramp->motor)}, {"rpm", std::to_string(ramp->rpm)},

@@ -2,6 +2,7 @@
 
 #include "drive/event.h"
 #include "drive/wish.h"
+#include "record/happening_words.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/messages.h"
 #include "widgets/files/event_recorder.h"
@@ -20,16 +21,6 @@ struct Happenings {
 };
 
 using record::Happening;
-
-// As recordings have them, in the order of the enumerations.
-constexpr std::array kActions{"start", "stop motor", "stop ramp", "acknowledge faults"};
-constexpr std::array kLinkStates{
-    "closed", "connecting", "connected", "suspect", "recovering", "lost"};
-constexpr std::array kMotorStates{
-    "unknown", "idle", "starting", "running", "stopping", "fault now", "fault over"};
-constexpr std::array kOutcomes{"ok", "refused", "not sent", "unknown"};
-constexpr std::array kStopWords{
-    "requested", "accepted", "drive idle", "standstill", "NOT CONFIRMED"};
 
 std::string fieldOf(const Happening &happening, std::string_view key)
 {
@@ -78,7 +69,7 @@ std::optional<drive::Wish> wishOf(const Happening &happening)
     const auto ms = numberOf<std::int64_t>(happening, "ms");
     const std::chrono::milliseconds time(ms.value_or(0));
     drive::Wish wish;
-    const auto action = wordOf<drive::MotorAction>(happening, "action", kActions);
+    const auto action = wordOf<drive::MotorAction>(happening, "action", record::kActionWords);
     if (happening.name == "command" && action)
         wish.what = drive::Command{*action, motor};
     else if (happening.name == "speed ramp" && rpm && ms)
@@ -106,7 +97,7 @@ QString writeText(const Happening &happening)
 
 QString stateText(const Happening &happening)
 {
-    const auto state = wordOf<drive::MotorState>(happening, "state", kMotorStates);
+    const auto state = wordOf<drive::MotorState>(happening, "state", record::kMotorStateWords);
     QString text = deviceText(fieldOf(happening, "name"));
     if (text.isEmpty() && state)
         text = motorStateText(*state);
@@ -135,7 +126,7 @@ QString troubleText(const Happening &happening)
 
 QString endText(const Happening &happening)
 {
-    const auto outcome = wordOf<drive::Outcome>(happening, "outcome", kOutcomes);
+    const auto outcome = wordOf<drive::Outcome>(happening, "outcome", record::kOutcomeWords);
     if (!outcome)
         return {};
     QStringList texts{outcomeText(*outcome)};
@@ -162,11 +153,11 @@ QString ownText(const Happening &happening)
     if (happening.name == "ended")
         return endText(happening);
     if (happening.name == "link") {
-        const auto state = wordOf<drive::LinkState>(happening, "state", kLinkStates);
+        const auto state = wordOf<drive::LinkState>(happening, "state", record::kLinkStateWords);
         return state ? linkStateText(*state) : QString();
     }
     if (happening.name == "stop") {
-        const auto word = wordOf<drive::StopWord>(happening, "word", kStopWords);
+        const auto word = wordOf<drive::StopWord>(happening, "word", record::kStopWords);
         return word ? ofMotor(happening, stopWordText(*word)) : EventRecorder::tr("Stop motors");
     }
     if (happening.name == "motion" && !happening.fields.empty())
