@@ -391,17 +391,23 @@ void Controller::sendPacket(const Header &header, Duration gap, TimePoint now)
 void Controller::sendData(ByteView payload, Duration gap, TimePoint now)
 {
     sendPacket(Data{false, static_cast<std::uint16_t>(payload.size())}, gap, now);
+    Bytes body = bodyOf(payload);
+    m_stats.bytesOut += body.size();
+    m_payloadAt = now + gap + m_config.payloadPause;
+    awaitReply(
+        now + gap + m_config.payloadPause + wireTime(kHeaderSize + body.size(), m_config.baud));
+    m_output.push_back({std::move(body), m_config.payloadPause});
+}
+
+Bytes Controller::bodyOf(ByteView payload) const
+{
     Bytes body(payload.begin(), payload.end());
     if (m_agreed.dataCrc) {
         const std::uint16_t crc = crc16Xmodem(payload);
         body.push_back(static_cast<std::uint8_t>(crc));
         body.push_back(static_cast<std::uint8_t>(crc >> 8));
     }
-    m_stats.bytesOut += body.size();
-    m_payloadAt = now + gap + m_config.payloadPause;
-    awaitReply(
-        now + gap + m_config.payloadPause + wireTime(kHeaderSize + body.size(), m_config.baud));
-    m_output.push_back({std::move(body), m_config.payloadPause});
+    return body;
 }
 
 void Controller::awaitReply(TimePoint from)

@@ -120,6 +120,10 @@ public:
     /// reply, if any, is an ordinary Response or NoResponse.
     void sendUrgent(ByteView payload, TimePoint now);
 
+    /// The payloads as they go out without an answer: BEACON, PING, the payloads, and at last enough BEACONs to end a
+    /// payload that a board may still wait for. Changes nothing here.
+    std::vector<Output> blindScript(const std::vector<Bytes> &payloads) const;
+
     void receive(ByteView bytes, TimePoint now);
     void handleTimeout(TimePoint now); ///< early or repeated calls do nothing
     void handleSent(
@@ -162,6 +166,7 @@ private:
     // controller.cpp: what goes out, what comes in, what time brings
     void sendPacket(const Header &header, Duration gap, TimePoint now);
     void sendData(ByteView payload, Duration gap, TimePoint now);
+    Bytes bodyOf(ByteView payload) const; ///< with the CRC that was agreed
     void awaitReply(TimePoint from);
     void onPacket(Packet &packet, TimePoint now);
     void onData(const Data &data, Bytes &payload, TimePoint now);

@@ -16,6 +16,8 @@ namespace {
 constexpr Duration kPatience = 50ms; ///< for the reply that is due when the stop comes
 constexpr Duration kDialogue = 20ms; ///< for the echoes; then without them
 constexpr Duration kBlindGap = 2ms; ///< the Performer listens again only after its next 1 ms task
+/// Ends the usual payload that a board still waits for; the longest, 256 bytes, with the third repetition.
+constexpr int kFillBeacons = 20;
 
 } // namespace
 
@@ -82,6 +84,31 @@ void Controller::sendBlind(TimePoint now)
     m_requestOpen = true;
     sendData(m_urgent->payload, kBlindGap, now);
     *m_replyDue += 2 * kBlindGap;
+}
+
+std::vector<Output> Controller::blindScript(const std::vector<Bytes> &payloads) const
+{
+    std::vector<Output> script;
+    const auto add = [&script](const Header &header, Duration gap) {
+        const HeaderBytes bytes = encodeHeader(header);
+        script.push_back({Bytes(bytes.begin(), bytes.end()), gap});
+    };
+    // A board that is connected would leave that state for the offer of a stranger, and not come back without an echo.
+    if (m_everAgreed)
+        add(m_agreed, kBlindGap);
+    add(Ping{}, kBlindGap);
+    for (const Bytes &payload : payloads) {
+        add(Data{false, static_cast<std::uint16_t>(payload.size())}, kBlindGap);
+        script.push_back({bodyOf(payload), m_config.payloadPause});
+    }
+    if (m_everAgreed) {
+        const HeaderBytes beacon = encodeHeader(m_agreed);
+        Output fill{{}, kBlindGap};
+        for (int i = 0; i < kFillBeacons; ++i)
+            fill.bytes.insert(fill.bytes.end(), beacon.begin(), beacon.end());
+        script.push_back(std::move(fill));
+    }
+    return script;
 }
 
 void Controller::endBlind(TimePoint now)

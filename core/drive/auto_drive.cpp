@@ -74,6 +74,18 @@ public:
         m_drive->stop(now);
         sift(now);
     }
+    /// Before anybody has answered: in every language.
+    std::vector<Output> stopScript() const override
+    {
+        std::vector<Output> script = m_drive->stopScript();
+        for (std::size_t i = 0; i < m_candidates.size() && !m_settled; ++i) {
+            if (i == m_which)
+                continue;
+            const auto other = m_candidates[i].make(true)->stopScript();
+            script.insert(script.end(), other.begin(), other.end());
+        }
+        return script;
+    }
     void arm() override
     {
         m_drive->arm();

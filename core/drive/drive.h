@@ -42,6 +42,9 @@ public:
     /// Stops every motor, ahead of everything else, and keeps at it until the drive is seen idle and the motor at
     /// rest or the alarm is raised (StopProgress). Cancels queued wishes as NotSent and disarms.
     virtual void stop(TimePoint now) = 0;
+    /// What stops every motor that is known when this drive cannot send any more: for whoever outlives it. Sent every
+    /// 100 ms for a while, whatever comes back. Empty where nothing moves.
+    [[nodiscard]] virtual std::vector<Output> stopScript() const { return {}; }
     /// Lets writes and motion pass until stop(), a lost link or disarm(). The user's own act.
     virtual void arm() = 0;
     virtual void disarm() = 0;

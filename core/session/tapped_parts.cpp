@@ -105,6 +105,7 @@ public:
         m_inner->stop(now); // before anything else
         m_tap->takeStop(now);
     }
+    std::vector<Output> stopScript() const override { return m_inner->stopScript(); }
     void arm() override { m_inner->arm(); }
     void disarm() override { m_inner->disarm(); }
     bool armed() const override { return m_inner->armed(); }

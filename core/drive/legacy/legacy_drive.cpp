@@ -61,6 +61,12 @@ bool changes(const legacy::Request &request)
         && !std::holds_alternative<legacy::GetRevUp>(request.command);
 }
 
+legacy::Request stopOf(int motor)
+{
+    return {static_cast<std::uint8_t>(motor),
+        legacy::Execute{static_cast<std::uint8_t>(legacy::CommandId::StopMotor)}};
+}
+
 class LegacyDrive final : public WishDrive {
 public:
     explicit LegacyDrive(const LegacyDriveConfig &config)
@@ -93,6 +99,7 @@ public:
     }
     std::vector<Output> takeOutput() override { return m_link.takeOutput(); }
     std::optional<TimePoint> nextTimeout() const override;
+    std::vector<Output> stopScript() const override;
 
 private:
     void work(TimePoint now) override;
@@ -373,6 +380,19 @@ void LegacyDrive::work(TimePoint now)
     countLink(now);
 }
 
+/// The same in both dialects. Fillers end a frame that firmware may still wait for: see legacy/client.h.
+std::vector<Output> LegacyDrive::stopScript() const
+{
+    constexpr Duration kAnswerTime = std::chrono::milliseconds(10); // a frame before it is dropped
+    constexpr int kFillers = 8;
+    std::vector<Output> script;
+    for (int motor = 1; motor <= m_board.motors; ++motor)
+        script.push_back({legacy::encodeRequest(stopOf(motor)).value_or(Bytes()), kAnswerTime});
+    for (int i = 0; i < kFillers; ++i)
+        script.push_back({Bytes{0xFF}, i == 0 ? kAnswerTime : Link::kFillPause});
+    return script;
+}
+
 bool LegacyDrive::sendStop(TimePoint now)
 {
     if (m_stopUnderWay && now < m_stopSince + StopSequence::kRepeat)
@@ -383,8 +403,7 @@ bool LegacyDrive::sendStop(TimePoint now)
     const bool clean = m_link.canSend() || m_link.state() == Link::State::Waiting;
     m_stopMotor = static_cast<std::uint8_t>(*motor);
     m_stopSince = now;
-    const legacy::Request request{
-        m_stopMotor, legacy::Execute{static_cast<std::uint8_t>(legacy::CommandId::StopMotor)}};
+    const legacy::Request request = stopOf(*motor);
     noteStop(*motor, legacy::encodeRequest(request).value_or(Bytes()), now);
     m_stopUnderWay = clean;
     m_link.sendUrgent(request, now);

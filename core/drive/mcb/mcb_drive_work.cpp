@@ -39,6 +39,24 @@ void McbDrive::work(TimePoint now)
     tellLinkCounters(now);
 }
 
+/// In the length of frames that the drive has now, and in the other one: it may be changing.
+std::vector<Output> McbDrive::stopScript() const
+{
+    constexpr Duration kBehindFrame = std::chrono::milliseconds(2); // to be ready again
+    constexpr Duration kBehindWrongFrame =
+        std::chrono::milliseconds(60); // byte streams forget an unfinished frame, see Master::quiet
+    mcb::Frame stop{mcbreg::kControl, mcb::Command::Write, false, {kShutdown}, {}};
+    std::vector<Output> script{{mcb::encodeFrame(stop), kBehindFrame}};
+    if (const std::size_t words = m_link.mapping().words(); words > 0) {
+        stop.cyclic.resize(words);
+        script.push_back({mcb::encodeFrame(stop), kBehindFrame});
+        if (m_link.state() == Link::State::Cyclic)
+            std::swap(script.front(), script.back());
+        script.back().gapBefore = kBehindWrongFrame;
+    }
+    return script;
+}
+
 bool McbDrive::sendStop(TimePoint now)
 {
     if (!connected() || (m_stopUnderWay && now < m_stopSince + StopSequence::kRepeat))

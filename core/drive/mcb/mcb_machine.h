@@ -23,6 +23,7 @@ public:
     void handleReady(bool high, TimePoint now) override;
     std::vector<Output> takeOutput() override { return m_link.takeOutput(); }
     std::optional<TimePoint> nextTimeout() const override;
+    std::vector<Output> stopScript() const override;
 
 private:
     using Link = mcb::Master;

@@ -15,6 +15,13 @@ bool onlyReads(ByteView request)
     return decoded && decoded->command == static_cast<std::uint16_t>(mcp::CommandId::GetRegister);
 }
 
+Bytes stopOf(int motor)
+{
+    const auto word =
+        static_cast<unsigned>(mcp::CommandId::StopMotor) << 3 | static_cast<unsigned>(motor);
+    return ByteWriter().u16(word).take();
+}
+
 } // namespace
 
 void McpDrive::work(TimePoint now)
@@ -44,6 +51,14 @@ void McpDrive::work(TimePoint now)
     tellLinkCounters(now);
 }
 
+std::vector<Output> McpDrive::stopScript() const
+{
+    std::vector<Bytes> stops;
+    for (int motor = 1; motor <= m_board.motors; ++motor)
+        stops.push_back(stopOf(motor));
+    return m_link.blindScript(stops);
+}
+
 bool McpDrive::sendStop(TimePoint now)
 {
     if (m_stopUnderWay && now < m_stopSince + StopSequence::kRepeat)
@@ -54,9 +69,7 @@ bool McpDrive::sendStop(TimePoint now)
     m_stopUnderWay = true;
     m_stopMotor = *motor;
     m_stopSince = now;
-    const auto word =
-        static_cast<unsigned>(mcp::CommandId::StopMotor) << 3 | static_cast<unsigned>(*motor);
-    const Bytes request = ByteWriter().u16(word).take();
+    const Bytes request = stopOf(*motor);
     noteStop(*motor, request, now);
     m_link.sendUrgent(request, now);
     onLinkEvents(now);

@@ -35,6 +35,7 @@ public:
     void handleSent(TimePoint now) override;
     std::vector<Output> takeOutput() override { return m_link.takeOutput(); }
     std::optional<TimePoint> nextTimeout() const override;
+    std::vector<Output> stopScript() const override;
 
 private:
     static Link::Config linkConfig(const McpDriveConfig &config)
