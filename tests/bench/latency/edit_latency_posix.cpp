@@ -1,7 +1,9 @@
 // Measures how long it takes from Enter in the editor of a register until the bytes that write it are on the line: the
 // real window and session thread, rotorscope-sim behind a pseudo-terminal at 1,843,200 baud, a datalog of four
 // signals at the full control rate running beside it. Prints a table; docs/performance.md says how it is read.
+#include "bench/latency/simulated_board_posix.h"
 #include "bench/latency/tapped_line_posix.h"
+#include "bench/latency/time_row.h"
 #include "support/window_rig.h"
 #include "widgets/registers/register_panel.h"
 #include "widgets/window/connect_bar.h"
@@ -11,12 +13,8 @@
 
 #include <QApplication>
 #include <QLineEdit>
-#include <QProcess>
-#include <QTemporaryDir>
 #include <QTest>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <random>
 
@@ -110,36 +108,12 @@ private:
     catalog::RegisterId m_id = 0;
 };
 
-double quantile(const std::vector<double> &sorted, double part)
-{
-    const auto last = static_cast<double>(sorted.size() - 1);
-    return sorted[static_cast<std::size_t>(std::lround(part * last))];
-}
-
-void print(const char *what, std::vector<double> times)
-{
-    std::sort(times.begin(), times.end());
-    if (times.empty())
-        std::printf("%-28s none\n", what);
-    else
-        std::printf("%-28s %4zu  p50 %5.1f ms  p90 %5.1f ms  p99 %5.1f ms  max %5.1f ms\n", what,
-            times.size(), quantile(times, 0.5), quantile(times, 0.9), quantile(times, 0.99),
-            times.back());
-}
-
 int measure(int count)
 {
-    QTemporaryDir folder;
-    const QString port = folder.filePath(QStringLiteral("board"));
-    QProcess board;
-    board.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-sim"),
-        {QStringLiteral("mcp"), QStringLiteral("--link"), port});
-    if (!board.waitForReadyRead(kPatience_ms))
+    bench::SimulatedBoard board;
+    if (!board.started())
         return failed("the simulated board did not start");
-    // A real board and a real line do not wait for the scheduler of a PC. Late, the simulated one finds a header and its
-    // payload in one read, and loses the payload as firmware does when the pause between them is missing.
-    const bool realTime = bench::makeRealTime(static_cast<pid_t>(board.processId()));
-    bench::TappedLine line(port);
+    bench::TappedLine line(board.port());
     facts::WindowRig rig;
     Bench bench(rig, line);
     if (!bench.connect())
@@ -163,19 +137,17 @@ int measure(int count)
     }
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     const double rate = static_cast<double>(line.bytesFromBoard() - bytes) / seconds / 1000.0;
-    print("nothing lost on the line:", clean);
-    print("a packet was lost meanwhile:", disturbed);
+    bench::printTimes("nothing lost on the line:", clean);
+    bench::printTimes("a packet was lost meanwhile:", disturbed);
     const drive::LinkCounters after = device.counters();
     std::printf(
         "from the board %.1f kB/s, control periods lost %llu, time-outs %llu; board and line at "
         "%s priority\n",
         rate, static_cast<unsigned long long>(after.streamLostTicks - before.streamLostTicks),
         static_cast<unsigned long long>(after.timeouts - before.timeouts),
-        realTime ? "real-time" : "normal");
+        board.realTime() ? "real-time" : "normal");
     rig.workbench.device().close();
     until([&] { return !rig.workbench.device().portOpen(); });
-    board.terminate();
-    board.waitForFinished(kPatience_ms);
     return 0;
 }
 
