@@ -6,12 +6,12 @@
 #include "session/port_list.h"
 #include "widgets/base/theme.h"
 #include "widgets/files/file_prompt.h"
+#include "widgets/window/application.h"
 #include "widgets/window/connect_bar.h"
 #include "widgets/window/main_window.h"
 #include "widgets/window/settings.h"
 #include "widgets/window/workbench.h"
 
-#include <QApplication>
 #include <QIcon>
 #include <QLibraryInfo>
 #include <QTimer>
@@ -43,7 +43,7 @@ void loadLanguage(QApplication &application, const std::string &language)
 
 int run(int argc, char **argv, const gui::Arguments &arguments)
 {
-    QApplication application(argc, argv);
+    widgets::Application application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("rotorscope"));
     QApplication::setApplicationDisplayName(QStringLiteral("Rotorscope"));
     QApplication::setApplicationVersion(QStringLiteral(ROTORSCOPE_VERSION));

@@ -1,8 +1,7 @@
 // Runs all benchmarks, prints the table of ratios and leaves them in a JSON file. A run of everything in which one of
 // the goals has no figure has failed, and leaves no file of an earlier run behind.
 #include "bench/paired.h"
-
-#include <QApplication>
+#include "widgets/window/application.h"
 
 #include <cstdio>
 #include <iostream>
@@ -27,7 +26,7 @@ int main(int argc, char **argv)
     bool filtered = false;
     for (int i = 1; i < argc; ++i)
         filtered = filtered || std::string(argv[i]).starts_with("--benchmark_filter");
-    QApplication app(argc, argv); // before the benchmarks: some of them draw
+    widgets::Application app(argc, argv); // before the benchmarks: some of them draw
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv))
         return 2;

@@ -3,11 +3,16 @@
 
 #include "support/window_facts.h"
 #include "widgets/files/file_prompt.h"
+#include "widgets/window/application.h"
 #include "widgets/window/main_window.h"
 #include "widgets/window/workbench.h"
 
 #include <QPushButton>
 #include <QTest>
+
+// Tests of the window run in the application of the window: it is what sees the Esc key.
+#undef QTEST_MAIN
+#define QTEST_MAIN(Test) QTEST_MAIN_WRAPPER(Test, QTEST_QAPP_SETUP(widgets::Application))
 
 namespace facts {
 

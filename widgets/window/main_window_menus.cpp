@@ -141,7 +141,7 @@ void MainWindow::fillViewMenu(QMenu *menu)
 
 void MainWindow::fillMotorMenu(QMenu *menu)
 {
-    // The tab shows the key without taking it: Esc belongs to the filter that also works under dialogs.
+    // The tab shows the key without taking it: Esc belongs to the Application, which sees it under dialogs too.
     connect(menu->addAction(tr("St&op motors") + QStringLiteral("\tEsc")), &QAction::triggered,
         &m_device, &Device::stop);
     menu->addSeparator();

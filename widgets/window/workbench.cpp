@@ -1,5 +1,7 @@
 #include "widgets/window/workbench.h"
 
+#include "widgets/window/application.h"
+
 namespace widgets {
 namespace {
 
@@ -21,7 +23,9 @@ Workbench::Workbench(session::MakeSink makeSink, QObject *parent)
     connectSession();
     connectModels();
     m_edits.keepBeforeWriting(m_snapshots);
-    connect(&m_stopFilter, &StopFilter::stopPressed, &m_device, &Device::stop);
+    auto *application = qobject_cast<Application *>(QCoreApplication::instance());
+    Q_ASSERT(application); // without it Esc would not stop
+    connect(application, &Application::stopPressed, &m_device, &Device::stop);
     connect(&m_heart, &QTimer::timeout, this, [this] {
         m_registers.refresh(now());
         Q_EMIT heartbeat(now());

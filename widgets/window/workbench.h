@@ -1,7 +1,7 @@
 // Workbench: the parts of Rotorscope that are not widgets, made and connected: the session in its thread, the device,
 // the registers, the capture, the polling, the Esc key and one heartbeat. It decides nothing; panels are given its parts.
 //
-// Outlives every window that shows it.
+// Outlives every window that shows it. Needs the Application, whose Esc key it hands to the device.
 #pragma once
 
 #include "capture/capture.h"
@@ -12,7 +12,6 @@
 #include "widgets/base/device.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/motion_log_model.h"
-#include "widgets/control/stop_filter.h"
 #include "widgets/registers/register_edits.h"
 #include "widgets/registers/register_model.h"
 #include "widgets/registers/watch_list.h"
@@ -66,7 +65,6 @@ private:
     std::shared_ptr<session::DiskArchive> m_archive;
     capture::Capture m_capture;
     WatchList m_watchList;
-    StopFilter m_stopFilter;
     QTimer m_heart;
     std::shared_ptr<session::Replay> m_replay = std::make_shared<session::Replay>();
     std::shared_ptr<session::RecordingTap> m_tap;

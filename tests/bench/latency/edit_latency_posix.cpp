@@ -155,7 +155,7 @@ int measure(int count)
 
 int main(int argc, char **argv)
 {
-    QApplication app(argc, argv);
+    widgets::Application app(argc, argv);
     const int count = argc > 1 ? QString::fromLocal8Bit(argv[1]).toInt() : 500;
     return count > 0 ? measure(count) : failed("usage: rotorscope-edit-latency [EDITS]");
 }

@@ -203,7 +203,7 @@ int soak(int seconds)
 
 int main(int argc, char **argv)
 {
-    QApplication app(argc, argv);
+    widgets::Application app(argc, argv);
     const int seconds = argc > 1 ? QString::fromLocal8Bit(argv[1]).toInt() : 600;
     return seconds > 0 ? soak(seconds) : failed("usage: rotorscope-scope-soak [SECONDS]");
 }
