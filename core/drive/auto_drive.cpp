@@ -97,6 +97,11 @@ public:
         sift(m_now);
     }
     bool armed() const override { return m_drive->armed(); }
+    void doubt(TimePoint now) override
+    {
+        m_drive->doubt(now);
+        sift(now);
+    }
 
 private:
     void tryCandidate(std::size_t which, TimePoint now);

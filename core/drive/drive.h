@@ -49,8 +49,12 @@ public:
     virtual void arm() = 0;
     virtual void disarm() = 0;
     virtual bool armed() const = 0;
+    /// Time has passed in which nobody listened: this program, or the whole computer, stood still. Disarms, tells the
+    /// link as Suspect, and reads the states of the motors before anything but a stop; believed again once they are read.
+    virtual void doubt(TimePoint now);
 };
 
 inline void Drive::handleReady(bool, TimePoint) { }
+inline void Drive::doubt(TimePoint) { disarm(); }
 
 } // namespace drive

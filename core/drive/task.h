@@ -44,6 +44,14 @@ public:
     bool finished() const { return m_finished; }
     const Ended &ended() const { return m_ended; }
 
+    /// It was made then, or is getting on: the board has answered it then.
+    void freshen(TimePoint now) { m_fresh = now; }
+    /// It acts, nothing of it has left, and neither a person nor the board has been heard about it lately.
+    bool expired(TimePoint now) const
+    {
+        return m_permission == Permission::Armed && !m_sent && now > m_fresh + kWishExpiresAfter;
+    }
+
     /// The act that the motion log is told of when this ends; empty: it is none.
     std::optional<MotionRecord> &motion() { return m_motion; }
 
@@ -76,6 +84,7 @@ private:
     Ended m_ended;
     std::optional<MotionRecord> m_motion;
     Permission m_permission;
+    TimePoint m_fresh{};
     bool m_finished = false;
     bool m_sent = false; ///< something that can change the board has left
 };

@@ -6,6 +6,7 @@
 #include "catalog/register_info.h"
 
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -117,12 +118,19 @@ struct Watch {
     std::vector<RegisterId> drawn = {};
 };
 
+/// What acts (Permission::Armed, and arming) is done at once or not at all: a wish that is older than this when the link
+/// is free for it ends NotSent. A start that leaves seconds after its key was pressed is one that nobody expects any more.
+constexpr Duration kWishExpiresAfter = std::chrono::milliseconds(500);
+inline constexpr char kTooLate[] = "too late: it was asked for more than half a second ago";
+
 struct Wish {
     WishId id = 0;
     std::variant<Read, Write, Command, SpeedRamp, TorqueRamp, CurrentReference, PositionRamp,
         Stream, CyclicSetPoints, Watch, UserLimits, ExpertMode, CurrentScale>
         what;
     Source source = Source::Person;
+    /// When the act that it comes from happened, e.g. the key press; empty: when it is submitted.
+    std::optional<TimePoint> madeAt = {};
 };
 
 } // namespace drive

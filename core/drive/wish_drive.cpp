@@ -29,7 +29,8 @@ void WishDrive::stop(TimePoint now)
 
 void WishDrive::arm()
 {
-    if (m_mode != Mode::Open || !m_facts.identified || !m_facts.knownFirmware || m_lost)
+    if (m_mode != Mode::Open || !m_facts.identified || !m_facts.knownFirmware || m_lost
+        || m_doubtedAt)
         return;
     if (m_stop.exclusive())
         return; // first the stop that was asked for has to be confirmed
@@ -42,6 +43,17 @@ void WishDrive::disarm()
     setArmed(false);
     m_wishes.cutArmed("disarmed", dynamic_cast<WishTask *>(m_task));
     m_wishes.collect(m_events, m_workedAt);
+}
+
+void WishDrive::doubt(TimePoint now)
+{
+    if (m_mode != Mode::Open)
+        return;
+    m_workedAt = now;
+    disarm();
+    m_doubtedAt = now;
+    lookAtOnce(now);
+    tellLink(m_toldState, m_toldReason);
 }
 
 void WishDrive::cutAllWishes(const std::string &reason)
@@ -137,12 +149,22 @@ void WishDrive::submit(Wish wish, TimePoint now)
     if (task->permission() == Permission::Armed && !m_armed)
         return endNow(wish, Outcome::NotSent,
             m_stop.active() ? "stopped; arm again first" : "not armed", now);
+    task->freshen(std::min(wish.madeAt.value_or(now), now));
+    if (task->expired(now))
+        return endNow(wish, Outcome::NotSent, kTooLate, now);
     task->motion() = motionOf(wish, *m_facts.catalog, now);
     if (const auto *write = std::get_if<Write>(&wish.what))
         m_wishes.supersede(*write);
     if (!m_wishes.add(std::move(task)))
         return endNow(wish, Outcome::NotSent, "too many wishes wait already", now);
     work(now);
+}
+
+void WishDrive::takeAnswer(ByteView answer, TimePoint now)
+{
+    m_task->takeResponse(answer, now);
+    if (auto *wish = dynamic_cast<WishTask *>(m_task))
+        wish->freshen(now);
 }
 
 void WishDrive::afterTask(TimePoint now)
@@ -172,7 +194,7 @@ void WishDrive::sendNext(Task &vitals, Task &watch, TimePoint now)
 
 bool WishDrive::giveToWish(TimePoint now)
 {
-    while (WishTask *wish = m_wishes.next(m_armed)) {
+    while (WishTask *wish = m_wishes.next(m_armed, now)) {
         if (give(*wish, now))
             return true;
         if (!wish->finished())
@@ -184,6 +206,9 @@ bool WishDrive::giveToWish(TimePoint now)
 
 void WishDrive::takeStatuses(std::vector<MotorStatus> statuses, TimePoint askedAt)
 {
+    const bool all = statuses.size() >= static_cast<std::size_t>(m_facts.motors);
+    if (m_doubtedAt && all && askedAt >= *m_doubtedAt)
+        m_doubtedAt.reset();
     for (MotorStatus &status : statuses) {
         m_stop.takeStatus(status, askedAt);
         m_events.emplace_back(std::move(status));
@@ -221,6 +246,8 @@ MotionRecord WishDrive::logged(const StopProgress &progress, MotionRecord record
 
 void WishDrive::tell(LinkState state, LinkReason reason)
 {
+    if (state == LinkState::Closed || state == LinkState::Lost || state == LinkState::Connecting)
+        m_doubtedAt.reset(); // what follows begins with everything anew
     m_toldState = state;
     m_toldReason = reason;
     m_events.emplace_back(LinkChanged{state, reason});
@@ -228,6 +255,8 @@ void WishDrive::tell(LinkState state, LinkReason reason)
 
 void WishDrive::tellLink(LinkState state, LinkReason reason)
 {
+    if (m_doubtedAt && state == LinkState::Connected)
+        return tellLink(LinkState::Suspect, LinkReason::None);
     if (state != m_toldState || reason != m_toldReason)
         tell(state, reason);
 }

@@ -29,6 +29,7 @@ public:
     void arm() override;
     void disarm() override;
     bool armed() const override { return m_armed; }
+    void doubt(TimePoint now) override;
 
 protected:
     /// Takes the scale of a motor that there is. @return  why not; empty if it is taken
@@ -58,6 +59,8 @@ protected:
     void setArmed(bool armed);
     void endNow(const Wish &wish, Outcome outcome, std::string reason, TimePoint now);
     void cutAllWishes(const std::string &reason);
+    /// Hands the answer to m_task, which is getting on by it.
+    void takeAnswer(ByteView answer, TimePoint now);
     /// The answer to m_task has come, or never will: the link is free. What acts is looked at at once.
     void afterTask(TimePoint now);
 
@@ -87,6 +90,7 @@ protected:
     Mode m_mode = Mode::Closed;
     NobodysTask m_nobody;
     Task *m_task = nullptr; ///< whose answer the link is waiting for
+    std::optional<TimePoint> m_doubtedAt; ///< until the states have been read anew
     std::optional<LinkReason> m_lost; ///< since the link was lost, until it is there again
     LinkState m_toldState = LinkState::Closed;
     LinkReason m_toldReason = LinkReason::None;

@@ -21,12 +21,14 @@ void WishQueue::supersede(const Write &newer)
         task->supersede(newer);
 }
 
-WishTask *WishQueue::next(bool armed)
+WishTask *WishQueue::next(bool armed, TimePoint now)
 {
     for (Queue *queue : {&m_acting, &m_reading}) {
         for (const auto &task : *queue) {
             if (!armed && task->permission() == Permission::Armed)
                 task->cut("not armed");
+            if (task->expired(now))
+                task->cut(kTooLate);
             if (!task->finished())
                 return task.get();
         }

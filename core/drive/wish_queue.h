@@ -24,7 +24,8 @@ public:
 
     /// The next task with something to ask, most urgent first; finished ones are ended on the way.
     /// @param armed  tasks that need arming are cut if this is false
-    WishTask *next(bool armed);
+    /// @param now    tasks that have expired are cut
+    WishTask *next(bool armed, TimePoint now);
 
     /// Ends all wishes but the one in flight (may be null).
     void cutAll(const std::string &reason, const WishTask *except);

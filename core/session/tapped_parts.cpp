@@ -109,6 +109,11 @@ public:
     void arm() override { m_inner->arm(); }
     void disarm() override { m_inner->disarm(); }
     bool armed() const override { return m_inner->armed(); }
+    void doubt(TimePoint now) override
+    {
+        m_now = now;
+        m_inner->doubt(now);
+    }
 
 private:
     std::unique_ptr<Drive> m_inner;

@@ -36,12 +36,14 @@ private Q_SLOTS:
     void onlyANameThatEndsInTheMarkHasOne();
     void theIdentitySaysIt();
     void withHeartbeatsTheMotorRunsOn();
+    void disarmedItIsNotFed();
     void everyHeartbeatIsTheOneOfTheContract();
     void heartbeatsDoNotWaitBehindWatchedRegistersAndSamples();
     void withTheLinkCutTheBoardStopsWithinTheTimeOut();
     void aBoardWithoutTheMarkNeverGetsOne();
     void noneBeforeArmingWithAnIdleMotor();
-    void aRunningMotorIsKeptAliveWithoutArming();
+    void whoOnlyLooksOnKeepsNoMotorAlive();
+    void armingTakesOverWhatRuns();
     void noneFromTheStopToItsConfirmation();
     void anUnconfirmedStopIsFinishedByTheWatchdog();
     void aBoardThatRefusesIsLeftAlone();
@@ -78,9 +80,19 @@ void TestMcpDriveWatchdog::withHeartbeatsTheMotorRunsOn()
         session.runFor(100ms);
         QVERIFY(session.status[1].state == MotorState::Running);
     }
+}
+
+void TestMcpDriveWatchdog::disarmedItIsNotFed()
+{
+    Session session(true, withWatchdog());
+    QVERIFY(session.runAt(1500));
     session.drive->disarm();
+    session.runFor(1ms); // what had left already
+    const std::size_t then = session.requests.size();
     session.runFor(3s);
-    QVERIFY(session.status[1].state == MotorState::Running);
+    QCOMPARE(userCommands(session.requests, then), std::size_t{0});
+    QVERIFY(session.status[1].state == MotorState::Idle); // by the board itself
+    QCOMPARE(support::count(session.requests, mcp::CommandId::StopMotor), std::size_t{0});
 }
 
 void TestMcpDriveWatchdog::everyHeartbeatIsTheOneOfTheContract()
@@ -164,7 +176,7 @@ void TestMcpDriveWatchdog::noneBeforeArmingWithAnIdleMotor()
     QCOMPARE(userCommands(session.requests, then), std::size_t{0});
 }
 
-void TestMcpDriveWatchdog::aRunningMotorIsKeptAliveWithoutArming()
+void TestMcpDriveWatchdog::whoOnlyLooksOnKeepsNoMotorAlive()
 {
     Session session(true, withWatchdog(5000));
     QVERIFY(session.runAt(1500));
@@ -173,9 +185,25 @@ void TestMcpDriveWatchdog::aRunningMotorIsKeptAliveWithoutArming()
     session.runFor(100ms);
     const std::size_t before = session.requests.size();
     session.connect();
-    session.runFor(12s);
+    session.runFor(1s);
+    QVERIFY(session.status[1].state == MotorState::Running);
+    session.runFor(11s);
     QVERIFY(!session.drive->armed());
-    QVERIFY(userCommands(session.requests, before) >= 5);
+    QCOMPARE(userCommands(session.requests, before), std::size_t{0});
+    QVERIFY(session.status[1].state == MotorState::Idle);
+}
+
+void TestMcpDriveWatchdog::armingTakesOverWhatRuns()
+{
+    Session session(true, withWatchdog(5000));
+    QVERIFY(session.runAt(1500));
+    session.drive->disconnect(session.now);
+    session.exchange();
+    session.runFor(100ms);
+    session.connect();
+    session.runFor(1s);
+    session.drive->arm();
+    session.runFor(11s);
     QVERIFY(session.status[1].state == MotorState::Running);
 }
 

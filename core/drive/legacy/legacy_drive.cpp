@@ -279,7 +279,7 @@ void LegacyDrive::onAnswer(const Link::Answer &event, TimePoint now)
     m_suspect = false;
     const Bytes response = asBytes(event.reply);
     if (m_task != nullptr) {
-        m_task->takeResponse(response, now);
+        takeAnswer(response, now);
         afterTask(now);
     } else if (std::exchange(m_stopUnderWay, false)) {
         if (event.sure && ackData(response))

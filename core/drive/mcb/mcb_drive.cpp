@@ -210,7 +210,7 @@ void McbDrive::on(const Link::Done &event, TimePoint now)
     const auto wanted = std::exchange(m_confirming, std::nullopt);
     const Link::Done done = wanted ? confirmed(event, *wanted) : event;
     if (done.end == Link::End::Ok || done.end == Link::End::Refused)
-        m_task->takeResponse(mcbAnswer(done), now);
+        takeAnswer(mcbAnswer(done), now);
     else
         m_task->takeNoResponse(
             done.end == Link::End::NotSent ? std::optional(false) : std::nullopt, now);

@@ -192,7 +192,7 @@ void McbDrive::takeVitals()
 
 void McbDrive::close(TimePoint now)
 {
-    const bool busy = m_task != nullptr || m_wishes.next(false) != nullptr;
+    const bool busy = m_task != nullptr || m_wishes.next(false, now) != nullptr;
     if (busy && connected() && now < m_closeBy)
         return;
     cutAllWishes("disconnected");

@@ -74,7 +74,7 @@ void McpDrive::on(const Link::Recovered &, TimePoint)
 void McpDrive::on(const Link::Response &event, TimePoint now)
 {
     if (m_task != nullptr) {
-        m_task->takeResponse(event.payload, now);
+        takeAnswer(event.payload, now);
         afterTask(now);
     } else if (m_stopUnderWay) {
         m_stopUnderWay = false;

@@ -41,7 +41,7 @@ void McpDrive::work(TimePoint now)
     }
     if (m_mode == Mode::Open && m_stop.active())
         sendStop(now);
-    m_heartbeat.setWanted(!m_stop.active() && (armed() || m_vitals.motorDriven()));
+    m_heartbeat.setWanted(!m_stop.active() && armed());
     if (linkIsFree())
         sendNext(m_vitals, m_watch, now);
     collect();
@@ -106,7 +106,7 @@ bool McpDrive::give(Task &task, TimePoint now)
 
 void McpDrive::close(TimePoint now)
 {
-    const bool busy = m_task != nullptr || m_wishes.next(false) != nullptr;
+    const bool busy = m_task != nullptr || m_wishes.next(false, now) != nullptr;
     if (busy && connected() && now < m_closeBy)
         return;
     cutAllWishes("disconnected");

@@ -1,5 +1,5 @@
-// The heartbeat of a drive that has a watchdog: user command 1, every third of the time-out, while a motor is driven
-// or could be. It only keeps a running motor alive. It is never sent to firmware whose name does not ask for it,
+// The heartbeat of a drive that has a watchdog: user command 1, every third of the time-out, while a person has the drive
+// armed: who only looks on keeps no motor alive. It starts nothing. It is never sent to firmware whose name does not ask for it,
 // because user commands mean something else elsewhere (HSO builds write and read flash with them).
 // Contract: docs/drive-watchdog.md.
 #pragma once

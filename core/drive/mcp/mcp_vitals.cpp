@@ -2,7 +2,6 @@
 
 #include "catalog/names.h"
 #include "drive/mcp/mcp_values.h"
-#include "drive/stop_sequence.h"
 #include "mcp/protocol.h"
 
 #include <algorithm>
@@ -74,7 +73,6 @@ void VitalPoll::restart(TimePoint now)
     m_round.clear();
     m_missing.clear();
     m_states.clear();
-    m_driven.clear();
     m_news.clear();
     m_due = now;
     m_fastUntil = now;
@@ -177,10 +175,6 @@ void VitalPoll::publish(TimePoint now)
             if (const Value *value = find(m_round, m_board.catalog->withMotor(*speed, motor)))
                 status.speedRpm = asNumber(*value);
         m_states[motor] = status.state;
-        if (isDriveIdle(status))
-            m_driven.erase(motor);
-        else
-            m_driven.insert(motor);
         m_news.push_back(std::move(status));
     }
     const Duration period = somethingUnderWay() || now < m_fastUntil ? kFastPeriod : kPeriod;

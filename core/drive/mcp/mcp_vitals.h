@@ -27,8 +27,6 @@ public:
     std::optional<TimePoint> due() const { return m_due; }
     /// Every motor has been read at least once since restart().
     bool complete() const { return m_complete; }
-    /// A motor was not idle when it was last read.
-    bool motorDriven() const { return !m_driven.empty(); }
 
     std::optional<Bytes> nextRequest(TimePoint now) override;
     void takeResponse(ByteView response, TimePoint now) override;
@@ -49,7 +47,6 @@ private:
     std::map<RegisterId, Value> m_round; ///< what the round under way has read
     std::set<RegisterId> m_missing; ///< answered UNKNOWN_REG: not asked again
     std::map<int, MotorState> m_states;
-    std::set<int> m_driven; ///< motors that were last seen not idle
     std::vector<MotorStatus> m_news;
     std::optional<TimePoint> m_due;
     TimePoint m_fastUntil;
