@@ -169,10 +169,12 @@ void Controller::onData(const Data &data, Bytes &payload, TimePoint now)
     m_requestOpen = false;
     m_parity = !m_parity;
     m_events.push_back(Response{std::move(payload)});
-    if (blind())
+    if (blind()) {
+        m_dialogueStart = now; // the board is there
         endBlind(now);
-    else if (m_urgent)
+    } else if (m_urgent) {
         onUrgentDue(now);
+    }
 }
 
 void Controller::onNack(TimePoint now)
@@ -296,11 +298,15 @@ void Controller::onReplyTimeout(TimePoint now)
         retry(now);
 }
 
+/// What a link is judged by: a stop may talk where there is none, and proves nothing by talking.
+Controller::State Controller::judgedState() const { return m_urgent ? m_urgent->before : m_state; }
+
 void Controller::checkHealth(TimePoint now)
 {
-    if (m_state == State::Idle || m_urgent)
+    const State judged = judgedState();
+    if (judged == State::Idle)
         return;
-    const bool linked = m_state == State::Connected || m_state == State::Recovering;
+    const bool linked = judged == State::Connected || judged == State::Recovering;
     if (linked && !m_suspect && now - m_lastValid >= m_config.suspectAfter) {
         m_suspect = true;
         m_events.push_back(Suspect{});
@@ -311,27 +317,31 @@ void Controller::checkHealth(TimePoint now)
     }
     if (m_state == State::Connected)
         return;
-    const bool recovering = m_state == State::Recovering;
-    if (now - m_dialogueStart >= dialogueLimit() || (recovering && spent(now)))
-        lose(recovering
+    if (now - m_dialogueStart >= dialogueLimit() || (linked && spent(now)))
+        lose(linked
                 ? (m_lastValid > m_outageStart ? LostReason::RecoveryFailed : LostReason::Silence)
                 : connectFailure());
 }
 
 std::optional<TimePoint> Controller::healthDue() const
 {
-    if (m_state == State::Idle || m_urgent)
+    const State judged = judgedState();
+    if (judged == State::Idle)
         return std::nullopt;
     std::optional<TimePoint> due;
-    const bool linked = m_state == State::Connected || m_state == State::Recovering;
+    const bool linked = judged == State::Connected || judged == State::Recovering;
     if (linked && !m_suspect)
         due = m_lastValid + m_config.suspectAfter;
     if (canSend())
         earliest(due, m_lastValid + m_config.keepAliveAfter);
     if (m_state != State::Connected)
         earliest(due, m_dialogueStart + dialogueLimit());
-    if (m_state == State::Recovering && m_attempts >= m_config.attempts)
-        earliest(due, m_outageStart + m_config.lostAfter);
+    if (m_state != State::Connected && linked) {
+        if (m_urgent)
+            earliest(due, m_lastValid + m_config.lostAfter);
+        else if (m_attempts >= m_config.attempts)
+            earliest(due, m_outageStart + m_config.lostAfter);
+    }
     return due;
 }
 

@@ -180,6 +180,7 @@ private:
     void endRequest(std::optional<bool> executed);
     std::optional<TimePoint> stepEnd() const;
     std::optional<TimePoint> tornAt() const;
+    State judgedState() const;
     std::optional<TimePoint> healthDue() const;
     void checkHealth(TimePoint now);
 

@@ -201,9 +201,11 @@ void Controller::onNotConfigured(TimePoint now)
 void Controller::recover(TimePoint now)
 {
     ++m_stats.recoveries;
+    if (m_state != State::Recovering) { // else by a stop, within the same outage
+        m_outageStart = m_lastValid;
+        m_dialogueStart = now;
+    }
     m_state = State::Recovering;
-    m_outageStart = m_lastValid;
-    m_dialogueStart = now;
     m_attempts = m_rounds = 0;
     m_echoesLeft = std::max(m_echoesLeft, 2);
     m_probed = false;
@@ -275,6 +277,8 @@ void Controller::retry(TimePoint now)
 
 bool Controller::spent(TimePoint now) const
 {
+    if (m_urgent) // counts no attempts
+        return now - m_lastValid >= m_config.lostAfter;
     return m_attempts >= m_config.attempts && now - m_outageStart >= m_config.lostAfter;
 }
 

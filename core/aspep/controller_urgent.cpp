@@ -61,7 +61,10 @@ void Controller::startUrgentDialogue(TimePoint now)
     m_urgent->until = now + kDialogue;
     if (!m_framer.inStep() || m_state == State::Idle)
         m_framer.resynchronise();
-    m_dialogueStart = m_lastValid = m_outageStart = now;
+    if (m_state == State::Idle || m_state == State::Connected) { // else the outage has begun before
+        m_dialogueStart = now;
+        m_outageStart = m_lastValid;
+    }
     m_attempts = m_rounds = 0;
     m_echoesLeft = 1;
     if (m_everAgreed)
@@ -71,6 +74,7 @@ void Controller::startUrgentDialogue(TimePoint now)
     m_step = Step::Offering;
     offer(now);
     m_output.back().gapBefore = kBlindGap;
+    m_output.back().dropsEarlier = true;
 }
 
 void Controller::sendBlind(TimePoint now)

@@ -10,4 +10,6 @@
 struct Output {
     Bytes bytes;
     Duration gapBefore{};
+    /// What was handed over before and has not left is dropped, also by the port: it is older than a stop.
+    bool dropsEarlier = false;
 };

@@ -1,5 +1,7 @@
 #include "drive/auto_drive.h"
 
+#include "drive/stop_sequence.h"
+
 #include <utility>
 
 namespace drive {
@@ -7,6 +9,17 @@ namespace drive {
 namespace {
 
 constexpr Duration kTryAgainAfter = std::chrono::milliseconds(500);
+/// How long a candidate may talk while a stop is sent blind: time for a STOP, and for the answer of whoever is there.
+constexpr Duration kTurn = StopSequence::kRepeat;
+
+/// Whether somebody is told this word of a stop: a person, or the motion log.
+bool tells(const Event &event, StopWord word)
+{
+    const auto *progress = std::get_if<StopProgress>(&event);
+    const auto *record = std::get_if<MotionRecord>(&event);
+    return (progress != nullptr && progress->word == word)
+        || (record != nullptr && record->stop == word);
+}
 
 class AutoDrive final : public Drive {
 public:
@@ -23,13 +36,16 @@ public:
         m_toldLost.reset();
         m_toldConnecting.reset();
         m_silent = false;
-        m_stopAsked = false;
+        m_stop.end();
+        m_turnEnds.reset();
         m_hasty = true;
         tryCandidate(0, now);
     }
     void disconnect(TimePoint now) override
     {
-        m_open = m_stopAsked = false;
+        m_open = false;
+        m_stop.end();
+        m_turnEnds.reset();
         m_tryAgainAt.reset();
         m_drive->disconnect(now);
         sift(now);
@@ -41,6 +57,9 @@ public:
     }
     void handleTimeout(TimePoint now) override
     {
+        m_stop.handleTimeout(now);
+        if (m_turnEnds && now >= *m_turnEnds)
+            return takeTurn(now);
         if (m_tryAgainAt && now >= *m_tryAgainAt) {
             m_tryAgainAt.reset();
             m_hasty = false;
@@ -58,8 +77,11 @@ public:
     std::vector<Event> takeEvents() override { return std::exchange(m_events, {}); }
     std::optional<TimePoint> nextTimeout() const override
     {
-        const auto due = m_drive->nextTimeout();
-        return m_tryAgainAt && (!due || *m_tryAgainAt < *due) ? m_tryAgainAt : due;
+        auto due = m_drive->nextTimeout();
+        for (const auto &other : {m_tryAgainAt, m_turnEnds, m_stop.nextAlarm()})
+            if (other && (!due || *other < *due))
+                due = other;
+        return due;
     }
     void submit(Wish wish, TimePoint now) override
     {
@@ -70,9 +92,23 @@ public:
     }
     void stop(TimePoint now) override
     {
-        m_stopAsked = m_open && !m_settled; // in the language of whoever answers, then
-        m_drive->stop(now);
+        if (!m_open || m_settled) {
+            m_drive->stop(now);
+            return sift(now);
+        }
+        m_repeating = m_stop.active();
+        if (!m_repeating)
+            m_stopAsked = now;
+        m_stop.begin(1, now);
+        m_turnEnds = now + kTurn;
+        if (m_tryAgainAt) { // nobody is talking now
+            m_tryAgainAt.reset();
+            startCandidate(0, now);
+        } else {
+            m_drive->stop(now);
+        }
         sift(now);
+        m_repeating = false;
     }
     /// Before anybody has answered: in every language.
     std::vector<Output> stopScript() const override
@@ -86,6 +122,7 @@ public:
         }
         return script;
     }
+    bool stopOpen() const override { return m_stop.active() || m_drive->stopOpen(); }
     void arm() override
     {
         m_drive->arm();
@@ -102,9 +139,12 @@ public:
         m_drive->doubt(now);
         sift(now);
     }
+    std::optional<Protocol> spoken() const override { return m_spoken; }
 
 private:
     void tryCandidate(std::size_t which, TimePoint now);
+    void startCandidate(std::size_t which, TimePoint now);
+    void takeTurn(TimePoint now);
     void sift(TimePoint now);
     bool siftLink(const LinkChanged &change); ///< whether the candidate has failed
     void afterFailure(TimePoint now);
@@ -117,9 +157,11 @@ private:
     bool m_hasty = true; ///< the first round
     bool m_silent = false; ///< a round has failed: what is tried again is no news
     std::optional<LinkReason> m_toldConnecting; ///< with what was tried
-    bool m_stopAsked =
-        false; ///< before anybody had answered: each candidate has to stop what it finds
+    StopSequence m_stop; ///< asked for before anybody had answered: its times and its alarm
+    TimePoint m_stopAsked;
+    std::optional<TimePoint> m_turnEnds; ///< of a candidate that stops blind
     bool m_repeating = false; ///< that a stop is wanted has been told
+    std::optional<Protocol> m_spoken;
     std::optional<LinkReason> m_toldLost; ///< of the round before
     LinkReason m_reason = LinkReason::None; ///< the most telling one of this round's failures
     UserLimits m_limits;
@@ -130,6 +172,15 @@ private:
 
 void AutoDrive::tryCandidate(std::size_t which, TimePoint now)
 {
+    m_repeating = m_stop.active();
+    startCandidate(which, now);
+    sift(now);
+    m_repeating = false;
+}
+
+/// It also stops what it finds, if that is wanted.
+void AutoDrive::startCandidate(std::size_t which, TimePoint now)
+{
     m_which = which;
     m_settled = false;
     m_drive = m_candidates[which].make(m_hasty);
@@ -137,11 +188,17 @@ void AutoDrive::tryCandidate(std::size_t which, TimePoint now)
         m_drive->submit({0, m_limits, Source::Person}, now);
     (void)m_drive->takeEvents(); // the log has these limits already
     m_drive->connect(now);
-    if (m_stopAsked)
+    if (m_stop.active())
         m_drive->stop(now);
-    m_repeating = m_stopAsked;
-    sift(now);
-    m_repeating = false;
+}
+
+/// The next candidate's turn to stop whatever is there; after the blind time the search goes on as without a stop.
+void AutoDrive::takeTurn(TimePoint now)
+{
+    m_turnEnds.reset();
+    if (m_stop.blind(now))
+        m_turnEnds = now + kTurn;
+    tryCandidate((m_which + 1) % m_candidates.size(), now);
 }
 
 bool AutoDrive::siftLink(const LinkChanged &change)
@@ -153,12 +210,14 @@ bool AutoDrive::siftLink(const LinkChanged &change)
         return true;
     case LinkState::Connecting:
         if (const LinkReason asking = m_candidates[m_which].asking;
-            !m_silent && std::exchange(m_toldConnecting, asking) != asking)
+            !m_silent && !m_turnEnds && std::exchange(m_toldConnecting, asking) != asking)
             m_events.emplace_back(LinkChanged{change.state, asking});
         return false;
     case LinkState::Connected:
         m_settled = true;
-        m_stopAsked = false;
+        m_spoken = m_candidates[m_which].protocol;
+        m_stop.end(); // the candidate has its own
+        m_turnEnds.reset();
         m_toldLost.reset();
         break;
     default:
@@ -174,6 +233,12 @@ bool AutoDrive::siftLink(const LinkChanged &change)
 void AutoDrive::sift(TimePoint now)
 {
     m_now = now;
+    for (const StopProgress &progress : m_stop.takeProgress()) {
+        if (progress.word != StopWord::NotConfirmed)
+            continue; // the candidates tell the others
+        m_events.emplace_back(recordOf(progress, m_stopAsked));
+        m_events.emplace_back(progress);
+    }
     bool failed = false;
     for (Event &event : m_drive->takeEvents()) {
         const auto *change = std::get_if<LinkChanged>(&event);
@@ -186,11 +251,12 @@ void AutoDrive::sift(TimePoint now)
             if (identity.evidence.empty())
                 identity.evidence = m_candidates[m_which].evidence;
         }
-        const auto *stop = std::get_if<StopProgress>(&event);
-        if (!m_repeating || stop == nullptr || stop->word != StopWord::Requested)
+        const bool toldAlready = (m_repeating && tells(event, StopWord::Requested))
+            || (m_stop.active() && tells(event, StopWord::NotConfirmed));
+        if (!toldAlready)
             m_events.push_back(std::move(event));
     }
-    if (failed)
+    if (failed && !m_turnEnds)
         afterFailure(now);
 }
 

@@ -5,9 +5,13 @@
 // that is too long, or a motor and a code that no board has) and a board of the newer one is left as it was. Then the
 // older protocol, which begins with reads alone. In the first round the BEACONs end after a second: a board that is there
 // and free answers the first, and only one that was left within a request needs the many of the later rounds. Nothing that could move a motor is sent until the board is known.
+//
+// A stop that is asked for before somebody has answered goes out in every language: while it is sent blind, the
+// candidates take turns, each with its own way of a stop without a link; then each stops what it finds.
 #pragma once
 
 #include "drive/drive.h"
+#include "drive/protocol.h"
 
 #include <functional>
 #include <memory>
@@ -20,6 +24,7 @@ struct Candidate {
     std::function<std::unique_ptr<Drive>(bool hasty)> make;
     LinkReason asking = LinkReason::None; ///< told while it is tried
     std::string evidence; ///< why it was taken, if its identity does not say itself
+    Protocol protocol = Protocol::Auto; ///< told as Drive::spoken() once its board has answered
 };
 
 /// @param candidates  at least one; in the order in which they are tried

@@ -21,7 +21,8 @@ inline constexpr double kFullScaleDigits = 32768.0;
 struct BoardFacts {
     bool identified = false;
     bool knownFirmware = false;
-    int motors = 1;
+    int motors = 1; ///< known of
+    bool motorsCounted = false; ///< the board has told how many: there are no more
     std::shared_ptr<const catalog::Catalog> catalog = std::make_shared<const catalog::Catalog>();
     std::vector<catalog::Scales> scales; ///< one a motor
     std::vector<MotorLimits> limits; ///< one a motor

@@ -7,6 +7,7 @@
 
 #include "base/output.h"
 #include "drive/event.h"
+#include "drive/protocol.h"
 #include "drive/wish.h"
 
 #include <optional>
@@ -41,7 +42,10 @@ public:
 
     /// Stops every motor, ahead of everything else, and keeps at it until the drive is seen idle and the motor at
     /// rest or the alarm is raised (StopProgress). Cancels queued wishes as NotSent and disarms.
+    /// While disconnecting it comes first: the drive stays connected until disconnect() is called again.
     virtual void stop(TimePoint now) = 0;
+    /// From stop() until there is evidence that nothing drives any motor, also one that was not known of before.
+    virtual bool stopOpen() const = 0;
     /// What stops every motor that is known when this drive cannot send any more: for whoever outlives it. Sent every
     /// 100 ms for a while, whatever comes back. Empty where nothing moves.
     [[nodiscard]] virtual std::vector<Output> stopScript() const { return {}; }
@@ -52,6 +56,9 @@ public:
     /// Time has passed in which nobody listened: this program, or the whole computer, stood still. Disarms, tells the
     /// link as Suspect, and reads the states of the motors before anything but a stop; believed again once they are read.
     virtual void doubt(TimePoint now);
+
+    /// What has turned out to be spoken on the line, of a drive that was not told. Outlives the link.
+    virtual std::optional<Protocol> spoken() const { return std::nullopt; }
 };
 
 inline void Drive::handleReady(bool, TimePoint) { }

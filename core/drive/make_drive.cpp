@@ -5,6 +5,8 @@
 #include "drive/mcb/mcb_drive.h"
 #include "drive/mcp/mcp_drive.h"
 
+#include <utility>
+
 namespace drive {
 
 namespace {
@@ -41,11 +43,16 @@ std::unique_ptr<Drive> makeDrive(const LineOptions &options)
         return older(options, legacy::Dialect::Stm32);
     case Protocol::PowerPc:
         return older(options, legacy::Dialect::PowerPc);
-    case Protocol::Auto:
-        return makeAutoDrive({{[options](bool hasty) { return newer(options, hasty); },
-                                  LinkReason::AskingNewer, "it answered a BEACON"},
-            {[options](bool) { return older(options, std::nullopt); }, LinkReason::AskingOlder,
-                {}}});
+    case Protocol::Auto: {
+        std::vector<Candidate> candidates{
+            {[options](bool hasty) { return newer(options, hasty); }, LinkReason::AskingNewer,
+                "it answered a BEACON", Protocol::Mcp},
+            {[options](bool) { return older(options, std::nullopt); }, LinkReason::AskingOlder, {},
+                Protocol::Legacy}};
+        if (options.spoken == Protocol::Legacy)
+            std::swap(candidates.front(), candidates.back());
+        return makeAutoDrive(std::move(candidates));
+    }
     case Protocol::Mcp:
     case Protocol::Mcb:
         break;

@@ -12,6 +12,8 @@ struct LineOptions {
     Protocol protocol = Protocol::Auto;
     std::uint32_t baud = 1843200; ///< of the open port; time-outs and stream sizes follow from it
     Duration patience{}; ///< added to the time-out of every reply
+    /// Of Protocol::Auto: what was spoken there before, and is tried first.
+    std::optional<Protocol> spoken{};
 };
 
 std::unique_ptr<Drive> makeDrive(const LineOptions &options);

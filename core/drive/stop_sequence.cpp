@@ -11,23 +11,55 @@ bool isDriveIdle(const MotorStatus &status)
         || status.state == MotorState::FaultOver || status.waitsForBus;
 }
 
+MotionRecord recordOf(const StopProgress &progress, TimePoint asked, MotionRecord record)
+{
+    record.act = MotionAct::Stop;
+    record.motor = progress.motor;
+    record.asked = asked;
+    record.ended = std::max(asked, progress.at);
+    record.stop = progress.word;
+    const bool sure =
+        progress.word != StopWord::Requested && progress.word != StopWord::NotConfirmed;
+    record.outcome = sure ? Outcome::Ok : Outcome::Unknown;
+    return record;
+}
+
 void StopSequence::begin(int motors, TimePoint now)
 {
-    m_begun = now;
-    m_motors.clear();
-    for (int number = 1; number <= motors; ++number) {
-        Motor motor;
-        motor.number = number;
+    if (!active())
+        m_count = Count::AtLeast;
+    m_blindUntil = now + kBlindTime;
+    std::erase_if(m_motors, [](const Motor &motor) { return motor.idle; });
+    for (Motor &motor : m_motors)
         motor.nextStop = now;
-        m_motors.push_back(motor);
-        tell(motor, StopWord::Requested, now);
+    add(motors, now);
+}
+
+void StopSequence::follow(int motors, Count count, TimePoint now)
+{
+    if (!active())
+        return;
+    m_count = count;
+    if (count == Count::Exactly)
+        std::erase_if(m_motors, [&](const Motor &motor) { return motor.number > motors; });
+    add(motors, now);
+    endAtStandstill();
+}
+
+void StopSequence::add(int motors, TimePoint now)
+{
+    for (int number = 1; number <= motors; ++number) {
+        if (find(number) != nullptr)
+            continue;
+        m_motors.push_back({.number = number, .begun = now, .nextStop = now});
+        tell(m_motors.back(), StopWord::Requested, now);
     }
 }
 
-bool StopSequence::exclusive() const
+bool StopSequence::allIdle() const
 {
-    return std::any_of(
-        m_motors.begin(), m_motors.end(), [](const Motor &motor) { return !motor.idle; });
+    return std::all_of(
+        m_motors.begin(), m_motors.end(), [](const Motor &motor) { return motor.idle; });
 }
 
 bool StopSequence::alarmed() const
@@ -80,16 +112,14 @@ void StopSequence::takeStatus(const MotorStatus &status, TimePoint askedAt)
     else if (++motor->slowReadings >= kStandstillReadings
         && !std::exchange(motor->standstill, true))
         tell(*motor, StopWord::Standstill, status.at);
-    if (std::all_of(m_motors.begin(), m_motors.end(), [](const Motor &m) { return m.standstill; }))
-        end();
+    endAtStandstill();
 }
 
 void StopSequence::handleTimeout(TimePoint now)
 {
-    if (now < m_begun + kConfirmWithin)
-        return;
     for (Motor &motor : m_motors)
-        if (!motor.idle && !std::exchange(motor.alarmed, true))
+        if (!motor.idle && now >= motor.begun + kConfirmWithin
+            && !std::exchange(motor.alarmed, true))
             tell(motor, StopWord::NotConfirmed, now);
 }
 
@@ -106,9 +136,19 @@ std::optional<TimePoint> StopSequence::nextStop(bool connected, TimePoint now) c
 
 std::optional<TimePoint> StopSequence::nextAlarm() const
 {
-    const bool pending = std::any_of(m_motors.begin(), m_motors.end(),
-        [](const Motor &motor) { return !motor.idle && !motor.alarmed; });
-    return pending ? std::optional<TimePoint>(m_begun + kConfirmWithin) : std::nullopt;
+    std::optional<TimePoint> due;
+    for (const Motor &motor : m_motors)
+        if (!motor.idle && !motor.alarmed && (!due || motor.begun + kConfirmWithin < *due))
+            due = motor.begun + kConfirmWithin;
+    return due;
+}
+
+void StopSequence::endAtStandstill()
+{
+    if (m_count == Count::Exactly
+        && std::all_of(
+            m_motors.begin(), m_motors.end(), [](const Motor &m) { return m.standstill; }))
+        end();
 }
 
 StopSequence::Motor *StopSequence::find(int number)

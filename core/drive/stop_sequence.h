@@ -1,11 +1,14 @@
 // The stop of every motor: what is to be sent when, and what may be claimed on what evidence. It does no sending.
 //
-// begin() -> Requested. STOP goes out for each motor and is repeated until the drive is seen idle,
-// because the board answers OK to every STOP and may lose one. An OK is only Accepted. DriveIdle
-// needs a STATUS, twice in a row, that was asked for after a STOP had left; Standstill needs three
-// slow speed readings after that. No such STATUS within half a second is the alarm NotConfirmed;
-// the repeating goes on. Without a link the STOPs are sent blind for two seconds; once a link is
-// there again, the repeating goes on.
+// Each motor for itself: Requested -STOP sent, OK-> Accepted -two states in a row, asked for after a STOP had left, show
+// it idle-> DriveIdle -three slow speeds in a row-> Standstill. STOP is due at once and every 100 ms until DriveIdle,
+// because a board answers OK to every STOP and may lose one. Half a second without DriveIdle is the alarm NotConfirmed,
+// once; the repeating goes on.
+//
+// Rules. A motor that becomes known while a stop is active joins it; one that the board says it does not have leaves it. A
+// stop is open until every motor is idle and the board has told how many there are. Asked for again, an open stop goes
+// on: what was requested keeps its half second, a motor that was idle begins anew. Without a link STOPs are due for two
+// seconds after it was asked for last; then only with one.
 #pragma once
 
 #include "drive/event.h"
@@ -14,6 +17,9 @@
 #include <vector>
 
 namespace drive {
+
+/// A word of a stop as the motion log has it. @param record  with the STOPs that left since the word before
+MotionRecord recordOf(const StopProgress &progress, TimePoint asked, MotionRecord record = {});
 
 /// Nothing drives the motor in this state: idle, fault, or waiting for the bus.
 bool isDriveIdle(const MotorStatus &status);
@@ -28,17 +34,28 @@ public:
     static constexpr int kIdleReadings =
         2; ///< one could be damaged: answers are not protected on the wire
 
+    /// How sure the number of motors is.
+    enum class Count : std::uint8_t {
+        AtLeast, ///< there may be more
+        Exactly, ///< the board has told
+    };
+
+    /// Asked for; also while it is active.
     void begin(int motors, TimePoint now);
+    /// What is known of the motors by now. Nothing unless active().
+    void follow(int motors, Count count, TimePoint now);
     void end() { m_motors.clear(); }
 
     bool active() const { return !m_motors.empty(); }
-    /// Nothing but STOP, link control and the reading of states may leave.
-    bool exclusive() const;
+    /// Not confirmed: a motor is not seen idle, or there may be one that nobody knows of.
+    bool open() const { return active() && (m_count != Count::Exactly || !allIdle()); }
+    /// A motor is not seen idle: nothing but STOP, link control and the reading of states may leave.
+    bool exclusive() const { return !allIdle(); }
     /// The alarm was raised for a motor that is not idle until now.
     bool alarmed() const;
     /// Until then STOPs are sent without a link.
-    TimePoint blindUntil() const { return m_begun + kBlindTime; }
-    bool blind(TimePoint now) const { return active() && now < blindUntil(); }
+    TimePoint blindUntil() const { return m_blindUntil; }
+    bool blind(TimePoint now) const { return active() && now < m_blindUntil; }
 
     /// The motor that a STOP is due for; `connected` says whether there is a link.
     std::optional<int> stopDue(TimePoint now, bool connected) const;
@@ -56,17 +73,22 @@ public:
 private:
     struct Motor {
         int number = 1;
-        std::optional<TimePoint> firstSent;
+        TimePoint begun; ///< the alarm counts from here
         TimePoint nextStop;
+        std::optional<TimePoint> firstSent{};
         bool accepted = false, idle = false, standstill = false, alarmed = false;
         int idleReadings = 0, slowReadings = 0;
     };
+    bool allIdle() const;
+    void add(int motors, TimePoint now);
+    void endAtStandstill();
     Motor *find(int number);
     void tell(const Motor &motor, StopWord word, TimePoint at);
 
     std::vector<Motor> m_motors;
     std::vector<StopProgress> m_progress;
-    TimePoint m_begun;
+    TimePoint m_blindUntil;
+    Count m_count = Count::AtLeast;
 };
 
 } // namespace drive

@@ -14,14 +14,17 @@ constexpr Duration kCountersEvery = std::chrono::milliseconds(250);
 
 void WishDrive::stop(TimePoint now)
 {
-    if (m_mode != Mode::Open)
+    if (m_mode == Mode::Closed)
         return;
+    m_mode = Mode::Open;
     m_workedAt = now;
     setArmed(false);
     m_cutAfterAnswer = m_task != nullptr;
     m_wishes.cutAll("stopped", dynamic_cast<WishTask *>(m_task));
-    m_stopAsked = now;
-    m_stopsSent.clear();
+    if (!m_stop.open()) {
+        m_stopAsked = now;
+        m_stopsSent.clear();
+    }
     m_stop.begin(m_facts.motors, now);
     lookAtOnce(now);
     work(now);
@@ -32,7 +35,7 @@ void WishDrive::arm()
     if (m_mode != Mode::Open || !m_facts.identified || !m_facts.knownFirmware || m_lost
         || m_doubtedAt)
         return;
-    if (m_stop.exclusive())
+    if (m_stop.open())
         return; // first the stop that was asked for has to be confirmed
     m_stop.end();
     setArmed(true);
@@ -183,6 +186,8 @@ void WishDrive::sendNext(Task &vitals, Task &watch, TimePoint now)
 {
     const bool open = m_mode == Mode::Open;
     if (open) {
+        if (m_stop.open() && !m_facts.motorsCounted && sendFirst(now))
+            return; // a motor that nobody knows of cannot be stopped
         if (m_stop.active() && give(vitals, now))
             return;
         if (stopHoldsBack(now) || sendFirst(now) || give(vitals, now))
@@ -215,6 +220,13 @@ void WishDrive::takeStatuses(std::vector<MotorStatus> statuses, TimePoint askedA
     }
 }
 
+bool WishDrive::followStop(TimePoint now)
+{
+    using Count = StopSequence::Count;
+    m_stop.follow(m_facts.motors, m_facts.motorsCounted ? Count::Exactly : Count::AtLeast, now);
+    return m_mode == Mode::Open && m_stop.active();
+}
+
 void WishDrive::noteStop(int motor, ByteView request, TimePoint now)
 {
     m_stop.stopSent(motor, now);
@@ -225,23 +237,10 @@ void WishDrive::collectWishes()
 {
     m_wishes.collect(m_events, m_workedAt);
     for (const StopProgress &progress : m_stop.takeProgress()) {
-        m_events.emplace_back(logged(progress, std::exchange(m_stopsSent[progress.motor], {})));
+        m_events.emplace_back(
+            recordOf(progress, m_stopAsked, std::exchange(m_stopsSent[progress.motor], {})));
         m_events.emplace_back(progress);
     }
-}
-
-/// The word of a stop as the motion log has it, with the STOPs that left since the word before.
-MotionRecord WishDrive::logged(const StopProgress &progress, MotionRecord record) const
-{
-    record.act = MotionAct::Stop;
-    record.motor = progress.motor;
-    record.asked = m_stopAsked;
-    record.ended = std::max(m_stopAsked, progress.at);
-    record.stop = progress.word;
-    const bool sure =
-        progress.word != StopWord::Requested && progress.word != StopWord::NotConfirmed;
-    record.outcome = sure ? Outcome::Ok : Outcome::Unknown;
-    return record;
 }
 
 void WishDrive::tell(LinkState state, LinkReason reason)

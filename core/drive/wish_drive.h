@@ -26,6 +26,7 @@ public:
     std::vector<Event> takeEvents() override { return std::exchange(m_events, {}); }
     void submit(Wish wish, TimePoint now) override;
     void stop(TimePoint now) override;
+    bool stopOpen() const override { return m_stop.open(); }
     void arm() override;
     void disarm() override;
     bool armed() const override { return m_armed; }
@@ -69,6 +70,8 @@ protected:
     /// The newest states of motors: evidence for the stop, and told. @param askedAt  they are no older than this
     void takeStatuses(std::vector<MotorStatus> statuses, TimePoint askedAt);
 
+    /// Takes motors that have become known into the stop. @return  whether STOPs may be due
+    bool followStop(TimePoint now);
     /// A STOP leaves: notes it for the log.
     void noteStop(int motor, ByteView request, TimePoint now);
     /// Nothing may leave but STOP and the reading of states.
@@ -103,7 +106,6 @@ private:
     void takeLimits(const Wish &wish, const UserLimits &limits, TimePoint now);
     void takeExpert(const Wish &wish, const ExpertMode &expert, TimePoint now);
     void takeScale(const Wish &wish, const CurrentScale &scale, TimePoint now);
-    MotionRecord logged(const StopProgress &progress, MotionRecord record) const;
 
     TimePoint m_stopAsked; ///< by a person
     std::map<int, MotionRecord> m_stopsSent; ///< by motor: the STOPs since the log was last told

@@ -62,6 +62,7 @@ void Client::close()
 {
     m_state = State::Closed;
     m_connected = m_suspected = m_urgentOpen = false;
+    m_unanswered.reset();
     m_request.reset();
     m_urgent.reset();
     m_framer.reset();
@@ -74,6 +75,7 @@ void Client::put(Bytes frame, TimePoint now)
     m_stats.bytesOut += frame.size();
     ++m_stats.framesOut;
     m_asked = now;
+    m_unanswered = m_unanswered.value_or(now);
     m_output.push_back({std::move(frame), {}});
 }
 
@@ -110,10 +112,14 @@ void Client::leaveUrgent(TimePoint now)
     }
     // The line is not clean: it goes out all the same, and what comes back proves nothing.
     put(encodeRequest(request).value_or(Bytes()), now);
-    if (m_state == State::Waiting)
+    m_output.back().dropsEarlier = true;
+    if (m_state == State::Waiting) {
         settle("cut short by a stop", now);
-    else if (m_state == State::Settling)
+        if (now >= *m_unanswered + kAnswerTime + m_config.patience)
+            recover(now); // urgent requests that come one after the other hide no silence
+    } else if (m_state == State::Settling) {
         m_deadline = now + kSettle;
+    }
 }
 
 void Client::receive(ByteView bytes, TimePoint now)
@@ -151,6 +157,8 @@ void Client::take(Framer::Step step, TimePoint now)
     const auto reply =
         step == Framer::Step::Frame ? decodeReply(m_frame) : fail(ReplyError::BadLength);
     const bool recovering = m_state == State::Connecting || m_state == State::Recovering;
+    if (reply)
+        m_unanswered.reset();
     if (reply && std::holds_alternative<StartNotice>(*reply)) {
         m_events.emplace_back(Restarted{});
         return;
@@ -317,12 +325,18 @@ void Client::answerTimeOver(TimePoint now)
         leaveUrgent(now);
 }
 
+std::optional<TimePoint> Client::suspectAt() const
+{
+    if (!m_connected || m_suspected || !m_unanswered || m_state == State::Ready)
+        return std::nullopt;
+    return std::max(*m_unanswered, m_lastByte) + kSuspectAfter;
+}
+
 void Client::handleTimeout(TimePoint now)
 {
     const bool asking = m_state == State::Waiting
         || ((m_state == State::Recovering || m_state == State::Connecting) && m_step == Step::Ask);
-    if (m_connected && !m_suspected && (m_state == State::Waiting || m_state == State::Recovering)
-        && now >= std::max(m_asked, m_lastByte) + kSuspectAfter) {
+    if (const auto at = suspectAt(); at && now >= *at) {
         m_suspected = true;
         m_events.emplace_back(Suspect{});
     }
@@ -376,9 +390,7 @@ std::optional<TimePoint> Client::nextTimeout() const
     const bool asking = m_state == State::Waiting || m_step == Step::Ask;
     if (asking && m_framer.midFrame())
         due = std::min(due, m_lastByte + kSettle);
-    if (m_connected && !m_suspected && (m_state == State::Waiting || m_state == State::Recovering))
-        due = std::min(due, std::max(m_asked, m_lastByte) + kSuspectAfter);
-    return due;
+    return std::min(due, suspectAt().value_or(due));
 }
 
 } // namespace legacy

@@ -127,6 +127,7 @@ private:
     void becomeReady(TimePoint now);
     void leaveUrgent(TimePoint now);
     void answerTimeOver(TimePoint now);
+    std::optional<TimePoint> suspectAt() const;
 
     Config m_config;
     Dialect m_dialect = Dialect::Stm32;
@@ -139,6 +140,7 @@ private:
     std::optional<Request> m_urgent; ///< waiting to leave
     TimePoint m_urgentBy;
     TimePoint m_asked; ///< when the request was handed out, or had left
+    std::optional<TimePoint> m_unanswered; ///< since then nothing that was sent had an answer
     TimePoint m_deadline; ///< of the state
     TimePoint m_noisyUntil; ///< silence has to have begun by then
     TimePoint m_lastByte;

@@ -66,6 +66,7 @@ public:
     std::optional<TimePoint> nextTimeout() const override;
     void submit(drive::Wish wish, TimePoint now) override;
     void stop(TimePoint) override { } ///< nothing moves
+    bool stopOpen() const override { return false; }
     void arm() override { }
     void disarm() override { }
     bool armed() const override { return false; }

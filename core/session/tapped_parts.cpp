@@ -106,6 +106,7 @@ public:
         m_tap->takeStop(now);
     }
     std::vector<Output> stopScript() const override { return m_inner->stopScript(); }
+    bool stopOpen() const override { return m_inner->stopOpen(); }
     void arm() override { m_inner->arm(); }
     void disarm() override { m_inner->disarm(); }
     bool armed() const override { return m_inner->armed(); }
@@ -114,6 +115,7 @@ public:
         m_now = now;
         m_inner->doubt(now);
     }
+    std::optional<drive::Protocol> spoken() const override { return m_inner->spoken(); }
 
 private:
     std::unique_ptr<Drive> m_inner;

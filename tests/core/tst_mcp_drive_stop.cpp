@@ -1,5 +1,4 @@
 // The stop of McpDrive: first on the wire, repeated, and claimed only on evidence.
-#include "drive/stop_sequence.h"
 #include "support/link_pair.h"
 
 #include <QTest>
@@ -11,24 +10,6 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto kStop = mcp::CommandId::StopMotor;
-
-MotorStatus statusOf(MotorState state, double rpm, TimePoint at, int motor = 1)
-{
-    MotorStatus status;
-    status.motor = motor;
-    status.state = state;
-    status.speedRpm = rpm;
-    status.at = at;
-    return status;
-}
-
-std::vector<StopWord> words(StopSequence &stop)
-{
-    std::vector<StopWord> all;
-    for (const StopProgress &progress : stop.takeProgress())
-        all.push_back(progress.word);
-    return all;
-}
 
 } // namespace
 
@@ -43,9 +24,11 @@ private Q_SLOTS:
     void withoutALinkItIsSentBlindForTwoSeconds();
     void afterTheLinkIsBackTheStopGoesOn();
     void nothingButStopAndStatesLeavesWhileStopping();
-    void evidenceFromBeforeTheStopCountsForNothing();
-    void standstillNeedsThreeSlowReadingsInARow();
-    void everyMotorIsStopped();
+    void aMotorThatBecomesKnownWhileStoppingIsStoppedFirst();
+    void aMotorThatBecomesKnownIsStoppedThoughAnotherNeverIs();
+    void pressingAgainAndAgainHidesNoAlarm();
+    void aLostLinkIsToldWhileAPersonKeepsPressing();
+    void aStopInterruptsTheDisconnecting();
 };
 
 void TestMcpDriveStop::stopGoesFirstEvenWithARequestOpen()
@@ -198,68 +181,155 @@ void TestMcpDriveStop::nothingButStopAndStatesLeavesWhileStopping()
     }
 }
 
-void TestMcpDriveStop::evidenceFromBeforeTheStopCountsForNothing()
+namespace {
+
+simulation::BoardOptions twoMotors()
 {
-    const TimePoint t{10s};
-    StopSequence stop;
-    stop.begin(1, t);
-    QVERIFY((words(stop) == std::vector<StopWord>{StopWord::Requested}));
-    stop.takeStatus(statusOf(MotorState::Idle, 0, t + 2ms), t - 1ms);
-    QVERIFY(words(stop).empty());
-    QCOMPARE(stop.stopDue(t, true), std::optional<int>(1));
-    stop.stopSent(1, t + 3ms);
-    stop.takeStatus(statusOf(MotorState::Idle, 0, t + 4ms), t + 2ms);
-    QVERIFY(words(stop).empty());
-    stop.takeStatus(statusOf(MotorState::Running, 1000, t + 6ms), t + 5ms);
-    QVERIFY(words(stop).empty());
-    stop.takeStatus(statusOf(MotorState::FaultOver, 1000, t + 8ms), t + 7ms);
-    QVERIFY(words(stop).empty());
-    stop.takeStatus(statusOf(MotorState::FaultOver, 1000, t + 8ms), t + 7ms);
-    QVERIFY((words(stop) == std::vector<StopWord>{StopWord::DriveIdle}));
-    QVERIFY(!stop.exclusive());
-    QVERIFY(stop.active());
-    stop.handleTimeout(t + 1s);
-    QVERIFY(words(stop).empty());
+    simulation::BoardOptions options;
+    options.motors = 2;
+    return options;
 }
 
-void TestMcpDriveStop::standstillNeedsThreeSlowReadingsInARow()
+Bytes stopOf(unsigned motor)
 {
-    const TimePoint t{10s};
-    StopSequence stop;
-    stop.begin(1, t);
-    stop.stopSent(1, t);
-    static_cast<void>(stop.takeProgress());
-    for (const double rpm : {300.0, 300.0, 5.0, -5.0, 20.0, 5.0, 9.0})
-        stop.takeStatus(statusOf(MotorState::Idle, rpm, t + 1ms), t + 1ms);
-    QVERIFY((words(stop) == std::vector<StopWord>{StopWord::DriveIdle}));
-    stop.takeStatus(statusOf(MotorState::Idle, -9.0, t + 2ms), t + 2ms);
-    QVERIFY((words(stop) == std::vector<StopWord>{StopWord::Standstill}));
-    QVERIFY(!stop.active());
+    return ByteWriter().u16(static_cast<unsigned>(kStop) << 3 | motor).take();
 }
 
-void TestMcpDriveStop::everyMotorIsStopped()
+bool bothRun(Session &session)
 {
-    const TimePoint t{10s};
-    StopSequence stop;
-    stop.begin(2, t);
-    QCOMPARE(words(stop).size(), 2U);
-    QCOMPARE(stop.stopDue(t, true), std::optional<int>(1));
-    stop.stopSent(1, t);
-    QCOMPARE(stop.stopDue(t, true), std::optional<int>(2));
-    stop.stopSent(2, t);
-    QVERIFY(!stop.stopDue(t + 99ms, true));
-    stop.takeStatus(statusOf(MotorState::Idle, 0, t + 1ms, 1), t + 1ms);
-    stop.takeStatus(statusOf(MotorState::Idle, 0, t + 2ms, 1), t + 2ms);
-    QVERIFY(stop.exclusive());
-    QCOMPARE(stop.stopDue(t + 100ms, true), std::optional<int>(2));
-    static_cast<void>(stop.takeProgress());
-    stop.handleTimeout(t + 499ms);
-    QVERIFY(words(stop).empty());
-    stop.handleTimeout(t + 500ms);
-    const auto alarms = stop.takeProgress();
-    QCOMPARE(alarms.size(), 1U);
-    QCOMPARE(alarms[0].motor, 2);
-    QVERIFY(alarms[0].word == StopWord::NotConfirmed);
+    for (const int motor : {1, 2})
+        session.submit(Command{MotorAction::Start, motor});
+    return session.runUntil(
+        [&] {
+            return session.status[1].state == MotorState::Running
+                && session.status[2].state == MotorState::Running;
+        },
+        10s);
+}
+
+bool hasWord(const Session &session, StopWord word, int motor)
+{
+    return std::any_of(session.stops.begin(), session.stops.end(),
+        [&](const StopProgress &one) { return one.motor == motor && one.word == word; });
+}
+
+/// A new drive on the same line, as after a port was opened again.
+void meetAnew(Session &session)
+{
+    McpDriveConfig config;
+    config.baud = session.baud;
+    session.drive = makeMcpDrive(config);
+    session.requests.clear();
+    session.stops.clear();
+    session.status.clear();
+    session.connect();
+}
+
+} // namespace
+
+void TestMcpDriveStop::aMotorThatBecomesKnownWhileStoppingIsStoppedFirst()
+{
+    Session session(true, twoMotors());
+    QVERIFY(bothRun(session));
+    meetAnew(session);
+    session.drive->stop(session.now);
+    QVERIFY(session.drive->stopOpen());
+    session.exchange();
+    QVERIFY(session.runUntil([&] { return !session.drive->stopOpen(); }, 2s));
+    QVERIFY(hasWord(session, StopWord::DriveIdle, 1) && hasWord(session, StopWord::DriveIdle, 2));
+    // STOP of motor 1, how many there are, STOP of motor 2; states are read in between at most.
+    const Bytes count = ByteWriter().u16(2U << 3).u16(mcp::reg::kGlobalConfig.bits).take();
+    const auto at = [&](const Bytes &request) {
+        return std::find(session.requests.begin(), session.requests.end(), request);
+    };
+    QVERIFY(at(stopOf(1)) < at(count));
+    QVERIFY(at(count) < at(stopOf(2)));
+    QVERIFY(at(stopOf(2)) != session.requests.end());
+    for (auto request = session.requests.begin(); request < at(stopOf(2)); ++request)
+        QVERIFY(*request == stopOf(1) || *request == count);
+    QVERIFY(session.runUntil(
+        [&] { return session.status.contains(2) && session.status[2].state == MotorState::Idle; },
+        2s));
+}
+
+void TestMcpDriveStop::aMotorThatBecomesKnownIsStoppedThoughAnotherNeverIs()
+{
+    Session session(true, twoMotors());
+    QVERIFY(bothRun(session));
+    meetAnew(session);
+    session.loses = [](const Bytes &bytes) { return bytes == stopOf(1); };
+    session.drive->stop(session.now);
+    session.exchange();
+    QVERIFY(session.runUntil([&] { return hasWord(session, StopWord::DriveIdle, 2); }, 800ms));
+    QVERIFY(!hasWord(session, StopWord::DriveIdle, 1));
+    QVERIFY(session.drive->stopOpen());
+    session.drive->arm();
+    QVERIFY(!session.drive->armed());
+    session.loses = {};
+    QVERIFY(session.runUntil([&] { return !session.drive->stopOpen(); }, 5s));
+    QVERIFY(hasWord(session, StopWord::NotConfirmed, 1));
+}
+
+void TestMcpDriveStop::pressingAgainAndAgainHidesNoAlarm()
+{
+    Session session;
+    QVERIFY(session.startMotor());
+    session.toDrive.cut = session.toBoard.cut = true;
+    const TimePoint asked = session.now;
+    for (int press = 0; press < 5; ++press) {
+        session.drive->stop(session.now);
+        session.exchange();
+        if (session.runUntil([&] { return session.hasStopWord(StopWord::NotConfirmed); }, 400ms))
+            break;
+    }
+    QVERIFY(session.hasStopWord(StopWord::NotConfirmed));
+    QVERIFY(session.now - asked >= 500ms && session.now - asked <= 510ms);
+    QCOMPARE(session.stops.size(), 2U); // requested once
+}
+
+void TestMcpDriveStop::aLostLinkIsToldWhileAPersonKeepsPressing()
+{
+    Session session;
+    QVERIFY(session.startMotor());
+    session.toDrive.cut = session.toBoard.cut = true;
+    const TimePoint asked = session.now;
+    std::optional<TimePoint> suspect, lost;
+    session.onEvent = [&](const Event &event) {
+        const auto *change = std::get_if<LinkChanged>(&event);
+        if (change != nullptr && change->state == LinkState::Suspect && !suspect)
+            suspect = session.now;
+        if (change != nullptr && change->state == LinkState::Lost && !lost)
+            lost = session.now;
+    };
+    for (int press = 0; press < 15; ++press) {
+        session.drive->stop(session.now);
+        session.exchange();
+        session.runFor(400ms);
+    }
+    QVERIFY(suspect && *suspect - asked <= 600ms);
+    QVERIFY(lost && *lost - asked <= 1200ms);
+    session.toDrive.cut = session.toBoard.cut = false;
+    QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::DriveIdle); }, 5s));
+}
+
+void TestMcpDriveStop::aStopInterruptsTheDisconnecting()
+{
+    Session session;
+    QVERIFY(session.startMotor());
+    session.submit(Stream{{session.id("I_A")}, 1, {}, 1});
+    session.runFor(100ms);
+    session.toDrive.cut = true; // so that the end of the stream is not acknowledged
+    session.drive->disconnect(session.now);
+    session.exchange();
+    session.runFor(10ms);
+    QVERIFY(session.link != LinkState::Closed);
+    session.toDrive.cut = false;
+    session.drive->stop(session.now);
+    session.exchange();
+    QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::DriveIdle); }, 1s));
+    QVERIFY(session.status[1].state == MotorState::Idle);
+    session.drive->disconnect(session.now);
+    QVERIFY(session.runUntil([&] { return session.link == LinkState::Closed; }, 1s));
 }
 
 QTEST_APPLESS_MAIN(TestMcpDriveStop)

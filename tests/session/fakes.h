@@ -113,7 +113,9 @@ public:
     {
         ++m_log.stops;
         m_armed = false;
+        stopping = true;
     }
+    bool stopOpen() const override { return stopping; }
     void arm() override { m_armed = true; }
     void disarm() override { m_armed = false; }
     bool armed() const override { return m_armed; }
@@ -121,6 +123,7 @@ public:
     std::vector<Output> outputs;
     std::vector<drive::Event> events;
     std::optional<TimePoint> timeout;
+    bool stopping = false; ///< a stop is not confirmed
     Bytes farewell; ///< said at disconnect(), which then does not end by itself
 
 private:

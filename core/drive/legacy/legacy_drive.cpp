@@ -371,7 +371,7 @@ void LegacyDrive::work(TimePoint now)
         m_link.connect(now);
     }
     m_link.setMotorDriven(m_vitals.motorDriven());
-    if (m_mode == Mode::Open && m_stop.active())
+    if (followStop(now))
         sendStop(now);
     if (linkIsFree() && m_mode == Mode::Open)
         sendNext(m_vitals, m_watch, now);

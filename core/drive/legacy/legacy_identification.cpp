@@ -46,6 +46,7 @@ void LegacyIdentification::restart(const legacy::BoardInfo &info)
     m_news = false;
     m_board.identified = m_board.knownFirmware = false;
     m_board.motors = 1;
+    m_board.motorsCounted = false;
     m_board.catalog = std::make_shared<const catalog::Catalog>();
     m_board.scales.clear();
     m_board.limits.clear();
@@ -151,6 +152,7 @@ void LegacyIdentification::decideDialect()
 
 void LegacyIdentification::probeRegisters()
 {
+    m_board.motorsCounted = true;
     m_phase = Phase::Registers;
     std::vector<RegisterId> ids;
     const auto all = legacyRegisters(m_board.dialect, false);

@@ -49,6 +49,7 @@ McbDrive::McbDrive(const McbDriveConfig &config)
     , m_config(config)
     , m_link(linkConfig(config))
 {
+    m_board.motorsCounted = true; // one, always
     // What a stop needs before anything was told.
     for (const std::uint16_t address :
         {mcbreg::kControl, mcbreg::kStatus, mcbreg::kVelocityNow, mcbreg::kLastError})

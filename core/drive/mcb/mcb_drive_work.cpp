@@ -26,7 +26,7 @@ void McbDrive::work(TimePoint now)
         m_reconnectAt.reset();
         m_link.connect(now);
     }
-    if (m_mode == Mode::Open && m_stop.active()) {
+    if (followStop(now)) {
         restSetPoints();
         sendStop(now);
     }

@@ -39,7 +39,7 @@ void McpDrive::work(TimePoint now)
         m_reconnectAt.reset();
         m_link.connect(now);
     }
-    if (m_mode == Mode::Open && m_stop.active())
+    if (followStop(now))
         sendStop(now);
     m_heartbeat.setWanted(!m_stop.active() && armed());
     if (linkIsFree())

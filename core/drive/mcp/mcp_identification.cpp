@@ -52,6 +52,7 @@ void Identification::restart()
     m_stopLosses = 0;
     m_board.identified = m_board.knownFirmware = m_board.hso = false;
     m_board.motors = 1;
+    m_board.motorsCounted = false;
     m_board.version = 0;
     m_board.catalog = std::make_shared<const catalog::Catalog>();
     m_board.scales.clear();
@@ -137,6 +138,7 @@ void Identification::afterCount()
         m_global = *global;
     m_board.version = m_global.version >> 8;
     m_board.motors = std::clamp<int>(m_global.motors, 1, kMaxMotors);
+    m_board.motorsCounted = true;
     m_phase = Phase::States;
 }
 
