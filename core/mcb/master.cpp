@@ -54,7 +54,13 @@ void Master::close()
 {
     const Stats stats = m_stats;
     const bool hasLine = m_hasLine, ready = m_ready;
+    const std::size_t blindBytes = m_blindBytes;
+    const TimePoint blindBy = m_blindBy;
+    Mapping mapping = std::move(m_mapping); // the drive may still be cycling by it
     *this = Master(m_config);
+    m_mapping = std::move(mapping);
+    m_blindBytes = blindBytes;
+    m_blindBy = blindBy;
     m_stats = stats;
     m_hasLine = hasLine;
     m_ready = ready;
@@ -104,6 +110,29 @@ void Master::switchOff(TimePoint now)
     work(now);
 }
 
+void Master::sendBlind(std::vector<Output> frames, TimePoint now)
+{
+    if (m_exchange) // its bytes come before theirs; the answer in them is as good as lost
+        m_blindBytes += m_exchange->length - m_exchange->received.size();
+    if (std::exchange(m_exchange, std::nullopt) && m_operation && m_operation->sent > 0)
+        spoil(now);
+    for (Output &frame : frames) {
+        ++m_stats.exchanges;
+        m_stats.bytesOut += frame.bytes.size();
+        m_blindBytes += frame.bytes.size();
+        m_output.push_back(std::move(frame));
+    }
+    m_blindBy = now + m_config.exchangeWithin + m_config.patience;
+    if (m_hasLine)
+        m_ready = false;
+}
+
+void Master::endBlind(TimePoint now)
+{
+    m_blindBytes = 0;
+    m_notBefore = std::max(m_notBefore, now + m_config.quiet);
+}
+
 void Master::setReady(bool high, TimePoint now)
 {
     m_hasLine = true;
@@ -115,7 +144,7 @@ void Master::setReady(bool high, TimePoint now)
 
 bool Master::mayExchange(TimePoint now) const
 {
-    return !m_exchange && now >= m_notBefore && (!m_hasLine || m_ready);
+    return !m_exchange && m_blindBytes == 0 && now >= m_notBefore && (!m_hasLine || m_ready);
 }
 
 Frame Master::idle(std::uint16_t address) const
@@ -196,6 +225,11 @@ void Master::work(TimePoint now)
 void Master::receive(ByteView bytes, TimePoint now)
 {
     m_stats.bytesIn += bytes.size();
+    const std::size_t blind = std::min(m_blindBytes, bytes.size());
+    m_blindBytes -= blind;
+    bytes = bytes.subspan(blind);
+    if (blind > 0 && bytes.empty())
+        return work(now);
     if (!m_exchange) {
         m_stats.unexpected += bytes.size();
         return;
@@ -298,6 +332,8 @@ void Master::checkOperation(TimePoint now)
 
 void Master::handleTimeout(TimePoint now)
 {
+    if (m_blindBytes > 0 && now >= m_blindBy)
+        endBlind(now);
     if (m_exchange && now >= m_exchange->by)
         finishTorn(now);
     checkReady(now);
@@ -307,6 +343,8 @@ void Master::handleTimeout(TimePoint now)
 
 std::optional<TimePoint> Master::nextTimeout() const
 {
+    if (m_blindBytes > 0)
+        return m_hasLine && m_readyBy ? std::min(*m_readyBy, m_blindBy) : m_blindBy;
     if (m_state == State::Closed || m_state == State::Lost)
         return std::nullopt;
     if (m_exchange)

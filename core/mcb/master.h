@@ -112,6 +112,7 @@ public:
     State state() const { return m_state; }
     /// A request can be given now.
     bool canSend() const;
+    bool ready() const { return !m_hasLine || m_ready; }
     void send(Request request, TimePoint now);
     /// Ends the request in hand at once, so that another may go: NotSent if it was not clocked out. A switch of the state
     /// that has left is not cut off.
@@ -119,6 +120,9 @@ public:
 
     /// Maps and enters the cyclic state with a frame every `period`. Needs canSend() and mapping.possible().
     void switchOn(const Mapping &mapping, Duration period, TimePoint now, bool clearCounts = true);
+    /// Frames that leave as they are, whether the drive is ready or not and whatever is under way, which takes care of
+    /// itself afterwards. What comes back is thrown away.
+    void sendBlind(std::vector<Output> frames, TimePoint now);
     /// Back to the config state. Needs canSend().
     void switchOff(TimePoint now);
     /// What the drive gets in every cycle from now on; filled up with zeros.
@@ -159,6 +163,7 @@ private:
     std::optional<Bytes> nextBytes(TimePoint now, Exchange &exchange);
     Frame operationFrame(Exchange &exchange, TimePoint now);
     Frame idle(std::uint16_t address) const;
+    void endBlind(TimePoint now);
     void finish(TimePoint now);
     void finishGood(const Exchange &exchange, const Frame &frame, TimePoint now);
     void finishBad(FrameError error, TimePoint now);
@@ -190,6 +195,8 @@ private:
     State m_state = State::Closed;
     std::optional<Exchange> m_exchange;
     std::optional<Operation> m_operation;
+    std::size_t m_blindBytes = 0; ///< of blind frames, still to come back
+    TimePoint m_blindBy{};
     TimePoint m_notBefore{};
     int m_drain = 0; ///< IDLE frames that may still bring left-over answers
     int m_bad = 0, m_torn = 0; ///< in a row

@@ -19,6 +19,7 @@ struct Endpoint {
     bool reopen = true; ///< after an unplugged cable, until the port is closed by hand
     Duration patience{}; ///< added to the time-out of every reply, for computers that stall
     drive::Protocol protocol = drive::Protocol::Auto;
+    std::optional<drive::Protocol> spoken{}; ///< of Auto: found there before, by the session itself
 };
 
 /// The endpoint of a port as a person names it: "sim" and "sim:PROTOCOL" for simulated boards, else the path of a device.

@@ -1,6 +1,7 @@
 #include "session/outbox.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace session {
 
@@ -12,6 +13,10 @@ constexpr Duration kAskAgainAfter = std::chrono::microseconds(500);
 void Outbox::add(std::vector<Output> outputs)
 {
     for (Output &output : outputs) {
+        if (output.dropsEarlier) {
+            m_waiting.clear();
+            m_dropInPort = true;
+        }
         if (!output.bytes.empty())
             m_waiting.push_back(std::move(output));
     }
@@ -21,6 +26,10 @@ void Outbox::pump(Transport &transport, const Clock &clock)
 {
     TimePoint now = clock();
     m_askAgain.reset();
+    if (std::exchange(m_dropInPort, false)) {
+        transport.discardOutput();
+        m_lineFree = std::min(m_lineFree, now);
+    }
     while (!m_waiting.empty()) {
         const Output &next = m_waiting.front();
         if (next.gapBefore > Duration::zero() && m_lineFree > TimePoint{}) {

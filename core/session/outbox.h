@@ -22,6 +22,7 @@ public:
     {
     }
 
+    /// What waits is dropped if one of them says so; at the next pump() also by the port.
     void add(std::vector<Output> outputs);
 
     /// Writes what may leave now. The clock is read again after each write: a process that was
@@ -42,6 +43,7 @@ private:
     std::deque<Output> m_waiting;
     TimePoint m_lineFree{}; ///< when the last bit written has left
     std::optional<TimePoint> m_askAgain; ///< the port still holds bytes although their time is over
+    bool m_dropInPort = false; ///< nothing that was written before matters any more
     bool m_unreported = false; ///< something was written since takeAllSent() was last true
 };
 

@@ -24,7 +24,7 @@ std::unique_ptr<drive::Drive> makeDrive(const Endpoint &endpoint)
 {
     if (isReplay(endpoint))
         return std::make_unique<record::ReplayDrive>();
-    return drive::makeDrive({endpoint.protocol, endpoint.baud, endpoint.patience});
+    return drive::makeDrive({endpoint.protocol, endpoint.baud, endpoint.patience, endpoint.spoken});
 }
 
 } // namespace

@@ -95,6 +95,12 @@ void SerialTransport::write(ByteView bytes, TimePoint)
         m_port->flush();
 }
 
+void SerialTransport::discardOutput()
+{
+    if (m_port && m_port->isOpen())
+        m_port->clear(QSerialPort::Output);
+}
+
 bool SerialTransport::sent(TimePoint) const
 {
     if (!m_port)

@@ -19,6 +19,7 @@ public:
     PortError open(TimePoint now) override;
     void close() override;
     void write(ByteView bytes, TimePoint now) override;
+    void discardOutput() override;
     bool sent(TimePoint now) const override;
     void advance(TimePoint now) override;
     std::optional<TimePoint> nextWake() const override;

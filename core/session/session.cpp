@@ -16,6 +16,8 @@ namespace {
 constexpr Duration kReopenEvery = std::chrono::milliseconds(500);
 /// How long a drive may take to end its streaming before the port is closed under it.
 constexpr Duration kFarewell = std::chrono::milliseconds(300);
+/// A stop that is open when the port is to be closed; as long as STOPs are sent without a link.
+constexpr Duration kLastStop = std::chrono::seconds(2);
 constexpr Duration kLeastBetweenWakes = std::chrono::microseconds(900);
 constexpr Duration kLongestWait = std::chrono::seconds(60);
 constexpr int kMostRounds = 16; ///< of output and its consequences in one turn
@@ -109,33 +111,39 @@ PortError Session::tryOpen(TimePoint now)
     connect(transport.get(), &Transport::failed, this, &Session::onFailed);
     connect(transport.get(), &Transport::readyChanged, this, &Session::onReady);
     m_transport = std::move(transport);
+    if (const auto spoken = m_spoken.find(m_endpoint.path); spoken != m_spoken.end())
+        m_endpoint.spoken = spoken->second;
     m_drive = m_parts.drive(m_endpoint);
     m_outbox = Outbox(m_endpoint.baud);
     m_failure.reset();
-    m_stopRequested = false;
     m_phase = Phase::Open;
     if (m_limits)
         m_drive->submit({.id = 0, .what = *m_limits}, now); // before anything else can be asked
     m_drive->connect(now);
+    if (m_stops.any())
+        m_drive->stop(now);
     return {};
 }
 
 void Session::close()
 {
     m_next.reset();
-    if (m_phase == Phase::Closing || m_phase == Phase::Closed)
-        return;
     if (m_phase == Phase::Reopening) {
         m_phase = Phase::Closed;
         Q_EMIT portChanged(PortState::Closed, {});
-        return;
+    } else if (m_phase == Phase::Open) {
+        startClosing();
     }
-    startClosing();
 }
 
 void Session::startClosing()
 {
     const TimePoint now = m_parts.clock();
+    if (m_drive->stopOpen() && now < m_stopUntil) {
+        m_phase = Phase::LastStop;
+        m_deadline = m_stopUntil;
+        return step(now);
+    }
     m_phase = Phase::Closing;
     m_deadline = now + kFarewell;
     m_saidFarewell = false;
@@ -167,6 +175,12 @@ void Session::stop()
 {
     m_stopRequested = true;
     step(m_parts.clock());
+}
+
+void Session::forgetStop()
+{
+    m_stops.forget();
+    tellStops();
 }
 
 void Session::setArmed(bool armed)
@@ -223,12 +237,16 @@ void Session::step(TimePoint now)
         runLink(now);
     m_stepping = false;
 
+    settleStop();
     if (linked() && m_failure)
         afterFailure(now);
+    else if (m_phase == Phase::LastStop && (!m_drive->stopOpen() || now >= m_deadline))
+        return startClosing();
     else if (m_phase == Phase::Closing
         && ((m_saidFarewell && m_outbox.idle()) || now >= m_deadline))
         finishClosing();
     tellArmed();
+    tellStops();
     tell(now);
     armTimer(m_parts.clock());
 }
@@ -288,6 +306,8 @@ void Session::collectEvents(TimePoint now)
         identified = identified || std::holds_alternative<drive::Identified>(event);
         m_batcher.add(std::move(event));
     }
+    if (const auto spoken = m_drive->spoken())
+        m_spoken[m_endpoint.path] = *spoken;
     if (identified && m_takeUpAgain)
         takeUpAgain(now);
 }
@@ -307,7 +327,7 @@ void Session::afterFailure(TimePoint now)
 {
     const PortError why = *m_failure;
     qCInfo(lcLink) << "port lost" << m_endpoint.path << why.detail;
-    if (m_phase == Phase::Open)
+    if (m_phase != Phase::Closing)
         m_drive->disconnect(now);
     (void)m_drive->takeOutput();
     collectEvents(now);
@@ -319,6 +339,7 @@ void Session::afterFailure(TimePoint now)
     tellRest();
     tellArmed();
     Q_EMIT portChanged(PortState::Closed, why);
+    openNext();
 }
 
 void Session::finishClosing()
@@ -328,6 +349,11 @@ void Session::finishClosing()
     tellRest();
     tellArmed();
     Q_EMIT portChanged(PortState::Closed, {});
+    openNext();
+}
+
+void Session::openNext()
+{
     if (m_next && m_phase == Phase::Closed) {
         const Endpoint next = *m_next;
         m_next.reset();
@@ -340,6 +366,9 @@ void Session::finishClosing()
 void Session::dropLink()
 {
     m_transport->disconnect(this);
+    if (!m_stops.at(m_endpoint))
+        m_transport
+            ->discardOutput(); // what could not leave must not leave when nobody looks any more
     m_transport->close();
     m_transport.release()->deleteLater();
     m_drive.reset();
@@ -349,10 +378,32 @@ void Session::dropLink()
 
 void Session::stopNow(TimePoint now)
 {
-    if (m_phase != Phase::Open)
-        return;
+    if (m_phase == Phase::Closed)
+        return; // no port is known that it could be for
     qCInfo(lcLink) << "stop";
+    m_stops.want(m_endpoint);
+    m_stopUntil = now + kLastStop;
+    if (m_phase == Phase::Reopening) {
+        m_deadline = now;
+        return reopen(now);
+    }
+    if (m_phase != Phase::Open) {
+        if (m_next)
+            m_stops.want(*m_next);
+        if (m_phase == Phase::Closing && m_saidFarewell)
+            m_drive->connect(now);
+        m_phase = Phase::LastStop;
+        m_deadline = m_stopUntil;
+    }
     m_drive->stop(now);
+}
+
+/// Evidence, and nothing else, ends the wish: the drive was told to stop in this connection.
+void Session::settleStop()
+{
+    const bool stopping = m_phase == Phase::Open || m_phase == Phase::LastStop;
+    if (stopping && !m_failure && m_stops.any() && !m_drive->stopOpen())
+        m_stops.settle(m_endpoint);
 }
 
 void Session::tell(TimePoint now)
@@ -376,6 +427,15 @@ void Session::tellArmed()
     Q_EMIT armedChanged(armed);
 }
 
+void Session::tellStops()
+{
+    const QStringList ports = m_stops.portsBut(linked() ? &m_endpoint : nullptr);
+    if (ports == m_stopsTold)
+        return;
+    m_stopsTold = ports;
+    Q_EMIT stopsWanted(ports);
+}
+
 std::optional<TimePoint> Session::nextStep() const
 {
     std::optional<TimePoint> next;
@@ -384,7 +444,7 @@ std::optional<TimePoint> Session::nextStep() const
             next = other;
     };
     sooner(m_batcher.due());
-    if (m_phase == Phase::Closing || m_phase == Phase::Reopening)
+    if (m_phase != Phase::Closed && m_phase != Phase::Open)
         sooner(m_deadline);
     if (linked()) {
         sooner(m_drive->nextTimeout());

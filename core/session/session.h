@@ -12,6 +12,11 @@
 // (Endpoint::reopen). The board is met read-only again; only streaming and watching are taken up by
 // themselves, never a set-point, a start or an acknowledgement. A person's limits are given to each
 // drive before it connects, also if they were set while no port was open.
+//
+// A stop is wanted until there is evidence that nothing drives a motor at that port, or a person takes it back: across
+// lost ports, attempts to open them again, and connections to others. While one is wanted, the first act on any port that
+// is opened is to stop what is there; only what is found at its own port confirms it. Asked for while the port is being
+// closed, or open still when it is to be closed, a stop is carried out first, for kLastStop at most.
 #pragma once
 
 #include "drive/drive.h"
@@ -20,11 +25,13 @@
 #include "session/outbox.h"
 #include "session/transport.h"
 #include "session/wake_timer.h"
+#include "session/wanted_stops.h"
 
 #include <QObject>
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -63,11 +70,13 @@ public:
 public Q_SLOTS:
     void open(const session::Endpoint
             &endpoint); ///< opens the port and connects; an open one is closed first
-    /// Ends streaming, closes the port, ends with portChanged(Closed), within 300 ms. Nothing if
+    /// Ends streaming, closes the port, ends with portChanged(Closed), within 300 ms, or after an open stop. Nothing if
     /// closed() already.
     void close();
     void submit(const drive::Wish &wish);
     void stop(); ///< every motor, ahead of everything
+    void
+    forgetStop(); ///< a person's word: no stop is wanted at any port; what is under way goes on
     void setArmed(bool armed);
     void acknowledge(); ///< one batch has been taken in
 
@@ -75,6 +84,8 @@ Q_SIGNALS:
     void batch(const session::BatchPtr &batch);
     void portChanged(session::PortState state, const session::PortError &why);
     void armedChanged(bool armed);
+    /// The ports at which a stop is wanted and cannot be carried out now, because they are not open.
+    void stopsWanted(const QStringList &ports);
 
 protected:
     bool event(QEvent *event) override;
@@ -83,6 +94,7 @@ private:
     enum class Phase : std::uint8_t {
         Closed,
         Open,
+        LastStop, ///< to be closed; but first the stop that is open, until m_deadline at the latest
         Closing, ///< the drive says its last words, until m_deadline at the latest
         Reopening, ///< unplugged; the next attempt is at m_deadline
     };
@@ -101,12 +113,18 @@ private:
     void startClosing();
     void finishClosing();
     void dropLink();
+    void openNext();
     void stopNow(TimePoint now);
+    void settleStop();
     void tell(TimePoint now);
     void tellRest();
     void tellArmed();
+    void tellStops();
     void armTimer(TimePoint now);
-    bool linked() const { return m_phase == Phase::Open || m_phase == Phase::Closing; }
+    bool linked() const
+    {
+        return m_phase == Phase::Open || m_phase == Phase::LastStop || m_phase == Phase::Closing;
+    }
 
     Parts m_parts;
     WakeTimer m_timer;
@@ -123,6 +141,10 @@ private:
     std::optional<drive::Stream> m_stream; ///< last asked for; taken up again after a reopening
     std::optional<drive::Watch> m_watch;
     std::optional<drive::UserLimits> m_limits; ///< a person's; for every drive from then on
+    WantedStops m_stops;
+    QStringList m_stopsTold;
+    TimePoint m_stopUntil{}; ///< closing waits so long for a stop that is open
+    std::map<QString, drive::Protocol> m_spoken; ///< by path, where it was found out
     std::atomic<bool> m_stopRequested = false;
     bool m_stepping = false;
     bool m_saidFarewell = false; ///< Closing: the drive has told that its link is closed

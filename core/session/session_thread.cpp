@@ -2,10 +2,13 @@
 
 #include "session/session.h"
 
+#include <QThread>
+
 namespace session {
 
 namespace {
-constexpr unsigned long kMostWait_ms = 2000;
+constexpr unsigned long kMostWait_ms = 3000;
+constexpr unsigned long kLastWait_ms = 1000; ///< for a session that was told to quit
 } // namespace
 
 SessionThread::SessionThread()
@@ -14,18 +17,19 @@ SessionThread::SessionThread()
 }
 
 SessionThread::SessionThread(Parts parts)
-    : m_session(new Session(std::move(parts)))
+    : m_thread(new QThread)
+    , m_session(new Session(std::move(parts)))
 {
-    m_thread.setObjectName(QStringLiteral("session"));
-    m_session->moveToThread(&m_thread);
-    QObject::connect(&m_thread, &QThread::finished, m_session, &QObject::deleteLater);
-    m_thread.start();
+    m_thread->setObjectName(QStringLiteral("session"));
+    m_session->moveToThread(m_thread);
+    QObject::connect(m_thread, &QThread::finished, m_session, &QObject::deleteLater);
+    m_thread->start();
 }
 
 SessionThread::~SessionThread()
 {
     Session *session = m_session;
-    QThread *thread = &m_thread;
+    QThread *thread = m_thread;
     QMetaObject::invokeMethod(
         session,
         [session, thread] {
@@ -41,10 +45,12 @@ SessionThread::~SessionThread()
                 thread->quit();
         },
         Qt::QueuedConnection);
-    if (m_thread.wait(kMostWait_ms))
-        return;
-    m_thread.quit();
-    m_thread.wait();
+    if (!thread->wait(kMostWait_ms)) {
+        thread->quit();
+        if (!thread->wait(kLastWait_ms))
+            return;
+    }
+    delete thread;
 }
 
 } // namespace session

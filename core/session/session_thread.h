@@ -2,7 +2,7 @@
 // queued calls; only stopFromAnyThread() may be called directly.
 #pragma once
 
-#include <QThread>
+class QThread;
 
 namespace session {
 
@@ -15,14 +15,14 @@ public:
     explicit SessionThread(Parts parts);
     SessionThread(const SessionThread &) = delete;
     SessionThread &operator=(const SessionThread &) = delete;
-    /// Closes the port (streaming ends, at most 300 ms), then ends the thread; waits 2 s for both
-    /// at most.
+    /// Closes the port (an open stop and the end of streaming: 2.3 s at most), then ends the thread; waits 4 s at most.
+    /// A thread that hangs for longer, in a driver, goes on without us: it must not be destroyed while it runs.
     ~SessionThread();
 
     Session *session() const { return m_session; }
 
 private:
-    QThread m_thread;
+    QThread *m_thread; ///< left behind, running, where it does not end in time
     Session *m_session; ///< lives in m_thread and ends with it
 };
 

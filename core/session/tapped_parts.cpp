@@ -35,6 +35,7 @@ public:
         m_tap->takeLink(Direction::Sent, bytes, now);
         m_inner->write(bytes, now);
     }
+    void discardOutput() override { m_inner->discardOutput(); }
     bool sent(TimePoint now) const override { return m_inner->sent(now); }
     void advance(TimePoint now) override { m_inner->advance(now); }
     std::optional<TimePoint> nextWake() const override { return m_inner->nextWake(); }

@@ -24,6 +24,8 @@ public:
     virtual void close() = 0;
     /// Hands bytes to the line at once (no buffering on our side beyond this one call's bytes).
     virtual void write(ByteView bytes, TimePoint now) = 0;
+    /// Drops what was written and has not left the line; nothing where it leaves within write().
+    virtual void discardOutput() { }
     /// True when all that was written has left the line, as far as can be known.
     virtual bool sent(TimePoint now) const = 0;
     /// Lets a simulated board or a recorded trace go on until `now`; nothing to do for a real port.

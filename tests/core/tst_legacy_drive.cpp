@@ -50,6 +50,9 @@ private Q_SLOTS:
     void ofTwoMotorsOnlyTheNamedOneMoves();
     void afterAStopNothingButStopsAndReads();
     void aStopWithoutALinkIsSentBlind();
+    void aMotorThatBecomesKnownWhileStoppingIsStopped_data() { profiles(); }
+    void aMotorThatBecomesKnownWhileStoppingIsStopped();
+    void aLostLinkIsToldWhileAPersonKeepsPressing();
     void aRestartedBoardIsMetAnewAndReadOnly();
     void aLostBoardIsFoundAgain();
     void watchingFillsTheLine();
@@ -351,6 +354,68 @@ void TestLegacyDrive::aStopWithoutALinkIsSentBlind()
     QCOMPARE(bench.stops.back().word, StopWord::NotConfirmed);
     bench.toDrive.cut = false;
     QVERIFY(bench.runUntil([&] { return bench.stops.back().word == StopWord::Standstill; }, 20s));
+}
+
+void TestLegacyDrive::aMotorThatBecomesKnownWhileStoppingIsStopped()
+{
+    QFETCH(QByteArray, profile);
+    support::LegacyBench bench(profile.constData(), 2);
+    QVERIFY(bench.ready && bench.identified->identity.motors == 2);
+    bench.submit(UserLimits{3000.0, 0.0});
+    for (const int motor : {1, 2}) {
+        bench.submit(ExpertMode{motor});
+        bench.submit(Command{MotorAction::Start, motor});
+    }
+    const auto runs = [&](int motor) { return bench.status[motor].state == MotorState::Running; };
+    QVERIFY(bench.runUntil([&] { return runs(1) && runs(2); }, 10s));
+    LegacyDriveConfig config;
+    config.baud = bench.baud;
+    bench.drive = makeLegacyDrive(config); // as after a port was opened again
+    bench.stops.clear();
+    bench.requests.clear();
+    bench.connect();
+    bench.drive->stop(bench.now);
+    bench.exchange();
+    QVERIFY(bench.runUntil([&] { return !bench.drive->stopOpen(); }, 3s));
+    for (const int motor : {1, 2})
+        QVERIFY(std::any_of(bench.stops.begin(), bench.stops.end(), [&](const StopProgress &stop) {
+            return stop.motor == motor && stop.word == StopWord::DriveIdle;
+        }));
+    // The second motor did not wait for the registers: there are far more than 50 of them.
+    const Bytes second = legacy::encodeRequest({2, legacy::Execute{2}}).value();
+    const auto at = std::find(bench.requests.begin(), bench.requests.end(), second);
+    QVERIFY(at != bench.requests.end() && at - bench.requests.begin() < 12);
+}
+
+void TestLegacyDrive::aLostLinkIsToldWhileAPersonKeepsPressing()
+{
+    support::LegacyBench bench("legacy");
+    QVERIFY(bench.start());
+    bench.toDrive.cut = true;
+    const TimePoint asked = bench.now;
+    std::optional<TimePoint> suspect, lost;
+    bench.onEvent = [&](const Event &event) {
+        const auto *change = std::get_if<LinkChanged>(&event);
+        if (change != nullptr && change->state == LinkState::Suspect && !suspect)
+            suspect = bench.now;
+        if (change != nullptr && change->state == LinkState::Lost && !lost)
+            lost = bench.now;
+    };
+    bench.requests.clear();
+    for (int press = 0; press < 20; ++press) {
+        bench.drive->stop(bench.now);
+        bench.exchange();
+        bench.runFor(400ms);
+    }
+    QVERIFY(suspect && *suspect - asked <= 700ms);
+    QVERIFY(lost && *lost - asked <= 7s);
+    const Bytes stop{0x23, 0x01, 0x02, 0x26};
+    QVERIFY(std::count(bench.requests.begin(), bench.requests.end(), stop) >= 60); // all the time
+    QCOMPARE(std::count_if(bench.stops.begin(), bench.stops.end(),
+                 [](const StopProgress &one) { return one.word == StopWord::NotConfirmed; }),
+        1);
+    bench.toDrive.cut = false;
+    QVERIFY(bench.runUntil([&] { return !bench.drive->stopOpen(); }, 20s));
 }
 
 void TestLegacyDrive::aRestartedBoardIsMetAnewAndReadOnly()

@@ -33,6 +33,10 @@ private Q_SLOTS:
     void aStopGoesBeforeEverything();
     void aStopIsConfirmedByWhatIsRead();
     void aStopThatIsNotObeyedIsAlarmed();
+    void aDriveThatIsNotReadyIsStoppedBlind();
+    void aDriveThatAnswersNobodyIsStoppedBlind();
+    void aStopDoesNotWaitForALengthThatNobodyConfirms();
+    void aStopGoesBeforeTheIdentification();
     void samplesCarryTheirNameAndTime();
     void sixtySecondsWithoutALostFrame();
     void aDamagedFrameIsAGap();
@@ -351,6 +355,95 @@ void TestMcbDrive::aStopThatIsNotObeyedIsAlarmed()
     pair.toBoard = {};
     QVERIFY(pair.runUntil(
         [&] { return !pair.stops.empty() && pair.stops.back().word == StopWord::Standstill; }, 5s));
+}
+
+namespace {
+
+bool stageIsOn(McbPair &pair) { return pair.board->servo().state() == simulation::Servo::State::Enabled; }
+
+} // namespace
+
+void TestMcbDrive::aDriveThatIsNotReadyIsStoppedBlind()
+{
+    McbPair pair;
+    QVERIFY(pair.meet());
+    QVERIFY(start(pair));
+    pair.drive->handleReady(false, pair.now);
+    QVERIFY(stageIsOn(pair));
+    pair.drive->stop(pair.now);
+    QVERIFY(pair.runUntil([&] { return !stageIsOn(pair); }, 250ms));
+    QVERIFY(pair.drive->stopOpen()); // nobody has said so
+    pair.drive->handleReady(true, pair.now);
+    pair.look = 100us;
+    QVERIFY(pair.runUntil(
+        [&] {
+            pair.drive->handleReady(true, pair.now);
+            return !pair.drive->stopOpen();
+        },
+        5s));
+}
+
+void TestMcbDrive::aDriveThatAnswersNobodyIsStoppedBlind()
+{
+    for (const bool cyclic : {false, true}) {
+        McbPair pair;
+        QVERIFY(pair.meet());
+        QVERIFY(start(pair));
+        if (cyclic)
+            QVERIFY(pair.ask(streamOf({pair.id("BUS_VOLTAGE")})).outcome == Outcome::Ok);
+        pair.toDrive = [](Bytes &bytes) { std::fill(bytes.begin(), bytes.end(), std::uint8_t{0}); };
+        QVERIFY(pair.runUntil([&] { return pair.link == LinkState::Lost; }, 5s));
+        QVERIFY(stageIsOn(pair));
+        pair.writes.clear();
+        pair.drive->stop(pair.now);
+        QVERIFY(pair.runUntil([&] { return !stageIsOn(pair); }, 200ms));
+        QVERIFY(pair.drive->stopOpen());
+        pair.runFor(3s);
+        QVERIFY(pair.stops.back().word == StopWord::NotConfirmed);
+        pair.toDrive = {};
+        QVERIFY(pair.runUntil([&] { return !pair.drive->stopOpen(); }, 5s));
+    }
+}
+
+void TestMcbDrive::aStopDoesNotWaitForALengthThatNobodyConfirms()
+{
+    McbPair pair;
+    QVERIFY(pair.meet());
+    QVERIFY(start(pair));
+    bool switching = false;
+    pair.toBoard = [&](Bytes &bytes) {
+        const auto frame = mcb::decodeFrame(bytes);
+        switching = switching
+            || (frame && frame->command == mcb::Command::Write
+                && frame->address == mcb::kStateRegister && frame->config[0] == mcb::kCyclicState);
+    };
+    pair.toDrive = [&](Bytes &bytes) { // IDLE for ever instead of the answer
+        if (switching)
+            bytes = mcb::encodeFrame(
+                {0, mcb::Command::Idle, false, {}, mcb::Words((bytes.size() - 12) / 2)});
+    };
+    pair.submit(streamOf({pair.id("BUS_VOLTAGE")}));
+    QVERIFY(pair.runUntil([&] { return switching; }, 1s));
+    QVERIFY(stageIsOn(pair));
+    pair.drive->stop(pair.now);
+    QVERIFY(pair.runUntil([&] { return !stageIsOn(pair); }, 200ms));
+    pair.toBoard = pair.toDrive = {};
+    QVERIFY(pair.runUntil([&] { return !pair.drive->stopOpen(); }, 5s));
+}
+
+void TestMcbDrive::aStopGoesBeforeTheIdentification()
+{
+    McbPair pair;
+    QVERIFY(pair.meet());
+    QVERIFY(start(pair));
+    pair.drive = makeMcbDrive({});
+    pair.connect();
+    pair.stopped = true;
+    const TimePoint asked = pair.now;
+    pair.drive->stop(pair.now);
+    QVERIFY(pair.runUntil([&] { return !stageIsOn(pair); }, 50ms));
+    QVERIFY(pair.runUntil([&] { return !pair.drive->stopOpen(); }, 200ms));
+    QVERIFY(pair.now - asked < 200ms);
 }
 
 void TestMcbDrive::samplesCarryTheirNameAndTime()

@@ -25,6 +25,7 @@ public:
         std::vector<Written> written;
         int opened = 0;
         int closed = 0;
+        int discarded = 0;
         FakeTransport *alive = nullptr;
         session::PortError openResult; ///< what the next open() answers
         bool sent = true;
@@ -52,6 +53,11 @@ public:
     {
         m_log.written.push_back({now, Bytes(view.begin(), view.end())});
     }
+    void discardOutput() override
+    {
+        ++m_log.discarded;
+        m_log.sent = true;
+    }
     bool sent(TimePoint) const override { return m_log.sent; }
     void advance(TimePoint) override { }
     std::optional<TimePoint> nextWake() const override { return {}; }
@@ -71,6 +77,7 @@ public:
         std::vector<drive::Wish> wishes;
         std::vector<TimePoint> sentAt;
         int connects = 0, disconnects = 0, stops = 0, made = 0;
+        std::vector<std::optional<drive::Protocol>> madeFor; ///< what was spoken there before
         FakeDrive *alive = nullptr;
     };
 
@@ -119,10 +126,12 @@ public:
     void arm() override { m_armed = true; }
     void disarm() override { m_armed = false; }
     bool armed() const override { return m_armed; }
+    std::optional<drive::Protocol> spoken() const override { return found; }
 
     std::vector<Output> outputs;
     std::vector<drive::Event> events;
     std::optional<TimePoint> timeout;
+    std::optional<drive::Protocol> found;
     bool stopping = false; ///< a stop is not confirmed
     Bytes farewell; ///< said at disconnect(), which then does not end by itself
 
@@ -140,14 +149,18 @@ struct Bench {
     std::vector<session::BatchPtr> batches;
     std::vector<std::pair<session::PortState, session::PortProblem>> ports;
     std::vector<bool> armed;
+    std::vector<QStringList> wanted; ///< stops, at ports that are not open
     bool acknowledging = true;
 
     Bench()
         : session({.clock = [this] { return now; },
             .transport =
                 [this](const session::Endpoint &) { return std::make_unique<FakeTransport>(port); },
-            .drive = [this](
-                         const session::Endpoint &) { return std::make_unique<FakeDrive>(board); }})
+            .drive =
+                [this](const session::Endpoint &endpoint) {
+                    board.madeFor.push_back(endpoint.spoken);
+                    return std::make_unique<FakeDrive>(board);
+                }})
     {
         using session::Session;
         QObject::connect(
@@ -162,11 +175,13 @@ struct Bench {
             });
         QObject::connect(
             &session, &Session::armedChanged, &session, [this](bool on) { armed.push_back(on); });
+        QObject::connect(&session, &Session::stopsWanted, &session,
+            [this](const QStringList &places) { wanted.push_back(places); });
     }
 
-    static session::Endpoint serial()
+    static session::Endpoint serial(const QString &path = QStringLiteral("bench"))
     {
-        return {session::Endpoint::Kind::Serial, QStringLiteral("bench"), 1'000'000, {}, true};
+        return {session::Endpoint::Kind::Serial, path, 1'000'000, {}, true};
     }
     FakeDrive &drive() { return *board.alive; }
 

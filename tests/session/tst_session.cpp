@@ -30,6 +30,18 @@ private Q_SLOTS:
     void reopeningTakesUpStreamingAndNothingElse();
     void ownLimitsAreGivenToEveryDriveFirst();
     void closingEndsTheAttemptsToReopen();
+    void aStopThatIsNotConfirmedIsTheFirstActOnTheReopenedPort();
+    void aConfirmedStopIsOver();
+    void aStopWhileThePortIsGoneIsCarriedOutWhenItIsBack();
+    void aStopIsTakenBackByAPersonOnly();
+    void aBoardOnAnotherPortIsStoppedButConfirmsNothing();
+    void aStopWhileClosingIsCarriedOut();
+    void closingWaitsForAnOpenStop();
+    void aStopBetweenTwoPortsIsForBoth();
+    void aPortThatFailsWhileClosingMakesRoomForTheNext();
+    void whatWaitsIsDroppedBeforeABlindStop();
+    void aPortThatIsLeftForgetsWhatCouldNotLeave();
+    void whatWasSpokenIsTriedFirstNextTime();
     void aStalledReceiverGetsNoThirdBatch();
     void theSessionCanBeClosedFromWithinABatch();
 };
@@ -273,6 +285,233 @@ void TestSession::closingEndsTheAttemptsToReopen()
     bench.runUntil(bench.now + 5s);
     QCOMPARE(bench.port.opened, 1);
     QCOMPARE(bench.ports.back(), Port(PortState::Closed, PortProblem::None));
+}
+
+namespace {
+
+/// Nothing is found at the port until it is plugged in again.
+void unplug(Bench &bench)
+{
+    bench.port.openResult = {PortProblem::NotFound, {}};
+    bench.port.alive->fail();
+}
+
+void plugIn(Bench &bench)
+{
+    bench.port.openResult = {};
+    bench.runUntil(bench.now + 600ms);
+}
+
+const QStringList kBench{QStringLiteral("bench")};
+
+} // namespace
+
+void TestSession::aStopThatIsNotConfirmedIsTheFirstActOnTheReopenedPort()
+{
+    Bench bench;
+    bench.session.open(Bench::serial());
+    bench.session.stop();
+    bench.runUntil(bench.now + 150ms);
+    QVERIFY(bench.wanted.empty()); // it is under way
+    unplug(bench);
+    QCOMPARE(bench.wanted, (std::vector<QStringList>{kBench})); // told at once
+    bench.runUntil(bench.now + 60s);
+    QCOMPARE(bench.board.stops, 1);
+    for (int again = 2; again < 5; ++again) {
+        bench.port.openResult = {};
+        while (bench.board.made < again) {
+            QVERIFY(bench.session.nextStep());
+            bench.now = *bench.session.nextStep();
+            bench.session.step(bench.now);
+        }
+        QCOMPARE(bench.board.stops, again); // in the turn that opened it
+        QVERIFY(bench.wanted.back().isEmpty());
+        unplug(bench);
+        QCOMPARE(bench.wanted.back(), kBench);
+    }
+}
+
+void TestSession::aConfirmedStopIsOver()
+{
+    Bench bench;
+    bench.session.open(Bench::serial());
+    bench.session.stop();
+    bench.drive().stopping = false;
+    bench.turn();
+    unplug(bench);
+    plugIn(bench);
+    QCOMPARE(bench.board.made, 2);
+    QCOMPARE(bench.board.stops, 1);
+    QVERIFY(bench.wanted.empty());
+}
+
+void TestSession::aStopWhileThePortIsGoneIsCarriedOutWhenItIsBack()
+{
+    Bench bench;
+    bench.session.open(Bench::serial());
+    unplug(bench);
+    bench.runUntil(bench.now + 2s);
+    bench.session.stop();
+    QCOMPARE(bench.wanted, (std::vector<QStringList>{kBench}));
+    plugIn(bench);
+    QCOMPARE(bench.board.made, 2);
+    QCOMPARE(bench.board.stops, 1);
+    // And does not wait for the next attempt.
+    bench.port.alive->fail();
+    bench.session.stop();
+    QCOMPARE(bench.board.made, 3);
+    QCOMPARE(bench.board.stops, 2);
+}
+
+void TestSession::aStopIsTakenBackByAPersonOnly()
+{
+    Bench bench;
+    bench.session.open(Bench::serial());
+    bench.session.stop();
+    unplug(bench);
+    bench.session.close();
+    QCOMPARE(bench.wanted.back(), kBench);
+    bench.port.openResult = {};
+    bench.session.open(Bench::serial());
+    QCOMPARE(bench.board.stops, 2);
+    unplug(bench);
+    bench.session.forgetStop();
+    QVERIFY(bench.wanted.back().isEmpty());
+    plugIn(bench);
+    QCOMPARE(bench.board.made, 3);
+    QCOMPARE(bench.board.stops, 2);
+}
+
+void TestSession::aBoardOnAnotherPortIsStoppedButConfirmsNothing()
+{
+    Bench bench;
+    bench.session.open(Bench::serial());
+    bench.session.stop();
+    unplug(bench);
+    bench.port.openResult = {};
+    bench.session.open(Bench::serial(QStringLiteral("other")));
+    QCOMPARE(bench.board.stops, 2); // it may be the same board, with another number
+    bench.drive().stopping = false;
+    bench.turn();
+    QCOMPARE(bench.wanted.back(), kBench);
+    bench.session.open(Bench::serial());
+    bench.runUntil(bench.now + 1s);
+    QCOMPARE(bench.board.made, 3);
+    QCOMPARE(bench.board.stops, 3);
+    bench.drive().stopping = false;
+    bench.turn();
+    bench.session.close();
+    bench.runUntil(bench.now + 1s);
+    QVERIFY(bench.wanted.back().isEmpty());
+}
+
+void TestSession::aStopWhileClosingIsCarriedOut()
+{
+    for (const bool confirmed : {true, false}) {
+        Bench bench;
+        bench.session.open(Bench::serial());
+        bench.drive().farewell = bytes({9});
+        bench.session.close();
+        bench.runUntil(bench.now + 100ms);
+        bench.session.stop();
+        const TimePoint asked = bench.now;
+        QCOMPARE(bench.board.stops, 1);
+        bench.runUntil(asked + 1900ms);
+        QCOMPARE(bench.port.closed, 0);
+        bench.drive().farewell.clear();
+        bench.drive().stopping = !confirmed;
+        bench.runUntil(confirmed ? asked + 1900ms : asked + 2s);
+        QCOMPARE(bench.port.closed, 1);
+        QCOMPARE(bench.ports.back(), Port(PortState::Closed, PortProblem::None));
+        QCOMPARE(bench.wanted.size(), confirmed ? 0U : 1U); // told as not carried out
+    }
+}
+
+void TestSession::closingWaitsForAnOpenStop()
+{
+    Bench bench;
+    bench.session.open(Bench::serial());
+    bench.session.stop();
+    bench.session.close();
+    bench.runUntil(bench.now + 1s);
+    QCOMPARE(bench.port.closed, 0);
+    QCOMPARE(bench.board.disconnects, 0);
+    bench.drive().stopping = false;
+    bench.turn();
+    QCOMPARE(bench.port.closed, 1);
+    QVERIFY(bench.session.closed());
+}
+
+void TestSession::aStopBetweenTwoPortsIsForBoth()
+{
+    Bench bench;
+    bench.session.open(Bench::serial());
+    bench.drive().farewell = bytes({9});
+    bench.session.open(Bench::serial(QStringLiteral("other")));
+    bench.session.stop();
+    bench.drive().farewell.clear();
+    bench.drive().stopping = false;
+    bench.runUntil(bench.now + 10ms);
+    QCOMPARE(bench.board.made, 2);
+    QCOMPARE(bench.board.stops, 2);
+}
+
+void TestSession::aPortThatFailsWhileClosingMakesRoomForTheNext()
+{
+    Bench bench;
+    bench.session.open(Bench::serial());
+    bench.drive().farewell = bytes({9});
+    bench.session.open(Bench::serial(QStringLiteral("other")));
+    bench.port.alive->fail();
+    QCOMPARE(bench.board.made, 2);
+    QCOMPARE(bench.ports.back(), Port(PortState::Open, PortProblem::None));
+}
+
+void TestSession::whatWaitsIsDroppedBeforeABlindStop()
+{
+    Bench bench;
+    bench.session.open(Bench::serial());
+    bench.drive().outputs = {{bytes({1}), {}}, {bytes({2}), 1ms}}; // a start, say
+    bench.port.sent = false; // on a line that takes nothing
+    bench.runUntil(bench.now + 20ms);
+    bench.drive().outputs = {{bytes({3}), 2ms, true}, {bytes({4}), 2ms}};
+    bench.runUntil(bench.now + 20ms);
+    QCOMPARE(bench.port.discarded, 1);
+    std::vector<Bytes> written;
+    for (const auto &one : bench.port.written)
+        written.push_back(one.bytes);
+    QCOMPARE(written, (std::vector<Bytes>{{1}, {3}, {4}})); // the port has thrown away the 1
+}
+
+void TestSession::aPortThatIsLeftForgetsWhatCouldNotLeave()
+{
+    for (const bool stopping : {false, true}) {
+        Bench bench;
+        bench.session.open(Bench::serial());
+        bench.drive().outputs = {{bytes({1}), {}}};
+        bench.port.sent = false;
+        if (stopping)
+            bench.session.stop();
+        bench.session.close();
+        bench.runUntil(bench.now + 3s);
+        QCOMPARE(bench.port.closed, 1);
+        QCOMPARE(bench.port.discarded, stopping ? 0 : 1); // a STOP may leave as late as it can
+    }
+}
+
+void TestSession::whatWasSpokenIsTriedFirstNextTime()
+{
+    Bench bench;
+    bench.session.open(Bench::serial());
+    bench.drive().found = drive::Protocol::Legacy;
+    bench.turn();
+    unplug(bench);
+    plugIn(bench);
+    bench.session.open(Bench::serial(QStringLiteral("other")));
+    bench.runUntil(bench.now + 1s);
+    QCOMPARE(bench.board.madeFor,
+        (std::vector<std::optional<drive::Protocol>>{
+            std::nullopt, drive::Protocol::Legacy, std::nullopt}));
 }
 
 void TestSession::aStalledReceiverGetsNoThirdBatch()

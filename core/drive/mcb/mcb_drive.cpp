@@ -125,9 +125,11 @@ std::optional<TimePoint> McbDrive::nextTimeout() const
     };
     if (m_stop.active()) {
         consider(m_stop.nextAlarm());
-        if (const auto next = m_stop.nextStop(connected(), m_workedAt); next && connected())
+        if (const auto next = m_stop.nextStop(connected(), m_workedAt))
             considerLater(
                 m_stopUnderWay ? std::max(*next, m_stopSince + StopSequence::kRepeat) : *next);
+        if (m_stopWaits)
+            considerLater(*m_stopWaits + StopSequence::kRepeat);
     }
     if (linkIsFree() && m_mode == Mode::Open) {
         considerLater(m_vitals.due());

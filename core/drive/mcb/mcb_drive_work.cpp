@@ -29,6 +29,8 @@ void McbDrive::work(TimePoint now)
     if (followStop(now)) {
         restSetPoints();
         sendStop(now);
+    } else {
+        m_stopWaits.reset();
     }
     if (linkIsFree())
         sendNext(m_vitals, m_watch, now);
@@ -59,21 +61,29 @@ std::vector<Output> McbDrive::stopScript() const
 
 bool McbDrive::sendStop(TimePoint now)
 {
-    if (!connected() || (m_stopUnderWay && now < m_stopSince + StopSequence::kRepeat))
+    if (m_stopUnderWay && now < m_stopSince + StopSequence::kRepeat)
         return false;
-    if (!m_stop.stopDue(now, true))
+    if (!m_stop.stopDue(now, connected()))
         return false;
-    if (!m_link.canSend()) {
+    if (connected() && !m_link.canSend()) {
         m_link.cancel(now);
         onLinkEvents(now);
     }
-    if (!m_link.canSend())
-        return false; // the length of frames is changing
+    if (m_link.canSend() && m_link.ready())
+        m_stopWaits.reset();
+    else
+        m_stopWaits = m_stopWaits.value_or(now);
+    const bool blind = !connected() || (m_stopWaits && now >= *m_stopWaits + StopSequence::kRepeat);
+    if (!blind && !m_link.canSend())
+        return false; // the length of frames is changing: in a moment it is known
     const mcb::Words word{kShutdown};
     noteStop(1, mcbWrite(mcbreg::kControl, word), now);
-    m_stopUnderWay = true;
     m_stopSince = now;
-    m_link.send({mcb::Command::Write, mcbreg::kControl, word}, now);
+    m_stopUnderWay = !blind;
+    if (blind)
+        m_link.sendBlind(stopScript(), now);
+    else
+        m_link.send({mcb::Command::Write, mcbreg::kControl, word}, now);
     return true;
 }
 

@@ -82,6 +82,8 @@ private:
 
     bool m_stopUnderWay = false;
     TimePoint m_stopSince;
+    std::optional<TimePoint>
+        m_stopWaits; ///< since then, for the drive to be ready or frames to have their new length
     std::uint64_t m_cyclesLost = 0; ///< as last told by the link
     std::optional<TimePoint> m_reconnectAt;
     TimePoint m_closeBy;
