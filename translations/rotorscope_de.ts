@@ -7201,12 +7201,33 @@ mN·m</translation>
         <translation>Motoren stoppen</translation>
     </message>
     <message>
-        <source>Motor %1 was told to stop, but neither its state nor its speed shows that it did. Rotorscope goes on trying. Closing this message starts nothing again.</source>
-        <translation>Motor %1 wurde der Stopp befohlen, aber weder Zustand noch Drehzahl zeigen, dass er steht. Rotorscope versucht es weiter. Das Schließen dieser Meldung startet nichts.</translation>
+        <source>Take the Stop &amp;back</source>
+        <translation>Stopp &amp;zurücknehmen</translation>
     </message>
     <message>
-        <source>Meanwhile standstill was measured.</source>
-        <translation>Inzwischen wurde Stillstand gemessen.</translation>
+        <source>The port is open again, and the stop goes on.</source>
+        <translation>Der Anschluss ist wieder offen, und der Stopp geht weiter.</translation>
+    </message>
+    <message>
+        <source>Motor %1: meanwhile standstill was measured.</source>
+        <translation>Motor %1: Inzwischen wurde Stillstand gemessen.</translation>
+    </message>
+    <message>
+        <source>Motor %1: meanwhile its drive is idle.</source>
+        <translation>Motor %1: Inzwischen treibt ihn nichts mehr an.</translation>
+    </message>
+    <message>
+        <source>Motor %1 was told to stop, but neither its state nor its speed shows that it did.</source>
+        <translation>Motor %1 wurde der Stopp befohlen, aber weder Zustand noch Drehzahl zeigen, dass er steht.</translation>
+    </message>
+    <message>
+        <source>Rotorscope goes on trying. Closing this message starts nothing again.</source>
+        <translation>Rotorscope versucht es weiter. Das Schließen dieser Meldung startet nichts.</translation>
+    </message>
+    <message>
+        <source>%1 is not open any more, and no evidence of the stop had come. The motor may still be turning. As soon as a port is open again, what is found there is stopped before anything else. Closing this message starts nothing again and takes nothing back.</source>
+        <comment>one or more ports</comment>
+        <translation>%1 ist nicht mehr offen, und bis dahin gab es keinen Beleg für den Stopp. Der Motor dreht sich womöglich noch. Sobald wieder ein Anschluss offen ist, wird vor allem anderen gestoppt, was dort gefunden wird. Das Schließen dieser Meldung startet nichts und nimmt nichts zurück.</translation>
     </message>
     <message>
         <source>There is no connection that could carry the stop, and the motor was not at rest when it was last heard. Closing this message starts nothing again.</source>
@@ -7235,6 +7256,10 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>%1 s ago</source>
         <translation>vor %1 s</translation>
+    </message>
+    <message>
+        <source>Motor %1</source>
+        <translation>Motor %1</translation>
     </message>
 </context>
 <context>

@@ -47,8 +47,10 @@ SessionThread::~SessionThread()
         Qt::QueuedConnection);
     if (!thread->wait(kMostWait_ms)) {
         thread->quit();
-        if (!thread->wait(kLastWait_ms))
+        if (!thread->wait(kLastWait_ms)) {
+            QObject::connect(thread, &QThread::finished, thread, &QObject::deleteLater);
             return;
+        }
     }
     delete thread;
 }

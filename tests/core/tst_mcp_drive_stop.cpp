@@ -29,6 +29,7 @@ private Q_SLOTS:
     void pressingAgainAndAgainHidesNoAlarm();
     void aLostLinkIsToldWhileAPersonKeepsPressing();
     void aStopInterruptsTheDisconnecting();
+    void whatWaitsToLeaveIsDroppedBeforeABlindStop();
 };
 
 void TestMcpDriveStop::stopGoesFirstEvenWithARequestOpen()
@@ -330,6 +331,34 @@ void TestMcpDriveStop::aStopInterruptsTheDisconnecting()
     QVERIFY(session.status[1].state == MotorState::Idle);
     session.drive->disconnect(session.now);
     QVERIFY(session.runUntil([&] { return session.link == LinkState::Closed; }, 1s));
+}
+
+void TestMcpDriveStop::whatWaitsToLeaveIsDroppedBeforeABlindStop()
+{
+    const auto drops = [](const std::vector<Output> &outputs) {
+        return std::any_of(
+            outputs.begin(), outputs.end(), [](const Output &one) { return one.dropsEarlier; });
+    };
+    Session idle;
+    QVERIFY(idle.startMotor());
+    idle.runUntil([&] { return idle.drive->nextTimeout() > idle.now + 50ms; }, 500ms);
+    idle.drive->stop(idle.now);
+    QVERIFY(!drops(idle.drive->takeOutput())); // the line is clean: nothing waits
+
+    Session stalled;
+    QVERIFY(stalled.startMotor());
+    stalled.submit(Command{MotorAction::StopRamp, 1}); // never leaves
+    static_cast<void>(stalled.drive->takeOutput());
+    stalled.drive->stop(stalled.now);
+    bool dropped = false;
+    for (int ms = 0; ms < 60 && !dropped; ++ms) {
+        stalled.now += 1ms;
+        stalled.drive->handleTimeout(stalled.now);
+        const std::vector<Output> outputs = stalled.drive->takeOutput();
+        QVERIFY(outputs.empty() || outputs.front().dropsEarlier); // at the first byte
+        dropped = !outputs.empty();
+    }
+    QVERIFY(dropped);
 }
 
 QTEST_APPLESS_MAIN(TestMcpDriveStop)

@@ -23,6 +23,7 @@ private Q_SLOTS:
     void anUnpluggedPortFailsOnceWhileWriting();
     void aSecondOpenIsRefusedAlsoByAnotherName();
     void aClosedPortCanBeOpenedAgain();
+    void whatALineDidNotTakeCanBeDropped();
     void whatIsNotASerialPortIsRefused();
     void aSpeedThatCannotBeIsRefused();
 };
@@ -152,6 +153,28 @@ void TestSerialTransport::aClosedPortCanBeOpenedAgain()
     }
     device.unplug();
     QCOMPARE(port.open(), PortProblem::NotFound);
+}
+
+void TestSerialTransport::whatALineDidNotTakeCanBeDropped()
+{
+    support::PseudoTerminal terminal;
+    Port port(terminal.path());
+    QCOMPARE(port.transport.open({}).problem, PortProblem::None);
+    // Nobody reads: the line takes a part, and the rest waits.
+    const Bytes start(256 * 1024, 0xAA);
+    port.transport.write(start, {});
+    QVERIFY(!port.transport.sent({}));
+    port.transport.discardOutput();
+    QVERIFY(port.transport.sent({}));
+    const Bytes stop{0x55};
+    port.transport.write(stop, {});
+    Bytes heard;
+    QTRY_VERIFY([&] {
+        const Bytes more = terminal.read();
+        heard.insert(heard.end(), more.begin(), more.end());
+        return !heard.empty() && heard.back() == 0x55;
+    }());
+    QVERIFY(heard.size() < start.size());
 }
 
 void TestSerialTransport::whatIsNotASerialPortIsRefused()

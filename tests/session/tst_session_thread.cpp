@@ -3,6 +3,9 @@
 #include "session/session_thread.h"
 
 #include <QElapsedTimer>
+#include <QPointer>
+#include <QSemaphore>
+#include <QThread>
 #include <QtTest>
 
 #include <optional>
@@ -16,6 +19,7 @@ private Q_SLOTS:
     void theBoardIsIdentifiedFromAnotherThread();
     void aStopFromThisThreadIsConfirmed();
     void theThreadEndsSoonWithAPortOpenAndWithout();
+    void aDriverThatHangsDoesNotHoldUsUp();
 };
 
 namespace {
@@ -75,6 +79,54 @@ void TestSessionThread::theThreadEndsSoonWithAPortOpenAndWithout()
         time.start();
     }
     QVERIFY2(time.elapsed() < 1900, qPrintable(QString::number(time.elapsed())));
+}
+
+namespace {
+
+/// A port whose driver does not come back from closing until it is let.
+class HangingPort : public session::Transport {
+public:
+    explicit HangingPort(QSemaphore &let)
+        : m_let(let)
+    {
+    }
+    session::PortError open(TimePoint) override { return {}; }
+    void close() override { m_let.acquire(); }
+    void write(ByteView, TimePoint) override { }
+    bool sent(TimePoint) const override { return true; }
+    void advance(TimePoint) override { }
+    std::optional<TimePoint> nextWake() const override { return {}; }
+    bool real() const override { return false; }
+
+private:
+    QSemaphore &m_let;
+};
+
+} // namespace
+
+void TestSessionThread::aDriverThatHangsDoesNotHoldUsUp()
+{
+    QSemaphore let;
+    session::Parts parts = session::realParts();
+    parts.transport = [&let](
+                          const session::Endpoint &) { return std::make_unique<HangingPort>(let); };
+    QPointer<QThread> left;
+    QElapsedTimer time;
+    {
+        SessionThread thread(parts);
+        left = thread.session()->thread();
+        bool opened = false;
+        connect(thread.session(), &Session::portChanged, this, [&opened] { opened = true; });
+        Session *session = thread.session();
+        QMetaObject::invokeMethod(
+            session, [session] { session->open({}); }, Qt::QueuedConnection);
+        QTRY_VERIFY(opened);
+        time.start();
+    }
+    QVERIFY2(time.elapsed() < 6000, qPrintable(QString::number(time.elapsed())));
+    QVERIFY(left && left->isRunning()); // not destroyed while it runs
+    let.release(100);
+    QTRY_VERIFY(!left);
 }
 
 QTEST_GUILESS_MAIN(TestSessionThread)

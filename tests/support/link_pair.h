@@ -157,8 +157,11 @@ public:
     void exchange()
     {
         takeEvents();
-        for (Output &output : drive->takeOutput())
+        for (Output &output : drive->takeOutput()) {
+            if (output.dropsEarlier)
+                m_sending.clear();
             m_sending.push_back(std::move(output));
+        }
         takeEvents();
     }
 

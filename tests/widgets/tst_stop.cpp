@@ -3,6 +3,7 @@
 #include "widgets/control/motor_button.h"
 #include "widgets/control/setpoint_edit.h"
 #include "widgets/control/stop_alarm.h"
+#include "widgets/control/stop_words.h"
 #include "widgets/window/about_dialog.h"
 
 #include <QComboBox>
@@ -14,6 +15,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPointer>
+#include <QPushButton>
 #include <QSignalSpy>
 
 class TestStop : public QObject {
@@ -149,11 +151,71 @@ private Q_SLOTS:
         QVERIFY(!device().armed());
     }
 
-    void withoutAPortThereIsNothingToStop()
+    void withoutAPortTheSessionIsTold()
     {
-        device().portChanged(session::PortState::Closed, {});
+        device().portChanged(session::PortState::Closed, {}); // it may be opening one
         QTest::keyClick(&m_rig->window, Qt::Key_Escape);
-        QCOMPARE(m_stops->size(), 0);
+        QCOMPARE(m_stops->size(), 1);
+    }
+
+    void aPortThatGoesWithAnOpenStopIsAlarmedAtOnce()
+    {
+        QSignalSpy forgotten(&device(), &widgets::Device::forgetStopWished);
+        auto *alarm = m_rig->find<widgets::StopAlarm>("stopAlarm");
+        device().setStopsWanted({QStringLiteral("/dev/ttyACM0")});
+        QVERIFY(alarm->isVisible());
+        QVERIFY(textOf(*alarm).contains(QStringLiteral("/dev/ttyACM0")));
+        auto *takeBack = m_rig->find<QPushButton>("takeStopBack");
+        QVERIFY(takeBack->isVisible());
+        alarm->reject(); // takes nothing back
+        QCOMPARE(forgotten.size(), 0);
+        device().setStopsWanted({});
+        QVERIFY(!alarm->isVisible()); // the port is back: the stop goes on, with its own words
+        device().setStopsWanted({QStringLiteral("/dev/ttyACM0")});
+        QVERIFY(alarm->isVisible()); // and gone again
+        device().setStopsWanted({});
+        QVERIFY(textOf(*alarm).contains(QStringLiteral("open again")));
+        QVERIFY(!takeBack->isVisible());
+        device().setStopsWanted({QStringLiteral("/dev/ttyACM0")});
+        takeBack->click();
+        QCOMPARE(forgotten.size(), 1);
+        QVERIFY(!alarm->isVisible());
+        facts::feed(device(), {drive::StopProgress{1, drive::StopWord::NotConfirmed, {}}});
+        device().setStopsWanted({});
+        QVERIFY(!takeBack->isVisible()); // nothing of another port can be taken back here
+    }
+
+    void theAlarmTellsOfEachMotor()
+    {
+        using drive::StopWord;
+        auto *alarm = m_rig->find<widgets::StopAlarm>("stopAlarm");
+        facts::feed(device(),
+            {drive::StopProgress{1, StopWord::NotConfirmed, {}},
+                drive::StopProgress{2, StopWord::NotConfirmed, {}}});
+        QVERIFY(textOf(*alarm).contains(QStringLiteral("Motor 1 was told to stop")));
+        QVERIFY(textOf(*alarm).contains(QStringLiteral("Motor 2 was told to stop")));
+        facts::feed(device(),
+            {drive::StopProgress{1, StopWord::DriveIdle, {}},
+                drive::StopProgress{1, StopWord::Standstill, {}}});
+        QVERIFY(textOf(*alarm).contains(QStringLiteral("Motor 1: meanwhile standstill")));
+        QVERIFY(textOf(*alarm).contains(QStringLiteral("Motor 2 was told to stop")));
+    }
+
+    void theWordsAreToldOfEachMotor()
+    {
+        using drive::StopWord;
+        const auto *words = m_rig->window.findChild<widgets::StopWords *>();
+        for (const StopWord word :
+            {StopWord::Requested, StopWord::Accepted, StopWord::DriveIdle, StopWord::Standstill})
+            facts::feed(device(), {drive::StopProgress{1, word, {}}});
+        QVERIFY(words->ended());
+        facts::feed(device(), {drive::StopProgress{2, StopWord::Requested, {}}}); // becomes known
+        QVERIFY(!words->ended());
+        const QStringList lines = words->text().split(QLatin1Char('\n'));
+        QCOMPARE(lines.size(), 7); // two names, four words, and one
+        QCOMPARE(lines[0], QStringLiteral("Motor 1"));
+        QCOMPARE(lines[5], QStringLiteral("Motor 2"));
+        QVERIFY(lines[6].contains(QStringLiteral("requested")));
     }
 
     void whileTheLinkIsLostAStopIsStillSent()
@@ -177,7 +239,7 @@ private Q_SLOTS:
             session::PortState::Closed, {session::PortProblem::Unplugged, QStringLiteral("gone")});
         QVERIFY(!alarm->isVisible());
         QTest::keyClick(&m_rig->window, Qt::Key_Escape);
-        QCOMPARE(m_stops->size(), 0);
+        QCOMPARE(m_stops->size(), 1); // for the port that is being opened again
         QVERIFY(alarm->isVisible());
         QTest::keyClick(alarm, Qt::Key_Escape); // closes it, and does not raise it again at once
         QVERIFY(!alarm->isVisible());
@@ -297,6 +359,13 @@ private Q_SLOTS:
     }
 
 private:
+    static QString textOf(const QWidget &dialog)
+    {
+        QString all;
+        for (const auto *label : dialog.findChildren<QLabel *>())
+            all += label->text() + QLatin1Char('\n');
+        return all;
+    }
     widgets::Device &device() { return m_rig->workbench.device(); }
 
     std::unique_ptr<facts::WindowRig> m_rig;

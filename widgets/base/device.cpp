@@ -96,13 +96,15 @@ void Device::close() { Q_EMIT closeWished(); }
 
 void Device::stop()
 {
-    if (!portOpen()) {
+    if (!portOpen())
         Q_EMIT stopImpossible();
-        return;
-    }
     Q_EMIT stopWished();
     armedChanged(false);
 }
+
+void Device::forgetStop() { Q_EMIT forgetStopWished(); }
+
+void Device::setStopsWanted(const QStringList &ports) { Q_EMIT stopsWanted(ports); }
 
 void Device::setArmed(bool armed)
 {

@@ -62,8 +62,11 @@ public:
 public Q_SLOTS:
     void open(const session::Endpoint &endpoint);
     void close();
-    /// Every motor, ahead of everything; also disarms at once. Harmless without an open port.
+    /// Every motor, ahead of everything; also disarms at once. Without an open port it is kept for one that is being
+    /// opened, or opened again; where there is none nothing can carry it.
     void stop();
+    void forgetStop(); ///< a person takes back the stops that are still wanted somewhere
+    void setStopsWanted(const QStringList &ports); ///< which cannot be carried out now
     void setArmed(bool armed);
     void setMotor(int motor);
     void setUserLimits(const drive::UserLimits &limits); ///< ignored if they bound nothing sensibly
@@ -82,7 +85,8 @@ Q_SIGNALS:
     void closeWished();
     void wishMade(const drive::Wish &wish);
     void stopWished();
-    void stopImpossible(); ///< no port is open: nothing can carry a stop
+    void stopImpossible(); ///< no port is open: nothing can carry a stop now
+    void forgetStopWished();
     void armWished(bool armed);
 
     // Toward the panels.
@@ -99,6 +103,8 @@ Q_SIGNALS:
     void cyclicSetPointsChanged();
     void samplesArrived(const capture::SampleBlock &block);
     void stopAdvanced(const drive::StopProgress &progress);
+    /// Ports at which a stop is wanted, and that are not open.
+    void stopsWanted(const QStringList &ports);
     void motionLogged(const drive::MotionRecord &record);
     void countersChanged();
     void batchApplied();

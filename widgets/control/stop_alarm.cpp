@@ -37,6 +37,13 @@ void StopAlarm::make()
 
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    m_takeBack = buttons->addButton(tr("Take the Stop &back"), QDialogButtonBox::DestructiveRole);
+    m_takeBack->setObjectName(QStringLiteral("takeStopBack"));
+    m_takeBack->setAutoDefault(false);
+    connect(m_takeBack, &QPushButton::clicked, this, [this] {
+        Q_EMIT takenBack();
+        reject();
+    });
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(28, 24, 28, 20);
     layout->setSpacing(14);
@@ -45,21 +52,23 @@ void StopAlarm::make()
     layout->addWidget(buttons);
 }
 
-void StopAlarm::raiseWith(const QString &detail)
+void StopAlarm::raiseWith(const QString &text)
 {
     if (!m_text)
         make();
     m_text->setText(stopNotConfirmedText());
-    m_detail->setText(detail);
+    m_detail->setText(text);
+    m_takeBack->setVisible(!m_ports.isEmpty());
     open();
     raise();
 }
 
 void StopAlarm::raiseAlarm(int motor)
 {
-    raiseWith(tr("Motor %1 was told to stop, but neither its state nor its speed shows that it "
-                 "did. Rotorscope goes on trying. Closing this message starts nothing again.")
-                  .arg(QString::number(motor)));
+    if (!isVisible())
+        m_motors.clear();
+    m_motors[motor] = drive::StopWord::NotConfirmed;
+    raiseWith(detail());
 }
 
 void StopAlarm::raiseNotSent()
@@ -68,10 +77,75 @@ void StopAlarm::raiseNotSent()
                  "when it was last heard. Closing this message starts nothing again."));
 }
 
-void StopAlarm::confirmedLate()
+void StopAlarm::showWanted(const QStringList &ports)
 {
-    if (isVisible())
-        m_detail->setText(tr("Meanwhile standstill was measured."));
+    const bool more = ports.size() > m_ports.size();
+    m_ports = ports;
+    if (more) {
+        if (!isVisible())
+            m_motors.clear();
+        raiseWith(detail());
+    } else if (isVisible()) {
+        m_takeBack->setVisible(!ports.isEmpty());
+        m_detail->setText(detail());
+    }
+}
+
+void StopAlarm::take(const drive::StopProgress &progress)
+{
+    const auto known = m_motors.find(progress.motor);
+    const bool confirms =
+        progress.word == drive::StopWord::DriveIdle || progress.word == drive::StopWord::Standstill;
+    if (known != m_motors.end() && confirms)
+        known->second = progress.word;
+    else if (confirms && isVisible()) // of a port that is back
+        m_motors[progress.motor] = progress.word;
+    if (isVisible() && confirms)
+        m_detail->setText(detail());
+}
+
+QString StopAlarm::detail() const
+{
+    QStringList parts;
+    if (!m_ports.isEmpty())
+        parts.append(ofPorts());
+    if (!m_motors.empty())
+        parts.append(ofMotors());
+    if (parts.isEmpty())
+        parts.append(tr("The port is open again, and the stop goes on."));
+    return parts.join(QStringLiteral("\n\n"));
+}
+
+/// Each motor for itself: that one stands says nothing of another.
+QString StopAlarm::ofMotors() const
+{
+    QStringList lines;
+    bool trying = false;
+    for (const auto &[motor, word] : m_motors) {
+        const QString number = QString::number(motor);
+        if (word == drive::StopWord::Standstill)
+            lines.append(tr("Motor %1: meanwhile standstill was measured.").arg(number));
+        else if (word == drive::StopWord::DriveIdle)
+            lines.append(tr("Motor %1: meanwhile its drive is idle.").arg(number));
+        else
+            lines.append(tr("Motor %1 was told to stop, but neither its state nor its speed shows "
+                            "that it did.")
+                             .arg(number));
+        trying = trying || word == drive::StopWord::NotConfirmed;
+    }
+    if (trying)
+        lines.append(tr("Rotorscope goes on trying. Closing this message starts nothing again."));
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString StopAlarm::ofPorts() const
+{
+    return tr("%1 is not open any more, and no evidence of the stop had come. The motor may still "
+              "be turning. "
+              "As soon as a port is open again, what is found there is stopped before anything "
+              "else. Closing this message starts nothing again and takes nothing back.",
+        "one or more ports")
+        .arg(m_ports.join(QStringLiteral(", ")));
 }
 
 } // namespace widgets

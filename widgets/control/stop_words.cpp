@@ -6,6 +6,8 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include <algorithm>
+
 namespace widgets {
 namespace {
 
@@ -23,64 +25,105 @@ QLabel *plainLabel(QWidget *parent)
 
 StopWords::StopWords(QWidget *parent)
     : QWidget(parent)
+    , m_grid(new QGridLayout(this))
 {
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setVerticalSpacing(1);
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid->setVerticalSpacing(1);
+    m_grid->setColumnStretch(0, 1);
+    motor(1);
+}
+
+StopWords::Motor &StopWords::motor(int number)
+{
+    const auto [at, isNew] = m_motors.try_emplace(number);
+    Motor &motor = at->second;
+    if (!isNew)
+        return motor;
+    constexpr int kRows = kWords + 1;
+    const int top = kRows * static_cast<int>(m_motors.size());
+    motor.name = plainLabel(this);
+    motor.name->setText(tr("Motor %1").arg(QString::number(number)));
+    m_grid->addWidget(motor.name, top, 0, 1, 2);
     for (std::size_t i = 0; i < kWords; ++i) {
-        m_lines[i].mark = plainLabel(this);
-        m_lines[i].age = plainLabel(this);
-        m_lines[i].age->setAlignment(Qt::AlignRight);
-        grid->addWidget(m_lines[i].mark, static_cast<int>(i), 0);
-        grid->addWidget(m_lines[i].age, static_cast<int>(i), 1);
+        Line &line = motor.lines[i];
+        line.mark = plainLabel(this);
+        line.age = plainLabel(this);
+        line.age->setAlignment(Qt::AlignRight);
+        m_grid->addWidget(line.mark, top + 1 + static_cast<int>(i), 0);
+        m_grid->addWidget(line.age, top + 1 + static_cast<int>(i), 1);
     }
-    grid->setColumnStretch(0, 1);
-    clear();
+    clear(motor);
+    for (auto &[any, one] : m_motors)
+        one.name->setVisible(m_motors.size() > 1);
+    return motor;
+}
+
+void StopWords::clear(Motor &motor)
+{
+    for (std::size_t i = 0; i < kWords; ++i) {
+        Line &line = motor.lines[i];
+        line.since.reset();
+        line.mark->setText(QStringLiteral("\u25cb ") + stopWordText(kOrder[i]));
+        line.mark->setEnabled(false);
+        line.age->clear();
+    }
 }
 
 void StopWords::clear()
 {
-    for (std::size_t i = 0; i < kWords; ++i) {
-        m_lines[i].since.reset();
-        m_lines[i].mark->setText(QStringLiteral("\u25cb ") + stopWordText(kOrder[i]));
-        m_lines[i].mark->setEnabled(false);
-        m_lines[i].age->clear();
-    }
+    for (auto &[number, motor] : m_motors)
+        clear(motor);
 }
 
 void StopWords::take(const drive::StopProgress &progress, Milliseconds now)
 {
-    if (progress.word == drive::StopWord::Requested)
-        clear();
     const auto found = std::find(kOrder.begin(), kOrder.end(), progress.word);
     if (found == kOrder.end())
         return; // NotConfirmed: the alarm says it, the words stay where the evidence is
-    const auto i = static_cast<std::size_t>(found - kOrder.begin());
-    m_lines[i].since = now;
-    m_lines[i].mark->setText(QStringLiteral("\u25cf ") + stopWordText(progress.word));
-    m_lines[i].mark->setEnabled(true);
+    Motor &motor = this->motor(progress.motor);
+    std::optional<Milliseconds> since = now;
+    if (progress.word == drive::StopWord::Requested) {
+        // A stop that goes on over a connection that was lost is as old as it is.
+        if (const auto asked = motor.lines.front().since; asked && !motor.lines[2].since)
+            since = asked;
+        clear(motor);
+    }
+    Line &line = motor.lines[static_cast<std::size_t>(found - kOrder.begin())];
+    line.since = since;
+    line.mark->setText(QStringLiteral("\u25cf ") + stopWordText(progress.word));
+    line.mark->setEnabled(true);
     refresh(now);
 }
 
 void StopWords::refresh(Milliseconds now)
 {
-    for (const Line &line : m_lines) {
-        if (!line.since)
-            continue;
-        const double age = static_cast<double>((now - *line.since).count()) / 1000.0;
-        line.age->setText(tr("%1 s ago").arg(numberText(age, age < 10.0 ? 1 : 0)));
+    for (const auto &[number, motor] : m_motors) {
+        for (const Line &line : motor.lines) {
+            if (!line.since)
+                continue;
+            const double age = static_cast<double>((now - *line.since).count()) / 1000.0;
+            line.age->setText(tr("%1 s ago").arg(numberText(age, age < 10.0 ? 1 : 0)));
+        }
     }
 }
 
-bool StopWords::ended() const { return m_lines.back().since.has_value(); }
+bool StopWords::ended() const
+{
+    return std::all_of(m_motors.begin(), m_motors.end(),
+        [](const auto &one) { return one.second.lines.back().since.has_value(); });
+}
 
 QString StopWords::text() const
 {
-    QStringList lines;
-    for (const Line &line : m_lines)
-        if (line.since)
-            lines.append(line.mark->text());
-    return lines.join(QLatin1Char('\n'));
+    QStringList words;
+    for (const auto &[number, motor] : m_motors) {
+        if (m_motors.size() > 1)
+            words.append(motor.name->text());
+        for (const Line &line : motor.lines)
+            if (line.since)
+                words.append(line.mark->text());
+    }
+    return words.join(QLatin1Char('\n'));
 }
 
 } // namespace widgets

@@ -1,4 +1,5 @@
-// StopWords: how far the last stop has got, in four words, each with its age and never ahead of its evidence.
+// StopWords: how far the last stop has got, in four words for each motor, each with its age and never ahead of its
+// evidence: that one motor stands says nothing of another.
 #pragma once
 
 #include "drive/event.h"
@@ -7,8 +8,10 @@
 #include <QWidget>
 
 #include <array>
+#include <map>
 #include <optional>
 
+class QGridLayout;
 class QLabel;
 
 namespace widgets {
@@ -23,8 +26,8 @@ public:
     void take(const drive::StopProgress &progress, Milliseconds now);
     void refresh(Milliseconds now); ///< the ages go on
     void clear();
-    bool ended() const; ///< the last word was reached
-    QString text() const; ///< all lines, for tests and screen readers
+    bool ended() const; ///< every motor has reached the last word
+    QString text() const; ///< all words that were reached, for tests and screen readers
 
 private:
     struct Line {
@@ -32,7 +35,15 @@ private:
         QLabel *age = nullptr;
         std::optional<Milliseconds> since;
     };
-    std::array<Line, kWords> m_lines;
+    struct Motor {
+        QLabel *name = nullptr; ///< shown where there is more than one
+        std::array<Line, kWords> lines;
+    };
+    Motor &motor(int number);
+    static void clear(Motor &motor);
+
+    QGridLayout *m_grid;
+    std::map<int, Motor> m_motors;
 };
 
 } // namespace widgets

@@ -432,6 +432,11 @@ void MainWindow::connectParts()
     connect(&m_device, &Device::portStateChanged, this, &MainWindow::portChanged);
     connect(&m_device, &Device::armedStateChanged, this, &MainWindow::updateFrame);
     connect(&m_device, &Device::stopAdvanced, this, &MainWindow::stopAdvanced);
+    connect(&m_device, &Device::stopsWanted, this, [this](const QStringList &ports) {
+        if (!m_shutdown->underWay())
+            m_alarm->showWanted(ports);
+    });
+    connect(m_alarm, &StopAlarm::takenBack, &m_device, &Device::forgetStop);
     connect(&m_device, &Device::stopImpossible, this, [this] {
         if (m_told == Told::Loss && !m_device.allIdle() && !m_alarm->isVisible())
             m_alarm->raiseNotSent();
@@ -534,8 +539,8 @@ void MainWindow::stopAdvanced(const drive::StopProgress &progress)
 {
     if (progress.word == drive::StopWord::NotConfirmed && !m_shutdown->underWay())
         m_alarm->raiseAlarm(progress.motor);
-    else if (progress.word == drive::StopWord::Standstill)
-        m_alarm->confirmedLate();
+    else
+        m_alarm->take(progress);
 }
 
 void MainWindow::askForLimits()

@@ -44,7 +44,13 @@ void Workbench::connectSession()
     connect(&m_device, &Device::wishMade, session, &Session::submit);
     connect(&m_device, &Device::armWished, session, &Session::setArmed);
     // A stop does not queue behind what was asked before it.
-    connect(&m_device, &Device::stopWished, this, [session] { session->stopFromAnyThread(); });
+    connect(&m_device, &Device::stopWished, this, [this, session] {
+        session->stopFromAnyThread();
+        if (!m_device.portOpen()) // nor is it lost before a port that is still to be opened
+            QMetaObject::invokeMethod(session, &Session::stop, Qt::QueuedConnection);
+    });
+    connect(&m_device, &Device::forgetStopWished, session, &Session::forgetStop);
+    connect(session, &Session::stopsWanted, &m_device, &Device::setStopsWanted);
 
     connect(session, &Session::portChanged, &m_device, &Device::portChanged);
     connect(session, &Session::armedChanged, &m_device, &Device::armedChanged);
