@@ -31,7 +31,7 @@ void StopSequence::begin(int motors, TimePoint now)
     m_blindUntil = now + kBlindTime;
     std::erase_if(m_motors, [](const Motor &motor) { return motor.idle; });
     for (Motor &motor : m_motors)
-        motor.nextStop = now;
+        motor.nextStop = std::min(motor.nextStop, now); // who waits for longer stays first
     add(motors, now);
 }
 
@@ -72,10 +72,12 @@ std::optional<int> StopSequence::stopDue(TimePoint now, bool connected) const
 {
     if (!connected && !blind(now))
         return std::nullopt;
+    const Motor *due = nullptr; // waiting for longest: nobody starves where no answer comes
     for (const Motor &motor : m_motors)
-        if (!motor.idle && motor.nextStop <= now)
-            return motor.number;
-    return std::nullopt;
+        if (!motor.idle && motor.nextStop <= now
+            && (due == nullptr || motor.nextStop < due->nextStop))
+            due = &motor;
+    return due == nullptr ? std::nullopt : std::optional(due->number);
 }
 
 void StopSequence::stopSent(int number, TimePoint now)

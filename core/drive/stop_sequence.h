@@ -57,7 +57,7 @@ public:
     TimePoint blindUntil() const { return m_blindUntil; }
     bool blind(TimePoint now) const { return active() && now < m_blindUntil; }
 
-    /// The motor that a STOP is due for; `connected` says whether there is a link.
+    /// The motor that a STOP is due for, and has been for longest; `connected` says whether there is a link.
     std::optional<int> stopDue(TimePoint now, bool connected) const;
     void stopSent(int number, TimePoint now);
     void stopAnswered(int number, TimePoint now);

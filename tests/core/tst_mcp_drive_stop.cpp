@@ -28,6 +28,7 @@ private Q_SLOTS:
     void aMotorThatBecomesKnownIsStoppedThoughAnotherNeverIs();
     void pressingAgainAndAgainHidesNoAlarm();
     void aLostLinkIsToldWhileAPersonKeepsPressing();
+    void blindStopsReachEveryMotor();
     void aStopInterruptsTheDisconnecting();
     void whatWaitsToLeaveIsDroppedBeforeABlindStop();
 };
@@ -311,6 +312,21 @@ void TestMcpDriveStop::aLostLinkIsToldWhileAPersonKeepsPressing()
     QVERIFY(lost && *lost - asked <= 1200ms);
     session.toDrive.cut = session.toBoard.cut = false;
     QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::DriveIdle); }, 5s));
+}
+
+void TestMcpDriveStop::blindStopsReachEveryMotor()
+{
+    Session session(true, twoMotors());
+    QVERIFY(bothRun(session));
+    session.toDrive.cut = true; // the board hears, nobody hears the board
+    session.requests.clear();
+    session.drive->stop(session.now);
+    session.exchange();
+    session.runFor(1s);
+    for (const unsigned motor : {1U, 2U})
+        QVERIFY(std::count(session.requests.begin(), session.requests.end(), stopOf(motor)) >= 3);
+    session.toDrive.cut = false;
+    QVERIFY(session.runUntil([&] { return !session.drive->stopOpen(); }, 3s));
 }
 
 void TestMcpDriveStop::aStopInterruptsTheDisconnecting()

@@ -51,6 +51,7 @@ private Q_SLOTS:
     void aMotorThatTheBoardDoesNotHaveLeaves();
     void askedAgainAnOpenStopKeepsItsHalfSecond();
     void askedAgainAnIdleMotorIsStoppedAnew();
+    void eachMotorGetsItsTurnThoughNobodyAnswers();
     void blindTimeCountsFromTheLastPress();
     void followingBeginsNothing();
 };
@@ -195,6 +196,23 @@ void TestStopSequence::askedAgainAnIdleMotorIsStoppedAnew()
     seeIdle(stop, t + 200ms); // of before
     QVERIFY(stop.open());
     QCOMPARE(stop.nextAlarm(), std::optional<TimePoint>(t + 800ms));
+}
+
+void TestStopSequence::eachMotorGetsItsTurnThoughNobodyAnswers()
+{
+    for (const bool pressing : {false, true}) {
+        StopSequence stop;
+        stop.begin(2, t);
+        int last = 0;
+        for (TimePoint now = t; now < t + 1s; now += StopSequence::kRepeat) { // one STOP at a time
+            if (pressing)
+                stop.begin(2, now);
+            const auto motor = stop.stopDue(now, false);
+            QVERIFY(motor && *motor != last);
+            stop.stopSent(*motor, now);
+            last = *motor;
+        }
+    }
 }
 
 void TestStopSequence::blindTimeCountsFromTheLastPress()

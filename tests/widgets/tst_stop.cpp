@@ -158,6 +158,15 @@ private Q_SLOTS:
         QCOMPARE(m_stops->size(), 1);
     }
 
+    void aStopWhileThePortIsBeingOpenedIsNotLost()
+    {
+        QSignalSpy words(&device(), &widgets::Device::stopAdvanced);
+        device().portChanged(session::PortState::Closed, {});
+        device().open({}); // the simulated board; the session has not heard of it yet
+        QTest::keyClick(&m_rig->window, Qt::Key_Escape);
+        QTRY_VERIFY(words.size() >= 1);
+    }
+
     void aPortThatGoesWithAnOpenStopIsAlarmedAtOnce()
     {
         QSignalSpy forgotten(&device(), &widgets::Device::forgetStopWished);
