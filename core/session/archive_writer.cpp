@@ -1,6 +1,7 @@
 #include "session/archive_writer.h"
 
 #include "session/disk_sync.h"
+#include "session/mapped_pieces.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -34,25 +35,26 @@ struct ArchiveWriter::Piece {
     QFile file;
     const std::byte *bytes = nullptr;
     std::size_t size = 0;
-    std::shared_ptr<std::atomic<std::uint64_t>> total;
+    std::shared_ptr<ArchiveShared> archive;
 
-    Piece(
-        const QString &path, std::size_t bytesOfIt, std::shared_ptr<std::atomic<std::uint64_t>> of)
+    Piece(const QString &path, std::size_t bytesOfIt, std::shared_ptr<ArchiveShared> of)
         : file(path)
         , size(bytesOfIt)
-        , total(std::move(of))
+        , archive(std::move(of))
     {
-        total->fetch_add(size, std::memory_order_relaxed);
+        archive->bytes.fetch_add(size, std::memory_order_relaxed);
     }
     Piece(const Piece &) = delete;
     Piece &operator=(const Piece &) = delete;
     ~Piece()
     {
         // The file object maps for reading only; it takes the address back as it gave it.
-        if (bytes)
+        if (bytes) {
+            unguardPiece(bytes);
             file.unmap(reinterpret_cast<uchar *>(const_cast<std::byte *>(bytes)));
+        }
         file.remove();
-        total->fetch_sub(size, std::memory_order_relaxed);
+        archive->bytes.fetch_sub(size, std::memory_order_relaxed);
     }
 };
 
@@ -85,7 +87,7 @@ std::unique_ptr<ArchiveWriter::Piece> ArchiveWriter::makePiece(
     const std::vector<capture::Stretch> &stretches)
 {
     using Reason = ArchiveFailure::Reason;
-    if (m_stopped.load(std::memory_order_relaxed))
+    if (m_stopped.load(std::memory_order_relaxed) || m_shared->unreadable.load())
         return nullptr;
     if (!makeFolder()) {
         fail(Reason::NoFolder, QString());
@@ -100,7 +102,7 @@ std::unique_ptr<ArchiveWriter::Piece> ArchiveWriter::makePiece(
     const QString path =
         QDir(m_config.folder)
             .filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) + kEnding);
-    auto piece = std::make_unique<Piece>(path, size, m_bytes);
+    auto piece = std::make_unique<Piece>(path, size, m_shared);
     QFile file(path);
     if (!file.open(QIODevice::WriteOnly | QIODevice::NewOnly | QIODevice::Unbuffered,
             QFile::ReadOwner | QFile::WriteOwner)
@@ -122,6 +124,9 @@ std::unique_ptr<ArchiveWriter::Piece> ArchiveWriter::makePiece(
         fail(Reason::WriteFailed, piece->file.errorString());
         return nullptr;
     }
+    guardPiece(piece->bytes, size, m_shared->unreadable);
+    if (m_config.mapped)
+        m_config.mapped(path);
     piece->file.close();
     QFile::remove(path); // from here on nothing is left behind, however the program ends
     return piece;
@@ -173,6 +178,12 @@ std::shared_ptr<const std::byte> ArchiveWriter::shared(std::unique_ptr<Piece> pi
                 QMetaObject::invokeMethod(
                     self.get(), [last = std::shared_ptr<Piece>(owned)] {}, Qt::QueuedConnection);
             }};
+}
+
+void ArchiveWriter::tellUnreadable()
+{
+    m_told = false; // it is another matter than what may have been told
+    fail(ArchiveFailure::Reason::ReadFailed, QString());
 }
 
 void ArchiveWriter::fail(ArchiveFailure::Reason reason, const QString &systemText)

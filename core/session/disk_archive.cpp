@@ -27,8 +27,21 @@ DiskArchive::~DiskArchive()
     m_thread.wait();
 }
 
+std::uint64_t DiskArchive::budget() const
+{
+    if (!m_writer->unreadable())
+        return m_budget.load(std::memory_order_relaxed);
+    if (!m_toldUnreadable.exchange(true))
+        QMetaObject::invokeMethod(
+            m_writer.get(), [writer = m_writer.get()] { writer->tellUnreadable(); },
+            Qt::QueuedConnection);
+    return 0;
+}
+
 void DiskArchive::setBudget(std::uint64_t bytes)
 {
+    m_writer->readAgain();
+    m_toldUnreadable.store(false);
     m_budget.store(bytes, std::memory_order_relaxed);
     QMetaObject::invokeMethod(
         m_writer.get(), [writer = m_writer.get()] { writer->tellAgain(); }, Qt::QueuedConnection);

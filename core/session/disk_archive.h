@@ -1,14 +1,17 @@
 // DiskArchive: the archive of a capture on a disk. What is handed over is written in a thread of its own into files
 // without a name, so that nothing is left behind however the program ends, and can then be read from there as if it
 // were memory. It never writes to a page that is mapped: neither the window nor the link waits for a disk that is slow
-// to write. Whoever reads samples that the system has put out of memory waits for the disk to read them: milliseconds,
-// and on a disk that fails while it is read the system ends the program.
+// to write. Whoever reads samples that the system has put out of memory waits for the disk to read them: milliseconds.
+// On a disk that fails while it is read the archive gives itself up: its budget is 0 until a person sets another, so that
+// the capture lets go of what lies there. What was read meanwhile may be zeros.
 #pragma once
 
 #include "capture/sample_archive.h"
 
 #include <QObject>
 #include <QThread>
+
+#include <functional>
 
 namespace session {
 
@@ -20,6 +23,7 @@ struct ArchiveFailure {
         NoFolder, ///< it cannot be made
         LittleRoom, ///< others need what is left on the disk
         WriteFailed,
+        ReadFailed, ///< what was there is lost
     } reason = Reason::WriteFailed;
     QString folder;
     QString systemText; ///< the system's words; may be empty
@@ -34,12 +38,14 @@ public:
         std::uint64_t leaveFree = std::uint64_t{1} << 30; ///< bytes on the disk that are for others
         std::size_t pieceBytes = std::size_t{16}
             << 20; ///< of a file: the system can map some ten thousand
+        /// Told of each file that is mapped while it still has its name, in the archive's thread; tests harm it then.
+        std::function<void(const QString &path)> mapped = {};
     };
     explicit DiskArchive(Config config);
     /// Waits for what is being written now, not for what waits. What was stored can be read as long as it is held.
     ~DiskArchive() override;
 
-    std::uint64_t budget() const override { return m_budget.load(std::memory_order_relaxed); }
+    std::uint64_t budget() const override;
     /// In the thread of the archive. A failure is told again from then on.
     void setBudget(std::uint64_t bytes);
     std::size_t pieceBytes() const override { return m_config.pieceBytes; }
@@ -54,6 +60,7 @@ Q_SIGNALS:
 private:
     Config m_config;
     std::atomic<std::uint64_t> m_budget;
+    mutable std::atomic<bool> m_toldUnreadable = false;
     QThread m_thread;
     std::shared_ptr<ArchiveWriter> m_writer; ///< works in m_thread; what is stored holds it
 };

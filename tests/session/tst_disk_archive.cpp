@@ -29,6 +29,7 @@ private Q_SLOTS:
     void aDiskWithLittleRoomIsLeftToOthers();
     void whatAProgramLeftBehindIsRemoved();
     void theUsualBudgetHasBounds();
+    void aDiskThatFailsWhileItIsReadIsNoDeath();
 };
 
 namespace {
@@ -262,6 +263,42 @@ void TestDiskArchive::theUsualBudgetHasBounds()
     QVERIFY(budget <= 16'000'000'000);
     const QStorageInfo disk(place.path());
     QCOMPARE(budget == 0, disk.fileSystemType() == "tmpfs");
+}
+
+/// A file that becomes shorter under its mapping cannot be read: as with a disk that dies.
+void TestDiskArchive::aDiskThatFailsWhileItIsReadIsNoDeath()
+{
+    QTemporaryDir place;
+    std::atomic<bool> harm{false};
+    const auto archive = std::make_shared<DiskArchive>(DiskArchive::Config{.folder = place.path(),
+        .budget = kBudget,
+        .leaveFree = 0,
+        .pieceBytes = kPiece,
+        .mapped = [&harm](const QString &path) {
+            if (harm)
+                QFile::resize(path, 4096);
+        }});
+    QSignalSpy failures(archive.get(), &DiskArchive::failed);
+    CaptureTwins twins({.maxBytes = kMemory, .archive = archive, .patient = true});
+    twins.record(1'000'000);
+    harm = true;
+    twins.record(2'000'000);
+    QVERIFY(twins.small.archivedBytes() > kMemory);
+    const auto ids = twins.small.streaming();
+    const auto span = *twins.small.timeSpan();
+    QVERIFY(
+        !CaptureTwins::csvOf(twins.small, ids, {span.from, span.to}).empty()); // reads all there is
+    QCOMPARE(archive->budget(), std::uint64_t(0));
+    QTRY_COMPARE(failures.size(), 1);
+    QVERIFY(failures.front().front().value<ArchiveFailure>().reason
+        == ArchiveFailure::Reason::ReadFailed);
+    harm = false;
+    twins.record(60'000); // the capture lets go of what it can trust no more
+    QCOMPARE(twins.small.archivedBytes(), std::uint64_t(0));
+    QVERIFY(twins.small.released() > 0);
+    twins.verifyTheSame(50); // and what is left is true
+    archive->setBudget(kBudget);
+    QCOMPARE(archive->budget(), kBudget);
 }
 
 QTEST_GUILESS_MAIN(TestDiskArchive)

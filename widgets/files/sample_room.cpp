@@ -128,6 +128,10 @@ void SampleRoom::tellFailure(const session::ArchiveFailure &failure)
         what = tr("Less than 1 GB is free on the disk of %1, so no more samples go there.")
                    .arg(folder);
         break;
+    case Reason::ReadFailed:
+        what =
+            tr("The disk of %1 cannot be read any more: the samples on it are let go.").arg(folder);
+        break;
     case Reason::WriteFailed:
         what = tr("The disk of %1 takes no more samples (%2).")
                    .arg(folder, deviceText(failure.systemText));
