@@ -1311,6 +1311,10 @@
         <comment>a person says it</comment>
         <translation>Stromskala</translation>
     </message>
+    <message>
+        <source>Rotorscope did not run for a while. Its guardian has told every motor on %1 to stop, without evidence that they did. It connects anew; arm again to move.</source>
+        <translation>Rotorscope lief eine Weile nicht. Sein Wächter hat jedem Motor an %1 befohlen anzuhalten; dass sie es taten, ist nicht belegt. Es verbindet sich neu; zum Bewegen erneut freigeben.</translation>
+    </message>
 </context>
 <context>
     <name>Motion</name>
@@ -6176,6 +6180,10 @@ mN·m</translation>
     <message>
         <source>The connection and the scope go on; when the room that is left is full, the oldest samples are let go.</source>
         <translation>Verbindung und Oszilloskop laufen weiter; ist der verbleibende Platz voll, werden die ältesten Messwerte verworfen.</translation>
+    </message>
+    <message>
+        <source>The disk of %1 cannot be read any more: the samples on it are let go.</source>
+        <translation>Die Platte von %1 ist nicht mehr lesbar: Die Messwerte darauf werden verworfen.</translation>
     </message>
 </context>
 <context>

@@ -1311,6 +1311,10 @@
         <comment>a person says it</comment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Rotorscope did not run for a while. Its guardian has told every motor on %1 to stop, without evidence that they did. It connects anew; arm again to move.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Motion</name>
@@ -6169,6 +6173,10 @@ mN·m</source>
     </message>
     <message>
         <source>The connection and the scope go on; when the room that is left is full, the oldest samples are let go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The disk of %1 cannot be read any more: the samples on it are let go.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

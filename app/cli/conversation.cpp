@@ -30,12 +30,20 @@ session::Endpoint endpointOf(const Arguments &arguments)
     return endpoint;
 }
 
+session::Parts guarded(std::shared_ptr<session::Guardian> guardian)
+{
+    session::Parts parts = session::realParts();
+    parts.guardian = std::move(guardian);
+    return parts;
+}
+
 } // namespace
 
-Conversation::Conversation(const Arguments &arguments, const Interrupt &interrupt)
+Conversation::Conversation(const Arguments &arguments, const Interrupt &interrupt,
+    std::shared_ptr<session::Guardian> guardian)
     : m_arguments(arguments)
     , m_interrupt(interrupt)
-    , m_session(session::tapped(session::realParts(), m_tap))
+    , m_session(session::tapped(guarded(std::move(guardian)), m_tap))
 {
     using session::Session;
     QObject::connect(&m_session, &Session::batch, this, &Conversation::takeBatch);

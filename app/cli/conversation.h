@@ -25,7 +25,9 @@ class Conversation : public QObject {
 public:
     using Milliseconds = std::chrono::milliseconds;
 
-    Conversation(const Arguments &arguments, const Interrupt &interrupt);
+    /// @param guardian  stops the motors if this program dies; nullptr: they go on
+    Conversation(const Arguments &arguments, const Interrupt &interrupt,
+        std::shared_ptr<session::Guardian> guardian = {});
     ~Conversation() override;
 
     /// Opens the port, connects, learns what the board is.

@@ -33,10 +33,23 @@ const LinkCommand kLinkCommands[] = {
     {"motor", runMotor},
 };
 
+/// A capture that stops what it started stops it also if it is killed. All else is meant to last longer than the program.
+std::shared_ptr<session::Guardian> guardianFor(const Arguments &arguments)
+{
+    const bool owns = arguments.command == QLatin1String("capture") && arguments.capture.start
+        && !arguments.capture.keepRunning;
+    const char *why = nullptr;
+    std::shared_ptr<session::Guardian> guardian;
+    if (owns && !(guardian = session::startGuardian(why)))
+        Output::error(QString::fromLatin1(why));
+    return guardian;
+}
+
 Outcome<int> runLinkCommand(const Arguments &arguments, Output &out)
 {
+    const std::shared_ptr<session::Guardian> guardian = guardianFor(arguments);
     const Interrupt interrupt;
-    Conversation talk(arguments, interrupt);
+    Conversation talk(arguments, interrupt, guardian);
     const auto met = talk.connect();
     if (!met)
         return tl::make_unexpected(met.error());

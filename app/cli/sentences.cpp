@@ -47,6 +47,11 @@ QString sentenceOf(const session::PortError &error, const Arguments &arguments)
         return QStringLiteral(
             "The connection to %1 broke; check the cable. A motor may still be turning.")
             .arg(port);
+    case PortProblem::TakenOver:
+        return QStringLiteral("This program did not run for a while; its guardian has told every "
+                              "motor on %1 to stop. "
+                              "Look at them with rotorscope-cli info.")
+            .arg(port);
     case PortProblem::BadFile:
         return QStringLiteral("%1 is no recorded session.").arg(port);
     case PortProblem::Other:

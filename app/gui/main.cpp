@@ -3,6 +3,7 @@
 
 #include "../cli/interrupt.h"
 
+#include "session/guardian.h"
 #include "session/port_list.h"
 #include "widgets/base/theme.h"
 #include "widgets/files/file_prompt.h"
@@ -43,6 +44,11 @@ void loadLanguage(QApplication &application, const std::string &language)
 
 int run(int argc, char **argv, const gui::Arguments &arguments)
 {
+    // Before the window, whose libraries have threads.
+    const char *noGuardian = nullptr;
+    const std::shared_ptr<session::Guardian> guardian = session::startGuardian(noGuardian);
+    if (!guardian)
+        std::cerr << "rotorscope: " << noGuardian << '\n';
     widgets::Application application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("rotorscope"));
     QApplication::setApplicationDisplayName(QStringLiteral("Rotorscope"));
@@ -60,7 +66,7 @@ int run(int argc, char **argv, const gui::Arguments &arguments)
 
     const session::SystemPortSource ports;
     widgets::FilePrompt files;
-    widgets::Workbench workbench;
+    widgets::Workbench workbench(session::makeDiskSink, guardian);
     widgets::MainWindow window(workbench, ports, files, settings);
     // Drawing it in all its sizes takes about a tenth of a start; the first picture does without.
     QObject::connect(&window, &widgets::MainWindow::settled, &application,

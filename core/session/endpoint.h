@@ -37,6 +37,7 @@ enum class PortProblem : std::uint8_t {
     Busy, ///< another program, or this one, has it open
     BadSpeed, ///< the driver refuses the baud rate
     Unplugged, ///< it was open and is gone
+    TakenOver, ///< this program did not run for a while: its guardian has stopped the motors
     BadFile, ///< a trace that cannot be read
     Other,
 };

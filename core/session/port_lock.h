@@ -16,7 +16,11 @@ public:
 
     /// @param path  canonical path of the device
     PortError acquire(const QString &path);
-    void release();
+    void release(); ///< also for who has a duplicate of the descriptor
+    int descriptor() const
+    {
+        return m_fd;
+    } ///< of the device, with the lock; -1: not held, or not on this system
 
 private:
     int m_fd = -1;

@@ -1,5 +1,7 @@
 #include "session/port_lock.h"
 
+#include "session/guardian.h"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -60,7 +62,7 @@ PortError PortLock::acquire(const QString &path)
     m_fd = ::open(QFile::encodeName(path).constData(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
     if (m_fd < 0)
         return errorOf(errno, path);
-    if (::isatty(m_fd) == 0) {
+    if (::isatty(m_fd) == 0 && !isSpiPath(path)) {
         release();
         return {PortProblem::NotFound, QString()};
     }
@@ -76,12 +78,14 @@ void PortLock::release()
 {
     if (m_fd < 0)
         return;
+    ::flock(m_fd, LOCK_UN);
     ::close(m_fd);
     m_fd = -1;
 }
 
 QString portHolder(const QString &path)
 {
+    QString guardian; // whose program has ended, or is the one to name
     const QStringList pids =
         QDir(QStringLiteral("/proc")).entryList({QStringLiteral("[0-9]*")}, QDir::Dirs);
     for (const QString &pid : pids) {
@@ -94,11 +98,14 @@ QString portHolder(const QString &path)
             QFile name(QStringLiteral("/proc/%1/comm").arg(pid));
             if (!name.open(QIODevice::ReadOnly))
                 return {};
-            return QStringLiteral("%1 (pid %2)")
-                .arg(QString::fromLocal8Bit(name.readLine(64)).trimmed(), pid);
+            const QString comm = QString::fromLocal8Bit(name.readLine(64)).trimmed();
+            const QString holder = QStringLiteral("%1 (pid %2)").arg(comm, pid);
+            if (comm != QLatin1String(Guardian::kName))
+                return holder;
+            guardian = holder;
         }
     }
-    return {};
+    return guardian;
 }
 
 PortHealth checkPort(qintptr handle)

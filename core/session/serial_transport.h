@@ -24,6 +24,7 @@ public:
     void advance(TimePoint now) override;
     std::optional<TimePoint> nextWake() const override;
     bool real() const override { return true; }
+    int descriptor() const override { return m_lock.descriptor(); }
 
 private:
     PortError openError(const QString &path);

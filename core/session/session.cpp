@@ -87,6 +87,7 @@ void Session::openNow(const Endpoint &endpoint, TimePoint now)
     m_stream.reset();
     m_watch.reset();
     m_takeUpAgain = false;
+    m_driven.leave();
     const PortError error = tryOpen(now);
     if (error.problem == PortProblem::None) {
         Q_EMIT portChanged(PortState::Open, {});
@@ -113,6 +114,8 @@ PortError Session::tryOpen(TimePoint now)
     m_transport = std::move(transport);
     if (const auto spoken = m_spoken.find(m_endpoint.path); spoken != m_spoken.end())
         m_endpoint.spoken = spoken->second;
+    if (m_parts.guardian)
+        m_parts.guardian->watch(m_transport->descriptor());
     m_drive = m_parts.drive(m_endpoint);
     m_outbox = Outbox(m_endpoint.baud);
     m_failure.reset();
@@ -147,6 +150,7 @@ void Session::startClosing()
     m_phase = Phase::Closing;
     m_deadline = now + kFarewell;
     m_saidFarewell = false;
+    m_driven.leave(); // whoever closes has decided about the motors
     m_drive->disconnect(now);
     step(now);
 }
@@ -161,13 +165,15 @@ void Session::submit(const drive::Wish &wish)
         m_limits = *limits;
     const TimePoint now = m_parts.clock();
     const bool kept = std::holds_alternative<drive::UserLimits>(wish.what);
-    if (m_phase == Phase::Open)
+    if (m_phase == Phase::Open) {
+        m_driven.submitted(wish, m_drive->armed(), now);
         m_drive->submit(wish, now);
-    else if (wish.id != 0)
+    } else if (wish.id != 0) {
         m_batcher.add(drive::Ended{.id = wish.id,
             .outcome = kept ? drive::Outcome::Ok : drive::Outcome::NotSent,
             .reason = {},
             .writes = {}});
+    }
     step(now);
 }
 
@@ -228,6 +234,8 @@ void Session::step(TimePoint now)
 {
     if (m_stepping)
         return; // called back from within: the outer turn goes on
+    if (linked() && handsOff())
+        return yieldPort(now);
     m_stepping = true;
     if (m_phase == Phase::Reopening && now >= m_deadline)
         reopen(now);
@@ -236,6 +244,7 @@ void Session::step(TimePoint now)
     if (linked())
         runLink(now);
     m_stepping = false;
+    tellGuardian(now);
 
     settleStop();
     if (linked() && m_failure)
@@ -267,13 +276,45 @@ void Session::runLink(TimePoint now)
     if (m_failure)
         return;
     m_drive->handleTimeout(now);
+    tellGuardian(now);
     exchange(now);
+}
+
+void Session::tellGuardian(TimePoint now)
+{
+    Guardian *guardian = m_parts.guardian.get();
+    if (guardian == nullptr)
+        return;
+    if (m_driven.any() && m_drive)
+        guardian->setScript(m_drive->stopScript(), m_endpoint.baud);
+    guardian->setDriven(m_driven.any());
+    m_stampedAt = now;
+}
+
+bool Session::handsOff() const
+{
+    return m_parts.guardian && m_parts.guardian->act() != Guardian::Act::None;
+}
+
+/// The guardian was faster, and sends perhaps until now: closing the port would spoil the line under it.
+void Session::yieldPort(TimePoint now)
+{
+    m_stampedAt = now;
+    if (!m_yieldBy)
+        m_yieldBy = now + 2 * Guardian::kRepetitions * Guardian::kRepeat;
+    if (m_parts.guardian->act() == Guardian::Act::Stopping && now < *m_yieldBy)
+        return armTimer(now);
+    qCWarning(lcLink) << "the guardian has stopped the motors: connecting anew";
+    m_yieldBy.reset();
+    m_failure = PortError{PortProblem::TakenOver, {}};
+    afterFailure(now);
+    armTimer(now);
 }
 
 /// Output, what follows from its having left, and so on until nothing more can leave now.
 void Session::exchange(TimePoint now)
 {
-    for (int round = 0; round < kMostRounds && !m_failure; ++round) {
+    for (int round = 0; round < kMostRounds && !m_failure && !handsOff(); ++round) {
         std::vector<Output> outputs = m_drive->takeOutput();
         for (const Output &output : outputs) {
             qCDebug(lcLinkBytes).noquote()
@@ -304,6 +345,7 @@ void Session::collectEvents(TimePoint now)
             qCInfo(lcLink) << "stream of" << stream->layout.fast.size() << "fast and"
                            << stream->layout.slow.size() << "slow signals";
         identified = identified || std::holds_alternative<drive::Identified>(event);
+        m_driven.told(event, now);
         m_batcher.add(std::move(event));
     }
     if (const auto spoken = m_drive->spoken())
@@ -369,6 +411,8 @@ void Session::dropLink()
     if (!m_stops.at(m_endpoint))
         m_transport
             ->discardOutput(); // what could not leave must not leave when nobody looks any more
+    if (m_parts.guardian)
+        m_parts.guardian->letGo();
     m_transport->close();
     m_transport.release()->deleteLater();
     m_drive.reset();
@@ -446,7 +490,11 @@ std::optional<TimePoint> Session::nextStep() const
     sooner(m_batcher.due());
     if (m_phase != Phase::Closed && m_phase != Phase::Open)
         sooner(m_deadline);
+    if (m_yieldBy)
+        return m_stampedAt + Guardian::kRepeat;
     if (linked()) {
+        if (m_driven.any() && m_parts.guardian)
+            sooner(m_stampedAt + Guardian::kStampEvery);
         sooner(m_drive->nextTimeout());
         sooner(m_outbox.nextDue());
         sooner(m_transport->nextWake());

@@ -17,11 +17,17 @@
 // lost ports, attempts to open them again, and connections to others. While one is wanted, the first act on any port that
 // is opened is to stop what is there; only what is found at its own port confirms it. Asked for while the port is being
 // closed, or open still when it is to be closed, a stop is carried out first, for kLastStop at most.
+//
+// A guardian, where there is one, is told what stops the motors before anything leaves that can move one, and that the
+// session lives with every turn. If it has acted, this program did not run for seconds: nothing of before is sent any
+// more, and the port is opened anew like one that was unplugged.
 #pragma once
 
 #include "drive/drive.h"
 #include "session/batcher.h"
+#include "session/driven_motors.h"
 #include "session/endpoint.h"
+#include "session/guardian.h"
 #include "session/outbox.h"
 #include "session/transport.h"
 #include "session/wake_timer.h"
@@ -45,6 +51,7 @@ struct Parts {
     Clock clock; ///< monotonic
     std::function<std::unique_ptr<Transport>(const Endpoint &)> transport;
     std::function<std::unique_ptr<drive::Drive>(const Endpoint &)> drive;
+    std::shared_ptr<Guardian> guardian = {}; ///< nullptr: none
 };
 
 /// The real ones: the monotonic clock, makeTransport(), drive::makeDrive().
@@ -116,6 +123,9 @@ private:
     void openNext();
     void stopNow(TimePoint now);
     void settleStop();
+    void tellGuardian(TimePoint now);
+    bool handsOff() const; ///< the guardian acted: nothing may be sent
+    void yieldPort(TimePoint now);
     void tell(TimePoint now);
     void tellRest();
     void tellArmed();
@@ -145,6 +155,9 @@ private:
     QStringList m_stopsTold;
     TimePoint m_stopUntil{}; ///< closing waits so long for a stop that is open
     std::map<QString, drive::Protocol> m_spoken; ///< by path, where it was found out
+    DrivenMotors m_driven; ///< also from one connection to the next
+    TimePoint m_stampedAt{};
+    std::optional<TimePoint> m_yieldBy; ///< the guardian sends until then, at the longest
     std::atomic<bool> m_stopRequested = false;
     bool m_stepping = false;
     bool m_saidFarewell = false; ///< Closing: the drive has told that its link is closed

@@ -122,6 +122,7 @@ public:
     void advance(TimePoint) override;
     std::optional<TimePoint> nextWake() const override { return std::nullopt; }
     bool real() const override { return true; }
+    int descriptor() const override { return m_device; }
 
 private:
     PortError configure();

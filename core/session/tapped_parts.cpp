@@ -40,6 +40,7 @@ public:
     void advance(TimePoint now) override { m_inner->advance(now); }
     std::optional<TimePoint> nextWake() const override { return m_inner->nextWake(); }
     bool real() const override { return m_inner->real(); }
+    int descriptor() const override { return m_inner->descriptor(); }
 
 private:
     std::unique_ptr<Transport> m_inner;

@@ -33,6 +33,8 @@ public:
     virtual std::optional<TimePoint> nextWake() const = 0;
     /// Only real hardware deserves a red frame.
     virtual bool real() const = 0;
+    /// What a guardian can send to when this program is gone; -1: nothing.
+    virtual int descriptor() const { return -1; }
 
 Q_SIGNALS:
     void received(const QByteArray &bytes);

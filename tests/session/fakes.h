@@ -5,6 +5,7 @@
 #include "session/session.h"
 
 #include <deque>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,7 @@ public:
         FakeTransport *alive = nullptr;
         session::PortError openResult; ///< what the next open() answers
         bool sent = true;
+        std::function<void()> onWrite = {};
     };
 
     explicit FakeTransport(Log &log)
@@ -51,6 +53,8 @@ public:
     void close() override { ++m_log.closed; }
     void write(ByteView view, TimePoint now) override
     {
+        if (m_log.onWrite)
+            m_log.onWrite();
         m_log.written.push_back({now, Bytes(view.begin(), view.end())});
     }
     void discardOutput() override
@@ -127,6 +131,7 @@ public:
     void disarm() override { m_armed = false; }
     bool armed() const override { return m_armed; }
     std::optional<drive::Protocol> spoken() const override { return found; }
+    std::vector<Output> stopScript() const override { return {{bytes({0x5A}), {}}}; }
 
     std::vector<Output> outputs;
     std::vector<drive::Event> events;
@@ -152,7 +157,7 @@ struct Bench {
     std::vector<QStringList> wanted; ///< stops, at ports that are not open
     bool acknowledging = true;
 
-    Bench()
+    explicit Bench(std::shared_ptr<session::Guardian> guardian = {})
         : session({.clock = [this] { return now; },
             .transport =
                 [this](const session::Endpoint &) { return std::make_unique<FakeTransport>(port); },
@@ -160,7 +165,8 @@ struct Bench {
                 [this](const session::Endpoint &endpoint) {
                     board.madeFor.push_back(endpoint.spoken);
                     return std::make_unique<FakeDrive>(board);
-                }})
+                },
+            .guardian = std::move(guardian)})
     {
         using session::Session;
         QObject::connect(

@@ -115,6 +115,11 @@ QString portProblemText(const session::PortError &error, const QString &port)
         return Messages::tr("%1 was unplugged. The motor may still be turning (this drive has no "
                             "communication time-out).")
             .arg(name);
+    case PortProblem::TakenOver:
+        return Messages::tr(
+            "Rotorscope did not run for a while. Its guardian has told every motor on %1 to stop, "
+            "without evidence that they did. It connects anew; arm again to move.")
+            .arg(name);
     case PortProblem::BadFile:
         return Messages::tr("The recording %1 cannot be read. Choose another file.").arg(name);
     case PortProblem::Other:

@@ -304,8 +304,9 @@ void ConnectBar::updateLink()
 {
     const bool open = m_device.portOpen();
     const bool problem = m_device.portError().problem != session::PortProblem::None;
-    if (!open && problem && !m_device.endpoint().path.isEmpty()
-        && m_device.portError().problem != session::PortProblem::Unplugged)
+    const bool comesBack = m_device.portError().problem == session::PortProblem::Unplugged
+        || m_device.portError().problem == session::PortProblem::TakenOver;
+    if (!open && problem && !m_device.endpoint().path.isEmpty() && !comesBack)
         m_wanted = false;
     m_portLamp->show(open ? Lamp::Light::On
             : problem     ? Lamp::Light::Bad

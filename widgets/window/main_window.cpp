@@ -493,7 +493,8 @@ MainWindow::LinkMessage MainWindow::linkMessage() const
     const drive::LinkChanged link = m_device.link();
     const bool known = m_device.identified().has_value();
     if (!m_device.portOpen() && error.problem != session::PortProblem::None) {
-        const bool lost = error.problem == session::PortProblem::Unplugged;
+        const bool lost = error.problem == session::PortProblem::Unplugged
+            || error.problem == session::PortProblem::TakenOver;
         return {Banner::Kind::Bad, portProblemText(error, m_device.endpoint().path),
             lost ? Told::Loss : Told::Link};
     }

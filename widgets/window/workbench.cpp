@@ -7,9 +7,16 @@ namespace {
 
 constexpr int kHeartbeatMs = 200;
 
+session::Parts guarded(session::Parts parts, std::shared_ptr<session::Guardian> guardian)
+{
+    parts.guardian = std::move(guardian);
+    return parts;
+}
+
 } // namespace
 
-Workbench::Workbench(session::MakeSink makeSink, QObject *parent)
+Workbench::Workbench(
+    session::MakeSink makeSink, std::shared_ptr<session::Guardian> guardian, QObject *parent)
     : QObject(parent)
     , m_archive(std::make_shared<session::DiskArchive>(
           session::DiskArchive::Config{.folder = session::archiveFolder()}))
@@ -17,7 +24,8 @@ Workbench::Workbench(session::MakeSink makeSink, QObject *parent)
     , m_watchList(m_device, m_registers)
     , m_tap(std::make_shared<session::RecordingTap>())
     , m_recording(m_tap, {}, std::move(makeSink))
-    , m_thread(session::tapped(session::replaying(session::realParts(), m_replay), m_tap))
+    , m_thread(session::tapped(
+          session::replaying(guarded(session::realParts(), std::move(guardian)), m_replay), m_tap))
 {
     m_clock.start();
     connectSession();

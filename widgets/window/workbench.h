@@ -27,8 +27,9 @@ class Workbench : public QObject {
     Q_OBJECT
 public:
     /// @param makeSink  where recordings go; tests bring disks that are full
-    explicit Workbench(
-        session::MakeSink makeSink = session::makeDiskSink, QObject *parent = nullptr);
+    /// @param guardian  of this program; nullptr: nobody stops the motors if it dies
+    explicit Workbench(session::MakeSink makeSink = session::makeDiskSink,
+        std::shared_ptr<session::Guardian> guardian = {}, QObject *parent = nullptr);
     ~Workbench() override;
 
     Device &device() { return m_device; }
