@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kAmpDecimals = 2, kRadDecimals = 3;
 constexpr std::chrono::milliseconds kJogRamp{200};
+constexpr std::chrono::milliseconds kPatience{1000};
 
 int motorOf(const drive::WishContent &act)
 {
@@ -29,6 +30,12 @@ bool isStart(const drive::WishContent &act)
 {
     const auto *command = std::get_if<drive::Command>(&act);
     return command != nullptr && command->action == drive::MotorAction::Start;
+}
+
+QString silentText()
+{
+    return MotionGate::tr("The question was withdrawn, and nothing was sent: the board stopped "
+                          "answering for a moment. Press again to be asked again.");
 }
 
 } // namespace
@@ -50,15 +57,25 @@ MotionGate::MotionGate(Device &device, RegisterModel &registers, QObject *parent
         if (!armed)
             withdraw();
     });
-    connect(&device, &Device::linkStateChanged, this, [this] {
-        if (m_device.answering())
-            return;
-        const bool asked = asking();
-        withdraw();
-        if (asked)
-            Q_EMIT failed(tr("The question was withdrawn, and nothing was sent: the board stopped "
-                             "answering for a moment. Press again to be asked again."));
-    });
+    connect(&device, &Device::linkStateChanged, this, &MotionGate::linkChanged);
+    m_patience.setSingleShot(true);
+    m_patience.setInterval(kPatience);
+    connect(&m_patience, &QTimer::timeout, this, [this] { withdrawAndTell(silentText()); });
+}
+
+/// People who are asked again and again learn to say yes without reading: a hiccup takes no question away.
+void MotionGate::linkChanged()
+{
+    using drive::LinkState;
+    if (m_device.answering())
+        return m_patience.stop();
+    m_rest.clear();
+    const LinkState state = m_device.link().state;
+    if (!asking() || (state != LinkState::Recovering && state != LinkState::Suspect))
+        return withdrawAndTell(silentText());
+    m_hiccup = true;
+    if (!m_patience.isActive())
+        m_patience.start();
 }
 
 void MotionGate::want(const QString &action, drive::WishContent act)
@@ -121,7 +138,21 @@ void MotionGate::ask()
     }
     if (m_agreeOnly)
         question.lines.append(tr("Nothing moves now: press and hold again after you have agreed."));
+    m_hiccup = false;
+    m_subject = subject();
     Q_EMIT asked(question);
+}
+
+/// What is asked about, and why; the measured speed is never twice the same.
+QStringList MotionGate::subject() const
+{
+    QStringList lines;
+    for (const drive::WishContent &act : m_asked) {
+        drive::MotionScene scene = sceneOf(motorOf(act));
+        scene.speedRpm.reset();
+        lines += motorStateText(scene.state) + linesOf(act, scene);
+    }
+    return lines;
 }
 
 bool MotionGate::wouldAsk(const std::vector<drive::WishContent> &acts) const
@@ -135,18 +166,36 @@ void MotionGate::confirm()
 {
     if (!asking())
         return;
-    if (!m_device.armed() || !m_device.answering())
+    if (!m_device.armed())
         return withdraw();
+    if (!m_device.answering())
+        return withdrawAndTell(silentText());
+    if (m_hiccup && subject() != m_subject)
+        return withdrawAndTell(tr("Nothing was sent: the board stopped answering for a moment, and "
+                                  "the motor is not as it was asked about. Press again."));
     if (!std::exchange(m_agreeOnly, false))
         return send();
     m_agreed.insert(motorOf(m_asked.front()));
     m_asked.clear();
 }
 
-void MotionGate::decline() { m_asked.clear(); }
+void MotionGate::decline()
+{
+    m_patience.stop();
+    m_asked.clear();
+}
+
+void MotionGate::withdrawAndTell(const QString &why)
+{
+    const bool told = asking();
+    withdraw();
+    if (told)
+        Q_EMIT failed(why);
+}
 
 void MotionGate::withdraw()
 {
+    m_patience.stop();
     m_rest.clear();
     if (!asking())
         return;

@@ -2,7 +2,8 @@
 // what could surprise, sends, and tells how it ended if not well. A stop does not come through here: it is never asked.
 //
 // want() may emit asked(); then confirm() or decline() has to follow, or the gate withdraws the question by itself: a
-// stop, a lost link, another motor. While a question is open nothing else is taken.
+// stop, a lost link, another motor, a board that is silent for a second. A shorter hiccup leaves it open; a yes counts only
+// once the board answers again, and if what was asked about is still so. While a question is open nothing else is taken.
 #pragma once
 
 #include "drive/motion_caution.h"
@@ -11,6 +12,7 @@
 
 #include <QMap>
 #include <QObject>
+#include <QTimer>
 
 #include <set>
 
@@ -68,6 +70,9 @@ private:
     void ask();
     void send();
     void withdraw();
+    void withdrawAndTell(const QString &why);
+    void linkChanged();
+    QStringList subject() const;
     void sendNext();
     void ended(const drive::Ended &ended);
 
@@ -85,6 +90,9 @@ private:
     std::vector<drive::WishContent> m_rest; ///< of the act that is being sent
     drive::WishId m_last = 0; ///< whose end the rest waits for
     bool m_agreeOnly = false; ///< yes sends nothing
+    QTimer m_patience; ///< with a board that is silent while a question is open
+    bool m_hiccup = false; ///< since it was asked
+    QStringList m_subject; ///< of the question, without what changes all the time
 };
 
 } // namespace widgets
