@@ -1,7 +1,10 @@
-// Interrupt: Ctrl-C and the signals that ask a program to end, as an event in the event loop instead of a sudden end.
+// Interrupt: Ctrl-C and the signals that ask a program to end, as an event in the event loop instead of a sudden end. Up
+// to four at once, each in its own thread.
 #pragma once
 
 #include <QObject>
+
+#include <array>
 
 namespace cli {
 
@@ -21,6 +24,7 @@ private:
     void raise(int number);
 
     int m_number = 0;
+    std::array<int, 2> m_pipe{-1, -1}; ///< where there are signals
 };
 
 } // namespace cli
