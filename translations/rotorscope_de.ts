@@ -1315,6 +1315,30 @@
         <source>Rotorscope did not run for a while. Its guardian has told every motor on %1 to stop, without evidence that they did. It connects anew; arm again to move.</source>
         <translation>Rotorscope lief eine Weile nicht. Sein Wächter hat jedem Motor an %1 befohlen anzuhalten; dass sie es taten, ist nicht belegt. Es verbindet sich neu; zum Bewegen erneut freigeben.</translation>
     </message>
+    <message>
+        <source>All motors were told to stop. Look at them, then arm again.</source>
+        <translation>Alle Motoren haben den Befehl zum Stopp bekommen. Sehen Sie nach ihnen, dann geben Sie wieder frei.</translation>
+    </message>
+    <message>
+        <source>It was disarmed; the motors go on as they are.</source>
+        <translation>Die Freigabe wurde aufgehoben; die Motoren laufen weiter wie zuvor.</translation>
+    </message>
+    <message>
+        <source>This window stood still for %1 s.</source>
+        <translation>Dieses Fenster stand %1 s lang still.</translation>
+    </message>
+    <message>
+        <source>This program or the computer stood still for %1 s.</source>
+        <translation>Dieses Programm oder der Rechner stand %1 s lang still.</translation>
+    </message>
+    <message>
+        <source>The jog was ended: this window stood still while it was held.</source>
+        <translation>Das Tippen wurde beendet: Das Fenster stand still, während gehalten wurde.</translation>
+    </message>
+    <message>
+        <source>Not armed: it was asked for while this window stood still. Arm again.</source>
+        <translation>Nicht freigegeben: Es wurde verlangt, während dieses Fenster stillstand. Geben Sie noch einmal frei.</translation>
+    </message>
 </context>
 <context>
     <name>Motion</name>
@@ -4392,6 +4416,10 @@
         <source>The question was withdrawn, and nothing was sent: the board stopped answering for a moment. Press again to be asked again.</source>
         <translation>Die Frage wurde zurückgezogen, und nichts wurde gesendet: Die Platine antwortete einen Moment nicht. Drücken Sie noch einmal, um wieder gefragt zu werden.</translation>
     </message>
+    <message>
+        <source>Nothing was sent: the board stopped answering for a moment, and the motor is not as it was asked about. Press again.</source>
+        <translation>Nichts wurde gesendet: Das Board hat einen Moment nicht geantwortet, und der Motor ist nicht mehr so, wie gefragt wurde. Drücken Sie noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MotionLogModel</name>
@@ -7190,16 +7218,16 @@ mN·m</translation>
         <translation>Überwachung im Antrieb: %1 ms</translation>
     </message>
     <message>
-        <source>This drive stops its motor by itself when this program has not been heard for that time. It is not a safety function.</source>
-        <translation>Dieser Antrieb hält seinen Motor selbst an, wenn er so lange nichts von diesem Programm gehört hat. Das ist keine Sicherheitsfunktion.</translation>
-    </message>
-    <message>
         <source>Drive watchdog: none</source>
         <translation>Überwachung im Antrieb: keine</translation>
     </message>
     <message>
         <source>replay of %1</source>
         <translation>Wiedergabe von %1</translation>
+    </message>
+    <message>
+        <source>This drive stops its motor by itself when it has not been fed for that time. It is fed by a live window, only while armed: disarming stops what turns. It is not a safety function.</source>
+        <translation>Dieser Antrieb hält seinen Motor von selbst an, wenn er so lange nicht gefüttert wurde. Ein lebendes Fenster füttert ihn, und nur solange freigegeben ist: Ohne Freigabe hält an, was sich dreht. Das ist keine Sicherheitsfunktion.</translation>
     </message>
 </context>
 <context>

@@ -21,6 +21,15 @@ constexpr auto kEndWithin = 30s; ///< of any wish; the drive ends each by itself
 constexpr auto kIdleWithin = 2s; ///< after a stop
 constexpr auto kFarewell = 500ms;
 
+/// The one thread of the program: while it runs, so does what a person can interrupt it with.
+session::Parts attendedHere(std::shared_ptr<session::Guardian> guardian)
+{
+    session::Parts parts = session::realParts();
+    parts.attendance = session::Attendance::OwnThread;
+    parts.guardian = std::move(guardian);
+    return parts;
+}
+
 session::Endpoint endpointOf(const Arguments &arguments)
 {
     session::Endpoint endpoint =
@@ -30,24 +39,18 @@ session::Endpoint endpointOf(const Arguments &arguments)
     return endpoint;
 }
 
-session::Parts guarded(std::shared_ptr<session::Guardian> guardian)
-{
-    session::Parts parts = session::realParts();
-    parts.guardian = std::move(guardian);
-    return parts;
-}
-
 } // namespace
 
 Conversation::Conversation(const Arguments &arguments, const Interrupt &interrupt,
     std::shared_ptr<session::Guardian> guardian)
     : m_arguments(arguments)
     , m_interrupt(interrupt)
-    , m_session(session::tapped(guarded(std::move(guardian)), m_tap))
+    , m_session(session::tapped(attendedHere(std::move(guardian)), m_tap))
 {
     using session::Session;
     QObject::connect(&m_session, &Session::batch, this, &Conversation::takeBatch);
     QObject::connect(&m_session, &Session::portChanged, this, &Conversation::takePort);
+    QObject::connect(&m_session, &Session::interrupted, this, &Conversation::takeInterruption);
     QObject::connect(&m_interrupt, &Interrupt::raised, this, &Conversation::changed);
 }
 
@@ -289,6 +292,18 @@ void Conversation::take(const drive::Event &event)
     } else if (const auto *progress = std::get_if<drive::StopProgress>(&event)) {
         m_stopWords[progress->motor] = progress->word;
     }
+}
+
+/// Stopped (Ctrl-Z) or asleep, and nobody could stop the motor: what was under way is not gone on with.
+void Conversation::takeInterruption(const session::Interruption &what)
+{
+    if (what.disarmed || what.stopped)
+        m_broken = Failure{kRefused,
+            QStringLiteral("This program or the computer stood still for %1 s: disarmed%2.")
+                .arg(QString::number(toSeconds(what.length), 'f', 1),
+                    what.stopped ? QStringLiteral(", and all motors were told to stop")
+                                 : QString())};
+    Q_EMIT changed();
 }
 
 void Conversation::takePort(session::PortState state, const session::PortError &why)

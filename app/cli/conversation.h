@@ -83,6 +83,7 @@ public:
 private:
     void takeBatch(const session::BatchPtr &batch);
     void take(const drive::Event &event);
+    void takeInterruption(const session::Interruption &what);
     void takePort(session::PortState state, const session::PortError &why);
     bool ended() const;
     Failure endReason() const;

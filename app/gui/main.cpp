@@ -75,6 +75,11 @@ int run(int argc, char **argv, const gui::Arguments &arguments)
     // Asked to end by a signal: the same questions as when a person closes the window.
     const cli::Interrupt interrupt;
     QObject::connect(&interrupt, &cli::Interrupt::raised, &window, &QWidget::close);
+    // A window that hangs does not ask. What this program drives is stopped whether it does or not.
+    workbench.atSession([](session::Session &session) {
+        const auto *signal = new cli::Interrupt(&session); // ends with it, in its thread
+        QObject::connect(signal, &cli::Interrupt::raised, &session, &session::Session::stopOwn);
+    });
     if (arguments.connect)
         QTimer::singleShot(0, window.connectBar(), &widgets::ConnectBar::connectOrDisconnect);
     const int status = QApplication::exec();

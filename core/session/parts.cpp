@@ -2,6 +2,7 @@
 #include "session/replay.h"
 
 #include "drive/make_drive.h"
+#include "session/elapsed_clock.h"
 
 #include <chrono>
 
@@ -29,7 +30,13 @@ std::unique_ptr<drive::Drive> makeDrive(const Endpoint &endpoint)
 
 } // namespace
 
-Parts realParts() { return {.clock = makeClock(), .transport = makeTransport, .drive = makeDrive}; }
+Parts realParts()
+{
+    return {.clock = makeClock(),
+        .transport = makeTransport,
+        .drive = makeDrive,
+        .elapsed = elapsedTime};
+}
 
 Session::Session(QObject *parent)
     : Session(realParts(), parent)

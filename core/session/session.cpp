@@ -35,6 +35,8 @@ ByteView viewOf(const QByteArray &bytes)
 Session::Session(Parts parts, QObject *parent)
     : QObject(parent)
     , m_parts(std::move(parts))
+    , m_elapsed(m_parts.elapsed ? m_parts.elapsed : m_parts.clock)
+    , m_deadMan(m_parts.attendance)
     , m_timer(this)
 {
     qRegisterMetaType<BatchPtr>("session::BatchPtr");
@@ -42,6 +44,7 @@ Session::Session(Parts parts, QObject *parent)
     qRegisterMetaType<PortError>("session::PortError");
     qRegisterMetaType<Endpoint>("session::Endpoint");
     qRegisterMetaType<drive::Wish>("drive::Wish");
+    qRegisterMetaType<Interruption>("session::Interruption");
     connect(&m_timer, &WakeTimer::due, this, [this] {
         m_wokenAt = m_parts.clock();
         step(m_wokenAt);
@@ -64,8 +67,39 @@ bool Session::event(QEvent *event)
 {
     if (event->type() != kStopEvent)
         return QObject::event(event);
-    step(m_parts.clock());
+    step(wake());
     return true;
+}
+
+/// The time, at whose call everything begins that is not the timer's: a gap, or a dead interface, is seen before what was
+/// asked for is done.
+TimePoint Session::wake()
+{
+    const TimePoint now = m_parts.clock();
+    lookUp(now);
+    return now;
+}
+
+void Session::lookUp(TimePoint now)
+{
+    const TimePoint elapsed = m_elapsed();
+    const Duration gap = m_gap.notice(now, elapsed, std::exchange(m_wakeDue, std::nullopt));
+    if (m_phase != Phase::Open)
+        return;
+    const bool armed = m_drive->armed();
+    if (gap > Duration::zero()) {
+        qCInfo(lcLink) << "nothing ran for" << toSeconds(gap) << "s";
+        m_drive->doubt(now);
+    }
+    const DeadMan::Verdict verdict = m_deadMan.judge(m_stamps.take(), armed, gap, elapsed);
+    if (verdict.disarm)
+        m_drive->disarm();
+    if (verdict.stopMotor != 0)
+        m_drive->submit(
+            {.id = 0, .what = drive::Command{drive::MotorAction::StopMotor, verdict.stopMotor}},
+            now);
+    if (verdict.stopAll)
+        stopNow(now);
 }
 
 void Session::open(const Endpoint &endpoint)
@@ -76,7 +110,7 @@ void Session::open(const Endpoint &endpoint)
             startClosing();
         return;
     }
-    const TimePoint now = m_parts.clock();
+    const TimePoint now = wake();
     openNow(endpoint, now);
     step(now);
 }
@@ -88,6 +122,7 @@ void Session::openNow(const Endpoint &endpoint, TimePoint now)
     m_watch.reset();
     m_takeUpAgain = false;
     m_driven.leave();
+    m_deadMan.begin(m_elapsed());
     const PortError error = tryOpen(now);
     if (error.problem == PortProblem::None) {
         Q_EMIT portChanged(PortState::Open, {});
@@ -141,7 +176,7 @@ void Session::close()
 
 void Session::startClosing()
 {
-    const TimePoint now = m_parts.clock();
+    const TimePoint now = wake();
     if (m_drive->stopOpen() && now < m_stopUntil) {
         m_phase = Phase::LastStop;
         m_deadline = m_stopUntil;
@@ -163,7 +198,7 @@ void Session::submit(const drive::Wish &wish)
         m_watch = *watch;
     else if (const auto *limits = std::get_if<drive::UserLimits>(&wish.what))
         m_limits = *limits;
-    const TimePoint now = m_parts.clock();
+    const TimePoint now = wake();
     const bool kept = std::holds_alternative<drive::UserLimits>(wish.what);
     if (m_phase == Phase::Open) {
         m_driven.submitted(wish, m_drive->armed(), now);
@@ -180,7 +215,7 @@ void Session::submit(const drive::Wish &wish)
 void Session::stop()
 {
     m_stopRequested = true;
-    step(m_parts.clock());
+    step(wake());
 }
 
 void Session::forgetStop()
@@ -189,17 +224,48 @@ void Session::forgetStop()
     tellStops();
 }
 
-void Session::setArmed(bool armed)
+void Session::setArmed(bool armed, std::optional<TimePoint> madeAt)
 {
-    if (m_phase == Phase::Open)
-        armed ? m_drive->arm() : m_drive->disarm();
-    step(m_parts.clock());
+    const TimePoint now = wake();
+    if (m_phase == Phase::Open) {
+        if (armed)
+            arm(madeAt.value_or(now), now);
+        else
+            disarm();
+    }
+    step(now);
+}
+
+void Session::arm(TimePoint madeAt, TimePoint now)
+{
+    const Duration age = now - madeAt;
+    if (age > drive::kWishExpiresAfter || m_deadMan.absent())
+        return m_deadMan.tell({Interruption::Cause::LateArming, age, false, false});
+    m_drive->arm();
+    if (m_drive->armed())
+        m_deadMan.armed();
+}
+
+void Session::disarm()
+{
+    // A person's own choice. Where the drive is not armed any more, this follows from something else.
+    if (m_drive->armed())
+        m_deadMan.disarmed();
+    m_drive->disarm();
+}
+
+void Session::stopOwn()
+{
+    const TimePoint now = wake();
+    if (m_deadMan.responsible())
+        m_stopRequested = true;
+    step(now);
 }
 
 void Session::acknowledge()
 {
     m_batcher.acknowledge();
-    step(m_parts.clock());
+    step(wake());
 }
 
 void Session::onReceived(const QByteArray &bytes)
@@ -207,7 +273,7 @@ void Session::onReceived(const QByteArray &bytes)
     if (!m_drive)
         return;
     qCDebug(lcLinkBytes).noquote() << "<" << bytes.toHex(' ');
-    const TimePoint now = m_parts.clock();
+    const TimePoint now = wake();
     m_drive->receive(viewOf(bytes), now);
     if (!m_stepping)
         step(now);
@@ -217,7 +283,7 @@ void Session::onReady(bool high)
 {
     if (!m_drive)
         return;
-    const TimePoint now = m_parts.clock();
+    const TimePoint now = wake();
     m_drive->handleReady(high, now);
     if (!m_stepping)
         step(now);
@@ -227,7 +293,7 @@ void Session::onFailed(const PortError &error)
 {
     m_failure = error;
     if (!m_stepping)
-        step(m_parts.clock());
+        step(wake());
 }
 
 void Session::step(TimePoint now)
@@ -237,6 +303,7 @@ void Session::step(TimePoint now)
     if (linked() && handsOff())
         return yieldPort(now);
     m_stepping = true;
+    lookUp(now);
     if (m_phase == Phase::Reopening && now >= m_deadline)
         reopen(now);
     if (m_stopRequested.exchange(false))
@@ -257,6 +324,8 @@ void Session::step(TimePoint now)
     tellArmed();
     tellStops();
     tell(now);
+    for (const Interruption &news : m_deadMan.takeNews())
+        Q_EMIT interrupted(news);
     armTimer(m_parts.clock());
 }
 
@@ -344,6 +413,8 @@ void Session::collectEvents(TimePoint now)
         if (const auto *stream = std::get_if<drive::StreamStarted>(&event))
             qCInfo(lcLink) << "stream of" << stream->layout.fast.size() << "fast and"
                            << stream->layout.slow.size() << "slow signals";
+        if (const auto *status = std::get_if<drive::MotorStatus>(&event))
+            m_deadMan.takeStatus(*status);
         identified = identified || std::holds_alternative<drive::Identified>(event);
         m_driven.told(event, now);
         m_batcher.add(std::move(event));
@@ -499,6 +570,9 @@ std::optional<TimePoint> Session::nextStep() const
         sooner(m_outbox.nextDue());
         sooner(m_transport->nextWake());
     }
+    if (m_phase == Phase::Open)
+        if (const auto wait = m_deadMan.nextLook(m_drive->armed(), m_elapsed()))
+            sooner(m_parts.clock() + *wait);
     return next;
 }
 
@@ -511,8 +585,10 @@ void Session::armTimer(TimePoint now)
         m_timer.stop();
         return;
     }
-    m_timer.start(
-        std::min<Duration>(std::max(*next, m_wokenAt + kLeastBetweenWakes) - now, kLongestWait));
+    const Duration wait =
+        std::min<Duration>(std::max(*next, m_wokenAt + kLeastBetweenWakes) - now, kLongestWait);
+    m_wakeDue = now + std::max(wait, Duration::zero());
+    m_timer.start(wait);
 }
 
 } // namespace session

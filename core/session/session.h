@@ -21,14 +21,19 @@
 // A guardian, where there is one, is told what stops the motors before anything leaves that can move one, and that the
 // session lives with every turn. If it has acted, this program did not run for seconds: nothing of before is sent any
 // more, and the port is opened anew like one that was unplugged.
+// It is armed only as long as somebody can see and stop what it does (session/dead_man.h): the interface stamps it with
+// attendFromAnyThread(). A gap in time (session/time_gap.h) disarms, and the states of the motors are read before
+// anything else. What followed of either is told by interrupted(), when there is somebody to tell.
 #pragma once
 
 #include "drive/drive.h"
 #include "session/batcher.h"
 #include "session/driven_motors.h"
+#include "session/dead_man.h"
 #include "session/endpoint.h"
 #include "session/guardian.h"
 #include "session/outbox.h"
+#include "session/time_gap.h"
 #include "session/transport.h"
 #include "session/wake_timer.h"
 #include "session/wanted_stops.h"
@@ -52,9 +57,13 @@ struct Parts {
     std::function<std::unique_ptr<Transport>(const Endpoint &)> transport;
     std::function<std::unique_ptr<drive::Drive>(const Endpoint &)> drive;
     std::shared_ptr<Guardian> guardian = {}; ///< nullptr: none
+    /// Goes on while the computer sleeps; may be called from any thread. Empty: the clock above, which then may be, too.
+    Clock elapsed = {};
+    /// Who is not told otherwise believes nobody to be there who does not say so.
+    Attendance attendance = Attendance::Stamped;
 };
 
-/// The real ones: the monotonic clock, makeTransport(), drive::makeDrive().
+/// The real ones: the monotonic clock, makeTransport(), drive::makeDrive(), elapsedTime(); stamped.
 Parts realParts();
 
 class Session : public QObject {
@@ -66,6 +75,12 @@ public:
 
     /// From any thread: a stop that does not queue behind other calls. Same as the slot stop().
     void stopFromAnyThread();
+    /// The interface is alive: some times a second, from one other thread (or from this one).
+    void attendFromAnyThread() { m_stamps.attend(m_elapsed()); }
+    /// What moves a motor is really held now, e.g. a button; again and again, from the interface's thread. Where it is
+    /// not heard of for 300 ms without a release the motor is stopped.
+    void holdFromAnyThread(int motor) { m_stamps.hold(motor, m_elapsed()); }
+    void releaseFromAnyThread() { m_stamps.release(); }
 
     /// One turn of the pump: what the timer does. Early or repeated calls do nothing.
     void step(TimePoint now);
@@ -84,7 +99,11 @@ public Q_SLOTS:
     void stop(); ///< every motor, ahead of everything
     void
     forgetStop(); ///< a person's word: no stop is wanted at any port; what is under way goes on
-    void setArmed(bool armed);
+    /// @param madeAt  when the person did what asked for it; too long ago: it is not armed
+    void setArmed(bool armed, std::optional<TimePoint> madeAt = {});
+    /// Stops every motor if a person has armed here and has not left them to turn: what a program does that is asked to
+    /// end. Otherwise nothing.
+    void stopOwn();
     void acknowledge(); ///< one batch has been taken in
 
 Q_SIGNALS:
@@ -93,6 +112,7 @@ Q_SIGNALS:
     void armedChanged(bool armed);
     /// The ports at which a stop is wanted and cannot be carried out now, because they are not open.
     void stopsWanted(const QStringList &ports);
+    void interrupted(const session::Interruption &what);
 
 protected:
     bool event(QEvent *event) override;
@@ -106,6 +126,10 @@ private:
         Reopening, ///< unplugged; the next attempt is at m_deadline
     };
 
+    TimePoint wake();
+    void lookUp(TimePoint now);
+    void arm(TimePoint madeAt, TimePoint now);
+    void disarm();
     void openNow(const Endpoint &endpoint, TimePoint now);
     PortError tryOpen(TimePoint now);
     void onReceived(const QByteArray &bytes);
@@ -137,6 +161,11 @@ private:
     }
 
     Parts m_parts;
+    Clock m_elapsed; ///< of the parts; shared by threads, and never changed
+    Stamps m_stamps;
+    DeadMan m_deadMan;
+    TimeGap m_gap;
+    std::optional<TimePoint> m_wakeDue; ///< the timer was set to it
     WakeTimer m_timer;
     TimePoint m_wokenAt{}; ///< by it
     Phase m_phase = Phase::Closed;
@@ -169,4 +198,5 @@ private:
 
 Q_DECLARE_METATYPE(session::BatchPtr)
 Q_DECLARE_METATYPE(session::PortState)
+Q_DECLARE_METATYPE(session::Interruption)
 Q_DECLARE_METATYPE(drive::Wish)

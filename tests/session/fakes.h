@@ -80,9 +80,10 @@ public:
         Bytes received;
         std::vector<drive::Wish> wishes;
         std::vector<TimePoint> sentAt;
-        int connects = 0, disconnects = 0, stops = 0, made = 0;
+        int connects = 0, disconnects = 0, stops = 0, doubts = 0, made = 0;
         std::vector<std::optional<drive::Protocol>> madeFor; ///< what was spoken there before
         FakeDrive *alive = nullptr;
+        bool armedAtWish = false; ///< the last one
     };
 
     explicit FakeDrive(Log &log)
@@ -119,7 +120,11 @@ public:
     std::vector<Output> takeOutput() override { return std::exchange(outputs, {}); }
     std::vector<drive::Event> takeEvents() override { return std::exchange(events, {}); }
     std::optional<TimePoint> nextTimeout() const override { return timeout; }
-    void submit(drive::Wish wish, TimePoint) override { m_log.wishes.push_back(std::move(wish)); }
+    void submit(drive::Wish wish, TimePoint) override
+    {
+        m_log.armedAtWish = m_armed;
+        m_log.wishes.push_back(std::move(wish));
+    }
     void stop(TimePoint) override
     {
         ++m_log.stops;
@@ -132,6 +137,11 @@ public:
     bool armed() const override { return m_armed; }
     std::optional<drive::Protocol> spoken() const override { return found; }
     std::vector<Output> stopScript() const override { return {{bytes({0x5A}), {}}}; }
+    void doubt(TimePoint) override
+    {
+        ++m_log.doubts;
+        m_armed = false;
+    }
 
     std::vector<Output> outputs;
     std::vector<drive::Event> events;
@@ -155,9 +165,12 @@ struct Bench {
     std::vector<std::pair<session::PortState, session::PortProblem>> ports;
     std::vector<bool> armed;
     std::vector<QStringList> wanted; ///< stops, at ports that are not open
+    std::vector<session::Interruption> interruptions;
+    Duration slept{}; ///< of the computer; `now` did not count it
     bool acknowledging = true;
 
-    explicit Bench(std::shared_ptr<session::Guardian> guardian = {})
+    explicit Bench(session::Attendance attendance = session::Attendance::OwnThread,
+        std::shared_ptr<session::Guardian> guardian = {})
         : session({.clock = [this] { return now; },
             .transport =
                 [this](const session::Endpoint &) { return std::make_unique<FakeTransport>(port); },
@@ -166,7 +179,9 @@ struct Bench {
                     board.madeFor.push_back(endpoint.spoken);
                     return std::make_unique<FakeDrive>(board);
                 },
-            .guardian = std::move(guardian)})
+            .guardian = std::move(guardian),
+            .elapsed = [this] { return now + slept; },
+            .attendance = attendance})
     {
         using session::Session;
         QObject::connect(
@@ -183,6 +198,8 @@ struct Bench {
             &session, &Session::armedChanged, &session, [this](bool on) { armed.push_back(on); });
         QObject::connect(&session, &Session::stopsWanted, &session,
             [this](const QStringList &places) { wanted.push_back(places); });
+        QObject::connect(&session, &Session::interrupted, &session,
+            [this](const session::Interruption &what) { interruptions.push_back(what); });
     }
 
     static session::Endpoint serial(const QString &path = QStringLiteral("bench"))

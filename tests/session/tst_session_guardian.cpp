@@ -62,7 +62,7 @@ drive::MotorStatus statusOf(drive::MotorState state, TimePoint at, int motor = 1
 
 struct Guarded {
     std::shared_ptr<Notes> notes = std::make_shared<Notes>();
-    Bench bench{notes};
+    Bench bench{session::Attendance::OwnThread, notes};
 
     Guarded()
     {

@@ -47,6 +47,8 @@ struct World {
     {
         session::Parts parts = session::realParts();
         parts.clock = [&world] { return world.now; };
+        parts.elapsed = {};
+        parts.attendance = session::Attendance::OwnThread;
         return parts;
     }
 

@@ -182,6 +182,61 @@ private Q_SLOTS:
         QCOMPARE(bench.starts, 1);
     }
 
+    void onlyWhatIsHeldSaysThatItIs()
+    {
+        JogBench bench;
+        QSignalSpy held(&bench.device, &widgets::Device::held);
+        QSignalSpy released(&bench.device, &widgets::Device::released);
+        bench.agree(); // nothing moves yet
+        QCOMPARE(held.size(), 0);
+        QTest::mousePress(bench.button(), Qt::LeftButton);
+        QCOMPARE(held.size(), 1); // before the motor is asked for anything
+        QCOMPARE(held[0][0].toInt(), 1);
+        QTRY_VERIFY(held.size() >= 5); // by itself, while nothing else goes on
+        QCOMPARE(released.size(), 0);
+        QTest::mouseRelease(bench.button(), Qt::LeftButton);
+        QCOMPARE(released.size(), 1);
+        const auto before = held.size();
+        for (int i = 0; i < 100; ++i)
+            bench.box.refresh(widgets::Milliseconds(i * 10)); // the window's heart
+        bool later = false;
+        QTimer::singleShot(200, this, [&] { later = true; });
+        QTRY_VERIFY(later);
+        QCOMPARE(held.size(), before);
+        QCOMPARE(released.size(), 1);
+    }
+
+    void everyEndOfAHoldIsToldOnce()
+    {
+        for (const bool stop : {true, false}) {
+            JogBench bench;
+            bench.agree();
+            QVERIFY(bench.press());
+            QSignalSpy released(&bench.device, &widgets::Device::released);
+            stop ? bench.device.stop() : bench.other.setFocus();
+            QCOMPARE(released.size(), 1);
+            QTest::mouseRelease(bench.button(), Qt::LeftButton);
+            QCOMPARE(released.size(), 1);
+        }
+    }
+
+    void aHoldThatTheSessionEndedIsOver()
+    {
+        JogBench bench;
+        bench.agree();
+        QVERIFY(bench.press());
+        // The window stood still; the session has sent the stop of this motor.
+        bench.link.submit(drive::Command{MotorAction::StopMotor, 1});
+        Q_EMIT bench.device.interrupted({session::Interruption::Cause::Hold, 400ms, false, true});
+        QVERIFY(!bench.box.jog().held());
+        QVERIFY(bench.idleWithin(500ms));
+        QVERIFY(!bench.box.jog().underWay());
+        QTest::mouseRelease(bench.button(), Qt::LeftButton);
+        bench.link.runFor(1s);
+        QCOMPARE(bench.stops, 0);
+        QCOMPARE(bench.motorStops, 0); // none of its own
+    }
+
     void aRepeatThatIsNotMarkedIsNoRelease()
     {
         JogBench bench;

@@ -232,6 +232,25 @@ private Q_SLOTS:
         QVERIFY(!banner()->text().contains(QStringLiteral("turning")));
     }
 
+    void whatWentOnWithoutTheWindowIsTold()
+    {
+        using Cause = session::Interruption::Cause;
+        const auto tell = [this](const session::Interruption &what) {
+            Q_EMIT device().interrupted(what);
+            return banner()->text();
+        };
+        const QString stopped =
+            tell({Cause::Interface, std::chrono::milliseconds(8240), true, true});
+        QVERIFY2(stopped.contains(QStringLiteral("8.2 s")), qPrintable(stopped));
+        QVERIFY2(
+            stopped.contains(QStringLiteral("All motors were told to stop")), qPrintable(stopped));
+        const QString disarmed = tell({Cause::Gap, std::chrono::hours(1), true, false});
+        QVERIFY2(disarmed.contains(QStringLiteral("disarmed")), qPrintable(disarmed));
+        QVERIFY(!disarmed.contains(QStringLiteral("told to stop")));
+        QVERIFY(tell({Cause::Hold, {}, false, true}).contains(QStringLiteral("jog")));
+        QVERIFY(tell({Cause::LateArming, {}, false, false}).contains(QStringLiteral("Not armed")));
+    }
+
     void theWatchdogOfADriveIsShown()
     {
         auto *shown = m_rig->find<QLabel>("statusWatchdog");
@@ -240,6 +259,8 @@ private Q_SLOTS:
         board.identity.watchdog = std::chrono::milliseconds(500);
         facts::feed(device(), {board});
         QCOMPARE(shown->text(), QStringLiteral("Drive watchdog: 500 ms"));
+        QVERIFY(
+            shown->toolTip().contains(QStringLiteral("fed by a live window, only while armed")));
         feed({LinkState::Lost, LinkReason::Silence});
         QVERIFY(banner()->text().contains(QStringLiteral("stop it by itself after 500 ms")));
         QVERIFY(!banner()->text().contains(QStringLiteral("no communication time-out")));

@@ -80,8 +80,14 @@ drive::WishId Device::submit(decltype(drive::Wish::what) what)
     drive::Wish wish;
     wish.id = ++m_lastWish;
     wish.what = std::move(what);
+    wish.madeAt = madeAt();
     Q_EMIT wishMade(wish);
     return m_lastWish;
+}
+
+std::optional<TimePoint> Device::madeAt() const
+{
+    return m_actClock ? std::optional(m_actClock()) : std::nullopt;
 }
 
 void Device::open(const session::Endpoint &endpoint)
@@ -110,7 +116,7 @@ void Device::setArmed(bool armed)
 {
     if (armed && !answering())
         return;
-    Q_EMIT armWished(armed);
+    Q_EMIT armWished(armed, madeAt());
 }
 
 void Device::setMotor(int motor)

@@ -13,6 +13,7 @@
 #include <QObject>
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -58,6 +59,8 @@ public:
 
     /// Sends a wish and returns its id, which the matching `ended` carries.
     drive::WishId submit(decltype(drive::Wish::what) what);
+    /// Tells when the act of a person that is being done was made; without it wishes are as old as their submission.
+    void setActClock(std::function<TimePoint()> clock) { m_actClock = std::move(clock); }
 
 public Q_SLOTS:
     void open(const session::Endpoint &endpoint);
@@ -87,7 +90,9 @@ Q_SIGNALS:
     void stopWished();
     void stopImpossible(); ///< no port is open: nothing can carry a stop now
     void forgetStopWished();
-    void armWished(bool armed);
+    void armWished(bool armed, std::optional<TimePoint> madeAt);
+    void held(int motor); ///< what moves it is held now; again and again, for as long as it is
+    void released();
 
     // Toward the panels.
     void portStateChanged();
@@ -105,6 +110,7 @@ Q_SIGNALS:
     void stopAdvanced(const drive::StopProgress &progress);
     /// Ports at which a stop is wanted, and that are not open.
     void stopsWanted(const QStringList &ports);
+    void interrupted(const session::Interruption &what); ///< what went on without the window
     void motionLogged(const drive::MotionRecord &record);
     void countersChanged();
     void batchApplied();
@@ -114,6 +120,7 @@ private:
     void takeEnd(const drive::Ended &ended);
     void forgetBoard();
     void disarm();
+    std::optional<TimePoint> madeAt() const;
 
     session::Endpoint m_endpoint;
     session::PortState m_port = session::PortState::Closed;
@@ -126,6 +133,7 @@ private:
     std::map<drive::WishId, int> m_expertWished; ///< motor by wish, not ended
     drive::LinkCounters m_counters;
     std::uint64_t m_dropped = 0;
+    std::function<TimePoint()> m_actClock;
     drive::WishId m_lastWish = 0;
     int m_motor = 1;
     bool m_armed = false;

@@ -77,6 +77,29 @@ QString linkReasonText(drive::LinkReason reason)
     return {};
 }
 
+QString interruptionText(const session::Interruption &what)
+{
+    using Cause = session::Interruption::Cause;
+    const QString seconds = QString::number(toSeconds(what.length), 'f', 1);
+    const QString effect = what.stopped
+        ? Messages::tr("All motors were told to stop. Look at them, then arm again.")
+        : Messages::tr("It was disarmed; the motors go on as they are.");
+    switch (what.cause) {
+    case Cause::Interface:
+        return Messages::tr("This window stood still for %1 s.").arg(seconds) + QLatin1Char(' ')
+            + effect;
+    case Cause::Gap:
+        return Messages::tr("This program or the computer stood still for %1 s.").arg(seconds)
+            + QLatin1Char(' ') + effect;
+    case Cause::Hold:
+        return Messages::tr("The jog was ended: this window stood still while it was held.");
+    case Cause::LateArming:
+        return Messages::tr(
+            "Not armed: it was asked for while this window stood still. Arm again.");
+    }
+    return {};
+}
+
 QString linkLostText(std::optional<std::chrono::milliseconds> watchdog)
 {
     if (watchdog)

@@ -14,6 +14,8 @@ namespace widgets {
 QString linkStateText(drive::LinkState state);
 /// Why a link ended or came back, in one sentence; empty for None.
 QString linkReasonText(drive::LinkReason reason);
+/// What the banner says of time in which nobody attended, or could not.
+QString interruptionText(const session::Interruption &what);
 /// What the banner says when contact to a board is gone. @param watchdog  of the drive, if it has one
 QString linkLostText(std::optional<std::chrono::milliseconds> watchdog);
 /// Why a port could not be opened or is gone, and what to do; empty for None.

@@ -36,6 +36,13 @@ Jog::Jog(Device &device, MotionGate &motion, QObject *parent)
         if (!m_device.answering())
             abort();
     });
+    connect(&device, &Device::interrupted, this, [this](const session::Interruption &what) {
+        if (what.cause != session::Interruption::Cause::Hold || m_state != State::Held)
+            return;
+        m_deadline = m_now + kIdleWithin; // the session has stopped it
+        m_motion.dropRest();
+        enter(State::LettingGo);
+    });
     connect(&device, &Device::portStateChanged, this, [this] {
         if (!m_device.portOpen())
             enter(State::Off); // nothing can carry a stop; the window says so
@@ -68,8 +75,23 @@ void Jog::hold(std::int32_t rpm)
     const std::int32_t slow = std::clamp(rpm, -most, most);
     if (!m_motion.jogAgreed(m_motor))
         m_toAsk = slow;
-    else if (m_motion.jog(tr("Jog"), m_motor, slow))
+    else
+        begin(slow);
+}
+
+void Jog::begin(std::int32_t rpm)
+{
+    Q_EMIT m_device.held(m_motor); // before anything moves
+    if (m_motion.jog(tr("Jog"), m_motor, rpm))
         enter(State::Held);
+    else
+        Q_EMIT m_device.released();
+}
+
+void Jog::stamp()
+{
+    if (m_state == State::Held)
+        Q_EMIT m_device.held(m_motor);
 }
 
 void Jog::release()
@@ -123,7 +145,8 @@ void Jog::enter(State state)
 {
     if (m_state == state)
         return;
-    m_state = state;
+    if (std::exchange(m_state, state) == State::Held)
+        Q_EMIT m_device.released();
     Q_EMIT changed();
 }
 

@@ -1,6 +1,9 @@
 // Jog: a motor turns slowly while something is held, and stops when it is let go. It begins at an idle motor only, and
 // any doubt ends it: a stop, a lost or silent link, another motor, the end of arming, a lost focus.
 //
+// What is held says so again and again, and the session stops the motor when it is not heard of (session/dead_man.h): a
+// window that freezes does not see that a button was let go.
+//
 // Letting go stops this motor alone and leaves it armed; if it is not seen idle soon after, and in every other case, all
 // motors are stopped for good.
 #pragma once
@@ -29,6 +32,7 @@ public Q_SLOTS:
     /// Not 0; cut to greatestRpm(). Does nothing if it may not begin. The first time it only notes that it has to be
     /// asked about: a question that opened now would be answered by the key that is held.
     void hold(std::int32_t rpm);
+    void stamp(); ///< it is still held; from what is held itself, and from nothing else
     void release(); ///< let go; asks, if that is still to be done
     void abort(); ///< not let go, but lost: stops every motor
     void refresh(widgets::Milliseconds now);
@@ -38,6 +42,7 @@ Q_SIGNALS:
 
 private:
     enum class State : std::uint8_t { Off, Held, LettingGo };
+    void begin(std::int32_t rpm);
     void enter(State state);
     void statusChanged();
 

@@ -18,6 +18,8 @@ constexpr double kRpmStep = 6.0; // one digit of speed is 0.1 Hz
 constexpr double kFallbackRpm = 300.0;
 // A busy X11 session tells some repeats as a release and a press of one and the same instant.
 constexpr std::chrono::milliseconds kRepeatWithin{30};
+// A sixth of what a hold lasts without being heard of.
+constexpr std::chrono::milliseconds kHoldEvery{50};
 
 bool isEnter(const QKeyEvent *event)
 {
@@ -32,6 +34,9 @@ JogButton::JogButton(const QString &text, QWidget *parent)
 {
     setFocusPolicy(Qt::StrongFocus); // what has no focus cannot lose it
     setAutoRepeat(false);
+    m_holding.setInterval(kHoldEvery);
+    m_holding.setTimerType(Qt::PreciseTimer);
+    connect(&m_holding, &QTimer::timeout, this, &JogButton::stillHeld);
     m_released.setSingleShot(true);
     m_released.setInterval(kRepeatWithin);
     connect(&m_released, &QTimer::timeout, this, [this] {
@@ -50,6 +55,7 @@ void JogButton::begin()
     if (std::exchange(m_held, true))
         return;
     watchWindow(true);
+    m_holding.start();
     Q_EMIT began();
 }
 
@@ -58,6 +64,7 @@ void JogButton::end()
     if (!std::exchange(m_held, false))
         return;
     watchWindow(false);
+    m_holding.stop();
     Q_EMIT ended();
 }
 
@@ -67,6 +74,7 @@ void JogButton::lose()
     if (!std::exchange(m_held, false))
         return;
     watchWindow(false);
+    m_holding.stop();
     setDown(false);
     Q_EMIT lost();
 }
@@ -192,6 +200,7 @@ JogButton *JogBox::makeButton(const QString &text, const char *name, int sign)
         if (const auto rpm = m_speed->sentValue())
             m_jog.hold(sign * static_cast<std::int32_t>(std::abs(*rpm)));
     });
+    connect(button, &JogButton::stillHeld, &m_jog, &Jog::stamp);
     connect(button, &JogButton::ended, this, [this] {
         m_jog.release();
         follow();

@@ -25,6 +25,7 @@ public:
 
 Q_SIGNALS:
     void began();
+    void stillHeld(); ///< some times within the time that a hold lasts without it
     void ended();
     void lost();
 
@@ -44,6 +45,7 @@ private:
 
     bool m_held = false;
     QPointer<QWidget> m_watched; ///< the window, while held
+    QTimer m_holding; ///< runs while it is held
     QTimer m_released; ///< runs while a key that came up may turn out to repeat itself
     quint64 m_releasedAt = 0; ///< by the window system's clock
 };

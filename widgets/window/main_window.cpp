@@ -394,6 +394,8 @@ void MainWindow::connectParts()
         m_banner->say(Banner::Kind::Warning, sentence);
     };
     connect(m_connectBar, &ConnectBar::refused, this, note);
+    connect(&m_device, &Device::interrupted, this,
+        [note](const session::Interruption &what) { note(interruptionText(what)); });
     connect(&m_workbench.motion(), &MotionGate::failed, this, note);
     showMotionQuestions(m_workbench.motion(), m_device, this);
     connect(m_control, &ControlPanel::limitsWanted, this, &MainWindow::askForLimits);

@@ -119,8 +119,10 @@ void StatusStrip::updateWatchdog()
         m_watchdog->setToolTip(QString());
     } else if (const auto &watchdog = identified->identity.watchdog) {
         m_watchdog->setText(tr("Drive watchdog: %1 ms").arg(QString::number(watchdog->count())));
-        m_watchdog->setToolTip(tr("This drive stops its motor by itself when this program has not "
-                                  "been heard for that time. It is not a safety function."));
+        m_watchdog->setToolTip(
+            tr("This drive stops its motor by itself when it has not been fed for that time. It is "
+               "fed by a live window, only while armed: disarming stops what turns. It is not a "
+               "safety function."));
     } else {
         m_watchdog->setText(tr("Drive watchdog: none"));
         m_watchdog->setToolTip(tr("This drive has no communication time-out: when the link is "

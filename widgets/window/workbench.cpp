@@ -1,11 +1,16 @@
 #include "widgets/window/workbench.h"
 
+#include <QCoreApplication>
+#include <QInputEvent>
+
 #include "widgets/window/application.h"
 
 namespace widgets {
 namespace {
 
 constexpr int kHeartbeatMs = 200;
+/// What tells the session that this thread lives. Four late ones in a row are forgiven, a fifth disarms.
+constexpr int kPulseMs = 100;
 
 session::Parts guarded(session::Parts parts, std::shared_ptr<session::Guardian> guardian)
 {
@@ -25,7 +30,7 @@ Workbench::Workbench(
     , m_tap(std::make_shared<session::RecordingTap>())
     , m_recording(m_tap, {}, std::move(makeSink))
     , m_thread(session::tapped(
-          session::replaying(guarded(session::realParts(), std::move(guardian)), m_replay), m_tap))
+          session::replaying(guarded(m_parts, std::move(guardian)), m_replay), m_tap))
 {
     m_clock.start();
     connectSession();
@@ -39,9 +44,36 @@ Workbench::Workbench(
         Q_EMIT heartbeat(now());
     });
     m_heart.start(kHeartbeatMs);
+    m_pulse.setTimerType(Qt::PreciseTimer);
+    connect(&m_pulse, &QTimer::timeout, this, &Workbench::pulse);
+    m_pulse.start(kPulseMs);
+    pulse();
+    m_device.setActClock([this] { return m_inputAge.madeAt(m_parts.clock()); });
+    QCoreApplication::instance()->installEventFilter(this);
 }
 
 Workbench::~Workbench() = default;
+
+/// Notes how old each input is before anything is done with it.
+bool Workbench::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->spontaneous() && event->isInputEvent())
+        m_inputAge.note(static_cast<QInputEvent *>(event)->timestamp(), m_parts.clock());
+    return QObject::eventFilter(watched, event);
+}
+
+void Workbench::pulse()
+{
+    m_inputAge.beat(m_parts.clock());
+    m_thread.session()->attendFromAnyThread();
+}
+
+void Workbench::atSession(const std::function<void(session::Session &)> &what)
+{
+    session::Session *session = m_thread.session();
+    QMetaObject::invokeMethod(
+        session, [session, what] { what(*session); }, Qt::QueuedConnection);
+}
 
 void Workbench::connectSession()
 {
@@ -59,10 +91,15 @@ void Workbench::connectSession()
     });
     connect(&m_device, &Device::forgetStopWished, session, &Session::forgetStop);
     connect(session, &Session::stopsWanted, &m_device, &Device::setStopsWanted);
+    // A frozen window must not seem to hold anything: no queued calls.
+    connect(&m_device, &Device::held, this,
+        [session](int motor) { session->holdFromAnyThread(motor); });
+    connect(&m_device, &Device::released, this, [session] { session->releaseFromAnyThread(); });
 
     connect(session, &Session::portChanged, &m_device, &Device::portChanged);
     connect(session, &Session::armedChanged, &m_device, &Device::armedChanged);
     connect(session, &Session::batch, &m_device, &Device::apply);
+    connect(session, &Session::interrupted, &m_device, &Device::interrupted);
     connect(&m_device, &Device::batchApplied, session, &Session::acknowledge);
     connect(&m_device, &Device::samplesArrived, this,
         [this](const capture::SampleBlock &block) { m_replay->take(record::samplesOf(block)); });

@@ -10,6 +10,7 @@
 #include "session/replay.h"
 #include "session/session_thread.h"
 #include "widgets/base/device.h"
+#include "widgets/control/input_age.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/motion_log_model.h"
 #include "widgets/registers/register_edits.h"
@@ -49,13 +50,23 @@ public:
         return Milliseconds(m_clock.elapsed());
     } ///< since the workbench was made
 
+    /// Calls `what` in the session's thread, where a frozen window does not delay it.
+    void atSession(const std::function<void(session::Session &)> &what);
+
 Q_SIGNALS:
     void heartbeat(widgets::Milliseconds now); ///< some times a second: ages, rates
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
+    void pulse();
     void connectSession();
     void connectModels();
 
+    session::Parts m_parts =
+        session::realParts(); ///< one clock for the session and for what it is asked
+    InputAge m_inputAge;
     QElapsedTimer m_clock;
     Device m_device;
     RegisterModel m_registers;
@@ -67,6 +78,7 @@ private:
     capture::Capture m_capture;
     WatchList m_watchList;
     QTimer m_heart;
+    QTimer m_pulse; ///< also while the models are busy with a heartbeat
     std::shared_ptr<session::Replay> m_replay = std::make_shared<session::Replay>();
     std::shared_ptr<session::RecordingTap> m_tap;
     session::Recording m_recording;
