@@ -479,9 +479,9 @@ void Session::openNext()
 void Session::dropLink()
 {
     m_transport->disconnect(this);
+    // What could not leave must not leave when nobody looks any more; but a STOP may.
     if (!m_stops.at(m_endpoint))
-        m_transport
-            ->discardOutput(); // what could not leave must not leave when nobody looks any more
+        m_transport->discardOutput();
     if (m_parts.guardian)
         m_parts.guardian->letGo();
     m_transport->close();

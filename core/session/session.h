@@ -16,11 +16,12 @@
 // A stop is wanted until there is evidence that nothing drives a motor at that port, or a person takes it back: across
 // lost ports, attempts to open them again, and connections to others. While one is wanted, the first act on any port that
 // is opened is to stop what is there; only what is found at its own port confirms it. Asked for while the port is being
-// closed, or open still when it is to be closed, a stop is carried out first, for kLastStop at most.
+// closed, or open still when it is to be closed, a stop is carried out first, for two seconds at most.
 //
 // A guardian, where there is one, is told what stops the motors before anything leaves that can move one, and that the
 // session lives with every turn. If it has acted, this program did not run for seconds: nothing of before is sent any
 // more, and the port is opened anew like one that was unplugged.
+//
 // It is armed only as long as somebody can see and stop what it does (session/dead_man.h): the interface stamps it with
 // attendFromAnyThread(). A gap in time (session/time_gap.h) disarms, and the states of the motors are read before
 // anything else. What followed of either is told by interrupted(), when there is somebody to tell.
