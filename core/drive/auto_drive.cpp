@@ -46,9 +46,11 @@ public:
         m_open = false;
         m_stop.end();
         m_turnEnds.reset();
-        m_tryAgainAt.reset();
+        const bool between = std::exchange(m_tryAgainAt, std::nullopt).has_value();
         m_drive->disconnect(now);
         sift(now);
+        if (between) // the last candidate was closed when it had failed
+            m_events.emplace_back(LinkChanged{LinkState::Closed, LinkReason::None});
     }
     void receive(ByteView bytes, TimePoint now) override
     {

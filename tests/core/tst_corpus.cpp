@@ -29,6 +29,18 @@
 #define LLVMFuzzerTestOneInput fuzzLegacy
 #include "fuzz/fuzz_legacy.cpp"
 #undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput fuzzDriveMcp
+#include "fuzz/fuzz_drive_mcp.cpp"
+#undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput fuzzDriveLegacy
+#include "fuzz/fuzz_drive_legacy.cpp"
+#undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput fuzzDriveMcb
+#include "fuzz/fuzz_drive_mcb.cpp"
+#undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput fuzzDriveAuto
+#include "fuzz/fuzz_drive_auto.cpp"
+#undef LLVMFuzzerTestOneInput
 
 class TestCorpus : public QObject {
     Q_OBJECT
@@ -45,15 +57,19 @@ using Target = int (*)(const std::uint8_t *, std::size_t);
 
 Target targetOf(const QString &name)
 {
-    return name == "fuzz_controller" ? fuzzController
-        : name == "fuzz_mcp"         ? fuzzMcp
-        : name == "fuzz_mcb"         ? fuzzMcb
-        : name == "fuzz_datalog"     ? fuzzDatalog
-        : name == "fuzz_trace"       ? fuzzTrace
-        : name == "fuzz_recording"   ? fuzzRecording
-        : name == "fuzz_formula"     ? fuzzFormula
-        : name == "fuzz_legacy"      ? fuzzLegacy
-                                     : nullptr;
+    return name == "fuzz_controller"  ? fuzzController
+        : name == "fuzz_mcp"          ? fuzzMcp
+        : name == "fuzz_mcb"          ? fuzzMcb
+        : name == "fuzz_datalog"      ? fuzzDatalog
+        : name == "fuzz_trace"        ? fuzzTrace
+        : name == "fuzz_recording"    ? fuzzRecording
+        : name == "fuzz_formula"      ? fuzzFormula
+        : name == "fuzz_legacy"       ? fuzzLegacy
+        : name == "fuzz_drive_mcp"    ? fuzzDriveMcp
+        : name == "fuzz_drive_mcb"    ? fuzzDriveMcb
+        : name == "fuzz_drive_auto"   ? fuzzDriveAuto
+        : name == "fuzz_drive_legacy" ? fuzzDriveLegacy
+                                      : nullptr;
 }
 
 int play(Target target, const QByteArray &bytes)

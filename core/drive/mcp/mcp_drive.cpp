@@ -19,6 +19,8 @@ constexpr Duration kClosingTime = 500ms; ///< for the stop of the datalog when d
 void McpDrive::connect(TimePoint now)
 {
     cutAllWishes("connecting anew");
+    m_task = nullptr; // what the link before still had under way is never answered
+    m_stopUnderWay = false;
     m_mode = Mode::Open;
     m_lost.reset();
     m_reconnectAt.reset();

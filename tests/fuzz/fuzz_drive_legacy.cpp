@@ -1,0 +1,20 @@
+// LegacyDrive in both dialects through any script of acts, faults and time: drive_script.h has the rules.
+#include "drive/legacy/legacy_drive.h"
+#include "fuzz/legacy_peer.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
+{
+    static const fuzz::Target target{
+        .drive = [] { return drive::makeLegacyDrive({}); },
+        .peer = [](unsigned which, int motors) -> std::unique_ptr<fuzz::Peer> {
+            if (which == 3)
+                return std::make_unique<fuzz::NobodyThere>();
+            return std::make_unique<fuzz::LegacyPeer>(
+                which == 1 ? legacy::Dialect::PowerPc : legacy::Dialect::Stm32, motors);
+        },
+        .effects = [] { return fuzz::legacyEffect; },
+        .baud = 115200,
+    };
+    fuzz::playDrive(target, {data, size});
+    return 0;
+}

@@ -1,0 +1,20 @@
+// McbDrive through any script of acts, faults and time: drive_script.h has the rules.
+#include "drive/mcb/mcb_drive.h"
+#include "fuzz/mcb_peer.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
+{
+    static const fuzz::Target target{
+        .drive = [] { return drive::makeMcbDrive({}); },
+        .peer = [](unsigned which, int) -> std::unique_ptr<fuzz::Peer> {
+            if (which == 3)
+                return std::make_unique<fuzz::NobodyThere>();
+            return std::make_unique<fuzz::McbPeer>();
+        },
+        .effects = [] { return fuzz::mcbEffect; },
+        .baud = 10'000'000,
+        .exchanges = true,
+    };
+    fuzz::playDrive(target, {data, size});
+    return 0;
+}

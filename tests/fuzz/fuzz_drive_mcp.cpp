@@ -1,0 +1,18 @@
+// McpDrive through any script of acts, faults and time: drive_script.h has the rules.
+#include "drive/mcp/mcp_drive.h"
+#include "fuzz/mcp_peer.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
+{
+    static const fuzz::Target target{
+        .drive = [] { return drive::makeMcpDrive({}); },
+        .peer = [](unsigned which, int motors) -> std::unique_ptr<fuzz::Peer> {
+            if (which == 3)
+                return std::make_unique<fuzz::NobodyThere>();
+            return std::make_unique<fuzz::McpPeer>(motors);
+        },
+        .effects = [] { return fuzz::McpEffects(); },
+    };
+    fuzz::playDrive(target, {data, size});
+    return 0;
+}
