@@ -249,6 +249,7 @@ bool Board::actAsLiar(TimePoint at)
     const auto urge = m_liar.act(at, static_cast<std::uint8_t>(m_axes.front()->firmware.state()),
         m_transmitter.responseFree());
     m_transmitter.sendAsIs(urge.bytes, at);
+    m_receiver.put(urge.heard, at);
     if (urge.faults)
         setFaults(*urge.faults);
     if (urge.restart)

@@ -44,6 +44,8 @@ constexpr std::array kLies{
     LieInfo{Lie::Resets, "resets", LieActs::OnLink, 0, "restarts every 0.5 to 3 s"},
     LieInfo{Lie::ResetsInAnswer, "resets-in-answer", LieActs::OnLink, 60,
         "restarts in the middle of an answer"},
+    LieInfo{Lie::AtProbe, "at-probe", LieActs::OnLink, 0,
+        "hears and echoes a modem manager's AT from 3 to 8 s on"},
 
     LieInfo{Lie::WrongLength, "wrong-length", LieActs::OnAnswers, 6,
         "announces 0, 8191 or some bytes more or less than follow"},
@@ -221,9 +223,13 @@ Liar::Urge Liar::act(TimePoint now, std::uint8_t motorState, bool lineFree)
         m_started = true;
         m_restartAt = now + 2s;
         m_nextUnsolicited = now;
+        m_nextProbe = now + 3s;
+        m_probesEnd = now + 8s;
     }
+    if (chosen(Lie::AtProbe) && now >= m_nextProbe && now < m_probesEnd)
+        probe(now, lineFree, urge);
     actOnFaults(now, motorState, urge);
-    if (lineFree)
+    if (lineFree && urge.bytes.empty())
         actOnLine(now, urge);
     if (chosen(Lie::Resets) && now >= m_restartAt) {
         m_restartAt = now + 500ms + Duration(below(2'500'000'000));
@@ -235,6 +241,18 @@ Liar::Urge Liar::act(TimePoint now, std::uint8_t motorState, bool lineFree)
         m_stalled.reset();
     }
     return urge;
+}
+
+/// What ModemManager sends to a port that it takes for a modem's, and the echo of it that comes back.
+void Liar::probe(TimePoint now, bool lineFree, Urge &urge)
+{
+    constexpr std::array<std::string_view, 4> kCommands{
+        "AT\r\n", "AT\r\nAT\r\nAT\r\n", "AT+CGMI\r\n", "ATI\r\n"};
+    const std::string_view command = kCommands[below(kCommands.size())];
+    urge.heard = ByteWriter().text(command).take();
+    if (lineFree)
+        urge.bytes = urge.heard;
+    m_nextProbe = now + 20ms + Duration(below(480'000'000));
 }
 
 void Liar::actOnLine(TimePoint now, Urge &urge)

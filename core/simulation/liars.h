@@ -32,6 +32,7 @@ enum class Lie : std::uint8_t {
     TornPackets,
     Resets,
     ResetsInAnswer,
+    AtProbe,
     // Answers
     WrongLength,
     BeyondAgreed,
@@ -102,6 +103,7 @@ public:
     /// What it does of its own accord.
     struct Urge {
         Bytes bytes; ///< for the line, as they are
+        Bytes heard; ///< on the way to the board, as from somebody else on the port
         bool restart = false;
         std::optional<std::uint16_t> faults; ///< present from now on
     };
@@ -148,6 +150,7 @@ private:
 
     void actOnFaults(TimePoint now, std::uint8_t motorState, Urge &urge);
     void actOnLine(TimePoint now, Urge &urge);
+    void probe(TimePoint now, bool lineFree, Urge &urge);
 
     std::vector<LieChoice> m_choices;
     Duration m_replyTime;
@@ -162,6 +165,7 @@ private:
     std::optional<std::uint32_t> m_frozenTime;
     std::uint32_t m_timeShift = 0;
     TimePoint m_restartAt{}, m_nextUnsolicited{}, m_flicker{}, m_faultEnds{};
+    TimePoint m_nextProbe{}, m_probesEnd{};
     bool m_started = false, m_restart = false;
     std::optional<std::uint16_t> m_faults;
     bool m_ranOnce = false;

@@ -309,7 +309,7 @@ private:
     {
         static const bool wanted = std::getenv("ROTORSCOPE_TELL") != nullptr;
         if (wanted)
-            (std::cerr << toSeconds(m_now - TimePoint{}) << ' ' << ... << what) << '\n';
+            ((std::cerr << toSeconds(m_now - TimePoint{}) << ' ') << ... << what) << '\n';
     }
     void add(std::uint8_t byte) { m_sum = (m_sum ^ byte) * 0x100000001B3ULL; }
 

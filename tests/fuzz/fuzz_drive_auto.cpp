@@ -1,31 +1,6 @@
 // AutoDrive through any script of acts, faults and time, and boards of each serial protocol: drive_script.h has the rules.
 #include "drive/make_drive.h"
-#include "fuzz/legacy_peer.h"
-#include "fuzz/mcp_peer.h"
-
-namespace {
-
-/// It changes the language: a header of ASPEP is told from a frame of the older protocol by its CRC and length alone, as a
-/// board would tell them.
-class EitherEffect {
-public:
-    fuzz::Effect operator()(ByteView output)
-    {
-        const bool header = output.size() == aspep::kHeaderSize
-            && aspep::decodeHeader({output[0], output[1], output[2], output[3]}).has_value();
-        if (m_payloadNext || header) {
-            m_payloadNext = header && !m_payloadNext && (output[0] & 0x0FU) == 9;
-            return m_newer(output);
-        }
-        return fuzz::legacyEffect(output);
-    }
-
-private:
-    fuzz::McpEffects m_newer;
-    bool m_payloadNext = false;
-};
-
-} // namespace
+#include "fuzz/either_effect.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
@@ -40,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
             return std::make_unique<fuzz::LegacyPeer>(
                 which == 1 ? legacy::Dialect::PowerPc : legacy::Dialect::Stm32, motors);
         },
-        .effects = [] { return EitherEffect(); },
+        .effects = [] { return fuzz::EitherEffect(); },
         .baud = 115200,
     };
     fuzz::playDrive(target, {data, size});

@@ -7,6 +7,9 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 using namespace std::chrono_literals;
 using session::PortError;
 using session::PortProblem;
@@ -22,6 +25,7 @@ private Q_SLOTS:
     void anUnpluggedPortFailsOnceAndIsClosed();
     void anUnpluggedPortFailsOnceWhileWriting();
     void aSecondOpenIsRefusedAlsoByAnotherName();
+    void rootIsRefusedToo();
     void aClosedPortCanBeOpenedAgain();
     void whatALineDidNotTakeCanBeDropped();
     void whatIsNotASerialPortIsRefused();
@@ -139,6 +143,26 @@ void TestSerialTransport::aSecondOpenIsRefusedAlsoByAnotherName()
     QCOMPARE(device.read(), Bytes{1});
     first.transport.close();
     QCOMPARE(Port(alias).open(), PortProblem::None);
+}
+
+/// The system lets root pass where others are held; the lock does not. Whoever is not root is only refused once more here.
+void TestSerialTransport::rootIsRefusedToo()
+{
+    constexpr uid_t kNobody = 65534;
+    const bool root = ::geteuid() == 0;
+    PseudoTerminal device;
+    QCOMPARE(::chmod(QFile::encodeName(device.path()).constData(), 0666), 0);
+    Port first(device.path());
+    if (root)
+        QCOMPARE(::seteuid(kNobody), 0);
+    const PortProblem problem = first.open();
+    if (root)
+        QCOMPARE(::seteuid(0), 0);
+    QCOMPARE(problem, PortProblem::None);
+    Port second(device.path());
+    QCOMPARE(second.open(), PortProblem::Busy);
+    first.transport.close();
+    QCOMPARE(second.open(), PortProblem::None);
 }
 
 void TestSerialTransport::aClosedPortCanBeOpenedAgain()
