@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <new>
 
 namespace capture {
 
@@ -126,12 +127,20 @@ void Capture::append(const SampleBlock &block)
     }
     if (block.lostTicks != 0)
         breakStream();
-    appendFast(block);
-    appendSlow(block);
     ++m_revision;
-    m_sinceCheck += block.fast.size() + block.slow.size() * m_slow.size();
-    if (m_sinceCheck >= kSamplesBetweenChecks)
-        keepWithinLimit();
+    try {
+        appendFast(block);
+        appendSlow(block);
+        m_sinceCheck += block.fast.size() + block.slow.size() * m_slow.size();
+        if (m_sinceCheck >= kSamplesBetweenChecks)
+            keepWithinLimit();
+    } catch (const std::bad_alloc &) {
+        // What is drawn gets a gap and loses its oldest; what is recorded goes another way and misses nothing.
+        m_released += block.count;
+        breakStream();
+        forgetDeposits();
+        releaseOldest();
+    }
 }
 
 void Capture::appendFast(const SampleBlock &block)

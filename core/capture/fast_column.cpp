@@ -171,22 +171,25 @@ void FastColumn::append(
         return;
     const bool follows = !m_broken && !m_segments.empty() && m_segments.back().base == base
         && m_segments.back().step == step && m_segments.back().tickOf(m_end) == tick;
+    if (m_end - m_chunkBase == m_chunks.size() * kChunkSamples)
+        addChunk(); // first, so that no segment stays empty where there is no memory for it
     if (!follows)
         m_segments.push_back({m_end, 0, tick, step, base});
-    m_broken = false;
+    m_broken = true; // memory may run out in the middle
     appendCodes(codes);
-    m_segments.back().count += codes.size();
+    m_broken = false;
 }
 
 void FastColumn::appendCodes(std::span<const std::int16_t> codes)
 {
     while (!codes.empty()) {
         const std::size_t used = static_cast<std::size_t>(m_end - m_chunkBase) % kChunkSamples;
-        if (used == 0)
+        if (m_end - m_chunkBase == m_chunks.size() * kChunkSamples)
             addChunk();
         const std::size_t count = std::min(codes.size(), kChunkSamples - used);
         fill(codes.data(), used, used + count);
         m_end += count;
+        m_segments.back().count += count;
         codes = codes.subspan(count);
         // As many again are likely, and until then there is time to fetch where they go.
         const std::size_t next = used + count;
@@ -201,12 +204,12 @@ void FastColumn::addChunk()
         m_memory = std::make_shared<SampleMemory>();
     const Slice samples = m_memory->take();
     const RangeSlice ranges = m_memory->takeRanges();
-    m_filledSamples = samples.get();
-    m_filledRanges = ranges.get();
     auto chunk = std::make_shared_for_overwrite<Chunk>();
     chunk->samples = samples;
     chunk->finest = ranges;
     m_chunks.push_back(std::move(chunk));
+    m_filledSamples = samples.get();
+    m_filledRanges = ranges.get();
 }
 
 void FastColumn::handOver(std::vector<Stretch> &to)

@@ -11,24 +11,28 @@ void ValueColumn::append(
     assert(times.size() == values.size());
     if (times.empty())
         return;
+    const auto full = [this] { return m_end == (m_released + m_chunks.size()) * kChunkSamples; };
+    if (full()) // first, so that no run stays empty where there is no memory for it
+        addChunk(times.front());
     if (m_broken || m_runs.empty())
         m_runs.push_back({m_end, 0, holdUntil});
-    m_broken = false;
-    m_runs.back().count += times.size();
+    m_broken = true; // memory may run out in the middle
     m_runs.back().holdUntil = holdUntil;
-    m_lastTime = times.back();
     for (std::size_t done = 0; done < times.size();) {
         const std::size_t at = inChunk(m_end);
-        if (at == 0)
+        if (full())
             addChunk(times[done]);
         const std::size_t count = std::min(times.size() - done, kChunkSamples - at);
         std::copy_n(times.data() + done, count, m_filled->times.data() + at);
         std::copy_n(values.data() + done, count, m_filled->values.data() + at);
         m_end += count;
         done += count;
+        m_runs.back().count += count;
+        m_lastTime = times[done - 1];
         for (std::size_t b = at / kBlockSamples; b < (at + count) / kBlockSamples; ++b)
             measure(b);
     }
+    m_broken = false;
 }
 
 void ValueColumn::measure(std::size_t block)
@@ -42,11 +46,12 @@ void ValueColumn::measure(std::size_t block)
 void ValueColumn::addChunk(Nanos start)
 {
     auto samples = std::make_shared_for_overwrite<Samples>();
-    m_filled = samples.get();
+    auto *filled = samples.get();
     auto chunk = std::make_shared<Chunk>();
     chunk->start = start;
     chunk->samples = std::move(samples);
     m_chunks.push_back(std::move(chunk));
+    m_filled = filled;
 }
 
 void ValueColumn::handOver(std::vector<Stretch> &to)
