@@ -1,8 +1,5 @@
 // Every file of the corpora through the fuzz targets, in the ordinary build: what a fuzzer once found stays found.
-#include "fuzz/script.h"
-
-#include <QDir>
-#include <QtTest>
+#include "support/corpus.h"
 
 // Each target is one function of the same name; here they stand side by side.
 #define LLVMFuzzerTestOneInput fuzzController
@@ -41,10 +38,14 @@
 #define LLVMFuzzerTestOneInput fuzzDriveAuto
 #include "fuzz/fuzz_drive_auto.cpp"
 #undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput fuzzCsv
+#include "fuzz/fuzz_csv.cpp"
+#undef LLVMFuzzerTestOneInput
 
 class TestCorpus : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void everyFolderHasItsTarget();
     void everyFileIsTaken_data();
     void everyFileIsTaken();
     void everyBeginningAndEveryFlippedBitIsTaken_data() { everyFileIsTaken_data(); }
@@ -53,74 +54,47 @@ private Q_SLOTS:
 
 namespace {
 
-using Target = int (*)(const std::uint8_t *, std::size_t);
+const QMap<QString, support::FuzzTarget> kTargets{
+    {QStringLiteral("fuzz_controller"), fuzzController},
+    {QStringLiteral("fuzz_mcp"), fuzzMcp},
+    {QStringLiteral("fuzz_datalog"), fuzzDatalog},
+    {QStringLiteral("fuzz_trace"), fuzzTrace},
+    {QStringLiteral("fuzz_recording"), fuzzRecording},
+    {QStringLiteral("fuzz_mcb"), fuzzMcb},
+    {QStringLiteral("fuzz_formula"), fuzzFormula},
+    {QStringLiteral("fuzz_legacy"), fuzzLegacy},
+    {QStringLiteral("fuzz_drive_mcp"), fuzzDriveMcp},
+    {QStringLiteral("fuzz_drive_legacy"), fuzzDriveLegacy},
+    {QStringLiteral("fuzz_drive_mcb"), fuzzDriveMcb},
+    {QStringLiteral("fuzz_drive_auto"), fuzzDriveAuto},
+    {QStringLiteral("fuzz_csv"), fuzzCsv},
+};
 
-Target targetOf(const QString &name)
-{
-    return name == "fuzz_controller"  ? fuzzController
-        : name == "fuzz_mcp"          ? fuzzMcp
-        : name == "fuzz_mcb"          ? fuzzMcb
-        : name == "fuzz_datalog"      ? fuzzDatalog
-        : name == "fuzz_trace"        ? fuzzTrace
-        : name == "fuzz_recording"    ? fuzzRecording
-        : name == "fuzz_formula"      ? fuzzFormula
-        : name == "fuzz_legacy"       ? fuzzLegacy
-        : name == "fuzz_drive_mcp"    ? fuzzDriveMcp
-        : name == "fuzz_drive_mcb"    ? fuzzDriveMcb
-        : name == "fuzz_drive_auto"   ? fuzzDriveAuto
-        : name == "fuzz_drive_legacy" ? fuzzDriveLegacy
-                                      : nullptr;
-}
-
-int play(Target target, const QByteArray &bytes)
-{
-    return target(reinterpret_cast<const std::uint8_t *>(bytes.constData()),
-        static_cast<std::size_t>(bytes.size()));
-}
-
-QByteArray contentOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
+/// Those that need more than core: tst_corpus_files and tst_corpus_settings.
+const QStringList kElsewhere{QStringLiteral("fuzz_json"), QStringLiteral("fuzz_settings")};
 
 } // namespace
 
-void TestCorpus::everyFileIsTaken_data()
+void TestCorpus::everyFolderHasItsTarget()
 {
-    QTest::addColumn<QString>("target");
-    QTest::addColumn<QString>("path");
-    const QDir corpora(QStringLiteral(ROTORSCOPE_TEST_DATA "/corpus"));
-    for (const QFileInfo &folder : corpora.entryInfoList({"fuzz_*"}, QDir::Dirs, QDir::Name)) {
-        for (const QFileInfo &file : QDir(folder.filePath()).entryInfoList(QDir::Files, QDir::Name))
-            QTest::addRow("%s %s", qPrintable(folder.fileName()), qPrintable(file.fileName()))
-                << folder.fileName() << file.filePath();
-    }
+    for (const QString &folder : QDir(support::corpora()).entryList({"fuzz_*"}, QDir::Dirs))
+        QVERIFY2(kTargets.contains(folder) || kElsewhere.contains(folder), qPrintable(folder));
 }
+
+void TestCorpus::everyFileIsTaken_data() { support::addFilesOf(kTargets.keys()); }
 
 void TestCorpus::everyFileIsTaken()
 {
     QFETCH(QString, target);
     QFETCH(QString, path);
-    QVERIFY2(targetOf(target), "a corpus without its target");
-    const QByteArray bytes = contentOf(path);
-    QVERIFY(!bytes.isEmpty());
-    QCOMPARE(play(targetOf(target), bytes), 0); // a finding aborts
+    support::playFile(kTargets.value(target), path);
 }
 
 void TestCorpus::everyBeginningAndEveryFlippedBitIsTaken()
 {
     QFETCH(QString, target);
     QFETCH(QString, path);
-    const QByteArray bytes = contentOf(path);
-    const qsizetype step =
-        std::max<qsizetype>(1, bytes.size() / 50); // a fair sample of the long ones
-    for (qsizetype at = 0; at < bytes.size(); at += step) {
-        QCOMPARE(play(targetOf(target), bytes.first(at)), 0);
-        QByteArray flipped = bytes;
-        flipped[at] = static_cast<char>(flipped[at] ^ 1 << at % 8);
-        QCOMPARE(play(targetOf(target), flipped), 0);
-    }
+    support::playSpoilt(kTargets.value(target), path);
 }
 
 QTEST_APPLESS_MAIN(TestCorpus)

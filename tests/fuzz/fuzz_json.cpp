@@ -1,0 +1,73 @@
+// Any text as each of the JSON files that Rotorscope reads: it is taken whole or refused, and what was taken is the same
+// after writing and reading it again. The first byte chooses the reader.
+#include "fuzz/script.h"
+#include "session/legacy_rig_file.h"
+#include "session/mcb_rig_file.h"
+#include "session/motor_file.h"
+#include "session/rev_up_json.h"
+#include "session/snapshot_json.h"
+
+namespace {
+
+void snapshot(const QByteArray &text)
+{
+    const auto read = session::readSnapshotJson(text);
+    if (!read)
+        return fuzz::require(read.error().line >= 0 && read.error().number >= 0);
+    const QByteArray ours = session::snapshotJson(*read);
+    const auto again = session::readSnapshotJson(ours);
+    fuzz::require(again.has_value() && session::snapshotJson(*again) == ours);
+}
+
+void motor(const QByteArray &text)
+{
+    const auto read = session::readMotor(text);
+    if (!read)
+        return fuzz::require(!session::motorFileErrorText("file", read.error()).empty());
+    const auto again = session::readMotor(session::motorJson(read->sheet()));
+    if (again) // a sheet may have less than a machine needs
+        fuzz::require(session::motorJson(again->sheet()) == session::motorJson(read->sheet()));
+}
+
+void revUp(const QByteArray &text)
+{
+    constexpr double kAmpsPerDigit = 0.001;
+    for (const double scale : {0.0, kAmpsPerDigit}) {
+        const auto read = session::readRevUpJson(text, scale);
+        if (!read)
+            continue;
+        const QByteArray ours = session::revUpJson(*read, scale);
+        const auto again = session::readRevUpJson(ours, scale);
+        fuzz::require(again.has_value() && session::revUpJson(*again, scale) == ours);
+    }
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
+{
+    if (size == 0)
+        return 0;
+    const QByteArray text(
+        reinterpret_cast<const char *>(data + 1), static_cast<qsizetype>(size - 1));
+    switch (data[0] % 5) {
+    case 0:
+        snapshot(text);
+        break;
+    case 1:
+        motor(text);
+        break;
+    case 2:
+        revUp(text);
+        break;
+    case 3:
+        if (const auto rig = session::readLegacyRig(text); !rig)
+            fuzz::require(!rig.error().empty());
+        break;
+    default:
+        if (const auto rig = session::readMcbRig(text); !rig)
+            fuzz::require(!rig.error().isEmpty());
+        break;
+    }
+    return 0;
+}
