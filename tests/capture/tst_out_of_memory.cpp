@@ -119,14 +119,13 @@ struct World {
             const SampleBlock block = blockAt(next);
             s_failed = false;
             s_forGood = forGood;
-            s_left = i == 0 || forGood ? left : s_left;
-            const long before = s_left;
+            s_left = left;
             capture.append(block);
-            const long after = std::exchange(s_left, -1);
+            const long unused = std::exchange(s_left, -1);
+            if (!forGood)
+                left = s_failed ? -1 : unused;
             failed = failed || s_failed;
-            s_left = before >= 0 && !failed ? after : -1;
         }
-        s_left = -1;
         return failed;
     }
     /// Every sample that is there stands at its own time and has its own value.

@@ -29,7 +29,7 @@ struct Cable {
     std::uint64_t left = 0; ///< bytes until it breaks
     bool broken = false;
     int opened = 0;
-    Bytes sent; ///< by the session, on all its ports
+    int starts = 0; ///< payloads that left the session whole or in part
 };
 
 class CableTransport final : public session::Transport {
@@ -50,7 +50,9 @@ public:
     {
         const auto passed = m_cable.writing ? pass(bytes.size()) : bytes.size();
         const ByteView part = bytes.first(passed);
-        m_cable.sent.insert(m_cable.sent.end(), part.begin(), part.end());
+        constexpr std::uint8_t kStart =
+            0x19; // START_MOTOR of motor 1; a payload is a write of its own
+        m_cable.starts += bytes.size() == 2 && bytes[0] == kStart && bytes[1] == 0 ? 1 : 0;
         if (!part.empty())
             m_cable.board->receive(part, now);
         m_freeAt = now + wireTime(bytes.size(), 1843200);
@@ -161,19 +163,6 @@ struct World {
         }
         return true;
     }
-    /// START_MOTOR of motor 1, as the payload of a request.
-    int starts() const
-    {
-        const Bytes start{0x19, 0x00};
-        int count = 0;
-        for (auto at = cable.sent.begin();
-             (at = std::search(at, cable.sent.end(), start.begin(), start.end()))
-             != cable.sent.end();
-             ++at)
-            ++count;
-        return count;
-    }
-
     /// Connect, arm, start, stream, write: what has bytes of every kind.
     void work()
     {
@@ -228,7 +217,7 @@ void TestUnplugAnywhere::anyByteCanBeTheLast()
                      },
                      5s),
             place.constData());
-        QVERIFY2(world.starts() <= 1, place.constData());
+        QVERIFY2(world.cable.starts <= 1, place.constData());
         for (drive::WishId id = 1; id <= world.asked; ++id)
             QVERIFY2(world.ended[id] == 1, place.constData());
         QVERIFY2(!world.armed || world.brokenBeforeArming, place.constData());
