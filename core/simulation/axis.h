@@ -4,6 +4,7 @@
 
 #include "simulation/firmware/firmware.h"
 #include "simulation/plant/plant.h"
+#include "simulation/simulated_board.h"
 
 #include <memory>
 #include <vector>
@@ -37,5 +38,10 @@ struct Axis {
 
 /// One or two; motor 1 is the first.
 using Axes = std::vector<std::unique_ptr<Axis>>;
+
+/// What the motor does and what bounds it.
+MotorTruth truthOf(const Axis &axis);
+/// Of motor 1 or 2; at rest for one that is not there.
+MotorTruth truthOf(const Axes &axes, int motor);
 
 } // namespace simulation

@@ -124,6 +124,7 @@ public:
         if (motor >= 1 && motor <= m_build.motors)
             m_axes[static_cast<std::size_t>(motor) - 1U]->plant.setLoadTorque(nm);
     }
+    MotorTruth truth(int motor) const override { return truthOf(m_axes, motor); }
     void inject(ByteView bytes) override
     {
         m_output.insert(m_output.end(), bytes.begin(), bytes.end());

@@ -49,6 +49,16 @@ struct BoardOptions {
     std::uint64_t seed = 1;
 };
 
+/// What a motor does in truth, whatever the line says: for judges and for people who look at the bench.
+struct MotorTruth {
+    bool driven = false; ///< the stage is on: started, and neither stopping nor in a fault
+    bool idle = true; ///< at rest as the firmware means it, or in a fault
+    double rpm = 0.0; ///< of the rotor, mechanical, signed
+    double maxRpm = 0.0; ///< that the design allows; 0: nobody knows
+    double ampsPerDigit = 0.0; ///< of current registers of 16 bits; 0: nobody knows
+    double maxAmps = 0.0; ///< that can be measured, peak; 0: nobody knows
+};
+
 /// Its nextWake() is tens of microseconds to 1 ms away.
 class SimulatedBoard : public Device {
 public:
@@ -62,6 +72,9 @@ public:
     virtual void inject(ByteView bytes) = 0; ///< these bytes appear in its output at once
     /// Constant torque against motor 1 or 2 from now on; the fan's and the friction stay.
     virtual void setLoadTorque(int motor, double nm) = 0;
+
+    /// Of a motor from 1 on; at rest for one that is not there.
+    virtual MotorTruth truth(int motor) const = 0;
 
     /// What it is, for people and the port list.
     virtual std::string describe() const = 0;

@@ -1,5 +1,6 @@
-// LegacyDrive on a line that is being spoilt: seeded sessions in both dialects. Whatever the line does, each wish ends once,
-// nothing is written before the board is identified, and no value appears under a register's name that it does not have.
+// LegacyDrive on a line that is being spoilt: seeded sessions in both dialects, with one motor or two. Whatever the line
+// does, each wish ends once, every Stop is kept (the judge of the wire sees to that), nothing is written before the board is
+// identified, and no value appears under a register's name that it does not have.
 // Faults come singly: two that cancel each other in the sum of a frame are beyond what this protocol can notice.
 // ROTORSCOPE_LONG=1 runs 10,000 sessions a dialect. A failure names its seed; ROTORSCOPE_SEED=n runs that one.
 #include "support/link_pair.h"
@@ -19,6 +20,7 @@ struct Session : support::LinkPair {
         : LinkPair(options, seed)
         , random(seed)
     {
+        verdictTaken = true;
         onEvent = [this](const Event &event) { look(event); };
         const double rate = 2e-5 * static_cast<double>(1 + random.below(10));
         for (support::LineFaults *faults : {&toBoard, &toDrive}) {
@@ -89,10 +91,21 @@ void Session::work()
         marks[id(name)] = {};
     }
     drive->arm();
+    submit(UserLimits{3000.0, 0.0});
+    submit(ExpertMode{1});
     submit(watch);
     for (int step = 0; step < 12; ++step) {
         const RegisterId which = watch.drawn[random.below(watch.drawn.size())];
-        switch (random.below(6)) {
+        const int motor = 1 + static_cast<int>(random.below(2)); // which need not be there
+        switch (random.below(9)) {
+        case 6:
+        case 7:
+            wishes.push_back(submit(Command{MotorAction::Start, motor}));
+            break;
+        case 8:
+            wishes.push_back(submit(
+                SpeedRamp{motor, static_cast<std::int32_t>(random.below(4000)) - 2000, 100ms}));
+            break;
         case 0:
         case 1:
             marks[which].insert(++next);
@@ -121,7 +134,8 @@ simulation::BoardOptions boardOf(const QByteArray &profile, std::uint64_t seed)
     simulation::BoardOptions options;
     options.profile = profile.toStdString();
     options.baud = 115200;
-    options.hfHz = 1000.0; // nothing turns here
+    options.hfHz = 1000.0; // how well it turns is not looked at
+    options.motors = seed % 4 == 0 ? 2 : 1;
     options.seed = seed;
     return options;
 }
@@ -138,6 +152,7 @@ std::string runSession(const QByteArray &profile, std::uint64_t seed)
     for (const WishId wish : session.wishes)
         if (!session.ended.contains(wish) || session.ended.at(wish).size() != 1)
             session.complaints += " a wish that did not end once;";
+    session.complaints += session.judge.verdict();
     return session.complaints;
 }
 

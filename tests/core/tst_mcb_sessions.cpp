@@ -71,6 +71,7 @@ struct Session {
         : random(seed)
         , pair(optionsOf(random, seed))
     {
+        pair.verdictTaken = true;
         pair.onEvent = [this](const Event &event) { look(event); };
         pair.toBoard = [this](const Bytes &out) { sent(out); };
     }
@@ -192,6 +193,7 @@ struct Session {
         for (std::uint64_t i = 0; i < acts && wrong.isEmpty(); ++i) {
             act();
             pair.runFor(std::chrono::milliseconds(1 + random.below(120)));
+            wrong = wrong.isEmpty() ? QString::fromStdString(pair.judge.verdict()) : wrong;
         }
         pair.runFor(200ms);
         pair.drive->disconnect(pair.now);
@@ -206,7 +208,7 @@ struct Session {
         for (const WishId id : asked)
             if (pair.ended[id].size() != 1)
                 return QStringLiteral("wish %1 ended %2 times").arg(id).arg(pair.ended[id].size());
-        return wrong;
+        return wrong.isEmpty() ? QString::fromStdString(pair.judge.verdict()) : wrong;
     }
 };
 

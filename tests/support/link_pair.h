@@ -1,5 +1,6 @@
 // A drive and a simulated board, joined by a line that can be spoilt, on a virtual clock. `now` moves only inside
-// runFor() and runUntil(); the same seed gives the same run, byte for byte.
+// runFor() and runUntil(); the same seed gives the same run, byte for byte. The judge of the wire sits beside it: what
+// it finds fails the test when the pair goes.
 #pragma once
 
 #include "drive/legacy/legacy_drive.h"
@@ -8,8 +9,11 @@
 #include "mcp/request.h"
 #include "simulation/legacy/legacy_motor_board.h"
 #include "simulation/simulated_board.h"
+#include "support/judged_drive.h"
+#include "support/wire_legacy.h"
+#include "support/wire_mcp.h"
 
-#include <QtGlobal>
+#include <QTest>
 
 #include <algorithm>
 #include <cmath>
@@ -67,19 +71,32 @@ public:
         : baud(options.baud)
         , board(simulation::makeBoard(options))
         , m_random(seed)
+        , m_motors(simulation::buildOf(options).motors)
     {
         if (simulation::isLegacyProfile(options.profile)) {
             drive::LegacyDriveConfig config;
             config.baud = baud;
-            drive = drive::makeLegacyDrive(config);
+            drive = std::make_unique<JudgedDrive>(drive::makeLegacyDrive(config), judge);
             m_framesAreRequests = true;
+            judge.watch(std::make_unique<judge::WireLegacy>(), legacyLine());
             return;
         }
         drive::McpDriveConfig config;
         config.baud = baud;
-        drive = drive::makeMcpDrive(config);
+        drive = std::make_unique<JudgedDrive>(drive::makeMcpDrive(config), judge);
+        judge.watch(
+            std::make_unique<judge::WireMcp>(baud, board->truth(1).ampsPerDigit), mcpLine());
     }
+    ~LinkPair()
+    {
+        if (const auto verdict = judge.verdict(); !verdict.empty() && !verdictTaken)
+            QTest::qFail(verdict.c_str(), __FILE__, __LINE__);
+    }
+    LinkPair(const LinkPair &) = delete;
+    LinkPair &operator=(const LinkPair &) = delete;
 
+    judge::MsRules judge;
+    bool verdictTaken = false; ///< the test has looked at it and says more
     std::uint32_t baud;
     TimePoint now{1s};
     std::unique_ptr<drive::Drive> drive;
@@ -160,7 +177,7 @@ public:
         for (Output &output : drive->takeOutput()) {
             if (output.dropsEarlier)
                 m_sending.clear();
-            m_sending.push_back(std::move(output));
+            m_sending.push_back({std::move(output), judge.moment()});
         }
         takeEvents();
     }
@@ -171,6 +188,49 @@ private:
         Bytes bytes;
     };
     static constexpr Duration kGrain = 250us; ///< how often the board's side is looked at
+
+    judge::Line boardLine() const
+    {
+        judge::Line line;
+        const simulation::MotorTruth truth = board->truth(1);
+        line.motors = m_motors;
+        line.baud = baud;
+        line.maxRpm = truth.maxRpm;
+        line.maxAmps = truth.maxAmps;
+        line.ampsPerDigit = truth.ampsPerDigit;
+        return line;
+    }
+    judge::Line legacyLine() const
+    {
+        judge::Line line = boardLine();
+        line.maxAmps = line.ampsPerDigit = 0.0; // these boards do not tell them
+        line.firstStop = 150ms;
+        line.repeat = 250ms;
+        line.suspect = 1s;
+        line.lost = 6s;
+        line.answerWithin = 900ms;
+        return line;
+    }
+    judge::Line mcpLine() const
+    {
+        judge::Line line = boardLine();
+        line.firstStop += 2 * wireTime(260, baud);
+        line.repeat += 4 * wireTime(260, baud);
+        line.gap = 500us;
+        line.answerWithin = 10s;
+        return line;
+    }
+    void lookAtTruth()
+    {
+        if (!judge.watching())
+            return;
+        m_truth.clear();
+        for (int motor = 1; motor <= m_motors; ++motor) {
+            const simulation::MotorTruth truth = board->truth(motor);
+            m_truth.push_back({truth.driven, truth.idle, truth.rpm});
+        }
+        judge.look(now, m_truth);
+    }
 
     void step(TimePoint end)
     {
@@ -198,15 +258,17 @@ private:
         if (const auto due = drive->nextTimeout(); due && *due <= now)
             drive->handleTimeout(now);
         exchange();
+        lookAtTruth();
     }
 
-    TimePoint sendAt() const { return m_lineFreeAt + m_sending.front().gapBefore; }
+    TimePoint sendAt() const { return m_lineFreeAt + m_sending.front().output.gapBefore; }
 
     void sendDue()
     {
         while (!m_sending.empty() && sendAt() <= now) {
-            Output output = std::move(m_sending.front());
+            const auto [output, handed] = std::move(m_sending.front());
             m_sending.pop_front();
+            judge.sent(output.bytes, now, handed);
             watch(output.bytes);
             m_lineFreeAt = now + wireTime(output.bytes.size(), baud);
             m_unsent = true;
@@ -326,7 +388,13 @@ private:
     }
 
     Random m_random;
-    std::deque<Output> m_sending;
+    int m_motors; ///< that the board has
+    std::vector<judge::Motor> m_truth;
+    struct Handed {
+        Output output;
+        std::uint64_t moment = 0;
+    };
+    std::deque<Handed> m_sending;
     std::deque<Flying> m_toBoard, m_toDrive;
     TimePoint m_lineFreeAt{};
     drive::WishId m_lastWish = 0;

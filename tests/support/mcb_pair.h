@@ -5,6 +5,10 @@
 #include "drive/mcb/mcb_drive.h"
 #include "mcb/master.h"
 #include "simulation/mcb/mcb_board.h"
+#include "support/judged_drive.h"
+#include "support/wire_mcb.h"
+
+#include <QTest>
 
 #include <functional>
 #include <map>
@@ -20,10 +24,28 @@ using namespace std::chrono_literals;
 class McbPair {
 public:
     explicit McbPair(simulation::McbBoardOptions options = {})
-        : drive(drive::makeMcbDrive({}))
+        : drive(std::make_unique<JudgedDrive>(drive::makeMcbDrive({}), judge))
         , board(simulation::makeMcbBoard(std::move(options)))
     {
+        judge::Line line;
+        const simulation::MotorTruth truth = board->truth(1);
+        line.maxRpm = truth.maxRpm;
+        line.firstStop = 150ms;
+        line.repeat = 250ms;
+        line.startParts = line.referenceParts = 2;
+        line.suspect = line.lost = {}; // an exchange always brings bytes
+        judge.watch(std::make_unique<judge::WireMcb>(), line);
     }
+    ~McbPair()
+    {
+        if (const auto verdict = judge.verdict(); !verdict.empty() && !verdictTaken)
+            QTest::qFail(verdict.c_str(), __FILE__, __LINE__);
+    }
+    McbPair(const McbPair &) = delete;
+    McbPair &operator=(const McbPair &) = delete;
+
+    judge::MsRules judge; ///< of the wire; what it finds fails the test when the pair goes
+    bool verdictTaken = false; ///< the test has looked at it and says more
 
     TimePoint now{1s};
     std::unique_ptr<drive::Drive> drive;
@@ -77,6 +99,8 @@ public:
             board->advance(now);
             drive->handleTimeout(now);
             exchange();
+            const simulation::MotorTruth truth = board->truth(1);
+            judge.look(now, {{truth.driven, truth.idle, truth.rpm}});
         }
         return true;
     }
@@ -117,6 +141,7 @@ public:
                 return;
             for (const Output &output : outputs) {
                 note(output.bytes);
+                judge.sent(output.bytes, now);
                 Bytes out = output.bytes;
                 if (toBoard)
                     toBoard(out);

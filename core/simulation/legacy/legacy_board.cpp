@@ -164,6 +164,20 @@ void LegacyBoard::inject(ByteView bytes)
     m_injected.insert(m_injected.end(), bytes.begin(), bytes.end());
 }
 
+/// By its state alone: nothing turns.
+MotorTruth LegacyBoard::truth(int motor) const
+{
+    const auto &motors = m_server.rig().motors;
+    if (motor < 1 || static_cast<std::size_t>(motor) > motors.size())
+        return {};
+    const std::uint8_t state = motors[static_cast<std::size_t>(motor) - 1U].state;
+    constexpr std::uint8_t kIdle = 0, kFaultNow = 10, kFaultOver = 11;
+    MotorTruth truth;
+    truth.idle = state == kIdle || state == kFaultNow || state == kFaultOver;
+    truth.driven = !truth.idle;
+    return truth;
+}
+
 std::string LegacyBoard::describe() const
 {
     return std::string(m_rig.dialect == legacy::Dialect::PowerPc ? "PowerPC" : "STM32")

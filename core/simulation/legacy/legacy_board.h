@@ -29,6 +29,7 @@ public:
     void corruptAfter(std::uint64_t bytes) override;
     void inject(ByteView bytes) override;
     void setLoadTorque(int, double) override { } ///< nothing turns
+    MotorTruth truth(int motor) const override;
     std::string describe() const override;
 
     // What only a rig can be told.

@@ -284,6 +284,7 @@ public:
         if (motor >= 1 && static_cast<std::size_t>(motor) <= motors.axes().size())
             motors.axes()[static_cast<std::size_t>(motor) - 1U]->plant.setLoadTorque(nm);
     }
+    MotorTruth truth(int motor) const override { return truthOf(motors.axes(), motor); }
     std::string describe() const override
     {
         const PlantParameters &plant = motors.axes().front()->plant.parameters();

@@ -96,6 +96,18 @@ void McbBoard::setFaults(std::uint16_t present)
 
 void McbBoard::inject(ByteView bytes) { m_injected.assign(bytes.begin(), bytes.end()); }
 
+MotorTruth McbBoard::truth(int motor) const
+{
+    if (motor != 1)
+        return {};
+    MotorTruth truth = truthOf(m_servo.axis());
+    const Servo::State state = m_servo.state(); // which is at rest as soon as the stage is off
+    truth.idle = !truth.driven
+        && (state == Servo::State::SwitchOnDisabled || state == Servo::State::Ready
+            || state == Servo::State::Fault);
+    return truth;
+}
+
 void McbBoard::setLoadTorque(int motor, double nm)
 {
     if (motor == 1)

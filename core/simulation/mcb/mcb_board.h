@@ -36,6 +36,7 @@ public:
     void corruptAfter(std::uint64_t bytes) override { m_corruptAfter = bytes; }
     void inject(ByteView bytes) override;
     void setLoadTorque(int motor, double nm) override;
+    MotorTruth truth(int motor) const override;
     std::string describe() const override;
 
     Servo &servo() { return m_servo; }

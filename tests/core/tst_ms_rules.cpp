@@ -1,0 +1,362 @@
+// The judge of the wire itself: each rule speaks when it is broken, and is silent when it is kept. Bytes are written here by
+// hand, from the protocols' texts.
+#include "support/ms_rules.h"
+#include "support/wire_legacy.h"
+#include "support/wire_mcb.h"
+#include "support/wire_mcp.h"
+
+#include <QTest>
+
+#include <functional>
+
+using judge::Act;
+using judge::MsRules;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr std::uint16_t kStart = 3U << 3, kStop = 4U << 3, kToggle = 6U << 3, kAck = 7U << 3,
+                        kSet = 1U << 3, kGet = 2U << 3, kBeat = 33U << 3;
+
+Bytes withCheck(std::uint32_t header)
+{
+    const std::uint32_t word = header | judge::WireMcp::checkOf(header) << 28;
+    return {std::uint8_t(word), std::uint8_t(word >> 8), std::uint8_t(word >> 16),
+        std::uint8_t(word >> 24)};
+}
+
+/// A connected, identified board of MCP with one motor that does what the test says.
+struct Bench {
+    MsRules judge;
+    TimePoint now{1s};
+    std::vector<judge::Motor> truth{judge::Motor{}};
+
+    explicit Bench(int motors = 1)
+    {
+        judge::Line line;
+        line.motors = motors;
+        line.maxRpm = 4000.0;
+        line.gap = 500us;
+        line.answerWithin = 10s;
+        truth.resize(static_cast<std::size_t>(motors));
+        judge.watch(std::make_unique<judge::WireMcp>(line.baud, 0.001), line);
+        act(Act::Kind::Open);
+        judge.said(judge::Link::Connected, now);
+        judge.saidIdentified(motors, now);
+        request({kGet, 0x49});
+    }
+    void act(Act::Kind kind, int motor = 1, std::uint64_t id = 0)
+    {
+        Act what;
+        what.kind = kind;
+        what.motor = motor;
+        what.id = id;
+        what.at = now;
+        judge.asked(id, now);
+        judge.act(what);
+    }
+    void setPoint(double rpm)
+    {
+        Act what;
+        what.kind = Act::Kind::SetPoint;
+        what.motor = 1;
+        what.rpm = rpm;
+        what.at = now;
+        judge.act(what);
+    }
+    /// Header, pause, payload of 16-bit words, and the answer.
+    void request(std::vector<std::uint16_t> words, Duration pause = 1500us, bool answered = true)
+    {
+        Bytes payload;
+        for (const unsigned word : words) {
+            payload.push_back(static_cast<std::uint8_t>(word));
+            payload.push_back(static_cast<std::uint8_t>(word >> 8));
+        }
+        judge.sent(withCheck(static_cast<std::uint32_t>(payload.size()) << 4 | 9U), now);
+        now += wireTime(4, 1843200) + pause;
+        judge.sent(payload, now);
+        now += 2ms;
+        if (answered)
+            judge.heard(withCheck(1U << 4 | 10U), now);
+    }
+    void ramp(std::int32_t rpm)
+    {
+        const auto bits = static_cast<std::uint32_t>(rpm);
+        request({kSet, 0x1A9, 6, std::uint16_t(bits), std::uint16_t(bits >> 16), 500});
+    }
+    void run(Duration time)
+    {
+        for (const TimePoint end = now + time; now < end; now += 1ms) {
+            judge.heard(Bytes{0}, now);
+            judge.look(now, truth);
+        }
+    }
+    void drive(int motor = 1) { truth[static_cast<std::size_t>(motor) - 1U] = {true, false, 1500}; }
+    void arm()
+    {
+        act(Act::Kind::Arm);
+        act(Act::Kind::Start);
+        request({kStart | 1});
+        drive();
+        run(10ms);
+    }
+};
+
+using Story = std::function<void(Bench &)>;
+
+} // namespace
+
+Q_DECLARE_METATYPE(Story)
+
+class TestMsRules : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aBrokenRuleSpeaks_data();
+    void aBrokenRuleSpeaks();
+    void whatIsKeptIsSilent();
+    void aMotorNobodyKnowsOfIsStoppedWhenItIsKnown();
+    void framesOfTheOlderProtocolAreTakenApart();
+    void framesOfTheBusAreTakenApart();
+};
+
+void TestMsRules::aBrokenRuleSpeaks_data()
+{
+    QTest::addColumn<QString>("rule");
+    QTest::addColumn<Story>("story");
+    const auto story = [](const char *name, const char *rule, Story what) {
+        QTest::newRow(name) << QString(rule) << what;
+    };
+    story("a toggle", "never", [](Bench &b) {
+        b.arm();
+        b.request({kToggle | 1});
+    });
+    story("an empty request", "never", [](Bench &b) { b.judge.sent(withCheck(9U), b.now); });
+    story("a false check", "never", [](Bench &b) { b.judge.sent(Bytes{9, 0, 0, 0}, b.now); });
+    story("motor 0", "motors that are there", [](Bench &b) { b.request({kStop}); });
+    story("motor 2 of 1", "motors that are there", [](Bench &b) { b.request({kStop | 2}); });
+    story("never armed", "armed", [](Bench &b) {
+        b.act(Act::Kind::Start);
+        b.request({kStart | 1});
+    });
+    story("armed before a Stop", "armed", [](Bench &b) {
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::Stop);
+        b.request({kAck | 1});
+    });
+    story("armed before the link was lost", "armed", [](Bench &b) {
+        b.act(Act::Kind::Arm);
+        b.judge.said(judge::Link::Lost, b.now);
+        b.judge.said(judge::Link::Connected, b.now);
+        b.request({kSet, 0x91, 5});
+    });
+    story("a start that nobody asked for", "asked for", [](Bench &b) {
+        b.act(Act::Kind::Arm);
+        b.request({kStart | 1});
+    });
+    story("a start twice", "asked for", [](Bench &b) {
+        b.arm();
+        b.request({kStart | 1});
+    });
+    story("another speed than the one asked for", "asked for", [](Bench &b) {
+        b.act(Act::Kind::Arm);
+        b.setPoint(1000.0);
+        b.ramp(2000);
+    });
+    story("a write after its wish has ended", "asked for", [](Bench &b) {
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::Acknowledge, 1, 7);
+        b.judge.saidEnded(7, b.now);
+        b.request({kAck | 1});
+    });
+    story("a read during a Stop", "stop first", [](Bench &b) {
+        b.arm();
+        b.act(Act::Kind::Stop);
+        b.request({kStop | 1});
+        b.request({kGet, 0x691});
+    });
+    story("a heartbeat unarmed", "heartbeats", [](Bench &b) { b.request({kBeat | 1, 500}); });
+    story("too fast for the board", "bounded", [](Bench &b) {
+        b.act(Act::Kind::Arm);
+        b.setPoint(5000.0);
+        b.ramp(5000);
+    });
+    story("too fast for the person", "bounded", [](Bench &b) {
+        Act limits;
+        limits.kind = Act::Kind::Limits;
+        limits.rpm = 800.0;
+        b.judge.act(limits);
+        b.act(Act::Kind::Arm);
+        b.setPoint(-1000.0);
+        b.ramp(-1000);
+    });
+    story("two requests at once", "one in flight", [](Bench &b) {
+        b.request({kGet, 0x49}, 1500us, false);
+        b.request({kGet, 0x49});
+    });
+    story("a write is the first request", "looks first", [](Bench &b) {
+        b.act(Act::Kind::Close);
+        b.act(Act::Kind::Open);
+        b.act(Act::Kind::Arm);
+        b.request({kSet, 0x91, 5});
+    });
+    story("no pause before the payload", "payload pause", [](Bench &b) {
+        b.request({kGet, 0x49}, 100us);
+    });
+    story("a Stop that does not leave", "stop in time", [](Bench &b) {
+        b.arm();
+        b.act(Act::Kind::Stop);
+        b.run(150ms);
+    });
+    story("a Stop that is not repeated", "stop in time", [](Bench &b) {
+        b.arm();
+        b.act(Act::Kind::Stop);
+        b.request({kStop | 1});
+        b.run(250ms);
+    });
+    story("no alarm", "alarm", [](Bench &b) {
+        b.arm();
+        b.act(Act::Kind::Stop);
+        for (int i = 0; i < 8; ++i) {
+            b.request({kStop | 1});
+            b.run(98ms);
+        }
+    });
+    story("pressing again puts off the alarm", "alarm", [](Bench &b) {
+        b.arm();
+        for (int i = 0; i < 8; ++i) {
+            b.act(Act::Kind::Stop);
+            b.request({kStop | 1});
+            b.run(98ms);
+        }
+    });
+    story("\"drive idle\" of a driven motor", "true words", [](Bench &b) {
+        b.arm();
+        b.run(600ms);
+        b.judge.said(judge::Word::DriveIdle, 1, b.now);
+    });
+    story("\"standstill\" of a turning motor", "true words", [](Bench &b) {
+        b.arm();
+        b.run(600ms);
+        b.judge.said(judge::Word::Standstill, 1, b.now);
+    });
+    story("an old state told as new", "fresh",
+        [](Bench &b) { b.judge.saidStatus(b.now - 700ms, b.now); });
+    story("silence called connected", "silence is told", [](Bench &b) {
+        for (int i = 0; i < 700; ++i, b.now += 1ms)
+            b.judge.look(b.now, b.truth);
+    });
+    story("a wish that ends twice", "ends once", [](Bench &b) {
+        b.judge.asked(3, b.now);
+        b.judge.saidEnded(3, b.now);
+        b.judge.saidEnded(3, b.now);
+    });
+    story("a wish that never ends", "ends once", [](Bench &b) {
+        b.judge.asked(3, b.now);
+        b.judge.settle(b.now);
+    });
+}
+
+void TestMsRules::aBrokenRuleSpeaks()
+{
+    QFETCH(QString, rule);
+    QFETCH(Story, story);
+    Bench bench;
+    QCOMPARE(bench.judge.verdict(), std::string());
+    story(bench);
+    QVERIFY2(QString::fromStdString(bench.judge.verdict()).startsWith(rule + ": "),
+        ("it said: " + bench.judge.verdict()).c_str());
+}
+
+void TestMsRules::whatIsKeptIsSilent()
+{
+    Bench b;
+    b.arm();
+    b.setPoint(1500.0);
+    b.ramp(1500);
+    b.run(300ms);
+    // A packet whose header has left before the Stop is finished: half of it would swallow the STOP.
+    b.judge.sent(withCheck(2U << 4 | 9U), b.now);
+    b.act(Act::Kind::Stop);
+    b.now += 2ms;
+    b.judge.sent(Bytes{kStop | 1, 0}, b.now);
+    b.request({kStop | 1});
+    b.request({kGet, 0x49, 0x59});
+    b.run(20ms);
+    b.truth[0] = {};
+    b.run(2ms);
+    b.judge.said(judge::Word::DriveIdle, 1, b.now);
+    b.judge.said(judge::Word::Standstill, 1, b.now);
+    b.request({kGet, 0x691});
+    b.arm();
+    b.act(Act::Kind::Stop);
+    b.request({kStop | 1});
+    b.run(50ms);
+    b.truth[0] = {};
+    b.run(1s);
+    QCOMPARE(b.judge.verdict(), std::string());
+    QCOMPARE(b.judge.counts().starts, 2);
+}
+
+void TestMsRules::aMotorNobodyKnowsOfIsStoppedWhenItIsKnown()
+{
+    Bench b(2);
+    b.drive(1);
+    b.drive(2);
+    b.act(Act::Kind::Open);
+    b.act(Act::Kind::Stop);
+    b.request({kStop | 1}); // nobody knows of another one
+    b.truth[0] = {};
+    b.judge.said(judge::Word::NotConfirmed, 1, b.now);
+    b.run(200ms);
+    QCOMPARE(b.judge.verdict(), std::string());
+    b.judge.saidIdentified(2, b.now);
+    b.run(400ms);
+    const auto verdict = QString::fromStdString(b.judge.verdict());
+    QVERIFY2(verdict.startsWith("stop in time: motor 2"), qPrintable(verdict));
+}
+
+void TestMsRules::framesOfTheOlderProtocolAreTakenApart()
+{
+    judge::WireLegacy wire;
+    const auto only = [&](const Bytes &bytes) { return wire.sent(bytes, {}).at(0); };
+    // Header, length, payload, check: the two bytes of the sum added up.
+    const judge::Sent start = only({0x23, 0x01, 0x01, 0x25});
+    QCOMPARE(start.kind, judge::Kind::Start);
+    QCOMPARE(start.motor, 1);
+    QCOMPARE(only({0x43, 0x01, 0x02, 0x46}).kind, judge::Kind::Stop);
+    QCOMPARE(only({0x22, 0x01, 0x02, 0x25}).kind, judge::Kind::StatusRead);
+    const judge::Sent ramp = only({0x27, 0x06, 0x18, 0xFC, 0xFF, 0xFF, 0x64, 0x00, 0xA6});
+    QCOMPARE(ramp.kind, judge::Kind::SetPoint);
+    QCOMPARE(*ramp.rpm, -1000.0);
+    QCOMPARE(only({0x23, 0x01, 0x06, 0x2A}).kind, judge::Kind::Never); // START_STOP
+    QCOMPARE(only({0x23, 0x01, 0x01, 0x26}).kind, judge::Kind::Never); // its check
+    QCOMPARE(only({0xFF}).kind, judge::Kind::LinkControl);
+}
+
+void TestMsRules::framesOfTheBusAreTakenApart()
+{
+    judge::WireMcb wire;
+    const auto frame = [&](std::vector<unsigned> words) {
+        Bytes bytes;
+        for (const unsigned word : words) {
+            bytes.push_back(static_cast<std::uint8_t>(word >> 8));
+            bytes.push_back(static_cast<std::uint8_t>(word));
+        }
+        const unsigned crc = judge::WireMcb::checkOf(bytes);
+        bytes.push_back(static_cast<std::uint8_t>(crc >> 8));
+        bytes.push_back(static_cast<std::uint8_t>(crc));
+        return wire.sent(bytes, {}).at(0);
+    };
+    QCOMPARE(frame({0x0104, 0x0006, 0, 0, 0}).kind, judge::Kind::Stop);
+    QCOMPARE(frame({0x0104, 0x000F, 0, 0, 0}).kind, judge::Kind::Start);
+    QCOMPARE(frame({0x0104, 0x0080, 0, 0, 0}).kind, judge::Kind::Acknowledge);
+    const judge::Sent speed = frame({0x0214, 0x0000, 0x40A0, 0, 0}); // 5 turns a second
+    QCOMPARE(speed.kind, judge::Kind::SetPoint);
+    QCOMPARE(*speed.rpm, 300.0);
+    QCOMPARE(frame({0x0112, 0, 0, 0, 0}).kind, judge::Kind::StatusRead);
+    QCOMPARE(wire.sent(Bytes(12, 0xFF), {}).at(0).kind, judge::Kind::LinkControl); // a clock alone
+    QCOMPARE(wire.sent(Bytes(12, 0x0F), {}).at(0).kind, judge::Kind::Never);
+}
+
+QTEST_APPLESS_MAIN(TestMsRules)
+#include "tst_ms_rules.moc"

@@ -1,0 +1,240 @@
+// The judge of the wire: whether what a drive puts on its line, and what it says of its motors, is what a person asked for
+// and what is true. It sees bytes with their times, the acts of a person, and the truth of the simulated board; it is told
+// what the product said, and never looks into it: its decoders (wire_*.h) are its own, small ones.
+//
+// Protocol-neutral. Time moves where the bench moves it. Each rule is a function of ms_rules_*.cpp with its name and its
+// sentence in kRules; a violation tells the rule, the time, the packet and the act that it is about.
+// Source of the rules: the motor safety requirements (docs/safety.md names them).
+#pragma once
+
+#include "base/bytes.h"
+#include "base/time.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace judge {
+
+/// What a packet to the board is for.
+enum class Kind : std::uint8_t {
+    LinkControl, ///< keeps or makes the link; touches no motor
+    StatusRead, ///< states, faults, speeds
+    Read, ///< any other register
+    StreamSetup, ///< what the board records
+    Heartbeat, ///< feeds the drive's watchdog
+    Stop, ///< of one motor
+    StopRamp,
+    Start,
+    SetPoint, ///< a ramp or a reference: where the motor is to go
+    Mode, ///< what is controlled
+    Write, ///< any other register
+    Acknowledge, ///< of faults
+    Never, ///< what nobody may send
+};
+const char *nameOf(Kind kind);
+
+/// One thing that a packet asks for; a packet may ask for several.
+struct Sent {
+    Kind kind = Kind::Read;
+    int motor = 0; ///< 0: none, or the board
+    std::uint32_t target = 0; ///< the register's number on this wire; 0: none
+    std::optional<double> value; ///< as a number, where it is one
+    std::optional<double> rpm, amps; ///< where it goes, in physical units
+    std::string why; ///< for Never: what is wrong with it
+    bool firstOfPacket = true;
+};
+
+/// A person's act as the test made it.
+struct Act {
+    enum class Kind : std::uint8_t {
+        Open, ///< connect
+        Close, ///< disconnect
+        Arm,
+        Disarm,
+        Stop, ///< of all motors
+        StopMotor, ///< the end of a jog
+        StopRamp,
+        Start,
+        SetPoint,
+        Write,
+        Acknowledge,
+        Limits, ///< a person's own
+        Scale, ///< of currents, as a person knows it
+        Input, ///< any input event of a window: allows one thing that acts
+    };
+    Kind kind = Kind::Open;
+    std::uint64_t id = 0; ///< of the wish; 0: none
+    int motor = 0;
+    std::uint32_t target = 0; ///< register
+    std::optional<double> value, rpm, amps;
+    TimePoint at{};
+};
+
+/// What a motor does in truth.
+struct Motor {
+    bool driven = false; ///< the stage is on
+    bool idle = true; ///< at rest as the firmware means it, or in a fault
+    double rpm = 0.0; ///< of the rotor
+};
+
+/// What the product said that a person reads.
+enum class Word : std::uint8_t { Requested, Accepted, DriveIdle, Standstill, NotConfirmed };
+enum class Link : std::uint8_t { Closed, Connecting, Connected, Suspect, Recovering, Lost };
+
+/// What the judge has to know of a line and its board beforehand.
+struct Line {
+    int motors = 1;
+    std::uint32_t baud = 1843200;
+    double maxRpm = 0.0, maxAmps = 0.0, ampsPerDigit = 0.0; ///< of the board; 0: not told
+    bool stopsBlind = true; ///< without a link, too
+    bool speedIsMeasured = true; ///< false: without a drive nobody sees the rotor turn
+    Duration firstStop = std::chrono::milliseconds(100); ///< from the act to the first byte
+    Duration repeat = std::chrono::milliseconds(200); ///< between STOPs of one motor
+    Duration alarm = std::chrono::milliseconds(600); ///< half a second and a poll
+    Duration suspect = std::chrono::milliseconds(600), lost = std::chrono::milliseconds(2500);
+    int startParts = 1, referenceParts = 1; ///< packets that a start or a current reference takes
+    Duration gap{}; ///< from header to payload, at least
+    Duration answerWithin{}; ///< after which a request counts as unanswered; zero: not judged
+};
+
+/// A packet taken apart. One decoder for each protocol.
+class Decoder {
+public:
+    virtual ~Decoder() = default;
+    virtual void reset() = 0; ///< the line was opened anew
+    /// Bytes that leave at `at`. @return what whole packets ask for
+    virtual std::vector<Sent> sent(ByteView bytes, TimePoint at) = 0;
+    /// Bytes that arrive. @return whether an answer may be among them
+    virtual bool heard(ByteView bytes) = 0;
+    virtual bool midPacket() const = 0; ///< of what is sent
+    /// From the end of the last header to its payload; empty if no payload has begun since the last call.
+    virtual std::optional<Duration> takeGap() { return std::nullopt; }
+};
+
+class MsRules {
+public:
+    /// How long an act of a person counts. Wishes may wait behind others for that long.
+    static constexpr Duration kFresh = std::chrono::seconds(10);
+    static constexpr Duration kBlind = std::chrono::seconds(2); ///< STOPs without a link
+    static constexpr Duration kEvidence = std::chrono::milliseconds(500);
+
+    MsRules() = default;
+    MsRules(const MsRules &) = delete;
+    MsRules &operator=(const MsRules &) = delete;
+
+    /// From now on this line is judged.
+    void watch(std::unique_ptr<Decoder> decoder, const Line &line);
+    bool watching() const { return m_decoder != nullptr; }
+    Line &line() { return m_line; }
+    /// This rule is not judged here; the reason is for whoever reads the test.
+    void excuse(const std::string &rule, const std::string &reason);
+
+    /// What has been asked and told so far: to be taken when a drive hands bytes over, and given when they leave.
+    std::uint64_t moment() const { return m_moment; }
+    /// Bytes that leave at `at`. A packet that was handed over, or whose header had left, before an act is not
+    /// called back by it: half a packet would make the board eat the next one.
+    void sent(ByteView bytes, TimePoint at, std::uint64_t handed);
+    void sent(ByteView bytes, TimePoint at) { sent(bytes, at, m_moment); }
+    void heard(ByteView bytes, TimePoint at);
+    void act(const Act &act);
+    void look(TimePoint now, const std::vector<Motor> &truth);
+    void said(Word word, int motor, TimePoint at);
+    void said(Link link, TimePoint at);
+    void saidIdentified(int motors, TimePoint at);
+    void saidEnded(std::uint64_t wish, TimePoint at);
+    void asked(std::uint64_t wish, TimePoint at);
+    void saidStatus(TimePoint evidence, TimePoint at);
+
+    /// Each wish that was asked for has ended; to be called when the faults are over.
+    void settle(TimePoint now);
+
+    const std::vector<std::string> &violations() const { return m_violations; }
+    /// The first violation; empty if there is none.
+    std::string verdict() const { return m_violations.empty() ? "" : m_violations.front(); }
+
+    struct Counts {
+        int acts = 0, arms = 0, starts = 0, stops = 0, setPoints = 0, packets = 0;
+    };
+    const Counts &counts() const { return m_counts; } ///< of what left, and of acts
+
+private:
+    struct OpenStop {
+        TimePoint first, latest;
+        std::uint64_t moment = 0; ///< of the first
+        struct Of {
+            std::optional<TimePoint> sent; ///< the last STOP
+            std::optional<TimePoint> allowed; ///< since when it could be sent
+            bool rested = false, alarmed = false, told = false, late = false;
+        };
+        std::map<int, Of> motors;
+    };
+
+    // ms_rules.cpp: what happens; ms_rules_list.cpp: the rules
+    void judge(const Sent &sent, const std::string &bytes);
+    void neverLeaves(const Sent &sent);
+    void onlyMotorsThatAreThere(const Sent &sent);
+    void nothingActsUnarmed(const Sent &sent);
+    void nothingActsUnasked(const Sent &sent);
+    void onlyStopAndStatesDuringAStop(const Sent &sent);
+    void heartbeatsOnlyWhileArmed(const Sent &sent);
+    void setPointsAreBounded(const Sent &sent);
+    void oneInFlight(const Sent &sent);
+    void firstRequestOnlyReads(const Sent &sent);
+    void payloadPause();
+    void stopsLeaveInTime(TimePoint now);
+    void stopsAreRepeated(int motor, OpenStop::Of &of, TimePoint now);
+    void alarmComes(int motor, OpenStop::Of &of, TimePoint now);
+    void silenceIsTold(TimePoint now);
+
+    void onStop(const Act &act);
+    void forgetActs();
+    bool acts(Kind kind) const;
+    bool wasUnderWay() const
+    {
+        return m_packetBegan < m_disarmed;
+    } ///< when arming or a Stop ended it
+    Act *actFor(const Sent &sent);
+    bool restedLately(int motor, double rpm, TimePoint at) const;
+    void violate(const char *rule, const std::string &what);
+
+    Line m_line;
+    std::unique_ptr<Decoder> m_decoder;
+    std::set<std::string> m_excused;
+    std::vector<std::string> m_violations;
+    Counts m_counts;
+    std::string m_packet; ///< being judged, for people
+    TimePoint m_now{}, m_opened{};
+
+    bool m_open = false, m_identified = false;
+    std::uint64_t m_moment = 1; ///< counts acts and ends of wishes
+    std::uint64_t m_packetBegan = 1, m_disarmed = 0; ///< moments
+    bool m_armed = false; ///< a person armed since the connection, and no Stop came since
+    bool m_requested = false; ///< a request has left since the link came about
+    Link m_link = Link::Closed;
+    std::optional<TimePoint> m_heardAt;
+    std::optional<TimePoint> m_unanswered; ///< when the request left whose answer is due
+    std::optional<OpenStop> m_stop;
+    struct Pending {
+        Act act;
+        int uses = 0;
+        std::optional<std::uint64_t> voided =
+            std::nullopt; ///< since when it asks for nothing any more
+    };
+    std::vector<Pending> m_acts;
+    double m_userRpm = 0.0, m_userAmps = 0.0;
+    std::set<std::uint64_t> m_wishes, m_ended;
+    std::map<int, Motor> m_truth;
+    struct Seen {
+        TimePoint idleAt{}, restAt{}, drivenAt{}; ///< when it was last so
+        bool everIdle = false, everRested = false;
+    };
+    std::map<int, Seen> m_seen;
+};
+
+} // namespace judge
