@@ -199,6 +199,16 @@ void TestMsRules::aBrokenRuleSpeaks_data()
         b.act(Act::Kind::Arm);
         b.request({kSet, 0x91, 5});
     });
+    story("a start that comes late", "asked for", [](Bench &b) {
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::Start);
+        b.now += 600ms;
+        b.request({kStart | 1});
+    });
+    story("gone from a motor that turns", "stops before it goes", [](Bench &b) {
+        b.arm();
+        b.judge.closes(b.now);
+    });
     story("no pause before the payload", "payload pause", [](Bench &b) {
         b.request({kGet, 0x49}, 100us);
     });

@@ -15,7 +15,6 @@ namespace support {
 class JudgedDrive : public drive::Drive {
 public:
     /// @param judge  outlives the drive
-    /// @param numberOf  a register's number on the wire
     JudgedDrive(std::unique_ptr<drive::Drive> drive, judge::MsRules &judge)
         : m_drive(std::move(drive))
         , m_judge(judge)
@@ -69,6 +68,7 @@ public:
     {
         m_now = now;
         m_judge.asked(wish.id, now);
+        m_madeAt = std::min(wish.madeAt.value_or(now), now);
         std::visit([&](const auto &what) { ask(wish.id, what); }, wish.what);
         m_drive->submit(std::move(wish), now);
     }
@@ -86,6 +86,11 @@ public:
     {
         tell(judge::Act::Kind::Disarm, m_now);
         m_drive->disarm();
+    }
+    void doubt(TimePoint now) override
+    {
+        tell(judge::Act::Kind::Disarm, now);
+        m_drive->doubt(now);
     }
     bool armed() const override { return m_drive->armed(); }
 
@@ -106,7 +111,7 @@ private:
         act.kind = kind;
         act.id = id;
         act.motor = motor;
-        act.at = m_now;
+        act.at = m_madeAt;
         return act;
     }
 
@@ -220,6 +225,7 @@ private:
     std::unique_ptr<drive::Drive> m_drive;
     judge::MsRules &m_judge;
     TimePoint m_now{};
+    TimePoint m_madeAt{}; ///< of the act behind the wish that is being submitted
 };
 
 } // namespace support

@@ -98,8 +98,10 @@ void MsRules::heard(ByteView bytes, TimePoint at)
         return;
     m_now = std::max(m_now, at);
     m_heardAt = at;
-    if (m_decoder->heard(bytes))
+    if (m_decoder->heard(bytes)) {
         m_unanswered.reset();
+        m_answeredAt = at;
+    }
 }
 
 void MsRules::judge(const Sent &sent, const std::string &)
@@ -119,6 +121,8 @@ void MsRules::judge(const Sent &sent, const std::string &)
         ++m_counts.starts;
     if (sent.kind == Kind::SetPoint)
         ++m_counts.setPoints;
+    if (sent.kind == Kind::Stop)
+        m_stopSent[sent.motor] = m_now;
     if (sent.kind == Kind::Stop && m_stop) {
         OpenStop::Of &of = m_stop->motors[sent.motor];
         of.sent = m_now;
@@ -148,6 +152,7 @@ void MsRules::act(const Act &act)
         if (m_decoder)
             m_decoder->reset();
         return;
+    case Act::Kind::Unplugged:
     case Act::Kind::Close:
         m_open = false;
         m_stop.reset();
@@ -165,6 +170,9 @@ void MsRules::act(const Act &act)
         return forgetActs();
     case Act::Kind::Stop:
         return onStop(act);
+    case Act::Kind::Leave:
+        m_leave = act.at;
+        return;
     case Act::Kind::Limits:
         m_userRpm = act.rpm.value_or(0.0);
         m_userAmps = act.amps.value_or(0.0);
@@ -197,11 +205,15 @@ void MsRules::onStop(const Act &act)
 /// Nobody is armed any more, and nothing is asked for.
 void MsRules::forgetActs()
 {
-    if (std::exchange(m_armed, false))
+    if (std::exchange(m_armed, false)) {
         m_disarmed = m_moment;
+        m_disarmedAt = m_now;
+    }
     for (Pending &one : m_acts)
-        if (!one.voided)
+        if (!one.voided) {
             one.voided = m_moment;
+            one.voidedAt = m_now;
+        }
     std::erase_if(m_acts, [this](const Pending &one) { return *one.voided + 100 < m_moment; });
 }
 
@@ -223,8 +235,10 @@ void MsRules::saidEnded(std::uint64_t wish, TimePoint at)
         violate("ends once", "wish " + std::to_string(wish) + " ended again");
     ++m_moment;
     for (Pending &one : m_acts)
-        if (one.act.id == wish && !one.voided)
+        if (one.act.id == wish && !one.voided) {
             one.voided = m_moment;
+            one.voidedAt = m_now;
+        }
     std::erase_if(
         m_acts, [this](const Pending &one) { return one.voided && *one.voided + 100 < m_moment; });
 }
@@ -271,12 +285,21 @@ void MsRules::look(TimePoint now, const std::vector<Motor> &truth)
     if (!watching())
         return;
     m_now = std::max(m_now, now);
+    if (const Duration gap = now - m_lookedAt; gap > kGap && m_lookedAt != TimePoint{}) {
+        if (m_heardAt)
+            *m_heardAt += gap;
+        if (m_stop) {
+            m_stop->first += gap;
+            m_stop->latest += gap;
+            for (auto &of : m_stop->motors)
+                of.second.allowed = now;
+        }
+    }
+    m_lookedAt = now;
     for (std::size_t i = 0; i < truth.size(); ++i) {
         const int number = static_cast<int>(i) + 1;
         m_truth[number] = truth[i];
         Seen &seen = m_seen[number];
-        if (!truth[i].idle)
-            seen.drivenAt = now;
         if (truth[i].idle) {
             seen.idleAt = now;
             seen.everIdle = true;

@@ -55,6 +55,7 @@ struct Act {
     enum class Kind : std::uint8_t {
         Open, ///< connect
         Close, ///< disconnect
+        Unplugged, ///< nobody's act: the line is gone
         Arm,
         Disarm,
         Stop, ///< of all motors
@@ -66,7 +67,8 @@ struct Act {
         Acknowledge,
         Limits, ///< a person's own
         Scale, ///< of currents, as a person knows it
-        Input, ///< any input event of a window: allows one thing that acts
+        Input, ///< any input event of a window: allows one thing that acts of each kind, and writes
+        Leave, ///< a motor that turns is to go on without us
     };
     Kind kind = Kind::Open;
     std::uint64_t id = 0; ///< of the wish; 0: none
@@ -98,6 +100,11 @@ struct Line {
     Duration repeat = std::chrono::milliseconds(200); ///< between STOPs of one motor
     Duration alarm = std::chrono::milliseconds(600); ///< half a second and a poll
     Duration suspect = std::chrono::milliseconds(600), lost = std::chrono::milliseconds(2500);
+    /// How long an act of a person counts, from the act or from what the board last answered on the way to it: a start
+    /// looks first at what it would start to.
+    Duration fresh = std::chrono::milliseconds(550);
+    /// From an act at a window to the thread that serves the line.
+    Duration grace{};
     int startParts = 1, referenceParts = 1; ///< packets that a start or a current reference takes
     Duration gap{}; ///< from header to payload, at least
     Duration answerWithin{}; ///< after which a request counts as unanswered; zero: not judged
@@ -119,8 +126,8 @@ public:
 
 class MsRules {
 public:
-    /// How long an act of a person counts. Wishes may wait behind others for that long.
-    static constexpr Duration kFresh = std::chrono::seconds(10);
+    static constexpr Duration kOldest = std::chrono::seconds(10); ///< that an act counts at most
+    static constexpr Duration kGap = std::chrono::milliseconds(250); ///< longer: nobody ran
     static constexpr Duration kBlind = std::chrono::seconds(2); ///< STOPs without a link
     static constexpr Duration kEvidence = std::chrono::milliseconds(500);
 
@@ -151,6 +158,8 @@ public:
     void asked(std::uint64_t wish, TimePoint at);
     void saidStatus(TimePoint evidence, TimePoint at);
 
+    /// The line is closed on purpose: nobody goes from a motor that turns without stopping it or being told to.
+    void closes(TimePoint now);
     /// Each wish that was asked for has ended; to be called when the faults are over.
     void settle(TimePoint now);
 
@@ -209,7 +218,7 @@ private:
     std::vector<std::string> m_violations;
     Counts m_counts;
     std::string m_packet; ///< being judged, for people
-    TimePoint m_now{}, m_opened{};
+    TimePoint m_now{}, m_opened{}, m_disarmedAt{}, m_lookedAt{};
 
     bool m_open = false, m_identified = false;
     std::uint64_t m_moment = 1; ///< counts acts and ends of wishes
@@ -218,20 +227,25 @@ private:
     bool m_requested = false; ///< a request has left since the link came about
     Link m_link = Link::Closed;
     std::optional<TimePoint> m_heardAt;
+    TimePoint m_answeredAt{};
     std::optional<TimePoint> m_unanswered; ///< when the request left whose answer is due
     std::optional<OpenStop> m_stop;
     struct Pending {
         Act act;
         int uses = 0;
+        std::set<Kind> used = {}; ///< of an input event
         std::optional<std::uint64_t> voided =
             std::nullopt; ///< since when it asks for nothing any more
+        TimePoint voidedAt{};
     };
     std::vector<Pending> m_acts;
+    std::map<int, TimePoint> m_stopSent; ///< by motor
+    std::optional<TimePoint> m_leave;
     double m_userRpm = 0.0, m_userAmps = 0.0;
     std::set<std::uint64_t> m_wishes, m_ended;
     std::map<int, Motor> m_truth;
     struct Seen {
-        TimePoint idleAt{}, restAt{}, drivenAt{}; ///< when it was last so
+        TimePoint idleAt{}, restAt{}; ///< when it was last so
         bool everIdle = false, everRested = false;
     };
     std::map<int, Seen> m_seen;

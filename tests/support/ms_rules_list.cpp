@@ -62,15 +62,28 @@ Act *MsRules::actFor(const Sent &sent)
 {
     const auto fits = [&](const Pending &one) {
         const Act &act = one.act;
-        if (m_now - act.at > kFresh || (one.voided && m_packetBegan >= *one.voided))
+        // What has begun to leave is finished.
+        const bool begun =
+            act.id != 0 && std::any_of(m_acts.begin(), m_acts.end(), [&](const Pending &other) {
+                return other.act.id == act.id && !other.used.empty();
+            });
+        const bool fresh =
+            m_now - std::max(act.at, m_answeredAt) <= m_line.fresh && m_now - act.at <= kOldest;
+        if ((!fresh && !begun)
+            || (one.voided && m_packetBegan >= *one.voided && m_now >= one.voidedAt + m_line.grace))
             return false;
         if (act.kind == Act::Kind::Input)
-            return one.uses == 0;
+            return sent.kind == Kind::Write || sent.kind == Kind::Mode
+                || !one.used.contains(sent.kind);
         if (act.kind == Act::Kind::Write) {
             const bool plain = sent.kind == Kind::Write || sent.kind == Kind::Mode;
             return act.target == sent.target && sent.target != 0
                 && same(act.value, sent.value, 0.01)
-                && one.uses < (plain ? 3 : 2); // a scalar that was not taken may be written again
+                && one.uses
+                < (!sent.value ? 12
+                        : plain
+                        ? 3
+                        : 2); // stages go one by one, a scalar that was not taken may be written again
         }
         if (act.motor != sent.motor)
             return false;
@@ -94,6 +107,7 @@ Act *MsRules::actFor(const Sent &sent)
     const auto at = std::find_if(m_acts.begin(), m_acts.end(), fits);
     if (at == m_acts.end())
         return nullptr;
+    at->used.insert(sent.kind);
     if (sent.kind != Kind::Mode || at->act.kind == Act::Kind::Write)
         ++at->uses;
     return &at->act;
@@ -121,22 +135,17 @@ void MsRules::onlyStopAndStatesDuringAStop(const Sent &sent)
     const bool may = sent.kind == Kind::Stop || sent.kind == Kind::LinkControl
         || sent.kind == Kind::StatusRead
         || (sent.kind == Kind::Read && !m_identified); // who is there, to stop it
-    if (open && !may && m_packetBegan >= m_stop->moment)
+    if (open && !may && m_packetBegan >= m_stop->moment && m_now >= m_stop->first + m_line.grace)
         violate("stop first",
             std::string(nameOf(sent.kind)) + " left " + milliseconds(m_now - m_stop->first)
                 + " after the Stop, before every motor was at rest");
 }
 
-/// What keeps a motor alive needs somebody who moves it, or a motor that is driven and not being stopped.
+/// What keeps a motor alive needs somebody who moves it.
 void MsRules::heartbeatsOnlyWhileArmed(const Sent &sent)
 {
-    const bool resting = std::all_of(m_truth.begin(), m_truth.end(), [&](const auto &motor) {
-        const auto seen = m_seen.find(motor.first);
-        return motor.second.idle && seen != m_seen.end()
-            && m_now - seen->second.drivenAt > kEvidence;
-    });
-    if (sent.kind == Kind::Heartbeat && !m_armed && !wasUnderWay() && (resting || m_stop))
-        violate("heartbeats", "a heartbeat left although nobody is armed and nothing is driven");
+    if (sent.kind == Kind::Heartbeat && !m_armed && !wasUnderWay())
+        violate("heartbeats", "a heartbeat left although nobody is armed");
 }
 
 /// By the board's limits and by the person's own.
@@ -256,6 +265,21 @@ void MsRules::saidStatus(TimePoint evidence, TimePoint at)
         violate("fresh", "a state from the future");
     if (at - evidence > kEvidence)
         violate("fresh", "a state is told " + milliseconds(at - evidence) + " after it was read");
+}
+
+void MsRules::closes(TimePoint now)
+{
+    m_now = std::max(m_now, now);
+    if (!m_open || (m_leave && now - *m_leave < std::chrono::seconds(10)))
+        return;
+    for (const auto &[motor, truth] : m_truth) {
+        const auto sent = m_stopSent.find(motor);
+        if (truth.driven
+            && (sent == m_stopSent.end() || now - sent->second > std::chrono::seconds(3)))
+            violate("stops before it goes",
+                "the line is closed, motor " + std::to_string(motor)
+                    + " is driven, and nobody chose to leave it so");
+    }
 }
 
 /// A line that has fallen silent is not called connected.

@@ -1,0 +1,123 @@
+#!/usr/bin/env python3
+"""Shows that the judge of the wire (tests/support/ms_rules.h) finds what it is there for: each defect below is put into the
+product, one test is built and run, and the rule named with it has to speak. Prints a table.
+
+    tests/mutation/seeded_defects.py --build build/dev [--only NAME] [--jobs N]
+
+The source is edited in place and put back, also when it is interrupted: run it in a copy of the tree. A defect whose text
+is no longer in the source is an error: the table would claim what was not tried.
+"""
+import argparse
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+# Name, test, rule that has to speak, edits: (file, text, text instead).
+DEFECTS = [
+    ("a Stop does not disarm", "tst_mcp_drive_faults", "armed|asked for|stop first", [
+        ("core/drive/wish_drive.cpp", "    m_workedAt = now;\n    setArmed(false);\n", "    m_workedAt = now;\n"),
+        ("core/drive/wish_drive.cpp", 'm_wishes.cutAll("stopped", dynamic_cast<WishTask *>(m_task));', "")]),
+    ("a start is repeated after a time-out", "tst_mcp_drive_faults", "asked for", [
+        ("core/drive/mcp/mcp_commands.cpp", "    if (finished() || sent())\n        return std::nullopt;\n    if (!m_board.hasMotor",
+         "    if (finished())\n        return std::nullopt;\n    if (!m_board.hasMotor"),
+        ("core/drive/mcp/mcp_commands.cpp",
+         '    end(executed.has_value() && !*executed ? Outcome::NotSent : Outcome::Unknown, "no answer");\n}\n\nSetPointTask',
+         '    if (executed.has_value())\n        end(Outcome::Unknown, "no answer");\n}\n\nSetPointTask')]),
+    ("writes pass unarmed", "tst_mcp_drive_faults", "armed", [
+        ("core/drive/mcp/mcp_writes.cpp", "    : WishTask(id, Permission::Armed)\n", "    : WishTask(id, Permission::Always)\n")]),
+    ("a Stop is not repeated", "tst_mcp_drive_stop", "stop in time", [
+        ("core/drive/stop_sequence.cpp", "motor->nextStop = now + kRepeat;", "motor->nextStop = now + 100 * kRepeat;")]),
+    ("no STOP without a link", "tst_mcp_drive_stop", "stop in time", [
+        ("core/drive/stop_sequence.cpp", "    if (!connected && !blind(now))\n        return std::nullopt;",
+         "    if (!connected)\n        return std::nullopt;")]),
+    ("motor 0", "tst_mcp_drive_faults", "motors that are there", [
+        ("core/drive/mcp/mcp_commands.cpp", "| static_cast<unsigned>(m_command.motor);", "| (static_cast<unsigned>(m_command.motor) & 0U);")]),
+    ("speeds beyond the limit", "tst_mcp_drive_faults", "bounded", [
+        ("core/drive/set_point_check.cpp", "    if (std::abs(rpm) > bound)\n", "    if (std::abs(rpm) > 100 * bound)\n")]),
+    ("a second request in flight", "tst_mcp_drive_faults", "one in flight", [
+        ("core/aspep/controller.cpp", "return m_state == State::Connected && m_step == Step::None && !m_urgent;",
+         "return m_state == State::Connected && !m_urgent;")]),
+    ("heartbeats unarmed", "tst_mcp_drive_watchdog", "heartbeats", [
+        ("core/drive/mcp/mcp_drive_work.cpp", "m_heartbeat.setWanted(!m_stop.active() && armed());", "m_heartbeat.setWanted(true);")]),
+    ("the alarm is never raised", "tst_mcp_drive_stop", "alarm", [
+        ("core/drive/stop_sequence.cpp", "            tell(motor, StopWord::NotConfirmed, now);", "            continue;")]),
+    ("a lost link leaves it armed", "tst_mcp_drive_faults", "armed", [
+        ("core/drive/mcp/mcp_drive_link.cpp", "    setArmed(false);\n    cutAllWishes(\"link lost\");", "    cutAllWishes(\"link lost\");")]),
+    ("no pause before a payload", "tst_mcp_drive_faults", "payload pause", [
+        ("core/aspep/controller.h", "std::chrono::microseconds(1500); ///< header", "std::chrono::microseconds(100); ///< header")]),
+    ("other reads go on during a Stop", "tst_mcp_drive_stop", "stop first", [
+        ("core/drive/wish_drive.h", "return m_stop.exclusive() && (!m_stop.alarmed() || m_stop.blind(now));", "return now == TimePoint{};")]),
+    ("one reading is enough for \"drive idle\", a running one too", "tst_mcp_drive_stop", "true words", [
+        ("core/drive/stop_sequence.cpp", "    return status.state == MotorState::Idle || ", "    return status.state == MotorState::Idle || status.state == MotorState::Running || ")]),
+    ("the older protocol stops motor 0", "tst_legacy_drive_faults", "motors that are there", [
+        ("core/drive/legacy/legacy_drive.cpp", "m_stopMotor = static_cast<std::uint8_t>(*motor);", "m_stopMotor = 0;")]),
+    ("late wishes are sent", "tst_mcp_drive_faults", "asked for", [
+        ("core/drive/wish.h", "kWishExpiresAfter = std::chrono::milliseconds(500);", "kWishExpiresAfter = std::chrono::milliseconds(50000);")]),
+]
+
+
+def run(command, seconds):
+    environment = dict(os.environ, QT_QPA_PLATFORM="offscreen")
+    try:
+        done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, timeout=seconds)
+    except subprocess.TimeoutExpired as late:
+        return 1, (late.stdout or b"").decode(errors="replace")
+    return done.returncode, (done.stdout + done.stderr).decode(errors="replace")
+
+
+def judged(build, jobs, test):
+    code, text = run(["cmake", "--build", build, "--target", test, "-j", jobs], 1800)
+    if code != 0:
+        return None, text[-2000:]
+    return run([f"{build}/tests/{test}"], 600)
+
+
+def try_one(defect, build, jobs):
+    name, test, rule, edits = defect
+    kept = {}
+    try:
+        for file, old, new in edits:
+            path = ROOT / file
+            text = path.read_text()
+            kept.setdefault(path, text)
+            if text.count(old) != 1:
+                return "NO LONGER THERE", file
+            path.write_text(text.replace(old, new))
+        code, text = judged(build, jobs, test)
+    finally:
+        for path, text in kept.items():
+            path.write_text(text)
+    if code is None:
+        return "DOES NOT BUILD", text
+    spoke = re.search(rf"(?:^|\W)({rule}): .*", text, re.M)
+    if code == 0:
+        return "SURVIVED", ""
+    return ("found", spoke.group(0)[:150].strip()) if spoke else ("NOT BY THE JUDGE", "")
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("--build", default="build/dev", help="folder of a finished build")
+    options.add_argument("--only", help="the defects whose names have this text")
+    options.add_argument("--jobs", default="2")
+    given = options.parse_args()
+    wrong = 0
+    print("| defect | test | result | the rule's words |\n|---|---|---|---|", flush=True)
+    for defect in DEFECTS:
+        if given.only and given.only not in defect[0]:
+            continue
+        begun = time.monotonic()
+        result, words = try_one(defect, given.build, given.jobs)
+        wrong += result != "found"
+        seconds = round(time.monotonic() - begun)
+        print(f"| {defect[0]} | {defect[1]} | {result}, {seconds} s | {words.splitlines()[0] if words else ''} |", flush=True)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
