@@ -46,6 +46,11 @@ DEFECTS = [
         ("core/drive/mcp/mcp_drive_work.cpp", "m_heartbeat.setWanted(!m_stop.active() && armed());", "m_heartbeat.setWanted(true);")]),
     ("the alarm is never raised", "tst_mcp_drive_stop", "alarm", [
         ("core/drive/stop_sequence.cpp", "            tell(motor, StopWord::NotConfirmed, now);", "            continue;")]),
+    ("pressing again puts off the alarm", "tst_mcp_drive_stop", "alarm", [
+        ("core/drive/stop_sequence.cpp", "    for (Motor &motor : m_motors)\n        motor.nextStop = now;\n",
+         "    for (Motor &motor : m_motors)\n        motor.nextStop = motor.begun = now;\n")]),
+    ("a motor that becomes known during a Stop is not stopped", "tst_mcp_drive_stop", "stop in time|stop first", [
+        ("core/drive/stop_sequence.cpp", "    m_count = count;\n    if (count == Count::Exactly)", "    motors = 0;\n    m_count = Count::Exactly;\n    if (count == Count::Exactly && motors > 0)")]),
     ("a lost link leaves it armed", "tst_mcp_drive_faults", "armed", [
         ("core/drive/mcp/mcp_drive_link.cpp", "    setArmed(false);\n    cutAllWishes(\"link lost\");", "    cutAllWishes(\"link lost\");")]),
     ("no pause before a payload", "tst_mcp_drive_faults", "payload pause", [

@@ -93,6 +93,9 @@ public:
         m_drive->doubt(now);
     }
     bool armed() const override { return m_drive->armed(); }
+    bool stopOpen() const override { return m_drive->stopOpen(); }
+    [[nodiscard]] std::vector<Output> stopScript() const override { return m_drive->stopScript(); }
+    std::optional<drive::Protocol> spoken() const override { return m_drive->spoken(); }
 
 private:
     using Act = judge::Act;

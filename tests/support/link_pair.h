@@ -206,7 +206,7 @@ private:
         line.maxAmps = line.ampsPerDigit = 0.0; // these boards do not tell them
         line.firstStop = 150ms;
         line.repeat = 250ms;
-        line.suspect = 2600ms; // while STOPs are sent blind nothing is told
+        line.suspect = 1s;
         line.lost = 6s;
         line.answerWithin = 900ms;
         return line;

@@ -189,6 +189,7 @@ void MsRules::onStop(const Act &act)
 {
     ++m_counts.stops;
     forgetActs();
+    m_open = m_open || m_link != Link::Closed; // a Stop interrupts the disconnecting
     if (!m_open)
         return;
     const bool goesOn = m_stop
