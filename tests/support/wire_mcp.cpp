@@ -1,6 +1,7 @@
 #include "support/wire_mcp.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -34,12 +35,13 @@ Sent never(const std::string &why)
 }
 
 // Registers without their motor: element << 6 | type << 3.
-constexpr unsigned kStatus = 1U << 6 | 1U << 3, kMode = 2U << 6 | 1U << 3, kFaults = 3U << 3,
-                   kSpeedMeas = 1U << 6 | 3U << 3, kHsoSpeedMeas = 38U << 6 | 3U << 3,
-                   kSpeedRef = 2U << 6 | 3U << 3, kSpeedRamp = 6U << 6 | 5U << 3,
-                   kTorqueRamp = 7U << 6 | 5U << 3, kCurrentRef = 13U << 6 | 5U << 3,
-                   kPositionRamp = 14U << 6 | 5U << 3, kIqRef = 37U << 6 | 2U << 3,
-                   kIdRef = 38U << 6 | 2U << 3;
+// How many motors there are is asked for during a Stop, too: to stop them all.
+constexpr unsigned kGlobalConfig = 5U << 3, kStatus = 1U << 6 | 1U << 3, kMode = 2U << 6 | 1U << 3,
+                   kFaults = 3U << 3, kSpeedMeas = 1U << 6 | 3U << 3,
+                   kHsoSpeedMeas = 38U << 6 | 3U << 3, kSpeedRef = 2U << 6 | 3U << 3,
+                   kSpeedRamp = 6U << 6 | 5U << 3, kTorqueRamp = 7U << 6 | 5U << 3,
+                   kCurrentRef = 13U << 6 | 5U << 3, kPositionRamp = 14U << 6 | 5U << 3,
+                   kIqRef = 37U << 6 | 2U << 3, kIdRef = 38U << 6 | 2U << 3;
 
 bool isDatalog(unsigned id)
 {
@@ -161,8 +163,9 @@ std::vector<Sent> WireMcp::reads() const
     one.kind = Kind::StatusRead;
     for (std::size_t at = 2; at < m_payload.size(); at += 2) {
         const unsigned bare = little(m_payload, at, 2) & ~7U;
-        if (bare != kStatus && bare != kMode && bare != kFaults && bare != kSpeedMeas
-            && bare != kHsoSpeedMeas)
+        constexpr std::array kStates{
+            kStatus, kMode, kFaults, kSpeedMeas, kHsoSpeedMeas, kGlobalConfig};
+        if (std::find(kStates.begin(), kStates.end(), bare) == kStates.end())
             one.kind = Kind::Read;
     }
     return {one};
