@@ -66,7 +66,9 @@ int run(int argc, char **argv, const gui::Arguments &arguments)
 
     const session::SystemPortSource ports;
     widgets::FilePrompt files;
-    widgets::Workbench workbench(session::makeDiskSink, guardian);
+    session::Parts parts = session::realParts();
+    parts.guardian = guardian;
+    widgets::Workbench workbench(session::makeDiskSink, std::move(parts));
     widgets::MainWindow window(workbench, ports, files, settings);
     // Drawing it in all its sizes takes about a tenth of a start; the first picture does without.
     QObject::connect(&window, &widgets::MainWindow::settled, &application,

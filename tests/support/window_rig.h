@@ -47,8 +47,9 @@ struct WindowRig {
     widgets::MainWindow window;
 
     explicit WindowRig(const widgets::Settings &settings = quietSettings(),
-        session::MakeSink makeSink = session::makeDiskSink)
-        : workbench(std::move(makeSink))
+        session::MakeSink makeSink = session::makeDiskSink,
+        session::Parts parts = session::realParts())
+        : workbench(std::move(makeSink), std::move(parts))
         , window(workbench, ports, files, settings)
     {
         window.show();

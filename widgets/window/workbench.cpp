@@ -12,25 +12,18 @@ constexpr int kHeartbeatMs = 200;
 /// What tells the session that this thread lives. Four late ones in a row are forgiven, a fifth disarms.
 constexpr int kPulseMs = 100;
 
-session::Parts guarded(session::Parts parts, std::shared_ptr<session::Guardian> guardian)
-{
-    parts.guardian = std::move(guardian);
-    return parts;
-}
-
 } // namespace
 
-Workbench::Workbench(
-    session::MakeSink makeSink, std::shared_ptr<session::Guardian> guardian, QObject *parent)
+Workbench::Workbench(session::MakeSink makeSink, session::Parts parts, QObject *parent)
     : QObject(parent)
+    , m_parts(std::move(parts))
     , m_archive(std::make_shared<session::DiskArchive>(
           session::DiskArchive::Config{.folder = session::archiveFolder()}))
     , m_capture({.archive = m_archive})
     , m_watchList(m_device, m_registers)
     , m_tap(std::make_shared<session::RecordingTap>())
     , m_recording(m_tap, {}, std::move(makeSink))
-    , m_thread(session::tapped(
-          session::replaying(guarded(m_parts, std::move(guardian)), m_replay), m_tap))
+    , m_thread(session::tapped(session::replaying(m_parts, m_replay), m_tap))
 {
     m_clock.start();
     connectSession();

@@ -28,9 +28,9 @@ class Workbench : public QObject {
     Q_OBJECT
 public:
     /// @param makeSink  where recordings go; tests bring disks that are full
-    /// @param guardian  of this program; nullptr: nobody stops the motors if it dies
+    /// @param parts  what the session is made of, its guardian with it; tests bring lines that are judged
     explicit Workbench(session::MakeSink makeSink = session::makeDiskSink,
-        std::shared_ptr<session::Guardian> guardian = {}, QObject *parent = nullptr);
+        session::Parts parts = session::realParts(), QObject *parent = nullptr);
     ~Workbench() override;
 
     Device &device() { return m_device; }
@@ -64,8 +64,7 @@ private:
     void connectSession();
     void connectModels();
 
-    session::Parts m_parts =
-        session::realParts(); ///< one clock for the session and for what it is asked
+    session::Parts m_parts; ///< one clock for the session and for what it is asked
     InputAge m_inputAge;
     QElapsedTimer m_clock;
     Device m_device;

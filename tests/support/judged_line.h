@@ -1,0 +1,253 @@
+// A line to a simulated board that the judge of the wire watches, for sessions in a thread of their own: the window puts
+// acts in from its thread, the line puts bytes and the board's truth in from the session's. Time is the session's clock,
+// which may be pushed ahead. The board lives on while its cable is out.
+#pragma once
+
+#include "session/session.h"
+#include "simulation/mcb/mcb_board.h"
+#include "simulation/simulated_board.h"
+#include "support/ms_rules.h"
+#include "support/wire_legacy.h"
+#include "support/wire_mcb.h"
+#include "support/wire_mcp.h"
+
+#include <QElapsedTimer>
+
+#include <atomic>
+#include <mutex>
+#include <utility>
+
+namespace support {
+
+using namespace std::chrono_literals;
+
+/// What the two threads share. A mutex is right here: the judge is no part of the product.
+class JudgedWorld {
+public:
+    JudgedWorld(simulation::BoardOptions options, drive::Protocol protocol)
+        : m_options(std::move(options))
+        , m_protocol(protocol)
+    {
+    }
+
+    // For the window's thread.
+    std::atomic<bool> plugged = true;
+    std::atomic<bool> cut = false; ///< nothing gets through
+    std::atomic<bool> reset = false; ///< power cycle, once
+    std::atomic<int> fault = -1; ///< fault bits to be present from now on
+    std::atomic<int> freeze_ms = 0; ///< the session's thread, once
+    void jump(Duration time) { m_offset += time.count(); }
+
+    void act(judge::Act::Kind kind)
+    {
+        const std::lock_guard lock(m_mutex);
+        judge::Act act;
+        act.kind = kind;
+        act.at = now();
+        m_judge.act(act);
+    }
+    void said(judge::Word word, int motor)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_judge.said(word, motor, now());
+    }
+    void said(judge::Link link)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_judge.said(link, now());
+    }
+    void saidIdentified(int motors)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_judge.saidIdentified(motors, now());
+    }
+    std::string verdict()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_judge.verdict();
+    }
+    judge::MsRules::Counts counts()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_judge.counts();
+    }
+
+    /// Ones for a session: the clock, the judged line, the product's own drives.
+    session::Parts parts();
+
+    TimePoint now() const { return m_clock() + Duration(m_offset); }
+
+private:
+    class Line;
+
+    judge::Line lineOf() const
+    {
+        judge::Line line;
+        const simulation::MotorTruth truth = m_board->truth(1);
+        line.motors = m_options.motors;
+        line.baud = m_options.baud;
+        line.maxRpm = truth.maxRpm;
+        // Two threads, a window and a busy computer are between an act and the line.
+        line.grace = 300ms;
+        line.fresh = 1500ms;
+        line.firstStop = line.repeat = 1s;
+        line.alarm = 3s;
+        line.suspect = line.lost = {};
+        line.answerWithin = m_protocol == drive::Protocol::Mcp ? 10s : 0s;
+        line.startParts = line.referenceParts = 2;
+        return line;
+    }
+    std::unique_ptr<judge::Decoder> decoder() const
+    {
+        if (m_protocol == drive::Protocol::Mcp)
+            return std::make_unique<judge::WireMcp>(m_options.baud, 0.0);
+        if (m_protocol == drive::Protocol::Mcb)
+            return std::make_unique<judge::WireMcb>();
+        return std::make_unique<judge::WireLegacy>();
+    }
+    void makeBoard()
+    {
+        if (m_protocol == drive::Protocol::Mcb) {
+            simulation::McbBoardOptions servo;
+            servo.board = m_options;
+            m_board = simulation::makeMcbBoard(servo);
+        } else {
+            m_board = simulation::makeBoard(m_options);
+        }
+    }
+
+    simulation::BoardOptions m_options;
+    drive::Protocol m_protocol;
+    session::Clock m_clock = session::realParts().clock;
+    std::atomic<Duration::rep> m_offset = 0;
+    std::mutex m_mutex;
+    judge::MsRules m_judge; ///< behind the mutex
+    std::unique_ptr<simulation::SimulatedBoard> m_board; ///< of the session's thread
+    TimePoint m_boardTime{1s}, m_last{};
+};
+
+/// The cable. Made anew with each opening of the port.
+class JudgedWorld::Line : public session::Transport {
+public:
+    explicit Line(JudgedWorld &world)
+        : m_world(world)
+    {
+    }
+    ~Line() override { close(); }
+
+    session::PortError open(TimePoint now) override
+    {
+        if (!m_world.plugged)
+            return {session::PortProblem::NotFound, {}};
+        if (!m_world.m_board)
+            m_world.makeBoard();
+        m_world.m_last = now;
+        m_open = true;
+        const std::lock_guard lock(m_world.m_mutex);
+        if (!m_world.m_judge.watching())
+            m_world.m_judge.watch(m_world.decoder(), m_world.lineOf());
+        judge::Act act;
+        act.at = now;
+        m_world.m_judge.act(act);
+        return {};
+    }
+    void close() override
+    {
+        if (!std::exchange(m_open, false))
+            return;
+        const std::lock_guard lock(m_world.m_mutex);
+        m_world.m_judge.closes(m_world.now());
+        judge::Act act;
+        act.kind = judge::Act::Kind::Close;
+        act.at = m_world.now();
+        m_world.m_judge.act(act);
+    }
+    void write(ByteView bytes, TimePoint now) override
+    {
+        if (!m_open)
+            return;
+        {
+            const std::lock_guard lock(m_world.m_mutex);
+            m_world.m_judge.sent(bytes, now);
+        }
+        moveOn(now);
+        if (!m_world.cut)
+            m_world.m_board->receive(bytes, m_world.m_boardTime);
+    }
+    bool sent(TimePoint) const override { return true; }
+    void advance(TimePoint now) override
+    {
+        if (!m_open)
+            return;
+        if (!m_world.plugged) {
+            m_open = false;
+            {
+                const std::lock_guard lock(m_world.m_mutex);
+                judge::Act act;
+                act.kind = judge::Act::Kind::Unplugged;
+                act.at = now;
+                m_world.m_judge.act(act);
+            }
+            Q_EMIT failed({session::PortProblem::Unplugged, {}});
+            return;
+        }
+        obey();
+        moveOn(now);
+        const Bytes out = m_world.m_board->takeOutput();
+        {
+            const std::lock_guard lock(m_world.m_mutex);
+            std::vector<judge::Motor> truth;
+            for (int motor = 1; motor <= m_world.m_options.motors; ++motor) {
+                const simulation::MotorTruth is = m_world.m_board->truth(motor);
+                truth.push_back({is.driven, is.idle, is.rpm});
+            }
+            if (!m_world.cut)
+                m_world.m_judge.heard(out, now);
+            m_world.m_judge.look(now, truth);
+        }
+        if (!out.empty() && !m_world.cut)
+            Q_EMIT received(QByteArray(
+                reinterpret_cast<const char *>(out.data()), static_cast<qsizetype>(out.size())));
+    }
+    std::optional<TimePoint> nextWake() const override
+    {
+        if (!m_open)
+            return std::nullopt;
+        return m_world.m_last
+            + std::max<Duration>(m_world.m_board->nextWake() - m_world.m_boardTime, 1ms);
+    }
+    bool real() const override { return true; }
+
+private:
+    void moveOn(TimePoint now)
+    {
+        m_world.m_boardTime += std::clamp<Duration>(now - m_world.m_last, 0ns, 100ms);
+        m_world.m_last = std::max(m_world.m_last, now);
+        m_world.m_board->advance(m_world.m_boardTime);
+    }
+    void obey()
+    {
+        if (m_world.reset.exchange(false))
+            m_world.m_board->reset();
+        if (const int fault = m_world.fault.exchange(-1); fault >= 0)
+            m_world.m_board->setFaults(static_cast<std::uint16_t>(fault));
+        if (const int ms = m_world.freeze_ms.exchange(0); ms > 0) {
+            QElapsedTimer clock;
+            clock.start();
+            while (clock.elapsed() < ms) { } // nobody is there meanwhile
+        }
+    }
+
+    JudgedWorld &m_world;
+    bool m_open = false;
+};
+
+inline session::Parts JudgedWorld::parts()
+{
+    session::Parts parts = session::realParts();
+    parts.clock = [this] { return now(); };
+    parts.transport = [this](const session::Endpoint &) { return std::make_unique<Line>(*this); };
+    return parts;
+}
+
+} // namespace support

@@ -1,0 +1,528 @@
+// A monkey at the real window: sessions of random input (keys, clicks, wheel, drags, typing, questions answered either way,
+// writes, undo, restores, ports unplugged, boards reset, threads frozen, clocks that jump), one and two motors, four
+// protocols, with the judge of the wire beside it. Acts are input events; what leaves must follow from them.
+// ROTORSCOPE_LONG=1 runs 1,000 sessions; a failure names its seed and its last acts; ROTORSCOPE_SEED=n runs that one.
+#include "support/judged_line.h"
+#include "support/link_pair.h"
+#include "support/window_rig.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QElapsedTimer>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QTabBar>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QWheelEvent>
+
+using judge::Act;
+using support::JudgedWorld;
+using support::Random;
+using namespace std::chrono_literals;
+
+namespace {
+
+struct Kind {
+    drive::Protocol protocol;
+    const char *word, *profile;
+    int motors;
+    std::uint32_t baud;
+};
+constexpr Kind kKinds[] = {{drive::Protocol::Mcp, "mcp", "mcsdk-6.4", 1, 1843200},
+    {drive::Protocol::Mcp, "mcp", "mcsdk-6.4", 2, 1843200},
+    {drive::Protocol::Legacy, "legacy", "legacy", 1, 115200},
+    {drive::Protocol::Mcp, "mcp", "mcsdk-6.2", 1, 1843200},
+    {drive::Protocol::PowerPc, "powerpc", "powerpc", 2, 115200},
+    {drive::Protocol::Mcb, "mcb", "mcsdk-6.4", 1, 1843200}};
+
+simulation::BoardOptions boardOf(const Kind &kind, std::uint64_t seed)
+{
+    simulation::BoardOptions options;
+    options.profile = kind.profile;
+    options.motors = kind.motors;
+    options.baud = kind.baud;
+    options.seed = seed;
+    options.hfHz = 4000.0; // so that the computer keeps up with the motors
+    return options;
+}
+
+widgets::Settings settingsOf(const Kind &kind)
+{
+    widgets::Settings settings = facts::WindowRig::quietSettings();
+    settings.port = QStringLiteral("/dev/ttyMonkey");
+    settings.baud = kind.baud;
+    settings.protocol = QLatin1String(kind.word);
+    settings.maxSpeedRpm = 2500.0;
+    settings.samplesOnDiskGB = 0.0;
+    return settings;
+}
+
+/// Spins the event loop; the window lives meanwhile.
+void live(int ms)
+{
+    QElapsedTimer clock;
+    clock.start();
+    do
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
+    while (clock.elapsed() < ms);
+}
+
+class Monkey {
+public:
+    explicit Monkey(std::uint64_t seed)
+        : m_random(seed)
+        , m_kind(kKinds[seed % std::size(kKinds)])
+        , m_world(boardOf(m_kind, seed), m_kind.protocol)
+        , m_rig(settingsOf(m_kind), session::makeDiskSink, m_world.parts())
+    {
+        m_rig.files.answer = m_folder.filePath(QStringLiteral("file"));
+        m_rig.window.resize(1280, 800);
+        listen();
+        m_popups.callOnTimeout(&m_rig.window, [] {
+            if (QWidget *popup = QApplication::activePopupWidget())
+                popup->close(); // a menu has a loop of its own, in which no monkey acts
+        });
+        m_popups.start(20);
+    }
+
+    /// What went wrong; empty if nothing did.
+    std::string run(int acts)
+    {
+        live(50);
+        click("connect");
+        for (int i = 0; i < 100 && !device().identified(); ++i)
+            live(20);
+        for (int i = 0; i < acts && m_world.verdict().empty(); ++i) {
+            act();
+            live(static_cast<int>(m_random.below(50)));
+            noteArming();
+        }
+        leave();
+        return m_world.verdict();
+    }
+
+    std::string story() const
+    {
+        std::string text = std::string(m_kind.profile) + " over " + m_kind.word + ":";
+        const std::size_t from = m_story.size() > 60 ? m_story.size() - 60 : 0;
+        for (std::size_t i = from; i < m_story.size(); ++i)
+            text += "\n  " + m_story[i];
+        return text;
+    }
+    judge::MsRules::Counts counts() { return m_world.counts(); }
+
+private:
+    widgets::Device &device() { return m_rig.workbench.device(); }
+
+    /// What the window says to a person is told to the judge.
+    void listen()
+    {
+        QObject::connect(&device(), &widgets::Device::stopAdvanced, &m_rig.window,
+            [this](const drive::StopProgress &progress) {
+                if (progress.word == drive::StopWord::NotConfirmed)
+                    m_world.said(judge::Word::NotConfirmed, progress.motor);
+            });
+        QObject::connect(&device(), &widgets::Device::linkStateChanged, &m_rig.window, [this] {
+            const auto state = device().link().state;
+            m_world.said(state == drive::LinkState::Connected ? judge::Link::Connected
+                    : state == drive::LinkState::Suspect      ? judge::Link::Suspect
+                    : state == drive::LinkState::Recovering   ? judge::Link::Recovering
+                    : state == drive::LinkState::Lost         ? judge::Link::Lost
+                    : state == drive::LinkState::Closed       ? judge::Link::Closed
+                                                              : judge::Link::Connecting);
+        });
+        QObject::connect(&device(), &widgets::Device::identityChanged, &m_rig.window,
+            [this] { m_world.saidIdentified(device().identified() ? m_kind.motors : 0); });
+    }
+
+    void note(const std::string &what) { m_story.push_back(what); }
+
+    /// Arming is read off the window: any input may have done it.
+    void noteArming()
+    {
+        const auto *arm = m_rig.find<QCheckBox>("arm");
+        const bool armed = arm != nullptr && arm->isChecked();
+        if (armed && !m_armed)
+            m_world.act(Act::Kind::Arm);
+        m_armed = armed;
+    }
+
+    QWidget *top() const
+    {
+        QWidget *modal = QApplication::activeModalWidget();
+        return modal != nullptr ? modal : const_cast<widgets::MainWindow *>(&m_rig.window);
+    }
+
+    void press(QWidget *widget, const std::string &what)
+    {
+        note(what);
+        const bool stops = widget->objectName() == QLatin1String("stop")
+            || widget->objectName() == QLatin1String("faultHelpStop")
+            || widget->objectName() == QLatin1String("rampStop");
+        m_world.act(Act::Kind::Input);
+        if (stops && widget->isEnabled())
+            m_world.act(Act::Kind::Stop);
+        if (auto *box = qobject_cast<QCheckBox *>(widget))
+            QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+        else
+            QTest::mouseClick(widget, Qt::LeftButton);
+        noteArming();
+    }
+    bool click(const char *name)
+    {
+        auto *button = m_rig.find<QAbstractButton>(name);
+        if (button == nullptr || !button->isVisible() || !button->isEnabled())
+            return false;
+        press(button, std::string("click ") + name);
+        return true;
+    }
+    void key(QWidget *widget, Qt::Key which, Qt::KeyboardModifiers modifiers = {})
+    {
+        note("key " + std::to_string(which));
+        m_world.act(which == Qt::Key_Escape ? Act::Kind::Stop : Act::Kind::Input);
+        QTest::keyClick(widget, which, modifiers);
+        noteArming();
+    }
+
+    template <class T>
+    T *anyOf()
+    {
+        QList<T *> all = top()->findChildren<T *>();
+        std::erase_if(all, [](T *one) { return !one->isVisible() || !one->isEnabled(); });
+        return all.isEmpty()
+            ? nullptr
+            : all[qsizetype(m_random.below(static_cast<std::uint64_t>(all.size())))];
+    }
+
+    void act()
+    {
+        if (QApplication::activeModalWidget() != nullptr && m_random.chance(0.7))
+            return answer();
+        switch (m_random.below(24)) {
+        case 0:
+        case 1:
+        case 2:
+        case 3:
+            return goOnPurpose();
+        case 4:
+        case 5:
+        case 6:
+            return goOnPurpose();
+        case 7:
+            return setPoint();
+        case 8:
+            return setPoint();
+        case 9:
+            return key(top(), Qt::Key_Escape);
+        case 10:
+            click("stop");
+            return;
+        case 11:
+        case 12:
+            return anyButton();
+        case 13:
+            return typeAnywhere();
+        case 14:
+            return wheel();
+        case 15:
+            return drag();
+        case 16:
+            return choose();
+        case 17:
+            return shortcut();
+        case 18:
+        case 19:
+            return lineTrouble();
+        case 20:
+            return freeze();
+        case 21:
+            return jog();
+        case 22:
+            click(m_random.chance(0.5) ? "acknowledge" : "stopRamp");
+            return;
+        default:
+            return restore();
+        }
+    }
+
+    /// What a person comes for: arm, start, a set-point.
+    void goOnPurpose()
+    {
+        if (!device().portOpen()) {
+            click("connect");
+            return live(150);
+        }
+        auto *arm = m_rig.find<QCheckBox>("arm");
+        if (arm != nullptr && arm->isEnabled() && !arm->isChecked()) {
+            click("arm");
+            return live(20);
+        }
+        if (click("start")) {
+            live(20);
+            if (m_random.chance(0.8))
+                answerYes();
+            return live(60);
+        }
+        setPoint();
+    }
+    void setPoint()
+    {
+        auto *edit = m_rig.find<QLineEdit>("speed");
+        if (edit == nullptr || !edit->isVisible() || !edit->isEnabled())
+            return typeAnywhere();
+        edit->setFocus();
+        edit->selectAll();
+        const auto rpm = static_cast<int>(m_random.below(6000)) - 3000;
+        note("set-point " + std::to_string(rpm));
+        m_world.act(Act::Kind::Input);
+        QTest::keyClicks(edit, QString::number(rpm));
+        key(edit, Qt::Key_Return);
+        live(20);
+        if (m_random.chance(0.6))
+            answerYes();
+    }
+    void answerYes()
+    {
+        auto *box = QApplication::activeModalWidget();
+        if (box == nullptr)
+            return;
+        for (auto *button : box->findChildren<QAbstractButton *>())
+            if (button->isVisible() && button->isEnabled()
+                && button->objectName().endsWith(QLatin1String("Confirm")))
+                return press(button, "yes to " + box->objectName().toStdString());
+    }
+    void answer()
+    {
+        if (m_random.chance(0.4))
+            return answerYes();
+        if (m_random.chance(0.2))
+            return key(top(), Qt::Key_Escape);
+        anyButton();
+    }
+    void anyButton()
+    {
+        auto *button = anyOf<QAbstractButton>();
+        if (button == nullptr)
+            return;
+        if (m_random.chance(0.1))
+            return key(button, Qt::Key_Space);
+        if (button->text().contains(QStringLiteral("eave running")))
+            m_world.act(Act::Kind::Leave);
+        press(button,
+            "click " + button->objectName().toStdString() + " \"" + button->text().toStdString()
+                + "\"");
+    }
+    void typeAnywhere()
+    {
+        auto *edit = anyOf<QLineEdit>();
+        if (edit == nullptr || edit->objectName() == QLatin1String("qt_spinbox_lineedit"))
+            return;
+        if (qobject_cast<QComboBox *>(edit->parentWidget()) != nullptr)
+            return; // the port
+        static const char *const texts[] = {"0", "1", "-1500", "1e9", "12,5", "nan", "800", "0x10"};
+        const char *text = texts[m_random.below(std::size(texts))];
+        note("type " + std::string(text) + " into " + edit->objectName().toStdString());
+        m_world.act(Act::Kind::Input);
+        edit->setFocus();
+        edit->selectAll();
+        QTest::keyClicks(edit, QLatin1String(text));
+        key(edit, m_random.chance(0.7) ? Qt::Key_Return : Qt::Key_Tab);
+    }
+    void wheel()
+    {
+        auto *widget = anyOf<QWidget>();
+        if (widget == nullptr)
+            return;
+        note("wheel over " + widget->objectName().toStdString());
+        m_world.act(Act::Kind::Input);
+        const QPointF at(widget->rect().center());
+        QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, m_random.chance(0.5) ? 120 : -120},
+            Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(widget, &event);
+    }
+    void drag()
+    {
+        auto *view = anyOf<QAbstractItemView>();
+        if (view == nullptr)
+            return;
+        note("drag in " + view->objectName().toStdString());
+        m_world.act(Act::Kind::Input);
+        QWidget *port = view->viewport();
+        const QPoint from(10, 10 + int(m_random.below(60)));
+        QTest::mousePress(port, Qt::LeftButton, {}, from);
+        QTest::mouseMove(port, from + QPoint(30, 10));
+        QTest::mouseMove(port, from + QPoint(80, 40));
+        QTest::mouseRelease(port, Qt::LeftButton, {}, from + QPoint(80, 40));
+    }
+    void choose()
+    {
+        auto *box = m_random.chance(0.5) ? m_rig.find<QComboBox>("motor") : anyOf<QComboBox>();
+        if (box == nullptr || !box->isVisible() || box->isEditable() || box->count() == 0
+            || box->objectName() == QLatin1String("protocol"))
+            return;
+        note("choose in " + box->objectName().toStdString());
+        box->setFocus();
+        key(box, m_random.chance(0.5) ? Qt::Key_Down : Qt::Key_Up);
+    }
+    void shortcut()
+    {
+        static constexpr std::pair<Qt::Key, Qt::KeyboardModifier> kKeys[] = {
+            {Qt::Key_Return, Qt::ControlModifier}, {Qt::Key_Z, Qt::ControlModifier},
+            {Qt::Key_Return, Qt::NoModifier}, {Qt::Key_D, Qt::ControlModifier},
+            {Qt::Key_Space, Qt::NoModifier}, {Qt::Key_Tab, Qt::NoModifier}};
+        const auto &[which, modifier] = kKeys[m_random.below(std::size(kKeys))];
+        QWidget *focus = QApplication::focusWidget();
+        key(focus != nullptr ? focus : top(), which, modifier);
+    }
+    void lineTrouble()
+    {
+        switch (m_random.below(6)) {
+        case 0:
+            note("unplug");
+            m_world.plugged = false;
+            live(static_cast<int>(m_random.below(200)));
+            m_world.plugged = true;
+            return;
+        case 1:
+            note("cut");
+            m_world.cut = true;
+            live(static_cast<int>(m_random.below(700)));
+            m_world.cut = false;
+            return;
+        case 2:
+            note("reset");
+            m_world.reset = true;
+            return;
+        case 3:
+            note("fault");
+            m_world.fault = 0x0002;
+            return;
+        case 4:
+            note("fault over");
+            m_world.fault = 0;
+            return;
+        default:
+            note("jump");
+            m_world.jump(std::chrono::milliseconds(m_random.below(5000)));
+        }
+    }
+    void freeze()
+    {
+        const int ms = 100 + int(m_random.below(700));
+        if (m_random.chance(0.5)) {
+            note("freeze the line's thread for " + std::to_string(ms));
+            m_world.freeze_ms = ms;
+            return;
+        }
+        note("freeze the window for " + std::to_string(ms));
+        QElapsedTimer clock;
+        clock.start();
+        while (clock.elapsed() < ms) { }
+    }
+    /// Holds a jog button for a while.
+    void jog()
+    {
+        auto *button = m_rig.find<QAbstractButton>(m_random.chance(0.5) ? "jogForth" : "jogBack");
+        if (button == nullptr || !button->isVisible() || !button->isEnabled())
+            return;
+        note("jog");
+        m_world.act(Act::Kind::Input);
+        QTest::mousePress(button, Qt::LeftButton);
+        live(static_cast<int>(m_random.below(300)));
+        if (QApplication::activeModalWidget() != nullptr)
+            answerYes();
+        QTest::mouseRelease(button, Qt::LeftButton);
+    }
+    /// Write what waits, take back, read or restore.
+    void restore()
+    {
+        static const char *const names[] = {
+            "applyEdits", "revertEdits", "undo", "snapshotRead", "snapshotRestore", "saveSnapshot"};
+        click(names[m_random.below(std::size(names))]);
+        live(30);
+        if (m_random.chance(0.5))
+            answerYes();
+    }
+
+    /// Closes the window, and answers what it asks.
+    void leave()
+    {
+        m_popups.stop();
+        m_world.plugged = true;
+        m_world.cut = false;
+        while (QWidget *modal = QApplication::activeModalWidget()) {
+            modal->close();
+            live(5);
+        }
+        const bool leaves = m_random.chance(0.2);
+        note(leaves ? "quit, leave running" : "quit");
+        m_rig.window.close();
+        QElapsedTimer clock;
+        clock.start();
+        while (m_rig.window.isVisible() && clock.elapsed() < 6000) {
+            live(20);
+            QWidget *modal = QApplication::activeModalWidget();
+            if (modal == nullptr)
+                continue;
+            for (auto *button : modal->findChildren<QAbstractButton *>())
+                if (button->text().contains(QStringLiteral("all the same"))
+                    || button->text().contains(QStringLiteral("eave running"))
+                    || button->text().contains(QStringLiteral("without"))) {
+                    m_world.act(Act::Kind::Leave);
+                    QTest::mouseClick(button, Qt::LeftButton);
+                    break;
+                }
+        }
+        live(50);
+    }
+
+    Random m_random;
+    Kind m_kind;
+    QTemporaryDir m_folder;
+    JudgedWorld m_world; // outlives the window, whose session ends last
+    facts::WindowRig m_rig;
+    QTimer m_popups;
+    std::vector<std::string> m_story;
+    bool m_armed = false;
+};
+
+} // namespace
+
+class TestMonkey : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void whateverIsPressedTheRulesHold();
+};
+
+void TestMonkey::whateverIsPressedTheRulesHold()
+{
+    const int only = qEnvironmentVariableIntValue("ROTORSCOPE_SEED");
+    const bool isLong = qEnvironmentVariableIntValue("ROTORSCOPE_LONG") != 0;
+    const int first = only > 0 ? only : 1, last = only > 0 ? only : isLong ? 1000 : 40;
+    int armed = 0, started = 0, stopped = 0, acts = 0;
+    for (int seed = first; seed <= last; ++seed) {
+        Monkey monkey(static_cast<std::uint64_t>(seed));
+        const std::string wrong = monkey.run(isLong ? 60 : 25);
+        const auto counts = monkey.counts();
+        armed += counts.arms > 0 ? 1 : 0;
+        started += counts.starts > 0 ? 1 : 0;
+        stopped += counts.stops > 0 ? 1 : 0;
+        acts += counts.acts;
+        QVERIFY2(wrong.empty(),
+            ("seed " + std::to_string(seed) + ": " + wrong + "\n" + monkey.story()).c_str());
+    }
+    const int sessions = last - first + 1;
+    qInfo() << sessions << "sessions," << acts << "acts, armed" << armed << "started" << started
+            << "stopped" << stopped;
+    if (sessions >= 40)
+        QVERIFY(2 * armed > sessions && 2 * started > sessions);
+}
+
+QTEST_MAIN(TestMonkey)
+#include "tst_monkey.moc"
