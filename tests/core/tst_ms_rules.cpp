@@ -175,6 +175,21 @@ void TestMsRules::aBrokenRuleSpeaks_data()
         b.request({kGet, 0x691});
     });
     story("a heartbeat unarmed", "heartbeats", [](Bench &b) { b.request({kBeat | 1, 500}); });
+    story("a restore that moves", "asked for", [](Bench &b) {
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::Input);
+        b.act(Act::Kind::Restore);
+        b.request({kSet, 0x91, 5}); // a gain may be restored
+        b.ramp(1000);
+    });
+    story("a first start without a question", "first starts are asked", [](Bench &b) {
+        b.judge.line().asksFirst = true;
+        b.act(Act::Kind::Confirm);
+        b.act(Act::Kind::Stop);
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::Input);
+        b.request({kStart | 1});
+    });
     story("too fast for the board", "bounded", [](Bench &b) {
         b.act(Act::Kind::Arm);
         b.setPoint(5000.0);

@@ -1,5 +1,7 @@
-// The session with the real drive and the simulated board, on virtual time: what a person does first.
+// The session with the real drive and the simulated board, on virtual time and judged on the wire: what a person does
+// first.
 #include "session/session.h"
+#include "support/judged_line.h"
 
 #include <QtTest>
 
@@ -23,6 +25,7 @@ namespace {
 /// A session on virtual time; all events are kept in order.
 struct World {
     TimePoint now{1000s};
+    support::JudgedWorld line{{}, drive::Protocol::Mcp, [this] { return now; }};
     Session session;
     std::vector<drive::Event> events;
     bool acknowledging = true;
@@ -30,7 +33,7 @@ struct World {
     std::vector<session::PortState> ports;
 
     World()
-        : session(parts(*this))
+        : session(line.parts())
     {
         QObject::connect(
             &session, &Session::batch, &session, [this](const session::BatchPtr &batch) {
@@ -43,14 +46,13 @@ struct World {
             [this](session::PortState state) { ports.push_back(state); });
     }
 
-    static session::Parts parts(World &world)
+    ~World()
     {
-        session::Parts parts = session::realParts();
-        parts.clock = [&world] { return world.now; };
-        parts.elapsed = {};
-        parts.attendance = session::Attendance::OwnThread;
-        return parts;
+        if (const auto verdict = line.verdict(); !verdict.empty())
+            QTest::qFail(verdict.c_str(), __FILE__, __LINE__);
     }
+    World(const World &) = delete;
+    World &operator=(const World &) = delete;
 
     void acknowledge()
     {

@@ -1,11 +1,13 @@
-// A line to a simulated board that the judge of the wire watches, for sessions in a thread of their own: the window puts
-// acts in from its thread, the line puts bytes and the board's truth in from the session's. Time is the session's clock,
-// which may be pushed ahead. The board lives on while its cable is out.
+// A line to a simulated board that the judge of the wire watches, for sessions. In a thread of their own: the window puts
+// acts in from its thread, the line puts bytes and the board's truth in from the session's; time is the session's clock,
+// which may be pushed ahead, and bounds are wide. On a test's own clock: what is asked of the drive are the acts, and
+// bounds are those of a drive. The board lives on while its cable is out.
 #pragma once
 
 #include "session/session.h"
 #include "simulation/mcb/mcb_board.h"
 #include "simulation/simulated_board.h"
+#include "support/judged_drive.h"
 #include "support/ms_rules.h"
 #include "support/wire_legacy.h"
 #include "support/wire_mcb.h"
@@ -24,9 +26,13 @@ using namespace std::chrono_literals;
 /// What the two threads share. A mutex is right here: the judge is no part of the product.
 class JudgedWorld {
 public:
-    JudgedWorld(simulation::BoardOptions options, drive::Protocol protocol)
+    /// @param clock  of the test; none: the real one
+    JudgedWorld(
+        simulation::BoardOptions options, drive::Protocol protocol, session::Clock clock = {})
         : m_options(std::move(options))
         , m_protocol(protocol)
+        , m_virtual(clock)
+        , m_clock(clock ? std::move(clock) : session::realParts().clock)
     {
     }
 
@@ -87,20 +93,25 @@ private:
         line.motors = m_options.motors;
         line.baud = m_options.baud;
         line.maxRpm = truth.maxRpm;
+        line.maxAmps = m_protocol == drive::Protocol::Mcp ? truth.maxAmps : 0.0;
+        line.answerWithin = m_protocol == drive::Protocol::Mcp ? 10s : 0s;
+        line.startParts = line.referenceParts = m_protocol == drive::Protocol::Mcb ? 2 : 1;
+        if (m_virtual)
+            return line;
         // Two threads, a window and a busy computer are between an act and the line.
         line.grace = 300ms;
         line.fresh = 1500ms;
         line.firstStop = line.repeat = 1s;
         line.alarm = 3s;
         line.suspect = line.lost = {};
-        line.answerWithin = m_protocol == drive::Protocol::Mcp ? 10s : 0s;
+        line.asksFirst = true;
         line.startParts = line.referenceParts = 2;
         return line;
     }
     std::unique_ptr<judge::Decoder> decoder() const
     {
         if (m_protocol == drive::Protocol::Mcp)
-            return std::make_unique<judge::WireMcp>(m_options.baud, 0.0);
+            return std::make_unique<judge::WireMcp>(m_options.baud, m_board->truth(1).ampsPerDigit);
         if (m_protocol == drive::Protocol::Mcb)
             return std::make_unique<judge::WireMcb>();
         return std::make_unique<judge::WireLegacy>();
@@ -118,7 +129,8 @@ private:
 
     simulation::BoardOptions m_options;
     drive::Protocol m_protocol;
-    session::Clock m_clock = session::realParts().clock;
+    bool m_virtual;
+    session::Clock m_clock;
     std::atomic<Duration::rep> m_offset = 0;
     std::mutex m_mutex;
     judge::MsRules m_judge; ///< behind the mutex
@@ -156,7 +168,8 @@ public:
         if (!std::exchange(m_open, false))
             return;
         const std::lock_guard lock(m_world.m_mutex);
-        m_world.m_judge.closes(m_world.now());
+        if (!m_world.m_virtual) // else the drive's disconnect() has told already
+            m_world.m_judge.closes(m_world.now());
         judge::Act act;
         act.kind = judge::Act::Kind::Close;
         act.at = m_world.now();
@@ -246,6 +259,13 @@ inline session::Parts JudgedWorld::parts()
 {
     session::Parts parts = session::realParts();
     parts.clock = [this] { return now(); };
+    parts.elapsed = {};
+    if (m_virtual) {
+        parts.attendance = session::Attendance::OwnThread;
+        parts.drive = [this, make = parts.drive](const session::Endpoint &endpoint) {
+            return std::make_unique<JudgedDrive>(make(endpoint), m_judge);
+        };
+    }
     parts.transport = [this](const session::Endpoint &) { return std::make_unique<Line>(*this); };
     return parts;
 }

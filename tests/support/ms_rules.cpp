@@ -113,12 +113,15 @@ void MsRules::judge(const Sent &sent, const std::string &)
     firstRequestOnlyReads(sent);
     onlyStopAndStatesDuringAStop(sent);
     heartbeatsOnlyWhileArmed(sent);
+    firstStartsAreAsked(sent);
     setPointsAreBounded(sent);
     nothingActsUnasked(sent);
     if (sent.kind != Kind::LinkControl)
         m_requested = true;
-    if (sent.kind == Kind::Start)
+    if (sent.kind == Kind::Start) {
         ++m_counts.starts;
+        m_startedOnce = true;
+    }
     if (sent.kind == Kind::SetPoint)
         ++m_counts.setPoints;
     if (sent.kind == Kind::Stop)
@@ -145,7 +148,7 @@ void MsRules::act(const Act &act)
     case Act::Kind::Open:
         m_open = true;
         m_opened = act.at;
-        m_identified = m_requested = false;
+        m_identified = m_requested = m_startedOnce = false;
         forgetActs();
         m_heardAt.reset();
         m_unanswered.reset();
@@ -170,6 +173,13 @@ void MsRules::act(const Act &act)
         return forgetActs();
     case Act::Kind::Stop:
         return onStop(act);
+    case Act::Kind::Restore:
+        m_acts.clear();
+        m_acts.push_back({act});
+        return;
+    case Act::Kind::Confirm:
+        m_confirmed = act.at;
+        return;
     case Act::Kind::Leave:
         m_leave = act.at;
         return;
@@ -188,6 +198,8 @@ void MsRules::act(const Act &act)
 void MsRules::onStop(const Act &act)
 {
     ++m_counts.stops;
+    m_startedOnce = false;
+    m_confirmed.reset();
     forgetActs();
     m_open = m_open || m_link != Link::Closed; // a Stop interrupts the disconnecting
     if (!m_open)

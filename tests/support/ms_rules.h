@@ -68,6 +68,8 @@ struct Act {
         Limits, ///< a person's own
         Scale, ///< of currents, as a person knows it
         Input, ///< any input event of a window: allows one thing that acts of each kind, and writes
+        Confirm, ///< yes to a question
+        Restore, ///< yes to writing what a file holds: allows writes, and what came before it allows no more
         Leave, ///< a motor that turns is to go on without us
     };
     Kind kind = Kind::Open;
@@ -103,6 +105,8 @@ struct Line {
     /// How long an act of a person counts, from the act or from what the board last answered on the way to it: a start
     /// looks first at what it would start to.
     Duration fresh = std::chrono::milliseconds(550);
+    /// The first start after a connection or a Stop is asked about.
+    bool asksFirst = false;
     /// From an act at a window to the thread that serves the line.
     Duration grace{};
     int startParts = 1, referenceParts = 1; ///< packets that a start or a current reference takes
@@ -192,6 +196,7 @@ private:
     void nothingActsUnasked(const Sent &sent);
     void onlyStopAndStatesDuringAStop(const Sent &sent);
     void heartbeatsOnlyWhileArmed(const Sent &sent);
+    void firstStartsAreAsked(const Sent &sent);
     void setPointsAreBounded(const Sent &sent);
     void oneInFlight(const Sent &sent);
     void firstRequestOnlyReads(const Sent &sent);
@@ -240,7 +245,8 @@ private:
     };
     std::vector<Pending> m_acts;
     std::map<int, TimePoint> m_stopSent; ///< by motor
-    std::optional<TimePoint> m_leave;
+    std::optional<TimePoint> m_leave, m_confirmed;
+    bool m_startedOnce = false; ///< since the connection or the last Stop
     double m_userRpm = 0.0, m_userAmps = 0.0;
     std::set<std::uint64_t> m_wishes, m_ended;
     std::map<int, Motor> m_truth;

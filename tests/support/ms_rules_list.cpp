@@ -72,6 +72,8 @@ Act *MsRules::actFor(const Sent &sent)
         if ((!fresh && !begun)
             || (one.voided && m_packetBegan >= *one.voided && m_now >= one.voidedAt + m_line.grace))
             return false;
+        if (act.kind == Act::Kind::Restore)
+            return sent.kind == Kind::Write;
         if (act.kind == Act::Kind::Input)
             return sent.kind == Kind::Write || sent.kind == Kind::Mode
                 || !one.used.contains(sent.kind);
@@ -146,6 +148,17 @@ void MsRules::heartbeatsOnlyWhileArmed(const Sent &sent)
 {
     if (sent.kind == Kind::Heartbeat && !m_armed && !wasUnderWay())
         violate("heartbeats", "a heartbeat left although nobody is armed");
+}
+
+/// Nobody starts a motor by one slip of a finger, nor to where it was going before it was stopped.
+void MsRules::firstStartsAreAsked(const Sent &sent)
+{
+    if (!m_line.asksFirst || sent.kind != Kind::Start || m_startedOnce)
+        return;
+    if (!m_confirmed || m_now - *m_confirmed > m_line.fresh + m_line.grace)
+        violate("first starts are asked",
+            "the first START since the connection or the last Stop left, and nobody said yes to "
+            "it");
 }
 
 /// By the board's limits and by the person's own.

@@ -165,7 +165,11 @@ private:
         const bool stops = widget->objectName() == QLatin1String("stop")
             || widget->objectName() == QLatin1String("faultHelpStop")
             || widget->objectName() == QLatin1String("rampStop");
-        m_world.act(Act::Kind::Input);
+        m_restores = widget->objectName() == QLatin1String("snapshotRestore")
+            || (m_restores && widget->objectName() == QLatin1String("writeAnyway"));
+        m_world.act(m_restores ? Act::Kind::Restore : Act::Kind::Input);
+        if (widget->objectName() == QLatin1String("motionConfirm"))
+            m_world.act(Act::Kind::Confirm);
         if (stops && widget->isEnabled())
             m_world.act(Act::Kind::Stop);
         if (auto *box = qobject_cast<QCheckBox *>(widget))
@@ -289,13 +293,25 @@ private:
     }
     void answerYes()
     {
-        auto *box = QApplication::activeModalWidget();
+        QWidget *box = QApplication::activeModalWidget();
         if (box == nullptr)
             return;
-        for (auto *button : box->findChildren<QAbstractButton *>())
-            if (button->isVisible() && button->isEnabled()
-                && button->objectName().endsWith(QLatin1String("Confirm")))
+        // Who enters expert mode types which motor is meant.
+        if (auto *typed = box->findChild<QLineEdit *>(QStringLiteral("confirmationTyped"))) {
+            const auto *motor = m_rig.find<QComboBox>("motor");
+            const int number =
+                motor != nullptr && motor->isVisible() ? motor->currentIndex() + 1 : 1;
+            typed->setFocus();
+            typed->selectAll();
+            QTest::keyClicks(typed, QStringLiteral("motor %1").arg(number));
+        }
+        for (auto *button : box->findChildren<QAbstractButton *>()) {
+            const QString name = button->objectName();
+            const bool yes =
+                name.endsWith(QLatin1String("Confirm")) || name == QLatin1String("writeAnyway");
+            if (yes && button->isVisible() && button->isEnabled())
                 return press(button, "yes to " + box->objectName().toStdString());
+        }
     }
     void answer()
     {
@@ -490,6 +506,7 @@ private:
     QTimer m_popups;
     std::vector<std::string> m_story;
     bool m_armed = false;
+    bool m_restores = false; ///< what was pressed last is about what a file holds
 };
 
 } // namespace
