@@ -190,6 +190,8 @@ private:
     {
         note("key " + std::to_string(which));
         m_world.act(which == Qt::Key_Escape ? Act::Kind::Stop : Act::Kind::Input);
+        if (which != Qt::Key_Escape && widget->objectName() == QLatin1String("motionConfirm"))
+            m_world.act(Act::Kind::Confirm);
         QTest::keyClick(widget, which, modifiers);
         noteArming();
     }
