@@ -1749,6 +1749,10 @@
         <translation>%1 Werte fehlen, weil die Platte zu langsam war.</translation>
     </message>
     <message>
+        <source>%1 of its events, snapshots and notes are left out: they take more than %2 MiB.</source>
+        <translation>%1 der Ereignisse, Schnappschüsse und Notizen darin fehlen: Sie brauchen mehr als %2 MiB.</translation>
+    </message>
+    <message>
         <source>The recording was interrupted.</source>
         <translation>Die Aufzeichnung wurde unterbrochen.</translation>
     </message>

@@ -1725,6 +1725,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>%1 of its events, snapshots and notes are left out: they take more than %2 MiB.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The recording was interrupted.</source>
         <translation type="unfinished"></translation>
     </message>

@@ -78,7 +78,7 @@ Outcome<int> runDecode(const Arguments &arguments, Output &out)
         const ByteView bytes(reinterpret_cast<const std::uint8_t *>(content->constData()),
             static_cast<std::size_t>(content->size()));
         const double time_ms = line.value(QLatin1String("t_ms")).toDouble();
-        out.write(traceJson(decoder.next(*direction, bytes), packet++, time_ms, word));
+        out.json(traceJson(decoder.next(*direction, bytes), packet++, time_ms, word));
     }
     if (packet == 0)
         return failure(kFileError, QStringLiteral("%1 holds no recorded packet.").arg(path));

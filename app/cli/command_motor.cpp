@@ -51,18 +51,20 @@ Outcome<int> runStart(Desk &desk)
     return done;
 }
 
-Outcome<int> runStop(Desk &desk)
+Outcome<int> runStop(const Arguments &arguments, Output &out)
 {
-    const auto stopped = desk.talk.stop(kStandstillWithin);
+    const Interrupt interrupt;
+    Conversation talk(arguments, interrupt);
+    const auto stopped = talk.stopAtOnce(kStandstillWithin);
     if (!stopped)
         return tl::make_unexpected(stopped.error());
     const bool still = *stopped == drive::StopWord::Standstill;
-    if (desk.out.json())
-        desk.out.line(
+    if (out.json())
+        out.line(
             QJsonObject{{QStringLiteral("stopped"), true}, {QStringLiteral("standstill"), still}});
     else
-        desk.out.line(still ? QStringLiteral("Standstill measured.")
-                            : QStringLiteral("The drive is idle; no standstill was measured yet."));
+        out.line(still ? QStringLiteral("Standstill measured.")
+                       : QStringLiteral("The drive is idle; no standstill was measured yet."));
     return kDone;
 }
 

@@ -19,6 +19,8 @@ struct Desk {
 };
 
 Outcome<int> runPorts(Output &out);
+/// Meets no board first: the STOPs leave as soon as the port is open.
+Outcome<int> runStop(const Arguments &arguments, Output &out);
 Outcome<int> runDecode(const Arguments &arguments, Output &out);
 Outcome<int> runShow(const Arguments &arguments, Output &out);
 Outcome<int> runExport(const Arguments &arguments, Output &out);
@@ -29,7 +31,6 @@ Outcome<int> runRegisters(Desk &desk);
 Outcome<int> runGet(Desk &desk);
 Outcome<int> runSet(Desk &desk);
 Outcome<int> runStart(Desk &desk);
-Outcome<int> runStop(Desk &desk);
 Outcome<int> runAcknowledge(Desk &desk);
 Outcome<int> runRamp(Desk &desk);
 Outcome<int> runCapture(Desk &desk);

@@ -2,11 +2,14 @@
 
 #include "drive/board_facts.h"
 #include "drive/motion_limits.h"
+#include "drive/stop_sequence.h"
 #include "sentences.h"
 #include "session/port_list.h"
 
 #include <QEventLoop>
 #include <QTimer>
+
+#include <algorithm>
 
 namespace cli {
 
@@ -19,6 +22,8 @@ namespace {
 constexpr auto kConnectWithin = 15s; ///< the drive gives up earlier by itself
 constexpr auto kEndWithin = 30s; ///< of any wish; the drive ends each by itself
 constexpr auto kIdleWithin = 2s; ///< after a stop
+constexpr auto kStopsLeave = std::chrono::duration_cast<Conversation::Milliseconds>(
+    drive::StopSequence::kBlindTime + 500ms); ///< the last that is sent blind has left
 constexpr auto kFarewell = 500ms;
 
 /// The one thread of the program: while it runs, so does what a person can interrupt it with.
@@ -213,6 +218,13 @@ bool Conversation::allStopped(StopWord least) const
     return true;
 }
 
+bool Conversation::stopsHaveLeft() const
+{
+    return std::any_of(m_motionLog.begin(), m_motionLog.end(), [](const auto &logged) {
+        return logged.record.act == drive::MotionAct::Stop && logged.record.requests > 0;
+    });
+}
+
 Outcome<StopWord> Conversation::stop(Milliseconds standstill)
 {
     m_stopping = true;
@@ -223,8 +235,40 @@ Outcome<StopWord> Conversation::stop(Milliseconds standstill)
         return tl::make_unexpected(idle.error());
     if (*idle == Waited::TimeOver)
         return failure(kRefused, QStringLiteral("Stop NOT confirmed. Use the hardware stop."));
-    const auto still = waitUntil([this] { return allStopped(StopWord::Standstill); }, standstill);
+    return standstillWithin(standstill);
+}
+
+StopWord Conversation::standstillWithin(Milliseconds limit)
+{
+    const auto still = waitUntil([this] { return allStopped(StopWord::Standstill); }, limit);
     return still && *still == Waited::Happened ? StopWord::Standstill : StopWord::DriveIdle;
+}
+
+Outcome<StopWord> Conversation::stopAtOnce(Milliseconds standstill)
+{
+    m_stopping = true;
+    m_session.open(endpointOf(m_arguments));
+    m_session.stop();
+    const auto idle = [this] { return m_board && allStopped(StopWord::DriveIdle); };
+    const auto givenUp = [&] { return idle() || m_broken || m_interrupt.number() != 0; };
+    // A line that is told to be lost meanwhile is no reason to end: the STOPs go on leaving.
+    auto waited = waitUntil(idle, kStopsLeave);
+    if (waited && !idle() && !m_answered)
+        waited = waitUntil(givenUp, kConnectWithin);
+    if (waited && !idle() && m_answered)
+        waited = waitUntil(givenUp, kIdleWithin);
+    if (idle())
+        return standstillWithin(standstill);
+    Failure why{kRefused, QStringLiteral("Stop NOT confirmed.")};
+    if (m_broken)
+        why = *m_broken;
+    else if (!m_answered)
+        why = {kNoConnection, sentenceOf(drive::LinkReason::NoAnswer, m_arguments)};
+    if (!m_answered)
+        why.sentence += stopsHaveLeft() ? QStringLiteral(" STOPs were sent all the same.")
+                                        : QStringLiteral(" No STOP could be sent.");
+    why.sentence += QStringLiteral(" The motors may be turning: use the hardware stop.");
+    return tl::make_unexpected(why);
 }
 
 Outcome<Waited> Conversation::waitUntil(const std::function<bool()> &condition, Milliseconds limit)
@@ -273,9 +317,13 @@ void Conversation::take(const drive::Event &event)
     if (m_listener)
         m_listener(event);
     if (const auto *link = std::get_if<drive::LinkChanged>(&event)) {
+        if (link->state == LinkState::Connected)
+            m_answered = true;
         const bool wasReset = link->state == LinkState::Connected
             && link->reason == drive::LinkReason::BoardReset && m_board;
-        if (link->state == LinkState::Lost || wasReset)
+        if (m_stopping && link->state == LinkState::Connected)
+            m_broken.reset(); // a stop goes on wherever it finds a board
+        else if (link->state == LinkState::Lost || wasReset)
             m_broken = Failure{kNoConnection, sentenceOf(link->reason, m_arguments)};
     } else if (const auto *identified = std::get_if<drive::Identified>(&event)) {
         m_board = *identified;

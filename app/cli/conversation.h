@@ -1,7 +1,8 @@
 // Conversation: one session with one board, asked step by step. Each step waits in the event loop until what it waits
 // for has happened, the time is over, the connection broke or the user interrupted.
 //
-// Call order: connect(), then anything, then close(). The program has no other event loop, so none is nested.
+// Call order: connect(), then anything, then close(); or stopAtOnce() alone. The program has no other event loop, so none
+// is nested.
 #pragma once
 
 #include "arguments.h"
@@ -69,6 +70,11 @@ public:
     /// @return  how far it was confirmed; a failure if the drive was not seen idle
     Outcome<drive::StopWord> stop(Milliseconds standstill);
 
+    /// Opens the port and stops every motor before anything else is asked of the board, in whatever language it is found
+    /// to speak; blind where nobody answers. Then as stop(). An interrupt does not end it before the STOPs have left.
+    /// @return  as stop(); each failure says that the motors may turn
+    Outcome<drive::StopWord> stopAtOnce(Milliseconds standstill);
+
     Outcome<Waited> waitUntil(const std::function<bool()> &condition, Milliseconds limit);
 
     /// What a recording of this conversation listens to.
@@ -88,6 +94,8 @@ private:
     bool ended() const;
     Failure endReason() const;
     bool allStopped(drive::StopWord least) const;
+    bool stopsHaveLeft() const;
+    drive::StopWord standstillWithin(Milliseconds limit);
 
     Arguments m_arguments;
     const Interrupt &m_interrupt;
@@ -98,6 +106,7 @@ private:
         false; ///< neither an interrupt nor a lost link ends this: the drive stops blind
     std::optional<Failure> m_broken; ///< why the connection is no more
     std::optional<drive::Identified> m_board;
+    bool m_answered = false; ///< there was a connection
     std::map<int, drive::MotorStatus> m_status;
     std::map<int, drive::StopWord> m_stopWords;
     std::map<drive::RegisterId, drive::Reading> m_readings; ///< since the last read()

@@ -19,7 +19,6 @@ const LinkCommand kLinkCommands[] = {
     {"get", runGet},
     {"set", runSet},
     {"start", runStart},
-    {"stop", runStop},
     {"ack", runAcknowledge},
     {"ramp", runRamp},
     {"capture", runCapture},
@@ -74,7 +73,7 @@ Outcome<int> run(const QStringList &line)
     Output out(arguments->json);
     Outcome<int> status = kDone;
     if (arguments->text)
-        out.line(*arguments->text);
+        out.ownText(*arguments->text);
     else if (arguments->command == QLatin1String("ports"))
         status = runPorts(out);
     else if (arguments->command == QLatin1String("decode"))
@@ -85,6 +84,8 @@ Outcome<int> run(const QStringList &line)
         status = runExport(*arguments, out);
     else if (arguments->command == QLatin1String("diff") && !arguments->tuning.device)
         status = runDiffOfFiles(*arguments, out);
+    else if (arguments->command == QLatin1String("stop"))
+        status = runStop(*arguments, out);
     else
         status = runLinkCommand(*arguments, out);
     if (!out.flush() && status && *status == kDone)

@@ -1,5 +1,7 @@
 #include "output.h"
 
+#include "base/terminal_text.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -9,25 +11,44 @@
 
 namespace cli {
 
+namespace {
+
+QByteArray harmless(const QString &text)
+{
+    const QByteArray utf8 = text.toUtf8();
+    return QByteArray::fromStdString(
+        terminalText({utf8.constData(), static_cast<std::size_t>(utf8.size())}));
+}
+
+} // namespace
+
 Output::Output(bool json)
     : m_json(json)
 {
     m_ok = m_file.open(stdout, QIODevice::WriteOnly);
 }
 
-void Output::line(const QString &text) { write(text.toUtf8()); }
+void Output::line(const QString &text) { write(harmless(text)); }
 
 void Output::line(const QJsonValue &value)
 {
     const QJsonDocument document =
         value.isArray() ? QJsonDocument(value.toArray()) : QJsonDocument(value.toObject());
-    write(document.toJson(QJsonDocument::Compact));
+    json(document.toJson(QJsonDocument::Compact));
 }
 
-void Output::write(const QByteArray &bytes)
+void Output::json(const QByteArray &text)
 {
-    const QByteArray whole = bytes + '\n';
-    m_ok = m_file.write(whole) == whole.size() && m_ok;
+    write(QByteArray::fromStdString(
+        terminalJson({text.constData(), static_cast<std::size_t>(text.size())})));
+}
+
+void Output::ownText(const QString &text) { write(text.toUtf8()); }
+
+void Output::write(QByteArray line)
+{
+    line += '\n';
+    m_ok = m_file.write(line) == line.size() && m_ok;
 }
 
 bool Output::flush()
@@ -38,9 +59,7 @@ bool Output::flush()
 
 void Output::error(const QString &sentence)
 {
-    QString oneLine = sentence;
-    oneLine.replace(QLatin1Char('\n'), QLatin1Char(' '));
-    const QByteArray bytes = "rotorscope-cli: " + oneLine.toUtf8() + '\n';
+    const QByteArray bytes = "rotorscope-cli: " + harmless(sentence) + '\n';
     std::fwrite(bytes.constData(), 1, static_cast<std::size_t>(bytes.size()), stderr);
 }
 

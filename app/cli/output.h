@@ -1,4 +1,5 @@
 // What the program prints: text for people or JSON for programs on standard output, one line of error on standard error.
+// Whatever a board or a file wrote into these words, a terminal is given no control character of it.
 #pragma once
 
 #include <QFile>
@@ -12,15 +13,18 @@ public:
     explicit Output(bool json);
 
     bool json() const { return m_json; }
-    void line(const QString &text);
+    void line(const QString &text); ///< one line, whatever is in it
     void line(const QJsonValue &value); ///< an object or an array, in one line
-    void write(const QByteArray &bytes); ///< a line that is made already, without its end
+    void json(const QByteArray &text); ///< finished JSON, in one line
+    void ownText(const QString &text); ///< lines of the program itself: help and version
     /// False if something could not be written, say because a disk is full.
     bool flush();
 
     static void error(const QString &sentence);
 
 private:
+    void write(QByteArray line);
+
     QFile m_file;
     bool m_json;
     bool m_ok = true;

@@ -129,6 +129,12 @@ QString lackText(const OpenedRecording &recording)
     if (report.lost.samples + report.lost.linkBytes + report.lost.others > 0)
         lacks.append(QStringLiteral("%1 samples are missing, because the disk was too slow")
                          .arg(report.lost.samples));
+    if (report.leftOut > 0)
+        lacks.append(
+            QStringLiteral("%1 events, snapshots and notes are left out, because they take "
+                           "more than %2 MiB")
+                .arg(QString::number(report.leftOut),
+                    QString::number(session::RecordingReport::kMostKeptBytes >> 20)));
     return lacks.join(QStringLiteral("; "));
 }
 

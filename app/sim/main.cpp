@@ -7,6 +7,8 @@
 #include "served.h"
 #include "tcp_port.h"
 
+#include "base/terminal_text.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -60,6 +62,12 @@ private:
 void say(int descriptor, const std::string &text)
 {
     [[maybe_unused]] const ssize_t sent = write(descriptor, text.data(), text.size());
+}
+
+/// One sentence. What it quotes of options, files and words may come from anywhere.
+void sayError(const std::string &sentence)
+{
+    say(STDERR_FILENO, "rotorscope-sim: " + terminalText(sentence) + '\n');
 }
 
 /// The read end of a pipe that becomes readable on SIGTERM, SIGINT and SIGHUP; -1 if there is none.
@@ -173,7 +181,7 @@ void Simulator::readWords()
         const auto obeyed = m_served.obey(m_line);
         m_line.clear();
         if (!obeyed)
-            say(STDERR_FILENO, "rotorscope-sim: " + obeyed.error() + '\n');
+            sayError(obeyed.error());
         else if (*obeyed == sim::Obeyed::Quit)
             m_ended = true;
     }
@@ -197,19 +205,19 @@ int serve(const sim::Options &options)
 {
     const auto served = sim::makeServed(options);
     if (!served) {
-        say(STDERR_FILENO, "rotorscope-sim: " + served.error() + '\n');
+        sayError(served.error());
         return kUsage;
     }
     auto port = openPort(options);
     if (!port) {
-        say(STDERR_FILENO, "rotorscope-sim: " + port.error() + '\n');
+        sayError(port.error());
         return kNoPort;
     }
     sim::Link link;
     if (!options.link.empty()) {
         auto made = sim::Link::make(options.link, (*port)->address());
         if (!made) {
-            say(STDERR_FILENO, "rotorscope-sim: " + made.error() + '\n');
+            sayError(made.error());
             return kNoPort;
         }
         link = std::move(*made);
@@ -249,7 +257,7 @@ int main(int argc, char **argv)
 {
     const auto options = sim::readOptions({argv + std::min(argc, 1), argv + argc});
     if (!options) {
-        say(STDERR_FILENO, "rotorscope-sim: " + options.error() + '\n');
+        sayError(options.error());
         return kUsage;
     }
     if (options->action == sim::Action::Serve)

@@ -8,8 +8,10 @@
 #include <fcntl.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
+#include <string_view>
 #include <sys/socket.h>
 #include <unistd.h>
+#include <utility>
 
 namespace sim {
 
@@ -19,6 +21,25 @@ void makeQuiet(int descriptor)
 {
     fcntl(descriptor, F_SETFD, FD_CLOEXEC);
     fcntl(descriptor, F_SETFL, O_NONBLOCK);
+}
+
+enum class Guess : std::uint8_t { Client, Browser, NotYet };
+
+/// What the first bytes of a connection come from. Of the words of HTTP none is the beginning of a packet of ours that
+/// is worth waiting for; the last is how TLS begins.
+Guess guess(const Bytes &first)
+{
+    static constexpr std::array<std::string_view, 11> kBeginnings{"GET ", "POST ", "PUT ", "HEAD ",
+        "OPTIONS ", "CONNECT ", "TRACE ", "DELETE ", "PATCH ", "PRI * HTTP", "\x16\x03\x01"};
+    const std::string_view text(reinterpret_cast<const char *>(first.data()), first.size());
+    Guess best = Guess::Client;
+    for (const std::string_view beginning : kBeginnings) {
+        if (text.substr(0, beginning.size()) == beginning)
+            return Guess::Browser;
+        if (beginning.substr(0, text.size()) == text)
+            best = Guess::NotYet;
+    }
+    return best;
 }
 
 } // namespace
@@ -72,6 +93,8 @@ bool TcpPort::clientPresent()
         const int yes = 1;
         setsockopt(next, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
         m_client = next;
+        m_trusted = false;
+        m_first.clear();
     }
     return m_client >= 0;
 }
@@ -81,10 +104,28 @@ Bytes TcpPort::read()
     std::array<std::uint8_t, 4096> piece{};
     const ssize_t count = recv(m_client, piece.data(), piece.size(), 0);
     if (count > 0)
-        return {piece.begin(), piece.begin() + count};
+        return judged({piece.begin(), piece.begin() + count});
     if (count == 0 || (errno != EAGAIN && errno != EINTR))
         leave();
     return {};
+}
+
+Bytes TcpPort::judged(Bytes bytes)
+{
+    if (m_trusted)
+        return bytes;
+    m_first.insert(m_first.end(), bytes.begin(), bytes.end());
+    switch (guess(m_first)) {
+    case Guess::Browser:
+        leave();
+        return {};
+    case Guess::NotYet:
+        return {};
+    case Guess::Client:
+        break;
+    }
+    m_trusted = true;
+    return std::exchange(m_first, {});
 }
 
 void TcpPort::write(ByteView bytes)

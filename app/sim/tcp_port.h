@@ -1,5 +1,5 @@
 // A TCP port of this machine's loopback address, for clients that know no serial ports. One client at a time: while one
-// is there, others are turned away.
+// is there, others are turned away, and so is a browser that a page has sent here: no board is spoken to in HTTP or TLS.
 #pragma once
 
 #include "base/result.h"
@@ -30,10 +30,13 @@ private:
     {
     }
     void leave();
+    Bytes judged(Bytes bytes);
 
     int m_listener;
     std::uint16_t m_number;
     int m_client = -1;
+    bool m_trusted = false; ///< its first bytes are no browser's
+    Bytes m_first; ///< kept back until that is known
 };
 
 } // namespace sim

@@ -13,34 +13,88 @@ namespace {
 
 constexpr qint64 kPiece = 1 << 20;
 
-/// What is kept of the entries besides samples.
-void note(
-    RecordingReport &report, std::map<record::Nanos, record::Note> &notes, const record::Item &item)
+std::size_t memoryOf(const std::string &text) { return sizeof text + text.size(); }
+
+std::size_t memoryOf(const record::Happening &happening)
 {
-    const auto room = [](const auto &list) { return list.size() < RecordingReport::kMostKept; };
-    if (const auto *begin = std::get_if<record::Begin>(&item.entry)) {
-        report.begin = *begin;
-    } else if (const auto *block = std::get_if<capture::SampleBlock>(&item.entry)) {
-        report.samples += record::samplesOf(*block);
-    } else if (const auto *link = std::get_if<record::LinkBytes>(&item.entry)) {
-        report.linkBytes += link->bytes.size();
-    } else if (const auto *happening = std::get_if<record::Happening>(&item.entry)) {
-        if (room(report.happenings))
-            report.happenings.push_back({item.at, *happening});
-    } else if (const auto *snapshot = std::get_if<record::RegisterSnapshot>(&item.entry)) {
-        if (room(report.snapshots))
-            report.snapshots.push_back({item.at, *snapshot});
-    } else if (const auto *words = std::get_if<record::Note>(&item.entry)) {
-        if (record::isTakenBack(*words))
-            notes.erase(words->from);
-        else if (room(notes) || notes.contains(words->from))
-            notes[words->from] = *words;
-    } else if (const auto *lost = std::get_if<record::Lost>(&item.entry)) {
-        report.lost.samples += lost->samples;
-        report.lost.linkBytes += lost->linkBytes;
-        report.lost.others += lost->others;
-    }
+    std::size_t bytes = sizeof happening + memoryOf(happening.name);
+    for (const auto &[key, value] : happening.fields)
+        bytes += memoryOf(key) + memoryOf(value);
+    return bytes;
 }
+
+std::size_t memoryOf(const record::RegisterSnapshot &snapshot)
+{
+    return memoryOf(snapshot.title) + memoryOf(snapshot.json);
+}
+
+std::size_t memoryOf(const record::Note &note)
+{
+    constexpr std::size_t kNode = 64; // of the map
+    return kNode + sizeof note + memoryOf(note.text);
+}
+
+/// What is kept of the entries besides samples, within a bound of memory.
+class Keeper {
+public:
+    explicit Keeper(RecordingReport &report)
+        : m_report(report)
+    {
+    }
+
+    void take(const record::Item &item)
+    {
+        if (const auto *begin = std::get_if<record::Begin>(&item.entry)) {
+            m_report.begin = *begin;
+        } else if (const auto *block = std::get_if<capture::SampleBlock>(&item.entry)) {
+            m_report.samples += record::samplesOf(*block);
+        } else if (const auto *link = std::get_if<record::LinkBytes>(&item.entry)) {
+            m_report.linkBytes += link->bytes.size();
+        } else if (const auto *happening = std::get_if<record::Happening>(&item.entry)) {
+            if (hasRoom(memoryOf(*happening)))
+                m_report.happenings.push_back({item.at, *happening});
+        } else if (const auto *snapshot = std::get_if<record::RegisterSnapshot>(&item.entry)) {
+            if (hasRoom(memoryOf(*snapshot)))
+                m_report.snapshots.push_back({item.at, *snapshot});
+        } else if (const auto *words = std::get_if<record::Note>(&item.entry)) {
+            take(*words);
+        } else if (const auto *lost = std::get_if<record::Lost>(&item.entry)) {
+            m_report.lost.samples += lost->samples;
+            m_report.lost.linkBytes += lost->linkBytes;
+            m_report.lost.others += lost->others;
+        }
+    }
+    void finish()
+    {
+        for (auto &[from, words] : m_notes)
+            m_report.notes.push_back(std::move(words));
+    }
+
+private:
+    /// The last one said of each time counts.
+    void take(const record::Note &words)
+    {
+        if (const auto before = m_notes.find(words.from); before != m_notes.end()) {
+            m_kept -= memoryOf(before->second);
+            m_notes.erase(before);
+        }
+        if (!record::isTakenBack(words) && hasRoom(memoryOf(words)))
+            m_notes[words.from] = words;
+    }
+    bool hasRoom(std::size_t bytes)
+    {
+        if (bytes > RecordingReport::kMostKeptBytes - m_kept) {
+            ++m_report.leftOut;
+            return false;
+        }
+        m_kept += bytes;
+        return true;
+    }
+
+    RecordingReport &m_report;
+    std::map<record::Nanos, record::Note> m_notes;
+    std::size_t m_kept = 0;
+};
 
 } // namespace
 
@@ -52,11 +106,11 @@ Result<RecordingReport, QString> readRecording(const QString &path,
         return fail(file.errorString());
     record::Decoder decoder;
     RecordingReport report;
-    std::map<record::Nanos, record::Note> notes; // the last one said of each time
+    Keeper keeper(report);
     const auto drain = [&] {
         while (auto step = decoder.next()) {
             if (auto *item = std::get_if<record::Item>(&*step)) {
-                note(report, notes, *item);
+                keeper.take(*item);
                 take(std::move(*item));
                 continue;
             }
@@ -84,8 +138,7 @@ Result<RecordingReport, QString> readRecording(const QString &path,
         return fail(
             QStringLiteral("it is no recording of Rotorscope: no sound block in its %1 bytes")
                 .arg(file.size()));
-    for (auto &[from, words] : notes)
-        report.notes.push_back(std::move(words));
+    keeper.finish();
     report.blocks = decoder.blocks();
     report.bytes = file.pos();
     report.ending = decoder.ending();

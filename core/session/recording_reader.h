@@ -31,9 +31,12 @@ struct RecordingReport {
     std::vector<record::Damage> damage; ///< the first kMostDamage places
     std::uint64_t damagedPlaces = 0; ///< all of them
     std::optional<record::End> ending; ///< empty: the recorder was interrupted
+    std::uint64_t leftOut = 0; ///< happenings, snapshots and notes that there was no room for
 
     static constexpr std::size_t kMostDamage = 1000;
-    static constexpr std::size_t kMostKept = 1'000'000; ///< of happenings, snapshots and notes each
+    /// Memory for happenings, snapshots and notes together. A recording of a long day has a few mebibytes of them; the
+    /// count alone is no bound, for one may hold a mebibyte.
+    static constexpr std::size_t kMostKeptBytes = std::size_t{64} << 20;
 };
 
 /// Reads the whole file. The capture should be empty; what cannot be read is left out of it, never guessed.

@@ -8,6 +8,8 @@
 #include <QTest>
 
 #include <arpa/inet.h>
+#include <cerrno>
+
 #include <fcntl.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -56,6 +58,8 @@ private slots:
     void aMotorFileIsNotTakenForMoreThanItSays_data();
     void aMotorFileIsNotTakenForMoreThanItSays();
     void overTcpOneClientAtATimeIsServed();
+    void browsersAreTurnedAway_data();
+    void browsersAreTurnedAway();
     void itSaysWhereItIsLinksAndEndsOnSigterm();
     void onlyALeftOverLinkIsReplaced();
     void aClientIsAnsweredAndTheNextOneToo();
@@ -280,6 +284,40 @@ void TestSimulatorProgram::overTcpOneClientAtATimeIsServed()
         return served;
     };
     QTRY_VERIFY(third());
+}
+
+void TestSimulatorProgram::browsersAreTurnedAway_data()
+{
+    QTest::addColumn<QByteArray>("first");
+    QTest::newRow("GET") << QByteArray("GET / HTTP/1.1\r\n");
+    QTest::newRow("POST in pieces") << QByteArray("P|OST /|x");
+    QTest::newRow("TLS") << QByteArray("\x16\x03\x01\x02");
+}
+
+/// A page in a browser can make it connect to any port of this machine and send what the page says, after a line of HTTP.
+void TestSimulatorProgram::browsersAreTurnedAway()
+{
+    QFETCH(QByteArray, first);
+    Program program({QStringLiteral("mcp"), QStringLiteral("--tcp"), QStringLiteral("0")});
+    const QString line = program.firstLine();
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    address.sin_port = htons(line.mid(line.lastIndexOf(QLatin1Char(':')) + 1).toUShort());
+    const int client = ::socket(AF_INET, SOCK_STREAM, 0);
+    QVERIFY(::connect(client, reinterpret_cast<sockaddr *>(&address), sizeof address) == 0);
+    ::fcntl(client, F_SETFL, O_NONBLOCK);
+    for (const QByteArray &piece : first.split('|'))
+        ::send(client, piece.constData(), static_cast<std::size_t>(piece.size()), MSG_NOSIGNAL);
+    const QByteArray offer = QByteArray::fromHex("05ffff0f");
+    ::send(client, offer.constData(), 4, MSG_NOSIGNAL);
+    char byte = 0;
+    const auto turnedAway = [&] { // closed, or reset because something had not been read
+        const ssize_t count = ::recv(client, &byte, 1, 0);
+        return count == 0 || (count < 0 && errno == ECONNRESET);
+    };
+    QTRY_VERIFY(turnedAway());
+    ::close(client);
 }
 
 void TestSimulatorProgram::itSaysWhereItIsLinksAndEndsOnSigterm()

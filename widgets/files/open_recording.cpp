@@ -103,6 +103,12 @@ QString openedText(const OpenedRecording &opened, bool &whole)
     if (report.lost.samples > 0)
         sentences.append(Opening::tr("%1 samples are missing, because the disk was too slow.")
                              .arg(QString::number(report.lost.samples)));
+    if (report.leftOut > 0)
+        sentences.append(
+            Opening::tr("%1 of its events, snapshots and notes are left out: they take "
+                        "more than %2 MiB.")
+                .arg(QString::number(report.leftOut),
+                    QString::number(session::RecordingReport::kMostKeptBytes >> 20)));
     if (!report.ending)
         sentences.append(Opening::tr("The recording was interrupted."));
     else if (report.ending->reason == record::End::Reason::DiskFull)
