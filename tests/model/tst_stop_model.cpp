@@ -28,6 +28,23 @@ constexpr Duration kSettlesWithin =
 constexpr Duration kDeadFor =
     8s; ///< a phase on a dead line: long enough to give the link up, twice
 
+/// Of the words that the models have, too.
+unsigned bitOf(StopWord word)
+{
+    switch (word) {
+    case StopWord::Requested:
+        return kRequested;
+    case StopWord::Accepted:
+        return kAccepted;
+    case StopWord::DriveIdle:
+        return kIdle;
+    case StopWord::NotConfirmed:
+        return kAlarm;
+    default:
+        return 0;
+    }
+}
+
 struct Phase {
     char act = 'N'; ///< Nothing, Arm, Start, stop (X), Both
     int motor = 1;
@@ -328,8 +345,7 @@ private:
         } else if (std::holds_alternative<Identified>(event)) {
             m_identified = true;
         } else if (const auto *stop = std::get_if<StopProgress>(&event)) {
-            constexpr std::array<unsigned, 5> kBits{kRequested, kAccepted, kIdle, 0, kAlarm};
-            const unsigned bit = kBits.at(static_cast<std::size_t>(stop->word));
+            const unsigned bit = bitOf(stop->word);
             const auto motor = static_cast<std::size_t>(stop->motor - 1);
             m_told.at(motor) |= bit;
             m_words.at(motor) = stop->word == StopWord::Requested ? bit : m_words.at(motor) | bit;
