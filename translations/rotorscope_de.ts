@@ -3776,10 +3776,6 @@
         <translation>Motoren stoppen</translation>
     </message>
     <message>
-        <source>Rotorscope has told every motor to stop, but there is no evidence that they did.</source>
-        <translation>Rotorscope hat jedem Motor den Stopp befohlen, aber nichts belegt, dass sie stehen.</translation>
-    </message>
-    <message>
         <source>Try again</source>
         <translation>Noch einmal versuchen</translation>
     </message>
@@ -4111,6 +4107,30 @@
     <message>
         <source>The recording that runs does not hold all markers: some were set before it began.</source>
         <translation>Die laufende Aufzeichnung enthält nicht alle Markierungen: einige wurden gesetzt, bevor sie begann.</translation>
+    </message>
+    <message>
+        <source>Stopping the motors before something else is opened…</source>
+        <translation>Die Motoren werden gestoppt, bevor etwas anderes geöffnet wird …</translation>
+    </message>
+    <message>
+        <source>Open it all the same…</source>
+        <translation>Trotzdem öffnen …</translation>
+    </message>
+    <message>
+        <source>Rotorscope has told every motor to stop, but there is no evidence that they did. A motor may still be turning.</source>
+        <translation>Rotorscope hat jedem Motor den Stopp gesagt, aber nichts belegt, dass sie stehen. Vielleicht dreht sich noch ein Motor.</translation>
+    </message>
+    <message>
+        <source>No port is open that could carry a stop. A motor may still be turning, and nothing tells how fast.</source>
+        <translation>Kein Anschluss ist offen, der einen Stopp übertragen könnte. Vielleicht dreht sich noch ein Motor, und nichts sagt, wie schnell.</translation>
+    </message>
+    <message>
+        <source>Stopping the motors before the port is closed…</source>
+        <translation>Die Motoren werden gestoppt, bevor der Anschluss geschlossen wird …</translation>
+    </message>
+    <message>
+        <source>Disconnect all the same…</source>
+        <translation>Trotzdem trennen …</translation>
     </message>
 </context>
 <context>
@@ -4841,6 +4861,21 @@
     <message>
         <source>In the file</source>
         <translation>In der Datei</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::OwnLimits</name>
+    <message>
+        <source>The file with your own limits, %1, cannot be read (%2). Those of the last time that Rotorscope ended are in force: look at them in the control panel.</source>
+        <translation>Die Datei mit Ihren eigenen Grenzen, %1, ist nicht lesbar (%2). Es gelten die vom letzten Ende von Rotorscope: prüfen Sie sie in der Steuerung.</translation>
+    </message>
+    <message>
+        <source>The file with your own limits, %1, cannot be read (%2). NO limit of your own is in force: set them anew in the control panel.</source>
+        <translation>Die Datei mit Ihren eigenen Grenzen, %1, ist nicht lesbar (%2). KEINE eigene Grenze gilt: setzen Sie sie in der Steuerung neu.</translation>
+    </message>
+    <message>
+        <source>Your own limits hold now, but could not be stored in %1 (%2).</source>
+        <translation>Ihre eigenen Grenzen gelten jetzt, konnten aber nicht in %1 gespeichert werden (%2).</translation>
     </message>
 </context>
 <context>

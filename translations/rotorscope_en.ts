@@ -3752,10 +3752,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotorscope has told every motor to stop, but there is no evidence that they did.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Try again</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4086,6 +4082,30 @@
     </message>
     <message>
         <source>Close without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping the motors before something else is opened…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open it all the same…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotorscope has told every motor to stop, but there is no evidence that they did. A motor may still be turning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No port is open that could carry a stop. A motor may still be turning, and nothing tells how fast.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping the motors before the port is closed…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnect all the same…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4812,6 +4832,21 @@
     </message>
     <message>
         <source>In the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::OwnLimits</name>
+    <message>
+        <source>The file with your own limits, %1, cannot be read (%2). Those of the last time that Rotorscope ended are in force: look at them in the control panel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file with your own limits, %1, cannot be read (%2). NO limit of your own is in force: set them anew in the control panel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your own limits hold now, but could not be stored in %1 (%2).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

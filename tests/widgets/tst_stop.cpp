@@ -28,6 +28,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
         m_rig->window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&m_rig->window));
+        m_rig->workbench.setSessionClock([] { return TimePoint{}; }); // the time of all states here
         facts::connectBoard(device());
         m_stops = std::make_unique<QSignalSpy>(&device(), &widgets::Device::stopWished);
     }
@@ -342,11 +343,9 @@ private Q_SLOTS:
         QVERIFY(!m_rig->window.close());
         QTRY_VERIFY(m_rig->find<QMessageBox>("leaveQuestion"));
         auto *question = m_rig->find<QMessageBox>("leaveQuestion");
-        QTest::mouseClick(question->buttons().at(question->buttonRole(question->buttons().at(0))
-                                      == QMessageBox::DestructiveRole
-                                  ? 0
-                                  : 1),
-            Qt::LeftButton);
+        for (QAbstractButton *button : question->buttons())
+            if (question->buttonRole(button) == QMessageBox::DestructiveRole)
+                QTest::mouseClick(button, Qt::LeftButton);
         auto *second = m_rig->find<QMessageBox>("leaveRunning");
         QVERIFY(second);
         QVERIFY(m_rig->window.isVisible());

@@ -236,10 +236,7 @@ QString ConnectBar::protocol() const { return m_protocol->currentData().toString
 void ConnectBar::connectOrDisconnect()
 {
     if (connecting()) {
-        if (m_device.portOpen() && !m_device.allIdle())
-            Q_EMIT disconnectWhileTurning();
-        else
-            disconnectNow();
+        Q_EMIT disconnectWanted();
         return;
     }
     session::Endpoint endpoint = session::endpointFor(path(), baud(),

@@ -46,7 +46,7 @@ public Q_SLOTS:
     void focusPort();
 
 Q_SIGNALS:
-    void disconnectWhileTurning(); ///< not done: a person has to say what becomes of the motors
+    void disconnectWanted(); ///< not done: the motors come first
     void refused(const QString &sentence); ///< what was typed cannot be used
 
 private:

@@ -107,8 +107,8 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
           *m_scope, workbench.capture(), [this] { return m_recorder->now(); }, this))
     , m_connectBar(new ConnectBar(m_device, ports, this))
     , m_alarm(new StopAlarm(this))
-    , m_shutdown(new Shutdown(m_device, this))
-    , m_parting(new Shutdown(m_device, this))
+    , m_shutdown(new Shutdown(
+          m_device, [&workbench] { return workbench.sessionTime(); }, this))
 {
     setObjectName(QStringLiteral("mainWindow"));
     setWindowTitle(QStringLiteral("Rotorscope"));
@@ -440,12 +440,12 @@ void MainWindow::connectParts()
     });
     connect(m_alarm, &StopAlarm::takenBack, &m_device, &Device::forgetStop);
     connect(&m_device, &Device::stopImpossible, this, [this] {
-        if (m_told == Told::Loss && !m_device.allIdle() && !m_alarm->isVisible())
+        if (m_told == Told::Loss && m_shutdown->mayTurn() && !m_alarm->isVisible()
+            && !m_shutdown->underWay())
             m_alarm->raiseNotSent();
     });
-    connect(m_connectBar, &ConnectBar::disconnectWhileTurning, this, &MainWindow::askToDisconnect);
-    connect(m_parting, &Shutdown::confirmed, m_connectBar, &ConnectBar::disconnectNow);
-    connect(m_shutdown, &Shutdown::confirmed, this, &QWidget::close);
+    connect(m_connectBar, &ConnectBar::disconnectWanted, this, &MainWindow::disconnectFromBoard);
+    connect(m_shutdown, &Shutdown::confirmed, this, [this] { m_leaving.go(); });
     connect(m_shutdown, &Shutdown::notConfirmed, this, &MainWindow::askToLeave);
 }
 
@@ -545,6 +545,8 @@ void MainWindow::stopAdvanced(const drive::StopProgress &progress)
     else
         m_alarm->take(progress);
 }
+
+void MainWindow::warn(const QString &sentence) { say(Banner::Kind::Warning, sentence); }
 
 void MainWindow::askForLimits()
 {

@@ -68,6 +68,7 @@ public:
     static constexpr char kExportJob[] = "exportJob"; ///< its object's name
 
 public Q_SLOTS:
+    void warn(const QString &sentence); ///< in the banner
     void exportCsv();
     /// A capture is in this file; its motion log goes into the other one, if that has a name.
     void exported(const QString &path, const QString &motionLog);
@@ -149,6 +150,16 @@ private:
     void portChanged();
     void tellLink();
     LinkMessage linkMessage() const;
+    /// Something for which the connection is left.
+    struct Leaving {
+        QString stopping; ///< what is told while the motors are stopped
+        QString allTheSame; ///< the words of who does it without evidence
+        std::function<void()> go;
+    };
+    void leaveThen(Leaving leaving); ///< at once, or after the motors were stopped, or asked for
+    Leaving disconnection();
+    Leaving another(std::function<void()> go);
+    void disconnectFromBoard();
     void askToDisconnect();
     void askForLimits();
     void askForCurrentScale();
@@ -195,7 +206,7 @@ private:
     bool m_closeAfterExport = false;
     StopAlarm *m_alarm;
     Shutdown *m_shutdown;
-    Shutdown *m_parting; ///< the same for a disconnection
+    Leaving m_leaving; ///< what it goes before
     QWidget *m_frame = nullptr; ///< a red line while a real board is armed
     QWidget *m_scopeBar = nullptr;
     QAction *m_run = nullptr;

@@ -60,10 +60,12 @@ void MainWindow::makeRecording()
     connect(m_markers, &MarkerFile::said, this, &MainWindow::say);
     // Those of a connection stay for the next one.
     m_connectBar->setBeforeOpening([this](std::function<void()> goOn) {
-        if (m_selection->showsFile())
-            askForMarkers(std::move(goOn));
-        else
-            goOn();
+        leaveThen(another([this, goOn = std::move(goOn)] {
+            if (m_selection->showsFile())
+                askForMarkers(goOn);
+            else
+                goOn();
+        }));
     });
     m_room = new SampleRoom(m_workbench.capture(), *m_workbench.archive(), this);
     m_room->setWanted(m_settings.samplesOnDiskGB);
@@ -105,9 +107,18 @@ void MainWindow::askForRecording()
     question.title = tr("Open a recording");
     question.folder = m_record->folder().isEmpty() ? QDir::homePath() : m_record->folder();
     question.filter = tr("Recordings (*.pcapng)");
-    replaceRecorded([this, question] {
-        m_files.askOpen(this, question, [this](const QString &path) { openRecording(path); });
-    });
+    leaveThen(another([this, question] {
+        replaceRecorded([this, question] {
+            m_files.askOpen(this, question, [this](const QString &path) { openRecording(path); });
+        });
+    }));
+}
+
+/// What takes the place of a connection that is over, perhaps with a motor that turns.
+MainWindow::Leaving MainWindow::another(std::function<void()> go)
+{
+    return {tr("Stopping the motors before something else is opened\u2026"),
+        tr("Open it all the same\u2026"), std::move(go)};
 }
 
 /// As if its board were there: the scope's trigger, its measurements and another recording see no difference.
@@ -122,15 +133,17 @@ void MainWindow::askForReplay()
     question.title = tr("Replay a recording");
     question.folder = m_record->folder().isEmpty() ? QDir::homePath() : m_record->folder();
     question.filter = tr("Recordings (*.pcapng)");
-    replaceRecorded([this, question] {
-        m_files.askOpen(this, question, [this](const QString &path) {
-            if (!session::isRecordingFile(path))
-                say(Banner::Kind::Warning,
-                    tr("%1 is no recording of Rotorscope.").arg(deviceText(path)));
-            else
-                m_connectBar->openReplay(path);
+    leaveThen(another([this, question] {
+        replaceRecorded([this, question] {
+            m_files.askOpen(this, question, [this](const QString &path) {
+                if (!session::isRecordingFile(path))
+                    say(Banner::Kind::Warning,
+                        tr("%1 is no recording of Rotorscope.").arg(deviceText(path)));
+                else
+                    m_connectBar->openReplay(path);
+            });
         });
-    });
+    }));
 }
 
 void MainWindow::askForCsv()
@@ -146,15 +159,17 @@ void MainWindow::askForCsv()
     question.folder =
         m_settings.exportFolder.isEmpty() ? QDir::homePath() : m_settings.exportFolder;
     question.filter = tr("CSV files (*.csv *.txt)");
-    replaceRecorded([this, question] {
-        m_files.askOpen(this, question, [this](const QString &path) {
-            importCsv(
-                path, this,
-                [this, path](capture::Capture &capture) { showImported(path, capture); },
-                [this](const QString &sentence) { say(Banner::Kind::Warning, sentence); },
-                forFiles());
+    leaveThen(another([this, question] {
+        replaceRecorded([this, question] {
+            m_files.askOpen(this, question, [this](const QString &path) {
+                importCsv(
+                    path, this,
+                    [this, path](capture::Capture &capture) { showImported(path, capture); },
+                    [this](const QString &sentence) { say(Banner::Kind::Warning, sentence); },
+                    forFiles());
+            });
         });
-    });
+    }));
 }
 
 /// Of a file's signals, that the scope has no room for so many.

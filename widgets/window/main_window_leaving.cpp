@@ -14,13 +14,21 @@
 
 namespace widgets {
 
+void MainWindow::leaveThen(Leaving leaving)
+{
+    if (!m_shutdown->mayTurn())
+        return leaving.go();
+    m_leaving = std::move(leaving);
+    say(Banner::Kind::Warning, m_leaving.stopping);
+    m_shutdown->begin();
+}
+
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    if (!m_shutdown->mayEnd()) {
+    if (m_shutdown->mayTurn()) {
         event->ignore();
-        m_banner->say(
-            Banner::Kind::Warning, tr("Stopping the motors before Rotorscope ends\u2026"));
-        m_shutdown->begin();
+        leaveThen({tr("Stopping the motors before Rotorscope ends\u2026"),
+            tr("End Rotorscope all the same\u2026"), [this] { close(); }});
         return;
     }
     if (m_markers->changed() && !m_leaveMarkers) {
@@ -83,18 +91,21 @@ void MainWindow::askToLeave()
     box->setObjectName(QStringLiteral("leaveQuestion"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setTextFormat(Qt::PlainText);
-    box->setInformativeText(
-        tr("Rotorscope has told every motor to stop, but there is no evidence that they did."));
-    QPushButton *again = box->addButton(tr("Try again"), QMessageBox::RejectRole);
-    QPushButton *leave =
-        box->addButton(tr("End Rotorscope all the same\u2026"), QMessageBox::DestructiveRole);
+    box->setInformativeText(m_device.portOpen()
+            ? tr("Rotorscope has told every motor to stop, but there is no evidence that they "
+                 "did. A motor may still be turning.")
+            : tr("No port is open that could carry a stop. A motor may still be turning, and "
+                 "nothing tells how fast."));
+    QPushButton *again = box->addButton(tr("Try again"), QMessageBox::AcceptRole);
+    QPushButton *leave = box->addButton(m_leaving.allTheSame, QMessageBox::DestructiveRole);
+    QPushButton *stay = box->addButton(tr("Stay"), QMessageBox::RejectRole);
     box->setDefaultButton(again);
-    box->setEscapeButton(again);
-    connect(box, &QMessageBox::buttonClicked, this, [this, leave](QAbstractButton *button) {
+    box->setEscapeButton(stay);
+    connect(box, &QMessageBox::buttonClicked, this, [this, leave, again](QAbstractButton *button) {
         if (button == leave)
             confirmLeaving();
-        else
-            m_shutdown->begin();
+        else if (button == again)
+            leaveThen(std::exchange(m_leaving, {}));
     });
     box->open();
 }
@@ -114,10 +125,25 @@ void MainWindow::confirmLeaving()
     connect(box, &QMessageBox::buttonClicked, this, [this, leave](QAbstractButton *button) {
         if (button != leave)
             return;
-        m_shutdown->leaveRunning();
-        close();
+        m_shutdown->leaveAsTheyAre();
+        m_leaving.go();
     });
     box->open();
+}
+
+/// A motor that is seen to turn may be meant to; where nothing is seen, it is stopped first.
+void MainWindow::disconnectFromBoard()
+{
+    if (m_shutdown->mayTurn() && m_device.answering() && !m_device.allIdle())
+        askToDisconnect();
+    else
+        leaveThen(disconnection());
+}
+
+MainWindow::Leaving MainWindow::disconnection()
+{
+    return {tr("Stopping the motors before the port is closed\u2026"),
+        tr("Disconnect all the same\u2026"), [this] { m_connectBar->disconnectNow(); }};
 }
 
 void MainWindow::askToDisconnect()
@@ -136,7 +162,7 @@ void MainWindow::askToDisconnect()
     box->setEscapeButton(stay);
     connect(box, &QMessageBox::buttonClicked, this, [this, stop, leave](QAbstractButton *button) {
         if (button == stop)
-            m_parting->begin();
+            leaveThen(disconnection());
         else if (button == leave)
             m_connectBar->disconnectNow();
     });

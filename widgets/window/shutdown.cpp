@@ -9,38 +9,56 @@ constexpr int kConfirmMs = 2000;
 
 } // namespace
 
-Shutdown::Shutdown(Device &device, QObject *parent)
+Shutdown::Shutdown(Device &device, std::function<TimePoint()> clock, QObject *parent)
     : QObject(parent)
     , m_device(device)
+    , m_clock(std::move(clock))
 {
     m_deadline.setSingleShot(true);
-    m_deadline.setInterval(kConfirmMs);
     m_deadline.setTimerType(Qt::PreciseTimer);
     connect(&m_deadline, &QTimer::timeout, this, &Shutdown::notConfirmed);
-    connect(&device, &Device::statusChanged, this, &Shutdown::check);
+    connect(&device, &Device::openWished, this, [this] { m_rest.opened(); });
+    connect(&device, &Device::closeWished, this, [this] { m_rest.leftAsTheyAre(); }); // was asked
+    const auto armed = [this](bool on) {
+        if (on)
+            m_rest.armed();
+    };
+    connect(&device, &Device::armWished, this, armed);
+    connect(&device, &Device::armedStateChanged, this, armed);
+    connect(
+        &device, &Device::wishMade, this, [this](const drive::Wish &wish) { m_rest.asked(wish); });
+    connect(&device, &Device::wishEnded, this,
+        [this](const drive::Ended &ended) { m_rest.ended(ended); });
+    connect(&device, &Device::statusChanged, this, [this](int motor) {
+        m_rest.take(m_device.status(motor));
+        check();
+    });
 }
 
-bool Shutdown::mayEnd() const
+bool Shutdown::mayTurn() const
 {
-    // A board that answers but has not said yet what its motor does may have one that turns.
-    const auto &identified = m_device.identified();
-    const bool ours = !identified || identified->identity.knownFirmware;
-    const bool unheard = m_device.answering() && ours && !replaying(m_device)
-        && m_device.status(m_device.motor()).state == drive::MotorState::Unknown;
-    return m_leave || (m_device.allIdle() && !unheard);
+    if (replaying(m_device))
+        return false; // what turned then does not turn now
+    const auto &board = m_device.identified();
+    const int motors = board ? board->identity.motors : 1;
+    if (m_rest.mayTurn(motors, m_clock()))
+        return true;
+    // A board that answers but has not said yet what its motors do may have one that turns.
+    const bool tells = m_device.answering() && (!board || board->identity.knownFirmware);
+    return tells && !m_rest.heardOfAll(motors);
 }
 
 void Shutdown::begin()
 {
     if (underWay())
         return;
+    m_deadline.start(m_device.portOpen() ? kConfirmMs : 0);
     m_device.stop();
-    m_deadline.start();
 }
 
 void Shutdown::check()
 {
-    if (!underWay() || !m_device.answering() || !mayEnd())
+    if (!underWay() || !m_device.answering() || mayTurn())
         return;
     m_deadline.stop();
     Q_EMIT confirmed();

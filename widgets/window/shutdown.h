@@ -1,25 +1,33 @@
-// Shutdown: ending the program while a motor turns. It stops the motors, waits up to two seconds for the evidence and
-// then says whether the program may end or a person has to be asked.
+// Shutdown: what goes before a connection is left. It watches what may have set a motor in motion; where one may turn it
+// stops the motors, waits up to two seconds for the evidence and then says whether the connection may be left or a person has
+// to be asked.
 #pragma once
 
 #include "widgets/base/device.h"
+#include "widgets/base/rest_evidence.h"
 
 #include <QObject>
 #include <QTimer>
+
+#include <functional>
 
 namespace widgets {
 
 class Shutdown : public QObject {
     Q_OBJECT
 public:
-    explicit Shutdown(Device &device, QObject *parent = nullptr);
+    /// @param clock  that of the session, which stamps what boards tell
+    Shutdown(Device &device, std::function<TimePoint()> clock, QObject *parent = nullptr);
 
-    /// True if nothing keeps the program from ending now.
-    bool mayEnd() const;
-    /// Stops the motors and waits; ends in one of the signals. Harmless while it is under way.
+    /// A motor may turn: the connection must not be left without a stop, or a person's word.
+    bool mayTurn() const;
+    /// A person's choice: motors that may turn stay as they are. Until the next arming or connection.
+    void leaveAsTheyAre() { m_rest.leftAsTheyAre(); }
+
+    /// Stops the motors and waits; ends in one of the signals, at once where no port can carry the stop. Harmless while it
+    /// is under way.
     void begin();
     bool underWay() const { return m_deadline.isActive(); }
-    void leaveRunning() { m_leave = true; } ///< the person's second, explicit choice
 
 Q_SIGNALS:
     void confirmed();
@@ -29,8 +37,9 @@ private:
     void check();
 
     Device &m_device;
+    std::function<TimePoint()> m_clock;
+    RestEvidence m_rest;
     QTimer m_deadline;
-    bool m_leave = false;
 };
 
 } // namespace widgets

@@ -49,6 +49,8 @@ public:
     {
         return Milliseconds(m_clock.elapsed());
     } ///< since the workbench was made
+    TimePoint sessionTime() const { return m_sessionClock(); } ///< as it stamps what boards tell
+    void setSessionClock(session::Clock clock) { m_sessionClock = std::move(clock); } ///< for tests
 
     /// Calls `what` in the session's thread, where a frozen window does not delay it.
     void atSession(const std::function<void(session::Session &)> &what);
@@ -67,6 +69,7 @@ private:
     session::Parts m_parts; ///< one clock for the session and for what it is asked
     InputAge m_inputAge;
     QElapsedTimer m_clock;
+    session::Clock m_sessionClock = m_parts.clock; ///< what boards tell is stamped by it
     Device m_device;
     RegisterModel m_registers;
     AutoSnapshots m_snapshots{m_device, autoSnapshotFolder()};
