@@ -345,6 +345,7 @@ Outcome<bool> takeLimits(const QCommandLineParser &parser, Arguments &arguments)
                              .arg(QLatin1String(option), text));
         *limit = *number;
     }
+    arguments.canMove = canMove(arguments.command);
     arguments.cyclicSetPoints = parser.optionNames().contains(QStringLiteral("cyclic-setpoints"));
     arguments.expert = parser.optionNames().contains(QStringLiteral("expert"));
     return true;

@@ -47,6 +47,7 @@ struct Arguments {
     CaptureArguments capture;
     RecordingArguments recording; ///< of show and export
     drive::UserLimits limits; ///< --max-rpm and --max-amps
+    bool canMove = false; ///< the command can move a motor, or write what moves it
     bool cyclicSetPoints = false; ///< of ramp and capture: with every exchange
     double fullScaleCurrent_a = 0.0; ///< --full-scale-current; 0: not given
     bool expert = false; ///< move motors whose board does not tell its limits

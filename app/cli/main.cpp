@@ -1,6 +1,8 @@
 // rotorscope-cli: one command, one board, one exit status. Its words are a contract that scripts depend on, so they
 // are English in every language.
 #include "commands.h"
+#include "own_limits.h"
+#include "session/limits_file.h"
 
 #include <QCoreApplication>
 
@@ -67,9 +69,11 @@ Outcome<int> runLinkCommand(const Arguments &arguments, Output &out)
 
 Outcome<int> run(const QStringList &line)
 {
-    const auto arguments = parseArguments(line);
+    auto arguments = parseArguments(line);
     if (!arguments)
         return tl::make_unexpected(arguments.error());
+    if (const auto bounded = addOwnLimits(*arguments, session::limitsPath()); !bounded)
+        return tl::make_unexpected(bounded.error());
     Output out(arguments->json);
     Outcome<int> status = kDone;
     if (arguments->text)

@@ -4,12 +4,14 @@
 #include "../cli/interrupt.h"
 
 #include "session/guardian.h"
+#include "session/limits_file.h"
 #include "session/port_list.h"
 #include "widgets/base/theme.h"
 #include "widgets/files/file_prompt.h"
 #include "widgets/window/application.h"
 #include "widgets/window/connect_bar.h"
 #include "widgets/window/main_window.h"
+#include "widgets/window/own_limits.h"
 #include "widgets/window/settings.h"
 #include "widgets/window/workbench.h"
 
@@ -70,6 +72,9 @@ int run(int argc, char **argv, const gui::Arguments &arguments)
     parts.guardian = guardian;
     widgets::Workbench workbench(session::makeDiskSink, std::move(parts));
     widgets::MainWindow window(workbench, ports, files, settings);
+    widgets::OwnLimits limits(workbench.device(), session::limitsPath());
+    QObject::connect(&limits, &widgets::OwnLimits::told, &window, &widgets::MainWindow::warn);
+    limits.load();
     // Drawing it in all its sizes takes about a tenth of a start; the first picture does without.
     QObject::connect(&window, &widgets::MainWindow::settled, &application,
         [] { QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/rotorscope.svg"))); });

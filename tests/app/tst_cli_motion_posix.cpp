@@ -1,6 +1,8 @@
 // What bounds the motion that the command line asks for, and what it leaves in the motion log.
+#include "session/limits_file.h"
 #include "support/programs_posix.h"
 
+#include <QDir>
 #include <QFile>
 #include <QtTest>
 
@@ -11,6 +13,22 @@ using support::Simulator;
     QVERIFY2((result).status == (expected),                                                        \
         qPrintable(QStringLiteral("status %1, stderr: %2")                                         \
                        .arg(QString::number((result).status), (result).err)))
+
+namespace {
+
+/// In the home of this test.
+struct LimitsFile {
+    const QString path = session::limitsPath();
+    bool write(const char *content) const
+    {
+        QFile file(path);
+        return QDir().mkpath(QFileInfo(path).path()) && file.open(QIODevice::WriteOnly)
+            && file.write(content) > 0;
+    }
+    ~LimitsFile() { QFile::remove(path); }
+};
+
+} // namespace
 
 class TestCliMotion : public QObject {
     Q_OBJECT
@@ -29,6 +47,41 @@ private Q_SLOTS:
         }
         COMPARE_STATUS(board.cli("ramp --max-rpm 1000 1000 100"), 0);
         COMPARE_STATUS(board.cli("ramp --max-rpm 100000 4001 100"), 1); // the board's is lower
+    }
+
+    void thoseOfTheWindowHoldUnlessOthersAreGiven()
+    {
+        const Simulator board;
+        QVERIFY(board.ready());
+        const LimitsFile file;
+        QCOMPARE(session::saveLimits({1000.0, 2.0}, file.path), QString());
+        const CliRun refused = board.cli("ramp 1001 100");
+        COMPARE_STATUS(refused, 1);
+        QVERIFY2(refused.err.contains(QStringLiteral("Your own limits hold: 1000 rpm, 2 A (from ")),
+            qPrintable(refused.err));
+        QVERIFY(refused.err.contains(QStringLiteral("your own limit")));
+        COMPARE_STATUS(board.cli("torque 2.1 100"), 1);
+        const CliRun given = board.cli("ramp --max-rpm 1100 1001 100");
+        COMPARE_STATUS(given, 0);
+        QVERIFY2(given.err.contains(QStringLiteral("hold: 2 A (from ")), qPrintable(given.err));
+        COMPARE_STATUS(board.cli("ramp --max-rpm 1100 --max-amps 3 1001 100"), 0);
+    }
+
+    void unreadableOnesOfTheWindowEndWhatMovesAndNothingElse()
+    {
+        const Simulator board;
+        QVERIFY(board.ready());
+        const LimitsFile file;
+        QVERIFY(file.write("{\"maxSpeedRpm\": 10"));
+        for (const char *line : {"ramp 100 100", "start", "ramp --max-rpm 200 100 100"}) {
+            const CliRun run = board.cli(line);
+            COMPARE_STATUS(run, 5);
+            QVERIFY(run.oneLineOfError());
+            QVERIFY2(run.err.contains(QStringLiteral("it is damaged")), qPrintable(run.err));
+        }
+        COMPARE_STATUS(board.cli("ramp --max-rpm 200 --max-amps 3 100 100"), 0);
+        COMPARE_STATUS(board.cli("stop"), 0);
+        COMPARE_STATUS(board.cli("get STATUS"), 0);
     }
 
     void whatTheBoardDoesNotTellTakesExpertMode()
@@ -70,7 +123,7 @@ private Q_SLOTS:
         QVERIFY(line(",START,").contains(",command line,1,START,,ok,"));
         QVERIFY(line(",START,").endsWith(",19 00"));
         QVERIFY(line(",SPEED_RAMP,").contains("1000 rpm in 200 ms"));
-        QVERIFY(line("standstill measured").contains(",1,STOP,"));
+        QVERIFY(line("speed not measurable").contains(",1,STOP,"));
 
         const QString quiet = board.file("quiet.csv");
         COMPARE_STATUS(board.cli("capture --hf I_A --seconds 0.1 -o", {quiet}), 0);

@@ -32,7 +32,8 @@ struct Settings {
         currentScales; ///< full scale in A, by board and port, where boards do not tell
     QMap<QString, int> traceColors; ///< slots that a person chose, by the names of signals
     QStringList registerColumns{QStringLiteral("value"), QStringLiteral("raw")};
-    double maxSpeedRpm = 0.0; ///< a person's own limits; 0: none
+    double maxSpeedRpm =
+        0.0; ///< copy of a person's own limits, which have a file of their own; 0: none
     double maxCurrentAmps = 0.0;
     double samplesOnDiskGB = -1.0; ///< negative: what is usual; 0: memory only
     bool firstStepsDone = false;
