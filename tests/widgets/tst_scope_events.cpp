@@ -2,14 +2,18 @@
 // and what the list does with it.
 #include "support/scope_window.h"
 #include "widgets/files/event_recorder.h"
+#include "widgets/files/open_recording.h"
 #include "widgets/scope/event_icon.h"
 #include "widgets/scope/event_lane.h"
 #include "widgets/scope/event_log.h"
+#include "widgets/scope/event_panel.h"
 
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QLineEdit>
+#include <QScrollBar>
+#include <QSignalSpy>
 #include <QTreeView>
 
 using namespace std::chrono_literals;
@@ -51,6 +55,8 @@ private Q_SLOTS:
     void clearingKeepsNotes();
     void theLogIsAModelInOrder();
     void theLogForgetsButNeverANote();
+    void manyAtOnceAreShownAtOnce();
+    void aFileFillsTheLogInOneStep();
     void everyKindHasAShapeOfItsOwn();
     void theClockOfTheSessionIsFoundFromStamps();
 
@@ -371,6 +377,49 @@ void TestScopeEvents::theLogForgetsButNeverANote()
     const auto range = log.in(20.0, 5000.0);
     QVERIFY(log.events()[range.first].seconds >= 20.0);
     QVERIFY(log.events()[range.last - 1].seconds <= 5000.0);
+}
+
+void TestScopeEvents::manyAtOnceAreShownAtOnce()
+{
+    QTreeView *list = openList();
+    auto *panel = m_rig->find<widgets::EventPanel>("eventPanel");
+    QCoreApplication::processEvents();
+    for (const bool seen : {true, false}) {
+        m_rig->find<QWidget>("eventDock")->setVisible(seen);
+        QCoreApplication::processEvents();
+        const int before = panel->scrolls();
+        for (int i = 0; i < 5000; ++i)
+            log().add(EventKind::State, 4.0 + i * 1e-4, QStringLiteral("RUN"));
+        QCOMPARE(panel->scrolls(), before); // each would look at all rows there are
+        QCoreApplication::processEvents();
+        QCOMPARE(panel->scrolls(), before + (seen ? 1 : 0));
+    }
+    m_rig->find<QWidget>("eventDock")->show();
+    QTRY_COMPARE(list->verticalScrollBar()->value(), list->verticalScrollBar()->maximum());
+    QCOMPARE(list->model(), &log()); // nothing that looks at every row stands between
+    m_rig->find<QCheckBox>("onlyMarkers")->setChecked(true);
+    QCOMPARE(list->model()->rowCount(), 0);
+}
+
+void TestScopeEvents::aFileFillsTheLogInOneStep()
+{
+    session::RecordingReport report;
+    constexpr int kHappenings = 20'000;
+    for (int i = 0; i < kHappenings; ++i)
+        report.happenings.push_back({capture::toNanos(1.0 + i * 1e-3),
+            {"motor state", {{"motor", "1"}, {"state", i % 2 == 0 ? "idle" : "running"}}}});
+    report.notes.push_back({capture::toNanos(0.5), capture::toNanos(0.5), "first of all"});
+    QSignalSpy inserted(&log(), &QAbstractItemModel::rowsInserted);
+    QSignalSpy reset(&log(), &QAbstractItemModel::modelReset);
+    widgets::fillEvents(log(), report);
+    QCOMPARE(inserted.size(), 0);
+    QCOMPARE(reset.size(), 1);
+    QCOMPARE(log().events().size(), EventLog::kMost);
+    QCOMPARE(log().events().front().text, QStringLiteral("first of all")); // a marker is kept
+    QVERIFY(std::abs(log().events().back().seconds - (1.0 + (kHappenings - 1) * 1e-3)) < 1e-9);
+    QVERIFY(std::is_sorted(log().events().begin(), log().events().end(),
+        [](const auto &a, const auto &b) { return a.seconds < b.seconds; }));
+    QVERIFY(log().find(log().events().back().id) == &log().events().back());
 }
 
 void TestScopeEvents::everyKindHasAShapeOfItsOwn()

@@ -121,12 +121,17 @@ QString openedText(const OpenedRecording &opened, bool &whole)
 
 void fillEvents(EventLog &events, const session::RecordingReport &report)
 {
-    events.clear();
-    for (const auto &[at, happening] : report.happenings)
-        if (isShown(happening))
-            events.add(kindOf(happening), capture::toSeconds(at), happeningText(happening));
+    std::vector<ScopeEvent> all;
+    // They come in the order of time, and words are made for those only that the log has room for.
+    for (auto each = report.happenings.rbegin();
+         each != report.happenings.rend() && all.size() < EventLog::kMost; ++each)
+        if (isShown(each->what))
+            all.push_back(
+                {0, capture::toSeconds(each->at), kindOf(each->what), happeningText(each->what)});
+    std::reverse(all.begin(), all.end());
     for (const record::Note &note : report.notes)
-        events.add(EventKind::Marker, capture::toSeconds(note.from), deviceText(note.text));
+        all.push_back({0, capture::toSeconds(note.from), EventKind::Marker, deviceText(note.text)});
+    events.setEvents(std::move(all));
 }
 
 std::optional<double> ReplayedWrites::take(const session::ReplayedEntry &entry)

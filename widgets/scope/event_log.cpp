@@ -52,6 +52,7 @@ EventLog::EventLog(QObject *parent)
     connect(this, &QAbstractItemModel::rowsInserted, this, &EventLog::changed);
     connect(this, &QAbstractItemModel::rowsRemoved, this, &EventLog::changed);
     connect(this, &QAbstractItemModel::dataChanged, this, &EventLog::changed);
+    connect(this, &QAbstractItemModel::modelReset, this, &EventLog::changed);
 }
 
 EventLog::Range EventLog::in(double from, double to) const
@@ -131,10 +132,30 @@ void EventLog::setText(quint32 id, const QString &text)
     Q_EMIT dataChanged(cell, cell);
 }
 
-void EventLog::clear()
+void EventLog::clear() { setEvents({}); }
+
+void EventLog::setEvents(std::vector<ScopeEvent> events)
 {
+    std::erase_if(events, [](const ScopeEvent &event) { return !std::isfinite(event.seconds); });
+    std::stable_sort(events.begin(), events.end(),
+        [](const ScopeEvent &a, const ScopeEvent &b) { return a.seconds < b.seconds; });
+    std::size_t markers = 0;
+    std::erase_if(events, [&markers](const ScopeEvent &event) {
+        return event.kind == EventKind::Marker && ++markers > kMostMarkers;
+    });
+    std::size_t toForget = events.size() - std::min(events.size(), kMost);
+    std::erase_if(events, [&toForget](const ScopeEvent &event) {
+        if (event.kind == EventKind::Marker || toForget == 0)
+            return false;
+        --toForget;
+        return true;
+    });
+    for (ScopeEvent &event : events) {
+        event.id = ++m_lastId;
+        event.text.truncate(kTextLength);
+    }
     beginResetModel();
-    m_events.clear();
+    m_events = std::move(events);
     endResetModel();
 }
 

@@ -43,6 +43,9 @@ public:
 
     /// Returns the id; 0 if it was not taken (no time, or too many markers).
     quint32 add(EventKind kind, double seconds, const QString &text);
+    /// Replaces all by these, in one step. Of more than kMost the newest are kept, markers before all others; of markers the
+    /// first kMostMarkers. Their ids are given here, their order is that of time.
+    void setEvents(std::vector<ScopeEvent> events);
     void setText(quint32 id, const QString &text);
     void clear(); ///< markers, too: another recording is shown
     bool removeMarker(quint32 id); ///< false if there is no such marker

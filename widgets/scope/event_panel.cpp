@@ -23,46 +23,36 @@ namespace {
 constexpr int kTimeWidth = 120;
 constexpr int kKindWidth = 110;
 
-/// The events of one kind, or all.
-class KindFilter : public QSortFilterProxyModel {
+class MarkerFilter : public QSortFilterProxyModel {
 public:
     using QSortFilterProxyModel::QSortFilterProxyModel;
-    void setOnly(std::optional<EventKind> kind)
-    {
-        m_only = kind;
-        invalidateFilter();
-    }
 
 protected:
     bool filterAcceptsRow(int row, const QModelIndex &parent) const override
     {
         const QModelIndex index = sourceModel()->index(row, 0, parent);
-        return !m_only || index.data(EventLog::KindRole).toInt() == static_cast<int>(*m_only);
+        return index.data(EventLog::KindRole).toInt() == static_cast<int>(EventKind::Marker);
     }
-
-private:
-    std::optional<EventKind> m_only;
 };
 } // namespace
 
 EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
     : Form(parent)
     , m_scope(scope)
-    , m_shown(new KindFilter(this))
+    , m_markers(new MarkerFilter(this))
     , m_list(new QTreeView(this))
     , m_onlyMarkers(new QCheckBox(tr("&Markers only"), this))
 {
     setObjectName(QStringLiteral("eventPanel"));
-    m_shown->setSourceModel(&scope.events());
     m_list->setObjectName(QStringLiteral("eventList"));
     m_list->setAccessibleName(tr("Events and markers"));
-    m_list->setModel(m_shown);
     m_list->setRootIsDecorated(false);
     m_list->setUniformRowHeights(true);
     m_list->setAllColumnsShowFocus(true);
     m_list->setAlternatingRowColors(true);
     m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    showKinds(false);
     m_list->header()->resizeSection(EventLog::TimeColumn, kTimeWidth);
     m_list->header()->resizeSection(EventLog::KindColumn, kKindWidth);
     m_list->setToolTip(
@@ -86,33 +76,67 @@ EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
     layout->addWidget(m_list, 1);
     layout->addLayout(side);
 
-    connect(m_onlyMarkers, &QCheckBox::toggled, this, [this](bool only) {
-        static_cast<KindFilter *>(m_shown)->setOnly(
-            only ? std::optional(EventKind::Marker) : std::nullopt);
-    });
+    connect(m_onlyMarkers, &QCheckBox::toggled, this, &EventPanel::showKinds);
     connect(add, &QPushButton::clicked, &scope, [&scope] { scope.setMarker(); });
     connect(remove, &QPushButton::clicked, this, &EventPanel::removeChosen);
     connect(copyIt, &QPushButton::clicked, this, &EventPanel::copyChosen);
     connect(m_list, &QTreeView::doubleClicked, this, &EventPanel::jump);
     // Like a log: what is new is seen as long as nobody scrolls away from the end.
-    connect(m_shown, &QAbstractItemModel::rowsInserted, m_list, [this] {
-        const QScrollBar *bar = m_list->verticalScrollBar();
-        if (bar->value() == bar->maximum())
-            m_list->scrollToBottom();
-    });
+    m_scroll.setSingleShot(true);
+    m_scroll.setInterval(0);
+    connect(&m_scroll, &QTimer::timeout, this, &EventPanel::scrollToEnd);
+    connect(&scope.events(), &QAbstractItemModel::rowsInserted, this, &EventPanel::follow);
+    connect(&scope.events(), &QAbstractItemModel::modelReset, this, &EventPanel::follow);
+}
+
+/// All, or markers only. What filters looks at every row for each that comes, so it stands between for markers only.
+void EventPanel::showKinds(bool onlyMarkers)
+{
+    const QItemSelectionModel *before = m_list->selectionModel();
+    m_markers->setSourceModel(onlyMarkers ? &m_scope.events() : nullptr);
+    if (onlyMarkers)
+        m_list->setModel(m_markers);
+    else
+        m_list->setModel(&m_scope.events());
+    delete before; // which a view leaves behind
+}
+
+/// Once for all that come together: to know where the end is, a list looks at all of its rows.
+void EventPanel::follow()
+{
+    const QScrollBar *bar = m_list->verticalScrollBar();
+    if (bar->value() == bar->maximum())
+        m_scroll.start();
+}
+
+void EventPanel::scrollToEnd()
+{
+    m_behind = !m_list->isVisible(); // nobody sees where a hidden one stands
+    if (!m_behind) {
+        ++m_scrolls;
+        m_list->scrollToBottom();
+    }
+}
+
+void EventPanel::showEvent(QShowEvent *event)
+{
+    Form::showEvent(event);
+    if (m_behind)
+        m_scroll.start();
 }
 
 void EventPanel::focusFirst()
 {
     m_list->setFocus(Qt::ShortcutFocusReason);
-    if (!m_list->currentIndex().isValid() && m_shown->rowCount() > 0)
-        m_list->setCurrentIndex(m_shown->index(m_shown->rowCount() - 1, EventLog::TextColumn));
+    if (!m_list->currentIndex().isValid() && m_list->model()->rowCount() > 0)
+        m_list->setCurrentIndex(
+            m_list->model()->index(m_list->model()->rowCount() - 1, EventLog::TextColumn));
 }
 
 void EventPanel::choose(quint32 id)
 {
-    for (int row = 0; row < m_shown->rowCount(); ++row) {
-        const QModelIndex index = m_shown->index(row, EventLog::TextColumn);
+    for (int row = 0; row < m_list->model()->rowCount(); ++row) {
+        const QModelIndex index = m_list->model()->index(row, EventLog::TextColumn);
         if (index.data(EventLog::IdRole).toUInt() == id)
             m_list->setCurrentIndex(index);
     }
@@ -147,8 +171,8 @@ void EventPanel::copyChosen()
     std::sort(rows.begin(), rows.end());
     if (rows.size() < 2) {
         rows.clear();
-        for (int row = 0; row < m_shown->rowCount(); ++row)
-            rows.append(m_shown->index(row, 0));
+        for (int row = 0; row < m_list->model()->rowCount(); ++row)
+            rows.append(m_list->model()->index(row, 0));
     }
     QString text;
     for (const QModelIndex &row : rows) {

@@ -3,6 +3,8 @@
 
 #include "widgets/forms/form.h"
 
+#include <QTimer>
+
 class QCheckBox;
 class QSortFilterProxyModel;
 class QTreeView;
@@ -20,20 +22,31 @@ public:
     double heightShare() const override { return 0.3; } // the traces are what is looked at
     void focusFirst() override;
     void editNote(quint32 marker); ///< selects it and opens its note
+    int scrolls() const
+    {
+        return m_scrolls;
+    } ///< to the end, since it was made: each looks at all rows
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
+    void showEvent(QShowEvent *event) override;
 
 private:
+    void showKinds(bool onlyMarkers);
+    void follow();
+    void scrollToEnd();
     void jump(const QModelIndex &index);
     void removeChosen();
     void copyChosen();
     void choose(quint32 id);
 
     ScopeView &m_scope;
-    QSortFilterProxyModel *m_shown;
+    QSortFilterProxyModel *m_markers;
     QTreeView *m_list;
     QCheckBox *m_onlyMarkers;
+    QTimer m_scroll;
+    bool m_behind = false; ///< its end is to be shown when it is seen
+    int m_scrolls = 0;
 };
 
 } // namespace widgets

@@ -39,7 +39,11 @@ ScopeOverlay::ScopeOverlay(QCustomPlot &plot, const PlotStack &stack,
     setVisible(false);
     plot.installEventFilter(this);
     connect(&cursors, &Cursors::changed, this, &ScopeOverlay::follow);
-    connect(&events, &EventLog::changed, this, &ScopeOverlay::follow);
+    // Once for all that come together.
+    m_later.setSingleShot(true);
+    m_later.setInterval(0);
+    connect(&m_later, &QTimer::timeout, this, &ScopeOverlay::follow);
+    connect(&events, &EventLog::changed, &m_later, qOverload<>(&QTimer::start));
 }
 
 bool ScopeOverlay::eventFilter(QObject *watched, QEvent *event)
