@@ -90,8 +90,11 @@ struct SpectrumPeak {
 /// The largest peaks, largest first; what may be a side lobe or the skirt of a larger one is not listed.
 /// Error for one tone at least 10 bins from 0 and the end, without noise: frequency 0.02 bins with Rectangular, 0.01
 /// with Hann, 0.001 with the others; amplitude 2 %, 0.3 %, 0.1 %, 0.1 %.
-/// @param floor  only peaks of at least this amplitude
-std::vector<SpectrumPeak> findPeaks(const Spectrum &spectrum, std::size_t most, double floor = 0.0);
+/// @param floor    only peaks of at least this amplitude
+/// @param refined  takes how many maxima were looked at between the bins, which is what costs: a small share of all
+/// Cost: O(bins) for the maxima, then that.
+std::vector<SpectrumPeak> findPeaks(
+    const Spectrum &spectrum, std::size_t most, double floor = 0.0, std::size_t *refined = nullptr);
 
 /// Frequencies as multiples of the electrical one.
 struct OrderAxis {

@@ -73,32 +73,80 @@ bool hidden(const Spectrum &spectrum, const SpectrumPeak &peak, const SpectrumPe
     return peak.amplitude < 2.0 * leak;
 }
 
+bool isHidden(
+    const Spectrum &spectrum, const SpectrumPeak &peak, const std::vector<SpectrumPeak> &largerOnes)
+{
+    return std::any_of(largerOnes.begin(), largerOnes.end(),
+        [&](const SpectrumPeak &larger) { return hidden(spectrum, peak, larger); });
+}
+
+/// At most so many times what its highest bin reads is the amplitude of a tone, where offsetFrom() places it.
+double greatestGain(Window window)
+{
+    double gain = 1.0;
+    const double farthest = window == Window::Rectangular || window == Window::Hann ? 0.5 : 1.0;
+    for (int part = 0; part <= 8; ++part)
+        gain = std::max(gain, 1.0 / windowResponse(window, farthest * part / 8));
+    constexpr double kRounding = 1.0 + 1e-9;
+    return gain * kRounding;
+}
+
+struct Maximum {
+    double square;
+    std::size_t bin;
+    bool operator<(const Maximum &other) const
+    {
+        return square != other.square ? square < other.square : bin > other.bin;
+    }
+};
+
+bool isSmaller(const SpectrumPeak &a, const SpectrumPeak &b) { return a.amplitude < b.amplitude; }
+
 } // namespace
 
-std::vector<SpectrumPeak> findPeaks(const Spectrum &spectrum, std::size_t most, double floor)
+std::vector<SpectrumPeak> findPeaks(
+    const Spectrum &spectrum, std::size_t most, double floor, std::size_t *refined)
 {
-    std::vector<SpectrumPeak> candidates;
     const std::vector<double> &squares = spectrum.meanSquares;
-    for (std::size_t k = 1; k + 1 < squares.size(); ++k) {
-        if (squares[k] <= squares[k - 1] || squares[k] < squares[k + 1])
-            continue;
-        const double offset = offsetFrom(spectrum, k);
-        const double amplitude = spectrum.amplitude(k) / windowResponse(spectrum.window, offset);
-        if (amplitude >= floor && amplitude > 0.0)
-            candidates.push_back(
-                {spectrum.frequency(static_cast<double>(k) + offset), amplitude, k});
-    }
-    std::sort(candidates.begin(), candidates.end(),
-        [](const SpectrumPeak &a, const SpectrumPeak &b) { return a.amplitude > b.amplitude; });
+    // Noise has a maximum every third bin. Where a tone lies between the bins is worth finding only for those that can be
+    // among the largest: a bin reads at most so much less than the tone does.
+    const double mostGain = greatestGain(spectrum.window);
+    std::vector<Maximum> maxima;
+    for (std::size_t k = 1; k + 1 < squares.size(); ++k)
+        if (squares[k] > squares[k - 1] && squares[k] >= squares[k + 1])
+            maxima.push_back({squares[k], k});
+    std::make_heap(maxima.begin(), maxima.end());
     std::vector<SpectrumPeak> result;
-    for (const SpectrumPeak &peak : candidates) {
-        if (result.size() >= most)
-            break;
-        const bool isHidden = std::any_of(result.begin(), result.end(),
-            [&](const SpectrumPeak &larger) { return hidden(spectrum, peak, larger); });
-        if (!isHidden)
-            result.push_back(peak);
+    std::vector<SpectrumPeak>
+        known; // of the maxima that were taken off the heap; a heap by amplitude
+    std::size_t count = 0;
+    while (result.size() < most && !(maxima.empty() && known.empty())) {
+        const double bound =
+            maxima.empty() ? 0.0 : spectrum.amplitude(maxima.front().bin) * mostGain;
+        if (!known.empty() && known.front().amplitude >= bound) {
+            std::pop_heap(known.begin(), known.end(), isSmaller);
+            if (!isHidden(spectrum, known.back(), result))
+                result.push_back(known.back());
+            known.pop_back();
+            continue;
+        }
+        if (bound < floor || bound == 0.0)
+            break; // as are all that follow
+        const std::size_t bin = maxima.front().bin;
+        std::pop_heap(maxima.begin(), maxima.end());
+        maxima.pop_back();
+        if (isHidden(spectrum, {0.0, bound, bin}, result))
+            continue; // whatever it reads between the bins
+        ++count;
+        const double offset = offsetFrom(spectrum, bin);
+        const double amplitude = spectrum.amplitude(bin) / windowResponse(spectrum.window, offset);
+        if (amplitude < floor || !(amplitude > 0.0))
+            continue;
+        known.push_back({spectrum.frequency(static_cast<double>(bin) + offset), amplitude, bin});
+        std::push_heap(known.begin(), known.end(), isSmaller);
     }
+    if (refined)
+        *refined = count;
     return result;
 }
 

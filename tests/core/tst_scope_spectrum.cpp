@@ -22,6 +22,7 @@ private Q_SLOTS:
     void theSumOfAllBinsIsTheMeanSquare();
     void bandsHaveTheRmsOfTheirTones();
     void peaksAreTonesAndNotTheirSkirts();
+    void theLargestOfManyMaximaAreFoundWithoutACloseLookAtAll();
     void averagingCalmsTheNoise();
     void theLongestPieceIsUsed();
     void unevenSamplesHaveNoSpectrum();
@@ -160,6 +161,47 @@ void TestScopeSpectrum::peaksAreTonesAndNotTheirSkirts()
         QVERIFY(near(peaks[2].amplitude, 0.1, 0.01));
     }
     QCOMPARE(findPeaks(spectrum(channel, {Window::Hann, 0, true}), 2).size(), 2U);
+}
+
+void TestScopeSpectrum::theLargestOfManyMaximaAreFoundWithoutACloseLookAtAll()
+{
+    const auto noise = [](Window window, std::size_t bins) {
+        std::mt19937 random(7);
+        std::exponential_distribution<double> square;
+        Spectrum found;
+        found.window = window;
+        found.size = 2 * bins;
+        found.binHz = 1.0;
+        found.meanSquares.resize(bins + 1);
+        std::generate(
+            found.meanSquares.begin(), found.meanSquares.end(), [&] { return square(random); });
+        return found;
+    };
+    for (const Window window :
+        {Window::Rectangular, Window::Hann, Window::BlackmanHarris, Window::FlatTop}) {
+        const Spectrum few = noise(window, 2048);
+        const auto all = findPeaks(few, 2048);
+        QVERIFY(all.size() > 20);
+        QVERIFY(std::is_sorted(all.begin(), all.end(),
+            [](const auto &a, const auto &b) { return a.amplitude > b.amplitude; }));
+        const auto ten = findPeaks(few, 10);
+        QCOMPARE(ten.size(), 10U);
+        for (std::size_t i = 0; i < ten.size(); ++i)
+            QCOMPARE(ten[i].bin, all[i].bin);
+
+        const Spectrum many = noise(window, 1U << 19U);
+        std::size_t maxima = 0;
+        for (std::size_t k = 1; k + 1 < many.meanSquares.size(); ++k)
+            maxima += many.meanSquares[k] > many.meanSquares[k - 1]
+                    && many.meanSquares[k] > many.meanSquares[k + 1]
+                ? 1
+                : 0;
+        std::size_t refined = 0;
+        QCOMPARE(findPeaks(many, 10, 0.0, &refined).size(), 10U);
+        QVERIFY2(refined < maxima / 20,
+            qPrintable(
+                QStringLiteral("%1 of %2").arg(QString::number(refined), QString::number(maxima))));
+    }
 }
 
 void TestScopeSpectrum::averagingCalmsTheNoise()

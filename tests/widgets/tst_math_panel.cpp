@@ -46,6 +46,7 @@ private Q_SLOTS:
     void readyFormulasAreFilledIn();
     void readyFormulasAreOfOneMotor();
     void aLongRecordingIsComputedInTurns();
+    void manyAreComputedInTurnsTogether();
     void theTableIsAModel();
 
 private:
@@ -372,6 +373,29 @@ void TestMathPanel::aLongRecordingIsComputedInTurns()
     QTest::keyClick(m_rig->find<QLineEdit>("mathFormula"), Qt::Key_Return);
     QVERIFY(capture().size(channel(0)) < 51'000); // nobody waits for all of it
     QTRY_COMPARE(capture().size(channel(0)), std::uint64_t(51'000));
+}
+
+void TestMathPanel::manyAreComputedInTurnsTogether()
+{
+    m_rig->record(50'000, [](int, int) { return 1; });
+    QList<widgets::MathFormula> formulas;
+    for (int i = 0; i < widgets::kMostMathFormulas; ++i)
+        formulas.append({QStringLiteral("M%1").arg(i + 1), QStringLiteral("I_A + 1"), false});
+    const auto computed = [this] {
+        std::uint64_t values = 0;
+        for (const MathChannels::Entry &entry : math().entries())
+            values += capture().size(entry.channel);
+        return values;
+    };
+    math().setFormulas(formulas);
+    // However many there are, what is computed at once is the same.
+    QVERIFY(computed() > 0);
+    QVERIFY(computed() <= MathChannels::kInstantsAtOnce);
+    const std::uint64_t before = computed();
+    math().advance();
+    QVERIFY(computed() > before);
+    QVERIFY(computed() - before <= MathChannels::kInstantsAtOnce);
+    QTRY_COMPARE(computed(), std::uint64_t(51'000) * formulas.size());
 }
 
 void TestMathPanel::theTableIsAModel()

@@ -9,8 +9,6 @@
 namespace widgets {
 
 namespace {
-/// Instants at once: some milliseconds.
-constexpr std::size_t kInstants = 20'000;
 /// What is copied needs no second place for long.
 constexpr std::uint64_t kKept = 65'536;
 } // namespace
@@ -347,7 +345,7 @@ bool MathChannels::step(std::size_t index)
     const auto settled = until(inputs);
     if (!settled)
         return false;
-    const bool rest = computed.math->update(inputs, *settled, kInstants);
+    const bool rest = computed.math->update(inputs, *settled, kInstantsAtOnce / m_computed.size());
     copyTo(computed);
     return rest;
 }

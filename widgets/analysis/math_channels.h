@@ -23,6 +23,8 @@ class MathChannels : public QObject {
 public:
     /// Values kept, of all math channels together: about 540 MB.
     static constexpr std::uint64_t kMostValues = 30'000'000;
+    /// Values that advance() computes, of all of them together: some milliseconds. The rest follows when others had a turn.
+    static constexpr std::size_t kInstantsAtOnce = 20'000;
 
     struct Entry {
         MathFormula formula;

@@ -2,7 +2,8 @@
 
 namespace widgets {
 
-SpectrumAnswer computeSpectrum(const capture::Snapshot &copy, const SpectrumWanted &wanted)
+SpectrumAnswer computeSpectrum(const capture::Snapshot &copy, const SpectrumWanted &wanted,
+    const scope::SpectrumAverage &before)
 {
     SpectrumAnswer answer;
     answer.wanted = wanted;
@@ -19,6 +20,12 @@ SpectrumAnswer computeSpectrum(const capture::Snapshot &copy, const SpectrumWant
     settings.window = wanted.window;
     settings.size = wanted.size;
     answer.spectrum = scope::spectrumOf(scope::SampleRange(channel, from, wanted.to), settings);
+    if (answer.spectrum) {
+        auto mean = std::make_shared<scope::SpectrumAverage>(before);
+        mean->add(*answer.spectrum);
+        answer.peaks = scope::findPeaks(mean->mean(), kMostSpectrumPeaks);
+        answer.mean = std::move(mean);
+    }
     return answer;
 }
 

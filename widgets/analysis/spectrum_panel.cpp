@@ -30,7 +30,6 @@ namespace widgets {
 namespace {
 constexpr int kSideWidth = 230;
 constexpr std::array kListColumns{28, 84, 52, 88, 80}; // px, as in SpectrumPeaks::Column
-constexpr std::size_t kMostPeaks = 10;
 constexpr int kMostAveraged = 256;
 enum Range { Picture, BetweenCursors };
 enum Axis { Hertz = -1, OrdersOfLargest = 0 }; // above: orders of that channel's speed
@@ -170,7 +169,7 @@ QWidget *SpectrumPanel::makeSide()
     connect(m_axis, &QComboBox::currentIndexChanged, this, &SpectrumPanel::showMean);
     connect(m_scale, &QComboBox::currentIndexChanged, this, &SpectrumPanel::showMean);
     const auto begin = [this] {
-        m_mean = scope::SpectrumAverage(static_cast<std::uint32_t>(m_average->value()));
+        ++m_begun;
         m_averaged.clear();
         m_answered.reset();
         compute();
@@ -249,10 +248,15 @@ void SpectrumPanel::compute()
     }
     m_busy = true;
     const capture::Snapshot copy = m_capture.snapshot({&next.channel, 1});
-    m_pool.start([this, copy, next] {
-        const auto answer = std::make_shared<const SpectrumAnswer>(computeSpectrum(copy, next));
+    auto before = m_answer.mean;
+    if (!before || beginsAnew(next))
+        before = std::make_shared<const scope::SpectrumAverage>(
+            static_cast<std::uint32_t>(m_average->value()));
+    m_pool.start([this, copy, next, before, begun = m_begun] {
+        const auto answer =
+            std::make_shared<const SpectrumAnswer>(computeSpectrum(copy, next, *before));
         QMetaObject::invokeMethod(
-            this, [this, answer] { take(*answer); }, Qt::QueuedConnection);
+            this, [this, answer, begun] { take(*answer, begun); }, Qt::QueuedConnection);
     });
 }
 
@@ -284,23 +288,29 @@ bool SpectrumPanel::waits(const SpectrumWanted &next) const
         && next.from > m_answered->from && overlaps(next);
 }
 
-void SpectrumPanel::take(const SpectrumAnswer &answer)
+/// No part of the mean until now.
+bool SpectrumPanel::beginsAnew(const SpectrumWanted &stretch) const
+{
+    return !continues(stretch) || overlaps(stretch);
+}
+
+void SpectrumPanel::take(const SpectrumAnswer &answer, int begun)
 {
     m_busy = false;
-    if (!continues(answer.wanted) || overlaps(answer.wanted)) {
-        m_mean = scope::SpectrumAverage(static_cast<std::uint32_t>(m_average->value()));
-        m_averaged.clear();
+    if (begun != m_begun) {
+        compute();
+        return;
     }
+    if (beginsAnew(answer.wanted))
+        m_averaged.clear();
     m_answered = answer.wanted;
-    m_cut = answer.cut;
+    m_answer = answer;
     if (answer.spectrum) {
-        m_mean.add(*answer.spectrum);
         if (m_averaged.size() >= kMostAveraged)
             m_averaged.erase(m_averaged.begin());
         m_averaged.push_back(answer.wanted);
         showMean();
     } else {
-        m_mean.clear();
         m_averaged.clear();
         m_peaks->show({}, {}, {});
         m_note->clear();
@@ -348,13 +358,13 @@ scope::OrderAxis SpectrumPanel::orders(double largestHz) const
 
 void SpectrumPanel::showMean()
 {
-    if (m_mean.count() == 0 || !m_answered)
+    if (!m_answer.mean || !m_answered)
         return;
-    const scope::Spectrum &mean = m_mean.mean();
+    const scope::Spectrum &mean = m_answer.mean->mean();
     const auto info = m_capture.info(m_answered->channel);
     SpectrumPlot::Picture picture;
     picture.spectrum = mean;
-    picture.peaks = scope::findPeaks(mean, kMostPeaks);
+    picture.peaks = m_answer.peaks;
     picture.unit = info ? deviceText(info->unit) : QString();
     picture.orders = orders(picture.peaks.empty() ? 0.0 : picture.peaks.front().hertz);
     picture.decibels = m_scale->currentIndex() == Decibels;
@@ -375,7 +385,7 @@ void SpectrumPanel::showNote(const scope::Spectrum &spectrum)
     if (spectrum.averaged > 1)
         text +=
             separator + tr("mean of %n transforms", nullptr, static_cast<int>(spectrum.averaged));
-    if (m_cut)
+    if (m_answer.cut)
         text += separator + tr("only the newest samples");
     m_note->setText(text);
 }

@@ -55,7 +55,8 @@ private:
     bool overlaps(const SpectrumWanted &stretch) const;
     bool continues(const SpectrumWanted &stretch) const;
     bool waits(const SpectrumWanted &next) const;
-    void take(const SpectrumAnswer &answer);
+    void take(const SpectrumAnswer &answer, int begun);
+    bool beginsAnew(const SpectrumWanted &stretch) const;
     void showMean();
     void showNote(const scope::Spectrum &spectrum);
     QString whyNot(scope::NoSpectrum why) const;
@@ -77,11 +78,11 @@ private:
     QComboBox *m_scale;
     QSpinBox *m_average;
     QLabel *m_note;
-    scope::SpectrumAverage m_mean{1};
-    std::optional<SpectrumWanted> m_answered; ///< the newest in m_mean
-    std::vector<SpectrumWanted> m_averaged; ///< all of m_mean: samples count once
+    SpectrumAnswer m_answer; ///< the newest
+    std::optional<SpectrumWanted> m_answered; ///< it is of this
+    std::vector<SpectrumWanted> m_averaged; ///< all of its mean: samples count once
+    int m_begun = 0; ///< how often averaging began anew; an answer of before is none
     bool m_busy = false;
-    bool m_cut = false;
     QThreadPool m_pool; // last: its job ends before anything that it tells
 };
 

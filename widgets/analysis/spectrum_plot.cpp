@@ -258,12 +258,13 @@ void SpectrumPlot::draw()
         const auto columns = static_cast<std::size_t>(std::max(100, m_plot->axisRect()->width()));
         const std::size_t each = std::max<std::size_t>(1, (stop - first) / columns);
         for (std::size_t bin = first; bin < stop; bin += each) {
-            double high = level(bin);
-            double low = high;
-            for (std::size_t k = bin + 1; k < std::min(stop, bin + each); ++k) {
-                high = std::max(high, level(k));
-                low = std::min(low, level(k));
-            }
+            // Which bins are to be drawn is decided by their squares: of the levels only two a column are computed.
+            const auto begin = spectrum.meanSquares.begin() + static_cast<std::ptrdiff_t>(bin);
+            const auto end = spectrum.meanSquares.begin()
+                + static_cast<std::ptrdiff_t>(std::min(stop, bin + each));
+            const auto [least, greatest] = std::minmax_element(begin, end);
+            const double high = level(bin + static_cast<std::size_t>(greatest - begin));
+            const double low = level(bin + static_cast<std::size_t>(least - begin));
             const double place = shownX(spectrum.frequency(static_cast<double>(bin)));
             places.append(place);
             levels.append(high);
