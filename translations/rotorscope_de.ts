@@ -1339,6 +1339,10 @@
         <source>Not armed: it was asked for while this window stood still. Arm again.</source>
         <translation>Nicht freigegeben: Es wurde verlangt, während dieses Fenster stillstand. Geben Sie noch einmal frei.</translation>
     </message>
+    <message>
+        <source>speed not measurable: the rotor may coast</source>
+        <translation>Drehzahl nicht messbar: der Rotor läuft vielleicht aus</translation>
+    </message>
 </context>
 <context>
     <name>Motion</name>
@@ -7307,6 +7311,10 @@ mN·m</translation>
     <message>
         <source>There is no connection that could carry the stop, and the motor was not at rest when it was last heard. Closing this message starts nothing again.</source>
         <translation>Es besteht keine Verbindung, die den Stopp übertragen könnte, und der Motor war nicht in Ruhe, als er zuletzt zu hören war. Das Schließen dieser Meldung startet nichts.</translation>
+    </message>
+    <message>
+        <source>Meanwhile the drive is idle. Its speed is not measurable: the rotor may coast.</source>
+        <translation>Inzwischen ist der Antrieb in Ruhe. Seine Drehzahl ist nicht messbar: der Rotor läuft vielleicht aus.</translation>
     </message>
 </context>
 <context>

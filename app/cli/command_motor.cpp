@@ -64,7 +64,10 @@ Outcome<int> runStop(const Arguments &arguments, Output &out)
             QJsonObject{{QStringLiteral("stopped"), true}, {QStringLiteral("standstill"), still}});
     else
         out.line(still ? QStringLiteral("Standstill measured.")
-                       : QStringLiteral("The drive is idle; no standstill was measured yet."));
+                : *stopped == drive::StopWord::MayCoast
+                ? QStringLiteral(
+                    "The drive is idle. Its speed is not measurable: the rotor may coast.")
+                : QStringLiteral("The drive is idle; no standstill was measured yet."));
     return kDone;
 }
 

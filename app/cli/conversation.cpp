@@ -241,7 +241,11 @@ Outcome<StopWord> Conversation::stop(Milliseconds standstill)
 StopWord Conversation::standstillWithin(Milliseconds limit)
 {
     const auto still = waitUntil([this] { return allStopped(StopWord::Standstill); }, limit);
-    return still && *still == Waited::Happened ? StopWord::Standstill : StopWord::DriveIdle;
+    if (!still || *still != Waited::Happened)
+        return StopWord::DriveIdle;
+    const bool coasts = std::any_of(m_stopWords.begin(), m_stopWords.end(),
+        [](const auto &word) { return word.second == StopWord::MayCoast; });
+    return coasts ? StopWord::MayCoast : StopWord::Standstill;
 }
 
 Outcome<StopWord> Conversation::stopAtOnce(Milliseconds standstill)

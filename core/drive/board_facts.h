@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct BoardFacts {
     std::shared_ptr<const catalog::Catalog> catalog = std::make_shared<const catalog::Catalog>();
     std::vector<catalog::Scales> scales; ///< one a motor
     std::vector<MotorLimits> limits; ///< one a motor
+    std::vector<bool> speedMeasured; ///< one a motor: by an encoder or Hall sensors
     StreamLimits streaming;
     std::vector<Capability> capabilities;
 
@@ -43,6 +45,15 @@ struct BoardFacts {
     MotionBounds boundsOf(int motor) const
     {
         return drive::boundsOf(limitsOf(motor), user, expert.contains(motor));
+    }
+
+    /// As in MotorStatus.
+    std::optional<bool> measuresSpeed(int motor) const
+    {
+        const auto at = static_cast<std::size_t>(motor - 1);
+        if (!identified)
+            return std::nullopt;
+        return hasMotor(motor) && at < speedMeasured.size() && speedMeasured[at];
     }
 
     double ampsPerDigit(int motor) const

@@ -170,6 +170,9 @@ struct MotorStatus {
     std::vector<std::string> faultsNow; ///< by name, present
     std::vector<std::string> faultsPast; ///< occurred and not acknowledged
     std::optional<double> speedRpm;
+    /// Whether an encoder or Hall sensors tell the speed, also of a rotor that nothing drives. An observer does not: without
+    /// voltages it sees nothing. Empty: not known yet.
+    std::optional<bool> speedMeasured = {};
     TimePoint at;
 };
 
@@ -183,8 +186,16 @@ struct CyclicSetPointsChanged {
     bool on = false;
 };
 
-/// The four words of a stop, each with its own evidence, and the alarm when there is none.
-enum class StopWord : std::uint8_t { Requested, Accepted, DriveIdle, Standstill, NotConfirmed };
+/// The four words of a stop, each with its own evidence, and the alarm when there is none. The last word is MayCoast, and
+/// never Standstill, where nothing measures the speed of a rotor that is not driven.
+enum class StopWord : std::uint8_t {
+    Requested,
+    Accepted,
+    DriveIdle,
+    Standstill,
+    NotConfirmed,
+    MayCoast
+};
 struct StopProgress {
     int motor = 1;
     StopWord word = StopWord::Requested;

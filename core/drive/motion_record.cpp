@@ -131,6 +131,8 @@ std::string_view wordOf(StopWord word)
         return "drive idle";
     case StopWord::Standstill:
         return "standstill measured";
+    case StopWord::MayCoast:
+        return "speed not measurable";
     case StopWord::NotConfirmed:
         break;
     }

@@ -109,11 +109,14 @@ void StopSequence::takeStatus(const MotorStatus &status, TimePoint askedAt)
         return;
     if (!std::exchange(motor->idle, true))
         tell(*motor, StopWord::DriveIdle, status.at);
-    if (!status.speedRpm || std::abs(*status.speedRpm) >= kStandstillRpm)
+    // What an observer reads of a rotor that nothing drives says nothing about it, so there is nothing to wait for.
+    const bool measured = status.speedMeasured.value_or(true);
+    const bool slow = status.speedRpm && std::abs(*status.speedRpm) < kStandstillRpm;
+    if (!status.speedMeasured || (measured && !slow))
         motor->slowReadings = 0;
     else if (++motor->slowReadings >= kStandstillReadings
         && !std::exchange(motor->standstill, true))
-        tell(*motor, StopWord::Standstill, status.at);
+        tell(*motor, measured ? StopWord::Standstill : StopWord::MayCoast, status.at);
     endAtStandstill();
 }
 

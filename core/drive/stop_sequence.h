@@ -1,9 +1,9 @@
 // The stop of every motor: what is to be sent when, and what may be claimed on what evidence. It does no sending.
 //
 // Each motor for itself: Requested -STOP sent, OK-> Accepted -two states in a row, asked for after a STOP had left, show
-// it idle-> DriveIdle -three slow speeds in a row-> Standstill. STOP is due at once and every 100 ms until DriveIdle,
-// because a board answers OK to every STOP and may lose one. Half a second without DriveIdle is the alarm NotConfirmed,
-// once; the repeating goes on.
+// it idle-> DriveIdle -three slow speeds in a row-> Standstill. Where nothing measures the speed of a rotor that is not
+// driven, the last word is MayCoast. STOP is due at once and every 100 ms until DriveIdle, because a board answers OK to
+// every STOP and may lose one. Half a second without DriveIdle is the alarm NotConfirmed, once; the repeating goes on.
 //
 // Rules. A motor that becomes known while a stop is active joins it; one that the board says it does not have leaves it. A
 // stop is open until every motor is idle and the board has told how many there are. Asked for again, an open stop goes

@@ -13,6 +13,6 @@ inline constexpr std::array kMotorStateWords{
     "unknown", "idle", "starting", "running", "stopping", "fault now", "fault over"};
 inline constexpr std::array kOutcomeWords{"ok", "refused", "not sent", "unknown"};
 inline constexpr std::array kStopWords{
-    "requested", "accepted", "drive idle", "standstill", "NOT CONFIRMED"};
+    "requested", "accepted", "drive idle", "standstill", "NOT CONFIRMED", "speed not measurable"};
 
 } // namespace record

@@ -277,14 +277,13 @@ void TestLegacyDrive::theMotorStartsRampsAndStops()
     bench.drive->stop(bench.now);
     QVERIFY(!bench.drive->armed());
     QVERIFY(bench.runUntil(
-        [&] { return !bench.stops.empty() && bench.stops.back().word == StopWord::Standstill; },
-        5s));
+        [&] { return !bench.stops.empty() && bench.stops.back().word == StopWord::MayCoast; }, 5s));
     QCOMPARE(bench.status.at(1).state, MotorState::Idle);
     std::vector<StopWord> words;
     for (const StopProgress &stop : bench.stops)
         words.push_back(stop.word);
     const std::vector<StopWord> wanted{
-        StopWord::Requested, StopWord::Accepted, StopWord::DriveIdle, StopWord::Standstill};
+        StopWord::Requested, StopWord::Accepted, StopWord::DriveIdle, StopWord::MayCoast};
     const bool alarmed = std::count(words.begin(), words.end(), StopWord::NotConfirmed) > 0;
     std::erase(words, StopWord::NotConfirmed);
     QCOMPARE(words, wanted);
@@ -353,7 +352,7 @@ void TestLegacyDrive::aStopWithoutALinkIsSentBlind()
     QVERIFY(std::count(bench.requests.begin(), bench.requests.end(), stop) >= 5);
     QCOMPARE(bench.stops.back().word, StopWord::NotConfirmed);
     bench.toDrive.cut = false;
-    QVERIFY(bench.runUntil([&] { return bench.stops.back().word == StopWord::Standstill; }, 20s));
+    QVERIFY(bench.runUntil([&] { return bench.stops.back().word == StopWord::MayCoast; }, 20s));
 }
 
 void TestLegacyDrive::aMotorThatBecomesKnownWhileStoppingIsStopped()
@@ -566,7 +565,7 @@ void TestLegacyDrive::aStopWhileAutoStillLooksStopsWhatItFinds()
     bench.runFor(50ms); // the first language has had no answer yet
     bench.drive->stop(bench.now);
     QVERIFY(bench.runUntil(
-        [&] { return !bench.stops.empty() && bench.stops.back().word == StopWord::Standstill; },
+        [&] { return !bench.stops.empty() && bench.stops.back().word == StopWord::MayCoast; },
         20s));
     QCOMPARE(std::count_if(bench.stops.begin(), bench.stops.end(),
                  [](const StopProgress &stop) { return stop.word == StopWord::Requested; }),

@@ -157,7 +157,7 @@ void TestMcpDrive::startsRampsStreamsAndStops()
 
     session.drive->stop(session.now);
     QVERIFY(!session.drive->armed());
-    QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::Standstill); }, 10s));
+    QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::MayCoast); }, 10s));
     for (const StopWord word : {StopWord::Requested, StopWord::Accepted, StopWord::DriveIdle})
         QVERIFY(session.hasStopWord(word));
     QVERIFY(!session.hasStopWord(StopWord::NotConfirmed));

@@ -31,6 +31,7 @@ private Q_SLOTS:
     void blindStopsReachEveryMotor();
     void aStopInterruptsTheDisconnecting();
     void whatWaitsToLeaveIsDroppedBeforeABlindStop();
+    void withAnEncoderStandstillIsMeasured();
 };
 
 void TestMcpDriveStop::stopGoesFirstEvenWithARequestOpen()
@@ -87,7 +88,7 @@ void TestMcpDriveStop::waitingWishesAreNotSentAndArmingIsNeededAgain()
     }
     const WishId start = session.submit(Command{MotorAction::Start, 1});
     QVERIFY(session.outcome(start) == Outcome::NotSent);
-    QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::Standstill); }, 10s));
+    QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::MayCoast); }, 10s));
     session.runFor(1s);
     QVERIFY(session.status[1].state == MotorState::Idle); // releasing restarts nothing
     session.drive->arm();
@@ -375,6 +376,22 @@ void TestMcpDriveStop::whatWaitsToLeaveIsDroppedBeforeABlindStop()
         dropped = !outputs.empty();
     }
     QVERIFY(dropped);
+}
+
+void TestMcpDriveStop::withAnEncoderStandstillIsMeasured()
+{
+    simulation::BoardOptions options;
+    options.motor = "servo24";
+    for (const auto &option : simulation::buildOptions())
+        if (option.name == "encoder" || option.name == "position")
+            options.with.push_back(&option);
+    Session session(true, options);
+    QVERIFY(session.startMotor());
+    QVERIFY(session.status[1].speedMeasured == std::optional(true));
+    session.drive->stop(session.now);
+    session.exchange();
+    QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::Standstill); }, 20s));
+    QVERIFY(!session.hasStopWord(StopWord::MayCoast));
 }
 
 QTEST_APPLESS_MAIN(TestMcpDriveStop)

@@ -154,7 +154,7 @@ void TestMcpDriveWatchdog::aBoardWithoutTheMarkNeverGetsOne()
     session.runFor(2s);
     session.drive->stop(session.now);
     session.exchange();
-    QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::Standstill); }, 10s));
+    QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::MayCoast); }, 10s));
     session.drive->arm();
     session.runFor(1s);
     QCOMPARE(userCommands(session.requests), std::size_t{0});
@@ -219,7 +219,7 @@ void TestMcpDriveWatchdog::noneFromTheStopToItsConfirmation()
         session.exchange();
         session.runFor(5ms); // what had left already
         const std::size_t before = session.requests.size();
-        QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::Standstill); }, 10s));
+        QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::MayCoast); }, 10s));
         QCOMPARE(userCommands(session.requests, before), std::size_t{0});
         QVERIFY(support::count(session.requests, mcp::CommandId::StopMotor) >= 2);
         session.runFor(1s);

@@ -103,7 +103,7 @@ void TestMotionRecord::theStopsWordsAreLoggedWithTheirBytes()
     QVERIFY(session.runAt(1200));
     session.drive->stop(session.now);
     session.exchange();
-    QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::Standstill); }, 10s));
+    QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::MayCoast); }, 10s));
     std::vector<StopWord> words;
     std::size_t stops = 0;
     for (const MotionRecord &record : logOf(session))
@@ -115,7 +115,7 @@ void TestMotionRecord::theStopsWordsAreLoggedWithTheirBytes()
         }
     QVERIFY(words
         == (std::vector{
-            StopWord::Requested, StopWord::Accepted, StopWord::DriveIdle, StopWord::Standstill}));
+            StopWord::Requested, StopWord::Accepted, StopWord::DriveIdle, StopWord::MayCoast}));
     QCOMPARE(stops, support::count(session.requests, mcp::CommandId::StopMotor));
     const auto acts = actsOf(session);
     QVERIFY(std::find(acts.begin(), acts.end(), MotionAct::Disarm) != acts.end());
@@ -150,7 +150,7 @@ void TestMotionRecord::everyByteThatCanMoveSomethingIsInTheLog()
     QVERIFY(session.runUntilEnded(session.submit(Command{MotorAction::StopMotor, 1})));
     session.drive->stop(session.now);
     session.exchange();
-    QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::Standstill); }, 10s));
+    QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::MayCoast); }, 10s));
     std::vector<Bytes> left, logged;
     for (std::size_t i = before; i < session.requests.size(); ++i)
         if (support::changesSomething(session.requests[i]))

@@ -18,6 +18,7 @@ MotorStatus statusOf(MotorState state, double rpm, TimePoint at, int motor = 1)
     status.motor = motor;
     status.state = state;
     status.speedRpm = rpm;
+    status.speedMeasured = true;
     status.at = at;
     return status;
 }
@@ -44,6 +45,7 @@ class TestStopSequence : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void evidenceFromBeforeTheStopCountsForNothing();
+    void aSpeedThatNothingMeasuresIsNeverAStandstill();
     void standstillNeedsThreeSlowReadingsInARow();
     void everyMotorIsStopped();
     void itIsOpenUntilTheBoardHasToldHowManyMotorsItHas();
@@ -77,6 +79,26 @@ void TestStopSequence::evidenceFromBeforeTheStopCountsForNothing()
     QVERIFY(stop.active());
     stop.handleTimeout(t + 1s);
     QVERIFY(words(stop).empty());
+}
+
+void TestStopSequence::aSpeedThatNothingMeasuresIsNeverAStandstill()
+{
+    StopSequence stop;
+    stop.begin(1, t);
+    stop.stopSent(1, t);
+    static_cast<void>(stop.takeProgress());
+    const auto tell = [&](std::optional<bool> measured) {
+        MotorStatus status = statusOf(MotorState::Idle, 0.0, t + 1ms);
+        status.speedMeasured = measured;
+        stop.takeStatus(status, t + 1ms);
+    };
+    for (int i = 0; i < 5; ++i)
+        tell(std::nullopt); // what the board has is not known yet
+    QVERIFY((words(stop) == Words{{1, StopWord::DriveIdle}}));
+    for (int i = 0; i < StopSequence::kStandstillReadings; ++i)
+        tell(false);
+    QVERIFY((words(stop) == Words{{1, StopWord::MayCoast}}));
+    QVERIFY(!stop.active());
 }
 
 void TestStopSequence::standstillNeedsThreeSlowReadingsInARow()

@@ -92,7 +92,7 @@ void TestFirstSession::connectStartStreamStop()
     QTRY_COMPARE_WITH_TIMEOUT(user.status.state, drive::MotorState::Running, 20000);
     QCOMPARE(user.ends.at(1), drive::Outcome::Ok);
     user.session.stopFromAnyThread();
-    QTRY_COMPARE_WITH_TIMEOUT(user.word, drive::StopWord::Standstill, 20000);
+    QTRY_COMPARE_WITH_TIMEOUT(user.word, drive::StopWord::MayCoast, 20000);
     QCOMPARE(user.status.state, drive::MotorState::Idle);
     user.session.close();
     QTRY_COMPARE(user.ports.back(), std::pair(PortState::Closed, PortProblem::None));

@@ -62,7 +62,7 @@ void TestSessionThread::aStopFromThisThreadIsConfirmed()
     Viewer viewer;
     QTRY_VERIFY_WITH_TIMEOUT(viewer.board, 20'000);
     viewer.thread.session()->stopFromAnyThread();
-    QTRY_COMPARE_WITH_TIMEOUT(viewer.word, std::optional(drive::StopWord::Standstill), 20'000);
+    QTRY_COMPARE_WITH_TIMEOUT(viewer.word, std::optional(drive::StopWord::MayCoast), 20'000);
 }
 
 void TestSessionThread::theThreadEndsSoonWithAPortOpenAndWithout()

@@ -155,7 +155,7 @@ void TestSessionWithBoard::theMotorStartsRampsAndStops()
     world.run(4s);
     const auto words = world.all<drive::StopProgress>();
     QCOMPARE(words.front().word, drive::StopWord::Requested);
-    QCOMPARE(words.back().word, drive::StopWord::Standstill);
+    QCOMPARE(words.back().word, drive::StopWord::MayCoast);
     QCOMPARE(world.status().state, MotorState::Idle);
 }
 

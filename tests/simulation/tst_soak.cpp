@@ -96,8 +96,8 @@ private:
         m_session.exchange();
         if (!m_session.runUntilState(MotorState::Idle))
             return "no stop";
-        if (!m_session.runUntil([&] { return m_session.hasStopWord(StopWord::Standstill); }, 20s))
-            return "no standstill";
+        if (!m_session.runUntil([&] { return m_session.hasStopWord(StopWord::MayCoast); }, 20s))
+            return "no end of the stop";
         m_session.drive->arm();
         return {};
     }

@@ -555,6 +555,23 @@ private Q_SLOTS:
         QVERIFY(words->isVisible());
     }
 
+    void whatNothingMeasuresIsNoStandstillAndGoesWithItsBoard()
+    {
+        facts::connectBoard(*m_device);
+        auto *words = m_panel->findChild<widgets::StopWords *>();
+        for (const auto word : {drive::StopWord::Requested, drive::StopWord::Accepted,
+                 drive::StopWord::DriveIdle, drive::StopWord::MayCoast})
+            facts::feed(*m_device, {drive::StopProgress{1, word, {}}});
+        QVERIFY(words->ended());
+        QVERIFY(words->isVisible());
+        QVERIFY(
+            words->text().contains(QStringLiteral("speed not measurable: the rotor may coast")));
+        QVERIFY(!words->text().contains(QStringLiteral("standstill")));
+        m_device->open({}); // another board: what is told of this one would be told of that one
+        QVERIFY(!words->isVisible());
+        QVERIFY(words->text().isEmpty());
+    }
+
     void theLimitIsTheBoards()
     {
         facts::connectBoard(*m_device);

@@ -157,7 +157,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(state(), MotorState::Idle, 5000);
         const auto *words = m_rig->window.controlPanel()->findChild<widgets::StopWords *>();
         QTRY_VERIFY_WITH_TIMEOUT(
-            words->text().contains(QStringLiteral("standstill measured")), 10000);
+            words->text().contains(QStringLiteral("speed not measurable")), 10000);
         QCOMPARE(m_rig->window.height(), 720);
         // With the words of the stop and a message over them.
         QVERIFY(m_rig->find<QWidget>("banner")->isVisible());

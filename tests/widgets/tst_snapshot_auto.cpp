@@ -108,7 +108,7 @@ private Q_SLOTS:
         QVERIFY(bench.link.runUntil(
             [&] {
                 return !bench.link.stops.empty()
-                    && bench.link.stops.back().word == drive::StopWord::Standstill;
+                    && bench.link.stops.back().word == drive::StopWord::MayCoast;
             },
             5s));
         // The stop did not wait for what was still to be read: it is among the first bytes after it.

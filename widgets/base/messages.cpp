@@ -202,6 +202,8 @@ QString stopWordText(drive::StopWord word)
         return Messages::tr("drive idle");
     case StopWord::Standstill:
         return Messages::tr("standstill measured");
+    case StopWord::MayCoast:
+        return Messages::tr("speed not measurable: the rotor may coast");
     case StopWord::NotConfirmed:
         return Messages::tr("not confirmed");
     }

@@ -143,6 +143,10 @@ ControlPanel::ControlPanel(
         follow();
     });
     connect(&device, &Device::identityChanged, this, [this] {
+        if (!m_device.identified()) { // another board: the words were about one that is gone
+            m_words->clear();
+            m_words->hide();
+        }
         m_setpoints->expectReference();
         follow();
     });

@@ -94,8 +94,9 @@ void StopAlarm::showWanted(const QStringList &ports)
 void StopAlarm::take(const drive::StopProgress &progress)
 {
     const auto known = m_motors.find(progress.motor);
-    const bool confirms =
-        progress.word == drive::StopWord::DriveIdle || progress.word == drive::StopWord::Standstill;
+    const bool confirms = progress.word == drive::StopWord::DriveIdle
+        || progress.word == drive::StopWord::Standstill
+        || progress.word == drive::StopWord::MayCoast;
     if (known != m_motors.end() && confirms)
         known->second = progress.word;
     else if (confirms && isVisible()) // of a port that is back
@@ -125,6 +126,11 @@ QString StopAlarm::ofMotors() const
         const QString number = QString::number(motor);
         if (word == drive::StopWord::Standstill)
             lines.append(tr("Motor %1: meanwhile standstill was measured.").arg(number));
+        else if (word == drive::StopWord::MayCoast)
+            lines.append(
+                tr("Motor %1: meanwhile its drive is idle. Its speed is not measurable: the "
+                   "rotor may coast.")
+                    .arg(number));
         else if (word == drive::StopWord::DriveIdle)
             lines.append(tr("Motor %1: meanwhile its drive is idle.").arg(number));
         else

@@ -52,6 +52,7 @@ StopWords::Motor &StopWords::motor(int number)
         m_grid->addWidget(line.mark, top + 1 + static_cast<int>(i), 0);
         m_grid->addWidget(line.age, top + 1 + static_cast<int>(i), 1);
     }
+    motor.lines.back().mark->setWordWrap(true); // it may have to say why there is none
     clear(motor);
     for (auto &[any, one] : m_motors)
         one.name->setVisible(m_motors.size() > 1);
@@ -77,7 +78,10 @@ void StopWords::clear()
 
 void StopWords::take(const drive::StopProgress &progress, Milliseconds now)
 {
-    const auto found = std::find(kOrder.begin(), kOrder.end(), progress.word);
+    // Where nothing measures the speed that is the last word.
+    const auto found = progress.word == drive::StopWord::MayCoast
+        ? kOrder.end() - 1
+        : std::find(kOrder.begin(), kOrder.end(), progress.word);
     if (found == kOrder.end())
         return; // NotConfirmed: the alarm says it, the words stay where the evidence is
     Motor &motor = this->motor(progress.motor);

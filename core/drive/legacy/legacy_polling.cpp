@@ -132,6 +132,7 @@ void LegacyVitals::publish(TimePoint now)
         status.stateName = nameOf(status.rawState);
         status.waitsForBus = status.rawState == kInrushWait;
         status.speedRpm = number(kSpeedMeas, motor);
+        status.speedMeasured = m_board.measuresSpeed(motor); // no board tells that it has a sensor
         const auto flags = static_cast<std::uint32_t>(number(kFlags, motor).value_or(0.0));
         status.faultsNow = catalog::faultNames(static_cast<std::uint16_t>(flags >> 16));
         status.faultsPast = catalog::faultNames(static_cast<std::uint16_t>(flags));

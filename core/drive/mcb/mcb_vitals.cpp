@@ -98,8 +98,11 @@ void McbVitals::publish(TimePoint now)
         status.state = state.state;
         status.rawState = state.bits;
         status.stateName = state.name;
-        if (const auto velocity = find(mcbreg::kVelocityNow))
+        if (const auto velocity = find(mcbreg::kVelocityNow)) {
             status.speedRpm = *velocity * kSecondsPerMinute;
+            // These drives have no observer: it is the speed of their encoder.
+            status.speedMeasured = true;
+        }
         if (isFault(state.state)) {
             const auto code = static_cast<std::int32_t>(find(mcbreg::kLastError).value_or(0.0));
             const std::string fault =

@@ -15,7 +15,7 @@ namespace {
 constexpr int kMaxMotors = 7; // what three bits can number
 constexpr int kMostRounds = 8; // of reading a structure until it is there, and the same twice
 constexpr std::uint32_t kOldestKnown = 0x060000, kNewestKnown = 0x0604FF;
-constexpr std::uint8_t kSensorHso = 5, kSensorZest = 6;
+constexpr std::uint8_t kSensorEncoder = 3, kSensorHall = 4, kSensorHso = 5, kSensorZest = 6;
 
 RegisterId idOf(mcp::RegisterId id, int motor)
 {
@@ -57,6 +57,7 @@ void Identification::restart()
     m_board.catalog = std::make_shared<const catalog::Catalog>();
     m_board.scales.clear();
     m_board.limits.clear();
+    m_board.speedMeasured.clear();
     m_board.expert.clear(); // another board may be there now
     m_board.capabilities.clear();
     m_board.watchdog.reset();
@@ -209,6 +210,9 @@ void Identification::finish()
         m_board.scales.push_back(
             m_board.knownFirmware ? scalesOf(motor, m_board.version) : catalog::Scales{});
         m_board.limits.push_back(limitsOf(motor));
+        m_board.speedMeasured.push_back(motor.firmware && m_board.knownFirmware
+            && (motor.firmware->primarySensor == kSensorEncoder
+                || motor.firmware->primarySensor == kSensorHall));
     }
     const unsigned streams = m_board.linkId == 1 ? m_global.streamsUartB : m_global.streamsUartA;
     m_board.streaming = streamLimitsOf(motors, streams, m_board.streamBytes, m_board.baud);

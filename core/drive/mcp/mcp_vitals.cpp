@@ -174,6 +174,7 @@ void VitalPoll::publish(TimePoint now)
         if (const auto *speed = m_board.catalog->find("SPEED_MEAS"))
             if (const Value *value = find(m_round, m_board.catalog->withMotor(*speed, motor)))
                 status.speedRpm = asNumber(*value);
+        status.speedMeasured = m_board.measuresSpeed(motor);
         m_states[motor] = status.state;
         m_news.push_back(std::move(status));
     }
