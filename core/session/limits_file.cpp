@@ -17,8 +17,7 @@ namespace session {
 namespace {
 
 constexpr qint64 kLargestFile = 4096;
-const auto kSpeed = QStringLiteral("maxSpeedRpm");
-const auto kCurrent = QStringLiteral("maxCurrentAmps");
+constexpr QLatin1String kSpeed("maxSpeedRpm"), kCurrent("maxCurrentAmps");
 
 } // namespace
 

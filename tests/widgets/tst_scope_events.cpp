@@ -396,7 +396,7 @@ void TestScopeEvents::manyAtOnceAreShownAtOnce()
     }
     m_rig->find<QWidget>("eventDock")->show();
     QTRY_COMPARE(list->verticalScrollBar()->value(), list->verticalScrollBar()->maximum());
-    QCOMPARE(list->model(), &log()); // nothing that looks at every row stands between
+    QVERIFY(list->model() == &log()); // nothing that looks at every row stands between
     m_rig->find<QCheckBox>("onlyMarkers")->setChecked(true);
     QCOMPARE(list->model()->rowCount(), 0);
 }

@@ -23,6 +23,7 @@ namespace {
 constexpr int kTimeWidth = 120;
 constexpr int kKindWidth = 110;
 
+/// Markers only.
 class MarkerFilter : public QSortFilterProxyModel {
 public:
     using QSortFilterProxyModel::QSortFilterProxyModel;

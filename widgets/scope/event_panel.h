@@ -22,10 +22,8 @@ public:
     double heightShare() const override { return 0.3; } // the traces are what is looked at
     void focusFirst() override;
     void editNote(quint32 marker); ///< selects it and opens its note
-    int scrolls() const
-    {
-        return m_scrolls;
-    } ///< to the end, since it was made: each looks at all rows
+    /// To the end, since it was made: each looks at all rows.
+    int scrolls() const { return m_scrolls; }
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
