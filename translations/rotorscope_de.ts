@@ -1979,6 +1979,10 @@
         <translation>Es hält in dieser Firmware etwas anderes.</translation>
     </message>
     <message>
+        <source>Not restored: it moves a motor.</source>
+        <translation>Nicht zurückgeschrieben: Es bewegt einen Motor.</translation>
+    </message>
+    <message>
         <source>Writing it can move something, and its motor is not idle.</source>
         <translation>Es zu schreiben kann etwas bewegen, und sein Motor ruht nicht.</translation>
     </message>

@@ -1951,6 +1951,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Not restored: it moves a motor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Writing it can move something, and its motor is not idle.</source>
         <translation type="unfinished"></translation>
     </message>

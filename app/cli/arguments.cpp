@@ -170,7 +170,9 @@ void addCommandOptions(QCommandLineParser &parser, const QString &command)
             {QStringLiteral("max-amps"),
                 QStringLiteral("Refuses currents beyond A (peak), likewise."), QStringLiteral("A")},
             {QStringLiteral("expert"),
-                QStringLiteral("Moves motors although the board does not tell all their limits.")},
+                QStringLiteral("Moves motors although the board does not tell all their limits; "
+                               "with set: also writes what nothing here bounds, such as open-loop "
+                               "voltages.")},
         });
     if (command == QLatin1String("ramp") || command == QLatin1String("capture"))
         parser.addOption({QStringLiteral("cyclic-setpoints"),

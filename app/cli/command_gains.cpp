@@ -231,6 +231,7 @@ void printText(Output &out, const GainPlan &plan, const Present &present)
 drive::Write writeOf(const GainPlan &plan, const Present &present)
 {
     drive::Write write;
+    write.reach = drive::Reach::Parameters;
     const auto put = [&write](const Digits16 &old, std::int64_t value) {
         if (old.value != value)
             write.writes.push_back({old.id, value});

@@ -1,3 +1,4 @@
+#include "sentences.h"
 #include "snapshot_work.h"
 #include "tuning/restore.h"
 #include "write_report.h"
@@ -15,6 +16,8 @@ const char *wordOf(tuning::NotRestored why)
         return "not on this board";
     case tuning::NotRestored::OtherType:
         return "something else in this firmware";
+    case tuning::NotRestored::Moves:
+        return "moves a motor";
     case tuning::NotRestored::MotorMoves:
         return "the motor is not idle";
     case tuning::NotRestored::ReadsDifferently:
@@ -61,7 +64,7 @@ Outcome<int> runRestore(Desk &desk)
     const auto sameHardware = checkHardware(desk, *wanted);
     if (!sameHardware)
         return sameHardware;
-    const auto board = readBoard(desk, tuning::Scope::Tunable);
+    const auto board = readBoard(desk, tuning::Scope::All);
     if (!board)
         return tl::make_unexpected(board.error());
     const auto selection = selectionOf(desk.arguments, *wanted, board->snapshot);
@@ -75,18 +78,26 @@ Outcome<int> runRestore(Desk &desk)
 
     Outcome<int> done = kDone;
     if (!plan.writes.empty())
-        done = writeAndReport(
-            desk, drive::Write{plan.writes}, Digits::Shown, QStringLiteral("The restore"));
+        done = writeAndReport(desk, drive::Write{plan.writes, drive::Reach::Parameters},
+            Digits::Shown, QStringLiteral("The restore"));
     else if (desk.out.json())
         desk.out.line(QJsonArray());
     else if (plan.left.empty())
         desk.out.line(QStringLiteral("The board holds these values already."));
-    if (!done || plan.left.empty())
+    if (!done)
         return done;
-    QStringList left;
-    for (const auto &[name, why] : plan.left)
-        left.append(QStringLiteral("%1 (%2)").arg(
-            QString::fromStdString(name), QLatin1String(wordOf(why))));
+    QStringList left, acting;
+    for (const auto &[name, why] : plan.left) {
+        if (why == tuning::NotRestored::Moves)
+            acting.append(plainText(name));
+        else
+            left.append(QStringLiteral("%1 (%2)").arg(plainText(name), QLatin1String(wordOf(why))));
+    }
+    if (!acting.isEmpty() && !desk.out.json()) // as it should be, so no failure
+        desk.out.line(QStringLiteral("Not restored, because it moves a motor: %1.")
+                          .arg(acting.join(QStringLiteral(", "))));
+    if (left.isEmpty())
+        return done;
     return failure(kRefused,
         QStringLiteral("Not restored: %1; everything else is.")
             .arg(left.join(QStringLiteral(", "))));

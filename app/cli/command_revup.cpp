@@ -143,7 +143,7 @@ Outcome<int> writeStages(
                 QStringLiteral("Stage %1 is beyond the limit of %2; nothing was written.")
                     .arg(QString::number(finding.stage + 1), QString::number(finding.limit)));
     const RevUp all = analysis::completed(stages);
-    const drive::Write write{{{id, analysis::bytesOf(all)}}};
+    const drive::Write write{{{id, analysis::bytesOf(all)}}, drive::Reach::Parameters};
     const auto written = writeAndReport(desk, write, Digits::Shown, QStringLiteral("The writing"));
     if (written && !desk.out.json())
         print(desk.out, all, facts); // bytes alone say little

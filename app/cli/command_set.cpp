@@ -50,7 +50,10 @@ Outcome<int> runSet(Desk &desk)
     const auto wanted = wantedOf(desk, digits);
     if (!wanted)
         return tl::make_unexpected(wanted.error());
-    return writeAndReport(desk, wanted->write, digits, QStringLiteral("The writing"));
+    drive::Write write = wanted->write;
+    if (desk.arguments.expert)
+        write.reach = drive::Reach::Everything;
+    return writeAndReport(desk, write, digits, QStringLiteral("The writing"));
 }
 
 } // namespace cli

@@ -39,6 +39,19 @@ enum class Gain : std::uint8_t { None, Numerator, Exponent };
 /// A reference that the board's own limits of speed or current bound; a torque by the current it takes.
 enum class SetPoint : std::uint8_t { None, Speed, Current, Torque };
 
+/// What a write of a register does besides leaving a number there. Every row of the tables that can be written says it.
+enum class Effect : std::uint8_t {
+    Unknown, ///< nobody decided: counts as the worst
+    Kept, ///< a parameter: gains, limits, stages of a start-up. Nothing else is ever brought back from a file
+    Reference, ///< what a motor or an output follows: set-points, ramps
+    Mode, ///< what the control of a motor follows
+    Unbounded, ///< drives a motor by what no limit of speed or current holds: a voltage, a duty, an angle, another source
+    Command, ///< makes the firmware begin something: its state machine, a profile, a search
+    Board, ///< the board itself: its memory, a reset, its link
+};
+/// The effect that a table's word stands for; empty if it is no such word.
+std::optional<Effect> effectOf(std::string_view word);
+
 enum class Access : std::uint8_t { None, Read, Write, ReadWrite };
 
 /// How a register can reach the scope.
@@ -66,6 +79,7 @@ struct RegisterInfo {
     Streaming streaming = Streaming::Polled;
     Gain gain = Gain::None;
     SetPoint setPoint = SetPoint::None;
+    Effect effect = Effect::Unknown; ///< of a write
     std::optional<double> least, greatest; ///< of the raw number of a write; empty: the type's
     int fractionBits = 0; ///< fixed point: the number is raw / 2^fractionBits; 0 for whole digits
     /// Every number it can have, where the wire has other digits for them; empty: it has the number itself.
@@ -78,6 +92,14 @@ struct RegisterInfo {
 
     bool readable() const { return access == Access::Read || access == Access::ReadWrite; }
     bool writable() const { return access == Access::Write || access == Access::ReadWrite; }
+    /// Whether a snapshot may bring it back: it holds a parameter, and a write of it moves nothing.
+    bool restorable() const { return readable() && writable() && !stub && effect == Effect::Kept; }
+    /// Whether a write of it takes a person's explicit word, because nothing here bounds what follows.
+    bool takesWord() const
+    {
+        return effect == Effect::Unknown || effect == Effect::Unbounded || effect == Effect::Command
+            || effect == Effect::Board;
+    }
 };
 
 /// Factor and unit that turn the raw number into what people read: shown = raw * factor [unit].

@@ -111,12 +111,13 @@ enum Column : std::size_t {
     Description,
     GainColumn, // this and what follows may be missing: empty then
     LimitsColumn,
+    EffectColumn,
     ColumnCount
 };
 constexpr std::size_t kMissing = std::string_view::npos;
 constexpr std::array<std::string_view, ColumnCount> kColumns{"family", "name", "aliases", "id_hex",
     "format", "scope", "access", "unit", "quantity", "meaning", "group", "dangerous", "datalog",
-    "since", "until", "description", "gain", "limits"};
+    "since", "until", "description", "gain", "limits", "effect"};
 
 class TableReader {
 public:
@@ -187,6 +188,10 @@ public:
             return error(row, "has an unknown word in access, meaning, quantity, gain or scope");
         if (!readLimits(field(row, LimitsColumn), info))
             return error(row, "has no valid range in \"limits\"");
+        info.effect = effectOf(field(row, EffectColumn)).value_or(Effect::Unknown);
+        if (m_places[EffectColumn] != kMissing && info.effect == Effect::Unknown
+            && (access->access == Access::ReadWrite || access->access == Access::Write))
+            return error(row, "can be written and does not say its effect");
         info.gain = *gain;
         info.access = access->access;
         info.stub = access->stub;

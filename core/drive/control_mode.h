@@ -7,7 +7,7 @@ namespace drive {
 
 enum class ControlMode : std::uint8_t { Speed, Torque, Other };
 
-constexpr std::int64_t kSpeedModeNumber = 3, kTorqueModeNumber = 4;
+constexpr std::int64_t kSpeedModeNumber = 3, kTorqueModeNumber = 4, kPositionModeNumber = 7;
 
 constexpr ControlMode controlModeOf(std::int64_t number)
 {

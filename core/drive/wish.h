@@ -33,9 +33,16 @@ struct RegisterWrite {
     Value value;
     bool operator==(const RegisterWrite &) const = default;
 };
+/// How far a list of writes may reach: what lies beyond is refused, register by register.
+enum class Reach : std::uint8_t {
+    Parameters, ///< gains, limits, stages of a start-up: nothing that moves a motor. For what comes from a file
+    References, ///< set-points and the control mode too, within the limits
+    Everything, ///< a person's explicit word: also what nothing here bounds (catalog::RegisterInfo::takesWord)
+};
 /// Written in this order, in as few requests as the link's rules allow, then read back.
 struct Write {
     std::vector<RegisterWrite> writes;
+    Reach reach = Reach::References;
 };
 
 enum class MotorAction : std::uint8_t {

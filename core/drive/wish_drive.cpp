@@ -144,10 +144,24 @@ bool WishDrive::takeAtOnce(const Wish &wish, TimePoint now)
     return true;
 }
 
+/// Firmware answers OK and clears what it remembers of a fault that is still there; some start again then.
+std::string WishDrive::refuseAcknowledge(const Wish &wish) const
+{
+    const auto *command = std::get_if<Command>(&wish.what);
+    if (command == nullptr || command->action != MotorAction::AcknowledgeFaults)
+        return {};
+    const auto at = m_faultNow.find(command->motor);
+    return at != m_faultNow.end() && at->second
+        ? "the fault is still present; remove its cause first"
+        : "";
+}
+
 void WishDrive::submit(Wish wish, TimePoint now)
 {
     if (takeAtOnce(wish, now))
         return;
+    if (auto why = refuseAcknowledge(wish); !why.empty())
+        return endNow(wish, Outcome::Refused, std::move(why), now);
     std::unique_ptr<WishTask> task = taskFor(wish);
     if (task->permission() == Permission::Armed && !m_armed)
         return endNow(wish, Outcome::NotSent,
@@ -216,6 +230,8 @@ void WishDrive::takeStatuses(std::vector<MotorStatus> statuses, TimePoint askedA
         m_doubtedAt.reset();
     for (MotorStatus &status : statuses) {
         m_stop.takeStatus(status, askedAt);
+        m_faultNow[status.motor] =
+            status.state == MotorState::FaultNow || !status.faultsNow.empty();
         m_events.emplace_back(std::move(status));
     }
 }

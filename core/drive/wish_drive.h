@@ -102,6 +102,7 @@ protected:
 
 private:
     bool giveToWish(TimePoint now);
+    std::string refuseAcknowledge(const Wish &wish) const; ///< while the fault is there
     bool takeAtOnce(const Wish &wish, TimePoint now); ///< false: it takes a task
     void takeLimits(const Wish &wish, const UserLimits &limits, TimePoint now);
     void takeExpert(const Wish &wish, const ExpertMode &expert, TimePoint now);
@@ -109,6 +110,7 @@ private:
 
     TimePoint m_stopAsked; ///< by a person
     std::map<int, MotionRecord> m_stopsSent; ///< by motor: the STOPs since the log was last told
+    std::map<int, bool> m_faultNow; ///< by motor, as the newest state says
     bool m_cutAfterAnswer = false;
     bool m_armed = false;
     TimePoint m_countersAt;

@@ -32,12 +32,13 @@ enum Column : std::uint8_t {
     WriteBytes,
     Needs,
     Dangerous,
+    EffectColumn,
     Description,
     ColumnCount
 };
 constexpr std::array<std::string_view, ColumnCount> kColumns{"id", "name", "type", "powerpc_type",
     "unit", "group", "access", "powerpc_access", "read_bytes", "write_bytes", "needs", "dangerous",
-    "description"};
+    "effect", "description"};
 
 template <class T>
 using Words = std::pair<std::string_view, T>;
@@ -146,6 +147,10 @@ Result<Register, TableError> readRow(const catalog::CsvRow &row, Dialect dialect
     entry.info.group = fields[Group];
     entry.info.help = fields[Description];
     entry.info.dangerous = fields[Dangerous] == "yes";
+    const auto effect = catalog::effectOf(fields[EffectColumn]);
+    if (!effect && entry.info.writable())
+        return wrong(row, "effect");
+    entry.info.effect = effect.value_or(catalog::Effect::Unknown);
     setQuantity(entry.info);
     entry.need = *need;
     entry.dacSource = word == "DAC";

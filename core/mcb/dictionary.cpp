@@ -62,12 +62,13 @@ enum Column {
     Size,
     AccessName,
     CyclicName,
+    EffectName,
     Unit,
     Description,
     kColumns
 };
 constexpr std::array<std::string_view, kColumns> kColumnNames{"address", "name_summit",
-    "name_newer", "type", "size_bytes", "access", "cyclic", "unit", "description"};
+    "name_newer", "type", "size_bytes", "access", "cyclic", "effect", "unit", "description"};
 
 class Reader {
 public:
@@ -96,9 +97,12 @@ public:
             return fail(TableError{row.line, "\"" + address + "\" is no address."});
         if (!type || !access || !cyclic || bytes > UINT8_MAX)
             return fail(TableError{row.line, "type, size, access or cyclic is not known."});
+        const auto effect = catalog::effectOf(field(row, EffectName));
+        if (!effect && *access != Access::Read)
+            return fail(TableError{row.line, "it can be written and does not say its effect."});
         Entry entry{static_cast<std::uint16_t>(number), field(row, NewerName),
             field(row, OlderName), Info{static_cast<std::uint8_t>(bytes), *type, *cyclic, *access},
-            field(row, Unit), field(row, Description)};
+            effect.value_or(catalog::Effect::Unknown), field(row, Unit), field(row, Description)};
         if (entry.name.empty() || entry.name == entry.olderName)
             entry.name = std::exchange(entry.olderName, {});
         if (entry.name.empty())

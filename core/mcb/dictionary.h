@@ -15,6 +15,7 @@ struct Entry {
     std::string name; ///< of newer firmware where it has one
     std::string olderName; ///< where it differs; else empty
     Info info; ///< size 0: a text of unknown length
+    catalog::Effect effect = catalog::Effect::Unknown; ///< of a write
     std::string unit; ///< empty: a plain number
     std::string description;
 };

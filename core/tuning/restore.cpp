@@ -6,28 +6,12 @@ namespace tuning {
 
 namespace {
 
-/// POSITION_RAMP comes back swapped in 6.1 and 6.2, BEMF_ADC_CONF in other units (protocol-notes.md).
-bool readsDifferently(const Entry &entry)
-{
-    return entry.name == "POSITION_RAMP" || entry.name == "BEMF_ADC_CONF";
-}
-
-/// A value as the board takes it: TORQUE_RAMP is read as s16, u16 and written as s32, u16.
-Value writableForm(const Entry &entry)
-{
-    const auto *bytes = std::get_if<Bytes>(&entry.value);
-    if (entry.name != "TORQUE_RAMP" || bytes == nullptr || bytes->size() != 4)
-        return entry.value;
-    ByteReader reader(*bytes);
-    const std::int16_t digits = reader.s16();
-    return ByteWriter().s32(digits).u16(reader.u16()).take();
-}
+/// BEMF_ADC_CONF comes back in other units (protocol-notes.md).
+bool readsDifferently(const Entry &entry) { return entry.name == "BEMF_ADC_CONF"; }
 
 /// The smaller, the earlier.
 int rankOf(const catalog::RegisterInfo &info)
 {
-    if (info.name == "CONTROL_MODE")
-        return 5;
     if (info.dangerous)
         return 4;
     switch (catalog::widthOf(info.type)) {
@@ -59,7 +43,7 @@ RestorePlan planRestore(const Snapshot &wanted, const Snapshot &now,
     };
     std::vector<Ranked> ranked;
     RestorePlan plan;
-    for (const Difference &difference : differences(wanted, now, Scope::Tunable, selection)) {
+    for (const Difference &difference : differences(wanted, now, Scope::All, selection)) {
         if (difference.a == nullptr)
             continue; // the snapshot says nothing of it
         const Entry &entry = *difference.a;
@@ -67,8 +51,15 @@ RestorePlan planRestore(const Snapshot &wanted, const Snapshot &now,
             plan.left.push_back({nameOf(entry, catalog), why});
         };
         const Entry *there = difference.b;
-        const catalog::RegisterInfo *info = there != nullptr ? catalog.find(there->id) : nullptr;
-        if (info == nullptr || !tunable(*info))
+        const catalog::RegisterInfo *info =
+            there != nullptr ? catalog.find(there->id) : catalog.find(entry.name);
+        const bool moves =
+            info != nullptr && info->writable() && !info->stub && !info->restorable();
+        if (moves && there != nullptr) // and differs
+            leave(NotRestored::Moves);
+        if (moves || !entry.tunable)
+            continue;
+        if (there == nullptr || info == nullptr || !tunable(*info))
             leave(NotRestored::NotOnBoard);
         else if (info->type != entry.type)
             leave(NotRestored::OtherType);
@@ -78,7 +69,7 @@ RestorePlan planRestore(const Snapshot &wanted, const Snapshot &now,
         else if (readsDifferently(entry))
             leave(NotRestored::ReadsDifferently);
         else
-            ranked.push_back({rankOf(*info), {there->id, writableForm(entry)}});
+            ranked.push_back({rankOf(*info), {there->id, entry.value}});
     }
     std::stable_sort(ranked.begin(), ranked.end(),
         [](const Ranked &x, const Ranked &y) { return x.rank < y.rank; });

@@ -58,10 +58,7 @@ const Entry *Snapshot::find(const std::string &name, int motor) const
     return at == entries.end() ? nullptr : &*at;
 }
 
-bool tunable(const catalog::RegisterInfo &info)
-{
-    return info.writable() && info.readable() && !info.stub;
-}
+bool tunable(const catalog::RegisterInfo &info) { return info.restorable(); }
 
 std::vector<RegisterId> snapshotRegisters(const catalog::Catalog &catalog, Scope scope)
 {

@@ -37,7 +37,8 @@ struct Snapshot {
     const Entry *find(const std::string &name, int motor) const; ///< nullptr if it has none
 };
 
-/// Writable, readable and no stub: what tuning changes.
+/// What tuning changes: parameters that can be read and written. Nothing that moves a motor by being written, whatever
+/// its value: no set-point, mode or command (catalog::Effect).
 bool tunable(const catalog::RegisterInfo &info);
 
 enum class Scope : std::uint8_t { Tunable, All };

@@ -191,7 +191,7 @@ void TestCli::whatTheBoardRefusesIsExitStatus1()
 void TestCli::whatReadsBackAsAnotherValueIsExitStatus1()
 {
     // Firmware answers OK to a mode that it does not have, and keeps the one it is in.
-    const Run kept = run("--port sim --json set CONTROL_MODE=9");
+    const Run kept = run("--port sim --json set --expert CONTROL_MODE=9");
     COMPARE_STATUS(kept, 1);
     QCOMPARE(kept.err.count(QLatin1Char('\n')), 1);
     QVERIFY(kept.err.contains(QLatin1String("CONTROL_MODE")));

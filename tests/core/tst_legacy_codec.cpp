@@ -277,16 +277,17 @@ void TestLegacyCodec::valuesAreOnlyReadInAWidthOfTheirRegister()
 void TestLegacyCodec::aTableWithAFlawIsRefused_data()
 {
     QTest::addColumn<QByteArray>("row");
-    QTest::newRow("no id") << QByteArray("x,A,u8,,,g,R,,1,,,,d");
-    QTest::newRow("id too large") << QByteArray("0x100,A,u8,,,g,R,,1,,,,d");
-    QTest::newRow("no name") << QByteArray("0x01,,u8,,,g,R,,1,,,,d");
-    QTest::newRow("unknown type") << QByteArray("0x01,A,u64,,,g,R,,1,,,,d");
-    QTest::newRow("unknown meaning") << QByteArray("0x01,A,u8 mood,,,g,R,,1,,,,d");
-    QTest::newRow("unknown access") << QByteArray("0x01,A,u8,,,g,X,,1,,,,d");
-    QTest::newRow("width of 3") << QByteArray("0x01,A,u8,,,g,R,,3,,,,d");
-    QTest::newRow("unknown need") << QByteArray("0x01,A,u8,,,g,R,,1,,steam,,d");
+    QTest::newRow("no id") << QByteArray("x,A,u8,,,g,R,,1,,,,,d");
+    QTest::newRow("id too large") << QByteArray("0x100,A,u8,,,g,R,,1,,,,,d");
+    QTest::newRow("no name") << QByteArray("0x01,,u8,,,g,R,,1,,,,,d");
+    QTest::newRow("unknown type") << QByteArray("0x01,A,u64,,,g,R,,1,,,,,d");
+    QTest::newRow("unknown meaning") << QByteArray("0x01,A,u8 mood,,,g,R,,1,,,,,d");
+    QTest::newRow("unknown access") << QByteArray("0x01,A,u8,,,g,X,,1,,,,,d");
+    QTest::newRow("width of 3") << QByteArray("0x01,A,u8,,,g,R,,3,,,,,d");
+    QTest::newRow("unknown need") << QByteArray("0x01,A,u8,,,g,R,,1,,steam,,,d");
+    QTest::newRow("no effect") << QByteArray("0x01,A,u8,,,g,RW,,1,1,,,,d");
     QTest::newRow("too few fields") << QByteArray("0x01,A,u8");
-    QTest::newRow("twice") << QByteArray("0x01,A,u8,,,g,R,,1,,,,d\n0x01,B,u8,,,g,R,,1,,,,d");
+    QTest::newRow("twice") << QByteArray("0x01,A,u8,,,g,R,,1,,,,,d\n0x01,B,u8,,,g,R,,1,,,,,d");
 }
 
 void TestLegacyCodec::aTableWithAFlawIsRefused()
@@ -294,7 +295,7 @@ void TestLegacyCodec::aTableWithAFlawIsRefused()
     QFETCH(QByteArray, row);
     const std::string_view built = catalog::builtInTable("legacy");
     const std::string head(built.substr(0, built.find('\n') + 1));
-    QVERIFY(readRegisterTable(head + "0x01,A,u8,,,g,R,,1,,,,d\n", Dialect::Stm32));
+    QVERIFY(readRegisterTable(head + "0x01,A,u8,,,g,R,,1,,,,,d\n", Dialect::Stm32));
     QVERIFY(!readRegisterTable(head + row.toStdString() + '\n', Dialect::Stm32));
     QVERIFY(!readRegisterTable(row.toStdString(), Dialect::Stm32));
 }

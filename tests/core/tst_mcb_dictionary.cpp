@@ -54,18 +54,20 @@ void TestMcbDictionary::wrongTablesSayWhere_data()
 {
     QTest::addColumn<QByteArray>("rows");
     QTest::addColumn<int>("line");
-    QTest::newRow("no such type") << QByteArray("0x010,A,B,UINT8,1,RW,rx,,\n") << 2;
-    QTest::newRow("no such access") << QByteArray("0x010,A,B,UINT16,2,X,rx,,\n") << 2;
-    QTest::newRow("no such direction") << QByteArray("0x010,A,B,UINT16,2,RW,up,,\n") << 2;
-    QTest::newRow("no size") << QByteArray("0x010,A,B,UINT16,two,RW,rx,,\n") << 2;
-    QTest::newRow("too large") << QByteArray("0x010,A,B,STRING,256,RW,rx,,\n") << 2;
-    QTest::newRow("no address") << QByteArray("010,A,B,UINT16,2,RW,rx,,\n") << 2;
-    QTest::newRow("above the last address") << QByteArray("0x800,A,B,UINT16,2,RW,rx,,\n") << 2;
-    QTest::newRow("no name") << QByteArray("0x010,,,UINT16,2,RW,rx,,\n") << 2;
+    QTest::newRow("no such type") << QByteArray("0x010,A,B,UINT8,1,RW,rx,kept,,\n") << 2;
+    QTest::newRow("no such access") << QByteArray("0x010,A,B,UINT16,2,X,rx,kept,,\n") << 2;
+    QTest::newRow("no such direction") << QByteArray("0x010,A,B,UINT16,2,RW,up,kept,,\n") << 2;
+    QTest::newRow("no size") << QByteArray("0x010,A,B,UINT16,two,RW,rx,kept,,\n") << 2;
+    QTest::newRow("too large") << QByteArray("0x010,A,B,STRING,256,RW,rx,kept,,\n") << 2;
+    QTest::newRow("no address") << QByteArray("010,A,B,UINT16,2,RW,rx,kept,,\n") << 2;
+    QTest::newRow("above the last address") << QByteArray("0x800,A,B,UINT16,2,RW,rx,kept,,\n") << 2;
+    QTest::newRow("no name") << QByteArray("0x010,,,UINT16,2,RW,rx,kept,,\n") << 2;
+    QTest::newRow("no effect") << QByteArray("0x010,A,B,UINT16,2,RW,rx,,,\n") << 2;
+    QTest::newRow("no such effect") << QByteArray("0x010,A,B,UINT16,2,RW,rx,odd,,\n") << 2;
     QTest::newRow("cut") << QByteArray("0x010,A,B\n") << 2;
-    QTest::newRow("twice") << QByteArray("0x010,A,B,UINT16,2,RW,rx,,\n"
-                                         "0x011,A,B,UINT16,2,RW,rx,,\n"
-                                         "0x010,A,B,UINT16,2,RW,rx,,\n")
+    QTest::newRow("twice") << QByteArray("0x010,A,B,UINT16,2,RW,rx,kept,,\n"
+                                         "0x011,A,B,UINT16,2,RW,rx,kept,,\n"
+                                         "0x010,A,B,UINT16,2,RW,rx,kept,,\n")
                            << 4;
 }
 
@@ -74,8 +76,8 @@ void TestMcbDictionary::wrongTablesSayWhere()
     QFETCH(QByteArray, rows);
     QFETCH(int, line);
     const QByteArray head =
-        "address,name_summit,name_newer,type,size_bytes,access,cyclic,unit,description\n";
-    QVERIFY(readDictionary(head.toStdString() + "0x012,A,B,UINT16,2,RW,rx,,\n").has_value());
+        "address,name_summit,name_newer,type,size_bytes,access,cyclic,effect,unit,description\n";
+    QVERIFY(readDictionary(head.toStdString() + "0x012,A,B,UINT16,2,RW,rx,kept,,\n").has_value());
     const std::string table = (head + rows).toStdString();
     const auto read = readDictionary(table);
     QVERIFY(!read);

@@ -1,6 +1,7 @@
 // What bounds the motion of a motor: the board's limits, a person's own, and expert mode where the board is silent.
 #include "drive/mcp/mcp_limits.h"
 #include "drive/mcp/mcp_scales.h"
+#include "drive/set_point_check.h"
 #include "support/link_pair.h"
 
 #include <QTest>

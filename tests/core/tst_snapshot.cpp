@@ -22,7 +22,7 @@ private Q_SLOTS:
     void aSelectionTakesGroupsRegistersAndMotors();
     void aRestoreWritesOnlyWhatDiffersGainsFirst();
     void aRestoreLeavesWhatItMustNotWrite();
-    void aTorqueRampIsWrittenInItsLongForm();
+    void whatMovesAMotorIsNotTunableWhateverTheFileSays();
     void otherHardwareIsNamed();
 };
 
@@ -45,7 +45,7 @@ std::vector<drive::Reading> readingsOf(const Catalog &catalog)
         Value value = ++digits % 100;
         const auto type = catalog.find(id)->type;
         if (type == catalog::ValueType::Raw)
-            value = Bytes(catalog.find(id)->name == "TORQUE_RAMP" ? 4 : 8, 1);
+            value = Bytes(8, 1);
         else if (type == catalog::ValueType::Text)
             value = std::string("name");
         else if (type == catalog::ValueType::F32)
@@ -113,7 +113,7 @@ void TestSnapshot::keepsDigitsAndShownValues()
     QCOMPARE(entry.shown.value(), -1.0);
     QCOMPARE(entry.unit, "A");
     QCOMPARE(entry.motor, 1);
-    QVERIFY(entry.tunable);
+    QVERIFY(!entry.tunable);
 }
 
 void TestSnapshot::notANumberIsTheSameAsItself()
@@ -195,10 +195,11 @@ void TestSnapshot::aRestoreWritesOnlyWhatDiffersGainsFirst()
     entry(wanted, "REVUP_DATA").value = Bytes(40, 2);
     entry(wanted, "BUS_VOLTAGE").value = std::int64_t{77}; // measured
     const RestorePlan plan = planRestore(wanted, now, catalog);
-    QVERIFY(plan.left.empty());
+    QCOMPARE(plan.left.size(), 2U);
+    for (const auto &[name, why] : plan.left)
+        QVERIFY((name == "SPEED_REF" || name == "CONTROL_MODE") && why == NotRestored::Moves);
     QVERIFY((namesOf(plan, catalog)
-        == Names{"SPEED_KP", "I_Q_KP", "STOPLL_KP_DIV", "FF_1Q", "QUASI_SYNCH", "REVUP_DATA",
-            "SPEED_REF", "CONTROL_MODE"}));
+        == Names{"SPEED_KP", "I_Q_KP", "STOPLL_KP_DIV", "FF_1Q", "QUASI_SYNCH", "REVUP_DATA"}));
     QVERIFY((namesOf(planRestore(wanted, now, catalog, Selection({"Speed loop"})), catalog)
         == Names{"SPEED_KP"}));
 }
@@ -209,7 +210,7 @@ void TestSnapshot::aRestoreLeavesWhatItMustNotWrite()
     Snapshot wanted = full(catalog), now = full(catalog);
     for (const char *name : {"SPEED_KP", "SPEED_KI", "SPEED_REF"})
         entry(wanted, name).value = std::int64_t{77};
-    entry(wanted, "POSITION_RAMP").value = Bytes(8, 9);
+    entry(wanted, "SC_PP").value = std::int64_t{77};
     entry(wanted, "SPEED_KI").type = catalog::ValueType::U8;
     std::erase_if(now.entries, [](const Entry &e) { return e.name == "SPEED_KP"; });
     std::erase_if(wanted.entries, [](const Entry &e) { return e.name == "I_D_KP"; });
@@ -221,19 +222,30 @@ void TestSnapshot::aRestoreLeavesWhatItMustNotWrite()
     QCOMPARE(left.size(), 4U);
     QVERIFY(left.at("SPEED_KP") == NotRestored::NotOnBoard);
     QVERIFY(left.at("SPEED_KI") == NotRestored::OtherType);
-    QVERIFY(left.at("SPEED_REF") == NotRestored::MotorMoves);
-    QVERIFY(left.at("POSITION_RAMP") == NotRestored::MotorMoves);
-    QVERIFY((namesOf(planRestore(wanted, now, catalog, {}, {2}), catalog) == Names{"SPEED_REF"}));
+    QVERIFY(left.at("SPEED_REF") == NotRestored::Moves);
+    QVERIFY(left.at("SC_PP") == NotRestored::MotorMoves);
+    QVERIFY((namesOf(planRestore(wanted, now, catalog, {}, {2}), catalog) == Names{"SC_PP"}));
 }
 
-void TestSnapshot::aTorqueRampIsWrittenInItsLongForm()
+void TestSnapshot::whatMovesAMotorIsNotTunableWhateverTheFileSays()
 {
     const Catalog catalog = makeCatalog();
-    Snapshot wanted = full(catalog);
-    entry(wanted, "TORQUE_RAMP").value = ByteWriter().s16(-50).u16(200).take();
-    const RestorePlan plan = planRestore(wanted, full(catalog), catalog);
-    QCOMPARE(plan.writes.size(), 1U);
-    QVERIFY(plan.writes[0].value == Value(ByteWriter().s32(-50).u16(200).take()));
+    const Snapshot now = full(catalog);
+    Snapshot wanted = full(catalog); // as programs wrote them that took these for tunable
+    const std::vector<const char *> acting{"CONTROL_MODE", "SPEED_REF", "I_Q_REF", "I_D_REF",
+        "SPEED_RAMP", "TORQUE_RAMP", "CURRENT_REF", "POSITION_RAMP", "FOC_VQREF", "OPENLOOP",
+        "OPENLOOP_DC"};
+    for (const char *name : acting) {
+        QVERIFY2(!entry(wanted, name).tunable, name);
+        entry(wanted, name).tunable = true;
+        const bool raw = entry(wanted, name).type == catalog::ValueType::Raw;
+        entry(wanted, name).value = raw ? Value(Bytes(6, 7)) : Value(std::int64_t{1234});
+    }
+    const RestorePlan plan = planRestore(wanted, now, catalog);
+    QVERIFY(plan.writes.empty());
+    QCOMPARE(plan.left.size(), acting.size());
+    for (const auto &[name, why] : plan.left)
+        QVERIFY2(why == NotRestored::Moves, name.c_str());
 }
 
 void TestSnapshot::otherHardwareIsNamed()

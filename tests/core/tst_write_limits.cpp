@@ -5,6 +5,7 @@
 #include "catalog/tables.h"
 #include "drive/mcp/mcp_limits.h"
 #include "drive/mcp/mcp_scales.h"
+#include "drive/set_point_check.h"
 #include "support/link_pair.h"
 
 #include <QTest>
@@ -159,7 +160,7 @@ void TestWriteLimits::limitsThatAreNonsenseRefuseEverySetPoint()
         board.limits = {drive::limitsOf(motor)};
         for (const char *name : {"SPEED_REF", "I_Q_REF", "I_D_REF"}) {
             const drive::RegisterWrite write{*board.catalog->resolve(name), std::int64_t{1}};
-            QVERIFY(!drive::refuseSetPoint(board, write).empty());
+            QVERIFY(!drive::refuseWriteOf(board, write, drive::Reach::References).empty());
         }
         QVERIFY(!drive::refuseSpeed(board, 1, kNan).empty());
         QVERIFY(!drive::refuseCurrent(board, 1, kInf).empty());

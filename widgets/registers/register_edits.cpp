@@ -176,7 +176,7 @@ QList<WriteLine> RegisterEdits::cautious(const std::vector<drive::RegisterWrite>
         const auto old = m_model.known(id);
         lines.append({deviceText(info.name), old ? m_model.describe(id, *old) : QString(),
             m_model.describe(id, writes[i].value), info.perMotor ? catalog->motorOf(id) : 0,
-            cautions[i]});
+            cautions[i], info.effect != catalog::Effect::Kept});
     }
     return lines;
 }
@@ -273,7 +273,12 @@ void RegisterEdits::send()
     m_stage = Stage::Sending;
     if (m_verb == Verb::Apply)
         m_model.markSending(m_writes);
-    m_wish = m_device.submit(drive::Write{m_writes});
+    // What comes from a form or a file holds parameters only; what nothing bounds takes the yes to the question.
+    using drive::Reach;
+    const Reach reach = m_verb == Verb::Write ? Reach::Parameters
+        : m_confirmed                         ? Reach::Everything
+                                              : Reach::References;
+    m_wish = m_device.submit(drive::Write{m_writes, reach});
     Q_EMIT changed();
 }
 

@@ -22,6 +22,7 @@ struct WriteLine {
     QString name, was, becomes; ///< values with units; `was` may be empty: not known
     int motor = 0; ///< 0: the board's
     catalog::Caution caution = catalog::Caution::None;
+    bool acts = false; ///< a set-point, a mode, a command: more than a parameter
 };
 
 class RegisterEdits : public QObject {

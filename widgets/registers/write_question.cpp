@@ -5,6 +5,8 @@
 #include <QCoreApplication>
 #include <QPointer>
 
+#include <algorithm>
+
 namespace widgets {
 namespace {
 
@@ -31,12 +33,18 @@ QString lineText(const WriteLine &line)
 
 void askBeforeWriting(QWidget *parent, RegisterEdits &edits, const QList<WriteLine> &lines)
 {
+    // What acts stands first and is never folded away behind gains.
+    QList<WriteLine> sorted = lines;
+    const auto parameters = std::stable_partition(
+        sorted.begin(), sorted.end(), [](const WriteLine &line) { return line.acts; });
+    const auto shown =
+        std::min(sorted.size(), std::max(kMostLines, qsizetype(parameters - sorted.begin())));
     QStringList texts;
-    for (const WriteLine &line : lines.first(std::min(lines.size(), kMostLines)))
+    for (const WriteLine &line : sorted.first(shown))
         texts.append(lineText(line));
-    if (lines.size() > kMostLines)
+    if (sorted.size() > shown)
         texts.append(
-            WriteQuestion::tr("and %n more", nullptr, static_cast<int>(lines.size() - kMostLines)));
+            WriteQuestion::tr("and %n more", nullptr, static_cast<int>(sorted.size() - shown)));
     Confirmation question;
     question.objectName = "writeQuestion";
     question.title = WriteQuestion::tr("Write registers");

@@ -123,6 +123,8 @@ QString notRestoredText(tuning::NotRestored why)
         return SnapshotText::tr("This board does not have it, or it cannot be written there.");
     case NotRestored::OtherType:
         return SnapshotText::tr("It holds something else in this firmware.");
+    case NotRestored::Moves:
+        return SnapshotText::tr("Not restored: it moves a motor.");
     case NotRestored::MotorMoves:
         return SnapshotText::tr("Writing it can move something, and its motor is not idle.");
     case NotRestored::ReadsDifferently:

@@ -2,6 +2,7 @@
 
 #include "drive/set_point_check.h"
 #include "drive/values.h"
+#include "drive/write_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,8 @@ namespace drive {
 
 namespace {
 
-constexpr std::uint8_t kFinalSpeed = 0x5B;
+constexpr std::uint8_t kFinalSpeed = 0x5B, kControlMode = 0x03;
+constexpr double kGreatestDigits = 32767.0;
 
 legacy::CommandId commandOf(MotorAction action)
 {
@@ -44,10 +46,7 @@ Outcome lostOutcome(std::optional<bool> executed)
 
 std::string refuseLegacySpeed(const LegacyFacts &board, int motor, double rpm)
 {
-    constexpr double kGreatest = 32767.0 * 6.0; // 16 bits of 0.1 Hz
-    if (auto why = refuseSpeed(board, motor, rpm); !why.empty())
-        return why;
-    return std::abs(rpm) > kGreatest ? "beyond what this protocol can hold" : std::string();
+    return refuseWireSpeed(board, motor, rpm);
 }
 
 LegacyCommandTask::LegacyCommandTask(WishId id, const Command &command, const LegacyFacts &board)
@@ -64,6 +63,7 @@ bool LegacyCommandTask::looking()
         std::vector<RegisterId> ids;
         const RegisterId stages = kLegacyRevUp | static_cast<RegisterId>(m_command.motor);
         if (m_board.user != UserLimits{}) {
+            ids.push_back(legacyId(kControlMode, m_command.motor));
             ids.push_back(legacyId(kFinalSpeed, m_command.motor));
             if (m_board.catalog->find(stages) != nullptr && !m_board.missing.contains(stages))
                 ids.push_back(stages);
@@ -83,6 +83,10 @@ std::string LegacyCommandTask::refuseStart() const
                 revUpStages(*raw).value_or(std::vector<legacy::RevUpStage>()))
                 if (why.empty())
                     why = refuseSpeed(m_board, m_command.motor, stage.speed_rpm);
+        } else if (const auto number = asNumber(reading.value);
+                   number && legacyNumber(reading.id) == kControlMode) {
+            if (*number == static_cast<double>(kTorqueModeNumber))
+                why = refuseTorqueControl(m_board);
         } else if (const auto speed = asNumber(reading.value)) {
             why = refuseSpeed(m_board, m_command.motor, *speed);
         }
@@ -173,7 +177,10 @@ std::string LegacySetPointTask::refuse() const
         return refuseLegacySpeed(m_board, m_motor, m_first);
     if (auto why = m_board.reasonAgainstAmps(m_motor); !why.empty())
         return why;
-    return refuseCurrent(m_board, m_motor, std::hypot(m_first, m_second));
+    if (auto why = refuseCurrent(m_board, m_motor, std::hypot(m_first, m_second)); !why.empty())
+        return why;
+    const double most = kGreatestDigits * m_board.ampsPerDigit(m_motor);
+    return std::abs(m_first) > most || std::abs(m_second) > most ? "beyond what 16 bits hold" : "";
 }
 
 legacy::Command LegacySetPointTask::encode() const
@@ -181,7 +188,8 @@ legacy::Command LegacySetPointTask::encode() const
     const auto time = static_cast<std::uint16_t>(m_duration.count());
     const auto digits = [this](double amps) {
         return static_cast<std::int16_t>(
-            std::clamp(std::nearbyint(amps / m_board.ampsPerDigit(m_motor)), -32767.0, 32767.0));
+            std::clamp(std::nearbyint(amps / m_board.ampsPerDigit(m_motor)), -kGreatestDigits,
+                kGreatestDigits));
     };
     switch (m_feature) {
     case Feature::SpeedRamp:

@@ -107,6 +107,7 @@ std::vector<catalog::RegisterInfo> legacyRegisters(legacy::Dialect dialect, bool
         stages.type = catalog::ValueType::Raw;
         stages.access = catalog::Access::ReadWrite;
         takeOver(stages, standard);
+        stages.effect = catalog::Effect::Kept; // they act at the next start, which looks at them
         registers.push_back(std::move(stages));
     }
     return registers;

@@ -1,9 +1,9 @@
 #include "drive/legacy/legacy_writes.h"
 
-#include "catalog/limits.h"
 #include "drive/legacy/legacy_commands.h"
 #include "drive/set_point_check.h"
 #include "drive/values.h"
+#include "drive/write_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,6 +100,7 @@ void LegacyReadTask::takeNoResponse(std::optional<bool>, TimePoint)
 LegacyWriteTask::LegacyWriteTask(WishId id, const Write &write, const LegacyFacts &board)
     : WishTask(id, Permission::Armed)
     , m_board(board)
+    , m_reach(write.reach)
 {
     for (const RegisterWrite &one : write.writes) {
         m_items.push_back({one, {}, false, {}});
@@ -139,20 +140,22 @@ void LegacyWriteTask::addFrames(Item &item) const
     }
     item.result.reason = which->info.id == kFinalSpeed ? refuseLegacySpeed(m_board,
                              m_board.catalog->motorOf(id), asNumber(item.write.value).value_or(0.0))
-                                                       : refuseNumber(m_board, item.write);
+                                                       : std::string();
     add(legacy::SetRegister{legacyNumber(id), *bytes});
 }
 
 void LegacyWriteTask::check(Item &item) const
 {
     const auto *info = m_board.catalog->find(item.write.id);
-    if (auto why = refuseAddress(m_board, item.write.id); !why.empty())
+    if (auto address = refuseAddress(m_board, item.write.id); !address.empty())
+        item.result.reason = address;
+    else if (auto why = refuseWrite(m_board, item.write, m_reach); !why.empty())
         item.result.reason = why;
-    else if (!info->writable())
-        item.result.reason = "cannot be written";
-    else if (auto meaning = catalog::refuseValue(*info, item.write.value); !meaning.empty())
-        item.result.reason = meaning;
-    else
+    else if (info->effect == catalog::Effect::Mode)
+        item.result.reason = refuseControl(m_board, m_board.catalog->motorOf(item.write.id),
+            controlModeOf(static_cast<std::int64_t>(asNumber(item.write.value).value_or(0.0))),
+            m_reach);
+    if (item.result.reason.empty())
         addFrames(item);
     if (!item.result.reason.empty()) {
         item.done = true;

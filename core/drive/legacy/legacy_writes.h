@@ -62,6 +62,7 @@ private:
     Item &current() { return m_items[m_at]; }
 
     const LegacyFacts &m_board;
+    Reach m_reach;
     std::vector<Item> m_items;
     std::size_t m_at = 0, m_frame = 0; ///< the register at work, and its next frame
     Phase m_phase = Phase::Check;

@@ -41,7 +41,7 @@ constexpr std::array kGroups{Group{0x000, "State"}, Group{0x018, "Set-points"},
 
 constexpr std::array<std::uint16_t, 10> kGains{
     0x500, 0x501, 0x505, 0x506, 0x50A, 0x50B, 0x50C, 0x511, 0x512, 0x513};
-constexpr std::array<std::uint16_t, 4> kSpeeds{0x021, 0x07B, 0x453, 0x454};
+constexpr std::array<std::uint16_t, 5> kSpeeds{0x021, 0x025, 0x07B, 0x453, 0x454};
 constexpr std::array<std::uint16_t, 6> kCurrents{0x01A, 0x01B, 0x01C, 0x01D, 0x07C, 0x07D};
 
 template <std::size_t N>
@@ -127,6 +127,11 @@ std::shared_ptr<const catalog::Catalog> mcbCatalogOf(
             info.access = catalog::Access::Read;
         info.perMotor = address < 0x5FC;
         info.dangerous = isDangerous(address);
+        if (const mcb::Entry *entry = mcb::findEntry(address))
+            info.effect = entry->effect;
+        // What the dictionary does not know may be anything.
+        info.dangerous =
+            info.dangerous || (info.writable() && info.effect != catalog::Effect::Kept);
         const bool scalar = catalog::widthOf(info.type) > 0;
         if (told.cyclic == mcb::Cyclic::Tx && scalar)
             info.streaming = catalog::Streaming::Fast;

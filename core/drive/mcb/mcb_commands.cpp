@@ -7,6 +7,7 @@
 #include "drive/mcb/mcb_set_points.h"
 #include "drive/set_point_check.h"
 #include "drive/values.h"
+#include "drive/write_check.h"
 
 #include <algorithm>
 #include <array>
@@ -27,10 +28,15 @@ constexpr std::uint16_t kModeCurrent = 2, kModeVelocity = 3, kModeProfileVelocit
 constexpr Duration kStepWithin = 500ms; ///< of the state machine, without a motor that turns
 constexpr double kSecondsPerMinute = 60.0, kTurn_rad = 2.0 * std::numbers::pi;
 constexpr double kFarthest_rad = 1e4;
+/// Added to the set-points of velocity, Iq and Id.
+constexpr std::array<std::uint16_t, 3> kOffsets{0x07B, 0x07C, 0x07D};
 constexpr int kLongestRamp_ms = 65535;
 
-/// Which set-point a mode follows; 0: another one.
-std::uint16_t setPointOf(std::uint16_t mode)
+std::string noSuchMotor(int motor) { return "there is no motor " + std::to_string(motor); }
+
+} // namespace
+
+std::uint16_t mcbSetPointOf(std::uint16_t mode)
 {
     struct Row {
         std::uint16_t mode, setPoint;
@@ -44,9 +50,13 @@ std::uint16_t setPointOf(std::uint16_t mode)
     return 0;
 }
 
-std::string noSuchMotor(int motor) { return "there is no motor " + std::to_string(motor); }
-
-} // namespace
+ControlMode mcbControlOf(std::uint16_t mode)
+{
+    const std::uint16_t followed = mcbSetPointOf(mode);
+    return followed == kVelocity ? ControlMode::Speed
+        : followed == kIq        ? ControlMode::Torque
+                                 : ControlMode::Other;
+}
 
 McbActTask::McbActTask(WishId id, Permission permission, int motor, const McbBoard &board,
     const std::vector<std::uint16_t> &reads)
@@ -79,7 +89,7 @@ void McbActTask::write(std::uint16_t address, const Value &value)
 void McbActTask::setMode(std::uint16_t mode, std::uint16_t setPoint, const Value &value)
 {
     const auto now = static_cast<std::uint16_t>(valueOf(kMode).value_or(0xFFFF));
-    const bool shares = setPointOf(now) == setPoint;
+    const bool shares = mcbSetPointOf(now) == setPoint;
     if (!shares)
         write(setPoint, value);
     if (now != mode)
@@ -171,8 +181,8 @@ McbCommandTask::McbCommandTask(WishId id, const Command &command, const McbBoard
     : McbActTask(id,
         command.action == MotorAction::StopMotor ? Permission::Always : Permission::Armed,
         command.motor, board,
-        command.action == MotorAction::Start
-            ? std::vector<std::uint16_t>{kStatus, kMode, kVelocity, kIq, kId}
+        command.action == MotorAction::Start ? std::vector<std::uint16_t>{kStatus, kMode, kVelocity,
+            kIq, kId, kProfileVelocity, kOffsets[0], kOffsets[1], kOffsets[2]}
             : command.action == MotorAction::StopRamp
             ? std::vector<std::uint16_t>{kVelocityNow, kMode}
             : std::vector<std::uint16_t>{})
@@ -190,7 +200,7 @@ std::string McbCommandTask::plan()
         break;
     case MotorAction::StopRamp:
         if (const auto velocity = valueOf(kVelocityNow); velocity
-            && setPointOf(static_cast<std::uint16_t>(valueOf(kMode).value_or(0))) == kVelocity)
+            && mcbSetPointOf(static_cast<std::uint16_t>(valueOf(kMode).value_or(0))) == kVelocity)
             write(kVelocity, *velocity);
         else
             return "no ramp of the speed is under way";
@@ -217,7 +227,7 @@ std::string McbCommandTask::planStart()
     if (state.state != MotorState::Idle)
         return "in " + std::string(state.name);
     // What it would go to at once.
-    const std::uint16_t followed = setPointOf(static_cast<std::uint16_t>(*mode));
+    const std::uint16_t followed = mcbSetPointOf(static_cast<std::uint16_t>(*mode));
     if (followed == 0)
         return "mode " + std::to_string(static_cast<int>(*mode))
             + " is not one that is started here";
@@ -229,6 +239,20 @@ std::string McbCommandTask::planStart()
             board(), motor(), std::hypot(valueOf(kIq).value_or(NAN), valueOf(kId).value_or(0.0)));
     if (!why.empty())
         return "its set-point is " + why;
+    constexpr int kJumps = 4; // to a position, by no profile
+    if (followed == kPosition && board().user.maxSpeedRpm > 0.0)
+        why = *mode == kJumps ? "nothing keeps the way to a position within your own limit of speed"
+                              : refuseSpeed(board(), motor(),
+                                  valueOf(kProfileVelocity).value_or(NAN) * kSecondsPerMinute);
+    if (!why.empty())
+        return "its profile is refused: " + why;
+    if (followed == kIq)
+        if (auto torque = refuseTorqueControl(board()); !torque.empty())
+            return torque;
+    for (const std::uint16_t offset : kOffsets)
+        if (board().user != UserLimits{} && valueOf(offset).value_or(0.0) != 0.0)
+            return board().catalog->nameOf(mcbIdOf(offset))
+                + " is not 0, and no limit of your own holds for it";
     control(kShutdown);
     await(0x6F, 0x21);
     control(kSwitchOn);

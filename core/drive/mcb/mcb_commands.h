@@ -6,12 +6,18 @@
 // share a set-point the mode goes first, so that a ramp does not begin with a step.
 #pragma once
 
+#include "drive/control_mode.h"
 #include "drive/mcb/mcb_reader.h"
 #include "drive/task.h"
 
 #include <deque>
 
 namespace drive {
+
+/// Which set-point a mode follows; 0: another one.
+std::uint16_t mcbSetPointOf(std::uint16_t mode);
+/// What a mode controls, of those that are started here: positions go by a move, which knows the way.
+ControlMode mcbControlOf(std::uint16_t mode);
 
 class McbActTask : public WishTask {
 public:

@@ -1,10 +1,11 @@
 #include "drive/mcb/mcb_writes.h"
 
-#include "catalog/limits.h"
 #include "drive/mcb/mcb_catalog.h"
+#include "drive/mcb/mcb_commands.h"
 #include "drive/mcb/mcb_messages.h"
 #include "drive/set_point_check.h"
 #include "drive/values.h"
+#include "drive/write_check.h"
 
 #include <algorithm>
 
@@ -25,6 +26,7 @@ bool sameValue(const Value &wanted, const Value &read)
 McbWriteTask::McbWriteTask(WishId id, const Write &write, const McbBoard &board)
     : WishTask(id, Permission::Armed)
     , m_board(board)
+    , m_reach(write.reach)
 {
     for (const RegisterWrite &one : write.writes) {
         m_items.push_back({one, {}, false, false});
@@ -38,16 +40,20 @@ std::string McbWriteTask::check()
     const RegisterWrite &write = item().write;
     const auto *info = m_board.catalog->find(write.id);
     const std::uint16_t address = mcbAddressOf(write.id);
-    if (info == nullptr)
-        return "no such register";
     if (isMcbMappingRegister(address))
         return "is set by streaming";
-    if (!info->writable())
-        return "cannot be written";
-    if (auto why = catalog::refuseValue(*info, write.value); !why.empty())
+    if (address == mcbreg::kControl)
+        return "the state machine is walked by start, stop and the acknowledging of faults";
+    if (auto why = refuseWrite(m_board, write, m_reach); !why.empty())
         return why;
-    if (auto why = refuseNumber(m_board, write); !why.empty())
-        return why;
+    if (info->effect == catalog::Effect::Mode) {
+        const auto mode = static_cast<std::uint16_t>(asNumber(write.value).value_or(0.0));
+        if (auto why = refuseControl(
+                m_board, m_board.catalog->motorOf(write.id), mcbControlOf(mode), m_reach);
+            !why.empty())
+            return why;
+        m_followed = mcbSetPointOf(mode);
+    }
     auto words = mcbWordsOf(m_board, address, write.value);
     if (!words)
         return words.error();
@@ -65,6 +71,7 @@ std::optional<Bytes> McbWriteTask::nextRequest(TimePoint)
         if (item().done) {
             ++m_at;
             m_step = Step::Check;
+            m_followed = 0;
             continue;
         }
         const std::uint16_t address = mcbAddressOf(item().write.id);
@@ -81,6 +88,11 @@ std::optional<Bytes> McbWriteTask::nextRequest(TimePoint)
         case Step::Before:
             if (m_board.readable(address))
                 return mcbRead(address);
+            m_step = Step::Followed;
+            [[fallthrough]];
+        case Step::Followed:
+            if (m_followed != 0 && m_board.readable(m_followed))
+                return mcbRead(m_followed);
             m_step = Step::Set;
             [[fallthrough]];
         case Step::Set:
@@ -125,8 +137,19 @@ void McbWriteTask::takeResponse(ByteView response, TimePoint now)
     }
     case Step::Before:
         item().result.before = value;
+        m_step = Step::Followed;
+        break;
+    case Step::Followed: {
+        const auto there = answer.ok ? mcbValueOf(m_board, m_followed, answer.words) : std::nullopt;
+        const std::string why =
+            there ? refuseNumber(m_board, {mcbIdOf(m_followed), *there}) : "is not known";
+        if (!why.empty())
+            return close(Outcome::Refused,
+                m_board.catalog->nameOf(mcbIdOf(m_followed)) + ", which it would follow, is "
+                    + why);
         m_step = Step::Set;
         break;
+    }
     case Step::Set:
         if (!answer.ok)
             return close(Outcome::Refused, mcbWordOf(answer.code));
@@ -153,9 +176,11 @@ void McbWriteTask::takeNoResponse(std::optional<bool> executed, TimePoint)
     if (m_step == Step::Info)
         return close(Outcome::NotSent, "no answer");
     if (m_step == Step::Before) {
-        m_step = Step::Set;
+        m_step = Step::Followed;
         return;
     }
+    if (m_step == Step::Followed)
+        return close(Outcome::NotSent, "no answer about what it would follow");
     if (m_step == Step::Set && executed.has_value() && !*executed)
         return close(Outcome::NotSent, "no answer");
     if (m_step == Step::After)

@@ -22,7 +22,7 @@ public:
     bool takeTypeChanged() { return std::exchange(m_typeChanged, false); }
 
 private:
-    enum class Step : std::uint8_t { Check, Info, Before, Set, After };
+    enum class Step : std::uint8_t { Check, Info, Before, Followed, Set, After };
     struct Item {
         RegisterWrite write;
         WriteResult result;
@@ -34,6 +34,9 @@ private:
     void finish();
 
     const McbBoard &m_board;
+    Reach m_reach;
+    std::uint16_t m_followed =
+        0; ///< the set-point that comes into force with the mode that is written; 0: none
     std::vector<Item> m_items;
     std::size_t m_at = 0;
     Step m_step = Step::Check;

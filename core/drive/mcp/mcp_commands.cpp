@@ -2,12 +2,14 @@
 
 #include "catalog/names.h"
 #include "drive/control_mode.h"
-#include "drive/mcp/mcp_limits.h"
 #include "drive/mcp/mcp_values.h"
+#include "drive/set_point_check.h"
+#include "drive/write_check.h"
 #include "mcp/protocol.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace drive {
 
@@ -180,11 +182,15 @@ std::string SetPointTask::refuse() const
     if (m_duration.count() < 0 || m_duration.count() > 0xFFFF)
         return "a ramp lasts 0 to 65535 ms";
     if (m_kind == Kind::Speed)
-        return refuseSpeed(m_board, m_motor, m_first);
+        return refuseWireSpeed(m_board, m_motor, m_first);
     if (!(m_board.ampsPerDigit(m_motor) > 0.0))
         return "the current scale of motor " + std::to_string(m_motor) + " is not known";
-    return refuseCurrent(
-        m_board, m_motor, m_kind == Kind::Current ? std::hypot(m_first, m_second) : m_first);
+    if (auto why = refuseCurrent(m_board, m_motor, std::hypot(m_first, m_second)); !why.empty())
+        return why;
+    constexpr std::int32_t kGreatest = std::numeric_limits<std::int16_t>::max();
+    return std::max(std::abs(digits(m_first)), std::abs(digits(m_second))) > kGreatest
+        ? "beyond what 16 bits hold"
+        : "";
 }
 
 std::uint32_t SetPointTask::milliseconds() const
@@ -194,8 +200,9 @@ std::uint32_t SetPointTask::milliseconds() const
 
 std::int32_t SetPointTask::digits(double amps) const
 {
-    const double exact = std::nearbyint(amps / m_board.ampsPerDigit(m_motor));
-    return static_cast<std::int32_t>(std::clamp(exact, -32767.0, 32767.0));
+    constexpr double kOut = 32768.0; // of 16 bits; refused
+    return static_cast<std::int32_t>(
+        std::clamp(std::nearbyint(amps / m_board.ampsPerDigit(m_motor)), -kOut, kOut));
 }
 
 Bytes SetPointTask::encode() const

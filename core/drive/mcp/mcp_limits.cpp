@@ -1,6 +1,11 @@
 #include "drive/mcp/mcp_limits.h"
 
+#include "analysis/ramp.h"
+#include "drive/set_point_check.h"
+#include "drive/values.h"
+#include "drive/write_check.h"
 #include "mcp/protocol.h"
+#include "mcp/structures.h"
 
 #include <cmath>
 
@@ -8,44 +13,126 @@ namespace drive {
 
 namespace {
 
+constexpr double kFarthest_rad = 1e4; // a float resolves a thousandth of a radian there
+constexpr double kShortest_s = 0.001, kLongest_s = 65.535;
+constexpr double kGreatestDigits = 32767.0;
+
 std::string refuseDigits(const McpBoard &board, int motor, double digits)
 {
     const double amps = board.ampsPerDigit(motor);
     if (!(amps > 0.0))
         return "the current scale of motor " + std::to_string(motor) + " is not known";
-    return refuseCurrent(board, motor, digits * amps);
+    if (auto why = refuseCurrent(board, motor, digits * amps); !why.empty())
+        return why;
+    return std::abs(digits) > kGreatestDigits ? "beyond what 16 bits hold" : "";
+}
+
+std::string refuseTorqueDigits(const McpBoard &board, int motor, double iq, double id)
+{
+    if (auto why = iq == 0.0 && id == 0.0 ? std::string() : refuseTorqueControl(board);
+        !why.empty())
+        return why;
+    return refuseDigits(board, motor, std::hypot(iq, id));
+}
+
+/// How long the bytes of a set-point are; 0: it is none.
+std::size_t lengthOf(std::uint16_t bare)
+{
+    return bare == mcp::reg::kSpeedRamp.bits || bare == mcp::reg::kTorqueRamp.bits ? 6
+        : bare == mcp::reg::kCurrentRef.bits                                       ? 4
+        : bare == mcp::reg::kPositionRamp.bits                                     ? 8
+                                                                                   : 0;
 }
 
 std::string refuseRaw(const McpBoard &board, std::uint16_t bare, int motor, const Bytes &bytes)
 {
-    const bool ramp = bare == mcp::reg::kSpeedRamp.bits || bare == mcp::reg::kTorqueRamp.bits;
-    const std::size_t needed = ramp ? 6 : bare == mcp::reg::kCurrentRef.bits ? 4 : bytes.size();
-    if (bytes.size() != needed) // firmware takes what is missing from an older packet
+    const std::size_t needed = lengthOf(bare);
+    if (needed > 0 && bytes.size() != needed) // firmware takes what is missing from an older packet
         return "takes " + std::to_string(needed) + " bytes";
     ByteReader reader(bytes);
     if (bare == mcp::reg::kSpeedRamp.bits)
-        return refuseSpeed(board, motor, reader.s32());
+        return refuseWireSpeed(board, motor, reader.s32());
     if (bare == mcp::reg::kTorqueRamp.bits)
-        return refuseDigits(board, motor, reader.s32());
+        return refuseTorqueDigits(board, motor, reader.s32(), 0.0);
     if (bare == mcp::reg::kCurrentRef.bits) {
         const double iq = reader.s16(), id = reader.s16();
-        return refuseDigits(board, motor, std::hypot(iq, id));
+        return refuseTorqueDigits(board, motor, iq, id);
     }
+    if (bare == mcp::reg::kPositionRamp.bits)
+        return refusePosition(board, motor, *positionIn(bytes));
+    if (bare == mcp::reg::kRevupData.bits)
+        return refuseStages(board, motor, bytes);
     return {};
 }
 
 } // namespace
 
-std::string refuseSetPoint(const McpBoard &board, const RegisterWrite &write)
+std::string refuseWriteOf(const McpBoard &board, const RegisterWrite &write, Reach reach)
 {
-    const auto *info = board.catalog->find(write.id);
-    if (info == nullptr)
+    if (auto why = refuseWrite(board, write, reach); !why.empty())
+        return why;
+    const auto &info = *board.catalog->find(write.id);
+    const int motor = board.catalog->motorOf(write.id);
+    if (info.effect == catalog::Effect::Mode)
+        return refuseControl(board, motor,
+            controlModeOf(static_cast<std::int64_t>(asNumber(write.value).value_or(0.0))), reach);
+    if (info.id == mcp::reg::kSpeedRef.bits && !board.hso)
+        return refuseWireSpeed(board, motor, asNumber(write.value).value_or(NAN));
+    const auto *bytes = std::get_if<Bytes>(&write.value);
+    return bytes == nullptr || board.hso
+        ? std::string()
+        : refuseRaw(board, static_cast<std::uint16_t>(info.id), motor, *bytes);
+}
+
+std::string refuseStages(const McpBoard &board, int motor, ByteView raw)
+{
+    const auto stages = mcp::decodeRevUpData(raw);
+    const double amps = board.ampsPerDigit(motor); // 0: six-step, whose stages hold no current
+    if (!stages)
         return {};
-    if (const auto *bytes = std::get_if<Bytes>(&write.value))
-        return board.hso ? std::string()
-                         : refuseRaw(board, static_cast<std::uint16_t>(info->id),
-                             board.catalog->motorOf(write.id), *bytes);
-    return refuseNumber(board, write);
+    for (const mcp::RevUpStage &stage : *stages) {
+        if (std::abs(static_cast<double>(stage.rpm)) > kGreatestWireRpm)
+            return "beyond the 32767 rpm that this protocol can hold";
+        if (board.user == UserLimits{})
+            continue;
+        if (auto why = refuseSpeed(board, motor, stage.rpm); !why.empty())
+            return why;
+        if (amps > 0.0)
+            if (auto why = refuseCurrent(board, motor, stage.digits * amps); !why.empty())
+                return why;
+    }
+    return {};
+}
+
+std::optional<RawPosition> positionIn(const Bytes &bytes)
+{
+    if (bytes.size() != lengthOf(mcp::reg::kPositionRamp.bits))
+        return std::nullopt;
+    ByteReader reader(bytes);
+    const double radians = reader.f32();
+    return RawPosition{radians, reader.f32()};
+}
+
+std::string refusePosition(const McpBoard &board, int motor, const RawPosition &wanted)
+{
+    constexpr double kRounding = 1e-6; // of a float
+    if (auto why = board.reasonAgainst(Feature::PositionRamp); !why.empty())
+        return why;
+    if (!(std::abs(wanted.radians) <= kFarthest_rad))
+        return "an angle is at most 10000 rad";
+    // Without a time the firmware follows at once, however far it is.
+    if (!(wanted.seconds >= kShortest_s - kRounding && wanted.seconds <= kLongest_s + kRounding))
+        return "a move lasts 1 to 65535 ms";
+    return refuseSpeed(board, motor, 0.0); // a limit that is not known
+}
+
+std::string refuseWay(
+    const McpBoard &board, int motor, const RawPosition &wanted, double position_rad)
+{
+    const double rpm =
+        analysis::positionPeakSpeed_rpm(wanted.radians - position_rad, wanted.seconds);
+    const std::string why = refuseSpeed(board, motor, rpm);
+    return why.empty() ? why : "the speed on the way is " + why;
 }
 
 } // namespace drive

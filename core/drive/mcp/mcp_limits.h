@@ -1,15 +1,32 @@
-// The clamps of motion for writes of this protocol's registers: the set-points among them, and the raw ones that hold
-// set-points.
+// What may be written to this protocol's registers beyond the rules of all protocols: its control mode, and the raw
+// registers that hold set-points.
 #pragma once
 
 #include "drive/mcp/mcp_board.h"
-#include "drive/set_point_check.h"
+#include "drive/wish.h"
 
+#include <optional>
 #include <string>
 
 namespace drive {
 
-/// Why this register must not be written; empty for all that are no set-points.
-std::string refuseSetPoint(const McpBoard &board, const RegisterWrite &write);
+/// Why this must not be written, as far as it can be told without a look at the board; empty if it may: the rules of all
+/// protocols (drive/write_check.h), the control mode, and the bytes of raw registers.
+std::string refuseWriteOf(const McpBoard &board, const RegisterWrite &write, Reach reach);
+
+/// Why stages of a start-up are beyond what a person allows or the protocol can hold; empty if they are not.
+std::string refuseStages(const McpBoard &board, int motor, ByteView raw);
+
+/// Where a position ramp goes.
+struct RawPosition {
+    double radians = 0.0, seconds = 0.0;
+};
+/// Of POSITION_RAMP; empty if it has another length.
+std::optional<RawPosition> positionIn(const Bytes &bytes);
+/// Why the shaft must not go there, wherever it is now; empty if it may.
+std::string refusePosition(const McpBoard &board, int motor, const RawPosition &wanted);
+/// The same from where it is, because of the speed on the way.
+std::string refuseWay(
+    const McpBoard &board, int motor, const RawPosition &wanted, double position_rad);
 
 } // namespace drive

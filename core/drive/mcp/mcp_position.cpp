@@ -1,7 +1,5 @@
 #include "drive/mcp/mcp_position.h"
 
-#include "analysis/ramp.h"
-#include "drive/mcp/mcp_limits.h"
 #include "drive/mcp/mcp_values.h"
 #include "mcp/protocol.h"
 
@@ -12,7 +10,6 @@ namespace drive {
 namespace {
 
 constexpr const char *kPosition = "CURRENT_POSITION";
-constexpr double kFarthest_rad = 1e4; // a float resolves a thousandth of a radian there
 
 } // namespace
 
@@ -23,26 +20,16 @@ PositionTask::PositionTask(WishId id, const PositionRamp &ramp, const McpBoard &
 {
 }
 
+RawPosition PositionTask::wanted() const
+{
+    return {m_ramp.radians, std::chrono::duration<double>(m_ramp.duration).count()};
+}
+
 std::string PositionTask::refuse() const
 {
     if (!m_board.hasMotor(m_ramp.motor))
         return "there is no motor " + std::to_string(m_ramp.motor);
-    if (auto why = m_board.reasonAgainst(Feature::PositionRamp); !why.empty())
-        return why;
-    if (!(std::abs(m_ramp.radians) <= kFarthest_rad))
-        return "an angle is at most 10000 rad";
-    // Without a time the firmware follows at once, however far it is.
-    if (m_ramp.duration.count() < 1 || m_ramp.duration.count() > 0xFFFF)
-        return "a move lasts 1 to 65535 ms";
-    return refuseSpeed(m_board, m_ramp.motor, 0.0); // a limit that is not known
-}
-
-std::string PositionTask::refuseFrom(double position_rad) const
-{
-    const double seconds = std::chrono::duration<double>(m_ramp.duration).count();
-    const double rpm = analysis::positionPeakSpeed_rpm(m_ramp.radians - position_rad, seconds);
-    const std::string why = refuseSpeed(m_board, m_ramp.motor, rpm);
-    return why.empty() ? why : "the speed on the way is " + why;
+    return refusePosition(m_board, m_ramp.motor, wanted());
 }
 
 /// Once it is known where the shaft is.
@@ -51,7 +38,7 @@ void PositionTask::judge()
     m_judged = true;
     if (!m_position_rad)
         return end(Outcome::NotSent, "the board does not tell where the shaft is");
-    if (auto why = refuseFrom(*m_position_rad); !why.empty())
+    if (auto why = refuseWay(m_board, m_ramp.motor, wanted(), *m_position_rad); !why.empty())
         end(Outcome::Refused, why);
 }
 

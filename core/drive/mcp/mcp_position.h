@@ -2,6 +2,7 @@
 // the raw register is set, which also makes the firmware control the position. Sent once.
 #pragma once
 
+#include "drive/mcp/mcp_limits.h"
 #include "drive/mcp/mcp_reader.h"
 #include "drive/task.h"
 
@@ -17,7 +18,7 @@ public:
 
 private:
     std::string refuse() const;
-    std::string refuseFrom(double position_rad) const;
+    RawPosition wanted() const;
     void judge();
 
     const McpBoard &m_board;

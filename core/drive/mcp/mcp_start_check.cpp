@@ -2,8 +2,9 @@
 
 #include "drive/control_mode.h"
 #include "drive/mcp/mcp_limits.h"
+#include "drive/set_point_check.h"
+#include "drive/write_check.h"
 #include "mcp/protocol.h"
-#include "mcp/structures.h"
 
 namespace drive {
 
@@ -36,38 +37,28 @@ void StartCheck::takeResponse(ByteView response, TimePoint now)
 
 void StartCheck::takeNoResponse() { m_reader.takeNoResponse(); }
 
-std::string StartCheck::refuseStages(ByteView raw) const
-{
-    const auto stages = mcp::decodeRevUpData(raw);
-    const double amps = m_board.ampsPerDigit(m_motor); // 0: six-step, whose stages hold no current
-    if (!stages)
-        return {};
-    for (const mcp::RevUpStage &stage : *stages) {
-        if (auto why = refuseSpeed(m_board, m_motor, stage.rpm); !why.empty())
-            return why;
-        if (amps > 0.0)
-            if (auto why = refuseCurrent(m_board, m_motor, stage.digits * amps); !why.empty())
-                return why;
-    }
-    return {};
-}
-
 std::string StartCheck::refusal() const
 {
-    bool torque = false;
+    std::optional<std::int64_t> mode;
     for (const Reading &reading : m_readings)
-        torque = torque
-            || ((reading.id & ~RegisterId{7}) == mcp::reg::kControlMode.bits
-                && reading.value == Value(kTorqueModeNumber));
+        if (const auto *number = std::get_if<std::int64_t>(&reading.value);
+            number != nullptr && (reading.id & ~RegisterId{7}) == mcp::reg::kControlMode.bits)
+            mode = *number;
+    const bool torque = mode == kTorqueModeNumber;
+    if (torque)
+        if (auto why = refuseTorqueControl(m_board); !why.empty())
+            return why;
+    if (mode && *mode != kPositionModeNumber && controlModeOf(*mode) == ControlMode::Other)
+        return "in this control mode no limit of your own holds; take yours away first";
     for (const Reading &reading : m_readings) {
         const auto *info = m_board.catalog->find(reading.id);
         if (reading.status != ReadStatus::Ok || info == nullptr)
             continue;
         std::string why;
         if (const auto *raw = std::get_if<Bytes>(&reading.value))
-            why = refuseStages(*raw);
+            why = refuseStages(m_board, m_motor, *raw);
         else if (info->setPoint == catalog::SetPoint::Speed || torque)
-            why = refuseSetPoint(m_board, {reading.id, reading.value});
+            why = refuseNumber(m_board, {reading.id, reading.value});
         if (!why.empty())
             return info->name + " is " + why;
     }

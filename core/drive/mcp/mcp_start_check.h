@@ -29,7 +29,6 @@ public:
 
 private:
     std::vector<RegisterId> wanted() const;
-    std::string refuseStages(ByteView raw) const;
 
     const McpBoard &m_board;
     int m_motor;

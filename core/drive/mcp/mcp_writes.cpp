@@ -1,15 +1,19 @@
 #include "drive/mcp/mcp_writes.h"
 
-#include "catalog/limits.h"
 #include "drive/mcp/mcp_limits.h"
 #include "drive/mcp/mcp_values.h"
 #include "mcp/protocol.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace drive {
 
 namespace {
+
+constexpr const char *kPosition = "CURRENT_POSITION";
+
+bool isPositionRamp(RegisterId id) { return (id & ~RegisterId{7}) == mcp::reg::kPositionRamp.bits; }
 
 bool isDatalogRegister(RegisterId id)
 {
@@ -103,6 +107,7 @@ void ReadTask::takeNoResponse(std::optional<bool>, TimePoint)
 WriteTask::WriteTask(WishId id, const Write &write, const McpBoard &board)
     : WishTask(id, Permission::Armed)
     , m_board(board)
+    , m_reach(write.reach)
 {
     for (const RegisterWrite &one : write.writes) {
         m_items.push_back({one, {}, State::Waiting, false, {}});
@@ -113,22 +118,15 @@ WriteTask::WriteTask(WishId id, const Write &write, const McpBoard &board)
 void WriteTask::check(Item &item) const
 {
     const auto *info = m_board.catalog->find(item.write.id);
-    if (info == nullptr) {
-        item.result.reason = "no such register";
-    } else if (!info->writable()) {
-        item.result.reason = "cannot be written";
-    } else if (isDatalogRegister(item.write.id)) {
+    if (isDatalogRegister(item.write.id)) {
         item.result.reason = "is set by streaming";
-    } else if (auto why = refuseAddress(m_board, item.write.id); !why.empty()) {
+    } else if (auto why = refuseWriteOf(m_board, item.write, m_reach); !why.empty()) {
         item.result.reason = why;
     } else if (auto encoded = encodeValue(*info, item.write.value); !encoded) {
         item.result.reason = encoded.error();
     } else if (encoded->size() + 4 > m_board.requestBytes) {
         item.result.reason = "is longer than a request";
-    } else if (auto meaning = catalog::refuseValue(*info, item.write.value); !meaning.empty()) {
-        item.result.reason = meaning;
     } else {
-        item.result.reason = refuseSetPoint(m_board, item.write);
         item.encoded = std::move(*encoded);
     }
     if (!item.result.reason.empty()) {
@@ -192,8 +190,33 @@ std::vector<RegisterId> WriteTask::idsToRead(bool after) const
         if (wanted && info != nullptr && info->readable() && !info->stub
             && std::find(ids.begin(), ids.end(), item.write.id) == ids.end())
             ids.push_back(item.write.id);
+        const auto *position = m_board.catalog->find(kPosition);
+        if (!after && wanted && position != nullptr && isPositionRamp(item.write.id))
+            ids.push_back(
+                m_board.catalog->withMotor(*position, m_board.catalog->motorOf(item.write.id)));
     }
     return ids;
+}
+
+/// The speed on the way to a position depends on where the shaft is, which has been read.
+void WriteTask::judgeWays()
+{
+    for (Item &item : m_items) {
+        const auto *bytes = std::get_if<Bytes>(&item.write.value);
+        const auto *position = m_board.catalog->find(kPosition);
+        if (item.state != State::Waiting || !isPositionRamp(item.write.id) || bytes == nullptr)
+            continue;
+        const int motor = m_board.catalog->motorOf(item.write.id);
+        const auto at = position == nullptr
+            ? m_numbers.end()
+            : m_numbers.find(m_board.catalog->withMotor(*position, motor));
+        const auto now = at == m_numbers.end() ? std::nullopt : std::optional(at->second);
+        const std::string why = now && std::isfinite(*now)
+            ? refuseWay(m_board, motor, *positionIn(*bytes), *now)
+            : "the board does not tell where the shaft is";
+        if (!why.empty())
+            finishItem(item, Outcome::Refused, why);
+    }
 }
 
 void WriteTask::enter(Phase phase)
@@ -222,6 +245,7 @@ std::optional<Bytes> WriteTask::nextRequest(TimePoint)
             if (const auto why = refuseLength(item.write, *item.result.before); !why.empty())
                 finishItem(item, Outcome::Refused, why);
         }
+        judgeWays();
         enter(Phase::Setting);
     }
     if (m_phase == Phase::Setting) {
@@ -245,6 +269,8 @@ void WriteTask::takeReadingsInto(
         for (Item &item : m_items)
             if (item.write.id == reading.id && reading.status == ReadStatus::Ok)
                 item.result.*where = reading.value;
+        if (const auto number = asNumber(reading.value); number && reading.status == ReadStatus::Ok)
+            m_numbers[reading.id] = *number; // one of them may be where a shaft is
         m_readings.push_back(std::move(reading));
     }
 }

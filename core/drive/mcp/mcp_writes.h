@@ -8,6 +8,7 @@
 #include "drive/mcp/mcp_reader.h"
 #include "drive/task.h"
 
+#include <map>
 #include <vector>
 
 namespace drive {
@@ -54,6 +55,7 @@ private:
     };
 
     void check(Item &item) const;
+    void judgeWays();
     Bytes nextSet();
     bool joins(const Item &item, std::size_t size, std::size_t count) const;
     bool alone(const Item &item) const;
@@ -69,9 +71,11 @@ private:
     void finish();
 
     const McpBoard &m_board;
+    Reach m_reach;
     std::vector<Item> m_items;
     RegisterReader m_reader;
     std::vector<Reading> m_readings;
+    std::map<RegisterId, double> m_numbers; ///< numbers read, for the judgement of moves
     Phase m_phase = Phase::Before;
     bool m_started = false;
 };

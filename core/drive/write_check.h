@@ -1,0 +1,30 @@
+// What may be written to a register from anywhere: window, command line, file, script. The rules that hold for every
+// protocol are here; what its raw bytes and its own numbers mean, each protocol looks at behind them. A value that may not
+// be written is refused with the reason and never clipped, cut or wrapped.
+#pragma once
+
+#include "drive/board_facts.h"
+#include "drive/control_mode.h"
+#include "drive/wish.h"
+
+#include <string>
+
+namespace drive {
+
+/// Firmware takes speeds as 16 bits of rpm: beyond, they turn over into the other direction.
+constexpr double kGreatestWireRpm = 32767.0;
+
+/// Why this value must not be written; empty if it may.
+std::string refuseWrite(const BoardFacts &board, const RegisterWrite &write, Reach reach);
+
+/// Why this speed must not be asked for by a protocol that holds 16 bits of rpm; empty if it may.
+std::string refuseWireSpeed(const BoardFacts &board, int motor, double rpm);
+
+/// Why a motor's control must not follow this; empty if it may. @param reach  of the act
+std::string refuseControl(const BoardFacts &board, int motor, ControlMode mode, Reach reach);
+
+/// Why a motor must not be started, nor a register make it follow a current: a person's own limit of speed, which nothing
+/// keeps in torque control. A torque that is asked for as such is another matter: there a person is told.
+std::string refuseTorqueControl(const BoardFacts &board);
+
+} // namespace drive
