@@ -1180,8 +1180,8 @@
         <translation>%1 kann nicht ersetzt werden (%2). Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
-        <source>It is the first start since the board was connected.</source>
-        <translation>Es ist der erste Start, seit das Board verbunden ist.</translation>
+        <source>It is the first start since the board was connected or stopped.</source>
+        <translation>Es ist der erste Start, seit das Board verbunden oder gestoppt wurde.</translation>
     </message>
     <message>
         <source>The set-point moves by more than 20 % of the limit of %1.</source>
@@ -1191,6 +1191,10 @@
         <source>It acts against the way the motor turns now (%1).</source>
         <comment>speed</comment>
         <translation>Es wirkt gegen die jetzige Drehrichtung des Motors (%1).</translation>
+    </message>
+    <message>
+        <source>In torque control nothing keeps the speed within your own limit.</source>
+        <translation>In der Drehmomentregelung hält nichts die Drehzahl innerhalb Ihrer eigenen Grenze.</translation>
     </message>
     <message>
         <source>The control changes between speed and torque while the motor runs.</source>
@@ -2465,6 +2469,11 @@
         <translation>Start</translation>
     </message>
     <message>
+        <source>Start → %1</source>
+        <comment>speed or current</comment>
+        <translation>Start → %1</translation>
+    </message>
+    <message>
         <source>Acknowledge faults</source>
         <translation>Fehler quittieren</translation>
     </message>
@@ -2610,6 +2619,11 @@
         <translation>nicht bekannt</translation>
     </message>
     <message>
+        <source>none</source>
+        <comment>a limit</comment>
+        <translation>keine</translation>
+    </message>
+    <message>
         <source>%1 (yours)</source>
         <comment>a limit of the person&apos;s own</comment>
         <translation>%1 (Ihre)</translation>
@@ -2617,6 +2631,10 @@
     <message>
         <source>Limits: not known before a board is connected</source>
         <translation>Grenzen: erst bekannt, wenn ein Board verbunden ist</translation>
+    </message>
+    <message>
+        <source>Limits: none (expert mode)</source>
+        <translation>Grenzen: keine (Expertenmodus)</translation>
     </message>
     <message>
         <source>Limits: %1, %2</source>

@@ -1180,7 +1180,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It is the first start since the board was connected.</source>
+        <source>It is the first start since the board was connected or stopped.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1276,6 +1276,10 @@
     </message>
     <message>
         <source>The shaft goes to an angle by itself, and is held there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In torque control nothing keeps the speed within your own limit.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2437,6 +2441,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Start → %1</source>
+        <comment>speed or current</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Acknowledge faults</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2582,12 +2591,21 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>none</source>
+        <comment>a limit</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 (yours)</source>
         <comment>a limit of the person&apos;s own</comment>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Limits: not known before a board is connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits: none (expert mode)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1,8 +1,12 @@
 // start, stop, ack, ramp and torque.
 #include "commands.h"
+#include "drive/start_target.h"
+#include "drive/values.h"
 #include "sentences.h"
 
 #include <QJsonObject>
+
+#include <cmath>
 
 namespace cli {
 
@@ -27,6 +31,30 @@ Outcome<int> commandMotor(Desk &desk, decltype(drive::Wish::what) wish, const QS
     return kDone;
 }
 
+/// What a start would go to, read now.
+Outcome<drive::StartTarget> startTarget(Desk &desk, int motor)
+{
+    const auto readings = desk.talk.read(drive::startRegisters(desk.catalog(), motor));
+    if (!readings)
+        return tl::make_unexpected(readings.error());
+    const auto shown = [&](drive::RegisterId id) -> std::optional<double> {
+        for (const drive::Reading &reading : *readings)
+            if (reading.id == id && reading.status == drive::ReadStatus::Ok)
+                if (const auto number = drive::asNumber(reading.value))
+                    return *number * desk.catalog().readScale(id).factor;
+        return std::nullopt;
+    };
+    return drive::startTarget(
+        desk.catalog(), desk.board.limits.at(static_cast<std::size_t>(motor - 1)), motor, shown);
+}
+
+QString targetText(const drive::StartTarget &target)
+{
+    return target.rpm ? QStringLiteral("Start -> %1 rpm").arg(numberText(std::round(*target.rpm)))
+        : target.amps ? QStringLiteral("Start -> Iq of %1 A").arg(numberText(*target.amps))
+                      : QStringLiteral("Start; what it goes to is not known.");
+}
+
 } // namespace
 
 Outcome<int> Desk::checkMotor() const
@@ -43,6 +71,11 @@ Outcome<int> runStart(Desk &desk)
     const auto motor = desk.checkMotor();
     if (!motor)
         return motor;
+    const auto target = startTarget(desk, *motor);
+    if (!target)
+        return tl::make_unexpected(target.error());
+    if (!desk.out.json())
+        desk.out.line(targetText(*target));
     const auto done = commandMotor(
         desk, drive::Command{drive::MotorAction::Start, *motor}, QStringLiteral("The start"));
     // Interrupted half-way, the motor may be on its way: it is this run's to stop.
@@ -108,6 +141,9 @@ Outcome<int> runTorque(Desk &desk)
     if (!motor)
         return motor;
     const TuningArguments &torque = desk.arguments.tuning;
+    if (desk.arguments.limits.maxSpeedRpm > 0.0 && torque.amps != 0.0)
+        Output::error(
+            QStringLiteral("In torque control nothing keeps the speed within --max-rpm."));
     return commandMotor(desk,
         drive::TorqueRamp{.motor = *motor,
             .amps = torque.amps,

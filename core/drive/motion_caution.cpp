@@ -34,6 +34,11 @@ struct Judge {
         if (against || unknown)
             found.push_back(MotionCaution::Reversal);
     }
+    void noLimit(bool torque)
+    {
+        if (torque && scene.ownSpeedLimitRpm > 0.0)
+            found.push_back(MotionCaution::NoSpeedLimit);
+    }
     void mode(bool torque)
     {
         if (driven(scene.state) && scene.torqueMode != torque)
@@ -55,6 +60,7 @@ struct Judge {
     {
         step(scene.iqReferenceAmps, ramp.amps, scene.bounds.amps);
         reversal(ramp.amps);
+        noLimit(ramp.amps != 0.0);
         mode(true);
     }
     void operator()(const CurrentReference &reference)
@@ -68,6 +74,7 @@ struct Judge {
                  : 0.0,
             scene.bounds.amps);
         reversal(reference.iqAmps);
+        noLimit(reference.iqAmps != 0.0);
         mode(true);
     }
     void operator()(const PositionRamp &)

@@ -16,6 +16,7 @@ enum class MotionCaution : std::uint8_t {
     Step, ///< a set-point that moves by more than a fifth of its limit, or from nobody knows where
     Reversal, ///< the other way, or torque against the turning, while the rotor turns
     Position, ///< the shaft goes to an angle, wherever it is now
+    NoSpeedLimit, ///< torque control, in which nothing keeps the speed within a person's own limit
     OtherMode, ///< speed control becomes torque control or back, while the motor is driven
 };
 
@@ -24,6 +25,7 @@ struct MotionScene {
     MotorState state = MotorState::Unknown;
     bool startedBefore = false;
     MotionBounds bounds;
+    double ownSpeedLimitRpm = 0.0; ///< a person's; 0: none
     std::optional<double> speedRpm; ///< measured
     std::optional<double> speedReferenceRpm, iqReferenceAmps, idReferenceAmps;
     std::optional<bool> torqueMode; ///< false: it controls the speed

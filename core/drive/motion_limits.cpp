@@ -43,6 +43,13 @@ MotionBounds boundsOf(const MotorLimits &limits, const UserLimits &user, bool ex
         lower(std::min(most, nominal), user.maxCurrentAmps)};
 }
 
+MotionBounds realBoundsOf(const MotorLimits &limits, const UserLimits &user)
+{
+    const MotionBounds told = boundsOf(limits, user, false);
+    return {told.rpm > 0.0 ? told.rpm : user.maxSpeedRpm,
+        told.amps > 0.0 ? told.amps : user.maxCurrentAmps};
+}
+
 bool isPlausible(const UserLimits &user)
 {
     return std::isfinite(user.maxSpeedRpm) && user.maxSpeedRpm >= 0.0

@@ -30,6 +30,9 @@ struct MotionBounds {
 };
 MotionBounds boundsOf(const MotorLimits &limits, const UserLimits &user, bool expert);
 
+/// The same without the ceilings: what a board tells or a person allows. Zero: neither does, whatever the mode.
+MotionBounds realBoundsOf(const MotorLimits &limits, const UserLimits &user);
+
 /// Whether a person's limits are numbers that can bound something: finite and not negative.
 bool isPlausible(const UserLimits &user);
 

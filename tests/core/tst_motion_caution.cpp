@@ -56,6 +56,7 @@ private Q_SLOTS:
     void whatIsNotKnownCountsAsAStep();
     void turningTheOtherWay();
     void anotherModeWhileDriven();
+    void torqueUnderAnOwnLimitOfSpeed();
     void currentsAreJudgedAsAVector();
 };
 
@@ -133,6 +134,17 @@ void TestMotionCaution::anotherModeWhileDriven()
     scene.torqueMode.reset();
     QVERIFY(cautionsOf(speed(1000), scene) == Cautions{MotionCaution::OtherMode});
     QVERIFY(cautionsOf(TorqueRamp{1, 1.0, 0ms}, idle()).empty());
+}
+
+void TestMotionCaution::torqueUnderAnOwnLimitOfSpeed()
+{
+    MotionScene scene = torque();
+    scene.ownSpeedLimitRpm = 1200.0;
+    QVERIFY(cautionsOf(TorqueRamp{1, 1.0, 0ms}, scene) == Cautions{MotionCaution::NoSpeedLimit});
+    QVERIFY(
+        cautionsOf(CurrentReference{1, 1.7, 0.7}, scene) == Cautions{MotionCaution::NoSpeedLimit});
+    scene.ownSpeedLimitRpm = 0.0;
+    QVERIFY(cautionsOf(TorqueRamp{1, 1.0, 0ms}, scene).empty());
 }
 
 void TestMotionCaution::currentsAreJudgedAsAVector()

@@ -434,6 +434,30 @@ private Q_SLOTS:
         QCOMPARE(both.idAmps, -0.5);
     }
 
+    void expertModeIsNoLimitToJogUnder()
+    {
+        facts::connectBoard(*m_device);
+        drive::Identified board = facts::identified();
+        board.limits[0].maxSpeedRpm = 0.0;
+        board.limits[0].maxCurrentAmps = board.limits[0].nominalCurrentAmps = 0.0;
+        facts::feed(*m_device, {board, facts::status(drive::MotorState::Idle)});
+        m_device->setArmed(true);
+        m_device->becomeExpert(1);
+        drive::Ended agreed;
+        agreed.id = m_wishes.back().id;
+        agreed.outcome = drive::Outcome::Ok;
+        facts::feed(*m_device, {agreed});
+        QVERIFY(m_device->expert(1));
+        QVERIFY(label("limits").contains(QStringLiteral("Limits: none")));
+        QVERIFY(!label("limits").contains(QStringLiteral("500000")));
+        QVERIFY(!button("jogForth")->isEnabled());
+        QVERIFY(button("jogForth")->toolTip().contains(QStringLiteral("one of your own")));
+        m_device->setUserLimits({1200.0, 0.0});
+        QVERIFY(button("jogForth")->isEnabled());
+        QCOMPARE(edit("jogSpeed")->value(), std::optional(120.0)); // a tenth
+        QCOMPARE(edit("jogSpeed")->limit(), 240.0);
+    }
+
     void whatTheBoardDoesNotHaveSaysWhy()
     {
         facts::connectBoard(*m_device);

@@ -105,6 +105,26 @@ private Q_SLOTS:
         QCOMPARE(bench.sent, 2);
     }
 
+    void afterAStopAStartIsAskedAboutAndSaysWhereItGoes()
+    {
+        GateBench bench;
+        QVERIFY(bench.run());
+        QCOMPARE(bench.gate.startText(1), QStringLiteral("996\u202frpm"));
+        bench.link.drive->stop(bench.link.now);
+        bench.device.stop();
+        QVERIFY(bench.link.runUntilState(MotorState::Idle));
+        bench.link.runFor(3s);
+        bench.arm();
+        bench.look();
+        bench.asked.clear();
+        bench.gate.want(QStringLiteral("Start"), bench.start());
+        QCOMPARE(bench.asked.size(), 1U);
+        QVERIFY(!bench.gate.jogAgreed(1));
+        const QString lines = bench.asked[0].lines.join(QLatin1Char('\n'));
+        QVERIFY2(lines.contains(bench.gate.startText(1)) && !bench.gate.startText(1).isEmpty(),
+            qPrintable(lines));
+    }
+
     void aStartThatWasRefusedIsStillTheFirst()
     {
         GateBench bench;

@@ -215,7 +215,7 @@ QString motionCautionText(drive::MotionCaution caution, const QString &limit, co
     using drive::MotionCaution;
     switch (caution) {
     case MotionCaution::FirstStart:
-        return Messages::tr("It is the first start since the board was connected.");
+        return Messages::tr("It is the first start since the board was connected or stopped.");
     case MotionCaution::Step:
         return Messages::tr("The set-point moves by more than 20 % of the limit of %1.").arg(limit);
     case MotionCaution::Reversal:
@@ -223,6 +223,8 @@ QString motionCautionText(drive::MotionCaution caution, const QString &limit, co
             .arg(speed);
     case MotionCaution::Position:
         return Messages::tr("The shaft goes to an angle by itself, and is held there.");
+    case MotionCaution::NoSpeedLimit:
+        return Messages::tr("In torque control nothing keeps the speed within your own limit.");
     case MotionCaution::OtherMode:
         return Messages::tr("The control changes between speed and torque while the motor runs.");
     }

@@ -69,6 +69,9 @@ QString CommandBox::acknowledgeHint() const
 
 void CommandBox::follow()
 {
+    const QString target = m_motion.startText(m_device.motor());
+    const bool starts = startAllowed(m_device).yes && !target.isEmpty();
+    m_start->setText(starts ? tr("Start \u2192 %1", "speed or current").arg(target) : tr("Start"));
     m_arm->setChecked(m_device.armed());
     const MotionAllowed arm = armAllowed(m_device);
     m_arm->setEnabled(arm.yes);

@@ -3,6 +3,7 @@
 #include "widgets/base/value_text.h"
 #include "widgets/control/command_box.h"
 #include "widgets/control/jog_box.h"
+#include "widgets/control/motion_gate.h"
 #include "widgets/control/readout_box.h"
 #include "widgets/control/setpoint_box.h"
 #include "widgets/control/setpoint_edit.h"
@@ -83,6 +84,7 @@ ControlPanel::ControlPanel(
     Device &device, RegisterModel &registers, MotionGate &motion, QWidget *parent)
     : QWidget(parent)
     , m_device(device)
+    , m_motion(motion)
     , m_state(new StateBox(device, this))
     , m_commands(new CommandBox(device, motion, this))
     , m_setpoints(new SetpointBox(device, registers, motion, this))
@@ -153,8 +155,10 @@ ControlPanel::ControlPanel(
     connect(&device, &Device::stopAdvanced, this, &ControlPanel::stopAdvanced);
     connect(m_readouts, &ReadoutBox::watchedRegistersChanged, this,
         &ControlPanel::watchedRegistersChanged);
-    connect(m_readouts, &ReadoutBox::updated, this,
-        [this] { m_setpoints->takeReference(m_readouts->value("SPEED_REF")); });
+    connect(m_readouts, &ReadoutBox::updated, this, [this] {
+        m_setpoints->takeReference(m_motion.startTarget(m_device.motor()).rpm);
+        m_commands->follow();
+    });
     connect(m_changeLimits, &QToolButton::clicked, this, &ControlPanel::limitsWanted);
     connect(m_changeScale, &QToolButton::clicked, this, &ControlPanel::currentScaleWanted);
     follow();
@@ -197,7 +201,12 @@ QWidget *ControlPanel::makeBody()
 
 std::vector<catalog::RegisterId> ControlPanel::watchedRegisters() const
 {
-    return m_readouts->watchedRegisters();
+    std::vector<catalog::RegisterId> ids = m_readouts->watchedRegisters();
+    if (const auto catalog = m_device.catalog(); catalog && m_device.identified())
+        for (const catalog::RegisterId id : drive::startRegisters(*catalog, m_device.motor()))
+            if (std::find(ids.begin(), ids.end(), id) == ids.end())
+                ids.push_back(id);
+    return ids;
 }
 
 SetpointEdit *ControlPanel::speed() const { return m_setpoints->speed(); }
@@ -239,11 +248,12 @@ void ControlPanel::showScale()
 void ControlPanel::showLimits()
 {
     const int motor = m_device.motor();
-    const drive::MotionBounds bounds = m_device.bounds(motor);
     const drive::UserLimits &own = m_device.userLimits();
-    const auto text = [](double bound, double ownLimit, int decimals, const QString &unit) {
+    const drive::MotionBounds bounds = drive::realBoundsOf(m_device.limits(motor), own);
+    const bool expert = m_device.expert(motor);
+    const auto text = [expert](double bound, double ownLimit, int decimals, const QString &unit) {
         if (!(bound > 0.0))
-            return tr("not known", "a limit");
+            return expert ? tr("none", "a limit") : tr("not known", "a limit");
         const QString number = numberText(bound, decimals) + QChar(0x202f) + unit;
         return bound == ownLimit ? tr("%1 (yours)", "a limit of the person's own").arg(number)
                                  : number;
@@ -251,11 +261,13 @@ void ControlPanel::showLimits()
     QString all;
     if (!m_device.identified())
         all = tr("Limits: not known before a board is connected");
+    else if (expert && !(bounds.rpm > 0.0) && !(bounds.amps > 0.0))
+        all = tr("Limits: none (expert mode)");
     else
         all = tr("Limits: %1, %2", "speed, current")
                   .arg(text(bounds.rpm, own.maxSpeedRpm, 0, tr("rpm")),
                       text(bounds.amps, own.maxCurrentAmps, 2, QStringLiteral("A")));
-    if (m_device.expert(motor))
+    if (expert)
         all += QLatin1Char('\n') + tr("Expert mode: the board does not tell all limits.");
     m_limits->setText(all);
 }
@@ -264,8 +276,10 @@ void ControlPanel::stopAdvanced(const drive::StopProgress &progress)
 {
     m_words->show();
     m_words->take(progress, m_now);
-    if (progress.word == drive::StopWord::Requested)
-        m_setpoints->forget();
+    if (progress.word != drive::StopWord::Requested)
+        return;
+    m_setpoints->forget();
+    m_setpoints->expectReference(); // which a stop leaves on the board, for the next start
 }
 
 void ControlPanel::start() { m_commands->start(); }

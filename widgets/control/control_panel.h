@@ -56,6 +56,7 @@ private:
     void stopAdvanced(const drive::StopProgress &progress);
 
     Device &m_device;
+    MotionGate &m_motion;
     StateBox *m_state;
     CommandBox *m_commands;
     SetpointBox *m_setpoints;

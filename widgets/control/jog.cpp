@@ -60,7 +60,9 @@ MotionAllowed Jog::allowed() const
 
 double Jog::greatestRpm() const
 {
-    return drive::kGreatestQuietStep * m_device.bounds(m_device.motor()).rpm;
+    // Expert mode's ceiling is none to jog under: it only tells a misread number from a speed.
+    const drive::MotorLimits limits = m_device.limits(m_device.motor());
+    return drive::kGreatestQuietStep * drive::realBoundsOf(limits, m_device.userLimits()).rpm;
 }
 
 void Jog::hold(std::int32_t rpm)

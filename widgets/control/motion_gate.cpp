@@ -26,6 +26,14 @@ int motorOf(const drive::WishContent &act)
         act);
 }
 
+QString targetText(const drive::StartTarget &target)
+{
+    const QChar space(0x202f);
+    return target.rpm ? numberText(*target.rpm, 0) + space + MotionGate::tr("rpm")
+        : target.amps ? numberText(*target.amps, kAmpDecimals) + space + QLatin1Char('A')
+                      : QString();
+}
+
 bool isStart(const drive::WishContent &act)
 {
     const auto *command = std::get_if<drive::Command>(&act);
@@ -52,7 +60,12 @@ MotionGate::MotionGate(Device &device, RegisterModel &registers, QObject *parent
         withdraw();
     });
     connect(&device, &Device::motorChanged, this, &MotionGate::withdraw);
-    connect(&device, &Device::stopWished, this, &MotionGate::withdraw);
+    connect(&device, &Device::stopWished, this, [this] {
+        m_started
+            .clear(); // whoever stops does not expect what the board still holds: the next start is asked
+        m_agreed.clear();
+        withdraw();
+    });
     connect(&device, &Device::armedStateChanged, this, [this](bool armed) {
         if (!armed)
             withdraw();
@@ -131,10 +144,13 @@ void MotionGate::ask()
 {
     MotionQuestion question{motorOf(m_asked.front()), m_action, {}};
     drive::MotionScene scene = sceneOf(question.motor);
+    drive::StartTarget target = startTarget(question.motor);
     for (const drive::WishContent &act : m_asked) {
-        question.lines += linesOf(act, scene);
-        if (const auto *ramp = std::get_if<drive::SpeedRamp>(&act))
-            scene.speedReferenceRpm = ramp->rpm; // what a start after it goes to
+        question.lines += linesOf(act, scene, target);
+        if (const auto *ramp = std::get_if<drive::SpeedRamp>(&act)) {
+            scene.speedReferenceRpm = ramp->rpm;
+            target = {drive::ControlMode::Speed, ramp->rpm, {}}; // what a start after it goes to
+        }
     }
     if (m_agreeOnly)
         question.lines.append(tr("Nothing moves now: press and hold again after you have agreed."));
@@ -254,6 +270,7 @@ drive::MotionScene MotionGate::sceneOf(int motor) const
     scene.state = status.state;
     scene.startedBefore = m_started.contains(motor) || m_agreed.contains(motor);
     scene.bounds = m_device.bounds(motor);
+    scene.ownSpeedLimitRpm = m_device.userLimits().maxSpeedRpm;
     scene.speedRpm = status.speedRpm;
     scene.speedReferenceRpm = reading("SPEED_REF", motor);
     scene.iqReferenceAmps = reading("I_Q_REF", motor);
@@ -263,8 +280,19 @@ drive::MotionScene MotionGate::sceneOf(int motor) const
     return scene;
 }
 
-QStringList MotionGate::linesOf(
-    const drive::WishContent &act, const drive::MotionScene &scene) const
+drive::StartTarget MotionGate::startTarget(int motor) const
+{
+    const auto catalog = m_device.catalog();
+    if (!catalog)
+        return {};
+    return drive::startTarget(*catalog, m_device.limits(motor), motor,
+        [this](catalog::RegisterId id) { return m_registers.shownValue(id); });
+}
+
+QString MotionGate::startText(int motor) const { return targetText(startTarget(motor)); }
+
+QStringList MotionGate::linesOf(const drive::WishContent &act, const drive::MotionScene &scene,
+    const drive::StartTarget &target) const
 {
     const QString rpm = tr("rpm"), amps = QStringLiteral("A");
     const auto number = [](std::optional<double> value, int decimals, const QString &unit) {
@@ -274,7 +302,9 @@ QStringList MotionGate::linesOf(
     QString change;
     if (isStart(act))
         change = tr("%1 \u2192 start, then to %2", "state now, speed it will go to")
-                     .arg(motorStateText(scene.state), number(scene.speedReferenceRpm, 0, rpm));
+                     .arg(motorStateText(scene.state),
+                         targetText(target).isEmpty() ? tr("not known", "the old value")
+                                                      : targetText(target));
     else if (const auto *speed = std::get_if<drive::SpeedRamp>(&act))
         change = tr("speed %1 \u2192 %2 in %3 ms", "old, new, time")
                      .arg(number(scene.speedReferenceRpm, 0, rpm), number(speed->rpm, 0, rpm),

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "drive/motion_caution.h"
+#include "drive/start_target.h"
 #include "widgets/base/device.h"
 #include "widgets/registers/register_model.h"
 
@@ -48,6 +49,11 @@ public:
         return m_started.contains(motor) || m_agreed.contains(motor);
     }
 
+    /// What a start of the motor would go to, by what was read last; nothing of what is stale.
+    drive::StartTarget startTarget(int motor) const;
+    /// The same for people: "1500 rpm"; empty: not known.
+    QString startText(int motor) const;
+
     /// What of an act of several wishes has not been sent is not sent any more.
     void dropRest() { m_rest.clear(); }
 
@@ -65,7 +71,8 @@ Q_SIGNALS:
 private:
     drive::MotionScene sceneOf(int motor) const;
     std::optional<double> reading(const char *name, int motor) const;
-    QStringList linesOf(const drive::WishContent &act, const drive::MotionScene &scene) const;
+    QStringList linesOf(const drive::WishContent &act, const drive::MotionScene &scene,
+        const drive::StartTarget &target) const;
     bool needsExpert(const std::vector<drive::WishContent> &acts);
     void ask();
     void send();
