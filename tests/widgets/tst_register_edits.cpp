@@ -1,5 +1,6 @@
 // Editing registers: pending, written, read back, taken back, on a simulated board in virtual time.
 #include "support/edit_bench.h"
+#include "widgets/registers/write_question.h"
 
 #include <QAbstractItemModelTester>
 #include <QAbstractProxyModel>
@@ -292,6 +293,29 @@ private Q_SLOTS:
         box->findChild<QPushButton *>(QStringLiteral("writeAnyway"))->click();
         QVERIFY(bench.settle());
         QCOMPARE(bench.writes.size(), 1U);
+    }
+
+    void whatActsStandsFirstInTheQuestionAndIsNeverFoldedAway()
+    {
+        EditBench bench({}, false);
+        bench.panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&bench.panel));
+        QList<widgets::WriteLine> lines;
+        for (int i = 0; i < 20; ++i)
+            lines.append({QStringLiteral("GAIN_%1").arg(i), QStringLiteral("1"),
+                QStringLiteral("9"), 1, catalog::Caution::GainJump});
+        for (int i = 0; i < 15; ++i)
+            lines.append({QStringLiteral("REFERENCE_%1").arg(i), QStringLiteral("0"),
+                QStringLiteral("900"), 1, catalog::Caution::Dangerous, true});
+        widgets::askBeforeWriting(&bench.panel, bench.edits, lines);
+        auto *box = bench.panel.findChild<QMessageBox *>(QStringLiteral("writeQuestion"));
+        QVERIFY(box);
+        const QString text = box->informativeText();
+        for (int i = 0; i < 15; ++i)
+            QVERIFY2(text.contains(QStringLiteral("REFERENCE_%1:").arg(i)), qPrintable(text));
+        QVERIFY(!text.contains(QStringLiteral("GAIN_0:")));
+        QVERIFY(text.contains(QStringLiteral("20 more")));
+        box->reject();
     }
 
     void aGainJumpIsAskedAboutOnlyWhileTheMotorRuns()
