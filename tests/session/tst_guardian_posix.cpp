@@ -252,6 +252,8 @@ class Screen {
 public:
     Screen()
     {
+        static std::mutex oneAtATime; // two that look for a free number at once may both fail
+        const std::lock_guard lock(oneAtATime);
         std::array<int, 2> number{-1, -1};
         if (::pipe2(number.data(), O_CLOEXEC) != 0)
             return;
