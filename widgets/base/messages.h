@@ -5,6 +5,7 @@
 #include "drive/event.h"
 #include "drive/motion_caution.h"
 #include "session/csv_file.h"
+#include "session/dead_man.h"
 #include "session/endpoint.h"
 
 #include <QString>

@@ -164,9 +164,10 @@ QStringList MotionGate::subject() const
 {
     QStringList lines;
     for (const drive::WishContent &act : m_asked) {
-        drive::MotionScene scene = sceneOf(motorOf(act));
+        const int motor = motorOf(act);
+        drive::MotionScene scene = sceneOf(motor);
         scene.speedRpm.reset();
-        lines += motorStateText(scene.state) + linesOf(act, scene);
+        lines << motorStateText(scene.state) << linesOf(act, scene, startTarget(motor));
     }
     return lines;
 }
