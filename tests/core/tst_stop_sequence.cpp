@@ -85,6 +85,7 @@ void TestStopSequence::aSpeedThatNothingMeasuresIsNeverAStandstill()
 {
     StopSequence stop;
     stop.begin(1, t);
+    stop.follow(1, Count::Exactly, t);
     stop.stopSent(1, t);
     static_cast<void>(stop.takeProgress());
     const auto tell = [&](std::optional<bool> measured) {

@@ -111,7 +111,8 @@ struct World {
     static session::Parts parts(World &world)
     {
         session::Parts parts = session::realParts();
-        parts.clock = [&world] { return world.now; };
+        parts.clock = parts.elapsed = [&world] { return world.now; };
+        parts.attendance = session::Attendance::OwnThread;
         parts.transport = [&world](const session::Endpoint &) {
             return std::make_unique<BoardPort>(world.line);
         };
