@@ -9,6 +9,7 @@
 #include "session/session_thread.h"
 
 #include <QApplication>
+#include <QTimer>
 #include <QWidget>
 
 #include <iostream>
@@ -92,6 +93,10 @@ int main(int argc, char **argv)
     auto endpoint =
         session::endpointFor(QString::fromLocal8Bit(argv[1]), 1843200, drive::Protocol::Mcp);
     endpoint.patience = std::chrono::milliseconds(500); // of a busy machine
+    QTimer pulse; // the person is there
+    QObject::connect(&pulse, &QTimer::timeout, &window,
+        [session = thread.session()] { session->attendFromAnyThread(); });
+    pulse.start(100);
     person.call([endpoint](session::Session &session) { session.open(endpoint); });
     return QApplication::exec();
 }
