@@ -4,8 +4,8 @@
 <context>
     <name>About</name>
     <message>
-        <source>A program on a PC over a serial line is no replacement for a switch that removes the power: have one at hand. &quot;Stop motors&quot; takes the motor out of control; it may coast for a long time. If Rotorscope crashes, is killed or loses the link, nothing is sent and the motor goes on turning.</source>
-        <translation>Ein Programm auf einem PC an einer seriellen Leitung ersetzt keinen Schalter, der die Spannung wegnimmt: Halten Sie einen griffbereit. „Motoren stoppen“ schaltet die Regelung ab; der Motor kann noch lange auslaufen. Wenn Rotorscope abstürzt, beendet wird oder die Verbindung verliert, wird nichts gesendet, und der Motor dreht weiter.</translation>
+        <source>A program on a PC over a serial line is no replacement for a switch that removes the power: have one at hand. &quot;Stop motors&quot; takes the motor out of control; it may coast for a long time. If Rotorscope crashes, freezes or is killed, a guardian process tells the motors to stop (not on Windows). If the link is lost or the computer fails, nothing is sent and the motor goes on turning.</source>
+        <translation>Ein Programm auf einem PC an einer seriellen Leitung ersetzt keinen Schalter, der die Spannung wegnimmt: Halten Sie einen griffbereit. „Motoren stoppen“ schaltet die Regelung ab; der Motor kann noch lange auslaufen. Wenn Rotorscope abstürzt, einfriert oder beendet wird, befiehlt ein Wächterprozess den Motoren anzuhalten (nicht unter Windows). Geht die Verbindung verloren oder fällt der Rechner aus, wird nichts gesendet, und der Motor dreht weiter.</translation>
     </message>
     <message>
         <source>About Rotorscope</source>

@@ -4,7 +4,7 @@
 <context>
     <name>About</name>
     <message>
-        <source>A program on a PC over a serial line is no replacement for a switch that removes the power: have one at hand. &quot;Stop motors&quot; takes the motor out of control; it may coast for a long time. If Rotorscope crashes, is killed or loses the link, nothing is sent and the motor goes on turning.</source>
+        <source>A program on a PC over a serial line is no replacement for a switch that removes the power: have one at hand. &quot;Stop motors&quot; takes the motor out of control; it may coast for a long time. If Rotorscope crashes, freezes or is killed, a guardian process tells the motors to stop (not on Windows). If the link is lost or the computer fails, nothing is sent and the motor goes on turning.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

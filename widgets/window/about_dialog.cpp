@@ -49,7 +49,10 @@ QString stopLimitsText()
         "A program on a PC over a serial line is no replacement for a switch that removes the "
         "power: have one at hand. "
         "\"Stop motors\" takes the motor out of control; it may coast for a long time. "
-        "If Rotorscope crashes, is killed or loses the link, nothing is sent and the motor goes on "
+        "If Rotorscope crashes, freezes or is killed, a guardian process tells the motors to stop "
+        "(not "
+        "on Windows). If the link is lost or the computer fails, nothing is sent and the motor "
+        "goes on "
         "turning.");
 }
 
