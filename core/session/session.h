@@ -29,8 +29,8 @@
 
 #include "drive/drive.h"
 #include "session/batcher.h"
-#include "session/driven_motors.h"
 #include "session/dead_man.h"
+#include "session/driven_motors.h"
 #include "session/endpoint.h"
 #include "session/guardian.h"
 #include "session/outbox.h"

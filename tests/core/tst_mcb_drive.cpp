@@ -359,7 +359,10 @@ void TestMcbDrive::aStopThatIsNotObeyedIsAlarmed()
 
 namespace {
 
-bool stageIsOn(McbPair &pair) { return pair.board->servo().state() == simulation::Servo::State::Enabled; }
+bool stageIsOn(McbPair &pair)
+{
+    return pair.board->servo().state() == simulation::Servo::State::Enabled;
+}
 
 } // namespace
 

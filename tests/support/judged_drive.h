@@ -216,6 +216,7 @@ private:
         case drive::StopWord::Accepted:
             return judge::Word::Accepted;
         case drive::StopWord::DriveIdle:
+        case drive::StopWord::MayCoast: // says no more of the rotor
             return judge::Word::DriveIdle;
         case drive::StopWord::Standstill:
             return judge::Word::Standstill;

@@ -74,6 +74,11 @@ void WireMcp::reset()
 std::vector<Sent> WireMcp::sent(ByteView bytes, TimePoint at)
 {
     std::vector<Sent> all;
+    // A blind stop drops what has not left yet, also a payload whose header has; it begins with a Beacon or a Ping, and
+    // no request begins like them: its motor would be 5 or 6.
+    if (const std::uint32_t word = little(bytes, 0, 4); m_wanted > 0 && m_payload.empty()
+        && bytes.size() == 4 && (word % 16 == 5 || word % 16 == 6) && checkOf(word) == word >> 28)
+        m_wanted = 0;
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         const TimePoint begins = at + wireTime(i, m_baud);
         if (m_wanted == 0) {

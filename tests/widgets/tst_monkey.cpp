@@ -8,15 +8,11 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
-#include <QAbstractSpinBox>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialog>
 #include <QElapsedTimer>
+#include <QEventLoop>
 #include <QLineEdit>
-#include <QMenu>
-#include <QMessageBox>
-#include <QTabBar>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QWheelEvent>
@@ -63,14 +59,12 @@ widgets::Settings settingsOf(const Kind &kind)
     return settings;
 }
 
-/// Spins the event loop; the window lives meanwhile.
+/// The window lives on for a while.
 void live(int ms)
 {
-    QElapsedTimer clock;
-    clock.start();
-    do
-        QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
-    while (clock.elapsed() < ms);
+    QEventLoop loop;
+    QTimer::singleShot(ms, &loop, &QEventLoop::quit);
+    loop.exec();
 }
 
 class Monkey {
@@ -94,14 +88,13 @@ public:
     /// What went wrong; empty if nothing did.
     std::string run(int acts)
     {
-        live(50);
+        rest(50);
         click("connect");
         for (int i = 0; i < 100 && !device().identified(); ++i)
-            live(20);
+            rest(20);
         for (int i = 0; i < acts && m_world.verdict().empty(); ++i) {
             act();
-            live(static_cast<int>(m_random.below(50)));
-            noteArming();
+            rest(static_cast<int>(m_random.below(50)));
         }
         leave();
         return m_world.verdict();
@@ -141,6 +134,12 @@ private:
             [this] { m_world.saidIdentified(device().identified() ? m_kind.motors : 0); });
     }
 
+    void rest(int ms)
+    {
+        live(ms);
+        noteArming();
+    }
+
     void note(const std::string &what) { m_story.push_back(what); }
 
     /// Arming is read off the window: any input may have done it.
@@ -162,6 +161,7 @@ private:
     void press(QWidget *widget, const std::string &what)
     {
         note(what);
+        noteArming();
         const bool stops = widget->objectName() == QLatin1String("stop")
             || widget->objectName() == QLatin1String("faultHelpStop")
             || widget->objectName() == QLatin1String("rampStop");
@@ -189,6 +189,7 @@ private:
     void key(QWidget *widget, Qt::Key which, Qt::KeyboardModifiers modifiers = {})
     {
         note("key " + std::to_string(which));
+        noteArming();
         m_world.act(which == Qt::Key_Escape ? Act::Kind::Stop : Act::Kind::Input);
         if (which != Qt::Key_Escape && widget->objectName() == QLatin1String("motionConfirm"))
             m_world.act(Act::Kind::Confirm);
@@ -200,7 +201,7 @@ private:
     T *anyOf()
     {
         QList<T *> all = top()->findChildren<T *>();
-        std::erase_if(all, [](T *one) { return !one->isVisible() || !one->isEnabled(); });
+        all.removeIf([](T *one) { return !one->isVisible() || !one->isEnabled(); });
         return all.isEmpty()
             ? nullptr
             : all[qsizetype(m_random.below(static_cast<std::uint64_t>(all.size())))];
@@ -262,18 +263,18 @@ private:
     {
         if (!device().portOpen()) {
             click("connect");
-            return live(150);
+            return rest(150);
         }
         auto *arm = m_rig.find<QCheckBox>("arm");
         if (arm != nullptr && arm->isEnabled() && !arm->isChecked()) {
             click("arm");
-            return live(20);
+            return rest(20);
         }
         if (click("start")) {
-            live(20);
+            rest(20);
             if (m_random.chance(0.8))
                 answerYes();
-            return live(60);
+            return rest(60);
         }
         setPoint();
     }
@@ -289,7 +290,7 @@ private:
         m_world.act(Act::Kind::Input);
         QTest::keyClicks(edit, QString::number(rpm));
         key(edit, Qt::Key_Return);
-        live(20);
+        rest(20);
         if (m_random.chance(0.6))
             answerYes();
     }
@@ -404,13 +405,13 @@ private:
         case 0:
             note("unplug");
             m_world.plugged = false;
-            live(static_cast<int>(m_random.below(200)));
+            rest(static_cast<int>(m_random.below(200)));
             m_world.plugged = true;
             return;
         case 1:
             note("cut");
             m_world.cut = true;
-            live(static_cast<int>(m_random.below(700)));
+            rest(static_cast<int>(m_random.below(700)));
             m_world.cut = false;
             return;
         case 2:
@@ -452,7 +453,7 @@ private:
         note("jog");
         m_world.act(Act::Kind::Input);
         QTest::mousePress(button, Qt::LeftButton);
-        live(static_cast<int>(m_random.below(300)));
+        rest(static_cast<int>(m_random.below(300)));
         if (QApplication::activeModalWidget() != nullptr)
             answerYes();
         QTest::mouseRelease(button, Qt::LeftButton);
@@ -463,7 +464,7 @@ private:
         static const char *const names[] = {
             "applyEdits", "revertEdits", "undo", "snapshotRead", "snapshotRestore", "saveSnapshot"};
         click(names[m_random.below(std::size(names))]);
-        live(30);
+        rest(30);
         if (m_random.chance(0.5))
             answerYes();
     }
@@ -474,17 +475,16 @@ private:
         m_popups.stop();
         m_world.plugged = true;
         m_world.cut = false;
-        while (QWidget *modal = QApplication::activeModalWidget()) {
-            modal->close();
-            live(5);
+        for (int i = 0; i < 20 && QApplication::activeModalWidget() != nullptr; ++i) {
+            QApplication::activeModalWidget()->close();
+            rest(5);
         }
-        const bool leaves = m_random.chance(0.2);
-        note(leaves ? "quit, leave running" : "quit");
+        note("quit");
         m_rig.window.close();
         QElapsedTimer clock;
         clock.start();
         while (m_rig.window.isVisible() && clock.elapsed() < 6000) {
-            live(20);
+            rest(20);
             QWidget *modal = QApplication::activeModalWidget();
             if (modal == nullptr)
                 continue;
@@ -497,7 +497,7 @@ private:
                     break;
                 }
         }
-        live(50);
+        rest(50);
     }
 
     Random m_random;
