@@ -55,7 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     fuzz::require(whole.error.has_value() == cut.error.has_value());
     if (whole.error)
         fuzz::require(whole.error->what == cut.error->what && whole.error->line == cut.error->line);
-    if (whole.error || whole.rows == 0)
+    if (whole.error || !whole.capture.timeSpan()) // rows of empty fields alone are no file for us
         return 0;
     const std::string ours = written(whole.capture);
     fuzz::require(ours == written(cut.capture));
