@@ -255,6 +255,8 @@ bool CsvImport::takeHeading(std::string_view line)
         if (i == m_timeColumn)
             continue;
         auto [name, unit] = nameAndUnit(m_fields[i]);
+        if (name.empty()) // by its place: a nameless last column of a file would be none for any reader
+            name = '#' + std::to_string(i + 1);
         m_channels.push_back(m_capture.addImported(std::move(name), std::move(unit)));
     }
     return true;

@@ -34,6 +34,7 @@ private Q_SLOTS:
     void whatIsNoCsvIsAnErrorWithItsPlace();
     void rowsBeforeAnErrorStay();
     void anEndlessLineIsRefused();
+    void aColumnWithoutANameIsCalledByItsPlace();
 };
 
 namespace {
@@ -420,6 +421,18 @@ void TestCsvImport::anEndlessLineIsRefused()
     for (int i = 0; i < 2000; ++i)
         wide += ",a";
     QCOMPARE(errorOf(wide + "\n").what, CsvError::What::TooManyColumns);
+}
+
+void TestCsvImport::aColumnWithoutANameIsCalledByItsPlace()
+{
+    Capture capture;
+    CsvImport import(capture);
+    QVERIFY(import.feed("time;A;\t\n0;1;2\n1;3;4\n") && import.finish());
+    QCOMPARE(capture.channels().back().name, std::string("#3"));
+    Capture again; // what is written of it is read again
+    CsvImport second(again);
+    QVERIFY(second.feed(csv(all(capture))) && second.finish());
+    QCOMPARE(again.channels().size(), std::size_t(2));
 }
 
 QTEST_APPLESS_MAIN(TestCsvImport)
