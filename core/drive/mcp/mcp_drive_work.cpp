@@ -66,13 +66,13 @@ bool McpDrive::sendStop(TimePoint now)
     const auto motor = m_stop.stopDue(now, connected());
     if (!motor)
         return false;
-    m_stopUnderWay = true;
-    m_stopMotor = *motor;
-    m_stopSince = now;
     const Bytes request = stopOf(*motor);
     noteStop(*motor, request, now);
     m_link.sendUrgent(request, now);
-    onLinkEvents(now);
+    onLinkEvents(now); // the end of what was open before, perhaps of the last STOP
+    m_stopUnderWay = true;
+    m_stopMotor = *motor;
+    m_stopSince = now;
     return true;
 }
 
