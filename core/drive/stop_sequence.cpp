@@ -80,6 +80,13 @@ std::optional<int> StopSequence::stopDue(TimePoint now, bool connected) const
     return due == nullptr ? std::nullopt : std::optional(due->number);
 }
 
+Duration StopSequence::turn() const
+{
+    const auto motors = std::count_if(
+        m_motors.begin(), m_motors.end(), [](const Motor &motor) { return !motor.idle; });
+    return std::max(kLeastTurn, kRepeat / std::max<std::int64_t>(motors, 1));
+}
+
 void StopSequence::stopSent(int number, TimePoint now)
 {
     if (Motor *motor = find(number)) {

@@ -27,6 +27,7 @@ bool isDriveIdle(const MotorStatus &status);
 class StopSequence {
 public:
     static constexpr Duration kRepeat = std::chrono::milliseconds(100);
+    static constexpr Duration kLeastTurn = std::chrono::milliseconds(40);
     static constexpr Duration kConfirmWithin = std::chrono::milliseconds(500);
     static constexpr Duration kBlindTime = std::chrono::seconds(2);
     static constexpr double kStandstillRpm = 10.0;
@@ -59,6 +60,9 @@ public:
 
     /// The motor that a STOP is due for, and has been for longest; `connected` says whether there is a link.
     std::optional<int> stopDue(TimePoint now, bool connected) const;
+    /// How soon another STOP follows one that nobody has answered: each motor has its turn within kRepeat, as long as
+    /// that leaves a link the time to send one.
+    Duration turn() const;
     void stopSent(int number, TimePoint now);
     void stopAnswered(int number, TimePoint now);
     /// A status whose request left at `askedAt`.

@@ -343,7 +343,7 @@ void Master::handleTimeout(TimePoint now)
 
 std::optional<TimePoint> Master::nextTimeout() const
 {
-    if (m_blindBytes > 0)
+    if (m_blindBytes > 0 && m_state != State::Closed)
         return m_hasLine && m_readyBy ? std::min(*m_readyBy, m_blindBy) : m_blindBy;
     if (m_state == State::Closed || m_state == State::Lost)
         return std::nullopt;

@@ -227,7 +227,8 @@ void TestStopSequence::eachMotorGetsItsTurnThoughNobodyAnswers()
         StopSequence stop;
         stop.begin(2, t);
         int last = 0;
-        for (TimePoint now = t; now < t + 1s; now += StopSequence::kRepeat) { // one STOP at a time
+        QVERIFY(stop.turn() == StopSequence::kRepeat / 2);
+        for (TimePoint now = t; now < t + 1s; now += stop.turn()) { // one STOP at a time
             if (pressing)
                 stop.begin(2, now);
             const auto motor = stop.stopDue(now, false);

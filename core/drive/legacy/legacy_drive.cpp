@@ -119,6 +119,8 @@ private:
 
     bool linkIsFree() const { return m_link.canSend() && m_task == nullptr && !m_stopUnderWay; }
     bool sendStop(TimePoint now);
+    /// A board that answers drops what comes meanwhile: blind STOPs, too, leave it time.
+    bool stopWaits() const { return m_stopUnderWay || !m_link.canSend(); }
     bool sendFirst(TimePoint now) override;
     bool give(Task &task, TimePoint now) override;
     void tellState();
@@ -192,7 +194,7 @@ std::optional<TimePoint> LegacyDrive::nextTimeout() const
     if (m_stop.active()) {
         consider(m_stop.nextAlarm());
         if (const auto next = m_stop.nextStop(m_link.connected(), m_workedAt))
-            consider(m_stopUnderWay ? std::max(*next, m_stopSince + StopSequence::kRepeat) : *next);
+            consider(stopWaits() ? std::max(*next, m_stopSince + m_stop.turn()) : *next);
     }
     if (linkIsFree()) {
         considerLater(m_vitals.due());
@@ -395,7 +397,7 @@ std::vector<Output> LegacyDrive::stopScript() const
 
 bool LegacyDrive::sendStop(TimePoint now)
 {
-    if (m_stopUnderWay && now < m_stopSince + StopSequence::kRepeat)
+    if (stopWaits() && now < m_stopSince + m_stop.turn())
         return false;
     const auto motor = m_stop.stopDue(now, m_link.connected());
     if (!motor)

@@ -81,7 +81,7 @@ std::optional<TimePoint> McpDrive::nextTimeout() const
     if (m_stop.active()) {
         consider(m_stop.nextAlarm());
         if (const auto next = m_stop.nextStop(connected(), m_workedAt))
-            consider(m_stopUnderWay ? std::max(*next, m_stopSince + StopSequence::kRepeat) : *next);
+            consider(m_stopUnderWay ? std::max(*next, m_stopSince + m_stop.turn()) : *next);
     }
     // What is due already and was not sent waits for something else, which has its own timer.
     const auto considerLater = [&](std::optional<TimePoint> at) {

@@ -61,7 +61,7 @@ std::vector<Output> McpDrive::stopScript() const
 
 bool McpDrive::sendStop(TimePoint now)
 {
-    if (m_stopUnderWay && now < m_stopSince + StopSequence::kRepeat)
+    if (m_stopUnderWay && now < m_stopSince + m_stop.turn())
         return false;
     const auto motor = m_stop.stopDue(now, connected());
     if (!motor)
