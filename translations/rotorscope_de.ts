@@ -7314,6 +7314,10 @@ mN·m</translation>
         <translation>Motor %1: Inzwischen wurde Stillstand gemessen.</translation>
     </message>
     <message>
+        <source>Motor %1: meanwhile its drive is idle. Its speed is not measurable: the rotor may coast.</source>
+        <translation>Motor %1: Inzwischen treibt ihn nichts mehr an. Seine Drehzahl ist nicht messbar: der Rotor läuft vielleicht aus.</translation>
+    </message>
+    <message>
         <source>Motor %1: meanwhile its drive is idle.</source>
         <translation>Motor %1: Inzwischen treibt ihn nichts mehr an.</translation>
     </message>
@@ -7333,10 +7337,6 @@ mN·m</translation>
     <message>
         <source>There is no connection that could carry the stop, and the motor was not at rest when it was last heard. Closing this message starts nothing again.</source>
         <translation>Es besteht keine Verbindung, die den Stopp übertragen könnte, und der Motor war nicht in Ruhe, als er zuletzt zu hören war. Das Schließen dieser Meldung startet nichts.</translation>
-    </message>
-    <message>
-        <source>Meanwhile the drive is idle. Its speed is not measurable: the rotor may coast.</source>
-        <translation>Inzwischen ist der Antrieb in Ruhe. Seine Drehzahl ist nicht messbar: der Rotor läuft vielleicht aus.</translation>
     </message>
 </context>
 <context>

@@ -7275,10 +7275,6 @@ mN·m</source>
         <source>There is no connection that could carry the stop, and the motor was not at rest when it was last heard. Closing this message starts nothing again.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Meanwhile the drive is idle. Its speed is not measurable: the rotor may coast.</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>widgets::StopButton</name>

@@ -591,9 +591,17 @@ private Q_SLOTS:
         QVERIFY(
             words->text().contains(QStringLiteral("speed not measurable: the rotor may coast")));
         QVERIFY(!words->text().contains(QStringLiteral("standstill")));
+        facts::feed(*m_device, {drive::StopProgress{2, drive::StopWord::Requested, {}}});
+        QVERIFY(!words->ended());
         m_device->open({}); // another board: what is told of this one would be told of that one
         QVERIFY(!words->isVisible());
         QVERIFY(words->text().isEmpty());
+        facts::connectBoard(*m_device); // which has one motor
+        for (const auto word :
+            {drive::StopWord::Requested, drive::StopWord::DriveIdle, drive::StopWord::Standstill})
+            facts::feed(*m_device, {drive::StopProgress{1, word, {}}});
+        QVERIFY(words->ended());
+        QVERIFY(!words->text().contains(QStringLiteral("Motor 2")));
     }
 
     void theLimitIsTheBoards()

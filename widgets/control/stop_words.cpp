@@ -7,6 +7,7 @@
 #include <QLabel>
 
 #include <algorithm>
+#include <iterator>
 
 namespace widgets {
 namespace {
@@ -72,8 +73,16 @@ void StopWords::clear(Motor &motor)
 
 void StopWords::clear()
 {
-    for (auto &[number, motor] : m_motors)
-        clear(motor);
+    // Another board may have fewer motors.
+    for (auto at = std::next(m_motors.begin()); at != m_motors.end(); at = m_motors.erase(at)) {
+        delete at->second.name;
+        for (const Line &line : at->second.lines) {
+            delete line.mark;
+            delete line.age;
+        }
+    }
+    m_motors.begin()->second.name->hide();
+    clear(m_motors.begin()->second);
 }
 
 void StopWords::take(const drive::StopProgress &progress, Milliseconds now)
