@@ -101,6 +101,9 @@ void StopWords::take(const drive::StopProgress &progress, Milliseconds now)
             since = asked;
         clear(motor);
     }
+    // The last word may take two lines; that the board accepted the stop says nothing beside them.
+    for (QLabel *label : {motor.lines[1].mark, motor.lines[1].age})
+        label->setVisible(progress.word != drive::StopWord::MayCoast);
     Line &line = motor.lines[static_cast<std::size_t>(found - kOrder.begin())];
     line.since = since;
     line.mark->setText(QStringLiteral("\u25cf ") + stopWordText(progress.word));

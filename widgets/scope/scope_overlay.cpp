@@ -39,11 +39,17 @@ ScopeOverlay::ScopeOverlay(QCustomPlot &plot, const PlotStack &stack,
     setVisible(false);
     plot.installEventFilter(this);
     connect(&cursors, &Cursors::changed, this, &ScopeOverlay::follow);
-    // Once for all that come together.
-    m_later.setSingleShot(true);
-    m_later.setInterval(0);
-    connect(&m_later, &QTimer::timeout, this, &ScopeOverlay::follow);
-    connect(&events, &EventLog::changed, &m_later, qOverload<>(&QTimer::start));
+    // Of what happens only markers are drawn here, and they are few: all that is in view is looked at for each.
+    connect(&events, &QAbstractItemModel::rowsInserted, this,
+        [this](const QModelIndex &, int first, int last) {
+            const auto &all = m_events.events();
+            if (std::any_of(all.begin() + first, all.begin() + last + 1,
+                    [](const ScopeEvent &event) { return event.kind == EventKind::Marker; }))
+                follow();
+        });
+    connect(&events, &QAbstractItemModel::rowsRemoved, this, &ScopeOverlay::follow);
+    connect(&events, &QAbstractItemModel::dataChanged, this, &ScopeOverlay::follow);
+    connect(&events, &QAbstractItemModel::modelReset, this, &ScopeOverlay::follow);
 }
 
 bool ScopeOverlay::eventFilter(QObject *watched, QEvent *event)

@@ -5,7 +5,6 @@
 #include "widgets/scope/measure_marks.h"
 #include "widgets/scope/trigger_marks.h"
 
-#include <QTimer>
 #include <QWidget>
 
 class QCustomPlot;
@@ -61,7 +60,6 @@ private:
     const EventLog &m_events;
     TriggerMarks m_marks;
     MeasureMarks m_measure;
-    QTimer m_later; ///< what happened is looked at then
 };
 
 } // namespace widgets
