@@ -1319,6 +1319,34 @@
         <source>Rotorscope did not run for a while. Its guardian has told every motor on %1 to stop, without evidence that they did. It connects anew; arm again to move.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>All motors were told to stop. Look at them, then arm again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was disarmed; the motors go on as they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This window stood still for %1 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This program or the computer stood still for %1 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The jog was ended: this window stood still while it was held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not armed: it was asked for while this window stood still. Arm again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed not measurable: the rotor may coast</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Motion</name>
@@ -4438,6 +4466,10 @@
         <source>The question was withdrawn, and nothing was sent: the board stopped answering for a moment. Press again to be asked again.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Nothing was sent: the board stopped answering for a moment, and the motor is not as it was asked about. Press again.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::MotionLogModel</name>
@@ -7245,15 +7277,15 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This drive stops its motor by itself when this program has not been heard for that time. It is not a safety function.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Drive watchdog: none</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>replay of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This drive stops its motor by itself when it has not been fed for that time. It is fed by a live window, only while armed: disarming stops what turns. It is not a safety function.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7264,15 +7296,40 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Motor %1 was told to stop, but neither its state nor its speed shows that it did. Rotorscope goes on trying. Closing this message starts nothing again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Meanwhile standstill was measured.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>There is no connection that could carry the stop, and the motor was not at rest when it was last heard. Closing this message starts nothing again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the Stop &amp;back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The port is open again, and the stop goes on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1: meanwhile standstill was measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1: meanwhile its drive is idle. Its speed is not measurable: the rotor may coast.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1: meanwhile its drive is idle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1 was told to stop, but neither its state nor its speed shows that it did.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotorscope goes on trying. Closing this message starts nothing again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not open any more, and no evidence of the stop had come. The motor may still be turning. As soon as a port is open again, what is found there is stopped before anything else. Closing this message starts nothing again and takes nothing back.</source>
+        <comment>one or more ports</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7296,6 +7353,10 @@ A program on a PC is no replacement for a switch that removes the power.</source
     <name>widgets::StopWords</name>
     <message>
         <source>%1 s ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
