@@ -79,7 +79,10 @@ Act *MsRules::actFor(const Sent &sent)
                 || !one.used.contains(sent.kind);
         if (act.kind == Act::Kind::Write) {
             const bool plain = sent.kind == Kind::Write || sent.kind == Kind::Mode;
-            return act.target == sent.target && sent.target != 0
+            // Without a motor in its number a register is the same for all of them.
+            const bool here = act.target == sent.target
+                || (act.target % 8 == 0 && act.target / 8 == sent.target / 8);
+            return here && sent.target != 0
                 && same(act.value, sent.value, 0.01)
                 && one.uses
                 < (!sent.value ? 12

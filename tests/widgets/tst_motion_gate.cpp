@@ -101,7 +101,8 @@ private Q_SLOTS:
         bench.link.runFor(2s);
         bench.arm();
         bench.gate.want(QStringLiteral("Start"), bench.start());
-        QCOMPARE(bench.asked.size(), 2U);
+        QCOMPARE(bench.asked.size(), 3U); // but for a Stop, after which it is a first one again
+        bench.gate.confirm();
         QCOMPARE(bench.sent, 2);
     }
 
