@@ -41,13 +41,17 @@ void play(LinkPair &pair, const std::vector<Output> &script, int times)
     }
 }
 
-/// What the board says of its motor once somebody speaks with it again.
-bool stopped(LinkPair &pair, int motor = 1)
+/// What the board says of its motor to a program that is started anew. The one before says nothing more.
+bool stopped(LinkPair &dead, const simulation::BoardOptions &options = {}, int motor = 1)
 {
-    pair.status.clear();
+    LinkPair pair(options);
+    pair.now = dead.now;
+    std::swap(pair.board, dead.board);
     pair.connect();
-    return pair.runUntil([&] { return pair.status.contains(motor); }, 10s)
-        && pair.status.at(motor).state != MotorState::Running
+    const bool told = pair.runUntil([&] { return pair.status.contains(motor); }, 10s);
+    std::swap(pair.board, dead.board);
+    dead.now = pair.now;
+    return told && pair.status.at(motor).state != MotorState::Running
         && pair.status.at(motor).state != MotorState::Starting;
 }
 
@@ -130,8 +134,8 @@ void TestStopScript::everyMotorStops()
             [&] { return session.status[motor].state == MotorState::Running; }, 10s));
     }
     play(session, session.drive->stopScript(), 2);
-    QVERIFY(stopped(session, 1));
-    QVERIFY(stopped(session, 2));
+    QVERIFY(stopped(session, options, 1));
+    QVERIFY(stopped(session, options, 2));
 }
 
 void TestStopScript::aBoardOfTheOlderProtocolStops_data()
@@ -156,7 +160,7 @@ void TestStopScript::aBoardOfTheOlderProtocolStops()
     frame.resize(static_cast<std::size_t>(cut));
     play(bench, {{frame, 20ms}}, 1);
     play(bench, bench.drive->stopScript(), cut == 0 ? 1 : kTwoSeconds);
-    QVERIFY(stopped(bench));
+    QVERIFY(stopped(bench, support::boardOf(qPrintable(profile))));
 }
 
 void TestStopScript::aDriveOnSpiStopsInEitherState_data()
@@ -232,7 +236,7 @@ void TestStopScript::withoutItTheMotorGoesOn()
     LegacyBench bench("legacy");
     QVERIFY(bench.start());
     play(bench, {}, kTwoSeconds);
-    QVERIFY(!stopped(bench));
+    QVERIFY(!stopped(bench, support::boardOf("legacy")));
 }
 
 QTEST_GUILESS_MAIN(TestStopScript)
