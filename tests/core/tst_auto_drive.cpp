@@ -85,7 +85,7 @@ void TestAutoDrive::aStopGoesOutInEveryLanguageInTurn()
     line.runFor(1490ms);
     QVERIFY2(sent.size() >= 16, std::to_string(sent.size()).c_str());
     for (std::size_t i = 1; i < sent.size(); ++i) {
-        QVERIFY(sent[i].second != sent[i - 1].second || sent[i].first - asked < 600ms);
+        QVERIFY(sent[i].second != sent[i - 1].second || sent[i].first - asked < 700ms);
         QVERIFY(sent[i].first - sent[i - 1].first <= 200ms);
     }
     line.runFor(10s);

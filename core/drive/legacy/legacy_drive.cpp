@@ -119,8 +119,7 @@ private:
 
     bool linkIsFree() const { return m_link.canSend() && m_task == nullptr && !m_stopUnderWay; }
     bool sendStop(TimePoint now);
-    /// A board that answers drops what comes meanwhile: blind STOPs, too, leave it time.
-    bool stopWaits() const { return m_stopUnderWay || !m_link.canSend(); }
+    TimePoint nextStopMayLeave() const;
     bool sendFirst(TimePoint now) override;
     bool give(Task &task, TimePoint now) override;
     void tellState();
@@ -194,7 +193,7 @@ std::optional<TimePoint> LegacyDrive::nextTimeout() const
     if (m_stop.active()) {
         consider(m_stop.nextAlarm());
         if (const auto next = m_stop.nextStop(m_link.connected(), m_workedAt))
-            consider(stopWaits() ? std::max(*next, m_stopSince + m_stop.turn()) : *next);
+            consider(std::max(*next, nextStopMayLeave()));
     }
     if (linkIsFree()) {
         considerLater(m_vitals.due());
@@ -395,9 +394,19 @@ std::vector<Output> LegacyDrive::stopScript() const
     return script;
 }
 
+/// A board that answers drops what comes meanwhile: blind STOPs of several motors, too, leave it time. They come close
+/// together, so that the line has its rest behind them.
+TimePoint LegacyDrive::nextStopMayLeave() const
+{
+    constexpr Duration kBetweenBlind = std::chrono::milliseconds(20);
+    if (m_stopUnderWay)
+        return m_stopSince + StopSequence::kRepeat;
+    return m_link.canSend() ? TimePoint{} : m_stopSince + kBetweenBlind;
+}
+
 bool LegacyDrive::sendStop(TimePoint now)
 {
-    if (stopWaits() && now < m_stopSince + m_stop.turn())
+    if (now < nextStopMayLeave())
         return false;
     const auto motor = m_stop.stopDue(now, m_link.connected());
     if (!motor)
