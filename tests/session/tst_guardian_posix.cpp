@@ -263,10 +263,12 @@ public:
                 QStringLiteral("-screen"), QStringLiteral("0"), QStringLiteral("640x480x24")},
             QStringList{}, number[1]);
         ::close(number[1]);
-        std::array<char, 16> text{};
-        const ssize_t count = ::read(number[0], text.data(), text.size());
+        // To the end of the line: a server whose number nobody reads to the end gives up.
+        QByteArray line;
+        for (char next = 0; ::read(number[0], &next, 1) == 1 && next != '\n';)
+            line.append(next);
         ::close(number[0]);
-        m_name = ':' + QByteArray(text.data(), std::max<qsizetype>(0, count)).trimmed();
+        m_name = ':' + line;
     }
     QString name() const { return QString::fromLatin1(m_name); }
     void die() { m_server->signal(SIGKILL); }
