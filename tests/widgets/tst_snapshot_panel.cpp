@@ -283,7 +283,7 @@ private Q_SLOTS:
         const QString path = bench.home.filePath(QStringLiteral("s.json"));
         QVERIFY(bench.saved(path));
         bench.answerYes = true;
-        bench.type("SPEED_REF", QStringLiteral("600"));
+        bench.type("SPEED_REF", QStringLiteral("600")); // the board takes it as a ramp
         QVERIFY(bench.apply());
         QVERIFY(bench.change({"SPEED_KP"}, 1));
         QVERIFY(bench.opened(path));
@@ -293,11 +293,11 @@ private Q_SLOTS:
                 && bench.table()->model()->index(row, 0).data(Qt::CheckStateRole).isValid();
         };
         QVERIFY(checkable("SPEED_KP"));
-        QVERIFY(!bench.shown().contains(QStringLiteral("SPEED_REF"))); // no parameter
+        QVERIFY(!bench.shown().contains(QStringLiteral("SPEED_RAMP"))); // no parameter
         bench.find<QCheckBox>("snapshotAll")->setChecked(true);
-        const auto row = bench.shown().indexOf(QStringLiteral("SPEED_REF"));
+        const auto row = bench.shown().indexOf(QStringLiteral("SPEED_RAMP"));
         QVERIFY(row >= 0);
-        QVERIFY(!checkable("SPEED_REF"));
+        QVERIFY(!checkable("SPEED_RAMP"));
         const QModelIndex cell = bench.table()->model()->index(int(row), 0);
         QVERIFY(cell.data(Qt::ToolTipRole).toString().contains(QStringLiteral("moves a motor")));
         QVERIFY(checkable("SPEED_KP"));
