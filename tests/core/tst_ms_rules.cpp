@@ -186,6 +186,7 @@ void TestMsRules::aBrokenRuleSpeaks_data()
         b.judge.line().asksFirst = true;
         b.act(Act::Kind::Confirm);
         b.act(Act::Kind::Stop);
+        b.run(5ms);
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::Input);
         b.request({kStart | 1});

@@ -4,6 +4,7 @@
 // bounds are those of a drive. The board lives on while its cable is out.
 #pragma once
 
+#include "drive/make_drive.h"
 #include "session/session.h"
 #include "simulation/mcb/mcb_board.h"
 #include "simulation/simulated_board.h"
@@ -260,6 +261,10 @@ inline session::Parts JudgedWorld::parts()
     session::Parts parts = session::realParts();
     parts.clock = [this] { return now(); };
     parts.elapsed = {};
+    // Whatever is chosen in the window, the board speaks one language only.
+    parts.drive = [this](const session::Endpoint &endpoint) {
+        return drive::makeDrive({m_protocol, endpoint.baud, endpoint.patience});
+    };
     if (m_virtual) {
         parts.attendance = session::Attendance::OwnThread;
         parts.drive = [this, make = parts.drive](const session::Endpoint &endpoint) {

@@ -86,6 +86,8 @@ public:
         drive = std::make_unique<JudgedDrive>(drive::makeMcpDrive(config), judge);
         judge.watch(
             std::make_unique<judge::WireMcp>(baud, board->truth(1).ampsPerDigit), mcpLine());
+        if (!options.lies.empty())
+            judge.line().motorsTold = 7; // the most that a board can tell
     }
     ~LinkPair()
     {
@@ -206,7 +208,7 @@ private:
         line.maxAmps = line.ampsPerDigit = 0.0; // these boards do not tell them
         line.firstStop = 150ms;
         line.repeat = 250ms;
-        line.suspect = 1s;
+        line.suspect = 2600ms; // between two questions of a recovery nothing is told
         line.lost = 6s;
         line.answerWithin = 900ms;
         return line;

@@ -152,10 +152,11 @@ void MsRules::act(const Act &act)
         forgetActs();
         m_heardAt.reset();
         m_unanswered.reset();
-        if (m_decoder)
-            m_decoder->reset();
         return;
     case Act::Kind::Unplugged:
+        if (m_decoder)
+            m_decoder->reset(); // what was under way never ends
+        [[fallthrough]];
     case Act::Kind::Close:
         m_open = false;
         m_stop.reset();

@@ -94,6 +94,7 @@ enum class Link : std::uint8_t { Closed, Connecting, Connected, Suspect, Recover
 /// What the judge has to know of a line and its board beforehand.
 struct Line {
     int motors = 1;
+    int motorsTold = 0; ///< by a board that lies; more than there are
     std::uint32_t baud = 1843200;
     double maxRpm = 0.0, maxAmps = 0.0, ampsPerDigit = 0.0; ///< of the board; 0: not told
     bool stopsBlind = true; ///< without a link, too

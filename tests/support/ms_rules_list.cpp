@@ -43,7 +43,7 @@ void MsRules::onlyMotorsThatAreThere(const Sent &sent)
     const bool commands = sent.kind == Kind::Start || sent.kind == Kind::Stop
         || sent.kind == Kind::StopRamp || sent.kind == Kind::Acknowledge
         || sent.kind == Kind::SetPoint;
-    if (commands && (sent.motor < 1 || sent.motor > m_line.motors))
+    if (commands && (sent.motor < 1 || sent.motor > std::max(m_line.motors, m_line.motorsTold)))
         violate("motors that are there",
             std::string(nameOf(sent.kind)) + " for motor " + std::to_string(sent.motor) + " of "
                 + std::to_string(m_line.motors));

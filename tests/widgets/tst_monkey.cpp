@@ -93,7 +93,10 @@ public:
         for (int i = 0; i < 100 && !device().identified(); ++i)
             rest(20);
         for (int i = 0; i < acts && m_world.verdict().empty(); ++i) {
-            act();
+            if (i < 5 && m_random.chance(0.7))
+                goOnPurpose(); // a person comes to turn a motor
+            else
+                act();
             rest(static_cast<int>(m_random.below(50)));
         }
         leave();
