@@ -23,9 +23,11 @@ void onSignal(int number)
 {
     const int before = errno;
     const auto byte = static_cast<unsigned char>(number);
-    for (const auto &pipe : g_pipes)
-        if (const int end = pipe.load(); end >= 0) [[maybe_unused]]
-            const auto written = ::write(end, &byte, 1);
+    for (const auto &pipe : g_pipes) {
+        if (const int end = pipe.load(); end >= 0) {
+            [[maybe_unused]] const auto written = ::write(end, &byte, 1);
+        }
+    }
     errno = before;
 }
 

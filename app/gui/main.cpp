@@ -84,8 +84,8 @@ int run(int argc, char **argv, const gui::Arguments &arguments)
     QObject::connect(&interrupt, &cli::Interrupt::raised, &window, &QWidget::close);
     // A window that hangs does not ask. What this program drives is stopped whether it does or not.
     workbench.atSession([](session::Session &session) {
-        const auto *signal = new cli::Interrupt(&session); // ends with it, in its thread
-        QObject::connect(signal, &cli::Interrupt::raised, &session, &session::Session::stopOwn);
+        const auto *asked = new cli::Interrupt(&session); // ends with it, in its thread
+        QObject::connect(asked, &cli::Interrupt::raised, &session, &session::Session::stopOwn);
     });
     if (arguments.connect)
         QTimer::singleShot(0, window.connectBar(), &widgets::ConnectBar::connectOrDisconnect);

@@ -60,6 +60,64 @@ struct Attended : Bench {
     }
 };
 
+/// Real time and a real thread, with a motor that runs.
+struct Threaded {
+    struct CountingDrive : FakeDrive {
+        CountingDrive(FakeDrive::Log &log, std::atomic<int> &count)
+            : FakeDrive(log)
+            , counted(count)
+        {
+            events.push_back(status(MotorState::Running));
+        }
+        void stop(TimePoint now) override
+        {
+            FakeDrive::stop(now);
+            ++counted;
+        }
+        std::atomic<int> &counted;
+    };
+
+    FakeTransport::Log port;
+    FakeDrive::Log board;
+    std::atomic<int> stops = 0;
+    session::SessionThread thread{parts()};
+
+    session::Parts parts()
+    {
+        session::Parts parts = session::realParts();
+        parts.transport = [this](const session::Endpoint &) {
+            return std::make_unique<FakeTransport>(port);
+        };
+        parts.drive = [this](const session::Endpoint &) {
+            return std::make_unique<CountingDrive>(board, stops);
+        };
+        return parts;
+    }
+    template <class What>
+    void ask(What what)
+    {
+        QMetaObject::invokeMethod(thread.session(), what, Qt::BlockingQueuedConnection);
+    }
+    void arm()
+    {
+        ask([this] { thread.session()->open(Bench::serial()); });
+        thread.session()->attendFromAnyThread();
+        ask([this] { thread.session()->setArmed(true); });
+    }
+    bool armed()
+    {
+        bool is = false;
+        ask([&] { is = board.alive->armed(); });
+        return is;
+    }
+    int doubts()
+    {
+        int are = 0;
+        ask([&] { are = board.doubts; });
+        return are;
+    }
+};
+
 } // namespace
 
 class TestDeadMan : public QObject {
@@ -96,6 +154,7 @@ private Q_SLOTS:
     void askedToEndItLeavesWhatIsNotItsOwn();
 
     void aFrozenInterfaceIsSeenByTheRunningThread();
+    void aStarvedSessionDisarmsWhenItRunsAgain();
 };
 
 void TestDeadMan::aLiveInterfaceKeepsWhatItHas()
@@ -486,47 +545,39 @@ void TestDeadMan::askedToEndItLeavesWhatIsNotItsOwn()
     QCOMPARE(closed.board.stops, 0);
 }
 
-/// Real time, real threads: this thread is the interface and does nothing, as a frozen one does.
 void TestDeadMan::aFrozenInterfaceIsSeenByTheRunningThread()
 {
-    FakeTransport::Log port;
-    FakeDrive::Log board;
-    std::atomic<int> stops = 0;
-    struct CountingDrive : FakeDrive {
-        CountingDrive(FakeDrive::Log &log, std::atomic<int> &count)
-            : FakeDrive(log)
-            , counted(count)
-        {
-            events.push_back(status(MotorState::Running));
-        }
-        void stop(TimePoint now) override
-        {
-            FakeDrive::stop(now);
-            ++counted;
-        }
-        std::atomic<int> &counted;
-    };
-    session::Parts parts = session::realParts();
-    parts.transport = [&](const session::Endpoint &) {
-        return std::make_unique<FakeTransport>(port);
-    };
-    parts.drive = [&](const session::Endpoint &) {
-        return std::make_unique<CountingDrive>(board, stops);
-    };
-    session::SessionThread thread(parts);
-    session::Session *session = thread.session();
-    session->attendFromAnyThread();
-    QMetaObject::invokeMethod(
-        session, [&] { session->open(Bench::serial()); }, Qt::BlockingQueuedConnection);
+    Threaded rig;
     const auto frozen = std::chrono::steady_clock::now();
-    session->attendFromAnyThread();
+    rig.arm();
+    while (rig.stops == 0 && std::chrono::steady_clock::now() - frozen < 30s)
+        QThread::yieldCurrentThread(); // this thread is the interface, and has no event loop here
+    QCOMPARE(rig.stops.load(), 1);
+    QVERIFY(std::chrono::steady_clock::now() - frozen >= DeadMan::kGoneAfter);
+}
+
+void TestDeadMan::aStarvedSessionDisarmsWhenItRunsAgain()
+{
+    Threaded rig;
+    rig.arm();
+    QVERIFY(rig.armed());
+    const auto begun = std::chrono::steady_clock::now();
+    const auto busy = [begun](std::chrono::milliseconds time) {
+        return std::chrono::steady_clock::now() - begun < time;
+    };
     QMetaObject::invokeMethod(
-        session, [&] { session->setArmed(true); }, Qt::BlockingQueuedConnection);
-    while (stops == 0 && std::chrono::steady_clock::now() - frozen < 30s)
-        QThread::yieldCurrentThread(); // no event loop here
-    const auto after = std::chrono::steady_clock::now() - frozen;
-    QCOMPARE(stops.load(), 1);
-    QVERIFY(after >= DeadMan::kGoneAfter);
+        rig.thread.session(),
+        [busy] {
+            while (busy(1500ms)) { }
+        },
+        Qt::QueuedConnection);
+    while (busy(1500ms)) {
+        rig.thread.session()->attendFromAnyThread(); // a lively interface
+        QThread::yieldCurrentThread();
+    }
+    rig.thread.session()->attendFromAnyThread();
+    QVERIFY(!rig.armed());
+    QVERIFY(rig.doubts() >= 1);
 }
 
 QTEST_GUILESS_MAIN(TestDeadMan)
