@@ -46,10 +46,13 @@ public:
 
     /// It was made then, or is getting on: the board has answered it then.
     void freshen(TimePoint now) { m_fresh = now; }
-    /// It acts, nothing of it has left, and neither a person nor the board has been heard about it lately.
+    void begin() { m_begun = true; } ///< its first request leaves
+    /// It acts, nothing of it has left, and neither a person nor the board has been heard about it lately. A list of
+    /// writes that move nothing goes on once it was begun in time, however slow the board is.
     bool expired(TimePoint now) const
     {
-        return m_permission == Permission::Armed && !m_sent && now > m_fresh + kWishExpiresAfter;
+        const bool goesOn = m_sent || (m_begun && !m_motion);
+        return m_permission == Permission::Armed && !goesOn && now > m_fresh + kWishExpiresAfter;
     }
 
     /// The act that the motion log is told of when this ends; empty: it is none.
@@ -85,6 +88,7 @@ private:
     std::optional<MotionRecord> m_motion;
     Permission m_permission;
     TimePoint m_fresh{};
+    bool m_begun = false;
     bool m_finished = false;
     bool m_sent = false; ///< something that can change the board has left
 };

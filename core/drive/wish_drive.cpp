@@ -214,8 +214,10 @@ void WishDrive::sendNext(Task &vitals, Task &watch, TimePoint now)
 bool WishDrive::giveToWish(TimePoint now)
 {
     while (WishTask *wish = m_wishes.next(m_armed, now)) {
-        if (give(*wish, now))
+        if (give(*wish, now)) {
+            wish->begin();
             return true;
+        }
         if (!wish->finished())
             return false; // waits for something else; no other wish overtakes it
         m_wishes.collect(m_events, m_workedAt);

@@ -137,6 +137,10 @@ void TestLateWishes::onlyWhatActsAndHasNotLeftExpires()
     QVERIFY(!reading->expired(made + 1h));
     acting->freshen(made + 1s); // the board has answered a question of it
     QVERIFY(!acting->expired(made + 1s + kWishExpiresAfter));
+    acting->begin();
+    QVERIFY(!acting->expired(made + 1h)); // it moves nothing, and was begun in time
+    acting->motion() = MotionRecord{};
+    QVERIFY(acting->expired(made + 1h));
     acting->leave();
     QVERIFY(!acting->expired(made + 1h)); // half of a list is worse than a late one
 }

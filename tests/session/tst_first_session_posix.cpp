@@ -24,8 +24,16 @@ private Q_SLOTS:
 
 namespace {
 
+/// The test is its own interface, in the session's thread.
+session::Parts attended()
+{
+    session::Parts parts = session::realParts();
+    parts.attendance = session::Attendance::OwnThread;
+    return parts;
+}
+
 struct User {
-    Session session;
+    Session session{attended()};
     std::vector<std::pair<PortState, PortProblem>> ports;
     std::optional<drive::Identified> board;
     drive::MotorStatus status;
