@@ -146,6 +146,7 @@ public:
 private:
     void tryCandidate(std::size_t which, TimePoint now);
     void startCandidate(std::size_t which, TimePoint now);
+    void letGo(TimePoint now);
     void takeTurn(TimePoint now);
     void sift(TimePoint now);
     bool siftLink(const LinkChanged &change); ///< whether the candidate has failed
@@ -194,12 +195,22 @@ void AutoDrive::startCandidate(std::size_t which, TimePoint now)
         m_drive->stop(now);
 }
 
+/// What was asked of a candidate ends with it.
+void AutoDrive::letGo(TimePoint now)
+{
+    m_drive->disconnect(now);
+    for (Event &event : m_drive->takeEvents())
+        if (!std::holds_alternative<LinkChanged>(event))
+            m_events.push_back(std::move(event));
+}
+
 /// The next candidate's turn to stop whatever is there; after the blind time the search goes on as without a stop.
 void AutoDrive::takeTurn(TimePoint now)
 {
     m_turnEnds.reset();
     if (m_stop.blind(now))
         m_turnEnds = now + kTurn;
+    letGo(now);
     tryCandidate((m_which + 1) % m_candidates.size(), now);
 }
 
@@ -272,10 +283,7 @@ void AutoDrive::afterFailure(TimePoint now)
     if (m_toldLost != reason)
         m_events.emplace_back(LinkChanged{LinkState::Lost, reason});
     m_toldLost = reason;
-    m_drive->disconnect(now);
-    for (Event &event : m_drive->takeEvents())
-        if (!std::holds_alternative<LinkChanged>(event))
-            m_events.push_back(std::move(event));
+    letGo(now);
     m_tryAgainAt = now + kTryAgainAfter;
 }
 
