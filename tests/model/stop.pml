@@ -242,7 +242,7 @@ inline finish() {
 active proctype Drive() {
     mtype k, fate = DELIVERED; byte m, value, i; byte asked; bool answers, expires;
     do
-    :: atomic { RUNS && len(down) > 0 -> down?k,m,value;
+    :: atomic { RUNS && len(down) > 0 && !expires -> down?k,m,value;
         if
         :: k == NOTICE -> disarm(); latch = false; identified = false; link = LOST; waiting = 0; attempts = 0
         :: k == waiting && m == asked -> waiting = 0; answered(k, value)
@@ -259,7 +259,7 @@ active proctype Drive() {
         fi }
     :: atomic { RUNS && waiting == 0 && len(down) == 0 && GOESON -> work() }
     :: atomic { RUNS && waiting == 0 && len(down) == 0 && needsLook -> needsLook = false;
-        if :: link == UP && identified && !EXCLUSIVE && !startWanted -> ask(GET, 0) :: else -> skip fi }
+        if :: link == UP && identified && !startWanted -> ask(GET, 0) :: else -> skip fi }
     :: atomic { !calm && wantsStop -> wantsStop = false; beginStop() }
     :: atomic { RUNS && SETTLED -> finish() };
         progress: skip
@@ -272,9 +272,9 @@ active proctype Person() {
         if :: act = NOTHING :: act = ARM :: act = DOSTART :: act = DOSTOP :: act = DOBOTH fi;
         if :: line = CLEAN :: line = NOISY :: line = DEAD :: line = MUTE fi;
         if :: subject = 0 :: subject = MOTORS - 1 fi;
-        if :: obeys = true :: act != DOBOTH -> obeys = false fi;
-        if :: act == NOTHING || act == DOSTOP -> wasReset = true :: wasReset = false fi;
         if :: (act == DOSTART || act == DOBOTH) && (line == DEAD || line == MUTE) -> line = CLEAN :: else -> skip fi;
+        if :: !(open && line == MUTE) -> obeys = true :: act != DOBOTH -> obeys = false fi;  /* else it is a race */
+        if :: act == NOTHING || act == DOSTOP -> wasReset = true :: wasReset = false fi;
         startFate = DELIVERED;
         if :: line == NOISY && act == DOSTART ->
             if :: startFate = ASKLOST :: startFate = ANSWERLOST :: startFate = DELIVERED fi

@@ -7,8 +7,10 @@ A line holds phases; a phase is  act,motor,line,obeys,reset,start,fates|link,arm
 with what the model printed, each choice by its first letters.
 """
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 PHASE = re.compile(r"phase act=(\w+) motor=(\d) line=(\w+) obeys=(\d) reset=(\d) start=(\w+)")
@@ -17,9 +19,8 @@ ACTS = {"NOTHING": "N", "ARM": "A", "DOSTART": "S", "DOSTOP": "X", "DOBOTH": "B"
 FATES = {"DELIVERED": "d", "ASKLOST": "q", "ANSWERLOST": "a", "TWICE": "t", "LATE": "l"}
 
 
-def run(model, seed, phases):
-    here = Path(__file__).resolve().parent
-    printed = subprocess.run(["spin", "-T", f"-n{seed}", f"-u{phases * 260}", f"{model}.pml"], cwd=here,
+def run(folder, model, seed, phases):
+    printed = subprocess.run(["spin", "-T", f"-n{seed}", f"-u{phases * 260}", f"{model}.pml"], cwd=folder,
                              capture_output=True, text=True, check=True).stdout
     done, chosen, fates = [], None, ""
     for line in printed.splitlines():
@@ -37,8 +38,11 @@ def run(model, seed, phases):
 def main():
     model, first, count = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
     phases = int(sys.argv[4]) if len(sys.argv) > 4 else 12
-    for seed in range(first, first + count):
-        print(run(model, seed, phases))
+    with tempfile.TemporaryDirectory() as folder:  # where spin leaves a file of its own
+        for file in Path(__file__).resolve().parent.glob("*.pml"):
+            shutil.copy(file, folder)
+        for seed in range(first, first + count):
+            print(run(folder, model, seed, phases))
 
 
 main()
