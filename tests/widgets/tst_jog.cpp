@@ -226,7 +226,9 @@ private Q_SLOTS:
         bench.agree();
         QVERIFY(bench.press());
         // The window stood still; the session has sent the stop of this motor.
-        bench.link.submit(drive::Command{MotorAction::StopMotor, 1});
+        bench.link.drive->submit(
+            {.id = 0, .what = drive::Command{MotorAction::StopMotor, 1}}, bench.link.now);
+        bench.link.exchange();
         Q_EMIT bench.device.interrupted({session::Interruption::Cause::Hold, 400ms, false, true});
         QVERIFY(!bench.box.jog().held());
         QVERIFY(bench.idleWithin(500ms));
