@@ -13,7 +13,7 @@ namespace {
 
 constexpr qint64 kPiece = 1 << 20;
 
-std::size_t memoryOf(const std::string &text) { return sizeof text + text.size(); }
+std::size_t memoryOf(const std::string &text) { return sizeof(std::string) + text.size(); }
 
 std::size_t memoryOf(const record::Happening &happening)
 {
