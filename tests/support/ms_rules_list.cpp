@@ -82,8 +82,7 @@ Act *MsRules::actFor(const Sent &sent)
             // Without a motor in its number a register is the same for all of them.
             const bool here = act.target == sent.target
                 || (act.target % 8 == 0 && act.target / 8 == sent.target / 8);
-            return here && sent.target != 0
-                && same(act.value, sent.value, 0.01)
+            return here && sent.target != 0 && same(act.value, sent.value, 0.01)
                 && one.uses
                 < (!sent.value ? 12
                         : plain

@@ -61,9 +61,8 @@ private Q_SLOTS:
         QCOMPARE(bench.snapshots.kept().size(), 1U);
         QVERIFY(valueIn(bench.newest(), "SPEED_KP") == kp);
         QVERIFY(valueIn(bench.newest(), "SPEED_KI") == ki);
-        const auto tunable = std::count_if(all.begin(), all.end(), [&](const auto &one) {
-            return bench.device.catalog()->find(one.first)->restorable();
-        });
+        const auto tunable = std::count_if(all.begin(), all.end(),
+            [&](const auto &one) { return bench.device.catalog()->find(one.first)->restorable(); });
         QCOMPARE(bench.newest().entries.size(), std::size_t(tunable));
         QTRY_VERIFY(!bench.snapshots.kept().front().file.isEmpty());
         const auto text = session::readWholeFile(bench.snapshots.kept().front().file);
