@@ -219,13 +219,11 @@ private:
         case 1:
         case 2:
         case 3:
-            return goOnPurpose();
         case 4:
         case 5:
         case 6:
             return goOnPurpose();
         case 7:
-            return setPoint();
         case 8:
             return setPoint();
         case 9:
