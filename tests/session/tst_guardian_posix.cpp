@@ -374,8 +374,8 @@ Death dieOnce(Kind kind, std::chrono::microseconds behindTheStart)
     return death;
 }
 
-/// On a busy machine a screen does not come up at times, a board is met too late, or the session has stopped the motor
-/// itself because its window stood still for two seconds: then there was nothing to stop, and it is done again.
+/// On a busy machine a screen does not come up at times, or a board is met too late. A STOP that had left before the end is
+/// tried again as well; why it leaves is not known: that the session stopped its own motor is only supposed.
 Death die(Kind kind, std::chrono::microseconds behindTheStart)
 {
     constexpr int kTries = 8;
