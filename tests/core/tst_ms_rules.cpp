@@ -191,6 +191,14 @@ void TestMsRules::aBrokenRuleSpeaks_data()
         b.act(Act::Kind::Input);
         b.request({kStart | 1});
     });
+    story("agreed to a jog, then started by the button", "first starts are asked", [](Bench &b) {
+        b.judge.line().asksFirst = true;
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::AgreeToHold);
+        b.run(2s);
+        b.act(Act::Kind::Input);
+        b.request({kStart | 1});
+    });
     story("too fast for the board", "bounded", [](Bench &b) {
         b.act(Act::Kind::Arm);
         b.setPoint(5000.0);

@@ -148,7 +148,7 @@ void MsRules::act(const Act &act)
     case Act::Kind::Open:
         m_open = true;
         m_opened = act.at;
-        m_identified = m_requested = m_startedOnce = false;
+        m_identified = m_requested = m_startedOnce = m_holdAgreed = false;
         forgetActs();
         m_heardAt.reset();
         m_unanswered.reset();
@@ -181,6 +181,14 @@ void MsRules::act(const Act &act)
     case Act::Kind::Confirm:
         m_confirmed = act.at;
         return;
+    case Act::Kind::AgreeToHold:
+        m_holdAgreed = true;
+        return;
+    case Act::Kind::Hold:
+        m_held = act.at;
+        m_acts.push_back({act});
+        m_acts.back().act.kind = Act::Kind::Input;
+        return;
     case Act::Kind::Leave:
         m_leave = act.at;
         return;
@@ -199,7 +207,7 @@ void MsRules::act(const Act &act)
 void MsRules::onStop(const Act &act)
 {
     ++m_counts.stops;
-    m_startedOnce = false;
+    m_startedOnce = m_holdAgreed = false;
     m_confirmed.reset();
     forgetActs();
     m_open = m_open || m_link != Link::Closed; // a Stop interrupts the disconnecting

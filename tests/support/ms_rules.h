@@ -69,6 +69,8 @@ struct Act {
         Scale, ///< of currents, as a person knows it
         Input, ///< any input event of a window: allows one thing that acts of each kind, and writes
         Confirm, ///< yes to a question
+        AgreeToHold, ///< yes to what moves while it is held; moves nothing by itself, and lasts until a Stop
+        Hold, ///< an input that moves a motor while it is held
         Restore, ///< yes to writing what a file holds: allows writes, and what came before it allows no more
         Leave, ///< a motor that turns is to go on without us
     };
@@ -246,7 +248,8 @@ private:
     };
     std::vector<Pending> m_acts;
     std::map<int, TimePoint> m_stopSent; ///< by motor
-    std::optional<TimePoint> m_leave, m_confirmed;
+    std::optional<TimePoint> m_leave, m_confirmed, m_held;
+    bool m_holdAgreed = false; ///< since the connection or the last Stop
     bool m_startedOnce = false; ///< since the connection or the last Stop
     double m_userRpm = 0.0, m_userAmps = 0.0;
     std::set<std::uint64_t> m_wishes, m_ended;

@@ -157,7 +157,10 @@ void MsRules::firstStartsAreAsked(const Sent &sent)
 {
     if (!m_line.asksFirst || sent.kind != Kind::Start || m_startedOnce)
         return;
-    if (!m_confirmed || m_now - *m_confirmed > m_line.fresh + m_line.grace)
+    const auto fresh = [this](const std::optional<TimePoint> &at) {
+        return at && m_now - *at <= m_line.fresh + m_line.grace;
+    };
+    if (!fresh(m_confirmed) && !(m_holdAgreed && fresh(m_held)))
         violate("first starts are asked",
             "the first START since the connection or the last Stop left, and nobody said yes to "
             "it");

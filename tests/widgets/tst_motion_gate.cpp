@@ -126,6 +126,19 @@ private Q_SLOTS:
             qPrintable(lines));
     }
 
+    void whoAgreedToJogIsStillAskedAboutAStart()
+    {
+        GateBench bench;
+        bench.arm();
+        QVERIFY(!bench.gate.jog(QStringLiteral("Jog"), 1, 300));
+        QCOMPARE(bench.asked.size(), 1U);
+        bench.gate.confirm();
+        QVERIFY(bench.gate.jogAgreed(1));
+        bench.gate.want(QStringLiteral("Start"), bench.start());
+        QCOMPARE(bench.asked.size(), 2U);
+        QCOMPARE(bench.sent, 0);
+    }
+
     void aStartThatWasRefusedIsStillTheFirst()
     {
         GateBench bench;

@@ -269,7 +269,7 @@ drive::MotionScene MotionGate::sceneOf(int motor) const
     const drive::MotorStatus status = m_device.status(motor);
     drive::MotionScene scene;
     scene.state = status.state;
-    scene.startedBefore = m_started.contains(motor) || m_agreed.contains(motor);
+    scene.startedBefore = m_started.contains(motor);
     scene.bounds = m_device.bounds(motor);
     scene.ownSpeedLimitRpm = m_device.userLimits().maxSpeedRpm;
     scene.speedRpm = status.speedRpm;

@@ -90,7 +90,8 @@ private:
 
     Device &m_device;
     RegisterModel &m_registers;
-    std::set<int> m_started, m_agreed; ///< motors, since the board was met
+    /// Motors since the board was met. Agreed: to jogging alone, a start by its own button is asked about all the same.
+    std::set<int> m_started, m_agreed;
     QMap<drive::WishId, Open> m_open; ///< sent and not ended
     QString m_action;
     std::vector<drive::WishContent> m_asked; ///< waits for an answer
