@@ -329,7 +329,7 @@ std::optional<TimePoint> Client::suspectAt() const
 {
     if (!m_connected || m_suspected || !m_unanswered || m_state == State::Ready)
         return std::nullopt;
-    return std::max(*m_unanswered, m_lastByte) + kSuspectAfter;
+    return std::max(*m_unanswered + kLeastOpen, m_lastByte + kSuspectAfter);
 }
 
 void Client::handleTimeout(TimePoint now)

@@ -35,7 +35,9 @@ public:
     static constexpr Duration kNoisyAtMost = kAnswerTime;
     /// An urgent request waits so long for the end of the exchange before it.
     static constexpr Duration kGrace = kSettle;
+    /// A silence so long is told, if a question has been open for kLeastOpen of it.
     static constexpr Duration kSuspectAfter = std::chrono::milliseconds(500);
+    static constexpr Duration kLeastOpen = std::chrono::milliseconds(100);
 
     struct Config {
         std::uint32_t baud = 115200;

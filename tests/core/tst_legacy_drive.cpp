@@ -53,6 +53,7 @@ private Q_SLOTS:
     void aMotorThatBecomesKnownWhileStoppingIsStopped_data() { profiles(); }
     void aMotorThatBecomesKnownWhileStoppingIsStopped();
     void aLostLinkIsToldWhileAPersonKeepsPressing();
+    void anOutagePutsNoLookAtTheMotorsOff();
     void aRestartedBoardIsMetAnewAndReadOnly();
     void aLostBoardIsFoundAgain();
     void watchingFillsTheLine();
@@ -406,7 +407,7 @@ void TestLegacyDrive::aLostLinkIsToldWhileAPersonKeepsPressing()
         bench.exchange();
         bench.runFor(400ms);
     }
-    QVERIFY(suspect && *suspect - asked <= 700ms);
+    QVERIFY(suspect && *suspect - asked <= 600ms);
     QVERIFY(lost && *lost - asked <= 7s);
     const Bytes stop{0x23, 0x01, 0x02, 0x26};
     QVERIFY(std::count(bench.requests.begin(), bench.requests.end(), stop) >= 60); // all the time
@@ -415,6 +416,43 @@ void TestLegacyDrive::aLostLinkIsToldWhileAPersonKeepsPressing()
         1);
     bench.toDrive.cut = false;
     QVERIFY(bench.runUntil([&] { return !bench.drive->stopOpen(); }, 20s));
+}
+
+/// The round of questions that an outage interrupts takes long; the one behind it comes in time all the same.
+void TestLegacyDrive::anOutagePutsNoLookAtTheMotorsOff()
+{
+    support::LegacyBench bench("legacy");
+    QVERIFY(bench.ready);
+    for (const Duration phase : {0ms, 30ms, 70ms}) {
+        bench.runFor(phase);
+        bench.toDrive.cut = true;
+        bench.runFor(1200ms);
+        bench.toDrive.cut = false;
+        QVERIFY(bench.runUntil([&] { return bench.link == LinkState::Connected; }, 10s));
+        TimePoint looked = bench.now;
+        Duration longest{};
+        bench.onEvent = [&](const Event &event) {
+            if (!std::holds_alternative<MotorStatus>(event))
+                return;
+            longest = std::max(longest, bench.now - looked);
+            looked = bench.now;
+        };
+        bench.runFor(3s);
+        QVERIFY2(longest <= 300ms, qPrintable(QString::number(longest / 1ms)));
+        TimePoint told = bench.now;
+        bench.onEvent = [&](const Event &event) {
+            const auto *change = std::get_if<LinkChanged>(&event);
+            if (change != nullptr && change->state == LinkState::Suspect)
+                told = bench.now;
+        };
+        bench.toDrive.cut = true;
+        const TimePoint silent = bench.now;
+        bench.runFor(700ms);
+        QVERIFY2(told - silent <= 500ms, qPrintable(QString::number((told - silent) / 1ms)));
+        bench.toDrive.cut = false;
+        bench.onEvent = nullptr;
+        QVERIFY(bench.runUntil([&] { return bench.link == LinkState::Connected; }, 10s));
+    }
 }
 
 void TestLegacyDrive::aRestartedBoardIsMetAnewAndReadOnly()

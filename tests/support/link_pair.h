@@ -208,7 +208,6 @@ private:
         line.maxAmps = line.ampsPerDigit = 0.0; // these boards do not tell them
         line.firstStop = 150ms;
         line.repeat = 250ms;
-        line.suspect = 2600ms; // between two questions of a recovery nothing is told
         line.lost = 6s;
         line.answerWithin = 900ms;
         return line;

@@ -146,8 +146,8 @@ void LegacyVitals::publish(TimePoint now)
     for (const auto &[motor, state] : m_states)
         underWay = underWay || state == MotorState::Starting || state == MotorState::Stopping;
     const Duration period = underWay || now < m_fastUntil ? kFastPeriod : kPeriod;
-    // On a slow line a round takes long: half of the time is for others.
-    m_due = std::max(m_roundAsked + period, now + (now - m_roundAsked));
+    // On a slow line a round takes long: half of the time is for others. One that an outage made long says nothing.
+    m_due = std::max(m_roundAsked + period, now + std::min(now - m_roundAsked, kLongestPause));
 }
 
 void LegacyWatch::watch(const Watch &watch, TimePoint now)

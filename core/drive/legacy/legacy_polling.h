@@ -17,6 +17,7 @@ public:
     static constexpr Duration kPeriod = std::chrono::milliseconds(100);
     static constexpr Duration kFastPeriod = std::chrono::milliseconds(20);
     static constexpr Duration kHurry = std::chrono::milliseconds(500);
+    static constexpr Duration kLongestPause = std::chrono::milliseconds(250); ///< of one round
 
     explicit LegacyVitals(const LegacyFacts &board)
         : m_board(board)
