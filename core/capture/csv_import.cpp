@@ -14,7 +14,7 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr Nanos kSecond = 1'000'000'000;
 constexpr Nanos kDay = 86'400 * kSecond;
 constexpr Nanos kFarthest =
-    4'000'000'000 * kSecond; ///< 127 years: UTC seconds fit, products do, too
+    4'000'000'000 * kSecond; ///< 127 years: UTC seconds fit, and so does a difference of two times
 constexpr int kGap = 10; ///< usual distances
 constexpr int kExact =
     1000; ///< equal distances differ by less than this part of one, or a nanosecond of rounding
@@ -318,19 +318,18 @@ Nanos CsvImport::usualAround(std::uint64_t row) const
 bool CsvImport::isGap(std::uint64_t row, Nanos usual) const
 {
     const Nanos distance = m_distances[row % m_distances.size()];
-    if (distance > kGap * usual)
+    if ((distance - 1) / kGap >= usual) // divided: ten times a long distance is beyond 64 bits
         return true;
-    const auto isTimes = [usual](Nanos some, Nanos times) {
-        return std::abs(some - times * usual) <= usual / kExact + 1;
-    };
-    const Nanos times = (distance + usual / 2) / usual;
-    if (times < 2 || !isTimes(distance, times))
+    const Nanos close = usual / kExact + 1, over = distance % usual;
+    const bool nearTheNext = over > usual / 2;
+    const Nanos times = distance / usual + (nearTheNext ? 1 : 0);
+    if (times < 2 || (nearTheNext ? usual - over : over) > close)
         return false;
     const std::uint64_t from = row > kAround ? row - kAround : 1;
     const std::uint64_t to = std::min(m_rows, row + kAround + 1);
     std::uint64_t equal = 0;
     for (std::uint64_t i = from; i < to; ++i)
-        equal += isTimes(m_distances[i % m_distances.size()], 1) ? 1 : 0;
+        equal += std::abs(m_distances[i % m_distances.size()] - usual) <= close ? 1 : 0;
     return equal * 4 >= (to - from) * 3;
 }
 

@@ -8,8 +8,8 @@
 #include "bench/latency/time_row.h"
 #include "mcp/protocol.h"
 #include "support/window_rig.h"
+#include "widgets/window/application.h"
 
-#include <QApplication>
 #include <QTest>
 
 #include <random>
@@ -177,7 +177,7 @@ int measure(int count)
 
 int main(int argc, char **argv)
 {
-    QApplication app(argc, argv);
+    widgets::Application app(argc, argv); // which hears Esc
     const int count = argc > 1 ? QString::fromLocal8Bit(argv[1]).toInt() : 10'000;
     return count > 0 ? measure(count) : failed("usage: rotorscope-stop-latency [STOPS]");
 }
