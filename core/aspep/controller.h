@@ -147,7 +147,7 @@ private:
         KeepingAlive, ///< a Ping's reply is due, while Connected
         Draining, ///< out of step: waits for silence
         Resting, ///< in step: waits a moment before the dialogue goes on
-        Probing, ///< first word of a recovery: a Ping that shows whether the board was reset
+        Probing, ///< first words of a recovery: Pings that show whether the board was reset
         Offering, ///< a Beacon's echo is due
         Settling, ///< echoed, but late echoes of earlier Beacons may still come
         Pinging, ///< the reply of the Ping that connects is due
@@ -249,7 +249,7 @@ private:
     int m_attempts = 0; ///< packets of the dialogue since it last moved on
     int m_rounds = 0; ///< how often the dialogue had to go back
     int m_echoesLeft = 1; ///< exact echoes still wanted before the Ping
-    bool m_probed = false;
+    bool m_probed = false; ///< in this recovery the board has said that it was not reset
     bool m_damaged = false; ///< something bad was heard: only Beacon and Ping mend that
 
     std::vector<Output> m_output;

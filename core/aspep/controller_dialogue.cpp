@@ -1,8 +1,8 @@
 // How the Controller's link comes about, and how it is mended: Beacons until the own one is echoed,
 // then a Ping.
 //
-// A recovery begins with a Ping: a board that was reset says so only before it has heard a matching
-// Beacon. Where nothing bad was heard, only nothing at all, its reply is enough: the board is there
+// A recovery begins with Pings until one is answered: a board that was reset says so only before it has
+// heard a matching Beacon. Where nothing bad was heard, only nothing at all, its reply is enough: the board is there
 // and connected, and its stream goes on. Else the agreed Beacon must come back exactly, twice: the
 // first echo shows that the line is in step, the second that the first was no late answer and that
 // nothing which came before is still under way.
@@ -63,8 +63,8 @@ void Controller::offer(TimePoint now)
 
 void Controller::probe(TimePoint now)
 {
-    m_probed = true;
     m_step = Step::Probing;
+    ++m_attempts;
     sendPacket(Ping{false, false, 0, ++m_number}, {}, now);
 }
 
@@ -153,8 +153,11 @@ void Controller::onPing(const Ping &reply, TimePoint now)
     if (!reply.configured)
         return onNotConfigured(now);
     m_linkId = reply.linkId;
-    if (m_step == Step::Probing && m_damaged)
+    if (m_step == Step::Probing && m_damaged) {
+        m_probed = true;
+        m_attempts = 0;
         return offer(now);
+    }
     if (m_step == Step::Probing || m_step == Step::Pinging)
         return enterConnected(reply, now);
     m_step = Step::None;
@@ -265,6 +268,8 @@ void Controller::retry(TimePoint now)
     const bool recovering = m_state == State::Recovering;
     if (recovering && spent(now))
         return lose(m_lastValid > m_outageStart ? LostReason::RecoveryFailed : LostReason::Silence);
+    if (m_step == Step::Probing)
+        return probe(now);
     if (m_step != Step::Pinging)
         return offer(now);
     if (m_attempts < m_config.attempts)

@@ -13,10 +13,11 @@ private Q_SLOTS:
     void theParityTellsThatTheRequestRan();
     void aRequestWithoutResponseIsMendedAfterItsTimeOut();
     void silenceAloneIsMendedByAPing();
-    void silenceThatLastsIsMendedByBeacons();
+    void silenceThatLastsIsMendedByPings();
     void onlyTheExactEchoCounts();
     void aSwallowedPacketIsRepeated();
     void aResetIsSeenBeforeTheFirstBeacon();
+    void aResetIsSeenThoughPingsAreLost();
     void aResetIsSeenByTheKeepAlive();
     void aResetDuringTheConnectionStartsItAnew();
     void anUnconfiguredReplyWithAnotherNumberIsNoise();
@@ -130,17 +131,16 @@ void TestControllerRecovery::silenceAloneIsMendedByAPing()
     QVERIFY(link.controller.canSend());
 }
 
-void TestControllerRecovery::silenceThatLastsIsMendedByBeacons()
+void TestControllerRecovery::silenceThatLastsIsMendedByPings()
 {
     VirtualLink link;
     link.connect();
     ask(link);
-    QVERIFY(isPing(link.nextSent()));
-    for (int i = 0; i < 3; ++i)
-        QCOMPARE(link.nextSent(), kBoard);
-    link.hear(kBoard);
-    answerAll(link);
+    for (int i = 0; i < 4; ++i)
+        QVERIFY(isPing(link.nextSent()));
+    link.hear(pong());
     QCOMPARE(link.controller.state(), kConnected);
+    QCOMPARE(link.count<Controller::Recovered>(), 1);
 }
 
 void TestControllerRecovery::onlyTheExactEchoCounts()
@@ -169,8 +169,11 @@ void TestControllerRecovery::aSwallowedPacketIsRepeated()
     ask(link);
     link.hear(header(Nack{1}));
     QVERIFY(isPing(link.nextSent())); // swallowed, as firmware does after an ERROR
-    QCOMPARE(link.nextSent(), kBoard); // and this one
-    QCOMPARE(link.nextSent(), kBoard);
+    QVERIFY(isPing(link.nextSent())); // and this one
+    QVERIFY(isPing(link.nextSent()));
+    link.hear(pong());
+    QCOMPARE(link.nextSent(), kBoard); // something bad was heard
+    QCOMPARE(link.nextSent(), kBoard); // swallowed
     link.hear(kBoard);
     answerAll(link);
     QCOMPARE(link.controller.state(), kConnected);
@@ -191,6 +194,26 @@ void TestControllerRecovery::aResetIsSeenBeforeTheFirstBeacon()
     QCOMPARE(link.controller.state(), kConnected);
     QVERIFY(link.last<Controller::Connected>()->afterReset);
     QCOMPARE(link.count<Controller::Recovered>(), 0);
+}
+
+/// A Beacon that matches would make the board forget that it has something to say.
+void TestControllerRecovery::aResetIsSeenThoughPingsAreLost()
+{
+    VirtualLink link;
+    link.connect();
+    ask(link);
+    link.hear(header(Nack{2}));
+    Bytes ping;
+    for (int lost = 0; lost < 4; ++lost) {
+        ping = link.nextSent();
+        QVERIFY(isPing(ping));
+    }
+    link.hear(ping); // not configured
+    QCOMPARE(link.nextSent(), kWidest);
+    link.hear(kBoard);
+    answerAll(link);
+    QCOMPARE(link.controller.state(), kConnected);
+    QVERIFY(link.last<Controller::Connected>()->afterReset);
 }
 
 void TestControllerRecovery::aResetIsSeenByTheKeepAlive()

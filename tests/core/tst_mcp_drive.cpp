@@ -22,6 +22,7 @@ private Q_SLOTS:
     void torqueAndCurrentGoOutInDigits();
     void unknownFirmwareIsShownReadOnly();
     void aBoardThatIsResetIsSeenAndDisarms();
+    void aResetIsSeenThoughPingsAreLost();
     void aLostLinkComesBackByItselfAndReadOnly();
     void nobodyAnswersAndItSaysSo();
     void aBoardThatWaitsForTheRestOfARequestIsReached();
@@ -273,6 +274,29 @@ void TestMcpDrive::aBoardThatIsResetIsSeenAndDisarms()
     QVERIFY(session.status[1].state == MotorState::Idle);
     for (std::size_t i = sentBefore + 1; i < session.requests.size(); ++i)
         QVERIFY(!support::changesSomething(session.requests[i]));
+}
+
+void TestMcpDrive::aResetIsSeenThoughPingsAreLost()
+{
+    constexpr unsigned kPing = 6;
+    for (const bool answersAreLost : {false, true}) {
+        for (int lost = 1; lost <= 4; ++lost) {
+            Session session;
+            QVERIFY(session.startMotor());
+            session.identified.reset();
+            session.board->reset();
+            int pings = 0;
+            session.loses = [&](const Bytes &bytes) {
+                const bool ping = bytes.size() == 4 && (bytes[0] & 0x0FU) == kPing;
+                const bool loses = ping && ++pings <= lost;
+                session.toDrive.cut = answersAreLost && loses;
+                return loses && !answersAreLost;
+            };
+            QVERIFY(session.runUntil([&] { return session.identified.has_value(); }, 5s));
+            QVERIFY(session.reason == LinkReason::BoardReset);
+            QVERIFY(!session.drive->armed());
+        }
+    }
 }
 
 void TestMcpDrive::aLostLinkComesBackByItselfAndReadOnly()

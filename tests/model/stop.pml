@@ -57,11 +57,11 @@ byte count[MOTORS], told[MOTORS], starts, stops;
 #define STUCK     (ALLALARM && (!MOVING(0) || drives[0]) && (!MOVING(LAST) || drives[LAST]))
 #define QUIET     (len(up) + len(down) == 0)
 
-/* What the board does with it, and its answer. That it was reset it says to the first word of a recovery only. */
+/* What the board does with it, and its answer. That it was reset it says until it is heard, or a blind BEACON came. */
 inline board(k, m, fate) {
     answers = false; value = 0;
     if
-    :: k == JOIN -> answers = true; value = fresh && attempts < 2; fresh = false; joined = true
+    :: k == JOIN -> answers = true; value = fresh; joined = true
     :: k != JOIN && (joined || !NEEDS_JOIN) ->
         answers = true;
         if
@@ -159,7 +159,7 @@ inline answered(k, v) {
         :: v == 1 || link == LOST -> disarm(); latch = false; forget()
         :: else -> skip
         fi;
-        link = UP; attempts = 0; turn = 0; reads = 0
+        link = UP; attempts = 0; turn = 0; reads = 0; fresh = false
     :: k == WHO -> learn()
     :: k == GET -> takeState(v)
     :: k == STOP -> tell(asked, ACCEPTED)
