@@ -23,6 +23,7 @@ SerialTransport::SerialTransport(const QString &path, std::uint32_t baud)
     : m_path(path)
     , m_baud(baud)
 {
+    m_chance.setSingleShot(true);
 }
 
 SerialTransport::~SerialTransport() { close(); }
@@ -115,7 +116,11 @@ void SerialTransport::advance(TimePoint now)
         return;
     m_nextCheck = now + kCheckEvery;
     const PortHealth health = checkPort(static_cast<qintptr>(m_port->handle()));
-    const bool deaf = health.inputWaiting && m_ignored && !m_heard;
+    // On a busy machine calls can come twice in a row, with no look at the port between them: that is no deaf port.
+    const bool ignored = health.inputWaiting && m_ignored && !m_heard;
+    const bool deaf = ignored && !m_chance.isActive();
+    if (health.inputWaiting && !ignored)
+        m_chance.start(0);
     m_ignored = health.inputWaiting;
     m_heard = false;
     if (health.hungUp || deaf)

@@ -7,6 +7,7 @@
 #include "session/transport.h"
 
 #include <QSerialPort>
+#include <QTimer>
 
 namespace session {
 
@@ -38,7 +39,8 @@ private:
     std::unique_ptr<QSerialPort> m_port;
     std::optional<TimePoint> m_nextCheck;
     bool m_heard = false; ///< something was read since the last check
-    bool m_ignored = false; ///< at the last check, bytes were waiting
+    bool m_ignored = false; ///< bytes are waiting since an earlier check
+    QTimer m_chance; ///< not active: the event loop has come round since m_ignored
 };
 
 } // namespace session

@@ -24,6 +24,7 @@ private Q_SLOTS:
     void everyUsualAndUnusualSpeedOpens();
     void anUnpluggedPortFailsOnceAndIsClosed();
     void anUnpluggedPortFailsOnceWhileWriting();
+    void aPortThatWasNotLookedAtIsNotDeaf();
     void aSecondOpenIsRefusedAlsoByAnotherName();
     void rootIsRefusedToo();
     void aClosedPortCanBeOpenedAgain();
@@ -122,6 +123,21 @@ void TestSerialTransport::anUnpluggedPortFailsOnceWhileWriting()
     QVERIFY(port.transport.sent({}));
     QCoreApplication::processEvents();
     QCOMPARE(port.failures, 1);
+}
+
+void TestSerialTransport::aPortThatWasNotLookedAtIsNotDeaf()
+{
+    PseudoTerminal terminal;
+    Port port(terminal.path());
+    QCOMPARE(port.open(), PortProblem::None);
+    terminal.write(allBytes());
+    // Its owner is called again and again, but the event loop does not come round.
+    for (int i = 1; i < 10; ++i)
+        port.transport.advance(TimePoint(i * 1s));
+    QCOMPARE(port.failures, 0);
+    QTRY_COMPARE(port.heard.size(), 256);
+    port.transport.advance(TimePoint(10s));
+    QCOMPARE(port.failures, 0);
 }
 
 void TestSerialTransport::aSecondOpenIsRefusedAlsoByAnotherName()
