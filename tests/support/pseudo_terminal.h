@@ -7,6 +7,7 @@
 #include <QByteArray>
 #include <QString>
 
+#include <array>
 #include <cstdlib>
 
 #include <fcntl.h>
@@ -23,10 +24,12 @@ public:
     {
         ::grantpt(m_master);
         ::unlockpt(m_master);
-        m_path = QString::fromLocal8Bit(::ptsname(m_master));
+        std::array<char, 64> path{}; // ptsname() has one for all threads
+        ::ptsname_r(m_master, path.data(), path.size());
+        m_path = QString::fromLocal8Bit(path.data());
         // The slave starts with an echo, and a master without any slave reads errors: so one is opened, made raw
         // and kept.
-        m_slave = ::open(::ptsname(m_master), O_RDWR | O_NOCTTY | O_CLOEXEC);
+        m_slave = ::open(qPrintable(m_path), O_RDWR | O_NOCTTY | O_CLOEXEC);
         termios settings{};
         ::tcgetattr(m_slave, &settings);
         ::cfmakeraw(&settings);
