@@ -1,6 +1,6 @@
 // Programs that die or freeze while they drive a motor: STOP is on the wire soon, the motor stops, and nobody keeps the
 // port. A board behind a pseudo-terminal hears every byte and says when it came. The long form, with ROTORSCOPE_LONG, is a
-// thousand random instants in several lanes and prints a table.
+// thousand random instants in several lanes and prints a table; with ROTORSCOPE_PART, so many per cent of them.
 #include "aspep/packet.h"
 #include "support/link_pair.h"
 #include "support/pseudo_terminal.h"
@@ -12,6 +12,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <csignal>
+#include <deque>
 #include <map>
 #include <mutex>
 #include <spawn.h>
@@ -45,6 +46,7 @@ using Clock = std::chrono::steady_clock;
 using Instant = Clock::time_point;
 
 constexpr auto kLong = 60s;
+constexpr std::uint32_t kBaud = 1'843'200;
 const Bytes kStart{0x19, 0x00}, kStop{0x21, 0x00}; ///< of motor 1
 
 Bytes packetOf(const Bytes &payload)
@@ -56,11 +58,73 @@ Bytes packetOf(const Bytes &payload)
     return packet;
 }
 
-/// A simulated board with a thread of its own behind a pseudo-terminal; remembers when it heard what.
+/// What a wire does and a pseudo-terminal does not: the pauses of the sender stay between its bytes. Read late, a header and
+/// its payload come at once, and a board that meets them so loses the payload, as a real one does.
+class Wire {
+public:
+    explicit Wire(std::uint32_t baud)
+        : m_byteTime(wireTime(1, baud))
+    {
+    }
+    void put(ByteView bytes, TimePoint now)
+    {
+        for (const std::uint8_t byte : bytes) {
+            m_piece.push_back(byte);
+            if (m_payload > 0 ? m_piece.size() == m_payload : m_piece.size() == aspep::kHeaderSize)
+                finish(now);
+        }
+    }
+    /// A piece that is there by now, and when it came.
+    std::optional<std::pair<TimePoint, Bytes>> take(TimePoint now)
+    {
+        if (m_due.empty() || m_due.front().first > now)
+            return std::nullopt;
+        auto piece = std::move(m_due.front());
+        m_due.pop_front();
+        return piece;
+    }
+
+private:
+    static constexpr Duration kBeforePayload = 1500us, kBetweenPackets = 2ms;
+
+    void finish(TimePoint now)
+    {
+        if (std::exchange(m_payload, 0) > 0)
+            return leave(kBeforePayload, m_piece.size(), now);
+        aspep::HeaderBytes bytes{};
+        std::copy_n(m_piece.begin(), bytes.size(), bytes.begin());
+        const auto header = aspep::decodeHeader(bytes);
+        if (!header)
+            return leave({}, 1, now); // behind a packet that was cut
+        if (const auto *data = std::get_if<aspep::Data>(&*header))
+            m_payload = data->length;
+        const bool again = bytes == std::exchange(m_before, bytes);
+        leave(again ? Duration{} : kBetweenPackets, bytes.size(), now);
+    }
+    void leave(Duration gap, std::size_t size, TimePoint now)
+    {
+        const auto end = m_piece.begin() + static_cast<std::ptrdiff_t>(size);
+        const TimePoint at = std::max(now, m_free + gap);
+        m_free = at + static_cast<int>(size) * m_byteTime;
+        m_due.emplace_back(at, Bytes(m_piece.begin(), end));
+        m_piece.erase(m_piece.begin(), end);
+    }
+
+    Duration m_byteTime;
+    Bytes m_piece;
+    std::size_t m_payload = 0; ///< what is awaited; 0: a header
+    aspep::HeaderBytes m_before{};
+    TimePoint m_free{};
+    std::deque<std::pair<TimePoint, Bytes>> m_due;
+};
+
+/// A simulated board behind a pseudo-terminal. It is heard what comes, and when, by a thread that does nothing else: the
+/// board's own may be busy with its motor.
 class HeardBoard {
 public:
     HeardBoard()
         : m_board(simulation::makeBoard({}))
+        , m_listener([this] { listen(); })
         , m_thread([this] { run(); })
     {
     }
@@ -98,6 +162,31 @@ public:
             waitUntil(Clock::now() + 10ms);
         return free();
     }
+    /// What came around that time, and each start and stop: a line for what was read at once.
+    QString account(Instant around)
+    {
+        const std::lock_guard lock(m_lock);
+        QString lines;
+        for (auto piece = m_times.begin(); piece != m_times.end(); ++piece) {
+            const auto next = std::next(piece);
+            const std::size_t end = next == m_times.end() ? m_bytes.size() : next->first;
+            const Bytes bytes(m_bytes.begin() + static_cast<std::ptrdiff_t>(piece->first),
+                m_bytes.begin() + static_cast<std::ptrdiff_t>(end));
+            const auto holds = [&bytes](const Bytes &what) {
+                return std::search(bytes.begin(), bytes.end(), what.begin(), what.end())
+                    != bytes.end();
+            };
+            const double at =
+                std::chrono::duration<double, std::milli>(piece->second - around).count();
+            if ((at > -150.0 && at < 400.0) || holds(kStart) || holds(kStop))
+                lines += QStringLiteral("%1 ms  ").arg(at, 9, 'f', 1)
+                    + QString::fromLatin1(QByteArray(reinterpret_cast<const char *>(bytes.data()),
+                        static_cast<qsizetype>(std::min<std::size_t>(bytes.size(), 40)))
+                                              .toHex(' '))
+                    + QLatin1Char('\n');
+        }
+        return lines;
+    }
     /// The board alone, behind all: what its motor does. Nobody may be on the line any more.
     bool motorRuns()
     {
@@ -126,22 +215,36 @@ private:
             ++at;
         }
     }
-    void run()
+    void listen()
     {
         pollfd line{m_terminal.master(), POLLIN, 0};
         while (!m_end) {
-            ::poll(&line, 1, 1);
-            const Instant now = Clock::now();
+            ::poll(&line, 1, 20);
             const Bytes in = m_terminal.read();
-            if (!in.empty()) {
-                const std::lock_guard lock(m_lock);
-                m_times[m_bytes.size()] = now;
-                m_bytes.insert(m_bytes.end(), in.begin(), in.end());
-                m_changed.notify_all();
+            if (in.empty())
+                continue;
+            const std::lock_guard lock(m_lock);
+            m_times[m_bytes.size()] = Clock::now();
+            m_bytes.insert(m_bytes.end(), in.begin(), in.end());
+            m_changed.notify_all();
+        }
+    }
+    void run()
+    {
+        Wire wire(kBaud);
+        for (std::size_t taken = 0; !m_end;) {
+            Bytes in;
+            {
+                std::unique_lock lock(m_lock);
+                m_changed.wait_for(lock, 1ms, [&] { return m_bytes.size() > taken; });
+                in.assign(m_bytes.begin() + static_cast<std::ptrdiff_t>(taken), m_bytes.end());
+                taken = m_bytes.size();
             }
-            if (!in.empty())
-                m_board->receive(in, TimePoint(now - m_began));
-            m_board->advance(TimePoint(now - m_began));
+            const TimePoint now(Clock::now() - m_began);
+            wire.put(in, now);
+            while (const auto piece = wire.take(now))
+                m_board->receive(piece->second, piece->first);
+            m_board->advance(now);
             if (const Bytes out = m_board->takeOutput(); !out.empty())
                 m_terminal.write(out);
         }
@@ -149,8 +252,9 @@ private:
     void end()
     {
         m_end = true;
-        if (m_thread.joinable())
-            m_thread.join();
+        for (std::thread *thread : {&m_listener, &m_thread})
+            if (thread->joinable())
+                thread->join();
     }
 
     support::PseudoTerminal m_terminal;
@@ -161,7 +265,7 @@ private:
     Bytes m_bytes;
     std::map<std::size_t, Instant> m_times; ///< of what came at once, by its first byte
     std::atomic<bool> m_end{false};
-    std::thread m_thread;
+    std::thread m_listener, m_thread;
 };
 
 /// A process that is killed behind the test.
@@ -186,8 +290,9 @@ public:
         ::posix_spawn_file_actions_adddup2(&files, m_pipe[1], STDOUT_FILENO);
         if (inherited >= 0)
             ::posix_spawn_file_actions_adddup2(&files, inherited, 9);
+        m_errors.open();
         if (!qEnvironmentVariableIsSet("ROTORSCOPE_TEST_LOUD"))
-            ::posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+            ::posix_spawn_file_actions_adddup2(&files, m_errors.handle(), STDERR_FILENO);
         auto argv = pointersTo(words), envp = pointersTo(variables);
         if (::posix_spawn(&m_pid, argv[0], &files, nullptr, argv.data(), envp.data()) != 0)
             m_pid = -1;
@@ -231,6 +336,12 @@ public:
         return true;
     }
     const QByteArray &said() const { return m_said; }
+    /// Of it and of its guardian, on standard error.
+    QByteArray complaints()
+    {
+        m_errors.seek(0);
+        return m_errors.readAll();
+    }
 
 private:
     static std::vector<char *> pointersTo(std::vector<QByteArray> &texts)
@@ -245,6 +356,7 @@ private:
     int m_status = 0;
     std::array<int, 2> m_pipe{-1, -1};
     QByteArray m_said;
+    QTemporaryFile m_errors;
 };
 
 /// An X server of its own.
@@ -284,7 +396,7 @@ const QString kNoScreen = QStringLiteral("QT_QPA_PLATFORM=offscreen");
 
 QStringList captureLine(const HeardBoard &board, const char *more = nullptr)
 {
-    QStringList line{kCli, QStringLiteral("--patience"), QStringLiteral("500"),
+    QStringList line{kCli, QStringLiteral("--patience"), QStringLiteral("1500"),
         QStringLiteral("--port"), board.port(), QStringLiteral("capture"),
         QStringLiteral("--start"), QStringLiteral("--hf"), QStringLiteral("I_A"),
         QStringLiteral("--hf-rate"), QStringLiteral("15"), QStringLiteral("--seconds"),
@@ -311,39 +423,58 @@ constexpr std::array kKinds{"window, SIGKILL", "window, SIGABRT", "window, SIGSE
 
 bool freezes(Kind kind) { return kind == Kind::Freeze || kind == Kind::CommandLineFreeze; }
 
+/// Milliseconds from the end to STOP. What is long behind a kill tells the machine's load in the short form.
+struct Bounds {
+    double kill, freezeLeast, freeze;
+};
+constexpr Bounds kQuiet{150.0, 2500.0, 3200.0}, kBusy{1000.0, 1500.0, 5000.0};
+
+bool longForm() { return qEnvironmentVariableIsSet("ROTORSCOPE_LONG"); }
+
 struct Death {
     Kind kind = Kind::Kill;
     double latency_ms = -1.0;
     QString wrong; ///< empty: as it has to be
+    int again =
+        0; ///< so often nothing had been started that could be stopped, for want of a screen or of time
 };
 
-const QString kNothingDriven = QStringLiteral("nothing was driven");
+const QString kNoStart = QStringLiteral("nothing was started");
 
 Death dieOnce(Kind kind, std::chrono::microseconds behindTheStart)
 {
-    Death death{kind, -1.0, {}};
+    Death death{kind, -1.0, {}, 0};
     HeardBoard board;
     const Instant began = Clock::now();
     std::optional<Screen> screen;
     if (kind == Kind::Screen)
         screen.emplace();
     const bool commandLine = kind == Kind::CommandLineKill || kind == Kind::CommandLineFreeze;
+    QStringList environment{QStringLiteral("QT_LOGGING_RULES=link=true;cli.progress=true"),
+        QStringLiteral("QT_MESSAGE_PATTERN=%{time process} %{category} %{message}")};
+    if (screen)
+        environment +=
+            {QStringLiteral("QT_QPA_PLATFORM=xcb"), QStringLiteral("DISPLAY=") + screen->name()};
+    else
+        environment += kNoScreen;
     Program program(commandLine ? captureLine(board)
                                 : QStringList{kGuarded, board.port(), QStringLiteral("drive")},
-        screen ? QStringList{QStringLiteral("QT_QPA_PLATFORM=xcb"),
-            QStringLiteral("DISPLAY=") + screen->name()}
-               : QStringList{kNoScreen});
+        environment);
+    Instant killed = began;
+    const auto wrong = [&](const QString &what) {
+        death.wrong = what;
+        qInfo("%s, %.3f ms behind the start: %s\n%s%s", kKinds[static_cast<std::size_t>(kind)],
+            std::chrono::duration<double, std::milli>(behindTheStart).count(), qPrintable(what),
+            qPrintable(board.account(killed)), program.complaints().constData());
+        return death;
+    };
     const auto start = board.heard(kStart, began, began + 20s);
-    if (!start) {
-        death.wrong = kNothingDriven;
-        return death;
-    }
+    if (!start)
+        return wrong(kNoStart);
     board.waitUntil(*start + behindTheStart);
-    const Instant killed = Clock::now();
-    if (board.heard(kStop, began, killed)) {
-        death.wrong = kNothingDriven;
-        return death;
-    }
+    killed = Clock::now();
+    if (board.heard(kStop, began, killed))
+        return wrong(QStringLiteral("a STOP before the end"));
     if (kind == Kind::Screen)
         screen->die();
     else
@@ -352,36 +483,37 @@ Death dieOnce(Kind kind, std::chrono::microseconds behindTheStart)
                 : kind == Kind::Crash ? SIGSEGV
                                       : SIGKILL);
     const auto stop = board.heard(kStop, killed, killed + 10s);
-    if (!stop) {
-        death.wrong =
-            board.heard(kStop, began, killed) ? kNothingDriven : QStringLiteral("no STOP");
-        return death;
-    }
-    death.latency_ms = std::chrono::duration<double, std::milli>(*stop - killed).count();
-    if (freezes(kind) && death.latency_ms < 2500.0)
-        death.wrong = kNothingDriven; // of the program itself, heard late
+    if (!stop)
+        return wrong(QStringLiteral("no STOP"));
+    const double latency = std::chrono::duration<double, std::milli>(*stop - killed).count();
+    death.latency_ms = latency;
     if (freezes(kind))
         board.waitUntil(
             *stop + 2200ms); // the frozen program keeps its port; behind that the guardian does not
     program.signal(SIGKILL);
     (void)program.wait();
     if (!board.freeUntil(Clock::now() + 10s))
-        death.wrong = QStringLiteral("somebody keeps the port");
-    else if (board.heard(kStart, killed, killed))
-        death.wrong = QStringLiteral("a start behind the end");
-    else if (board.motorRuns())
-        death.wrong = QStringLiteral("the motor runs");
+        return wrong(QStringLiteral("somebody keeps the port"));
+    if (board.heard(kStart, killed, killed))
+        return wrong(QStringLiteral("a start behind the end"));
+    if (board.motorRuns())
+        return wrong(QStringLiteral("the motor runs"));
+    const Bounds &bounds = longForm() ? kQuiet : kBusy;
+    if (freezes(kind) && latency < bounds.freezeLeast)
+        return wrong(QStringLiteral("a STOP too early"));
+    if (latency > (freezes(kind) ? bounds.freeze : bounds.kill))
+        return wrong(QStringLiteral("a late STOP"));
     return death;
 }
 
-/// On a busy machine a screen does not come up at times, or a board is met too late. A STOP that had left before the end is
-/// tried again as well; why it leaves is not known: that the session stopped its own motor is only supposed.
 Death die(Kind kind, std::chrono::microseconds behindTheStart)
 {
-    constexpr int kTries = 8;
+    constexpr int kTries = 3;
     Death death = dieOnce(kind, behindTheStart);
-    for (int i = 1; i < kTries && death.wrong == kNothingDriven; ++i)
+    for (int again = 1; again < kTries && death.wrong == kNoStart; ++again) {
         death = dieOnce(kind, behindTheStart);
+        death.again = again;
+    }
     return death;
 }
 
@@ -410,9 +542,11 @@ void printTable(const std::vector<Death> &deaths)
     for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
         std::vector<double> times;
         QStringList wrong;
+        int again = 0;
         for (const Death &death : deaths) {
             if (static_cast<std::size_t>(death.kind) != kind)
                 continue;
+            again += death.again;
             if (death.latency_ms >= 0.0)
                 times.push_back(death.latency_ms);
             if (!death.wrong.isEmpty())
@@ -425,9 +559,9 @@ void printTable(const std::vector<Death> &deaths)
             return times[std::min(times.size() - 1,
                 static_cast<std::size_t>(share * static_cast<double>(times.size())))];
         };
-        qInfo("%-26s %5zu  p50 %7.1f  p99 %7.1f  worst %7.1f ms  wrong %d %s", kKinds[kind],
-            times.size(), at(0.5), at(0.99), times.back(), static_cast<int>(wrong.size()),
-            qPrintable(wrong.join(QLatin1String("; "))));
+        qInfo("%-26s %5zu  p50 %7.1f  p99 %7.1f  worst %7.1f ms  tried again %d  wrong %d %s",
+            kKinds[kind], times.size(), at(0.5), at(0.99), times.back(), again,
+            static_cast<int>(wrong.size()), qPrintable(wrong.join(QLatin1String("; "))));
     }
 }
 
@@ -443,23 +577,25 @@ void TestGuardian::whateverEndsTheProgramStopsTheMotor()
     constexpr std::array kRows{Row{Kind::Kill, 3, 420}, Row{Kind::Abort, 1, 100},
         Row{Kind::Crash, 1, 80}, Row{Kind::Freeze, 1, 100}, Row{Kind::Screen, 1, 80},
         Row{Kind::CommandLineKill, 2, 170}, Row{Kind::CommandLineFreeze, 1, 50}};
-    const bool many = qEnvironmentVariableIsSet("ROTORSCOPE_LONG");
+    const bool many = longForm();
+    bool given = false;
+    const int part = qEnvironmentVariableIntValue("ROTORSCOPE_PART", &given);
     std::vector<Kind> kinds;
     for (int i = 0; i < 420; ++i)
         for (const Row &row : kRows)
-            if (i < (many ? row.many : row.few))
+            if (i < (!many ? row.few : given ? row.many * part / 100 : row.many))
                 kinds.push_back(row.kind);
-    bool given = false;
     const int lanes = qEnvironmentVariableIntValue("ROTORSCOPE_LANES", &given);
     const auto deaths = dieOften(kinds, given ? lanes : many ? 8 : 4, many ? 2 : 1);
     printTable(deaths);
+    std::size_t again = 0;
     for (const Death &death : deaths) {
+        again += static_cast<std::size_t>(death.again);
         QVERIFY2(death.wrong.isEmpty(),
             qPrintable(QLatin1String(kKinds[static_cast<std::size_t>(death.kind)])
                 + QStringLiteral(": ") + death.wrong));
-        // What a busy machine adds is not asserted: the table says it.
-        QVERIFY(death.latency_ms >= (freezes(death.kind) ? 2500.0 : 0.0));
     }
+    QVERIFY(!many || again * 50 <= deaths.size());
 }
 
 void TestGuardian::whoWakesUpSendsNothingAndIsDisarmed()

@@ -31,7 +31,11 @@ public:
         connect(&session, &Session::armedChanged, this, [this](bool armed) {
             say(armed ? "armed" : "disarmed");
             if (armed && m_act != QLatin1String("idle"))
-                wish(drive::Command{});
+                start();
+        });
+        connect(&session, &Session::interrupted, this, [this](const session::Interruption &what) {
+            if (what.cause == session::Interruption::Cause::LateArming)
+                arm();
         });
         connect(&session, &Session::portChanged, this,
             [this](session::PortState state, const session::PortError &why) {
@@ -57,8 +61,15 @@ private:
         if (board != nullptr && !std::exchange(m_met, true)) {
             if (const auto current = board->catalog->resolve("I_A"))
                 wish(drive::Stream{{*current}, 8, {}, 1});
-            call([](session::Session &session) { session.setArmed(true); });
+            arm();
         }
+        // What a busy machine kept from leaving is asked for again.
+        const auto *end = std::get_if<drive::Ended>(&event);
+        if (end != nullptr && end->id == m_start && end->outcome == drive::Outcome::NotSent)
+            QTimer::singleShot(100, this, [this] {
+                arm();
+                start();
+            });
         const auto *status = std::get_if<drive::MotorStatus>(&event);
         if (status == nullptr || status->state != drive::MotorState::Running)
             return;
@@ -70,11 +81,20 @@ private:
         call([id = ++m_wish, what = std::move(what)](
                  session::Session &session) { session.submit({.id = id, .what = what}); });
     }
+    void arm()
+    {
+        call([](session::Session &session) { session.setArmed(true); });
+    }
+    void start()
+    {
+        wish(drive::Command{});
+        m_start = m_wish;
+    }
     static void say(const char *what) { std::cout << what << std::endl; }
 
     session::Session &m_session;
     QString m_act;
-    drive::WishId m_wish = 0;
+    drive::WishId m_wish = 0, m_start = 0;
     bool m_met = false, m_left = false;
 };
 
@@ -92,7 +112,7 @@ int main(int argc, char **argv)
     Person person(*thread.session(), QString::fromLocal8Bit(argc > 2 ? argv[2] : "drive"));
     auto endpoint =
         session::endpointFor(QString::fromLocal8Bit(argv[1]), 1843200, drive::Protocol::Mcp);
-    endpoint.patience = std::chrono::milliseconds(500); // of a busy machine
+    endpoint.patience = std::chrono::milliseconds(1500); // of a busy machine
     QTimer pulse; // the person is there
     QObject::connect(&pulse, &QTimer::timeout, &window,
         [session = thread.session()] { session->attendFromAnyThread(); });
