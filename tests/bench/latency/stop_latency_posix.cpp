@@ -21,7 +21,7 @@ using Millis = std::chrono::duration<double, std::milli>;
 
 constexpr int kPatience_ms = 10'000;
 constexpr int kFreeze_ms = 2000;
-constexpr int kFreezeEvery = 10, kStartEvery = 4;
+constexpr int kFreezeEvery = 10, kStartEvery = 4, kStartTries = 5;
 
 template <class Condition>
 bool until(Condition condition)
@@ -53,15 +53,21 @@ struct Times {
 
 class Bench {
 public:
-    Bench(facts::WindowRig &rig, bench::TappedLine &line)
+    Bench(facts::WindowRig &rig, bench::TappedLine &line, unsigned seed)
         : m_rig(rig)
         , m_line(line)
         , m_device(rig.workbench.device())
         , m_stop(stopPacket())
+        , m_random(seed)
     {
         QObject::connect(&m_device, &widgets::Device::stopAdvanced, &rig.window,
             [this](const drive::StopProgress &progress) {
                 m_rest = progress.word == drive::StopWord::DriveIdle;
+            });
+        QObject::connect(
+            &m_device, &widgets::Device::wishEnded, &rig.window, [this](const drive::Ended &ended) {
+                if (ended.outcome != drive::Outcome::Ok)
+                    m_why = ended.reason;
             });
     }
 
@@ -77,6 +83,14 @@ public:
         m_rig.window.selection()->add(
             m_device.catalog()->resolve("STOPLL_ROT_SPEED").value_or(0), 1);
         return until([&] { return m_line.bytesFromBoard() > 500'000; }); // the datalog runs
+    }
+
+    /// Why the last wish failed, armed or not, connected or not.
+    std::string state() const
+    {
+        return "last refusal: " + m_why + (m_device.armed() ? ", armed" : ", not armed")
+            + (m_device.answering() ? ", connected, state " : ", not connected, state ")
+            + m_device.status(1).stateName;
     }
 
     /// What went wrong; empty if a STOP came and the motor was seen idle after it.
@@ -112,16 +126,24 @@ public:
     }
 
 private:
+    /// A line that was given up for a moment disarms, and an answer may be lost: then it is tried again.
     bool startMotor()
     {
-        m_device.setArmed(true);
-        if (!until([&] { return m_device.armed(); }))
-            return false;
-        m_device.submit(drive::Command{drive::MotorAction::Start, 1});
-        return until([&] {
+        const auto turns = [this] {
             const auto state = m_device.status(1).state;
             return state == drive::MotorState::Starting || state == drive::MotorState::Running;
-        });
+        };
+        for (int i = 0; i < kStartTries; ++i) {
+            if (!until([&] { return m_device.answering() && m_device.identified(); }))
+                continue;
+            m_device.setArmed(true);
+            if (!QTest::qWaitFor([&] { return m_device.armed(); }, 1000))
+                continue;
+            m_device.submit(drive::Command{drive::MotorAction::Start, 1});
+            if (QTest::qWaitFor(turns, 1000))
+                return true;
+        }
+        return false;
     }
 
     void pass(double milliseconds)
@@ -134,18 +156,19 @@ private:
     bench::TappedLine &m_line;
     widgets::Device &m_device;
     Bytes m_stop;
-    std::mt19937 m_random{1};
+    std::mt19937 m_random;
     bool m_rest = false;
+    std::string m_why;
 };
 
-int measure(int count)
+int measure(int count, unsigned seed)
 {
     bench::SimulatedBoard board;
     if (!board.started())
         return failed("the simulated board did not start");
     bench::TappedLine line(board.port());
     facts::WindowRig rig;
-    Bench bench(rig, line);
+    Bench bench(rig, line, seed);
     if (!bench.connect())
         return failed("no connection, or no datalog");
     Times times;
@@ -154,7 +177,7 @@ int measure(int count)
     const std::uint64_t bytes = line.bytesFromBoard();
     for (int number = 1; number <= count; ++number) {
         if (const char *wrong = bench.stop(number, times); *wrong != 0) {
-            std::fprintf(stderr, "stop %d: %s\n", number, wrong);
+            std::fprintf(stderr, "stop %d: %s; %s\n", number, wrong, bench.state().c_str());
             ++lost;
         }
     }
@@ -179,5 +202,7 @@ int main(int argc, char **argv)
 {
     widgets::Application app(argc, argv); // which hears Esc
     const int count = argc > 1 ? QString::fromLocal8Bit(argv[1]).toInt() : 10'000;
-    return count > 0 ? measure(count) : failed("usage: rotorscope-stop-latency [STOPS]");
+    const unsigned seed = argc > 2 ? QString::fromLocal8Bit(argv[2]).toUInt() : 1;
+    return count > 0 ? measure(count, seed)
+                     : failed("usage: rotorscope-stop-latency [STOPS [SEED]]");
 }
