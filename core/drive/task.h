@@ -2,7 +2,6 @@
 // urgent task whenever the link is free and hands the answer back to it. Tasks know no link and no clock.
 #pragma once
 
-#include "base/bytes.h"
 #include "base/time.h"
 #include "drive/event.h"
 #include "drive/motion_record.h"
@@ -14,16 +13,21 @@
 
 namespace drive {
 
+/// @tparam P  a protocol: its Request and Answer are the words of the task, and what the link takes and gives
+template <class P>
 class Task {
 public:
+    using Request = typename P::Request;
+    using Answer = typename P::Answer;
+
     Task() = default;
     Task(const Task &) = delete;
     Task &operator=(const Task &) = delete;
     virtual ~Task() = default;
 
-    /// The next request's payload; nothing if it has nothing to ask now.
-    virtual std::optional<Bytes> nextRequest(TimePoint now) = 0;
-    virtual void takeResponse(ByteView response, TimePoint now) = 0;
+    /// Nothing if it has nothing to ask now.
+    virtual std::optional<Request> nextRequest(TimePoint now) = 0;
+    virtual void takeResponse(const Answer &response, TimePoint now) = 0;
     /// The answer was lost. `executed`: whether the board did what was asked, if the link can tell.
     virtual void takeNoResponse(std::optional<bool> executed, TimePoint now) = 0;
 };
@@ -31,14 +35,17 @@ public:
 /// What has to be true for a wish to be carried out.
 enum class Permission : std::uint8_t { Always, Armed };
 
-/// The work for one wish. It ends once: finished() stays true and ended() says how.
-class WishTask : public Task {
+/// What becomes of one wish, whatever is asked for it. It ends once: finished() stays true and ended() says how.
+class OpenWish {
 public:
-    WishTask(WishId id, Permission permission)
+    OpenWish(WishId id, Permission permission)
         : m_permission(permission)
     {
         m_ended.id = id;
     }
+    OpenWish(const OpenWish &) = delete;
+    OpenWish &operator=(const OpenWish &) = delete;
+    virtual ~OpenWish() = default;
 
     Permission permission() const { return m_permission; }
     bool finished() const { return m_finished; }
@@ -54,6 +61,9 @@ public:
         const bool goesOn = m_sent || (m_begun && !m_motion);
         return m_permission == Permission::Armed && !goesOn && now > m_fresh + kWishExpiresAfter;
     }
+
+    /// The board is not the one that was identified; said once.
+    bool takeBoardChanged() { return std::exchange(m_boardChanged, false); }
 
     /// The act that the motion log is told of when this ends; empty: it is none.
     std::optional<MotionRecord> &motion() { return m_motion; }
@@ -80,6 +90,8 @@ protected:
         m_ended.reason = std::move(reason);
     }
     void markSent() { m_sent = true; }
+    void markBoardChanged() { m_boardChanged = true; }
+    bool begun() const { return m_begun; }
     bool sent() const { return m_sent; }
     std::vector<WriteResult> &writes() { return m_ended.writes; }
 
@@ -91,26 +103,37 @@ private:
     bool m_begun = false;
     bool m_finished = false;
     bool m_sent = false; ///< something that can change the board has left
+    bool m_boardChanged = false;
 };
 
-/// A wish that is refused whatever the board says.
-class RefusedTask : public WishTask {
+/// The work for one wish.
+template <class P>
+class WishTask : public Task<P>, public OpenWish {
 public:
-    RefusedTask(WishId id, Permission permission, std::string reason)
-        : WishTask(id, permission)
+    using OpenWish::OpenWish;
+};
+
+/// A wish that ends without a question.
+template <class P>
+class EndedTask : public WishTask<P> {
+public:
+    EndedTask(WishId id, Permission permission, Outcome outcome, std::string reason)
+        : WishTask<P>(id, permission)
+        , m_outcome(outcome)
         , m_reason(std::move(reason))
     {
     }
-    std::optional<Bytes> nextRequest(TimePoint) override
+    std::optional<typename P::Request> nextRequest(TimePoint) override
     {
-        if (!finished())
-            end(Outcome::Refused, m_reason);
+        if (!this->finished())
+            this->end(m_outcome, m_reason);
         return std::nullopt;
     }
-    void takeResponse(ByteView, TimePoint) override { }
+    void takeResponse(const typename P::Answer &, TimePoint) override { }
     void takeNoResponse(std::optional<bool>, TimePoint) override { }
 
 private:
+    Outcome m_outcome;
     std::string m_reason;
 };
 

@@ -12,22 +12,17 @@ constexpr Duration kCountersEvery = std::chrono::milliseconds(250);
 
 } // namespace
 
-void WishDrive::stop(TimePoint now)
+void WishDrive::beginStop(TimePoint now)
 {
-    if (m_mode == Mode::Closed)
-        return;
     m_mode = Mode::Open;
     m_workedAt = now;
     setArmed(false);
-    m_cutAfterAnswer = m_task != nullptr;
-    m_wishes.cutAll("stopped", dynamic_cast<WishTask *>(m_task));
     if (!m_stop.open()) {
         m_stopAsked = now;
         m_stopsSent.clear();
     }
     m_stop.begin(m_facts.motors, now);
     lookAtOnce(now);
-    work(now);
 }
 
 void WishDrive::arm()
@@ -41,13 +36,6 @@ void WishDrive::arm()
     setArmed(true);
 }
 
-void WishDrive::disarm()
-{
-    setArmed(false);
-    m_wishes.cutArmed("disarmed", dynamic_cast<WishTask *>(m_task));
-    m_wishes.collect(m_events, m_workedAt);
-}
-
 void WishDrive::doubt(TimePoint now)
 {
     if (m_mode != Mode::Open)
@@ -57,15 +45,6 @@ void WishDrive::doubt(TimePoint now)
     m_doubtedAt = now;
     lookAtOnce(now);
     tellLink(m_toldState, m_toldReason);
-}
-
-void WishDrive::cutAllWishes(const std::string &reason)
-{
-    m_wishes.cutAll(reason, nullptr);
-    if (m_wishes.contains(m_task))
-        m_task = &m_nobody;
-    m_cutAfterAnswer = false;
-    m_wishes.collect(m_events, m_workedAt);
 }
 
 void WishDrive::setArmed(bool armed)
@@ -138,6 +117,8 @@ bool WishDrive::takeAtOnce(const Wish &wish, TimePoint now)
         takeExpert(wish, *expert, now);
     } else if (const auto *scale = std::get_if<CurrentScale>(&wish.what)) {
         takeScale(wish, *scale, now);
+    } else if (auto why = refuseAcknowledge(wish); !why.empty()) {
+        endNow(wish, Outcome::Refused, std::move(why), now);
     } else {
         return false;
     }
@@ -154,75 +135,6 @@ std::string WishDrive::refuseAcknowledge(const Wish &wish) const
     return at != m_faultNow.end() && at->second
         ? "the fault is still present; remove its cause first"
         : "";
-}
-
-void WishDrive::submit(Wish wish, TimePoint now)
-{
-    if (takeAtOnce(wish, now))
-        return;
-    if (auto why = refuseAcknowledge(wish); !why.empty())
-        return endNow(wish, Outcome::Refused, std::move(why), now);
-    std::unique_ptr<WishTask> task = taskFor(wish);
-    if (task->permission() == Permission::Armed && !m_armed)
-        return endNow(wish, Outcome::NotSent,
-            m_stop.active() ? "stopped; arm again first" : "not armed", now);
-    task->freshen(std::min(wish.madeAt.value_or(now), now));
-    if (task->expired(now))
-        return endNow(wish, Outcome::NotSent, kTooLate, now);
-    task->motion() = motionOf(wish, *m_facts.catalog, now);
-    if (const auto *write = std::get_if<Write>(&wish.what))
-        m_wishes.supersede(*write);
-    if (!m_wishes.add(std::move(task)))
-        return endNow(wish, Outcome::NotSent, "too many wishes wait already", now);
-    work(now);
-}
-
-void WishDrive::takeAnswer(ByteView answer, TimePoint now)
-{
-    m_task->takeResponse(answer, now);
-    if (auto *wish = dynamic_cast<WishTask *>(m_task))
-        wish->freshen(now);
-}
-
-void WishDrive::afterTask(TimePoint now)
-{
-    auto *wish = dynamic_cast<WishTask *>(std::exchange(m_task, nullptr));
-    const bool cut = std::exchange(m_cutAfterAnswer, false);
-    if (wish == nullptr)
-        return;
-    if (cut)
-        wish->cut("stopped");
-    if (wish->finished() && wish->permission() == Permission::Armed)
-        lookAtOnce(now); // whatever became of it
-}
-
-void WishDrive::sendNext(Task &vitals, Task &watch, TimePoint now)
-{
-    const bool open = m_mode == Mode::Open;
-    if (open) {
-        if (m_stop.open() && !m_facts.motorsCounted && sendFirst(now))
-            return; // a motor that nobody knows of cannot be stopped
-        if (m_stop.active() && give(vitals, now))
-            return;
-        if (stopHoldsBack(now) || sendFirst(now) || give(vitals, now))
-            return;
-    }
-    if (!giveToWish(now) && open)
-        give(watch, now);
-}
-
-bool WishDrive::giveToWish(TimePoint now)
-{
-    while (WishTask *wish = m_wishes.next(m_armed, now)) {
-        if (give(*wish, now)) {
-            wish->begin();
-            return true;
-        }
-        if (!wish->finished())
-            return false; // waits for something else; no other wish overtakes it
-        m_wishes.collect(m_events, m_workedAt);
-    }
-    return false;
 }
 
 void WishDrive::takeStatuses(std::vector<MotorStatus> statuses, TimePoint askedAt)
@@ -251,9 +163,8 @@ void WishDrive::noteStop(int motor, ByteView request, TimePoint now)
     noteSent(m_stopsSent[motor], request);
 }
 
-void WishDrive::collectWishes()
+void WishDrive::collectStop()
 {
-    m_wishes.collect(m_events, m_workedAt);
     for (const StopProgress &progress : m_stop.takeProgress()) {
         m_events.emplace_back(
             recordOf(progress, m_stopAsked, std::exchange(m_stopsSent[progress.motor], {})));

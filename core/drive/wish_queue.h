@@ -4,42 +4,135 @@
 
 #include "drive/task.h"
 
+#include <algorithm>
 #include <deque>
 #include <memory>
 #include <vector>
 
 namespace drive {
 
+template <class P>
 class WishQueue {
 public:
     static constexpr std::size_t kMaxWaiting =
         1000; ///< more are refused: somebody asks faster than any link answers
 
     /// @return false if too many wait already; the task is gone then
-    bool add(std::unique_ptr<WishTask> task);
+    bool add(std::unique_ptr<WishTask<P>> task);
     void addFirst(
-        std::unique_ptr<WishTask> task); ///< before all others; the drive's own, not counted
+        std::unique_ptr<WishTask<P>> task); ///< before all others; the drive's own, not counted
     /// A newer write: older ones of the same registers that have not left are not sent.
     void supersede(const Write &newer);
 
     /// The next task with something to ask, most urgent first; finished ones are ended on the way.
     /// @param armed  tasks that need arming are cut if this is false
     /// @param now    tasks that have expired are cut
-    WishTask *next(bool armed, TimePoint now);
+    WishTask<P> *next(bool armed, TimePoint now);
 
     /// Ends all wishes but the one in flight (may be null).
-    void cutAll(const std::string &reason, const WishTask *except);
-    void cutArmed(const std::string &reason, const WishTask *except);
+    void cutAll(const std::string &reason, const WishTask<P> *except);
+    void cutArmed(const std::string &reason, const WishTask<P> *except);
 
     /// Ends and removes what has finished, reading its results out. @param now  when that was, for the motion log
     void collect(std::vector<Event> &events, TimePoint now);
-    bool contains(const Task *task) const;
+    bool contains(const Task<P> *task) const;
 
 private:
-    using Queue = std::deque<std::unique_ptr<WishTask>>;
+    using Queue = std::deque<std::unique_ptr<WishTask<P>>>;
     void collectFrom(Queue &queue, std::vector<Event> &events, TimePoint now);
 
     Queue m_acting, m_reading;
 };
+
+template <class P>
+bool WishQueue<P>::add(std::unique_ptr<WishTask<P>> task)
+{
+    Queue &queue = task->onlyReads() ? m_reading : m_acting;
+    if (queue.size() >= kMaxWaiting)
+        return false;
+    queue.push_back(std::move(task));
+    return true;
+}
+
+template <class P>
+void WishQueue<P>::addFirst(std::unique_ptr<WishTask<P>> task)
+{
+    m_acting.push_front(std::move(task));
+}
+
+template <class P>
+void WishQueue<P>::supersede(const Write &newer)
+{
+    for (const auto &task : m_acting)
+        task->supersede(newer);
+}
+
+template <class P>
+WishTask<P> *WishQueue<P>::next(bool armed, TimePoint now)
+{
+    for (Queue *queue : {&m_acting, &m_reading}) {
+        for (const auto &task : *queue) {
+            if (!armed && task->permission() == Permission::Armed)
+                task->cut("not armed");
+            if (task->expired(now))
+                task->cut(kTooLate);
+            if (!task->finished())
+                return task.get();
+        }
+    }
+    return nullptr;
+}
+
+template <class P>
+void WishQueue<P>::cutAll(const std::string &reason, const WishTask<P> *except)
+{
+    for (Queue *queue : {&m_acting, &m_reading})
+        for (const auto &task : *queue)
+            if (task.get() != except)
+                task->cut(reason);
+}
+
+template <class P>
+void WishQueue<P>::cutArmed(const std::string &reason, const WishTask<P> *except)
+{
+    for (const auto &task : m_acting)
+        if (task->permission() == Permission::Armed && task.get() != except)
+            task->cut(reason);
+}
+
+template <class P>
+void WishQueue<P>::collect(std::vector<Event> &events, TimePoint now)
+{
+    collectFrom(m_acting, events, now);
+    collectFrom(m_reading, events, now);
+}
+
+template <class P>
+void WishQueue<P>::collectFrom(Queue &queue, std::vector<Event> &events, TimePoint now)
+{
+    for (const auto &task : queue) {
+        if (auto readings = task->takeReadings(); !readings.empty())
+            events.emplace_back(RegistersRead{std::move(readings)});
+        if (auto &motion = task->motion(); task->finished() && motion) {
+            motion->ended = std::max(motion->asked, now);
+            motion->outcome = task->ended().outcome;
+            motion->reason = task->ended().reason;
+            events.emplace_back(std::move(*motion));
+        }
+        if (task->finished() && task->ended().id != 0)
+            events.emplace_back(task->ended());
+    }
+    std::erase_if(queue, [](const auto &task) { return task->finished(); });
+}
+
+template <class P>
+bool WishQueue<P>::contains(const Task<P> *task) const
+{
+    const auto holds = [&](const Queue &queue) {
+        return std::any_of(
+            queue.begin(), queue.end(), [&](const auto &one) { return one.get() == task; });
+    };
+    return holds(m_acting) || holds(m_reading);
+}
 
 } // namespace drive

@@ -44,10 +44,10 @@ void profiles()
         QTest::newRow(profile) << QString::fromLatin1(profile);
 }
 
-class Probe : public RefusedTask {
+class Probe : public OpenWish {
 public:
     explicit Probe(Permission permission)
-        : RefusedTask(1, permission, "probe")
+        : OpenWish(1, permission)
     {
     }
     void leave() { markSent(); }

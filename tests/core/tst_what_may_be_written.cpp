@@ -162,8 +162,13 @@ struct LineBench : Bench {
     }
     Bytes bytesOf(const RegisterInfo &info, const drive::Value &value) const override
     {
-        if (!isLegacy)
-            return drive::encodeValue(info, value).value_or(Bytes());
+        if (!isLegacy) {
+            ByteWriter bytes;
+            if (const auto wanted = drive::wireValue(info, value))
+                static_cast<void>(
+                    mcp::encodeValue({static_cast<std::uint16_t>(info.id)}, *wanted, bytes));
+            return bytes.take();
+        }
         const auto number = static_cast<std::uint8_t>(info.id >> 3);
         if (const auto *one = legacy::findRegister(dialect, number);
             one != nullptr && one->writeBytes > 0)

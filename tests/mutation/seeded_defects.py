@@ -21,7 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 DEFECTS = [
     ("a Stop does not disarm", "tst_mcp_drive_faults", "armed|asked for|stop first", [
         ("core/drive/wish_drive.cpp", "    m_workedAt = now;\n    setArmed(false);\n", "    m_workedAt = now;\n"),
-        ("core/drive/wish_drive.cpp", 'm_wishes.cutAll("stopped", dynamic_cast<WishTask *>(m_task));', "")]),
+        ("core/drive/task_drive.h", 'm_wishes.cutAll("stopped", m_wish);', "")]),
     ("a start is repeated after a time-out", "tst_mcp_drive_faults", "asked for", [
         ("core/drive/mcp/mcp_commands.cpp", "    if (finished() || sent())\n        return std::nullopt;\n    if (!m_board.hasMotor",
          "    if (finished())\n        return std::nullopt;\n    if (!m_board.hasMotor"),
@@ -36,14 +36,14 @@ DEFECTS = [
         ("core/drive/stop_sequence.cpp", "    if (!connected && !blind(now))\n        return std::nullopt;",
          "    if (!connected)\n        return std::nullopt;")]),
     ("motor 0", "tst_mcp_drive_faults", "motors that are there", [
-        ("core/drive/mcp/mcp_commands.cpp", "| static_cast<unsigned>(m_command.motor);", "| (static_cast<unsigned>(m_command.motor) & 0U);")]),
+        ("core/mcp/request.cpp", "<< 3 | (motor & 7U);", "<< 3 | (motor & 0U);")]),
     ("speeds beyond the limit", "tst_mcp_drive_faults", "bounded", [
         ("core/drive/set_point_check.cpp", "    if (std::abs(rpm) > bound)\n", "    if (std::abs(rpm) > 100 * bound)\n")]),
     ("a second request in flight", "tst_mcp_drive_faults", "one in flight", [
         ("core/aspep/controller.cpp", "return m_state == State::Connected && m_step == Step::None && !m_urgent;",
          "return m_state == State::Connected && !m_urgent;")]),
     ("heartbeats unarmed", "tst_mcp_drive_watchdog", "heartbeats", [
-        ("core/drive/mcp/mcp_drive_work.cpp", "m_heartbeat.setWanted(!m_stop.active() && armed());", "m_heartbeat.setWanted(true);")]),
+        ("core/drive/mcp/mcp_drive.cpp", "m_heartbeat.setWanted(!m_stop.active() && armed());", "m_heartbeat.setWanted(true);")]),
     ("the alarm is never raised", "tst_mcp_drive_stop", "alarm", [
         ("core/drive/stop_sequence.cpp", "            tell(motor, StopWord::NotConfirmed, now);", "            continue;")]),
     ("pressing again puts off the alarm", "tst_mcp_drive_stop", "alarm", [
@@ -52,7 +52,7 @@ DEFECTS = [
     ("a motor that becomes known during a Stop is not stopped", "tst_mcp_drive_stop", "stop in time|stop first", [
         ("core/drive/stop_sequence.cpp", "    m_count = count;\n    if (count == Count::Exactly)", "    motors = 0;\n    m_count = Count::Exactly;\n    if (count == Count::Exactly && motors > 0)")]),
     ("a lost link leaves it armed", "tst_mcp_drive_faults", "armed", [
-        ("core/drive/mcp/mcp_drive_link.cpp", "    setArmed(false);\n    cutAllWishes(\"link lost\");", "    cutAllWishes(\"link lost\");")]),
+        ("core/drive/task_drive.h", "    setArmed(false);\n    cutAllWishes(\"link lost\");", "    cutAllWishes(\"link lost\");")]),
     ("no pause before a payload", "tst_mcp_drive_faults", "payload pause", [
         ("core/aspep/controller.h", "std::chrono::microseconds(1500); ///< header", "std::chrono::microseconds(100); ///< header")]),
     ("other reads go on during a Stop", "tst_mcp_drive_stop", "stop first", [

@@ -31,12 +31,6 @@ legacy::CommandId commandOf(MotorAction action)
 
 std::string noSuchMotor(int motor) { return "there is no motor " + std::to_string(motor); }
 
-Bytes frameFor(int motor, legacy::Command command)
-{
-    return legacy::encodeRequest({static_cast<std::uint8_t>(motor), std::move(command)})
-        .value_or(Bytes());
-}
-
 Outcome lostOutcome(std::optional<bool> executed)
 {
     return executed.has_value() && !*executed ? Outcome::NotSent : Outcome::Unknown;
@@ -96,7 +90,7 @@ std::string LegacyCommandTask::refuseStart() const
     return {};
 }
 
-std::optional<Bytes> LegacyCommandTask::nextRequest(TimePoint)
+std::optional<legacy::Request> LegacyCommandTask::nextRequest(TimePoint)
 {
     if (finished() || sent())
         return std::nullopt;
@@ -119,16 +113,16 @@ std::optional<Bytes> LegacyCommandTask::nextRequest(TimePoint)
             return refused(std::move(why));
     }
     markSent();
-    return frameFor(
+    return legacyRequest(
         m_command.motor, legacy::Execute{static_cast<std::uint8_t>(commandOf(m_command.action))});
 }
 
-void LegacyCommandTask::takeResponse(ByteView response, TimePoint now)
+void LegacyCommandTask::takeResponse(const legacy::Reply &response, TimePoint now)
 {
     if (!sent()) {
         if (auto reading = m_reader.takeResponse(response, m_board, now))
             m_found.push_back(std::move(*reading));
-    } else if (ackData(response)) {
+    } else if (std::holds_alternative<legacy::Ack>(response)) {
         end(Outcome::Ok);
     } else {
         end(Outcome::Refused, nackWord(response));
@@ -201,7 +195,7 @@ legacy::Command LegacySetPointTask::encode() const
     }
 }
 
-std::optional<Bytes> LegacySetPointTask::nextRequest(TimePoint)
+std::optional<legacy::Request> LegacySetPointTask::nextRequest(TimePoint)
 {
     if (finished() || sent())
         return std::nullopt;
@@ -210,12 +204,12 @@ std::optional<Bytes> LegacySetPointTask::nextRequest(TimePoint)
         return std::nullopt;
     }
     markSent();
-    return frameFor(m_motor, encode());
+    return legacyRequest(m_motor, encode());
 }
 
-void LegacySetPointTask::takeResponse(ByteView response, TimePoint)
+void LegacySetPointTask::takeResponse(const legacy::Reply &response, TimePoint)
 {
-    if (ackData(response))
+    if (std::holds_alternative<legacy::Ack>(response))
         end(Outcome::Ok);
     else
         end(Outcome::Refused, nackWord(response));

@@ -13,12 +13,12 @@ namespace drive {
 /// another direction.
 std::string refuseLegacySpeed(const LegacyFacts &board, int motor, double rpm);
 
-class LegacyCommandTask : public WishTask {
+class LegacyCommandTask : public WishTask<LegacyProtocol> {
 public:
     LegacyCommandTask(WishId id, const Command &command, const LegacyFacts &board);
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<legacy::Request> nextRequest(TimePoint now) override;
+    void takeResponse(const legacy::Reply &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
@@ -33,14 +33,14 @@ private:
 };
 
 /// Speed ramp, torque ramp or current reference.
-class LegacySetPointTask : public WishTask {
+class LegacySetPointTask : public WishTask<LegacyProtocol> {
 public:
     LegacySetPointTask(WishId id, const SpeedRamp &ramp, const LegacyFacts &board);
     LegacySetPointTask(WishId id, const TorqueRamp &ramp, const LegacyFacts &board);
     LegacySetPointTask(WishId id, const CurrentReference &reference, const LegacyFacts &board);
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<legacy::Request> nextRequest(TimePoint now) override;
+    void takeResponse(const legacy::Reply &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:

@@ -5,54 +5,14 @@
 #include "drive/legacy/legacy_identification.h"
 #include "drive/legacy/legacy_polling.h"
 #include "drive/legacy/legacy_writes.h"
-#include "drive/motion_of.h"
-#include "drive/wish_drive.h"
+#include "drive/task_drive.h"
 #include "legacy/client.h"
-
-#include <algorithm>
 
 namespace drive {
 
 namespace {
 
 using Link = legacy::Client;
-
-/// A stream cannot be had; stopping none is no failure.
-class NoStreamTask : public WishTask {
-public:
-    NoStreamTask(WishId id, const Stream &stream, const LegacyFacts &board)
-        : WishTask(id, Permission::Always)
-        , m_stops(stream.fast.empty() && stream.slow.empty())
-        , m_board(board)
-    {
-    }
-    std::optional<Bytes> nextRequest(TimePoint) override
-    {
-        end(m_stops ? Outcome::Ok : Outcome::Refused,
-            m_stops ? std::string() : m_board.reasonAgainst(Feature::Stream));
-        return std::nullopt;
-    }
-    void takeResponse(ByteView, TimePoint) override { }
-    void takeNoResponse(std::optional<bool>, TimePoint) override { }
-
-private:
-    bool m_stops;
-    const LegacyFacts &m_board;
-};
-
-Bytes asBytes(const legacy::Reply &reply)
-{
-    Bytes bytes;
-    if (const auto *ack = std::get_if<legacy::Ack>(&reply)) {
-        bytes.push_back(legacy::kAckHeader);
-        bytes.insert(bytes.end(), ack->data.begin(), ack->data.end());
-    } else if (const auto *nack = std::get_if<legacy::Nack>(&reply)) {
-        bytes.push_back(legacy::kNackHeader);
-        if (nack->error)
-            bytes.push_back(*nack->error);
-    }
-    return bytes;
-}
 
 /// The motion log has only what can change something.
 bool changes(const legacy::Request &request)
@@ -67,178 +27,94 @@ legacy::Request stopOf(int motor)
         legacy::Execute{static_cast<std::uint8_t>(legacy::CommandId::StopMotor)}};
 }
 
-class LegacyDrive final : public WishDrive {
+class LegacyDrive final : public TaskDrive<LegacyProtocol> {
 public:
     explicit LegacyDrive(const LegacyDriveConfig &config)
-        : WishDrive(m_board)
-        , m_config(config)
-        , m_link({config.baud, config.patience})
-        , m_identification(m_board, config.dialect)
+        : TaskDrive({config.baud, config.patience}, config.reconnectEvery, config.dialect)
     {
         constexpr double kBitsPerByte = 10.0;
         m_board.bytesPerSecond = config.baud / kBitsPerByte;
     }
 
-    void connect(TimePoint now) override;
-    void disconnect(TimePoint now) override;
-    void receive(ByteView bytes, TimePoint now) override
-    {
-        m_link.receive(bytes, now);
-        work(now);
-    }
-    void handleTimeout(TimePoint now) override
-    {
-        m_link.handleTimeout(now);
-        m_stop.handleTimeout(now);
-        work(now);
-    }
     void handleSent(TimePoint now) override
     {
         m_link.handleSent(now);
         work(now);
     }
-    std::vector<Output> takeOutput() override { return m_link.takeOutput(); }
-    std::optional<TimePoint> nextTimeout() const override;
     std::vector<Output> stopScript() const override;
 
 private:
-    void work(TimePoint now) override;
-    std::unique_ptr<WishTask> taskFor(const Wish &wish) override;
+    Made taskFor(const Wish &wish) override;
     std::string takeScale(const CurrentScale &scale, TimePoint now) override;
-    void tellIdentified();
-    void watch(const Watch &watch, TimePoint now) override { m_watch.watch(watch, now); }
-    void lookAtOnce(TimePoint now) override { m_vitals.hurry(now); }
 
-    void onLinkEvents(TimePoint now);
+    // what the link tells
+    void onLinkEvents(TimePoint now) override;
     void onConnected(const Link::Connected &event, TimePoint now);
     void onAnswer(const Link::Answer &event, TimePoint now);
-    void onNoAnswer(const Link::NoAnswer &event, TimePoint now);
     void onRestarted(TimePoint now);
     void onLost(const Link::Lost &event, TimePoint now);
-    void onIdentified(TimePoint now);
+    void onIdentified(TimePoint now) override;
+    void tellIdentified();
+    bool connected() const override { return m_link.connected(); }
+    LinkState linkState() const override;
+    LinkCounters counters() const override;
 
-    bool linkIsFree() const { return m_link.canSend() && m_task == nullptr && !m_stopUnderWay; }
-    bool sendStop(TimePoint now);
-    TimePoint nextStopMayLeave() const;
-    bool sendFirst(TimePoint now) override;
-    bool give(Task &task, TimePoint now) override;
-    void tellState();
-    void countLink(TimePoint now);
-    void collect();
-
-    LegacyDriveConfig m_config;
-    LegacyFacts m_board;
-    Link m_link;
-    LegacyIdentification m_identification;
-    LegacyVitals m_vitals{m_board};
-    LegacyWatch m_watch{m_board};
+    // what goes out
+    void prepare(TimePoint) override
+    {
+        m_link.setDialect(m_board.dialect);
+        m_link.setMotorDriven(m_vitals.motorDriven());
+    }
+    bool send(const legacy::Request &request, MotionRecord *log, TimePoint now) override;
+    void sendStop(TimePoint now) override;
+    TimePoint stopMayLeave() const override;
+    void closeLink() override { m_link.close(); }
 
     std::uint8_t m_stopMotor = 0; ///< with a stop on its way: whose
-    bool m_stopUnderWay = false;
-    TimePoint m_stopSince;
-    bool m_suspect = false;
     bool m_restarted = false; ///< the board said so; it is met anew
     bool m_reidentify = false;
-    std::optional<TimePoint> m_reconnectAt;
 };
 
-void LegacyDrive::connect(TimePoint now)
+LegacyDrive::Made LegacyDrive::taskFor(const Wish &wish)
 {
-    cutAllWishes("connecting anew");
-    m_mode = Mode::Open;
-    m_lost.reset();
-    m_reconnectAt.reset();
-    m_suspect = m_stopUnderWay = false;
-    m_task = nullptr;
-    m_link.connect(now);
-    tellState();
-    work(now);
-}
-
-void LegacyDrive::disconnect(TimePoint now)
-{
-    if (m_mode != Mode::Open)
-        return;
-    m_workedAt = now;
-    m_stop.end();
-    setArmed(false);
-    cutAllWishes("disconnected");
-    m_watch.watch({}, now);
-    m_link.close();
-    m_task = nullptr;
-    m_stopUnderWay = false;
-    m_lost.reset();
-    m_reconnectAt.reset();
-    m_mode = Mode::Closed;
-    collect();
-    tellState();
-}
-
-std::optional<TimePoint> LegacyDrive::nextTimeout() const
-{
-    std::optional<TimePoint> due = m_link.nextTimeout();
-    const auto consider = [&](std::optional<TimePoint> at) {
-        if (at && (!due || *at < *due))
-            due = at;
-    };
-    // What is due already and was not sent waits for something else, which has its own timer.
-    const auto considerLater = [&](std::optional<TimePoint> at) {
-        if (at && *at > m_workedAt)
-            consider(at);
-    };
-    if (m_mode != Mode::Open)
-        return due;
-    if (m_reconnectAt)
-        consider(m_stop.active() ? std::max(*m_reconnectAt, m_stop.blindUntil()) : *m_reconnectAt);
-    if (m_stop.active()) {
-        consider(m_stop.nextAlarm());
-        if (const auto next = m_stop.nextStop(m_link.connected(), m_workedAt))
-            consider(std::max(*next, nextStopMayLeave()));
-    }
-    if (linkIsFree()) {
-        considerLater(m_vitals.due());
-        considerLater(m_watch.due());
-        if (stopHoldsBack(m_workedAt))
-            considerLater(m_stop.blindUntil());
-    }
-    return due;
-}
-
-std::unique_ptr<WishTask> LegacyDrive::taskFor(const Wish &wish)
-{
+    using Ended = EndedTask<LegacyProtocol>;
     return std::visit(
         Overloaded{
-            [&](const Read &read) -> std::unique_ptr<WishTask> {
+            [&](const Read &read) -> Made {
                 return std::make_unique<LegacyReadTask>(wish.id, read, m_board);
             },
-            [&](const Write &write) -> std::unique_ptr<WishTask> {
+            [&](const Write &write) -> Made {
                 return std::make_unique<LegacyWriteTask>(wish.id, write, m_board);
             },
-            [&](const Command &command) -> std::unique_ptr<WishTask> {
+            [&](const Command &command) -> Made {
                 return std::make_unique<LegacyCommandTask>(wish.id, command, m_board);
             },
-            [&](const SpeedRamp &ramp) -> std::unique_ptr<WishTask> {
+            [&](const SpeedRamp &ramp) -> Made {
                 return std::make_unique<LegacySetPointTask>(wish.id, ramp, m_board);
             },
-            [&](const TorqueRamp &ramp) -> std::unique_ptr<WishTask> {
+            [&](const TorqueRamp &ramp) -> Made {
                 return std::make_unique<LegacySetPointTask>(wish.id, ramp, m_board);
             },
-            [&](const CurrentReference &reference) -> std::unique_ptr<WishTask> {
+            [&](const CurrentReference &reference) -> Made {
                 return std::make_unique<LegacySetPointTask>(wish.id, reference, m_board);
             },
-            [&](const PositionRamp &) -> std::unique_ptr<WishTask> {
-                return std::make_unique<RefusedTask>(
-                    wish.id, Permission::Armed, m_board.reasonAgainst(Feature::PositionRamp));
+            [&](const PositionRamp &) -> Made {
+                return std::make_unique<Ended>(wish.id, Permission::Armed, Outcome::Refused,
+                    m_board.reasonAgainst(Feature::PositionRamp));
             },
-            [&](const CyclicSetPoints &) -> std::unique_ptr<WishTask> {
-                return std::make_unique<RefusedTask>(
-                    wish.id, Permission::Always, m_board.reasonAgainst(Feature::CyclicSetPoints));
+            [&](const CyclicSetPoints &) -> Made {
+                return std::make_unique<Ended>(wish.id, Permission::Always, Outcome::Refused,
+                    m_board.reasonAgainst(Feature::CyclicSetPoints));
             },
-            [&](const Stream &stream) -> std::unique_ptr<WishTask> {
-                return std::make_unique<NoStreamTask>(wish.id, stream, m_board);
+            [&](const Stream &stream) -> Made { // none can be had; stopping none is no failure
+                const bool stops = stream.fast.empty() && stream.slow.empty();
+                return std::make_unique<Ended>(wish.id, Permission::Always,
+                    stops ? Outcome::Ok : Outcome::Refused,
+                    stops ? std::string() : m_board.reasonAgainst(Feature::Stream));
             },
-            [&](const auto &) -> std::unique_ptr<WishTask> {
-                return std::make_unique<RefusedTask>(wish.id, Permission::Always, "not here");
+            [&](const auto &) -> Made {
+                return std::make_unique<Ended>(
+                    wish.id, Permission::Always, Outcome::Refused, "not here");
             },
         },
         wish.what);
@@ -250,7 +126,10 @@ void LegacyDrive::onLinkEvents(TimePoint now)
         std::visit(Overloaded{
                        [&](const Link::Connected &what) { onConnected(what, now); },
                        [&](const Link::Answer &what) { onAnswer(what, now); },
-                       [&](const Link::NoAnswer &what) { onNoAnswer(what, now); },
+                       [&](const Link::NoAnswer &what) {
+                           if (m_task != nullptr)
+                               takeLoss(what.executed, now);
+                       },
                        [&](const Link::Restarted &) { onRestarted(now); },
                        [&](const Link::Suspect &) { m_suspect = true; },
                        [&](const Link::Recovering &) {},
@@ -262,9 +141,7 @@ void LegacyDrive::onLinkEvents(TimePoint now)
 
 void LegacyDrive::onConnected(const Link::Connected &event, TimePoint now)
 {
-    m_lost.reset();
-    m_reconnectAt.reset();
-    m_suspect = false;
+    linkFound();
     if (event.again && m_board.identified && !m_reidentify)
         return; // a recovery: the same board, in step again
     m_reidentify = false;
@@ -278,23 +155,13 @@ void LegacyDrive::onConnected(const Link::Connected &event, TimePoint now)
 void LegacyDrive::onAnswer(const Link::Answer &event, TimePoint now)
 {
     m_suspect = false;
-    const Bytes response = asBytes(event.reply);
-    if (m_task != nullptr) {
-        takeAnswer(response, now);
-        afterTask(now);
-    } else if (std::exchange(m_stopUnderWay, false)) {
-        if (event.sure && ackData(response))
-            m_stop.stopAnswered(m_stopMotor, now);
-        m_vitals.hurry(now);
-    }
-}
-
-void LegacyDrive::onNoAnswer(const Link::NoAnswer &event, TimePoint now)
-{
-    if (m_task == nullptr)
+    if (m_task != nullptr)
+        return takeAnswer(event.reply, now);
+    if (!std::exchange(m_stopUnderWay, false))
         return;
-    m_task->takeNoResponse(event.executed, now);
-    afterTask(now);
+    if (event.sure && std::holds_alternative<legacy::Ack>(event.reply))
+        m_stop.stopAnswered(m_stopMotor, now);
+    m_vitals.hurry(now);
 }
 
 /// Whatever was known of it is void, and nobody has armed this board.
@@ -311,19 +178,12 @@ void LegacyDrive::onRestarted(TimePoint now)
 
 void LegacyDrive::onLost(const Link::Lost &event, TimePoint now)
 {
-    const LinkReason reason = event.otherProtocol ? LinkReason::OtherProtocol
-        : !event.connecting                       ? LinkReason::RecoveryFailed
-        : event.heardBytes                        ? LinkReason::OnlyGarbage
-                                                  : LinkReason::NoAnswer;
-    if (!m_lost || reason != LinkReason::NoAnswer)
-        m_lost = reason; // "no answer" while trying again is no news
-    setArmed(false);
-    cutAllWishes("link lost");
-    m_task = nullptr;
-    m_stopUnderWay = false;
-    m_suspect = false;
     m_reidentify = true;
-    m_reconnectAt = now + m_config.reconnectEvery;
+    linkLost(event.otherProtocol ? LinkReason::OtherProtocol
+            : !event.connecting  ? LinkReason::RecoveryFailed
+            : event.heardBytes   ? LinkReason::OnlyGarbage
+                                 : LinkReason::NoAnswer,
+        now);
 }
 
 void LegacyDrive::tellIdentified()
@@ -359,28 +219,6 @@ void LegacyDrive::onIdentified(TimePoint now)
     m_vitals.hurry(now);
 }
 
-void LegacyDrive::work(TimePoint now)
-{
-    m_workedAt = now;
-    onLinkEvents(now);
-    m_link.setDialect(m_board.dialect);
-    takeStatuses(m_vitals.takeStatuses(), m_vitals.askedAt());
-    if (m_identification.takeNews())
-        onIdentified(now);
-    if (m_reconnectAt && now >= *m_reconnectAt && m_mode == Mode::Open && !m_stop.blind(now)) {
-        m_reconnectAt.reset();
-        m_link.connect(now);
-    }
-    m_link.setMotorDriven(m_vitals.motorDriven());
-    if (followStop(now))
-        sendStop(now);
-    if (linkIsFree() && m_mode == Mode::Open)
-        sendNext(m_vitals, m_watch, now);
-    collect();
-    tellState();
-    countLink(now);
-}
-
 /// The same in both dialects. Fillers end a frame that firmware may still wait for: see legacy/client.h.
 std::vector<Output> LegacyDrive::stopScript() const
 {
@@ -396,7 +234,7 @@ std::vector<Output> LegacyDrive::stopScript() const
 
 /// A board that answers drops what comes meanwhile: blind STOPs of several motors, too, leave it time. They come close
 /// together, so that the line has its rest behind them.
-TimePoint LegacyDrive::nextStopMayLeave() const
+TimePoint LegacyDrive::stopMayLeave() const
 {
     constexpr Duration kBetweenBlind = std::chrono::milliseconds(20);
     if (m_stopUnderWay)
@@ -404,13 +242,13 @@ TimePoint LegacyDrive::nextStopMayLeave() const
     return m_link.canSend() ? TimePoint{} : m_stopSince + kBetweenBlind;
 }
 
-bool LegacyDrive::sendStop(TimePoint now)
+void LegacyDrive::sendStop(TimePoint now)
 {
-    if (now < nextStopMayLeave())
-        return false;
-    const auto motor = m_stop.stopDue(now, m_link.connected());
+    if (now < stopMayLeave())
+        return;
+    const auto motor = m_stop.stopDue(now, connected());
     if (!motor)
-        return false;
+        return;
     const bool clean = m_link.canSend() || m_link.state() == Link::State::Waiting;
     m_stopMotor = static_cast<std::uint8_t>(*motor);
     m_stopSince = now;
@@ -419,66 +257,28 @@ bool LegacyDrive::sendStop(TimePoint now)
     m_stopUnderWay = clean;
     m_link.sendUrgent(request, now);
     onLinkEvents(now);
-    return true;
 }
 
-bool LegacyDrive::sendFirst(TimePoint now)
+bool LegacyDrive::send(const legacy::Request &request, MotionRecord *log, TimePoint now)
 {
-    if (m_identification.done())
-        return false;
-    give(m_identification, now);
-    return true;
-}
-
-bool LegacyDrive::give(Task &task, TimePoint now)
-{
-    const auto frame = task.nextRequest(now);
+    const auto frame = legacy::encodeRequest(request);
     if (!frame)
         return false;
-    // The frame is taken apart again so that the link knows what fits as an answer.
-    legacy::Framer framer(legacy::Framer::Side::Board);
-    legacy::Frame whole;
-    ByteView bytes(*frame);
-    if (framer.next(bytes, whole) != legacy::Framer::Step::Frame)
-        return false;
-    const auto request = legacy::decodeRequest(whole);
-    if (!request)
-        return false;
-    m_task = &task;
-    if (auto *wish = dynamic_cast<WishTask *>(&task);
-        wish != nullptr && wish->motion() && changes(*request))
-        noteSent(*wish->motion(), *frame);
-    m_link.send(*request, now);
+    if (log != nullptr && changes(request))
+        noteSent(*log, *frame);
+    m_link.send(request, now);
     return true;
 }
 
-void LegacyDrive::collect()
+LinkState LegacyDrive::linkState() const
 {
-    if (auto readings = m_watch.takeReadings(); !readings.empty())
-        m_events.emplace_back(RegistersRead{std::move(readings)});
-    collectWishes();
+    return !connected()                             ? LinkState::Connecting
+        : m_suspect                                 ? LinkState::Suspect
+        : m_link.state() == Link::State::Recovering ? LinkState::Recovering
+                                                    : LinkState::Connected;
 }
 
-void LegacyDrive::tellState()
-{
-    LinkState state = LinkState::Connecting;
-    LinkReason reason = LinkReason::None;
-    if (m_mode == Mode::Closed) {
-        state = LinkState::Closed;
-    } else if (m_lost) {
-        state = LinkState::Lost;
-        reason = *m_lost;
-    } else if (m_link.connected()) {
-        const bool recovering = m_link.state() == Link::State::Recovering;
-        state = m_suspect ? LinkState::Suspect
-            : recovering  ? LinkState::Recovering
-                          : LinkState::Connected;
-        reason = m_toldState == state ? m_toldReason : LinkReason::None;
-    }
-    tellLink(state, reason);
-}
-
-void LegacyDrive::countLink(TimePoint now)
+LinkCounters LegacyDrive::counters() const
 {
     const Link::Stats &link = m_link.stats();
     LinkCounters counters;
@@ -490,7 +290,7 @@ void LegacyDrive::countLink(TimePoint now)
     counters.nacks = link.nacks;
     counters.timeouts = link.timeouts;
     counters.recoveries = link.recoveries;
-    tellCounters(counters, now);
+    return counters;
 }
 
 } // namespace

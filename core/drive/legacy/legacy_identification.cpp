@@ -16,12 +16,6 @@ constexpr std::uint8_t kStatus = 0x02, kStages = 0x22, kMaxSpeed = 0x3F, kOnlyPo
 constexpr auto kBadMotor = static_cast<std::uint8_t>(legacy::ErrorCode::BadMotor);
 constexpr auto kNoTarget = static_cast<std::uint8_t>(legacy::ErrorCode::NoTargetDrive);
 
-Bytes frameOf(int motor, legacy::Command command)
-{
-    return legacy::encodeRequest({static_cast<std::uint8_t>(motor), std::move(command)})
-        .value_or(Bytes());
-}
-
 bool namesStm32(const std::string &name)
 {
     return name.starts_with("STM32") || name.starts_with("ST MC");
@@ -56,17 +50,17 @@ void LegacyIdentification::restart(const legacy::BoardInfo &info)
     m_board.missing.clear();
 }
 
-std::optional<Bytes> LegacyIdentification::nextRequest(TimePoint)
+std::optional<legacy::Request> LegacyIdentification::nextRequest(TimePoint)
 {
     switch (m_phase) {
     case Phase::Version:
-        return frameOf(1, legacy::GetFirmwareVersion{});
+        return legacyRequest(1, legacy::GetFirmwareVersion{});
     case Phase::OnlyPowerPc:
-        return frameOf(1, legacy::GetRegister{kOnlyPowerPc});
+        return legacyRequest(1, legacy::GetRegister{kOnlyPowerPc});
     case Phase::OnlyStm32:
-        return frameOf(1, legacy::GetRegister{kOnlyStm32});
+        return legacyRequest(1, legacy::GetRegister{kOnlyStm32});
     case Phase::Motors:
-        return frameOf(m_board.motors + 1, legacy::GetRegister{kStatus});
+        return legacyRequest(m_board.motors + 1, legacy::GetRegister{kStatus});
     case Phase::Registers:
         return m_reader.nextRequest(m_board);
     case Phase::Done:
@@ -75,14 +69,14 @@ std::optional<Bytes> LegacyIdentification::nextRequest(TimePoint)
     return std::nullopt;
 }
 
-void LegacyIdentification::takeResponse(ByteView response, TimePoint now)
+void LegacyIdentification::takeResponse(const legacy::Reply &response, TimePoint now)
 {
     m_losses = 0;
-    const auto data = ackData(response);
+    const auto *ack = std::get_if<legacy::Ack>(&response);
     switch (m_phase) {
     case Phase::Version:
-        if (data)
-            if (const auto version = legacy::decodeFirmwareVersion(*data)) {
+        if (ack != nullptr)
+            if (const auto version = legacy::decodeFirmwareVersion(ack->data)) {
                 m_version = *version;
                 m_versionKnown = true;
                 return decideDialect();
@@ -90,19 +84,20 @@ void LegacyIdentification::takeResponse(ByteView response, TimePoint now)
         m_phase = Phase::OnlyPowerPc;
         return;
     case Phase::OnlyPowerPc:
-        m_powerPcRegister = data.has_value();
+        m_powerPcRegister = ack != nullptr;
         m_phase = Phase::OnlyStm32;
         return;
     case Phase::OnlyStm32:
-        m_stm32Register = data.has_value();
+        m_stm32Register = ack != nullptr;
         return decideDialect();
     case Phase::Motors:
-        if (data && m_board.motors + 1 < static_cast<int>(legacy::kMostMotors)) {
+        if (ack != nullptr && m_board.motors + 1 < static_cast<int>(legacy::kMostMotors)) {
             ++m_board.motors;
             return;
         }
-        if (const auto code = nackCode(response); data || code == kBadMotor || code == kNoTarget) {
-            if (data)
+        if (const auto code = nackCode(response);
+            ack != nullptr || code == kBadMotor || code == kNoTarget) {
+            if (ack != nullptr)
                 ++m_board.motors;
         } else {
             m_doubt = "it does not tell how many motors it has";

@@ -14,7 +14,7 @@
 
 namespace drive {
 
-class LegacyIdentification : public Task {
+class LegacyIdentification : public Task<LegacyProtocol> {
 public:
     /// @param chosen  the dialect a person named; empty: to be found out
     LegacyIdentification(LegacyFacts &board, std::optional<legacy::Dialect> chosen)
@@ -33,8 +33,8 @@ public:
     /// What the board can do by what is known of it; anew when more is known.
     void addCapabilities();
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<legacy::Request> nextRequest(TimePoint now) override;
+    void takeResponse(const legacy::Reply &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:

@@ -80,7 +80,7 @@ void LegacyVitals::hurry(TimePoint now)
         m_due = now;
 }
 
-std::optional<Bytes> LegacyVitals::nextRequest(TimePoint now)
+std::optional<legacy::Request> LegacyVitals::nextRequest(TimePoint now)
 {
     if (m_reader.finished()) {
         if (!m_due || now < *m_due)
@@ -96,7 +96,7 @@ std::optional<Bytes> LegacyVitals::nextRequest(TimePoint now)
     return m_reader.nextRequest(m_board);
 }
 
-void LegacyVitals::takeResponse(ByteView response, TimePoint now)
+void LegacyVitals::takeResponse(const legacy::Reply &response, TimePoint now)
 {
     if (auto reading = m_reader.takeResponse(response, m_board, now);
         reading && reading->status == ReadStatus::Ok)
@@ -196,7 +196,7 @@ LegacyWatch::Entry *LegacyWatch::next(TimePoint now)
     return drawn;
 }
 
-std::optional<Bytes> LegacyWatch::nextRequest(TimePoint now)
+std::optional<legacy::Request> LegacyWatch::nextRequest(TimePoint now)
 {
     if (m_reader.finished()) {
         Entry *entry = next(now);
@@ -209,7 +209,7 @@ std::optional<Bytes> LegacyWatch::nextRequest(TimePoint now)
     return m_reader.nextRequest(m_board);
 }
 
-void LegacyWatch::takeResponse(ByteView response, TimePoint now)
+void LegacyWatch::takeResponse(const legacy::Reply &response, TimePoint now)
 {
     auto reading = m_reader.takeResponse(response, m_board, now);
     if (!reading)

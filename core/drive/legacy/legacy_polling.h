@@ -12,7 +12,7 @@
 namespace drive {
 
 /// State, faults and speed of every motor: slow while nothing happens, fast while a start or a stop is under way.
-class LegacyVitals : public Task {
+class LegacyVitals : public Task<LegacyProtocol> {
 public:
     static constexpr Duration kPeriod = std::chrono::milliseconds(100);
     static constexpr Duration kFastPeriod = std::chrono::milliseconds(20);
@@ -29,8 +29,8 @@ public:
     std::optional<TimePoint> due() const { return m_due; }
     bool motorDriven() const { return !m_driven.empty(); }
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<legacy::Request> nextRequest(TimePoint now) override;
+    void takeResponse(const legacy::Reply &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
     std::vector<MotorStatus> takeStatuses() { return std::exchange(m_news, {}); }
@@ -55,7 +55,7 @@ std::vector<StateStep> legacyStateSteps();
 
 /// Reads the watched registers: those that are drawn (Watch::drawn) as often as the link gives, each in its turn, the others
 /// once a period. What the build does not have is reported once and left out from then on.
-class LegacyWatch : public Task {
+class LegacyWatch : public Task<LegacyProtocol> {
 public:
     explicit LegacyWatch(const LegacyFacts &board)
         : m_board(board)
@@ -66,8 +66,8 @@ public:
     void restart(TimePoint now); ///< a new connection
     std::optional<TimePoint> due() const;
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<legacy::Request> nextRequest(TimePoint now) override;
+    void takeResponse(const legacy::Reply &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
     std::vector<Reading> takeReadings() { return std::exchange(m_readings, {}); }

@@ -9,25 +9,17 @@ constexpr auto kNotThere = static_cast<std::uint8_t>(legacy::ErrorCode::WriteOnl
 
 } // namespace
 
-std::optional<ByteView> ackData(ByteView response)
+std::optional<std::uint8_t> nackCode(const legacy::Reply &reply)
 {
-    if (response.empty() || response.front() != legacy::kAckHeader)
-        return std::nullopt;
-    return response.subspan(1);
+    const auto *nack = std::get_if<legacy::Nack>(&reply);
+    return nack != nullptr ? nack->error : std::nullopt;
 }
 
-std::optional<std::uint8_t> nackCode(ByteView response)
+std::string nackWord(const legacy::Reply &reply)
 {
-    if (response.size() != 2 || response.front() != legacy::kNackHeader)
-        return std::nullopt;
-    return response[1];
-}
-
-std::string nackWord(ByteView response)
-{
-    if (response.empty() || response.front() != legacy::kNackHeader)
+    if (!std::holds_alternative<legacy::Nack>(reply))
         return {};
-    const auto code = nackCode(response);
+    const auto code = nackCode(reply);
     if (!code)
         return "refused without a reason";
     if (const auto name = legacy::errorName(*code); !name.empty())
@@ -44,7 +36,7 @@ void LegacyReader::start(const std::vector<RegisterId> &ids)
     m_gaveUp = false;
 }
 
-std::optional<Bytes> LegacyReader::nextRequest(const LegacyFacts &) const
+std::optional<legacy::Request> LegacyReader::nextRequest(const LegacyFacts &) const
 {
     if (m_waiting.empty())
         return std::nullopt;
@@ -53,7 +45,7 @@ std::optional<Bytes> LegacyReader::nextRequest(const LegacyFacts &) const
     if (isLegacyRevUp(id))
         request.command =
             legacy::GetRevUp{static_cast<std::uint8_t>(m_stages.size() / kStageBytes)};
-    return legacy::encodeRequest(request).value_or(Bytes());
+    return request;
 }
 
 std::optional<Reading> LegacyReader::done(ReadStatus status, Value value, TimePoint now)
@@ -66,25 +58,25 @@ std::optional<Reading> LegacyReader::done(ReadStatus status, Value value, TimePo
 }
 
 std::optional<Reading> LegacyReader::takeResponse(
-    ByteView response, const LegacyFacts &board, TimePoint now)
+    const legacy::Reply &response, const LegacyFacts &board, TimePoint now)
 {
     if (m_waiting.empty())
         return std::nullopt;
     const RegisterId id = m_waiting.front();
-    const auto data = ackData(response);
-    if (!data)
+    const auto *ack = std::get_if<legacy::Ack>(&response);
+    if (ack == nullptr)
         return done(
             nackCode(response) == kNotThere ? ReadStatus::NotSupported : ReadStatus::Refused, {},
             now);
     if (isLegacyRevUp(id)) {
         m_losses = 0;
-        m_stages.insert(m_stages.end(), data->begin(), data->end());
+        m_stages.insert(m_stages.end(), ack->data.begin(), ack->data.end());
         if (m_stages.size() < kStageBytes * legacy::kRevUpStages)
             return std::nullopt;
         return done(ReadStatus::Ok, std::exchange(m_stages, {}), now);
     }
     const legacy::Register *which = legacy::findRegister(board.dialect, legacyNumber(id));
-    auto value = which != nullptr ? legacyValue(*which, *data) : std::nullopt;
+    auto value = which != nullptr ? legacyValue(*which, ack->data) : std::nullopt;
     return value ? done(ReadStatus::Ok, std::move(*value), now)
                  : done(ReadStatus::NotSupported, {}, now);
 }

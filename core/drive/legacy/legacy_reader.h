@@ -2,19 +2,13 @@
 // one for each of its stages. A refusal ends a register, a lost answer is asked for again up to kRepeats times.
 #pragma once
 
-#include "drive/legacy/legacy_board.h"
+#include "drive/legacy/legacy_protocol.h"
 #include "drive/legacy/legacy_registers.h"
 
 #include <deque>
 #include <optional>
 
 namespace drive {
-
-/// The data of an acknowledgement; empty if the answer is none. The first byte is the answer's header.
-std::optional<ByteView> ackData(ByteView response);
-/// Why not, if the answer is a refusal; empty if it is none.
-std::string nackWord(ByteView response);
-std::optional<std::uint8_t> nackCode(ByteView response);
 
 class LegacyReader {
 public:
@@ -25,10 +19,11 @@ public:
     bool finished() const { return m_waiting.empty(); }
     bool gaveUp() const { return m_gaveUp; } ///< some were never answered: no Reading for those
 
-    /// The frame that asks next; nothing when finished.
-    std::optional<Bytes> nextRequest(const LegacyFacts &board) const;
+    /// What is asked next; nothing when finished.
+    std::optional<legacy::Request> nextRequest(const LegacyFacts &board) const;
     /// The reading that the answer completes, if it does.
-    std::optional<Reading> takeResponse(ByteView response, const LegacyFacts &board, TimePoint now);
+    std::optional<Reading> takeResponse(
+        const legacy::Reply &response, const LegacyFacts &board, TimePoint now);
     void takeNoResponse();
 
 private:

@@ -66,7 +66,7 @@ void LegacyReadTask::finishIfRead()
             m_reader.gaveUp() ? "no answer" : "");
 }
 
-std::optional<Bytes> LegacyReadTask::nextRequest(TimePoint now)
+std::optional<legacy::Request> LegacyReadTask::nextRequest(TimePoint now)
 {
     if (!std::exchange(m_started, true)) {
         std::vector<RegisterId> ids;
@@ -84,7 +84,7 @@ std::optional<Bytes> LegacyReadTask::nextRequest(TimePoint now)
     return m_reader.nextRequest(m_board);
 }
 
-void LegacyReadTask::takeResponse(ByteView response, TimePoint now)
+void LegacyReadTask::takeResponse(const legacy::Reply &response, TimePoint now)
 {
     if (auto reading = m_reader.takeResponse(response, m_board, now))
         m_readings.push_back(std::move(*reading));
@@ -108,12 +108,11 @@ LegacyWriteTask::LegacyWriteTask(WishId id, const Write &write, const LegacyFact
     }
 }
 
-void LegacyWriteTask::addFrames(Item &item) const
+void LegacyWriteTask::addRequests(Item &item) const
 {
     const RegisterId id = item.write.id;
     const auto add = [&](legacy::Command command) {
-        item.frames.push_back(
-            legacy::encodeRequest({legacyMotor(id), std::move(command)}).value_or(Bytes()));
+        item.requests.push_back({legacyMotor(id), std::move(command)});
     };
     if (isLegacyRevUp(id)) {
         const auto *raw = std::get_if<Bytes>(&item.write.value);
@@ -156,7 +155,7 @@ void LegacyWriteTask::check(Item &item) const
             controlModeOf(static_cast<std::int64_t>(asNumber(item.write.value).value_or(0.0))),
             m_reach);
     if (item.result.reason.empty())
-        addFrames(item);
+        addRequests(item);
     if (!item.result.reason.empty()) {
         item.done = true;
         item.result.outcome = Outcome::Refused;
@@ -171,7 +170,7 @@ void LegacyWriteTask::beginReading(Phase phase)
     m_reader.start(readable ? std::vector{current().write.id} : std::vector<RegisterId>());
 }
 
-std::optional<Bytes> LegacyWriteTask::nextRequest(TimePoint)
+std::optional<legacy::Request> LegacyWriteTask::nextRequest(TimePoint)
 {
     while (!finished()) {
         if (m_at >= m_items.size()) {
@@ -186,7 +185,7 @@ std::optional<Bytes> LegacyWriteTask::nextRequest(TimePoint)
                 ++m_at;
                 continue;
             }
-            m_frame = 0;
+            m_request = 0;
             m_setSent = m_repeated = false;
             m_doubt.clear();
             beginReading(Phase::Before);
@@ -194,7 +193,7 @@ std::optional<Bytes> LegacyWriteTask::nextRequest(TimePoint)
         if (m_phase == Phase::Setting) {
             markSent();
             m_setSent = true;
-            return item.frames[m_frame];
+            return item.requests[m_request];
         }
         if (!m_reader.finished())
             return m_reader.nextRequest(m_board);
@@ -211,7 +210,7 @@ void LegacyWriteTask::afterReading()
         judge(m_doubt);
 }
 
-void LegacyWriteTask::takeResponse(ByteView response, TimePoint now)
+void LegacyWriteTask::takeResponse(const legacy::Reply &response, TimePoint now)
 {
     if (m_phase == Phase::Setting)
         return takeAnswer(response);
@@ -228,12 +227,12 @@ void LegacyWriteTask::takeResponse(ByteView response, TimePoint now)
         afterReading();
 }
 
-void LegacyWriteTask::takeAnswer(ByteView response)
+void LegacyWriteTask::takeAnswer(const legacy::Reply &response)
 {
-    if (!ackData(response))
+    if (!std::holds_alternative<legacy::Ack>(response))
         return finishItem(Outcome::Refused, nackWord(response));
     m_repeated = false;
-    if (++m_frame >= current().frames.size())
+    if (++m_request >= current().requests.size())
         beginReading(Phase::After);
 }
 

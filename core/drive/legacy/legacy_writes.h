@@ -11,12 +11,12 @@
 
 namespace drive {
 
-class LegacyReadTask : public WishTask {
+class LegacyReadTask : public WishTask<LegacyProtocol> {
 public:
     LegacyReadTask(WishId id, const Read &read, const LegacyFacts &board);
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<legacy::Request> nextRequest(TimePoint now) override;
+    void takeResponse(const legacy::Reply &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
     std::vector<Reading> takeReadings() override { return std::exchange(m_readings, {}); }
     bool onlyReads() const override { return true; }
@@ -31,12 +31,12 @@ private:
     bool m_started = false;
 };
 
-class LegacyWriteTask : public WishTask {
+class LegacyWriteTask : public WishTask<LegacyProtocol> {
 public:
     LegacyWriteTask(WishId id, const Write &write, const LegacyFacts &board);
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<legacy::Request> nextRequest(TimePoint now) override;
+    void takeResponse(const legacy::Reply &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
     void cut(const std::string &reason) override;
     void supersede(const Write &newer) override;
@@ -46,16 +46,16 @@ private:
     enum class Phase : std::uint8_t { Check, Before, Setting, After };
     struct Item {
         RegisterWrite write;
-        std::vector<Bytes> frames; ///< one; of the rev-up one for each stage
+        std::vector<legacy::Request> requests; ///< one; of the rev-up one for each stage
         bool done = false;
         WriteResult result;
     };
 
     void check(Item &item) const;
-    void addFrames(Item &item) const;
+    void addRequests(Item &item) const;
     void beginReading(Phase phase);
     void afterReading();
-    void takeAnswer(ByteView response);
+    void takeAnswer(const legacy::Reply &response);
     void finishItem(Outcome outcome, const std::string &reason);
     void judge(const std::string &doubt);
     void finish();
@@ -64,12 +64,12 @@ private:
     const LegacyFacts &m_board;
     Reach m_reach;
     std::vector<Item> m_items;
-    std::size_t m_at = 0, m_frame = 0; ///< the register at work, and its next frame
+    std::size_t m_at = 0, m_request = 0; ///< the register at work, and its next request
     Phase m_phase = Phase::Check;
     LegacyReader m_reader;
     std::string m_doubt; ///< why it is not known whether the board took it
     bool m_setSent = false; ///< of the register at work
-    bool m_repeated = false; ///< that frame has been sent twice
+    bool m_repeated = false; ///< that request has been sent twice
     std::vector<Reading> m_readings;
 };
 

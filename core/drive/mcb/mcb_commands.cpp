@@ -98,7 +98,7 @@ void McbActTask::setMode(std::uint16_t mode, std::uint16_t setPoint, const Value
         write(setPoint, value);
 }
 
-std::optional<Bytes> McbActTask::nextRequest(TimePoint now)
+std::optional<McbRequest> McbActTask::nextRequest(TimePoint now)
 {
     if (finished())
         return std::nullopt;
@@ -134,18 +134,17 @@ std::optional<Bytes> McbActTask::nextRequest(TimePoint now)
     return mcbWrite(step.address, step.words);
 }
 
-void McbActTask::takeResponse(ByteView response, TimePoint now)
+void McbActTask::takeResponse(const McbAnswer &answer, TimePoint now)
 {
     if (finished())
         return;
     if (!m_reader.finished()) {
-        const Reading reading = m_reader.takeResponse(response, m_board, now);
+        const Reading reading = m_reader.takeResponse(answer, m_board, now);
         const auto number = asNumber(reading.value);
         if (reading.status == ReadStatus::Ok && number && std::isfinite(*number))
             m_values[mcbAddressOf(reading.id)] = *number;
         return;
     }
-    const McbAnswer answer = mcbAnswerOf(response);
     const Step step = m_steps.front();
     if (!answer.ok)
         return end(Outcome::Refused,

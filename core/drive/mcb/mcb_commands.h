@@ -19,10 +19,10 @@ std::uint16_t mcbSetPointOf(std::uint16_t mode);
 /// What a mode controls, of those that are started here: positions go by a move, which knows the way.
 ControlMode mcbControlOf(std::uint16_t mode);
 
-class McbActTask : public WishTask {
+class McbActTask : public WishTask<McbProtocol> {
 public:
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<McbRequest> nextRequest(TimePoint now) override;
+    void takeResponse(const McbAnswer &answer, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 protected:

@@ -1,23 +1,23 @@
-// What is asked of an MCB drive, and what its link tells.
 #include "drive/mcb/mcb_drive.h"
 
 #include "drive/mcb/mcb_catalog.h"
 #include "drive/mcb/mcb_commands.h"
-#include "drive/mcb/mcb_machine.h"
-#include "drive/mcb/mcb_messages.h"
+#include "drive/mcb/mcb_identification.h"
+#include "drive/mcb/mcb_stream.h"
+#include "drive/mcb/mcb_vitals.h"
+#include "drive/mcb/mcb_watch.h"
 #include "drive/mcb/mcb_writes.h"
+#include "drive/task_drive.h"
 #include "mcb/dictionary.h"
-
-#include <algorithm>
 
 namespace drive {
 
 namespace {
 
-using namespace std::chrono_literals;
+using Link = mcb::Master;
 
-constexpr Duration kClosingTime =
-    500ms; ///< for the way back to the config state when disconnecting
+/// Control word 06, shutdown: the power stage goes off in every state but a fault, where it is off.
+constexpr std::uint16_t kShutdown = 0x06;
 
 LinkReason reasonOf(mcb::Master::Cause cause)
 {
@@ -42,12 +42,79 @@ mcb::Master::Config linkConfig(const McbDriveConfig &config)
     return link;
 }
 
-} // namespace
+class McbDrive final : public TaskDrive<McbProtocol> {
+public:
+    explicit McbDrive(const McbDriveConfig &config);
+
+    void connect(TimePoint now) override
+    {
+        endSetPoints();
+        TaskDrive::connect(now);
+    }
+    void handleSent(TimePoint) override { }
+    void handleReady(bool high, TimePoint now) override
+    {
+        m_link.setReady(high, now);
+        work(now);
+    }
+    std::vector<Output> stopScript() const override;
+
+private:
+    Made taskFor(const Wish &wish) override;
+
+    // what the link tells
+    void onLinkEvents(TimePoint now) override;
+    void on(const Link::Done &event, TimePoint now);
+    void on(const Link::Met &event, TimePoint now);
+    void on(const Link::Cycle &event, TimePoint now);
+    void on(const Link::Searching &, TimePoint) { m_stream.interrupted(); }
+    void on(const Link::Back &event, TimePoint now);
+    void on(const Link::Lost &event, TimePoint now);
+    void beginAnew(TimePoint now);
+    void onIdentified(TimePoint now) override;
+    void identifyAnew() override { m_identification.restart(); }
+    void onStatuses(const std::vector<MotorStatus> &statuses) override;
+    bool connected() const override
+    {
+        return m_link.state() == Link::State::Config || m_link.state() == Link::State::Cyclic;
+    }
+    LinkState linkState() const override;
+    LinkCounters counters() const override;
+
+    // what goes out
+    void prepare(TimePoint now) override;
+    bool send(const McbRequest &request, MotionRecord *log, TimePoint now) override;
+    void sendStop(TimePoint now) override;
+    TimePoint stopMayLeave() const override
+    {
+        return m_stopUnderWay ? m_stopSince + StopSequence::kRepeat : TimePoint{};
+    }
+    std::optional<TimePoint> nextStop() const override;
+    bool travels(const Link::Request &request) const;
+    Bytes frameWith(const Link::Request &request) const;
+    void sendInFrames(const Link::Request &request, TimePoint now);
+    Link::Done confirmed(const Link::Done &read, const mcb::Words &wanted);
+    void restSetPoints();
+    void endSetPoints();
+    Duration closingTime() const override { return std::chrono::milliseconds(500); }
+    void leave() override;
+    void closeLink() override;
+    void collect(TimePoint now) override;
+    std::optional<TimePoint> nextOwn() const override { return m_stream.nextFlush(); }
+    bool reconnectsBlind() const override { return true; }
+
+    McbStreamControl m_stream{m_board};
+    McbSetPoints m_setPoints{m_board};
+    /// Words of a set-point that travels and is being read back: the answer to its write.
+    std::optional<mcb::Words> m_confirming;
+    bool m_toldCyclic = false, m_faulty = false;
+    /// Since then a STOP waits for the drive to be ready or frames to have their new length.
+    std::optional<TimePoint> m_stopWaits;
+    std::uint64_t m_cyclesLost = 0; ///< as last told by the link
+};
 
 McbDrive::McbDrive(const McbDriveConfig &config)
-    : WishDrive(m_board)
-    , m_config(config)
-    , m_link(linkConfig(config))
+    : TaskDrive(linkConfig(config), config.reconnectEvery)
 {
     m_board.motorsCounted = true; // one, always
     // What a stop needs before anything was told.
@@ -58,96 +125,14 @@ McbDrive::McbDrive(const McbDriveConfig &config)
     m_board.catalog = mcbCatalogOf(m_board.infos);
 }
 
-void McbDrive::connect(TimePoint now)
-{
-    cutAllWishes("connecting anew");
-    m_mode = Mode::Open;
-    m_lost.reset();
-    m_reconnectAt.reset();
-    m_task = nullptr;
-    m_stopUnderWay = false;
-    endSetPoints();
-    m_link.connect(now);
-    work(now);
-}
-
-void McbDrive::disconnect(TimePoint now)
-{
-    if (m_mode != Mode::Open)
-        return;
-    m_workedAt = now;
-    m_stop.end();
-    setArmed(false);
-    m_mode = Mode::Closing;
-    m_closeBy = now + kClosingTime;
-    cutAllWishes("disconnected");
-    m_watch.watch({}, now);
-    m_setPoints.end(); // frames hold what they carry until the drive has left the cyclic state
-    if (m_stream.running() && connected())
-        m_wishes.add(std::make_unique<McbStreamTask>(0, Stream{}, m_stream, m_setPoints));
-    work(now);
-}
-
-void McbDrive::receive(ByteView bytes, TimePoint now)
-{
-    m_link.receive(bytes, now);
-    work(now);
-}
-
-void McbDrive::handleReady(bool high, TimePoint now)
-{
-    m_link.setReady(high, now);
-    work(now);
-}
-
-void McbDrive::handleTimeout(TimePoint now)
-{
-    m_link.handleTimeout(now);
-    m_stop.handleTimeout(now);
-    work(now);
-}
-
-std::optional<TimePoint> McbDrive::nextTimeout() const
-{
-    std::optional<TimePoint> due = m_link.nextTimeout();
-    const auto consider = [&](std::optional<TimePoint> at) {
-        if (at && (!due || *at < *due))
-            due = at;
-    };
-    consider(m_reconnectAt);
-    consider(m_stream.nextFlush());
-    if (m_mode == Mode::Closing)
-        consider(m_closeBy);
-    // What is due already and was not sent waits for something else, which has its own timer.
-    const auto considerLater = [&](std::optional<TimePoint> at) {
-        if (at && *at > m_workedAt)
-            consider(at);
-    };
-    if (m_stop.active()) {
-        consider(m_stop.nextAlarm());
-        if (const auto next = m_stop.nextStop(connected(), m_workedAt))
-            considerLater(
-                m_stopUnderWay ? std::max(*next, m_stopSince + StopSequence::kRepeat) : *next);
-        if (m_stopWaits)
-            considerLater(*m_stopWaits + StopSequence::kRepeat);
-    }
-    if (linkIsFree() && m_mode == Mode::Open) {
-        considerLater(m_vitals.due());
-        considerLater(m_watch.due());
-        if (stopHoldsBack(m_workedAt))
-            considerLater(m_stop.blindUntil());
-    }
-    return due;
-}
-
-std::unique_ptr<WishTask> McbDrive::taskFor(const Wish &wish)
+McbDrive::Made McbDrive::taskFor(const Wish &wish)
 {
     struct Make {
         WishId id;
         const McbBoard &board;
         McbStreamControl &stream;
         McbSetPoints &setPoints;
-        using Made = std::unique_ptr<WishTask>;
+        using Made = std::unique_ptr<WishTask<McbProtocol>>;
 
         Made operator()(const Read &read) { return std::make_unique<McbReadTask>(id, read, board); }
         Made operator()(const Write &write)
@@ -164,8 +149,8 @@ std::unique_ptr<WishTask> McbDrive::taskFor(const Wish &wish)
         }
         Made operator()(const TorqueRamp &)
         {
-            return std::make_unique<RefusedTask>(
-                id, Permission::Armed, board.reasonAgainst(Feature::TorqueRamp));
+            return std::make_unique<EndedTask<McbProtocol>>(
+                id, Permission::Armed, Outcome::Refused, board.reasonAgainst(Feature::TorqueRamp));
         }
         Made operator()(const CurrentReference &reference)
         {
@@ -186,7 +171,8 @@ std::unique_ptr<WishTask> McbDrive::taskFor(const Wish &wish)
         // Done at once, before a task is asked for.
         Made refused() const
         {
-            return std::make_unique<RefusedTask>(id, Permission::Armed, "is no work");
+            return std::make_unique<EndedTask<McbProtocol>>(
+                id, Permission::Armed, Outcome::Refused, "is no work");
         }
         Made operator()(const Watch &) const { return refused(); }
         Made operator()(const UserLimits &) const { return refused(); }
@@ -213,18 +199,9 @@ void McbDrive::on(const Link::Done &event, TimePoint now)
     const auto wanted = std::exchange(m_confirming, std::nullopt);
     const Link::Done done = wanted ? confirmed(event, *wanted) : event;
     if (done.end == Link::End::Ok || done.end == Link::End::Refused)
-        takeAnswer(mcbAnswer(done), now);
+        takeAnswer({done.end == Link::End::Ok, done.words, done.code}, now);
     else
-        m_task->takeNoResponse(
-            done.end == Link::End::NotSent ? std::optional(false) : std::nullopt, now);
-    bool changed = false;
-    if (auto *write = dynamic_cast<McbWriteTask *>(m_task))
-        changed = write->takeTypeChanged();
-    else if (auto *stream = dynamic_cast<McbStreamTask *>(m_task))
-        changed = stream->takeTypeChanged();
-    afterTask(now);
-    if (changed)
-        m_identification.restart();
+        takeLoss(done.end == Link::End::NotSent ? std::optional(false) : std::nullopt, now);
 }
 
 void McbDrive::beginAnew(TimePoint now)
@@ -239,8 +216,7 @@ void McbDrive::beginAnew(TimePoint now)
 
 void McbDrive::on(const Link::Met &, TimePoint now)
 {
-    m_lost.reset();
-    m_reconnectAt.reset();
+    linkFound();
     beginAnew(now);
     tell(LinkState::Connected, LinkReason::None);
 }
@@ -250,8 +226,6 @@ void McbDrive::on(const Link::Cycle &event, TimePoint)
     const std::uint64_t lost = m_link.stats().cyclesLost;
     m_stream.receive(event, lost - std::exchange(m_cyclesLost, lost));
 }
-
-void McbDrive::on(const Link::Searching &, TimePoint) { m_stream.interrupted(); }
 
 void McbDrive::on(const Link::Back &event, TimePoint now)
 {
@@ -266,17 +240,12 @@ void McbDrive::on(const Link::Back &event, TimePoint now)
 
 void McbDrive::on(const Link::Lost &event, TimePoint now)
 {
-    const LinkReason reason = reasonOf(event.cause);
-    if (!m_lost || reason != LinkReason::NoAnswer)
-        m_lost = reason; // "no answer" while trying again is no news
-    setArmed(false);
-    cutAllWishes("link lost");
-    m_task = nullptr;
-    m_stopUnderWay = false;
+    linkLost(reasonOf(event.cause), now);
     m_board.expert.clear();
     m_stream.ended();
     endSetPoints();
-    m_reconnectAt = now + (m_stop.blind(now) ? StopSequence::kRepeat : m_config.reconnectEvery);
+    if (m_stop.blind(now))
+        m_reconnectAt = now + StopSequence::kRepeat;
 }
 
 void McbDrive::onIdentified(TimePoint now)
@@ -290,6 +259,215 @@ void McbDrive::onIdentified(TimePoint now)
         m_wishes.addFirst(
             std::make_unique<McbStreamTask>(0, m_stream.wish(), m_stream, m_setPoints));
 }
+
+/// A motor that a fault has stopped does not go back to its set-point when the fault is over.
+void McbDrive::onStatuses(const std::vector<MotorStatus> &statuses)
+{
+    for (const MotorStatus &status : statuses) {
+        const bool fault =
+            status.state == MotorState::FaultNow || status.state == MotorState::FaultOver;
+        if (fault && !std::exchange(m_faulty, fault))
+            restSetPoints();
+        m_faulty = fault;
+    }
+}
+
+void McbDrive::prepare(TimePoint)
+{
+    if (m_mode == Mode::Open && m_stop.active())
+        restSetPoints();
+    else
+        m_stopWaits.reset();
+}
+
+/// In the length of frames that the drive has now, and in the other one: it may be changing.
+std::vector<Output> McbDrive::stopScript() const
+{
+    constexpr Duration kBehindFrame = std::chrono::milliseconds(2); // to be ready again
+    constexpr Duration kBehindWrongFrame =
+        std::chrono::milliseconds(60); // byte streams forget an unfinished frame, see Master::quiet
+    mcb::Frame stop{mcbreg::kControl, mcb::Command::Write, false, {kShutdown}, {}};
+    std::vector<Output> script{{mcb::encodeFrame(stop), kBehindFrame}};
+    if (const std::size_t words = m_link.mapping().words(); words > 0) {
+        stop.cyclic.resize(words);
+        script.push_back({mcb::encodeFrame(stop), kBehindFrame});
+        if (m_link.state() == Link::State::Cyclic)
+            std::swap(script.front(), script.back());
+        script.back().gapBefore = kBehindWrongFrame;
+    }
+    return script;
+}
+
+std::optional<TimePoint> McbDrive::nextStop() const
+{
+    // What is due already waits for the link, which has its own timer.
+    const auto later = [this](std::optional<TimePoint> at) {
+        return at && *at > m_workedAt ? at : std::nullopt;
+    };
+    const auto next = later(TaskDrive::nextStop());
+    const auto blind =
+        later(m_stopWaits ? std::optional(*m_stopWaits + StopSequence::kRepeat) : std::nullopt);
+    return next && blind ? std::min(*next, *blind) : next ? next : blind;
+}
+
+void McbDrive::sendStop(TimePoint now)
+{
+    if (now < stopMayLeave() || !m_stop.stopDue(now, connected()))
+        return;
+    if (connected() && !m_link.canSend()) {
+        m_link.cancel(now);
+        onLinkEvents(now);
+    }
+    if (m_link.canSend() && m_link.ready())
+        m_stopWaits.reset();
+    else
+        m_stopWaits = m_stopWaits.value_or(now);
+    const bool blind = !connected() || (m_stopWaits && now >= *m_stopWaits + StopSequence::kRepeat);
+    if (!blind && !m_link.canSend())
+        return; // the length of frames is changing: in a moment it is known
+    const Link::Request stop{mcb::Command::Write, mcbreg::kControl, {kShutdown}};
+    noteStop(1, mcbChanges(stop), now);
+    m_stopSince = now;
+    m_stopUnderWay = !blind;
+    if (blind)
+        m_link.sendBlind(stopScript(), now);
+    else
+        m_link.send(stop, now);
+}
+
+bool McbDrive::send(const McbRequest &request, MotionRecord *log, TimePoint now)
+{
+    const auto *one = std::get_if<Link::Request>(&request);
+    const bool inFrames = one != nullptr && travels(*one);
+    if (const Bytes changes = mcbChanges(request); log != nullptr && !changes.empty())
+        noteSent(*log, inFrames ? frameWith(*one) : changes);
+    if (inFrames) {
+        sendInFrames(*one, now);
+    } else if (one != nullptr) {
+        m_link.send(*one, now);
+    } else if (const auto *map = std::get_if<McbMap>(&request)) {
+        // In the config state, so that no frame goes out with words of another mapping.
+        m_link.setCyclicOutput(m_setPoints.output(map->mapping.rx));
+        m_link.switchOn(map->mapping, m_stream.period(), now);
+    } else {
+        m_link.switchOff(now);
+    }
+    return true;
+}
+
+/// Whether a set-point is one that goes out with every frame now.
+bool McbDrive::travels(const Link::Request &request) const
+{
+    const auto &rx = m_link.mapping().rx;
+    return request.command == mcb::Command::Write && m_link.state() == Link::State::Cyclic
+        && std::any_of(rx.begin(), rx.end(),
+            [&](const mcb::MappedRegister &one) { return one.address == request.address; });
+}
+
+/// The first one that has the new value.
+Bytes McbDrive::frameWith(const Link::Request &request) const
+{
+    McbSetPoints after = m_setPoints;
+    after.set(request.address, request.words);
+    mcb::Frame frame{request.address, mcb::Command::Read, false, {}, {}};
+    frame.cyclic = after.output(m_link.mapping().rx);
+    frame.cyclic.resize(m_link.mapping().words());
+    return mcb::encodeFrame(frame);
+}
+
+/// The frame that asks for the register has its new value already, and so has every one after it: what is read back is
+/// the answer.
+void McbDrive::sendInFrames(const Link::Request &request, TimePoint now)
+{
+    m_setPoints.set(request.address, request.words);
+    m_link.setCyclicOutput(m_setPoints.output(m_link.mapping().rx));
+    m_confirming = request.words;
+    m_link.send({mcb::Command::Read, request.address}, now);
+}
+
+Link::Done McbDrive::confirmed(const Link::Done &read, const mcb::Words &wanted)
+{
+    Link::Done write = read;
+    if (read.end == Link::End::NotSent)
+        write.end = Link::End::Unknown; // the question was not, but the value may have been
+    if (read.end != Link::End::Ok)
+        return write;
+    const bool same = read.words.size() >= wanted.size()
+        && std::equal(wanted.begin(), wanted.end(), read.words.begin());
+    if (!same) { // the drive has its own mind: it is left with it
+        write.end = Link::End::Refused;
+        write.code = kOtherValueRead;
+        m_setPoints.set(read.request.address,
+            mcb::WordView(read.words).first(std::min(wanted.size(), read.words.size())));
+        m_link.setCyclicOutput(m_setPoints.output(m_link.mapping().rx));
+    }
+    return write;
+}
+
+void McbDrive::restSetPoints()
+{
+    m_setPoints.rest();
+    m_link.setCyclicOutput({});
+}
+
+void McbDrive::endSetPoints()
+{
+    m_setPoints.end();
+    m_link.setCyclicOutput({});
+    m_confirming.reset();
+}
+
+void McbDrive::leave()
+{
+    m_setPoints.end(); // frames hold what they carry until the drive has left the cyclic state
+    if (m_stream.running() && connected())
+        m_wishes.add(std::make_unique<McbStreamTask>(0, Stream{}, m_stream, m_setPoints));
+}
+
+void McbDrive::closeLink()
+{
+    m_stream.close();
+    endSetPoints();
+    m_link.close();
+    m_board.expert.clear();
+}
+
+void McbDrive::collect(TimePoint now)
+{
+    TaskDrive::collect(now);
+    if (m_setPoints.wanted() != m_toldCyclic)
+        m_events.emplace_back(CyclicSetPointsChanged{m_toldCyclic = m_setPoints.wanted()});
+    m_stream.flush(now);
+    for (Event &event : m_stream.takeEvents())
+        m_events.push_back(std::move(event));
+}
+
+LinkState McbDrive::linkState() const
+{
+    const bool seeking =
+        m_link.state() == Link::State::Seeking && m_toldState != LinkState::Connecting;
+    return connected() ? LinkState::Connected
+        : seeking      ? LinkState::Recovering
+                       : LinkState::Connecting;
+}
+
+LinkCounters McbDrive::counters() const
+{
+    const Link::Stats &link = m_link.stats();
+    LinkCounters counters;
+    counters.bytesIn = link.bytesIn;
+    counters.bytesOut = link.bytesOut;
+    counters.packetsIn = link.goodFrames;
+    counters.packetsOut = link.exchanges;
+    counters.badPackets = link.damaged + link.dead + link.torn + link.strays;
+    counters.timeouts = link.timeouts;
+    counters.recoveries = link.searches;
+    counters.streamPackets = m_stream.packets();
+    counters.streamLostTicks = m_stream.lost();
+    return counters;
+}
+
+} // namespace
 
 std::unique_ptr<Drive> makeMcbDrive(const McbDriveConfig &config)
 {

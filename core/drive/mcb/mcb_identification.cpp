@@ -80,18 +80,17 @@ void McbIdentification::restart()
     m_board.identified = false;
 }
 
-std::optional<Bytes> McbIdentification::nextRequest(TimePoint)
+std::optional<McbRequest> McbIdentification::nextRequest(TimePoint)
 {
     if (m_waiting.empty())
         return std::nullopt;
     return m_phase == Phase::Infos ? mcbInfo(m_waiting.front()) : mcbRead(m_waiting.front());
 }
 
-void McbIdentification::takeResponse(ByteView response, TimePoint)
+void McbIdentification::takeResponse(const McbAnswer &answer, TimePoint)
 {
     if (m_waiting.empty())
         return;
-    const McbAnswer answer = mcbAnswerOf(response);
     const std::uint16_t address = m_waiting.front();
     if (answer.ok && m_phase == Phase::Infos && answer.words.size() >= mcb::kConfigWords) {
         const mcb::Info info = mcb::infoOf({answer.words[0], answer.words[1], 0, 0});

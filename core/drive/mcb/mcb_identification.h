@@ -2,14 +2,14 @@
 // every one that the dictionary knows), and what bounds its motion. It only reads.
 #pragma once
 
-#include "drive/mcb/mcb_board.h"
+#include "drive/mcb/mcb_messages.h"
 #include "drive/task.h"
 
 #include <deque>
 
 namespace drive {
 
-class McbIdentification : public Task {
+class McbIdentification : public Task<McbProtocol> {
 public:
     explicit McbIdentification(McbBoard &board)
         : m_board(board)
@@ -22,8 +22,8 @@ public:
     /// True once after each identification that has come to its end.
     bool takeNews() { return std::exchange(m_news, false); }
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<McbRequest> nextRequest(TimePoint now) override;
+    void takeResponse(const McbAnswer &answer, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:

@@ -2,12 +2,12 @@
 // config state, which is what the motion log keeps; an answer is ours.
 #pragma once
 
-#include "base/bytes.h"
-#include "drive/wish.h"
+#include "drive/mcb/mcb_board.h"
 #include "mcb/master.h"
 
 #include <optional>
 #include <string>
+#include <variant>
 
 namespace drive {
 
@@ -23,28 +23,49 @@ constexpr std::uint16_t kLastError = 0x00F, kControl = 0x010, kStatus = 0x011, k
                         kSerial = 0x6E6, kPeakCurrent = 0x71F;
 } // namespace mcbreg
 
-Bytes mcbRead(std::uint16_t address);
-Bytes mcbInfo(std::uint16_t address);
-Bytes mcbWrite(std::uint16_t address, mcb::WordView words);
 /// The way into the cyclic state, and out of it.
-Bytes mcbMap(const mcb::Mapping &mapping);
-Bytes mcbUnmap();
-
-struct McbRequest {
-    enum class Kind : std::uint8_t { One, Map, Unmap } kind = Kind::One;
-    mcb::Master::Request request; ///< of One
-    mcb::Mapping mapping; ///< of Map
+struct McbMap {
+    mcb::Mapping mapping;
 };
-McbRequest mcbRequestOf(ByteView request);
-bool mcbReads(ByteView request); ///< it changes nothing
+struct McbUnmap { };
+using McbRequest = std::variant<mcb::Master::Request, McbMap, McbUnmap>;
+
+inline McbRequest mcbRead(std::uint16_t address)
+{
+    return mcb::Master::Request{mcb::Command::Read, address};
+}
+inline McbRequest mcbInfo(std::uint16_t address)
+{
+    return mcb::Master::Request{mcb::Command::GetInfo, address};
+}
+inline McbRequest mcbWrite(std::uint16_t address, mcb::Words words)
+{
+    return mcb::Master::Request{mcb::Command::Write, address, std::move(words)};
+}
+/// For the motion log: what it changes, in frames of the config state; empty if it changes nothing.
+Bytes mcbChanges(const McbRequest &request);
 
 struct McbAnswer {
     bool ok = false; ///< false: refused
     mcb::Words words; ///< of the answer
     std::uint32_t code = 0; ///< of the refusal
 };
-Bytes mcbAnswer(const mcb::Master::Done &done);
-McbAnswer mcbAnswerOf(ByteView response);
+
+class McbIdentification;
+class McbReader;
+class McbVitals;
+class McbWatch;
+
+struct McbProtocol {
+    using Request = McbRequest;
+    using Answer = McbAnswer;
+    using Facts = McbBoard;
+    using Link = mcb::Master;
+    using Identification = McbIdentification;
+    using Vitals = McbVitals;
+    using Watch = McbWatch;
+    using Reader = McbReader;
+};
 
 /// In the place of a code, but ours: the drive took the value, and another one is read back.
 constexpr std::uint32_t kOtherValueRead = 0xFFFFFFFF;

@@ -49,18 +49,17 @@ void McbReader::start(const std::vector<RegisterId> &ids)
     m_gaveUp = false;
 }
 
-std::optional<Bytes> McbReader::nextRequest() const
+std::optional<McbRequest> McbReader::nextRequest() const
 {
     if (m_waiting.empty())
         return std::nullopt;
     return mcbRead(mcbAddressOf(m_waiting.front()));
 }
 
-Reading McbReader::takeResponse(ByteView response, const McbBoard &board, TimePoint now)
+Reading McbReader::takeResponse(const McbAnswer &answer, const McbBoard &board, TimePoint now)
 {
     Reading reading{m_waiting.front(), ReadStatus::Ok, {}, now};
     m_waiting.pop_front();
-    const McbAnswer answer = mcbAnswerOf(response);
     if (!answer.ok) {
         reading.status = answer.code == static_cast<std::uint32_t>(mcb::ErrorCode::NoSuchRegister)
             ? ReadStatus::NotSupported

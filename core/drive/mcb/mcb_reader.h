@@ -1,7 +1,7 @@
 // Reads a list of registers, one a request. The link repeats what was lost, so what gets no answer here is given up.
 #pragma once
 
-#include "drive/mcb/mcb_board.h"
+#include "drive/mcb/mcb_messages.h"
 
 #include <deque>
 #include <optional>
@@ -18,8 +18,8 @@ public:
     bool finished() const { return m_waiting.empty(); }
     bool gaveUp() const { return m_gaveUp; } ///< some were never answered: no Reading for those
 
-    std::optional<Bytes> nextRequest() const; ///< nothing when finished
-    Reading takeResponse(ByteView response, const McbBoard &board, TimePoint now);
+    std::optional<McbRequest> nextRequest() const; ///< nothing when finished
+    Reading takeResponse(const McbAnswer &answer, const McbBoard &board, TimePoint now);
     void takeNoResponse();
 
 private:

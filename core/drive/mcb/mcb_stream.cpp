@@ -227,7 +227,7 @@ bool McbStreamTask::plan()
     return !finished();
 }
 
-std::optional<Bytes> McbStreamTask::nextRequest(TimePoint)
+std::optional<McbRequest> McbStreamTask::nextRequest(TimePoint)
 {
     if (finished() || (!std::exchange(m_planned, true) && !plan()))
         return std::nullopt;
@@ -240,7 +240,7 @@ std::optional<Bytes> McbStreamTask::nextRequest(TimePoint)
         return mcbInfo(next.address);
     case Step::Unmap:
         markSent();
-        return mcbUnmap();
+        return McbUnmap{};
     case Step::Map:
         break;
     }
@@ -251,7 +251,7 @@ std::optional<Bytes> McbStreamTask::nextRequest(TimePoint)
     }
     markSent();
     m_control.m_period = m_stream.fastEvery * kExchange;
-    return mcbMap(wanted);
+    return McbMap{wanted};
 }
 
 /// Why the motor does not count as standing; empty if it may.
@@ -279,16 +279,15 @@ void McbStreamTask::takeInfo(std::uint16_t address, const McbAnswer &answer)
         return fail(Outcome::Refused, name + ": " + mcbWordOf(answer.code));
     if (mcb::infoOf({answer.words[0], answer.words[1], 0, 0})
         != *m_control.m_board.infoOf(address)) {
-        m_typeChanged = true;
+        markBoardChanged();
         fail(Outcome::Refused, name + ": has another type than it had");
     }
 }
 
-void McbStreamTask::takeResponse(ByteView response, TimePoint)
+void McbStreamTask::takeResponse(const McbAnswer &answer, TimePoint)
 {
     if (finished() || m_steps.empty())
         return;
-    const McbAnswer answer = mcbAnswerOf(response);
     const Planned done = m_steps.front();
     m_steps.pop_front();
     switch (done.step) {

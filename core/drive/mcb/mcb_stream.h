@@ -4,10 +4,9 @@
 // frame that was late is late in the plot, too. A frame that was damaged is a gap.
 #pragma once
 
-#include "drive/mcb/mcb_board.h"
+#include "drive/mcb/mcb_messages.h"
 #include "drive/mcb/mcb_set_points.h"
 #include "drive/task.h"
-#include "mcb/master.h"
 
 #include <deque>
 #include <memory>
@@ -63,7 +62,7 @@ private:
 
 /// Into the cyclic state with other signals than before, with set-points or without: types are asked and set-points read,
 /// then it is left where it is, the mapping written, and entered. So what is refused leaves everything as it was.
-class McbStreamTask : public WishTask {
+class McbStreamTask : public WishTask<McbProtocol> {
 public:
     /// Set-points travel on if they did.
     McbStreamTask(
@@ -72,11 +71,10 @@ public:
     McbStreamTask(WishId id, const CyclicSetPoints &wanted, McbStreamControl &control,
         McbSetPoints &setPoints);
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<McbRequest> nextRequest(TimePoint now) override;
+    void takeResponse(const McbAnswer &answer, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
     void cut(const std::string &reason) override;
-    bool takeTypeChanged() { return std::exchange(m_typeChanged, false); }
 
 private:
     enum class Step : std::uint8_t { Standing, Info, Hold, Unmap, Map };
@@ -91,8 +89,8 @@ private:
     mcb::Mapping mapping() const;
     void finish();
     void fail(Outcome outcome, std::string reason);
-    std::string takeStanding(std::uint16_t address, const struct McbAnswer &answer) const;
-    void takeInfo(std::uint16_t address, const struct McbAnswer &answer);
+    std::string takeStanding(std::uint16_t address, const McbAnswer &answer) const;
+    void takeInfo(std::uint16_t address, const McbAnswer &answer);
 
     McbStreamControl &m_control;
     McbSetPoints &m_setPoints;
@@ -100,7 +98,7 @@ private:
     Stream m_stream;
     std::vector<RegisterId> m_ids; ///< fast, then slow, each once
     std::deque<Planned> m_steps; ///< the first one is asked
-    bool m_planned = false, m_unmapped = false, m_typeChanged = false;
+    bool m_planned = false, m_unmapped = false;
 };
 
 } // namespace drive

@@ -38,7 +38,7 @@ void McbVitals::hurry(TimePoint now)
         m_due = now;
 }
 
-std::optional<Bytes> McbVitals::nextRequest(TimePoint now)
+std::optional<McbRequest> McbVitals::nextRequest(TimePoint now)
 {
     if (m_reader.finished()) {
         if (!m_due || now < *m_due)
@@ -54,11 +54,11 @@ std::optional<Bytes> McbVitals::nextRequest(TimePoint now)
     return m_reader.nextRequest();
 }
 
-void McbVitals::takeResponse(ByteView response, TimePoint now)
+void McbVitals::takeResponse(const McbAnswer &answer, TimePoint now)
 {
     if (m_reader.finished())
         return; // begun anew while it was asked
-    Reading reading = m_reader.takeResponse(response, m_board, now);
+    Reading reading = m_reader.takeResponse(answer, m_board, now);
     if (reading.status == ReadStatus::Ok)
         m_round[reading.id] = std::move(reading.value);
     afterAnswer(now);

@@ -7,7 +7,7 @@
 
 namespace drive {
 
-class McbVitals : public Task {
+class McbVitals : public Task<McbProtocol> {
 public:
     static constexpr Duration kPeriod = std::chrono::milliseconds(100);
     static constexpr Duration kFastPeriod = std::chrono::milliseconds(20);
@@ -22,8 +22,8 @@ public:
     void hurry(TimePoint now); ///< something was commanded: read at once and fast for a while
     std::optional<TimePoint> due() const { return m_due; }
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<McbRequest> nextRequest(TimePoint now) override;
+    void takeResponse(const McbAnswer &answer, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
     std::vector<MotorStatus> takeStatuses() { return std::exchange(m_news, {}); }

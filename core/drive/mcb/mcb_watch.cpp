@@ -16,18 +16,18 @@ void McbWatch::restart(TimePoint now)
     m_round.restart(now);
 }
 
-std::optional<Bytes> McbWatch::nextRequest(TimePoint now)
+std::optional<McbRequest> McbWatch::nextRequest(TimePoint now)
 {
     if (m_reader.finished())
         m_reader.start(m_round.begin(now));
     return m_reader.nextRequest();
 }
 
-void McbWatch::takeResponse(ByteView response, TimePoint now)
+void McbWatch::takeResponse(const McbAnswer &answer, TimePoint now)
 {
     if (m_reader.finished())
         return; // the list was changed while this one was asked
-    m_round.take(m_reader.takeResponse(response, m_board, now));
+    m_round.take(m_reader.takeResponse(answer, m_board, now));
     planNextRound(now);
 }
 
@@ -42,7 +42,7 @@ void McbWatch::takeNoResponse(std::optional<bool>, TimePoint now)
 /// Half of the time is for others.
 void McbWatch::planNextRound(TimePoint now) { m_round.planNext(2 * (now - m_round.begun()), now); }
 
-std::optional<Bytes> McbReadTask::nextRequest(TimePoint now)
+std::optional<McbRequest> McbReadTask::nextRequest(TimePoint now)
 {
     if (finished())
         return std::nullopt;
@@ -60,9 +60,9 @@ std::optional<Bytes> McbReadTask::nextRequest(TimePoint now)
     return m_reader.nextRequest();
 }
 
-void McbReadTask::takeResponse(ByteView response, TimePoint now)
+void McbReadTask::takeResponse(const McbAnswer &answer, TimePoint now)
 {
-    m_readings.push_back(m_reader.takeResponse(response, m_board, now));
+    m_readings.push_back(m_reader.takeResponse(answer, m_board, now));
     finish();
 }
 

@@ -7,7 +7,7 @@
 
 namespace drive {
 
-class McbWatch : public Task {
+class McbWatch : public Task<McbProtocol> {
 public:
     explicit McbWatch(const McbBoard &board)
         : m_board(board)
@@ -18,8 +18,8 @@ public:
     void restart(TimePoint now); ///< a new connection
     std::optional<TimePoint> due() const { return m_round.due(); }
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<McbRequest> nextRequest(TimePoint now) override;
+    void takeResponse(const McbAnswer &answer, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
     std::vector<Reading> takeReadings() { return m_round.takeReadings(); }
@@ -33,7 +33,7 @@ private:
 };
 
 /// A read of a person.
-class McbReadTask : public WishTask {
+class McbReadTask : public WishTask<McbProtocol> {
 public:
     McbReadTask(WishId id, const Read &read, const McbBoard &board)
         : WishTask(id, Permission::Always)
@@ -43,8 +43,8 @@ public:
     }
     bool onlyReads() const override { return true; }
     std::vector<Reading> takeReadings() override { return std::exchange(m_readings, {}); }
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<McbRequest> nextRequest(TimePoint now) override;
+    void takeResponse(const McbAnswer &answer, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:

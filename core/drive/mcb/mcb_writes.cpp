@@ -61,7 +61,7 @@ std::string McbWriteTask::check()
     return {};
 }
 
-std::optional<Bytes> McbWriteTask::nextRequest(TimePoint)
+std::optional<McbRequest> McbWriteTask::nextRequest(TimePoint)
 {
     while (!finished()) {
         if (m_at >= m_items.size()) {
@@ -109,11 +109,10 @@ std::optional<Bytes> McbWriteTask::nextRequest(TimePoint)
     return std::nullopt;
 }
 
-void McbWriteTask::takeResponse(ByteView response, TimePoint now)
+void McbWriteTask::takeResponse(const McbAnswer &answer, TimePoint now)
 {
     if (finished() || m_at >= m_items.size() || item().done)
         return;
-    const McbAnswer answer = mcbAnswerOf(response);
     const std::uint16_t address = mcbAddressOf(item().write.id);
     std::optional<Value> value;
     if (answer.ok && (m_step == Step::Before || m_step == Step::After)) {
@@ -129,7 +128,7 @@ void McbWriteTask::takeResponse(ByteView response, TimePoint now)
         if (!told)
             return close(Outcome::Refused, mcbWordOf(answer.code));
         if (mcb::infoOf({answer.words[0], answer.words[1], 0, 0}) != *m_board.infoOf(address)) {
-            m_typeChanged = true;
+            markBoardChanged();
             return close(Outcome::Refused, "has another type than it had");
         }
         m_step = Step::Before;

@@ -7,19 +7,16 @@
 
 namespace drive {
 
-class McbWriteTask : public WishTask {
+class McbWriteTask : public WishTask<McbProtocol> {
 public:
     McbWriteTask(WishId id, const Write &write, const McbBoard &board);
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<McbRequest> nextRequest(TimePoint now) override;
+    void takeResponse(const McbAnswer &answer, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
     void cut(const std::string &reason) override;
     void supersede(const Write &newer) override;
     std::vector<Reading> takeReadings() override { return std::exchange(m_readings, {}); }
-
-    /// A register had another type than the catalogue says; said once.
-    bool takeTypeChanged() { return std::exchange(m_typeChanged, false); }
 
 private:
     enum class Step : std::uint8_t { Check, Info, Before, Followed, Set, After };
@@ -42,7 +39,6 @@ private:
     Step m_step = Step::Check;
     mcb::Words m_words;
     std::vector<Reading> m_readings;
-    bool m_typeChanged = false;
 };
 
 } // namespace drive

@@ -60,7 +60,7 @@ CommandTask::CommandTask(WishId id, const Command &command, const McpBoard &boar
 }
 
 /// Whether a start has still to be looked into; ends the wish if it must not be.
-bool CommandTask::checking(std::optional<Bytes> &request)
+bool CommandTask::checking(std::optional<McpRequest> &request)
 {
     if (auto why = refuseStart(m_board, m_command.motor); !why.empty()) {
         end(Outcome::Refused, std::move(why));
@@ -76,7 +76,7 @@ bool CommandTask::checking(std::optional<Bytes> &request)
     return false;
 }
 
-std::optional<Bytes> CommandTask::nextRequest(TimePoint)
+std::optional<McpRequest> CommandTask::nextRequest(TimePoint)
 {
     if (!m_refusal.empty())
         return m_reader.nextRequest(m_board);
@@ -86,16 +86,14 @@ std::optional<Bytes> CommandTask::nextRequest(TimePoint)
         end(Outcome::Refused, noSuchMotor(m_command.motor));
         return std::nullopt;
     }
-    if (std::optional<Bytes> question;
+    if (std::optional<McpRequest> question;
         m_command.action == MotorAction::Start && (checking(question) || finished()))
         return question;
     markSent();
-    const auto word = static_cast<unsigned>(commandOf(m_command.action)) << 3
-        | static_cast<unsigned>(m_command.motor);
-    return ByteWriter().u16(word).take();
+    return McpAct{commandOf(m_command.action), m_command.motor};
 }
 
-void CommandTask::takeResponse(ByteView response, TimePoint now)
+void CommandTask::takeResponse(const ByteView &response, TimePoint now)
 {
     if (!sent())
         return m_check.takeResponse(response, now);
@@ -209,30 +207,16 @@ Bytes SetPointTask::encode() const
 {
     switch (m_kind) {
     case Kind::Speed:
-        return ByteWriter()
-            .u16(6)
-            .s32(static_cast<std::int32_t>(m_first))
-            .u16(milliseconds())
-            .take();
+        return ByteWriter().s32(static_cast<std::int32_t>(m_first)).u16(milliseconds()).take();
     case Kind::Torque:
-        return ByteWriter().u16(6).s32(digits(m_first)).u16(milliseconds()).take();
+        return ByteWriter().s32(digits(m_first)).u16(milliseconds()).take();
     case Kind::Current:
         break;
     }
-    return ByteWriter().u16(4).s16(digits(m_first)).s16(digits(m_second)).take();
+    return ByteWriter().s16(digits(m_first)).s16(digits(m_second)).take();
 }
 
-std::optional<Bytes> SetPointTask::setRequest(std::uint32_t id, ByteView value)
-{
-    markSent();
-    return ByteWriter()
-        .u16(static_cast<unsigned>(mcp::CommandId::SetRegister) << 3)
-        .u16(id)
-        .bytes(value)
-        .take();
-}
-
-std::optional<Bytes> SetPointTask::nextRequest(TimePoint)
+std::optional<McpRequest> SetPointTask::nextRequest(TimePoint)
 {
     if (finished())
         return std::nullopt;
@@ -248,20 +232,20 @@ std::optional<Bytes> SetPointTask::nextRequest(TimePoint)
         [[fallthrough]];
     case Step::ReadMode:
         return m_reader.nextRequest(m_board);
-    case Step::SetMode: {
-        const Bytes value{static_cast<std::uint8_t>(mode)};
-        return setRequest(idOf(mcp::reg::kControlMode, m_motor), value);
-    }
+    case Step::SetMode:
+        markSent();
+        return mcpSet(mcp::reg::kControlMode, m_motor, static_cast<std::uint32_t>(mode));
     case Step::SetPoint:
         break;
     }
     const mcp::RegisterId target = m_kind == Kind::Speed ? mcp::reg::kSpeedRamp
         : m_kind == Kind::Torque                         ? mcp::reg::kTorqueRamp
                                                          : mcp::reg::kCurrentRef;
-    return setRequest(idOf(target, m_motor), encode());
+    markSent();
+    return mcpSet(target, m_motor, encode());
 }
 
-void SetPointTask::takeResponse(ByteView response, TimePoint now)
+void SetPointTask::takeResponse(const ByteView &response, TimePoint now)
 {
     if (m_step == Step::ReadMode) {
         const std::int64_t wanted = m_kind == Kind::Speed ? kSpeedModeNumber : kTorqueModeNumber;

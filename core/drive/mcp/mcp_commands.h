@@ -8,16 +8,16 @@
 
 namespace drive {
 
-class CommandTask : public WishTask {
+class CommandTask : public WishTask<McpProtocol> {
 public:
     CommandTask(WishId id, const Command &command, const McpBoard &board);
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<McpRequest> nextRequest(TimePoint now) override;
+    void takeResponse(const ByteView &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
-    bool checking(std::optional<Bytes> &request);
+    bool checking(std::optional<McpRequest> &request);
 
     const McpBoard &m_board;
     Command m_command;
@@ -28,14 +28,14 @@ private:
 };
 
 /// Speed ramp, torque ramp or current reference: the control mode first, if it is another one, then the raw register.
-class SetPointTask : public WishTask {
+class SetPointTask : public WishTask<McpProtocol> {
 public:
     SetPointTask(WishId id, const SpeedRamp &ramp, const McpBoard &board);
     SetPointTask(WishId id, const TorqueRamp &ramp, const McpBoard &board);
     SetPointTask(WishId id, const CurrentReference &reference, const McpBoard &board);
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<McpRequest> nextRequest(TimePoint now) override;
+    void takeResponse(const ByteView &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
@@ -46,7 +46,6 @@ private:
     Bytes encode() const;
     std::uint32_t milliseconds() const;
     std::int32_t digits(double amps) const;
-    std::optional<Bytes> setRequest(std::uint32_t id, ByteView value);
 
     const McpBoard &m_board;
     Kind m_kind;

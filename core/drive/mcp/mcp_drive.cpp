@@ -1,104 +1,116 @@
-// What is asked of an MCP drive: the verbs of Drive, and wishes turned into tasks.
 #include "drive/mcp/mcp_drive.h"
 
-#include "drive/mcp/mcp_machine.h"
+#include "aspep/controller.h"
+#include "drive/mcp/mcp_commands.h"
+#include "drive/mcp/mcp_heartbeat.h"
+#include "drive/mcp/mcp_identification.h"
+#include "drive/mcp/mcp_polling.h"
 #include "drive/mcp/mcp_position.h"
-
-#include <algorithm>
+#include "drive/mcp/mcp_stream.h"
+#include "drive/mcp/mcp_vitals.h"
+#include "drive/mcp/mcp_writes.h"
+#include "drive/task_drive.h"
 
 namespace drive {
 
 namespace {
 
-using namespace std::chrono_literals;
+using Link = aspep::Controller;
 
-constexpr Duration kClosingTime = 500ms; ///< for the stop of the datalog when disconnecting
-
-} // namespace
-
-void McpDrive::connect(TimePoint now)
+Link::Config linkConfig(const McpDriveConfig &config)
 {
-    cutAllWishes("connecting anew");
-    m_task = nullptr; // what the link before still had under way is never answered
-    m_stopUnderWay = false;
-    m_mode = Mode::Open;
-    m_lost.reset();
-    m_reconnectAt.reset();
-    m_suspect = false;
-    m_link.connect(now);
-    tellLinkState();
-    work(now);
+    Link::Config link;
+    constexpr int kHastyOffers = 3; // a third of a second each at 115200 baud
+    if (config.hasty)
+        link.firstSilentOffers = kHastyOffers;
+    link.baud = config.baud;
+    link.payloadPause = config.payloadPause;
+    link.patience = config.patience;
+    return link;
 }
 
-void McpDrive::disconnect(TimePoint now)
+LinkReason reasonOf(Link::LostReason reason)
 {
-    if (m_mode != Mode::Open)
-        return;
-    m_workedAt = now;
-    m_stop.end();
-    setArmed(false);
-    m_mode = Mode::Closing;
-    m_closeBy = now + kClosingTime;
-    cutAllWishes("disconnected");
-    m_watch.watch({}, now);
-    if (m_stream.wanted() && connected() && m_board.identified)
-        m_wishes.add(std::make_unique<StreamTask>(0, Stream{}, m_stream));
-    work(now);
-}
-
-void McpDrive::receive(ByteView bytes, TimePoint now)
-{
-    m_link.receive(bytes, now);
-    work(now);
-}
-
-void McpDrive::handleTimeout(TimePoint now)
-{
-    m_link.handleTimeout(now);
-    m_stop.handleTimeout(now);
-    m_stream.handleTimeout(now);
-    work(now);
-}
-
-void McpDrive::handleSent(TimePoint now)
-{
-    m_link.handleSent(now);
-    work(now);
-}
-
-std::optional<TimePoint> McpDrive::nextTimeout() const
-{
-    std::optional<TimePoint> due = m_link.nextTimeout();
-    const auto consider = [&](std::optional<TimePoint> at) {
-        if (at && (!due || *at < *due))
-            due = at;
-    };
-    if (m_reconnectAt)
-        consider(m_stop.active() ? std::max(*m_reconnectAt, m_stop.blindUntil()) : *m_reconnectAt);
-    consider(m_stream.nextTimeout());
-    if (m_mode == Mode::Closing)
-        consider(m_closeBy);
-    if (m_stop.active()) {
-        consider(m_stop.nextAlarm());
-        if (const auto next = m_stop.nextStop(connected(), m_workedAt))
-            consider(m_stopUnderWay ? std::max(*next, m_stopSince + m_stop.turn()) : *next);
+    switch (reason) {
+    case Link::LostReason::NoAnswer:
+        return LinkReason::NoAnswer;
+    case Link::LostReason::OnlyGarbage:
+        return LinkReason::OnlyGarbage;
+    case Link::LostReason::OldProtocol:
+        return LinkReason::OldProtocol;
+    case Link::LostReason::NoAgreement:
+        return LinkReason::NoAgreement;
+    case Link::LostReason::Silence:
+        return LinkReason::Silence;
+    case Link::LostReason::RecoveryFailed:
+        break;
     }
-    // What is due already and was not sent waits for something else, which has its own timer.
-    const auto considerLater = [&](std::optional<TimePoint> at) {
-        if (at && *at > m_workedAt)
-            consider(at);
-    };
-    if (linkIsFree() && m_mode == Mode::Open) {
-        considerLater(m_vitals.due());
-        considerLater(m_heartbeat.due());
-        considerLater(m_watch.due());
-        if (stopHoldsBack(m_workedAt))
-            considerLater(m_stop.blindUntil());
-    }
-    return due;
+    return LinkReason::RecoveryFailed;
 }
 
-std::unique_ptr<WishTask> McpDrive::taskFor(const Wish &wish)
+/// Empty only if there is no such motor.
+Bytes stopOf(int motor)
+{
+    return encode(McpAct{mcp::CommandId::StopMotor, motor}, sizeof(std::uint16_t))
+        .value_or(Bytes());
+}
+
+class McpDrive final : public TaskDrive<McpProtocol> {
+public:
+    explicit McpDrive(const McpDriveConfig &config)
+        : TaskDrive(linkConfig(config), config.reconnectEvery)
+    {
+        m_board.baud = config.baud;
+    }
+
+    void handleSent(TimePoint now) override
+    {
+        m_link.handleSent(now);
+        work(now);
+    }
+    std::vector<Output> stopScript() const override;
+
+private:
+    Made taskFor(const Wish &wish) override;
+
+    // what the link tells
+    void onLinkEvents(TimePoint now) override;
+    void on(const Link::Connected &event, TimePoint now);
+    void on(const Link::Lost &event, TimePoint now) { linkLost(reasonOf(event.reason), now); }
+    void on(const Link::Response &event, TimePoint now);
+    void on(const Link::NoResponse &event, TimePoint now);
+    void on(const Link::Recovered &event, TimePoint now);
+    void on(const Link::Suspect &, TimePoint) { m_suspect = true; }
+    void on(const Link::Async &event, TimePoint now) { m_stream.receive(event.payload, now); }
+    void onIdentified(TimePoint now) override;
+    void tellIdentity();
+    bool connected() const override { return m_link.state() == Link::State::Connected; }
+    LinkState linkState() const override;
+    LinkCounters counters() const override;
+
+    // what goes out
+    void prepare(TimePoint now) override;
+    bool sendFirst(TimePoint now) override;
+    bool send(const McpRequest &request, MotionRecord *log, TimePoint now) override;
+    void sendStop(TimePoint now) override;
+    TimePoint stopMayLeave() const override
+    {
+        return m_stopUnderWay ? m_stopSince + m_stop.turn() : TimePoint{};
+    }
+    Duration closingTime() const override { return std::chrono::milliseconds(500); }
+    void leave() override;
+    void closeLink() override;
+    void collect(TimePoint now) override;
+    std::optional<TimePoint> nextOwn() const override { return m_stream.nextTimeout(); }
+    std::optional<TimePoint> nextWork() const override { return m_heartbeat.due(); }
+
+    Heartbeat m_heartbeat{m_board};
+    StreamControl m_stream{m_board};
+    int m_stopMotor = 0; ///< with a stop on its way: whose
+    bool m_resetSeen = false; ///< the connection under way follows a reset of the board
+};
+
+McpDrive::Made McpDrive::taskFor(const Wish &wish)
 {
     if (const auto *read = std::get_if<Read>(&wish.what))
         return std::make_unique<ReadTask>(wish.id, *read, m_board);
@@ -115,11 +127,189 @@ std::unique_ptr<WishTask> McpDrive::taskFor(const Wish &wish)
     if (const auto *position = std::get_if<PositionRamp>(&wish.what))
         return std::make_unique<PositionTask>(wish.id, *position, m_board);
     if (const auto *cyclic = std::get_if<CyclicSetPoints>(&wish.what))
-        return std::make_unique<RefusedTask>(wish.id,
-            cyclic->on ? Permission::Armed : Permission::Always,
+        return std::make_unique<EndedTask<McpProtocol>>(wish.id,
+            cyclic->on ? Permission::Armed : Permission::Always, Outcome::Refused,
             m_board.reasonAgainst(Feature::CyclicSetPoints));
     return std::make_unique<StreamTask>(wish.id, std::get<Stream>(wish.what), m_stream);
 }
+
+void McpDrive::onLinkEvents(TimePoint now)
+{
+    for (const Link::Event &event : m_link.takeEvents())
+        std::visit([&](const auto &what) { on(what, now); }, event);
+}
+
+void McpDrive::on(const Link::Connected &event, TimePoint now)
+{
+    linkFound();
+    m_resetSeen = event.afterReset;
+    if (event.afterReset)
+        disarm();
+    m_board.requestBytes = event.agreed.rxMax();
+    m_board.responseBytes = event.agreed.txSyncMax();
+    m_board.streamBytes = event.agreed.txAsyncMax();
+    m_board.linkId = m_link.linkId();
+    m_identification.restart();
+    m_vitals.restart(now);
+    m_heartbeat.restart(now);
+    m_watch.restart(now);
+    m_stream.connected();
+    tell(LinkState::Connected, event.afterReset ? LinkReason::BoardReset : LinkReason::None);
+}
+
+void McpDrive::on(const Link::Recovered &, TimePoint)
+{
+    m_suspect = false;
+    m_stream.connected();
+}
+
+void McpDrive::on(const Link::Response &event, TimePoint now)
+{
+    if (m_task != nullptr)
+        return takeAnswer(event.payload, now);
+    if (!std::exchange(m_stopUnderWay, false))
+        return;
+    if (event.payload == Bytes{static_cast<std::uint8_t>(mcp::Status::Ok)})
+        m_stop.stopAnswered(m_stopMotor, now);
+    m_vitals.hurry(now);
+}
+
+void McpDrive::on(const Link::NoResponse &event, TimePoint now)
+{
+    if (m_task != nullptr)
+        takeLoss(event.executed, now);
+    else
+        m_stopUnderWay = false;
+}
+
+void McpDrive::tellIdentity()
+{
+    Identified event{m_identification.identity(), m_board.catalog, m_board.limits,
+        m_board.streaming, m_board.capabilities, m_board.requestBytes, m_board.responseBytes,
+        m_board.streamBytes, stateSteps()};
+    event.identity.watchdog = m_board.watchdog;
+    m_events.emplace_back(std::move(event));
+}
+
+void McpDrive::onIdentified(TimePoint now)
+{
+    m_stream.restart(m_resetSeen);
+    tellIdentity();
+    m_vitals.hurry(now); // now the speed can be read too
+    if (m_stream.wanted() && m_mode == Mode::Open)
+        m_wishes.addFirst(std::make_unique<StreamTask>(0, m_stream.wish(), m_stream));
+}
+
+void McpDrive::prepare(TimePoint now)
+{
+    m_stream.handleTimeout(now);
+    if (m_heartbeat.takeGivenUp()) {
+        m_board.watchdog.reset();
+        tellIdentity();
+    }
+    m_heartbeat.setWanted(!m_stop.active() && armed());
+}
+
+std::vector<Output> McpDrive::stopScript() const
+{
+    std::vector<Bytes> stops;
+    for (int motor = 1; motor <= m_board.motors; ++motor)
+        stops.push_back(stopOf(motor));
+    return m_link.blindScript(stops);
+}
+
+void McpDrive::sendStop(TimePoint now)
+{
+    if (now < stopMayLeave())
+        return;
+    const auto motor = m_stop.stopDue(now, connected());
+    const Bytes request = stopOf(motor.value_or(0));
+    if (request.empty())
+        return;
+    noteStop(*motor, request, now);
+    m_link.sendUrgent(request, now);
+    onLinkEvents(now); // the end of what was open before, perhaps of the last STOP
+    m_stopUnderWay = true;
+    m_stopMotor = *motor;
+    m_stopSince = now;
+}
+
+bool McpDrive::sendFirst(TimePoint now)
+{
+    using Phase = Identification::Phase;
+    if (m_identification.phase() == Phase::States) {
+        if (m_vitals.complete())
+            m_identification.statesRead();
+        else if (give(m_vitals, now))
+            return true;
+    }
+    if (m_identification.done())
+        return give(m_heartbeat, now);
+    give(m_identification, now);
+    return true;
+}
+
+bool McpDrive::send(const McpRequest &request, MotionRecord *log, TimePoint now)
+{
+    const auto payload = encode(request, m_board.requestBytes);
+    if (!payload)
+        return false;
+    if (log != nullptr && !std::holds_alternative<McpGet>(request))
+        noteSent(*log, *payload);
+    m_link.sendRequest(*payload, now);
+    return true;
+}
+
+void McpDrive::leave()
+{
+    if (m_stream.wanted() && connected() && m_board.identified)
+        m_wishes.add(std::make_unique<StreamTask>(0, Stream{}, m_stream));
+}
+
+void McpDrive::closeLink()
+{
+    m_stream.close();
+    m_link.reset();
+    static_cast<void>(m_link.takeEvents());
+}
+
+void McpDrive::collect(TimePoint now)
+{
+    m_watch.setStreamLoad(m_stream.load());
+    for (Event &event : m_stream.takeEvents())
+        m_events.push_back(std::move(event));
+    TaskDrive::collect(now);
+}
+
+LinkState McpDrive::linkState() const
+{
+    const bool recovering = m_link.state() == Link::State::Recovering;
+    return !connected() && !recovering ? LinkState::Connecting
+        : m_suspect                    ? LinkState::Suspect
+        : recovering                   ? LinkState::Recovering
+                                       : LinkState::Connected;
+}
+
+LinkCounters McpDrive::counters() const
+{
+    const Link::Stats &link = m_link.stats();
+    LinkCounters counters;
+    counters.bytesIn = link.bytesIn;
+    counters.bytesOut = link.bytesOut;
+    counters.packetsIn = link.packetsIn;
+    counters.packetsOut = link.packetsOut;
+    counters.badPackets = link.badHeaderCrc + link.unknownType + link.inconsistent + link.tooLong
+        + link.badPayloadCrc + link.torn + link.unexpected;
+    counters.nacks = link.nacks;
+    counters.timeouts = link.timeouts;
+    counters.recoveries = link.recoveries;
+    counters.streamPackets = m_stream.packets();
+    counters.streamLostTicks = m_stream.lostTicks();
+    counters.streamSkipped = m_stream.skipped();
+    return counters;
+}
+
+} // namespace
 
 std::unique_ptr<Drive> makeMcpDrive(const McpDriveConfig &config)
 {

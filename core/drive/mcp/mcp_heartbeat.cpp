@@ -12,8 +12,9 @@ namespace {
 
 constexpr std::string_view kMark = " RSWD";
 constexpr long kShortest_ms = 100, kLongest_ms = 60'000;
-constexpr unsigned kCommand = static_cast<unsigned>(mcp::CommandId::UserFirst) + 1;
-constexpr unsigned kMotor = 1; // firmware ignores it
+constexpr auto kCommand =
+    static_cast<mcp::CommandId>(static_cast<unsigned>(mcp::CommandId::UserFirst) + 1);
+constexpr int kMotor = 1; // firmware ignores it
 
 } // namespace
 
@@ -48,19 +49,17 @@ std::optional<TimePoint> Heartbeat::due() const
     return asked && m_refused < kRefusals ? std::optional<TimePoint>(m_due) : std::nullopt;
 }
 
-std::optional<Bytes> Heartbeat::nextRequest(TimePoint now)
+std::optional<McpRequest> Heartbeat::nextRequest(TimePoint now)
 {
     const auto at = due();
     if (!at || now < *at)
         return std::nullopt;
     m_due = now + *m_board.watchdog / 3;
-    return ByteWriter()
-        .u16(kCommand << 3 | kMotor)
-        .u16(static_cast<std::uint32_t>(m_board.watchdog->count()))
-        .take();
+    return McpAct{kCommand, kMotor,
+        ByteWriter().u16(static_cast<std::uint32_t>(m_board.watchdog->count())).take()};
 }
 
-void Heartbeat::takeResponse(ByteView response, TimePoint)
+void Heartbeat::takeResponse(const ByteView &response, TimePoint)
 {
     const bool ok =
         response.size() == 1 && response.front() == static_cast<std::uint8_t>(mcp::Status::Ok);

@@ -4,18 +4,17 @@
 // Contract: docs/drive-watchdog.md.
 #pragma once
 
+#include "drive/mcp/mcp_protocol.h"
 #include "drive/task.h"
 
 #include <string_view>
 
 namespace drive {
 
-struct McpBoard;
-
 /// The time-out that a firmware's name ends in (" RSWD500"), 100 ms to 60 s; nothing for any other name.
 std::optional<std::chrono::milliseconds> watchdogIn(std::string_view firmwareName);
 
-class Heartbeat : public Task {
+class Heartbeat : public Task<McpProtocol> {
 public:
     static constexpr int kRefusals = 3; ///< in a row, then it is sent no more
 
@@ -31,8 +30,8 @@ public:
     /// True once after the board has refused too many: it has no watchdog that we could feed.
     bool takeGivenUp() { return std::exchange(m_givenUp, false); }
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<McpRequest> nextRequest(TimePoint now) override;
+    void takeResponse(const ByteView &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool>, TimePoint) override { } ///< the next one is due soon
 
 private:

@@ -72,7 +72,7 @@ void Identification::statesRead()
         m_phase = Phase::StopDatalog;
 }
 
-std::optional<Bytes> Identification::nextRequest(TimePoint)
+std::optional<McpRequest> Identification::nextRequest(TimePoint)
 {
     if (m_phase == Phase::StopDatalog)
         return datalogRequest(m_board.linkId, mcp::datalogStop());
@@ -81,7 +81,7 @@ std::optional<Bytes> Identification::nextRequest(TimePoint)
     return std::nullopt;
 }
 
-void Identification::takeResponse(ByteView response, TimePoint now)
+void Identification::takeResponse(const ByteView &response, TimePoint now)
 {
     if (m_phase == Phase::StopDatalog)
         return describe(); // builds without a datalog refuse, which is as good as stopped

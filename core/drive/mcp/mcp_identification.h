@@ -16,7 +16,7 @@
 
 namespace drive {
 
-class Identification : public Task {
+class Identification : public Task<McpProtocol> {
 public:
     explicit Identification(McpBoard &board)
         : m_board(board)
@@ -27,14 +27,15 @@ public:
 
     void restart();
     Phase phase() const { return m_phase; }
+    bool done() const { return m_phase == Phase::Done; }
     /// The state of every motor has been read (not by this task): go on from Phase::States.
     void statesRead();
     const Identity &identity() const { return m_identity; }
     /// True once after each identification that has come to its end.
     bool takeNews() { return std::exchange(m_news, false); }
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<McpRequest> nextRequest(TimePoint now) override;
+    void takeResponse(const ByteView &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:

@@ -27,7 +27,7 @@ void WatchPoll::restart(TimePoint now)
     m_round.restart(now);
 }
 
-std::optional<Bytes> WatchPoll::nextRequest(TimePoint now)
+std::optional<McpRequest> WatchPoll::nextRequest(TimePoint now)
 {
     if (m_reader.finished()) {
         const auto ids = m_round.begin(now);
@@ -39,7 +39,7 @@ std::optional<Bytes> WatchPoll::nextRequest(TimePoint now)
     return m_reader.nextRequest(m_board);
 }
 
-void WatchPoll::takeResponse(ByteView response, TimePoint now)
+void WatchPoll::takeResponse(const ByteView &response, TimePoint now)
 {
     m_roundBytes += response.size() + kPacketOverhead;
     for (Reading &reading : m_reader.takeResponse(response, m_board, now))

@@ -8,7 +8,7 @@
 
 namespace drive {
 
-class WatchPoll : public Task {
+class WatchPoll : public Task<McpProtocol> {
 public:
     explicit WatchPoll(const McpBoard &board)
         : m_board(board)
@@ -21,8 +21,8 @@ public:
     void setStreamLoad(double bytesPerSecond) { m_streamLoad = bytesPerSecond; }
     std::optional<TimePoint> due() const { return m_round.due(); }
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<McpRequest> nextRequest(TimePoint now) override;
+    void takeResponse(const ByteView &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
     std::vector<Reading> takeReadings() { return m_round.takeReadings(); }

@@ -42,7 +42,7 @@ void PositionTask::judge()
         end(Outcome::Refused, why);
 }
 
-std::optional<Bytes> PositionTask::nextRequest(TimePoint)
+std::optional<McpRequest> PositionTask::nextRequest(TimePoint)
 {
     if (finished() || sent())
         return std::nullopt;
@@ -63,16 +63,11 @@ std::optional<Bytes> PositionTask::nextRequest(TimePoint)
         return std::nullopt;
     markSent();
     const auto seconds = std::chrono::duration<float>(m_ramp.duration).count();
-    return ByteWriter()
-        .u16(static_cast<unsigned>(mcp::CommandId::SetRegister) << 3)
-        .u16(mcp::reg::kPositionRamp.withMotor(static_cast<unsigned>(m_ramp.motor)).bits)
-        .u16(8)
-        .f32(static_cast<float>(m_ramp.radians))
-        .f32(seconds)
-        .take();
+    return mcpSet(mcp::reg::kPositionRamp, m_ramp.motor,
+        ByteWriter().f32(static_cast<float>(m_ramp.radians)).f32(seconds).take());
 }
 
-void PositionTask::takeResponse(ByteView response, TimePoint now)
+void PositionTask::takeResponse(const ByteView &response, TimePoint now)
 {
     if (!sent()) {
         for (const Reading &reading : m_reader.takeResponse(response, m_board, now))

@@ -8,12 +8,12 @@
 
 namespace drive {
 
-class PositionTask : public WishTask {
+class PositionTask : public WishTask<McpProtocol> {
 public:
     PositionTask(WishId id, const PositionRamp &ramp, const McpBoard &board);
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<McpRequest> nextRequest(TimePoint now) override;
+    void takeResponse(const ByteView &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:

@@ -12,20 +12,6 @@ namespace {
 
 constexpr std::size_t kIdBytes = 2, kCommandBytes = 2, kStatusBytes = 1;
 
-int sendingOrder(RegisterId id)
-{
-    switch (wireWidth(id)) {
-    case 4:
-        return 0;
-    case 2:
-        return 1;
-    case 1:
-        return 2;
-    default:
-        return 3;
-    }
-}
-
 /// Whether a structure has a size that this register has in a firmware we know. An answer that came too late, and now
 /// stands where another one is due, is mostly found out by that.
 bool sizeFits(RegisterId id, const Value &value)
@@ -53,8 +39,10 @@ void RegisterReader::start(const std::vector<RegisterId> &ids, const McpBoard &)
 {
     clear();
     m_waiting.assign(ids.begin(), ids.end());
-    std::stable_sort(m_waiting.begin(), m_waiting.end(),
-        [](RegisterId a, RegisterId b) { return sendingOrder(a) < sendingOrder(b); });
+    std::stable_sort(m_waiting.begin(), m_waiting.end(), [](RegisterId a, RegisterId b) {
+        return mcp::getOrder({static_cast<std::uint16_t>(a)})
+            < mcp::getOrder({static_cast<std::uint16_t>(b)});
+    });
 }
 
 void RegisterReader::clear()
@@ -66,12 +54,11 @@ void RegisterReader::clear()
     m_doubted.reset();
 }
 
-std::optional<Bytes> RegisterReader::nextRequest(const McpBoard &board)
+std::optional<McpRequest> RegisterReader::nextRequest(const McpBoard &board)
 {
     if (m_waiting.empty())
         return std::nullopt;
-    ByteWriter request;
-    request.u16(static_cast<unsigned>(mcp::CommandId::GetRegister) << 3);
+    McpGet request;
     std::size_t room = board.responseBytes - kStatusBytes;
     m_batch = 0;
     for (const RegisterId id : m_waiting) {
@@ -80,20 +67,21 @@ std::optional<Bytes> RegisterReader::nextRequest(const McpBoard &board)
         const bool alone =
             width == 0 || (info != nullptr && info->stub); // a stub answers without a value
         if (m_batch > 0
-            && (alone || width > room || request.size() + kIdBytes > board.requestBytes))
+            && (alone || width > room
+                || kCommandBytes + (m_batch + 1) * kIdBytes > board.requestBytes))
             break;
-        request.u16(id);
+        request.registers.push_back({static_cast<std::uint16_t>(id)});
         room -= std::min(width, room);
         ++m_batch;
         if (alone)
             break;
     }
     static_assert(kCommandBytes + kIdBytes <= 32, "the smallest request holds one id");
-    return request.take();
+    return request;
 }
 
 std::vector<Reading> RegisterReader::takeResponse(
-    ByteView response, const McpBoard &board, TimePoint now)
+    const ByteView &response, const McpBoard &board, TimePoint now)
 {
     std::vector<Reading> readings;
     if (response.empty() || m_batch == 0) {

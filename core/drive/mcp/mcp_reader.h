@@ -7,7 +7,7 @@
 // An answer whose length fits nothing counts as lost. Lost answers are asked for again up to kRepeats times.
 #pragma once
 
-#include "drive/mcp/mcp_board.h"
+#include "drive/mcp/mcp_protocol.h"
 
 #include <deque>
 #include <optional>
@@ -27,8 +27,9 @@ public:
     bool gaveUp() const { return m_gaveUp; } ///< some were never answered: no Reading for those
 
     /// The request for the next batch; nothing when finished.
-    std::optional<Bytes> nextRequest(const McpBoard &board);
-    std::vector<Reading> takeResponse(ByteView response, const McpBoard &board, TimePoint now);
+    std::optional<McpRequest> nextRequest(const McpBoard &board);
+    std::vector<Reading> takeResponse(
+        const ByteView &response, const McpBoard &board, TimePoint now);
     void takeNoResponse();
 
 private:

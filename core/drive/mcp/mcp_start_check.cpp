@@ -22,14 +22,14 @@ std::vector<RegisterId> StartCheck::wanted() const
     return ids;
 }
 
-std::optional<Bytes> StartCheck::nextRequest()
+std::optional<McpRequest> StartCheck::nextRequest()
 {
     if (!std::exchange(m_started, true))
         m_reader.start(wanted(), m_board);
     return m_reader.nextRequest(m_board);
 }
 
-void StartCheck::takeResponse(ByteView response, TimePoint now)
+void StartCheck::takeResponse(const ByteView &response, TimePoint now)
 {
     for (Reading &reading : m_reader.takeResponse(response, m_board, now))
         m_readings.push_back(std::move(reading));

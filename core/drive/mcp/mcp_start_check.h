@@ -19,8 +19,8 @@ public:
     }
 
     /// The next question; nothing once all is known (then refusal() says what was found).
-    std::optional<Bytes> nextRequest();
-    void takeResponse(ByteView response, TimePoint now);
+    std::optional<McpRequest> nextRequest();
+    void takeResponse(const ByteView &response, TimePoint now);
     void takeNoResponse();
 
     bool gaveUp() const { return m_reader.gaveUp(); }

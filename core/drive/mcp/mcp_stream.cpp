@@ -43,15 +43,9 @@ double loadOf(const mcp::DatalogConfig &config, double tickHz)
 
 } // namespace
 
-Bytes datalogRequest(std::uint8_t linkId, const mcp::DatalogConfig &config)
+McpSet datalogRequest(std::uint8_t linkId, const mcp::DatalogConfig &config)
 {
-    const Bytes raw = mcp::encodeDatalog(config).value_or(Bytes());
-    return ByteWriter()
-        .u16(static_cast<unsigned>(mcp::CommandId::SetRegister) << 3)
-        .u16(mcp::datalogRegister(linkId).bits)
-        .u16(static_cast<std::uint32_t>(raw.size()))
-        .bytes(raw)
-        .take();
+    return {{{mcp::datalogRegister(linkId), mcp::encodeDatalog(config).value_or(Bytes())}}};
 }
 
 void StreamControl::restart(bool boardReset)
@@ -240,7 +234,7 @@ StreamTask::StreamTask(WishId id, const Stream &stream, StreamControl &control)
 {
 }
 
-std::optional<Bytes> StreamTask::nextRequest(TimePoint)
+std::optional<McpRequest> StreamTask::nextRequest(TimePoint)
 {
     if (finished())
         return std::nullopt;
@@ -270,7 +264,7 @@ std::optional<Bytes> StreamTask::nextRequest(TimePoint)
     return datalogRequest(m_control.m_board.linkId, m_config);
 }
 
-void StreamTask::takeResponse(ByteView response, TimePoint now)
+void StreamTask::takeResponse(const ByteView &response, TimePoint now)
 {
     if (response.empty() || response.size() > 2)
         return takeNoResponse(std::nullopt, now);

@@ -6,7 +6,7 @@
 // recovery a stop goes out before the first configuration, because boards go on by themselves with what they had.
 #pragma once
 
-#include "drive/mcp/mcp_board.h"
+#include "drive/mcp/mcp_protocol.h"
 #include "drive/task.h"
 #include "mcp/datalog_decoder.h"
 
@@ -17,7 +17,7 @@
 namespace drive {
 
 /// The SET that configures the datalog of our link.
-Bytes datalogRequest(std::uint8_t linkId, const mcp::DatalogConfig &config);
+McpSet datalogRequest(std::uint8_t linkId, const mcp::DatalogConfig &config);
 
 class StreamControl {
 public:
@@ -86,12 +86,12 @@ private:
 };
 
 /// A stream wish. Sent again, with another mark, if its answer is lost: a configuration moves nothing.
-class StreamTask : public WishTask {
+class StreamTask : public WishTask<McpProtocol> {
 public:
     StreamTask(WishId id, const Stream &stream, StreamControl &control);
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<McpRequest> nextRequest(TimePoint now) override;
+    void takeResponse(const ByteView &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:

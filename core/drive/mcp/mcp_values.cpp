@@ -1,10 +1,6 @@
 #include "drive/mcp/mcp_values.h"
 
 #include "mcp/protocol.h"
-#include "mcp/value.h"
-
-#include <cmath>
-#include <limits>
 
 namespace drive {
 
@@ -13,34 +9,6 @@ using catalog::ValueType;
 namespace {
 
 constexpr std::size_t kMaxRaw = 4096; // more than any request holds
-
-Result<Bytes, std::string> encodeFloat(const Value &value)
-{
-    const auto number = asNumber(value);
-    if (!number)
-        return fail(std::string("not a number"));
-    if (!std::isfinite(*number)
-        || std::abs(*number) > static_cast<double>(std::numeric_limits<float>::max()))
-        return fail(std::string("not a finite number"));
-    return ByteWriter().f32(static_cast<float>(*number)).take();
-}
-
-Result<Bytes, std::string> encodeInteger(ValueType type, const Value &value)
-{
-    const auto number = wholeNumberFor(type, value);
-    if (!number)
-        return fail(number.error());
-    ByteWriter writer;
-    const auto bits = static_cast<std::uint32_t>(*number);
-    switch (catalog::widthOf(type)) {
-    case 1:
-        return writer.u8(bits).take();
-    case 2:
-        return writer.u16(bits).take();
-    default:
-        return writer.u32(bits).take();
-    }
-}
 
 } // namespace
 
@@ -62,7 +30,7 @@ std::optional<Value> readValue(ByteReader &bytes, RegisterId id, ValueType type)
     return value ? std::optional<Value>(mcp::interpret(*value, type)) : std::nullopt;
 }
 
-Result<Bytes, std::string> encodeValue(const catalog::RegisterInfo &info, const Value &value)
+Result<mcp::Value, std::string> wireValue(const catalog::RegisterInfo &info, const Value &value)
 {
     switch (info.type) {
     case ValueType::Text:
@@ -71,12 +39,24 @@ Result<Bytes, std::string> encodeValue(const catalog::RegisterInfo &info, const 
         const auto *content = std::get_if<Bytes>(&value);
         if (content == nullptr || content->size() > kMaxRaw)
             return fail(std::string("needs its bytes"));
-        return ByteWriter().u16(static_cast<std::uint32_t>(content->size())).bytes(*content).take();
+        return mcp::Value(*content);
     }
-    case ValueType::F32:
-        return encodeFloat(value);
-    default:
-        return encodeInteger(info.type, value);
+    case ValueType::F32: {
+        const auto number = asNumber(value);
+        if (!number)
+            return fail(std::string("not a number"));
+        if (auto bits = mcp::bitsOf(*number, info.type))
+            return std::move(*bits);
+        return fail(std::string("not a finite number"));
+    }
+    default: {
+        const auto number = wholeNumberFor(info.type, value);
+        if (!number)
+            return fail(number.error());
+        if (auto bits = mcp::bitsOf(*number, info.type))
+            return std::move(*bits);
+        return fail(std::string("does not fit the register"));
+    }
     }
 }
 

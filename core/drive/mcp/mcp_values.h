@@ -6,6 +6,7 @@
 #include "catalog/catalog.h"
 #include "drive/event.h"
 #include "drive/values.h"
+#include "mcp/value.h"
 
 #include <optional>
 #include <string>
@@ -21,8 +22,8 @@ std::size_t wireWidth(RegisterId id);
 /// The next value of an answer; for raw values the content without its size. Empty if the bytes do not hold one.
 std::optional<Value> readValue(ByteReader &bytes, RegisterId id, catalog::ValueType type);
 
-/// What follows the id in a SET. Fails (with the reason) on text, on non-finite numbers and out of the type's range.
-Result<Bytes, std::string> encodeValue(const catalog::RegisterInfo &info, const Value &value);
+/// As a SET has it. Fails (with the reason) on text, on non-finite numbers and out of the type's range.
+Result<mcp::Value, std::string> wireValue(const catalog::RegisterInfo &info, const Value &value);
 
 /// The firmware's word for a status byte, or the byte in hex.
 std::string statusWord(std::uint8_t status);

@@ -103,7 +103,7 @@ std::vector<RegisterId> VitalPoll::idsToRead() const
     return ids;
 }
 
-std::optional<Bytes> VitalPoll::nextRequest(TimePoint now)
+std::optional<McpRequest> VitalPoll::nextRequest(TimePoint now)
 {
     if (m_reader.finished()) {
         if (!m_due || now < *m_due)
@@ -120,7 +120,7 @@ std::optional<Bytes> VitalPoll::nextRequest(TimePoint now)
     return m_reader.nextRequest(m_board);
 }
 
-void VitalPoll::takeResponse(ByteView response, TimePoint now)
+void VitalPoll::takeResponse(const ByteView &response, TimePoint now)
 {
     for (Reading &reading : m_reader.takeResponse(response, m_board, now)) {
         if (reading.status == ReadStatus::Ok)

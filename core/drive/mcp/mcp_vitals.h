@@ -10,7 +10,7 @@
 
 namespace drive {
 
-class VitalPoll : public Task {
+class VitalPoll : public Task<McpProtocol> {
 public:
     static constexpr Duration kPeriod = std::chrono::milliseconds(100);
     static constexpr Duration kFastPeriod = std::chrono::milliseconds(20);
@@ -28,8 +28,8 @@ public:
     /// Every motor has been read at least once since restart().
     bool complete() const { return m_complete; }
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<McpRequest> nextRequest(TimePoint now) override;
+    void takeResponse(const ByteView &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
     /// What was read since the last call.

@@ -44,6 +44,13 @@ std::string refuseLength(const RegisterWrite &write, const Value &before)
     return "takes " + std::to_string(old->size()) + " bytes";
 }
 
+/// Of what follows the id in a SET.
+std::size_t sizeOf(const mcp::Value &value, RegisterId id)
+{
+    const auto *raw = std::get_if<Bytes>(&value);
+    return raw != nullptr ? raw->size() + sizeof(std::uint16_t) : wireWidth(id);
+}
+
 /// What was read equals what was meant to be written. TORQUE_RAMP reads back shorter than it is written.
 bool sameValue(RegisterId id, const Value &wanted, const Value &read)
 {
@@ -68,7 +75,7 @@ ReadTask::ReadTask(WishId id, const Read &read, const McpBoard &board)
 {
 }
 
-std::optional<Bytes> ReadTask::nextRequest(TimePoint now)
+std::optional<McpRequest> ReadTask::nextRequest(TimePoint now)
 {
     if (!std::exchange(m_started, true)) {
         std::vector<RegisterId> ids;
@@ -88,7 +95,7 @@ std::optional<Bytes> ReadTask::nextRequest(TimePoint now)
     return m_reader.nextRequest(m_board);
 }
 
-void ReadTask::takeResponse(ByteView response, TimePoint now)
+void ReadTask::takeResponse(const ByteView &response, TimePoint now)
 {
     for (Reading &reading : m_reader.takeResponse(response, m_board, now))
         m_readings.push_back(std::move(reading));
@@ -122,9 +129,9 @@ void WriteTask::check(Item &item) const
         item.result.reason = "is set by streaming";
     } else if (auto why = refuseWriteOf(m_board, item.write, m_reach); !why.empty()) {
         item.result.reason = why;
-    } else if (auto encoded = encodeValue(*info, item.write.value); !encoded) {
+    } else if (auto encoded = wireValue(*info, item.write.value); !encoded) {
         item.result.reason = encoded.error();
-    } else if (encoded->size() + 4 > m_board.requestBytes) {
+    } else if (sizeOf(*encoded, item.write.id) + 4 > m_board.requestBytes) {
         item.result.reason = "is longer than a request";
     } else {
         item.encoded = std::move(*encoded);
@@ -145,29 +152,29 @@ bool WriteTask::alone(const Item &item) const
 /// Whether it may follow in a SET of this size that has so many registers already.
 bool WriteTask::joins(const Item &item, std::size_t size, std::size_t count) const
 {
-    const std::size_t width = item.encoded.size(), at = size + sizeof(std::uint16_t);
+    const std::size_t width = wireWidth(item.write.id), at = size + sizeof(std::uint16_t);
     return !alone(item) && at + width <= m_board.requestBytes && at % width == 0
         && count + 2 <= m_board.responseBytes; // a status each and one for all
 }
 
 /// The next SET; its items are open then. Empty when nothing waits.
-Bytes WriteTask::nextSet()
+McpSet WriteTask::nextSet()
 {
-    ByteWriter request;
-    request.u16(static_cast<unsigned>(mcp::CommandId::SetRegister) << 3);
-    std::size_t count = 0;
+    McpSet set;
+    std::size_t size = sizeof(std::uint16_t); // the command word
     for (Item &item : m_items) {
         if (item.state != State::Waiting)
             continue;
-        if (count > 0 && !joins(item, request.size(), count))
+        if (!set.writes.empty() && !joins(item, size, set.writes.size()))
             break;
-        request.u16(item.write.id).bytes(item.encoded);
+        set.writes.push_back({{static_cast<std::uint16_t>(item.write.id)}, item.encoded});
+        size += sizeof(std::uint16_t) + wireWidth(item.write.id);
         item.state = State::Open;
-        ++count;
-        if (alone(item) || item.encoded.size() == 1) // behind a byte the next id would be unaligned
+        if (alone(item)
+            || wireWidth(item.write.id) == 1) // behind a byte the next id would be unaligned
             break;
     }
-    return count > 0 ? request.take() : Bytes{};
+    return set;
 }
 
 std::vector<WriteTask::Item *> WriteTask::open()
@@ -226,7 +233,7 @@ void WriteTask::enter(Phase phase)
         m_reader.start(idsToRead(phase == Phase::After), m_board);
 }
 
-std::optional<Bytes> WriteTask::nextRequest(TimePoint)
+std::optional<McpRequest> WriteTask::nextRequest(TimePoint)
 {
     if (finished())
         return std::nullopt;
@@ -249,7 +256,7 @@ std::optional<Bytes> WriteTask::nextRequest(TimePoint)
         enter(Phase::Setting);
     }
     if (m_phase == Phase::Setting) {
-        if (Bytes set = nextSet(); !set.empty()) {
+        if (McpSet set = nextSet(); !set.writes.empty()) {
             markSent();
             return set;
         }
@@ -275,7 +282,7 @@ void WriteTask::takeReadingsInto(
     }
 }
 
-void WriteTask::takeResponse(ByteView response, TimePoint now)
+void WriteTask::takeResponse(const ByteView &response, TimePoint now)
 {
     if (m_phase == Phase::Before) {
         takeReadingsInto(&WriteResult::before, response, now);

@@ -13,12 +13,12 @@
 
 namespace drive {
 
-class ReadTask : public WishTask {
+class ReadTask : public WishTask<McpProtocol> {
 public:
     ReadTask(WishId id, const Read &read, const McpBoard &board);
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<McpRequest> nextRequest(TimePoint now) override;
+    void takeResponse(const ByteView &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
     std::vector<Reading> takeReadings() override { return std::exchange(m_readings, {}); }
     bool onlyReads() const override { return true; }
@@ -31,12 +31,12 @@ private:
     bool m_started = false;
 };
 
-class WriteTask : public WishTask {
+class WriteTask : public WishTask<McpProtocol> {
 public:
     WriteTask(WishId id, const Write &write, const McpBoard &board);
 
-    std::optional<Bytes> nextRequest(TimePoint now) override;
-    void takeResponse(ByteView response, TimePoint now) override;
+    std::optional<McpRequest> nextRequest(TimePoint now) override;
+    void takeResponse(const ByteView &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
     void cut(const std::string &reason) override;
 
@@ -48,7 +48,7 @@ private:
     enum class State : std::uint8_t { Waiting, Open, Doubtful, Done };
     struct Item {
         RegisterWrite write;
-        Bytes encoded;
+        mcp::Value encoded;
         State state = State::Waiting;
         bool repeated = false;
         WriteResult result;
@@ -56,7 +56,7 @@ private:
 
     void check(Item &item) const;
     void judgeWays();
-    Bytes nextSet();
+    McpSet nextSet();
     bool joins(const Item &item, std::size_t size, std::size_t count) const;
     bool alone(const Item &item) const;
     std::vector<Item *> open();

@@ -1,0 +1,40 @@
+// What the tasks of a drive of the older serial protocol ask and are answered.
+#pragma once
+
+#include "drive/legacy/legacy_board.h"
+#include "legacy/reply.h"
+
+#include <optional>
+#include <string>
+
+namespace legacy {
+class Client;
+}
+
+namespace drive {
+
+class LegacyIdentification;
+class LegacyReader;
+class LegacyVitals;
+class LegacyWatch;
+
+struct LegacyProtocol {
+    using Request = legacy::Request;
+    using Answer = legacy::Reply;
+    using Facts = LegacyFacts;
+    using Link = legacy::Client;
+    using Identification = LegacyIdentification;
+    using Vitals = LegacyVitals;
+    using Watch = LegacyWatch;
+    using Reader = LegacyReader;
+};
+
+inline legacy::Request legacyRequest(int motor, legacy::Command command)
+{
+    return {static_cast<std::uint8_t>(motor), std::move(command)};
+}
+/// Why not, if the answer is a refusal; empty if it is none.
+std::string nackWord(const legacy::Reply &reply);
+std::optional<std::uint8_t> nackCode(const legacy::Reply &reply);
+
+} // namespace drive

@@ -1,0 +1,53 @@
+// What the tasks of an MCP drive ask, as the codec has it, and what they are answered: the payload, which ends in a status.
+#pragma once
+
+#include "drive/mcp/mcp_board.h"
+#include "mcp/request.h"
+
+#include <variant>
+#include <vector>
+
+namespace aspep {
+class Controller;
+}
+
+namespace drive {
+
+class Identification;
+class RegisterReader;
+class VitalPoll;
+class WatchPoll;
+
+struct McpGet {
+    std::vector<mcp::RegisterId> registers;
+};
+struct McpSet {
+    std::vector<mcp::RegisterValue> writes;
+};
+struct McpAct {
+    mcp::CommandId command{};
+    int motor = 0;
+    Bytes content{};
+};
+using McpRequest = std::variant<McpGet, McpSet, McpAct>;
+
+/// Fails for what firmware mishandles. @param room  what the board takes
+Result<Bytes, mcp::CodecError> encode(const McpRequest &request, std::size_t room);
+
+inline McpSet mcpSet(mcp::RegisterId id, int motor, mcp::Value value)
+{
+    return {{{id.withMotor(static_cast<unsigned>(motor)), std::move(value)}}};
+}
+
+struct McpProtocol {
+    using Request = McpRequest;
+    using Answer = ByteView;
+    using Facts = McpBoard;
+    using Link = aspep::Controller;
+    using Identification = drive::Identification;
+    using Vitals = VitalPoll;
+    using Watch = WatchPoll;
+    using Reader = RegisterReader;
+};
+
+} // namespace drive

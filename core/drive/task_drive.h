@@ -1,0 +1,423 @@
+// The engine of every drive: tasks and their answers, the order in which they get the link, stop, a lost link, leaving. A
+// protocol brings what it asks and how it is sent (P below), and the hooks that have no answer here.
+#pragma once
+
+#include "drive/motion_of.h"
+#include "drive/wish_drive.h"
+#include "drive/wish_queue.h"
+
+#include <algorithm>
+
+namespace drive {
+
+/// @tparam P  Request, Answer, Facts; Link, a sans-IO machine; Identification, Vitals and Watch, tasks
+template <class P>
+class TaskDrive : public WishDrive {
+public:
+    void connect(TimePoint now) override;
+    void disconnect(TimePoint now) override;
+    void receive(ByteView bytes, TimePoint now) override
+    {
+        m_link.receive(bytes, now);
+        work(now);
+    }
+    void handleTimeout(TimePoint now) override
+    {
+        m_link.handleTimeout(now);
+        m_stop.handleTimeout(now);
+        work(now);
+    }
+    std::vector<Output> takeOutput() override { return m_link.takeOutput(); }
+    std::optional<TimePoint> nextTimeout() const override;
+    void submit(Wish wish, TimePoint now) override;
+    void stop(TimePoint now) override;
+    void disarm() override;
+
+protected:
+    using Link = typename P::Link;
+    using Request = typename P::Request;
+    using Answer = typename P::Answer;
+    using Made = std::unique_ptr<WishTask<P>>;
+
+    template <class... Args>
+    TaskDrive(const typename Link::Config &config, Duration reconnectEvery, Args... identification)
+        : WishDrive(m_board)
+        , m_link(config)
+        , m_identification(m_board, identification...)
+        , m_reconnectEvery(reconnectEvery)
+    {
+    }
+
+    // What a protocol brings.
+    virtual Made taskFor(const Wish &wish) = 0; ///< for all but those done at once
+    virtual void onLinkEvents(TimePoint now) = 0;
+    virtual void onIdentified(TimePoint now) = 0;
+    virtual bool connected() const = 0;
+    virtual LinkState linkState() const = 0; ///< where the link is neither closed nor lost
+    virtual LinkCounters counters() const = 0;
+    /// Hands the request to the link. @param log  of the wish that it is for, if what it changes is logged
+    /// @return  false: it is none that may leave
+    virtual bool send(const Request &request, MotionRecord *log, TimePoint now) = 0;
+    virtual void sendStop(TimePoint now) = 0; ///< if one is due and may leave
+    virtual TimePoint stopMayLeave() const = 0;
+    virtual std::optional<TimePoint> nextStop() const
+    {
+        const auto next = m_stop.nextStop(connected(), m_workedAt);
+        return next ? std::optional(std::max(*next, stopMayLeave())) : std::nullopt;
+    }
+    virtual void closeLink() = 0;
+
+    // What it may bring.
+    virtual bool sendFirst(TimePoint now); ///< true: the link is not there for anything else now
+    virtual void prepare(TimePoint) { } ///< before anything is sent
+    virtual void leave() { } ///< adds the wishes that end what the board does by itself
+    virtual Duration closingTime() const { return {}; } ///< that those wishes have
+    virtual void onStatuses(const std::vector<MotorStatus> &) { }
+    virtual void identifyAnew() { } ///< a wish has found another board
+    virtual void collect(TimePoint now);
+    virtual std::optional<TimePoint> nextOwn() const { return std::nullopt; }
+    virtual std::optional<TimePoint> nextWork() const { return std::nullopt; } ///< on a free link
+    virtual bool reconnectsBlind() const
+    {
+        return false;
+    } ///< STOPs without a link do not hinder it
+
+    void work(TimePoint now) final;
+    bool linkIsFree() const { return m_link.canSend() && m_task == nullptr && !m_stopUnderWay; }
+    /// Sends the next request of the task; false: it has nothing to ask now.
+    bool give(Task<P> &task, TimePoint now, WishTask<P> *wish = nullptr);
+    /// The answer to m_task has come, or never will: the link is free. What acts is looked at at once.
+    void takeAnswer(const Answer &answer, TimePoint now);
+    void takeLoss(std::optional<bool> executed, TimePoint now);
+    void cutAllWishes(const std::string &reason);
+
+    void linkFound();
+    void linkLost(LinkReason reason, TimePoint now);
+    void forgetLink(); ///< what was under way is never answered
+
+    typename P::Facts m_board;
+    Link m_link;
+    typename P::Identification m_identification;
+    typename P::Vitals m_vitals{m_board};
+    typename P::Watch m_watch{m_board};
+    WishQueue<P> m_wishes;
+    Task<P> *m_task = nullptr; ///< whose answer the link is waiting for
+    bool m_stopUnderWay =
+        false; ///< handed to the link, not answered; may wait behind m_task's answer
+    TimePoint m_stopSince;
+    bool m_suspect = false;
+    std::optional<TimePoint> m_reconnectAt;
+
+private:
+    /// Takes the answer that belongs to a wish which has ended meanwhile.
+    class EndedWish : public Task<P> {
+        std::optional<Request> nextRequest(TimePoint) override { return std::nullopt; }
+        void takeResponse(const Answer &, TimePoint) override { }
+        void takeNoResponse(std::optional<bool>, TimePoint) override { }
+    };
+
+    void watch(const Watch &watch, TimePoint now) override { m_watch.watch(watch, now); }
+    void lookAtOnce(TimePoint now) override { m_vitals.hurry(now); }
+    void afterTask(TimePoint now);
+    void sendNext(TimePoint now);
+    bool giveToWish(TimePoint now);
+    void close(TimePoint now);
+    void tellLinkState();
+
+    Duration m_reconnectEvery;
+    TimePoint m_closeBy;
+    WishTask<P> *m_wish = nullptr; ///< m_task, if it is a wish's
+    EndedWish m_ended;
+    bool m_cutAfterAnswer = false;
+};
+
+template <class P>
+void TaskDrive<P>::forgetLink()
+{
+    m_task = m_wish = nullptr;
+    m_stopUnderWay = m_suspect = false;
+    m_reconnectAt.reset();
+}
+
+template <class P>
+void TaskDrive<P>::connect(TimePoint now)
+{
+    cutAllWishes("connecting anew");
+    m_mode = Mode::Open;
+    m_lost.reset();
+    forgetLink();
+    m_link.connect(now);
+    tellLinkState();
+    work(now);
+}
+
+template <class P>
+void TaskDrive<P>::disconnect(TimePoint now)
+{
+    if (m_mode != Mode::Open)
+        return;
+    m_workedAt = now;
+    m_stop.end();
+    setArmed(false);
+    m_mode = Mode::Closing;
+    m_closeBy = now + closingTime();
+    cutAllWishes("disconnected");
+    m_watch.watch({}, now);
+    leave();
+    work(now);
+}
+
+template <class P>
+void TaskDrive<P>::close(TimePoint now)
+{
+    const bool busy = m_task != nullptr || m_wishes.next(false, now) != nullptr;
+    if (busy && connected() && now < m_closeBy)
+        return;
+    cutAllWishes("disconnected");
+    closeLink();
+    forgetLink();
+    m_stop.end();
+    m_lost.reset();
+    m_mode = Mode::Closed;
+    collect(now);
+}
+
+template <class P>
+void TaskDrive<P>::linkFound()
+{
+    m_lost.reset();
+    m_reconnectAt.reset();
+    m_suspect = false;
+}
+
+template <class P>
+void TaskDrive<P>::linkLost(LinkReason reason, TimePoint now)
+{
+    if (!m_lost || reason != LinkReason::NoAnswer)
+        m_lost = reason; // "no answer" while trying again is no news
+    setArmed(false);
+    cutAllWishes("link lost");
+    forgetLink();
+    m_reconnectAt = now + m_reconnectEvery;
+}
+
+template <class P>
+std::optional<TimePoint> TaskDrive<P>::nextTimeout() const
+{
+    std::optional<TimePoint> due = m_link.nextTimeout();
+    const auto consider = [&](std::optional<TimePoint> at) {
+        if (at && (!due || *at < *due))
+            due = at;
+    };
+    consider(nextOwn());
+    if (m_reconnectAt)
+        consider(m_stop.active() && !reconnectsBlind()
+                ? std::max(*m_reconnectAt, m_stop.blindUntil())
+                : *m_reconnectAt);
+    if (m_mode == Mode::Closing)
+        consider(m_closeBy);
+    if (m_stop.active()) {
+        consider(m_stop.nextAlarm());
+        consider(nextStop());
+    }
+    // What is due already and was not sent waits for something else, which has its own timer.
+    const auto considerLater = [&](std::optional<TimePoint> at) {
+        if (at && *at > m_workedAt)
+            consider(at);
+    };
+    if (linkIsFree() && m_mode == Mode::Open) {
+        considerLater(m_vitals.due());
+        considerLater(nextWork());
+        considerLater(m_watch.due());
+        if (stopHoldsBack(m_workedAt))
+            considerLater(m_stop.blindUntil());
+    }
+    return due;
+}
+
+template <class P>
+void TaskDrive<P>::stop(TimePoint now)
+{
+    if (m_mode == Mode::Closed)
+        return;
+    m_cutAfterAnswer = m_task != nullptr;
+    m_wishes.cutAll("stopped", m_wish);
+    beginStop(now);
+    work(now);
+}
+
+template <class P>
+void TaskDrive<P>::disarm()
+{
+    setArmed(false);
+    m_wishes.cutArmed("disarmed", m_wish);
+    m_wishes.collect(m_events, m_workedAt);
+}
+
+template <class P>
+void TaskDrive<P>::cutAllWishes(const std::string &reason)
+{
+    m_wishes.cutAll(reason, nullptr);
+    if (std::exchange(m_wish, nullptr) != nullptr)
+        m_task = &m_ended;
+    m_cutAfterAnswer = false;
+    m_wishes.collect(m_events, m_workedAt);
+}
+
+template <class P>
+void TaskDrive<P>::submit(Wish wish, TimePoint now)
+{
+    if (takeAtOnce(wish, now))
+        return;
+    Made task = taskFor(wish);
+    if (task->permission() == Permission::Armed && !armed())
+        return endNow(wish, Outcome::NotSent,
+            m_stop.active() ? "stopped; arm again first" : "not armed", now);
+    task->freshen(std::min(wish.madeAt.value_or(now), now));
+    if (task->expired(now))
+        return endNow(wish, Outcome::NotSent, kTooLate, now);
+    task->motion() = motionOf(wish, *m_facts.catalog, now);
+    if (const auto *write = std::get_if<Write>(&wish.what))
+        m_wishes.supersede(*write);
+    if (!m_wishes.add(std::move(task)))
+        return endNow(wish, Outcome::NotSent, "too many wishes wait already", now);
+    work(now);
+}
+
+template <class P>
+void TaskDrive<P>::takeAnswer(const Answer &answer, TimePoint now)
+{
+    m_task->takeResponse(answer, now);
+    if (m_wish != nullptr)
+        m_wish->freshen(now);
+    afterTask(now);
+}
+
+template <class P>
+void TaskDrive<P>::takeLoss(std::optional<bool> executed, TimePoint now)
+{
+    m_task->takeNoResponse(executed, now);
+    afterTask(now);
+}
+
+template <class P>
+void TaskDrive<P>::afterTask(TimePoint now)
+{
+    m_task = nullptr;
+    WishTask<P> *wish = std::exchange(m_wish, nullptr);
+    const bool cut = std::exchange(m_cutAfterAnswer, false);
+    if (wish == nullptr)
+        return;
+    const bool changed = wish->takeBoardChanged();
+    if (cut)
+        wish->cut("stopped");
+    if (wish->finished() && wish->permission() == Permission::Armed)
+        lookAtOnce(now); // whatever became of it
+    if (changed)
+        identifyAnew();
+}
+
+template <class P>
+void TaskDrive<P>::work(TimePoint now)
+{
+    m_workedAt = now;
+    onLinkEvents(now);
+    auto statuses = m_vitals.takeStatuses();
+    onStatuses(statuses);
+    takeStatuses(std::move(statuses), m_vitals.askedAt());
+    if (m_identification.takeNews())
+        onIdentified(now);
+    if (m_reconnectAt && now >= *m_reconnectAt && m_mode == Mode::Open
+        && (reconnectsBlind() || !m_stop.blind(now))) {
+        m_reconnectAt.reset();
+        m_link.connect(now);
+    }
+    prepare(now);
+    if (followStop(now))
+        sendStop(now);
+    if (linkIsFree())
+        sendNext(now);
+    collect(now);
+    if (m_mode == Mode::Closing)
+        close(now);
+    tellLinkState();
+    tellCounters(counters(), now);
+}
+
+template <class P>
+bool TaskDrive<P>::sendFirst(TimePoint now)
+{
+    if (m_identification.done())
+        return false;
+    give(m_identification, now);
+    return true;
+}
+
+/// Gives a free link to whoever is most urgent.
+template <class P>
+void TaskDrive<P>::sendNext(TimePoint now)
+{
+    const bool open = m_mode == Mode::Open;
+    if (open) {
+        if (m_stop.open() && !m_facts.motorsCounted && sendFirst(now))
+            return; // a motor that nobody knows of cannot be stopped
+        if (m_stop.active() && give(m_vitals, now))
+            return;
+        if (stopHoldsBack(now) || sendFirst(now) || give(m_vitals, now))
+            return;
+    }
+    if (!giveToWish(now) && open)
+        give(m_watch, now);
+}
+
+template <class P>
+bool TaskDrive<P>::giveToWish(TimePoint now)
+{
+    while (WishTask<P> *wish = m_wishes.next(armed(), now)) {
+        if (give(*wish, now, wish)) {
+            wish->begin();
+            return true;
+        }
+        if (!wish->finished())
+            return false; // waits for something else; no other wish overtakes it
+        m_wishes.collect(m_events, m_workedAt);
+    }
+    return false;
+}
+
+template <class P>
+bool TaskDrive<P>::give(Task<P> &task, TimePoint now, WishTask<P> *wish)
+{
+    while (const auto request = task.nextRequest(now)) {
+        if (send(*request, wish != nullptr && wish->motion() ? &*wish->motion() : nullptr, now)) {
+            m_task = &task;
+            m_wish = wish;
+            return true;
+        }
+        task.takeNoResponse(false, now); // it never left
+    }
+    return false;
+}
+
+template <class P>
+void TaskDrive<P>::collect(TimePoint now)
+{
+    if (auto readings = m_watch.takeReadings(); !readings.empty())
+        m_events.emplace_back(RegistersRead{std::move(readings)});
+    m_wishes.collect(m_events, now);
+    collectStop();
+}
+
+template <class P>
+void TaskDrive<P>::tellLinkState()
+{
+    const LinkState state = m_mode == Mode::Closed ? LinkState::Closed
+        : m_lost                                   ? LinkState::Lost
+                                                   : linkState();
+    const LinkReason reason = state == LinkState::Lost ? *m_lost
+        : state == m_toldState                         ? m_toldReason
+                                                       : LinkReason::None;
+    tellLink(state, reason);
+}
+
+} // namespace drive
