@@ -96,6 +96,12 @@ void StopSequence::stopSent(int number, TimePoint now)
     }
 }
 
+void StopSequence::stopFailed(int number, TimePoint now)
+{
+    if (Motor *motor = find(number))
+        motor->nextStop = now;
+}
+
 void StopSequence::stopAnswered(int number, TimePoint now)
 {
     Motor *motor = find(number);

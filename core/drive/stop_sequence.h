@@ -64,6 +64,8 @@ public:
     /// that leaves a link the time to send one.
     Duration turn() const;
     void stopSent(int number, TimePoint now);
+    /// The last STOP of it may not have left: the next one is due at once.
+    void stopFailed(int number, TimePoint now);
     void stopAnswered(int number, TimePoint now);
     /// A status whose request left at `askedAt`.
     void takeStatus(const MotorStatus &status, TimePoint askedAt);

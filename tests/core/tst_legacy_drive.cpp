@@ -370,7 +370,7 @@ void TestLegacyDrive::aMotorThatBecomesKnownWhileStoppingIsStopped()
     QVERIFY(bench.runUntil([&] { return runs(1) && runs(2); }, 10s));
     LegacyDriveConfig config;
     config.baud = bench.baud;
-    bench.drive = makeLegacyDrive(config); // as after a port was opened again
+    bench.replaceDrive(makeLegacyDrive(config));
     bench.stops.clear();
     bench.requests.clear();
     bench.connect();

@@ -439,7 +439,7 @@ void TestMcbDrive::aStopGoesBeforeTheIdentification()
     McbPair pair;
     QVERIFY(pair.meet());
     QVERIFY(start(pair));
-    pair.drive = makeMcbDrive({});
+    pair.replaceDrive(makeMcbDrive({}));
     pair.connect();
     pair.stopped = true;
     const TimePoint asked = pair.now;
@@ -591,7 +591,7 @@ void TestMcbDrive::aDriveThatCyclesIsMet()
     QVERIFY(pair.meet());
     QVERIFY(pair.ask(streamOf({pair.id("BUS_VOLTAGE"), pair.id("I_A")})).outcome == Outcome::Ok);
     pair.runFor(10ms);
-    pair.drive = makeMcbDrive({}); // the program was killed
+    pair.replaceDrive(makeMcbDrive({})); // the program was killed
     pair.identified.reset();
     QVERIFY(pair.meet());
     QVERIFY(!pair.board->slave().cyclic());

@@ -410,7 +410,7 @@ void TestMcbSetPoints::aProgramThatWasKilledRepeatsNothing()
     QVERIFY(bench.travels());
     McbPair &pair = bench.pair;
     QVERIFY(bench.turnAt(600));
-    pair.drive = makeMcbDrive({});
+    pair.replaceDrive(makeMcbDrive({}));
     pair.identified.reset();
     bench.keep = true;
     QVERIFY(pair.meet());

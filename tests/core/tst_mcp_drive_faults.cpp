@@ -29,6 +29,7 @@ public:
         , m_pair(options(seed), seed)
     {
         m_pair.onEvent = [this](const Event &event) { judge(event); };
+        m_pair.loses = [this](const Bytes &output) { return loses(output); };
     }
 
     /// What went wrong; empty if nothing did.
@@ -48,9 +49,12 @@ public:
         while (m_pair.now < end && m_wrong.empty()) {
             act();
             m_pair.runFor(Duration(m_random.below(60'000'000)));
+            if (m_pair.now >= m_cutUntil)
+                m_pair.toBoard.cut = false;
             m_wrong = m_wrong.empty() ? m_pair.judge.verdict() : m_wrong;
         }
         m_pair.toBoard = m_pair.toDrive = LineFaults{};
+        m_losing = false;
         if (!m_pair.runUntil([&] { return settled(); }, 5s) && m_wrong.empty())
             m_wrong = "not settled 5 s after the faults ended, link "
                 + std::to_string(int(m_pair.link)) + " for reason "
@@ -105,7 +109,7 @@ private:
         const std::vector<RegisterId> channels{
             id("I_A"), id("I_B"), id("V_Q"), id("STOPLL_ROT_SPEED")};
         const int motor = 1 + int(m_random.below(2)); // which need not be there
-        switch (m_random.below(13)) {
+        switch (m_random.below(16)) {
         case 0:
         case 12:
             return ask(Command{MotorAction::Start, motor});
@@ -142,10 +146,56 @@ private:
             else if (m_random.chance(0.2))
                 m_pair.board->mute(Duration(m_random.below(400'000'000)));
             return;
+        case 13:
+            return spoilTheWayThere();
+        case 14:
+            return restore();
         default:
             m_pair.drive->arm();
             return m_pair.exchange();
         }
+    }
+
+    /// The board does not hear, and so its motors really go on: for a while, or one request long.
+    void spoilTheWayThere()
+    {
+        if (m_random.chance(0.05))
+            return loseTheLink();
+        if (m_random.chance(0.5)) {
+            m_pair.toBoard.cut = true;
+            m_cutUntil = m_pair.now + Duration(m_random.below(900'000'000));
+            return;
+        }
+        m_losing = true;
+    }
+
+    /// And asks again as soon as it is back, without arming.
+    void loseTheLink()
+    {
+        m_pair.toBoard.cut = m_pair.toDrive.cut = true;
+        m_pair.runFor(3s);
+        m_pair.toBoard.cut = m_pair.toDrive.cut = false;
+        m_pair.runFor(1s);
+        ask(Write{{{id("SPEED_KP"), std::int64_t(m_random.below(1000))}}});
+        ask(Command{MotorAction::Start, 1});
+        m_pair.runFor(100ms);
+    }
+
+    /// Of a request header and payload.
+    bool loses(const Bytes &output)
+    {
+        const bool header = output.size() == 4 && (output[0] & 0xFU) == 9;
+        return header ? m_losing : std::exchange(m_losing, false);
+    }
+
+    /// What a snapshot would bring back, if it held where motors go: nothing of that may leave.
+    void restore()
+    {
+        if (m_pair.identified)
+            ask(Write{{{id("SPEED_KP"), std::int64_t(m_random.below(1000))},
+                          {id("SPEED_REF"), std::int64_t(m_random.below(3000))},
+                          {id("CONTROL_MODE"), std::int64_t(m_random.below(4))}},
+                Reach::Parameters});
     }
 
     void setPoint(int motor)
@@ -190,6 +240,8 @@ private:
     LinkPair m_pair;
     std::vector<WishId> m_wishes;
     capture::StreamLayout m_layout;
+    TimePoint m_cutUntil{};
+    bool m_losing = false; ///< the next request
     std::string m_wrong;
 };
 

@@ -23,7 +23,9 @@ private Q_SLOTS:
     void theStopIsRepeatedUntilTheDriveIsIdle();
     void withoutALinkItIsSentBlindForTwoSeconds();
     void afterTheLinkIsBackTheStopGoesOn();
+    void aStopOutlivesTheEndOfItsLink();
     void nothingButStopAndStatesLeavesWhileStopping();
+    void aBoardThatDoesNotObeyIsAskedForNothingElse();
     void aMotorThatBecomesKnownWhileStoppingIsStoppedFirst();
     void aMotorThatBecomesKnownIsStoppedThoughAnotherNeverIs();
     void pressingAgainAndAgainHidesNoAlarm();
@@ -161,6 +163,31 @@ void TestMcpDriveStop::afterTheLinkIsBackTheStopGoesOn()
     QVERIFY(session.status[1].state == MotorState::Idle);
 }
 
+void TestMcpDriveStop::aStopOutlivesTheEndOfItsLink()
+{
+    // Asked for shortly before the link is given up, whose end drops what has not left yet.
+    Duration lost{};
+    for (Duration before = 0ms; before < 60ms; before += 2ms) {
+        Session session;
+        QVERIFY(session.startMotor());
+        session.toDrive.cut = true;
+        const TimePoint cut = session.now;
+        if (before == 0ms) {
+            QVERIFY(session.runUntil([&] { return session.link == LinkState::Lost; }, 5s));
+            lost = session.now - cut;
+            continue;
+        }
+        const Duration silence = lost - before;
+        session.runFor(silence);
+        const std::size_t stops = support::count(session.requests, kStop);
+        session.drive->stop(session.now);
+        session.exchange();
+        QVERIFY2(
+            session.runUntil([&] { return support::count(session.requests, kStop) > stops; }, 80ms),
+            std::to_string(toSeconds(silence)).c_str());
+    }
+}
+
 void TestMcpDriveStop::nothingButStopAndStatesLeavesWhileStopping()
 {
     Session session;
@@ -221,7 +248,7 @@ void meetAnew(Session &session)
 {
     McpDriveConfig config;
     config.baud = session.baud;
-    session.drive = makeMcpDrive(config);
+    session.replaceDrive(makeMcpDrive(config));
     session.requests.clear();
     session.stops.clear();
     session.status.clear();
@@ -229,6 +256,23 @@ void meetAnew(Session &session)
 }
 
 } // namespace
+
+void TestMcpDriveStop::aBoardThatDoesNotObeyIsAskedForNothingElse()
+{
+    Session session;
+    QVERIFY(session.runAt(1500));
+    session.submit(Watch{{session.id("BUS_VOLTAGE")}, 10ms});
+    session.runFor(100ms);
+    const Bytes header{0x29, 0x00, 0x00, 0xE0}; // of two bytes
+    session.loses = [&](const Bytes &bytes) { return bytes == header || bytes == stopOf(1); };
+    session.drive->stop(session.now);
+    session.exchange();
+    session.runFor(1500ms); // what else leaves is what the judge looks at
+    QVERIFY(hasWord(session, StopWord::NotConfirmed, 1));
+    QVERIFY(support::count(session.requests, kStop) >= 10);
+    session.loses = {};
+    QVERIFY(session.runUntil([&] { return session.hasStopWord(StopWord::DriveIdle); }, 1s));
+}
 
 void TestMcpDriveStop::aMotorThatBecomesKnownWhileStoppingIsStoppedFirst()
 {

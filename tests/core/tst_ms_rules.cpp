@@ -114,6 +114,8 @@ private Q_SLOTS:
     void aBrokenRuleSpeaks_data();
     void aBrokenRuleSpeaks();
     void whatIsKeptIsSilent();
+    void theOrderOfStopsIsTheDrives();
+    void aListOfParametersTakesNothingFromOthers();
     void aMotorNobodyKnowsOfIsStoppedWhenItIsKnown();
     void framesOfTheOlderProtocolAreTakenApart();
     void framesOfTheBusAreTakenApart();
@@ -181,6 +183,12 @@ void TestMsRules::aBrokenRuleSpeaks_data()
         b.act(Act::Kind::Restore);
         b.request({kSet, 0x91, 5}); // a gain may be restored
         b.ramp(1000);
+    });
+    story("a set-point among parameters", "asked for", [](Bench &b) {
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::Restore, 0, 7);
+        b.request({kSet, 0x91, 5});
+        b.request({kSet, 0x99, 1000, 0}); // the speed's reference
     });
     story("a first start without a question", "first starts are asked", [](Bench &b) {
         b.judge.line().asksFirst = true;
@@ -329,6 +337,39 @@ void TestMsRules::whatIsKeptIsSilent()
     b.run(1s);
     QCOMPARE(b.judge.verdict(), std::string());
     QCOMPARE(b.judge.counts().starts, 2);
+}
+
+void TestMsRules::theOrderOfStopsIsTheDrives()
+{
+    Bench b(2);
+    b.act(Act::Kind::Arm);
+    b.drive(1);
+    b.drive(2);
+    b.act(Act::Kind::Stop);
+    b.run(80ms);
+    b.request({kStop | 2});
+    b.run(80ms);
+    b.request({kStop | 1});
+    QCOMPARE(b.judge.verdict(), std::string());
+    b.run(220ms);
+    QCOMPARE(b.judge.verdict(), std::string());
+    b.run(10ms); // the repetition of the first
+    b.run(250ms);
+    QVERIFY(QString::fromStdString(b.judge.verdict()).startsWith(QLatin1String("stop in time: ")));
+}
+
+void TestMsRules::aListOfParametersTakesNothingFromOthers()
+{
+    Bench b;
+    b.act(Act::Kind::Arm);
+    b.act(Act::Kind::Start, 1, 6); // waits to leave
+    b.act(Act::Kind::Restore, 0, 7);
+    b.request({kSet, 0x91, 5});
+    b.judge.saidEnded(7, b.now);
+    b.request({kStart | 1});
+    QCOMPARE(b.judge.verdict(), std::string());
+    b.request({kSet, 0x91, 5});
+    QVERIFY(QString::fromStdString(b.judge.verdict()).startsWith(QLatin1String("asked for: ")));
 }
 
 void TestMsRules::aMotorNobodyKnowsOfIsStoppedWhenItIsKnown()

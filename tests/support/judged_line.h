@@ -8,6 +8,7 @@
 #include "session/session.h"
 #include "simulation/mcb/mcb_board.h"
 #include "simulation/simulated_board.h"
+#include "support/judge_speaks.h"
 #include "support/judged_drive.h"
 #include "support/ms_rules.h"
 #include "support/wire_legacy.h"
@@ -37,7 +38,12 @@ public:
     {
     }
 
+    ~JudgedWorld() { speak(m_judge, !verdictTaken); }
+    JudgedWorld(const JudgedWorld &) = delete;
+    JudgedWorld &operator=(const JudgedWorld &) = delete;
+
     // For the window's thread.
+    bool verdictTaken = false; ///< the test says more than the judge
     std::atomic<bool> plugged = true;
     std::atomic<bool> cut = false; ///< nothing gets through
     std::atomic<bool> reset = false; ///< power cycle, once

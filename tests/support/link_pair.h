@@ -9,6 +9,7 @@
 #include "mcp/request.h"
 #include "simulation/legacy/legacy_motor_board.h"
 #include "simulation/simulated_board.h"
+#include "support/judge_speaks.h"
 #include "support/judged_drive.h"
 #include "support/wire_legacy.h"
 #include "support/wire_mcp.h"
@@ -91,8 +92,9 @@ public:
     }
     ~LinkPair()
     {
-        if (const auto verdict = judge.verdict(); !verdict.empty() && !verdictTaken)
-            QTest::qFail(verdict.c_str(), __FILE__, __LINE__);
+        if (QTest::currentTestFailed())
+            lookOn();
+        speak(judge, !verdictTaken);
     }
     LinkPair(const LinkPair &) = delete;
     LinkPair &operator=(const LinkPair &) = delete;
@@ -172,6 +174,19 @@ public:
         return identified->catalog->resolve(name).value_or(0);
     }
 
+    /// Another drive on the same line, as after a port was opened again or the program had died.
+    void replaceDrive(std::unique_ptr<drive::Drive> other)
+    {
+        judge::Act gone;
+        gone.kind = judge::Act::Kind::Unplugged;
+        gone.at = now;
+        judge.act(gone);
+        judge.said(judge::Link::Closed, now);
+        m_sending.clear();
+        m_payloadNext = false;
+        drive = std::make_unique<JudgedDrive>(std::move(other), judge);
+    }
+
     /// Lets the drive say what it wants to, after a direct call of one of its verbs.
     void exchange()
     {
@@ -220,6 +235,13 @@ private:
         line.gap = 500us;
         line.answerWithin = 10s;
         return line;
+    }
+    /// An assertion that fails ends a test before the judge has seen what comes of it.
+    void lookOn()
+    {
+        onEvent = nullptr; // what they know has gone
+        loses = nullptr;
+        runFor(1500ms);
     }
     void lookAtTruth()
     {

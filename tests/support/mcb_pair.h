@@ -5,6 +5,7 @@
 #include "drive/mcb/mcb_drive.h"
 #include "mcb/master.h"
 #include "simulation/mcb/mcb_board.h"
+#include "support/judge_speaks.h"
 #include "support/judged_drive.h"
 #include "support/wire_mcb.h"
 
@@ -38,8 +39,12 @@ public:
     }
     ~McbPair()
     {
-        if (const auto verdict = judge.verdict(); !verdict.empty() && !verdictTaken)
-            QTest::qFail(verdict.c_str(), __FILE__, __LINE__);
+        if (QTest::currentTestFailed()) { // before the judge has seen what comes of it
+            onEvent = nullptr; // what they know has gone
+            toBoard = toDrive = nullptr;
+            runFor(1500ms);
+        }
+        speak(judge, !verdictTaken);
     }
     McbPair(const McbPair &) = delete;
     McbPair &operator=(const McbPair &) = delete;
@@ -84,6 +89,16 @@ public:
     {
         drive->connect(now);
         exchange();
+    }
+    /// Another drive at the same servo, as after a port was opened again or the program had died.
+    void replaceDrive(std::unique_ptr<drive::Drive> other)
+    {
+        judge::Act gone;
+        gone.kind = judge::Act::Kind::Unplugged;
+        gone.at = now;
+        judge.act(gone);
+        judge.said(judge::Link::Closed, now);
+        drive = std::make_unique<JudgedDrive>(std::move(other), judge);
     }
     bool runUntil(const std::function<bool()> &condition, Duration limit)
     {
@@ -134,8 +149,6 @@ public:
     }
     void exchange()
     {
-        if (dynamic_cast<JudgedDrive *>(drive.get()) == nullptr)
-            judge.watch(nullptr, {}); // the test has brought a drive of its own
         take();
         for (int round = 0; round < 2000; ++round) {
             const auto outputs = drive->takeOutput();

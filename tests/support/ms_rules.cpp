@@ -175,7 +175,8 @@ void MsRules::act(const Act &act)
     case Act::Kind::Stop:
         return onStop(act);
     case Act::Kind::Restore:
-        m_acts.clear();
+        if (act.id == 0) // of a window, where input allows what follows it
+            m_acts.clear();
         m_acts.push_back({act});
         return;
     case Act::Kind::Confirm:

@@ -240,7 +240,10 @@ void MsRules::stopsAreRepeated(int motor, OpenStop::Of &of, TimePoint now)
     }
     const auto one = of.sent ? m_line.repeat : m_line.firstStop;
     const TimePoint since = std::max(*of.allowed, of.sent.value_or(TimePoint{}));
-    const Duration within = (of.sent ? m_line.motors : motor) * one;
+    // The order is the drive's: one STOP at once, and every motor has its turn.
+    const bool none = std::none_of(m_stop->motors.begin(), m_stop->motors.end(),
+        [](const auto &each) { return each.second.sent.has_value(); });
+    const Duration within = (none && motor == 1 ? 1 : m_line.motors) * one;
     if (now - since > within && !std::exchange(of.late, true))
         violate("stop in time",
             "motor " + std::to_string(motor) + " is driven, and no STOP of it left for "

@@ -76,7 +76,11 @@ private:
     // what the link tells
     void onLinkEvents(TimePoint now) override;
     void on(const Link::Connected &event, TimePoint now);
-    void on(const Link::Lost &event, TimePoint now) { linkLost(reasonOf(event.reason), now); }
+    void on(const Link::Lost &event, TimePoint now)
+    {
+        linkLost(reasonOf(event.reason), now);
+        m_stop.stopFailed(m_stopMotor, now); // what was about to leave has gone with the link
+    }
     void on(const Link::Response &event, TimePoint now);
     void on(const Link::NoResponse &event, TimePoint now);
     void on(const Link::Recovered &event, TimePoint now);
