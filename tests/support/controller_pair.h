@@ -3,6 +3,8 @@
 
 #include "aspep/controller.h"
 #include "simulation/simulated_board.h"
+#include "support/judge_speaks.h"
+#include "support/wire_mcp.h"
 
 #include <deque>
 #include <functional>
@@ -109,7 +111,18 @@ struct ControllerPair {
         , fromBoard(faults, seed + 1)
         , baud(options.baud)
     {
+        judge::Line line;
+        line.baud = baud;
+        line.suspect = line.lost = {}; // a Controller's word for a link is looked at by tests
+        line.gap = 500us;
+        line.answerWithin = 10s;
+        judge.watch(std::make_unique<judge::WireMcp>(baud, 0.0), line);
     }
+    ~ControllerPair() { speak(judge, true); }
+    ControllerPair(const ControllerPair &) = delete;
+    ControllerPair &operator=(const ControllerPair &) = delete;
+
+    judge::MsRules judge; ///< of the wire: packets, their pauses, one in flight
 
     void setFaults(const SpoiltFaults &faults)
     {
@@ -168,6 +181,7 @@ private:
         while (!m_writes.empty() && m_writes.front().at <= now) {
             if (tap)
                 tap(now, true, m_writes.front().bytes);
+            judge.sent(m_writes.front().bytes, now);
             toBoard.put(m_writes.front().bytes, now);
             m_writes.pop_front();
         }
@@ -182,6 +196,7 @@ private:
         if (const Bytes bytes = fromBoard.take(now); !bytes.empty()) {
             if (tap)
                 tap(now, false, bytes);
+            judge.heard(bytes, now);
             controller.receive(bytes, now);
         }
         if (const auto due = controller.nextTimeout(); due && *due <= now)

@@ -3,6 +3,8 @@
 
 #include "mcb/master.h"
 #include "simulation/mcb_slave.h"
+#include "support/judge_speaks.h"
+#include "support/wire_mcb.h"
 
 #include <functional>
 #include <map>
@@ -20,8 +22,16 @@ public:
         , m_rig(std::move(rig))
     {
         resetSlave();
+        judge::Line line;
+        line.suspect = line.lost = {};
+        judge.watch(std::make_unique<judge::WireMcb>(), line);
+        judge.excuse("looks first", "no drive is above the master, to look at anything");
     }
+    ~McbBus() { speak(judge, true); }
+    McbBus(const McbBus &) = delete;
+    McbBus &operator=(const McbBus &) = delete;
 
+    judge::MsRules judge; ///< of the wire: what was asked for is what leaves
     mcb::Master master;
     std::unique_ptr<simulation::McbSlave> slave;
     TimePoint now{1s};
@@ -44,6 +54,7 @@ public:
                 break;
             for (const Output &output : outputs) {
                 sent.push_back(output.bytes);
+                judge.sent(output.bytes, now);
                 Bytes out = output.bytes;
                 if (toSlave)
                     toSlave(out);
@@ -78,6 +89,8 @@ public:
     }
     bool meet()
     {
+        tell(judge::Act::Kind::Open, 0);
+        tell(judge::Act::Kind::Arm, 0);
         master.connect(now);
         return runUntil([this] { return master.canSend(); }, 5s);
     }
@@ -85,6 +98,8 @@ public:
     std::optional<mcb::Master::Done> ask(mcb::Master::Request request, Duration limit = 5s)
     {
         const std::size_t before = ended.size();
+        if (request.command == mcb::Command::Write)
+            tell(judge::Act::Kind::Write, std::uint32_t{request.address} << 3 | 1U);
         master.send(std::move(request), now);
         return runUntil([&] { return ended.size() > before; }, limit) ? std::optional(ended.back())
                                                                       : std::nullopt;
@@ -122,6 +137,14 @@ public:
     }
 
 private:
+    void tell(judge::Act::Kind kind, std::uint32_t target)
+    {
+        judge::Act act;
+        act.kind = kind;
+        act.target = target;
+        act.at = now;
+        judge.act(act);
+    }
     void take()
     {
         for (auto &event : master.takeEvents()) {

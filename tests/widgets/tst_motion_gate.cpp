@@ -29,6 +29,7 @@ struct GateBench : facts::EditBench {
 
     GateBench()
     {
+        link.judge.line().asksFirst = true;
         QObject::connect(&gate, &widgets::MotionGate::asked, &panel,
             [this](const widgets::MotionQuestion &question) { asked.push_back(question); });
         QObject::connect(&gate, &widgets::MotionGate::failed, &panel,
@@ -41,6 +42,14 @@ struct GateBench : facts::EditBench {
             });
     }
 
+    void sayYes()
+    {
+        judge::Act yes;
+        yes.kind = judge::Act::Kind::Confirm;
+        yes.at = link.now;
+        link.judge.act(yes);
+        gate.confirm();
+    }
     void look()
     {
         for (const char *name : {"SPEED_REF", "I_Q_REF", "I_D_REF", "CONTROL_MODE"})
@@ -55,12 +64,12 @@ struct GateBench : facts::EditBench {
         arm();
         look();
         gate.want(QStringLiteral("Start"), start());
-        gate.confirm();
+        sayYes();
         if (!link.runUntilState(MotorState::Running))
             return false;
         look();
         gate.want(QStringLiteral("Ramp"), speed(1000));
-        gate.confirm();
+        sayYes();
         const bool there = link.runUntil(
             [this] { return std::abs(link.status[1].speedRpm.value_or(0) - 1000) < 30; }, 5s);
         link.runFor(500ms);
@@ -92,7 +101,7 @@ private Q_SLOTS:
         QCOMPARE(bench.sent, 0);
         bench.gate.want(QStringLiteral("Start"), bench.start()); // judged anew
         QCOMPARE(bench.asked.size(), 2U);
-        bench.gate.confirm();
+        bench.sayYes();
         QCOMPARE(bench.sent, 1);
         QVERIFY(bench.link.runUntilState(MotorState::Running));
         bench.device.stop();
@@ -102,7 +111,7 @@ private Q_SLOTS:
         bench.arm();
         bench.gate.want(QStringLiteral("Start"), bench.start());
         QCOMPARE(bench.asked.size(), 3U); // but for a Stop, after which it is a first one again
-        bench.gate.confirm();
+        bench.sayYes();
         QCOMPARE(bench.sent, 2);
     }
 
@@ -132,7 +141,7 @@ private Q_SLOTS:
         bench.arm();
         QVERIFY(!bench.gate.jog(QStringLiteral("Jog"), 1, 300));
         QCOMPARE(bench.asked.size(), 1U);
-        bench.gate.confirm();
+        bench.sayYes();
         QVERIFY(bench.gate.jogAgreed(1));
         bench.gate.want(QStringLiteral("Start"), bench.start());
         QCOMPARE(bench.asked.size(), 2U);
@@ -146,7 +155,7 @@ private Q_SLOTS:
         bench.link.board->setFaults(0x0002);
         QVERIFY(bench.link.runUntilState(MotorState::FaultNow));
         bench.gate.want(QStringLiteral("Start"), bench.start());
-        bench.gate.confirm();
+        bench.sayYes();
         bench.link.runFor(200ms);
         QCOMPARE(bench.failed.size(), 1);
         bench.gate.want(QStringLiteral("Start"), bench.start());
@@ -166,7 +175,7 @@ private Q_SLOTS:
         const QString text = bench.asked[0].lines.join(QLatin1Char('\n'));
         for (const char *part : {"Motor 1", "996\u202frpm", "3000\u202frpm", "20 %", "4000"})
             QVERIFY2(text.contains(QString::fromUtf8(part)), qPrintable(text));
-        bench.gate.confirm();
+        bench.sayYes();
         QCOMPARE(bench.sent, 2);
     }
 
@@ -195,7 +204,7 @@ private Q_SLOTS:
         QCOMPARE(bench.asked.size(), 1U);
         bench.gate.want(QStringLiteral("Start"), bench.start()); // the question is still open
         QCOMPARE(bench.asked.size(), 1U);
-        bench.gate.confirm();
+        bench.sayYes();
         QCOMPARE(bench.sent, 1); // the second waits for the end of the first
         bench.link.runFor(200ms);
         QCOMPARE(bench.sent, 2);
@@ -208,7 +217,7 @@ private Q_SLOTS:
         bench.look();
         bench.gate.want(QStringLiteral("Jog"),
             std::vector<drive::WishContent>{bench.speed(100000), bench.start()});
-        bench.gate.confirm();
+        bench.sayYes();
         bench.link.runFor(500ms);
         QCOMPARE(bench.sent, 1);
         QCOMPARE(bench.failed.size(), 1);
@@ -252,7 +261,7 @@ private Q_SLOTS:
         }
         QCOMPARE(withdrawn.size(), 1);
         QCOMPARE(failed.size(), 0); // somebody's own act
-        bench.gate.confirm(); // too late
+        bench.sayYes(); // too late
         QCOMPARE(bench.sent, 0);
     }
 
@@ -284,7 +293,7 @@ private Q_SLOTS:
             QTRY_COMPARE(withdrawn.size(), 1);
         if (then != 1)
             link(drive::LinkState::Connected);
-        bench.gate.confirm();
+        bench.sayYes();
         QCOMPARE(bench.sent, then == 0 ? 1 : 0);
         QCOMPARE(withdrawn.size(), then == 0 ? 0 : 1);
         QCOMPARE(bench.failed.size(), then == 0 ? 0 : 1);
