@@ -14,6 +14,7 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QLineEdit>
+#include <QPointer>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QWheelEvent>
@@ -189,10 +190,12 @@ private:
         confirmBy(widget);
         if (stops && widget->isEnabled())
             m_world.act(Act::Kind::Stop);
-        if (auto *box = qobject_cast<QCheckBox *>(widget))
-            QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
-        else
-            QTest::mouseClick(widget, Qt::LeftButton);
+        const QPoint at =
+            qobject_cast<QCheckBox *>(widget) ? QPoint(8, widget->height() / 2) : QPoint();
+        const QPointer<QWidget> pressed = widget; // which may be gone with its dialog
+        QTest::mousePress(pressed, Qt::LeftButton, {}, at);
+        if (pressed)
+            QTest::mouseRelease(pressed, Qt::LeftButton, {}, at);
         noteArming();
     }
     bool click(const char *name)
@@ -551,6 +554,8 @@ void TestMonkey::whateverIsPressedTheRulesHold()
         started += counts.starts > 0 ? 1 : 0;
         stopped += counts.stops > 0 ? 1 : 0;
         acts += counts.acts;
+        if (seed % 100 == 0)
+            qInfo() << "up to seed" << seed;
         if (wrong.empty())
             continue;
         failed.push_back("seed " + std::to_string(seed) + ": " + wrong + "\n" + monkey.story());

@@ -10,6 +10,7 @@
 #include "support/window_rig.h"
 #include "widgets/window/application.h"
 
+#include <QCheckBox>
 #include <QTest>
 
 #include <random>
@@ -136,7 +137,9 @@ private:
         for (int i = 0; i < kStartTries; ++i) {
             if (!until([&] { return m_device.answering() && m_device.identified(); }))
                 continue;
-            m_device.setArmed(true);
+            // By an input of its own: what follows from the key of a frozen window is as late as that.
+            if (auto *arm = m_rig.find<QCheckBox>("arm"); !arm->isChecked())
+                QTest::mouseClick(arm, Qt::LeftButton, {}, QPoint(8, arm->height() / 2));
             if (!QTest::qWaitFor([&] { return m_device.armed(); }, 1000))
                 continue;
             m_device.submit(drive::Command{drive::MotorAction::Start, 1});
