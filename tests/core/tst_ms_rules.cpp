@@ -117,6 +117,7 @@ private Q_SLOTS:
     void theOrderOfStopsIsTheDrives();
     void aListOfParametersTakesNothingFromOthers();
     void aMotorNobodyKnowsOfIsStoppedWhenItIsKnown();
+    void theTwoSecondsOfAStopGoOnInAGap();
     void framesOfTheOlderProtocolAreTakenApart();
     void framesOfTheBusAreTakenApart();
 };
@@ -388,6 +389,21 @@ void TestMsRules::aMotorNobodyKnowsOfIsStoppedWhenItIsKnown()
     b.run(400ms);
     const auto verdict = QString::fromStdString(b.judge.verdict());
     QVERIFY2(verdict.startsWith("stop in time: motor 2"), qPrintable(verdict));
+}
+
+void TestMsRules::theTwoSecondsOfAStopGoOnInAGap()
+{
+    Bench b;
+    b.drive(1);
+    b.act(Act::Kind::Stop);
+    b.request({kStop | 1});
+    b.run(100ms);
+    b.now += 2s; // no thread ran
+    b.run(10ms);
+    b.request({kStop | 1});
+    b.judge.said(judge::Word::NotConfirmed, 1, b.now);
+    b.request({kGet, 0x91});
+    QCOMPARE(b.judge.verdict(), std::string());
 }
 
 void TestMsRules::framesOfTheOlderProtocolAreTakenApart()

@@ -218,7 +218,7 @@ void MsRules::onStop(const Act &act)
         && std::any_of(m_stop->motors.begin(), m_stop->motors.end(),
             [](const auto &of) { return !of.second.rested; });
     if (!goesOn) {
-        m_stop = OpenStop{act.at, act.at, m_moment, {}};
+        m_stop = OpenStop{act.at, act.at, m_moment, act.at, {}};
         for (int motor = 1; motor <= m_line.motors; ++motor)
             m_stop->motors[motor];
     }

@@ -183,6 +183,7 @@ private:
     struct OpenStop {
         TimePoint first, latest;
         std::uint64_t moment = 0; ///< of the first
+        TimePoint pressed; ///< the first; the two above are put off by gaps in which no thread ran
         struct Of {
             std::optional<TimePoint> sent; ///< the last STOP
             std::optional<TimePoint> allowed; ///< since when it could be sent

@@ -108,9 +108,9 @@ public:
     std::string story() const
     {
         std::string text = std::string(m_kind.profile) + " over " + m_kind.word + ":";
-        const std::size_t from = m_story.size() > 60 ? m_story.size() - 60 : 0;
-        for (std::size_t i = from; i < m_story.size(); ++i)
-            text += "\n  " + m_story[i];
+        // The newest first: long messages are cut.
+        for (std::size_t i = m_story.size(); i > 0 && i + 60 > m_story.size(); --i)
+            text += "\n  " + m_story[i - 1];
         return text;
     }
     judge::MsRules::Counts counts() { return m_world.counts(); }

@@ -63,7 +63,7 @@ public:
     {
         QObject::connect(&m_device, &widgets::Device::stopAdvanced, &rig.window,
             [this](const drive::StopProgress &progress) {
-                m_rest = progress.word == drive::StopWord::DriveIdle;
+                m_rest = m_rest || progress.word == drive::StopWord::DriveIdle;
             });
         QObject::connect(
             &m_device, &widgets::Device::wishEnded, &rig.window, [this](const drive::Ended &ended) {
