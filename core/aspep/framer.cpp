@@ -1,7 +1,6 @@
 #include "aspep/framer.h"
 
 #include "base/crc.h"
-#include "base/prefetch.h"
 
 #include <algorithm>
 #include <utility>
@@ -87,7 +86,6 @@ bool Framer::takePayload(ByteView &bytes)
     m_payload.insert(
         m_payload.end(), bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(part));
     bytes = bytes.subspan(part);
-    prefetch(bytes.first(std::min(part, bytes.size()))); // comes while this packet is made sense of
     return m_payload.size() == m_payloadSize;
 }
 

@@ -1,7 +1,5 @@
 #include "base/crc.h"
 
-#include "base/crc_folding.h"
-
 #include <array>
 
 namespace {
@@ -21,39 +19,7 @@ constexpr std::array<std::uint16_t, 256> makeCrc16Table()
     return table;
 }
 
-/// Table k: the CRC of a byte with k zero bytes behind it. With 16 of them 16 bytes go in one step and without waiting
-/// for each other, some nine times as fast as byte after byte.
-constexpr std::size_t kSlices = 16;
-using Crc16Tables = std::array<std::array<std::uint16_t, 256>, kSlices>;
-
-constexpr Crc16Tables makeCrc16Tables()
-{
-    Crc16Tables tables{};
-    tables[0] = makeCrc16Table();
-    for (std::size_t k = 1; k < kSlices; ++k) {
-        for (std::size_t i = 0; i < 256; ++i) {
-            const unsigned before = tables[k - 1][i];
-            tables[k][i] = static_cast<std::uint16_t>((before << 8) ^ tables[0][before >> 8]);
-        }
-    }
-    return tables;
-}
-
-constexpr Crc16Tables kCrc16 = makeCrc16Tables();
-
-std::uint16_t crcByTable(ByteView bytes)
-{
-    unsigned crc = 0;
-    for (; bytes.size() >= kSlices; bytes = bytes.subspan(kSlices)) {
-        unsigned next = kCrc16[15][bytes[0] ^ (crc >> 8)] ^ kCrc16[14][bytes[1] ^ (crc & 0xFFU)];
-        for (std::size_t i = 2; i < kSlices; ++i)
-            next ^= kCrc16[kSlices - 1 - i][bytes[i]];
-        crc = next;
-    }
-    for (const std::uint8_t byte : bytes)
-        crc = ((crc << 8) ^ kCrc16[0][((crc >> 8) ^ byte) & 0xFFU]) & 0xFFFFU;
-    return static_cast<std::uint16_t>(crc);
-}
+constexpr auto kCrc16 = makeCrc16Table();
 
 } // namespace
 
@@ -67,7 +33,8 @@ std::uint8_t crc4(std::uint32_t bits28)
 
 std::uint16_t crc16Xmodem(ByteView bytes)
 {
-    if (bytes.size() >= kLeastFolding && widestFolding() != Folding::None)
-        return crcByTable(foldForCrc16(bytes, widestFolding()));
-    return crcByTable(bytes);
+    unsigned crc = 0;
+    for (const std::uint8_t byte : bytes)
+        crc = ((crc << 8) ^ kCrc16[((crc >> 8) ^ byte) & 0xFFU]) & 0xFFFFU;
+    return static_cast<std::uint16_t>(crc);
 }

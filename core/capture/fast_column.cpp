@@ -1,7 +1,5 @@
 #include "capture/fast_column.h"
 
-#include "base/prefetch.h"
-
 #include <cassert>
 #include <cstring>
 
@@ -191,10 +189,6 @@ void FastColumn::appendCodes(std::span<const std::int16_t> codes)
         m_end += count;
         m_segments.back().count += count;
         codes = codes.subspan(count);
-        // As many again are likely, and until then there is time to fetch where they go.
-        const std::size_t next = used + count;
-        prefetch(std::span<const std::int16_t>(
-            m_filledSamples + next, std::min(count, kChunkSamples - next)));
     }
 }
 

@@ -35,9 +35,8 @@ RangeSlice SampleMemory::takeRanges()
 std::shared_ptr<std::byte> SampleMemory::makeArena()
 {
     constexpr std::align_val_t kAlignment{kArenaBytes};
-    auto *memory = static_cast<std::byte *>(::operator new(kArenaBytes, kAlignment));
-    preferLargePages(memory, kArenaBytes);
-    return {memory, [](std::byte *arena) { ::operator delete(arena, kAlignment); }};
+    return {static_cast<std::byte *>(::operator new(kArenaBytes, kAlignment)),
+        [](std::byte *arena) { ::operator delete(arena, kAlignment); }};
 }
 
 } // namespace capture

@@ -1,6 +1,5 @@
 // Where the samples of fast columns and their finest extremes lie, in slices of fixed size. Slices are handed out from
-// arenas of two mebibytes, which the system is asked to back with one page each: handing out 512 small pages instead
-// costs as much time as decoding the samples that go into them. An arena holds slices of one size, and is given back
+// arenas of two mebibytes, so that no slice is rounded up to pages. An arena holds slices of one size, and is given back
 // when the last of them is.
 //
 // Used in one thread (whoever appends); slices may be let go in any. Others may put the arenas elsewhere, e.g. into a file.
@@ -50,8 +49,5 @@ private:
     Open m_samples;
     Open m_ranges;
 };
-
-/// Asks the system for large pages; where it has none, nothing happens.
-void preferLargePages(void *memory, std::size_t bytes);
 
 } // namespace capture

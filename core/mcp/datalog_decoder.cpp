@@ -1,7 +1,5 @@
 #include "mcp/datalog_decoder.h"
 
-#include "mcp/deinterleave.h"
-
 #include <algorithm>
 #include <cstring>
 
@@ -19,14 +17,10 @@ bool isUnsigned(const std::vector<bool> &list, std::size_t index)
 std::int32_t slowValue(RegisterId id, bool unsignedValue, ByteReader &reader)
 {
     switch (scalarWidth(id.type())) {
-    case 1: {
-        const std::uint8_t bits = reader.u8();
-        return unsignedValue ? bits : static_cast<std::int8_t>(bits);
-    }
-    case 2: {
-        const std::uint16_t bits = reader.u16();
-        return unsignedValue ? bits : static_cast<std::int16_t>(bits);
-    }
+    case 1:
+        return unsignedValue ? std::int32_t{reader.u8()} : reader.s8();
+    case 2:
+        return unsignedValue ? std::int32_t{reader.u16()} : reader.s16();
     case 4:
         return reader.s32();
     default:
@@ -41,6 +35,18 @@ void readGroup(capture::SlowGroup &group, const DatalogConfig &config, const Sig
     ByteReader reader(bytes);
     for (std::size_t i = 0; i < config.slow.size(); ++i)
         group.values[i] = slowValue(config.slow[i], isUnsigned(signedness.slowUnsigned, i), reader);
+}
+
+/// Samples as packets interleave them, block after block, to columns, signal after signal.
+/// @param to  the first sample of signal 0; that of signal s is at to + s * pitch
+void toColumns(
+    ByteView from, std::size_t signals, std::size_t blocks, std::int16_t *to, std::size_t pitch)
+{
+    for (std::size_t s = 0; s < signals; ++s) {
+        const std::uint8_t *in = from.data() + 2 * s;
+        for (std::size_t i = 0; i < blocks; ++i, in += 2 * signals)
+            to[s * pitch + i] = static_cast<std::int16_t>(in[0] | in[1] << 8);
+    }
 }
 
 std::uint32_t timestampOf(ByteView payload) { return ByteReader(payload).u32(); }
@@ -65,7 +71,7 @@ struct Walk {
         for (std::size_t done = 0; done < blocks;) {
             const std::size_t run = std::min(period, blocks - done);
             if (signals > 0)
-                deinterleave(payload.data() + at, signals, run, block.fast.data() + done, blocks);
+                toColumns(payload.subspan(at), signals, run, block.fast.data() + done, blocks);
             at += run * layout.fastBytes();
             done += run;
             if (groups && run == period)

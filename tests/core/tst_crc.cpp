@@ -1,6 +1,5 @@
 // The checksums against their definition, bit by bit.
 #include "base/crc.h"
-#include "base/crc_folding.h"
 
 #include <QtTest>
 
@@ -11,7 +10,6 @@ class TestCrc : public QObject {
 private Q_SLOTS:
     void crc16HasItsPublishedCheckValue();
     void crc16EqualsTheDefinitionAtEveryLength();
-    void everyFoldingKeepsTheCrc();
 };
 
 namespace {
@@ -43,19 +41,6 @@ void TestCrc::crc16EqualsTheDefinitionAtEveryLength()
     Bytes bytes;
     for (int length = 0; length < 600; ++length) {
         QCOMPARE(crc16Xmodem(bytes), bitByBit(bytes));
-        bytes.push_back(static_cast<std::uint8_t>(random()));
-    }
-}
-
-void TestCrc::everyFoldingKeepsTheCrc()
-{
-    std::mt19937 random(2);
-    Bytes bytes;
-    for (std::size_t length = 0; length < 600; ++length) {
-        if (length >= kLeastFolding) {
-            for (int how = 1; how <= static_cast<int>(widestFolding()); ++how)
-                QCOMPARE(bitByBit(foldForCrc16(bytes, static_cast<Folding>(how))), bitByBit(bytes));
-        }
         bytes.push_back(static_cast<std::uint8_t>(random()));
     }
 }
