@@ -5,14 +5,9 @@
 #include "capture/csv_export.h"
 #include "session/piece_file.h"
 
-#include <QObject>
 #include <QString>
 
-#include <atomic>
 #include <functional>
-#include <memory>
-
-class QThread;
 
 namespace session {
 
@@ -30,32 +25,5 @@ struct CsvResult {
 /// @param proceed  called with the progress 0..1 about every mebibyte; false cancels
 CsvResult writeCsvFile(const QString &path, capture::CsvWriter &writer,
     const std::function<bool(double)> &proceed = {});
-
-/// The same in a thread of its own, for the window. One export an object; make a new one for the next.
-class CsvExport : public QObject {
-    Q_OBJECT
-public:
-    CsvExport(QString path, capture::Snapshot channels, capture::CsvOptions options,
-        QObject *parent = nullptr);
-    ~CsvExport() override; ///< cancels and waits
-
-    void start();
-    void cancel(); ///< finished() follows, with Cancelled if it was not done before
-    bool running() const { return m_thread != nullptr && !m_over; }
-
-Q_SIGNALS:
-    void progressed(double fraction); ///< 0..1, at most every 50 ms
-    void finished(const session::CsvResult &result); ///< exactly once after start()
-
-private:
-    void runInThread();
-
-    QString m_path;
-    capture::Snapshot m_channels;
-    capture::CsvOptions m_options;
-    std::atomic<bool> m_cancelled{false};
-    std::unique_ptr<QThread> m_thread;
-    bool m_over = false;
-};
 
 } // namespace session

@@ -3,7 +3,6 @@
 
 #include <QDir>
 #include <QFile>
-#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -16,8 +15,6 @@ private Q_SLOTS:
     void aFolderThatIsNotThereIsOneError();
     void aFolderIsNotReplaced();
     void cancellingLeavesTheOldFile();
-    void theThreadFinishesOnceAndReportsProgress();
-    void destroyingARunningExportLeavesNothing();
 };
 
 namespace {
@@ -90,34 +87,6 @@ void TestCsvFile::cancellingLeavesTheOldFile()
     QCOMPARE(result.error, CsvError::Cancelled);
     QCOMPARE(contents(path), QByteArray("old"));
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
-}
-
-void TestCsvFile::theThreadFinishesOnceAndReportsProgress()
-{
-    QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("a.csv"));
-    CsvExport job(path, recording(100'000), {});
-    QList<CsvResult> results;
-    connect(&job, &CsvExport::finished, this, [&](const CsvResult &r) { results.append(r); });
-    job.start();
-    job.start(); // a second click changes nothing
-    QTRY_COMPARE(results.size(), 1);
-    QCOMPARE(results[0].error, CsvError::None);
-    QCOMPARE(results[0].rows, 100'000U);
-    QVERIFY(!job.running());
-    QCOMPARE(contents(path).count('\n'), 100'001);
-}
-
-void TestCsvFile::destroyingARunningExportLeavesNothing()
-{
-    QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("a.csv"));
-    {
-        CsvExport job(path, recording(3'000'000), {});
-        job.start();
-    }
-    QVERIFY(!QFile::exists(path));
-    QVERIFY(QDir(folder.path()).isEmpty(QDir::Files | QDir::Hidden));
 }
 
 QTEST_GUILESS_MAIN(TestCsvFile)
