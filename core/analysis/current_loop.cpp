@@ -55,8 +55,6 @@ double realBandwidth_radps(double kpDigits, const CurrentPlant &plant, const Pow
 
 double bandwidthLimit_radps(double controlRate_hz) { return 0.6 * controlRate_hz; }
 
-double firstOrderRise_s(double bandwidth_radps) { return std::log(9.0) / bandwidth_radps; }
-
 double currentPhaseMargin_deg(double realBandwidth_radps, double controlPeriod_s)
 {
     return 90.0 - 1.5 * controlPeriod_s * realBandwidth_radps * 180.0 / std::numbers::pi;

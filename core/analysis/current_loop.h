@@ -52,9 +52,6 @@ double realBandwidth_radps(double kpDigits, const CurrentPlant &plant, const Pow
 /// Bandwidth beyond which the delay of 1.5 control periods takes too much phase: 0.6 of the control rate, in rad/s.
 double bandwidthLimit_radps(double controlRate_hz);
 
-/// 10 to 90 % of a first-order loop without delay: 2.2 / w.
-double firstOrderRise_s(double bandwidth_radps);
-
 /// Phase margin [degrees] of a loop of that real bandwidth, the motor's pole cancelled: 90 less what 1.5 control periods take.
 double currentPhaseMargin_deg(double realBandwidth_radps, double controlPeriod_s);
 

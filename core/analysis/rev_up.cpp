@@ -149,35 +149,6 @@ RevUp usualRevUp(double nominalCurrent_a, double maxSpeed_rpm, double ampsPerDig
         fittedStage({}, kSpeedShare * maxSpeed_rpm, digits, 3000.0, bounds)});
 }
 
-std::vector<RevUpPoint> revUpCurve(const RevUp &stages, double ampsPerDigit)
-{
-    std::vector<RevUpPoint> curve{{}};
-    for (std::size_t i = 0; i < usedStages(stages); ++i) {
-        const RevUpPoint &before = curve.back();
-        const RevUpPoint end{before.time_s + stages[i].duration_ms * kSecondsPerMs,
-            static_cast<double>(stages[i].speed_rpm), stages[i].current_digits * ampsPerDigit};
-        if (!(end == before))
-            curve.push_back(end);
-    }
-    return curve;
-}
-
-RevUpPoint revUpAt(const std::vector<RevUpPoint> &curve, double time_s)
-{
-    if (curve.empty())
-        return {};
-    const auto after = std::upper_bound(curve.begin(), curve.end(), time_s,
-        [](double time, const RevUpPoint &point) { return time < point.time_s; });
-    if (after == curve.begin())
-        return curve.front();
-    const RevUpPoint &from = *std::prev(after);
-    if (after == curve.end())
-        return from;
-    const double share = (time_s - from.time_s) / (after->time_s - from.time_s);
-    return {time_s, from.speed_rpm + share * (after->speed_rpm - from.speed_rpm),
-        from.current_a + share * (after->current_a - from.current_a)};
-}
-
 double revUpDuration_s(const RevUp &stages)
 {
     double sum = 0.0;

@@ -65,19 +65,6 @@ RevUpStage fittedStage(const RevUpStage &old, double speed_rpm, double digits, d
 /// ST's start values: 2 s of half the nominal current at rest, then 3 s to 30 % of the highest speed.
 RevUp usualRevUp(double nominalCurrent_a, double maxSpeed_rpm, double ampsPerDigit);
 
-struct RevUpPoint {
-    double time_s = 0.0;
-    double speed_rpm = 0.0;
-    double current_a = 0.0;
-    bool operator==(const RevUpPoint &) const = default;
-};
-
-/// Corner points of the curve, from (0, 0, 0) on; straight lines between them. A stage without time that changes
-/// something is a second point at the same time. Stages without time at the end are left out.
-std::vector<RevUpPoint> revUpCurve(const RevUp &stages, double ampsPerDigit);
-/// The curve at a time; beyond its end its last values.
-RevUpPoint revUpAt(const std::vector<RevUpPoint> &curve, double time_s);
-
 double revUpDuration_s(const RevUp &stages);
 
 /// What turns and what holds it back. 0: not known, or none.

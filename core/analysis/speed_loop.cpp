@@ -107,19 +107,6 @@ private:
     double m_speed = 0.0;
 };
 
-double overshoot(double damping, bool filtered)
-{
-    const double end = 12.0 * damping * damping; // the peak comes before
-    NormalLoop loop({1.0 / damping, 1.0 / (damping * damping * damping)},
-        filtered ? 1.0 / (damping * damping) : 0.0);
-    double peak = 0.0;
-    for (double t = 0.0; t < end; t += kStep) {
-        loop.step(kStep);
-        peak = std::max(peak, loop.speed());
-    }
-    return std::max(0.0, peak - 1.0);
-}
-
 } // namespace
 
 double speedLoopLag_s(
@@ -146,8 +133,6 @@ PiGains speedGainsOf(const PiGains &digits, double digitsPerAmp, double speedPer
     const double factor = kRadpsPerDigit * digitsPerAmp;
     return {digits.kp / factor, digits.ki / (factor * speedPeriod_s)};
 }
-
-double speedCrossover_radps(double lag_s, double damping) { return 1.0 / (damping * lag_s); }
 
 LoopMargin speedMargin(const PiGains &gains, const SpeedPlant &plant, double lag_s)
 {
@@ -192,10 +177,17 @@ double phaseMargin_deg(double damping)
     return (std::atan(damping) - std::atan(1.0 / damping)) * 180.0 / std::numbers::pi;
 }
 
-double poleDamping(double damping) { return (damping - 1.0) / 2.0; }
-
-double stepOvershoot(double damping) { return overshoot(damping, false); }
-
-double filteredStepOvershoot(double damping) { return overshoot(damping, true); }
+double filteredStepOvershoot(double damping)
+{
+    const double end = 12.0 * damping * damping; // the peak comes before
+    NormalLoop loop(
+        {1.0 / damping, 1.0 / (damping * damping * damping)}, 1.0 / (damping * damping));
+    double peak = 0.0;
+    for (double t = 0.0; t < end; t += kStep) {
+        loop.step(kStep);
+        peak = std::max(peak, loop.speed());
+    }
+    return std::max(0.0, peak - 1.0);
+}
 
 } // namespace analysis

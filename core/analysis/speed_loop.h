@@ -28,7 +28,6 @@ PiGains speedDigits(const PiGains &gains, double digitsPerAmp, double speedPerio
 /// The other way round: A/(rad/s) and A/rad of gains in digits.
 PiGains speedGainsOf(const PiGains &digits, double digitsPerAmp, double speedPeriod_s);
 
-double speedCrossover_radps(double lag_s, double damping);
 /// Where the open loop with these gains has magnitude 1, and its phase margin there.
 struct LoopMargin {
     double crossover_radps = 0.0;
@@ -53,11 +52,9 @@ StepPrediction predictSpeedStep(const PiGains &gains, const SpeedPlant &plant,
     const SpeedPath &path, double duration_s, int samples);
 
 double phaseMargin_deg(double damping); ///< atan d - atan 1/d
-double poleDamping(double damping); ///< (d - 1) / 2
 
-/// Overshoot of a step of the reference, as a fraction.
-double stepOvershoot(double damping);
-/// The same behind a prefilter 1 / (1 + s d^2 tau), which a ramp of the set-point resembles.
+/// Overshoot, as a fraction, of a step of the reference behind a prefilter 1 / (1 + s d^2 tau), which a ramp of the
+/// set-point resembles.
 double filteredStepOvershoot(double damping);
 
 } // namespace analysis

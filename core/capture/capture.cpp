@@ -82,7 +82,6 @@ ChannelId Capture::add(ChannelInfo info)
     info.id = m_nextId++;
     m_entries.push_back(
         {std::make_unique<Channel>(std::move(info), m_config.memory), ++m_revision});
-    ++m_channelRevision;
     return m_entries.back().channel->info().id;
 }
 
@@ -294,7 +293,6 @@ void Capture::removeImported(ChannelId id)
         return;
     std::erase_if(m_entries, [id](const Entry &entry) { return entry.channel->info().id == id; });
     ++m_revision;
-    ++m_channelRevision;
 }
 
 void Capture::clear()
@@ -307,7 +305,6 @@ void Capture::clear()
     forgetDeposits();
     m_archiveMost = kNoLimit;
     ++m_revision;
-    ++m_channelRevision;
 }
 
 void Capture::adopt(Capture other)

@@ -113,10 +113,6 @@ public:
     Snapshot snapshot(std::span<const ChannelId> ids) const;
 
     std::uint64_t revision() const { return m_revision; } ///< grows with every change
-    std::uint64_t channelRevision() const
-    {
-        return m_channelRevision;
-    } ///< grows when channels() changes
     std::size_t bytes() const; ///< of the columns, in memory
     std::uint64_t archivedBytes() const; ///< of the columns, in the archive
     /// Bytes that may be kept in the archive: its budget, or less if it refused some; 0 without one.
@@ -182,7 +178,6 @@ private:
         m_slowTimes; ///< of the groups of the block being appended; kept, as memory is
     std::vector<double> m_slowValues; ///< of one signal at those times; kept, too
     std::uint64_t m_revision = 0;
-    std::uint64_t m_channelRevision = 0;
     std::uint64_t m_sinceCheck = 0;
     std::uint64_t m_released = 0;
     std::deque<Sent> m_sent; ///< in the order in which they will be settled

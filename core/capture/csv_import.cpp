@@ -371,10 +371,8 @@ bool CsvImport::takeRow(std::string_view line)
     }
     if (m_rows > 0 && time < m_last)
         return fail(CsvError::What::TimeRunsBack, m_timeColumn + 1, m_fields[m_timeColumn]);
-    if (m_rows > 0 && time == m_last) {
-        ++m_repeated;
+    if (m_rows > 0 && time == m_last)
         return true;
-    }
     Row &row = m_ahead[m_rows % m_ahead.size()];
     row.time = time;
     row.values.clear();

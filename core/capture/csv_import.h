@@ -51,10 +51,6 @@ public:
 
     const std::optional<CsvError> &error() const { return m_error; }
     std::uint64_t rows() const { return m_rows; }
-    std::uint64_t repeatedTimes() const
-    {
-        return m_repeated;
-    } ///< rows left out: same time as before
     const std::vector<ChannelId> &channels() const { return m_channels; } ///< in the file's order
 
 private:
@@ -92,7 +88,6 @@ private:
     std::uint64_t m_settled = 0; ///< rows in the capture
     std::uint64_t m_line = 0;
     std::uint64_t m_rows = 0;
-    std::uint64_t m_repeated = 0;
     std::optional<CsvError> m_error;
     std::string m_scratch;
 };

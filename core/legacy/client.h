@@ -95,7 +95,6 @@ public:
     /// Ahead of everything: at once on an idle line or none at all, else after the answer under way or kGrace. The
     /// request before ends with NoAnswer then. Its answer, if sure, comes as Answer; no NoAnswer follows.
     void sendUrgent(const Request &request, TimePoint now);
-    bool urgentWaits() const { return m_urgent.has_value(); }
 
     /// A motor may turn: see above.
     void setMotorDriven(bool driven) { m_motorDriven = driven; }
@@ -126,7 +125,6 @@ private:
     void ask(TimePoint now);
     void askFailed(TimePoint now);
     void giveUp(TimePoint now);
-    void becomeReady(TimePoint now);
     void leaveUrgent(TimePoint now);
     void answerTimeOver(TimePoint now);
     std::optional<TimePoint> suspectAt() const;

@@ -5,11 +5,6 @@
 namespace legacy {
 namespace {
 
-constexpr std::array<std::string_view, 19> kFrames = {"", "SET_REG", "GET_REG", "EXECUTE_CMD",
-    "STORE_TO_ADDR", "LOAD_FROM_ADDR", "GET_BOARD_INFO", "SET_RAMP", "GET_REVUP_DATA",
-    "SET_REVUP_DATA", "SET_CURRENT_REF", "GET_MP_INFO", "GET_FW_VERSION", "SET_TORQUE_RAMP",
-    "CONFIG_DYN_STRUCT", "", "", "", "SET_POSITION"};
-
 constexpr std::array<std::string_view, 15> kCommands = {"", "START_MOTOR", "STOP_MOTOR",
     "STOP_RAMP", "RESET", "PING", "START_STOP", "FAULT_ACK", "ENCODER_ALIGN", "IQDREF_CLEAR",
     "PFC_ENABLE", "PFC_DISABLE", "PFC_FAULT_ACK", "PROFILER_START", "PROFILER_STOP"};
@@ -25,8 +20,6 @@ std::string_view nameIn(const std::array<std::string_view, Count> &names, std::u
 }
 
 } // namespace
-
-std::string_view frameName(std::uint8_t code) { return nameIn(kFrames, code); }
 
 std::string_view commandName(std::uint8_t id) { return nameIn(kCommands, id); }
 

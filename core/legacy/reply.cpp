@@ -93,15 +93,6 @@ Bytes encodeNack(ErrorCode error)
     return encodeFrame(kNackHeader, ByteView(&code, 1));
 }
 
-Bytes encodeStartNotice(const StartNotice &notice)
-{
-    ByteWriter out;
-    out.u32(notice.buildId);
-    putVersion(notice.version, out);
-    out.u16(notice.controlBoard).u16(notice.powerBoard).u16(notice.powerBoard2);
-    return encodeFrame(kStartNoticeHeader, out.take());
-}
-
 Result<BoardInfo, ReplyError> decodeBoardInfo(ByteView data)
 {
     if (data.size() != kInfoSize)

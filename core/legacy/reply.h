@@ -43,7 +43,6 @@ Result<Reply, ReplyError> decodeReply(const Frame &frame);
 
 Bytes encodeAck(ByteView data = {});
 Bytes encodeNack(ErrorCode error);
-Bytes encodeStartNotice(const StartNotice &notice);
 
 /// GET_BOARD_INFO: the version as three ASCII digits (firmware) or as three integers (the text), then the SDK's name.
 struct BoardInfo {

@@ -15,11 +15,6 @@ std::string boundedText(ByteView field)
     return {field.begin(), end};
 }
 
-std::int16_t clipped(std::int32_t digits)
-{
-    return static_cast<std::int16_t>(std::clamp(digits, -32768, 32767));
-}
-
 } // namespace
 
 Result<GlobalConfig, CodecError> decodeGlobalConfig(ByteView raw)
@@ -269,11 +264,6 @@ Bytes encode(const SpeedRamp &ramp)
 Bytes encode(const TorqueRamp &ramp)
 {
     return ByteWriter().s32(ramp.digits).u16(ramp.milliseconds).take();
-}
-
-Bytes encodeAsRead(const TorqueRamp &ramp)
-{
-    return ByteWriter().s16(clipped(ramp.digits)).u16(ramp.milliseconds).take();
 }
 
 Bytes encode(const CurrentRef &reference)

@@ -129,7 +129,6 @@ Bytes encode(const FirmwareConfig &config);
 Bytes encode(const ScaleConfig &config);
 Bytes encode(const SpeedRamp &ramp);
 Bytes encode(const TorqueRamp &ramp); ///< 6 bytes, as it is written
-Bytes encodeAsRead(const TorqueRamp &ramp); ///< 4 bytes, as a board answers
 Bytes encode(const CurrentRef &reference);
 Bytes encode(const PositionRamp &ramp);
 Bytes encode(const RevUpData &stages); ///< at most 5 stages, the others are left out

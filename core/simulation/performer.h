@@ -37,7 +37,6 @@ public:
     std::size_t asyncMax() const { return m_asyncMax; }
     /// As printed, a BEACON begins everything anew, the services above too; says so once.
     bool takeServicesReset() { return std::exchange(m_servicesReset, false); }
-    bool payloadCrc() const { return m_own.dataCrc; }
 
     /// A packet of the board's own accord: header, payload and the trailer where one is agreed.
     Bytes framed(bool response, ByteView payload) const;

@@ -3,6 +3,7 @@
 #include "base/overloaded.h"
 #include "legacy/client.h"
 #include "simulation/legacy/legacy_board.h"
+#include "support/start_notice.h"
 
 #include <QtTest>
 
@@ -352,7 +353,7 @@ void TestLegacyClient::aRestartIsTold()
     Pair pair;
     QVERIFY(pair.connect());
     pair.events.clear();
-    pair.board.inject(legacy::encodeStartNotice({0xD1B, "5.4.3", 9, 10, 0}));
+    pair.board.inject(support::startNotice({0xD1B, "5.4.3", 9, 10, 0}));
     pair.runFor(5ms);
     QCOMPARE(pair.all<Client::Restarted>().size(), std::size_t{1});
 }

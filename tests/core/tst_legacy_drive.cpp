@@ -6,6 +6,7 @@
 #include "legacy/framer.h"
 #include "legacy/reply.h"
 #include "legacy/request.h"
+#include "support/start_notice.h"
 
 #include <QTest>
 
@@ -460,7 +461,7 @@ void TestLegacyDrive::aRestartedBoardIsMetAnewAndReadOnly()
     support::LegacyBench bench("legacy");
     QVERIFY(bench.drive->armed());
     bench.identified.reset();
-    bench.board->inject(legacy::encodeStartNotice({0xD1B, "5.4.3", 9, 10, 0}));
+    bench.board->inject(support::startNotice({0xD1B, "5.4.3", 9, 10, 0}));
     bench.runFor(20ms);
     QVERIFY(!bench.drive->armed());
     QVERIFY(bench.runUntilIdentified());

@@ -4,6 +4,7 @@
 #include "legacy/reply.h"
 #include "legacy/request.h"
 #include "support/legacy_vectors.h"
+#include "support/start_notice.h"
 
 #include <QtTest>
 
@@ -165,7 +166,7 @@ void checkReply(const LegacyVector &row, const Reply &reply)
         QCOMPARE(int(notice->controlBoard), member(row, "ctrbdid"));
         QCOMPARE(int(notice->powerBoard), member(row, "pwbdid"));
         QCOMPARE(int(notice->powerBoard2), member(row, "pwbdid2"));
-        QCOMPARE(encodeStartNotice(*notice), row.reply);
+        QCOMPARE(support::startNotice(*notice), row.reply);
     } else {
         QVERIFY2(!has(row, "error"), "a refusal was meant");
         QCOMPARE(encodeAck(std::get<Ack>(reply).data), row.reply);

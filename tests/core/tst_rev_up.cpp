@@ -16,8 +16,6 @@ private Q_SLOTS:
     void bytesAndStagesAreTheSameThing();
     void bytesOfAnotherLengthAreRefused();
     void missingStagesRepeatTheLastWithoutTime();
-    void theCurveGoesInStraightLines();
-    void aStageWithoutTimeIsAJump();
     void neededTorqueIsInertiaAndFriction();
     void aSoundStartHasNoFinding();
     void theFourClassicMistakesAreMarked();
@@ -88,29 +86,6 @@ void TestRevUp::missingStagesRepeatTheLastWithoutTime()
     QCOMPARE(usedStages(five), 2U);
     QVERIFY(completed({}) == RevUp(5));
     QCOMPARE(usedStages(completed({})), 0U);
-}
-
-void TestRevUp::theCurveGoesInStraightLines()
-{
-    const auto curve = revUpCurve(kSound, kAmps);
-    QCOMPARE(curve.size(), 3U);
-    QVERIFY((curve[0] == RevUpPoint{}));
-    QVERIFY((curve[2] == RevUpPoint{2.5, 1200.0, 1361 * kAmps}));
-    QVERIFY(near(revUpDuration_s(kSound), 2.5));
-    QVERIFY(near(revUpAt(curve, 0.5).current_a, 0.5 * 1361 * kAmps));
-    QVERIFY(near(revUpAt(curve, 1.75).speed_rpm, 600.0));
-    QVERIFY(near(revUpAt(curve, 99.0).speed_rpm, 1200.0));
-    QVERIFY(near(revUpAt(curve, -1.0).speed_rpm, 0.0));
-    QVERIFY(near(revUpAt({}, 1.0).speed_rpm, 0.0));
-}
-
-void TestRevUp::aStageWithoutTimeIsAJump()
-{
-    const auto curve = revUpCurve({{0, 1361, 0}, {600, 1361, 1000}}, kAmps);
-    QCOMPARE(curve.size(), 3U);
-    QCOMPARE(curve[1].time_s, 0.0);
-    QVERIFY(near(curve[1].current_a, 1361 * kAmps));
-    QVERIFY(near(revUpAt(curve, 0.0).current_a, 1361 * kAmps));
 }
 
 void TestRevUp::neededTorqueIsInertiaAndFriction()

@@ -98,8 +98,7 @@ void TestStructures::torqueRampsAreReadShorterThanWritten()
 {
     const TorqueRamp ramp{-1200, 500};
     roundTrip(ramp, 6, decodeTorqueRamp);
-    QCOMPARE(encodeAsRead(ramp), hex("50 FB F4 01"));
-    QVERIFY(*decodeTorqueRamp(encodeAsRead(ramp)) == ramp);
+    QVERIFY(*decodeTorqueRamp(hex("50 FB F4 01")) == ramp);
 }
 
 void TestStructures::everyStructureSurvivesTheRoundTrip()

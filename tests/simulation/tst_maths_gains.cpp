@@ -27,7 +27,6 @@ private slots:
     void theGeneratedProjectsObserverIsMet();
     void aBackEmfThatIsSmallForItsInductanceTakesASmallerF2();
     void aFractionTakesTheShiftThatFits();
-    void theFinestFractionLeavesRoomForTheError();
     void theSpeedLoopHasTheGainsOfTheSymmetricalOptimum();
     void thePllHasTheFrequencyAskedFor();
     void aCurrentStepRisesAsDesigned_data();
@@ -105,15 +104,6 @@ void TestMathsGains::aFractionTakesTheShiftThatFits()
     QCOMPARE(hopeless.shift, 0);
 }
 
-void TestMathsGains::theFinestFractionLeavesRoomForTheError()
-{
-    QCOMPARE(finestFractionOf(0.9, 65535).shift, 15);
-    QCOMPARE(finestFractionOf(4.51313, 65535).shift, 12);
-    const Fraction tight = finestFractionOf(0.9, 1000000); // 29491 * 10^6 is past 2^31
-    QCOMPARE(tight.shift, 11);
-    QVERIFY(std::int64_t{tight.numerator} * 1000000 < std::int64_t{1} << 31);
-}
-
 void TestMathsGains::theSpeedLoopHasTheGainsOfTheSymmetricalOptimum()
 {
     const SpeedLoop loop{.inertia_kgm2 = 5e-5,
@@ -151,7 +141,7 @@ void TestMathsGains::aCurrentStepRisesAsDesigned_data()
             << bandwidth << 24.0 / 65536.0 << bandwidth;
         QTest::addRow("%g rad/s, a digit as modulated", bandwidth)
             << bandwidth << 24.0 / (std::numbers::sqrt3 * 32768.0)
-            << bandwidthOnTheBridge_radps(bandwidth);
+            << bandwidth * 2.0 / std::numbers::sqrt3;
     }
 }
 

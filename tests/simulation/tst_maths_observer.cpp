@@ -131,6 +131,14 @@ ObserverPll::Parameters pllParameters()
         .pll = pllGains(960.0, 0.85, 27300.0, kHf)};
 }
 
+ObserverPll::Parameters startUpParameters(std::uint16_t minimum_dHz, int tests)
+{
+    ObserverPll::Parameters parameters = pllParameters();
+    parameters.speed.startUpMinimum_dHz = minimum_dHz;
+    parameters.speed.startUpTests = tests;
+    return parameters;
+}
+
 ObserverCordic::Parameters cordicParameters()
 {
     SpeedEstimateParameters speed = speedParameters();
@@ -153,6 +161,7 @@ private slots:
     void theCordicTracksARamp();
     void withoutATurningRotorNothingConverges();
     void aStartUpConvergesWhenTheForcedSpeedIsMatchedOftenEnough();
+    void aForcedSpeedBelowTheMinimumNeverConverges();
     void aForcedSpeedOutsideTheBandNeverConverges();
     void aStalledRotorIsNoticedByItsMissingBackEmf();
     void withTheToleranceThatShipsAQuietStallGoesUnnoticed();
@@ -184,7 +193,6 @@ void TestMathsObserver::thePllFindsTheAngleFromAnywhere()
     const double worst = bench.worstAngleError_degrees(0.1);
     QVERIFY2(worst < 2.0, QByteArray::number(worst).constData());
     QVERIFY(std::abs(bench.observer.speed_dHz() - bench.speed_dHz()) < 4.0);
-    QVERIFY(bench.observer.speed().varianceIsLow());
 }
 
 void TestMathsObserver::theCordicFindsTheAngleFromAnywhere_data()
@@ -262,13 +270,11 @@ void TestMathsObserver::withoutATurningRotorNothingConverges()
         bench.run(1e-3);
         QVERIFY(!bench.observer.converged(100));
     }
-    QVERIFY(!bench.observer.speed().hasConverged());
 }
 
 void TestMathsObserver::aStartUpConvergesWhenTheForcedSpeedIsMatchedOftenEnough()
 {
-    Bench<ObserverPll> bench(pllParameters());
-    bench.observer.speed().setStartUp(60, 3);
+    Bench<ObserverPll> bench(startUpParameters(60, 3));
     bench.motor.speed_radps = 0.2 * kMaxSpeed_radps;
     bench.run(0.2);
     QVERIFY(!bench.observer.converged(133));
@@ -278,15 +284,19 @@ void TestMathsObserver::aStartUpConvergesWhenTheForcedSpeedIsMatchedOftenEnough(
     QVERIFY(!bench.observer.converged(133));
     QVERIFY(!bench.observer.converged(133));
     QVERIFY(bench.observer.converged(133));
-    QVERIFY(bench.observer.speed().hasConverged());
-    bench.observer.speed().setStartUp(200, 1); // a minimum above it
+}
+
+void TestMathsObserver::aForcedSpeedBelowTheMinimumNeverConverges()
+{
+    Bench<ObserverPll> bench(startUpParameters(200, 1));
+    bench.motor.speed_radps = 0.2 * kMaxSpeed_radps;
+    bench.run(0.2);
     QVERIFY(!bench.observer.converged(133));
 }
 
 void TestMathsObserver::aForcedSpeedOutsideTheBandNeverConverges()
 {
-    Bench<ObserverPll> bench(pllParameters());
-    bench.observer.speed().setStartUp(60, 1);
+    Bench<ObserverPll> bench(startUpParameters(60, 1));
     bench.motor.speed_radps = 0.5 * kMaxSpeed_radps;
     bench.run(0.2);
     const std::int16_t is = bench.observer.speed_dHz(); // about 333
@@ -404,18 +414,19 @@ void TestMathsObserver::averagesAreCutTowardsZero()
     QCOMPARE(mechanicalSpeed_dHz(100, 16000, 4), std::int16_t{61}); // 244.14 / 4 -> 244 / 4
     QCOMPARE(mechanicalSpeed_dHz(-100, 16000, 4), std::int16_t{-61});
     QCOMPARE(mechanicalSpeed_dHz(32767, 50000, 1), std::int16_t{32767});
-    SpeedEstimate estimate({.polePairs = 1, .depth = 4, .depthDpp = 2});
+    SpeedEstimate estimate({.polePairs = 1, .depth = 4, .depthDpp = 2, .errorsBeforeFault = 1});
+    estimate.forceConvergence();
     const auto store = [&](std::initializer_list<std::int16_t> speeds) {
         for (const std::int16_t dpp : speeds)
             estimate.store(dpp);
-        estimate.average({});
+        estimate.average({.alpha = 32767, .beta = 0}); // enough for any speed
     };
     store({10, 20, 30, 45});
     QCOMPARE(estimate.speed_dpp(), std::int16_t{37}); // of the last two
     QCOMPARE(estimate.speed_dHz(), mechanicalSpeed_dHz(26, 16000, 1));
-    QVERIFY(estimate.varianceIsLow()); // 167 is less than a quarter of 26 * 26
+    QVERIFY(estimate.reliable()); // 167 is less than a quarter of 26 * 26
     store({10, 20, 30, 46});
-    QVERIFY(!estimate.varianceIsLow()); // 177 is not
+    QVERIFY(!estimate.reliable()); // 177 is not
 }
 
 QTEST_APPLESS_MAIN(TestMathsObserver)

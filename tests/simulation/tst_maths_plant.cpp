@@ -174,7 +174,7 @@ void TestMathsPlant::theObserverHoldsEveryMotorAtHalfSpeed()
         });
     }
     QVERIFY2(worst < 3.0, QByteArray::number(worst).constData());
-    QVERIFY(drive.observer.speed().varianceIsLow());
+    QVERIFY(drive.observer.speed().reliable());
     const double speed_dHz = drive.plant.speed_radps() / kTurn * 10.0;
     QVERIFY(std::abs(speed_dHz * 12.0 / parameters.motor.maxSpeed_rpm - 1.0) < 0.02);
     QVERIFY(std::abs(drive.observer.speed_dHz() - speed_dHz) < 6.0);

@@ -13,6 +13,7 @@
 #include "mcp/request.h"
 #include "simulation/legacy/legacy_server.h"
 #include "simulation/simulated_board.h"
+#include "support/start_notice.h"
 
 #include <array>
 #include <map>
@@ -246,7 +247,7 @@ public:
     {
         drives = {};
         powerOn();
-        return legacy::encodeStartNotice({1, "5.4.3", 1, 1, 1});
+        return startNotice({1, "5.4.3", 1, 1, 1});
     }
 
 private:

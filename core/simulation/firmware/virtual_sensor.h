@@ -25,7 +25,6 @@ public:
     std::int16_t angle() const { return m_angle; }
     std::int16_t perPeriod() const { return static_cast<std::int16_t>(m_speed >> 16); }
     std::int16_t speed_dHz() const;
-    bool inTransition() const { return m_steps > 0; }
     bool transitionEnded() const { return m_steps > 0 && m_left == 0; }
 
 private:

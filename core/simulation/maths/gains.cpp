@@ -46,27 +46,11 @@ Fraction fractionOf(double gain, int shift)
     return {static_cast<std::int16_t>(numerator), bits};
 }
 
-Fraction finestFractionOf(double gain, std::int32_t maxError)
-{
-    Fraction fraction = fractionOf(gain, kMaxShift);
-    const auto overflows = [&] {
-        return std::abs(std::int64_t{fraction.numerator} * maxError) >= std::int64_t{1} << 31;
-    };
-    while (fraction.shift > 0 && overflows())
-        fraction = fractionOf(gain, fraction.shift - 1);
-    return fraction;
-}
-
 Pi::Gains currentGains(
     double ls_h, double rs_ohm, double bandwidth_radps, const CurrentSensing &sensing, double hfHz)
 {
     const double perLoop = bandwidth_radps / sensing.loopGain();
     return gainsOf(ls_h * perLoop, kCurrentKpShift, rs_ohm * perLoop / hfHz, kCurrentKiShift);
-}
-
-double bandwidthOnTheBridge_radps(double bandwidth_radps)
-{
-    return bandwidth_radps * 2.0 / std::numbers::sqrt3;
 }
 
 Pi::Gains speedGains(const SpeedLoop &loop, const CurrentSensing &sensing)

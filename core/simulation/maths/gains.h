@@ -30,18 +30,13 @@ struct Fraction {
 /// `gain` to nearest with 2^shift below the line, or with the largest smaller power with which the numerator fits 16
 /// bits; gains past 32767 are cut. shift: 0..15.
 Fraction fractionOf(double gain, int shift);
-/// The finest: the largest power of two with |numerator| <= 32767 and |numerator * maxError| < 2^31, at most 2^15.
-Fraction finestFractionOf(double gain, std::int32_t maxError);
 
 /// Pole-zero cancellation for a closed loop of first order with `bandwidth_radps`: ls * wc / AB, rs * wc / (hf AB), with
 /// 2^10 and 2^14 below the line where they fit. `ls_h`: Lq for the q axis, Ld for the d axis.
 /// ST's rule takes bus / 2^16 for a digit of voltage, but the modulation makes bus / (sqrt(3) 2^15) of it: on a board
-/// the loop is faster than asked, see bandwidthOnTheBridge_radps.
+/// the loop is faster than asked: by 2 / sqrt(3), 15 %.
 Pi::Gains currentGains(
     double ls_h, double rs_ohm, double bandwidth_radps, const CurrentSensing &sensing, double hfHz);
-
-/// What a loop designed for `bandwidth_radps` with ST's rule has behind modulate(): 2 / sqrt(3), 15 %, more.
-double bandwidthOnTheBridge_radps(double bandwidth_radps);
 
 struct SpeedLoop {
     double inertia_kgm2 = 0.0; ///< of rotor and load

@@ -34,11 +34,7 @@ public:
     int kpShift() const { return m_gains.kpShift; }
     int kiShift() const { return m_gains.kiShift; }
     std::int32_t integral() const { return m_integral; }
-    Limits integralLimits() const { return m_integralLimits; }
-    Limits outputLimits() const { return m_outputLimits; }
 
-    void setKp(std::int16_t kp) { m_gains.kp = kp; }
-    void setKi(std::int16_t ki) { m_gains.ki = ki; }
     void setKpShift(int shift);
     /// Also sets the limits of the integral to -32767 and 32767 times 2^shift (cut to 32 bits), whatever they were:
     /// so does the firmware when KI_DIV is written.

@@ -34,7 +34,6 @@ public:
     std::int16_t angle() const { return m_angle; }
     std::int16_t speed_dHz() const { return m_speed.speed_dHz(); }
     std::int16_t speed_dpp() const { return m_speed.speed_dpp(); } ///< averaged
-    std::int16_t instantSpeed_dpp() const { return m_instant_dpp; }
     bool reliable() const { return m_speed.reliable(); }
     AlphaBeta estimatedCurrent() const { return m_observer.current(); }
     AlphaBeta estimatedBemf() const { return m_observer.bemf(); }
@@ -78,7 +77,6 @@ public:
     std::int16_t angle() const { return m_angle; }
     std::int16_t speed_dHz() const { return m_speed.speed_dHz(); }
     std::int16_t speed_dpp() const { return m_speed.speed_dpp(); } ///< averaged
-    std::int16_t instantSpeed_dpp() const { return m_instant_dpp; }
     bool reliable() const { return m_speed.reliable(); }
     AlphaBeta estimatedCurrent() const { return m_observer.current(); }
     AlphaBeta estimatedBemf() const { return m_observer.bemf(); }

@@ -95,12 +95,6 @@ void SpeedEstimate::forceConvergence()
     m_range.clear();
 }
 
-void SpeedEstimate::setStartUp(std::uint16_t minimum_dHz, int tests)
-{
-    m_parameters.startUpMinimum_dHz = minimum_dHz;
-    m_parameters.startUpTests = tests;
-}
-
 void SpeedEstimate::clear() { *this = SpeedEstimate(m_parameters); }
 
 } // namespace simulation

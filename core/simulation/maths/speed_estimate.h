@@ -49,17 +49,9 @@ public:
     std::int16_t speed_dHz() const { return m_speed_dHz; } ///< averaged, mechanical
     std::int16_t speed_dpp() const { return m_speed_dpp; } ///< averaged, electrical
     bool reliable() const { return m_range.reliable(); }
-    bool hasConverged() const { return m_converged; }
-    bool varianceIsLow() const { return m_varianceIsLow; }
     std::int32_t observedBemf() const { return m_observedBemf; } ///< squared digits
     std::int32_t expectedBemf() const { return m_expectedBemf; }
 
-    /// 128: 100 %. In force at the next average.
-    void setVarianceThreshold(std::uint16_t threshold)
-    {
-        m_parameters.varianceThreshold = threshold;
-    }
-    void setStartUp(std::uint16_t minimum_dHz, int tests);
     const SpeedEstimateParameters &parameters() const { return m_parameters; }
 
 private:

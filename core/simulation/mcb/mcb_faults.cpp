@@ -59,7 +59,6 @@ bool McbSpoiler::strikes(McbFault fault)
     const std::uint32_t every = m_every[static_cast<std::size_t>(fault)];
     if (every == 0 || random() % every != 0)
         return false;
-    ++m_struck;
     return true;
 }
 

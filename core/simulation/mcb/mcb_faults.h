@@ -58,7 +58,6 @@ public:
     void spoilInput(Bytes &input);
     /// @param whole  it is a frame, and not one that was cut or filled up
     Bytes spoilOutput(Bytes output, bool whole = true);
-    std::uint64_t struck() const { return m_struck; }
 
 private:
     bool strikes(McbFault fault);
@@ -67,7 +66,7 @@ private:
 
     std::array<std::uint32_t, kMcbFaults> m_every{};
     bool m_none = true;
-    std::uint64_t m_state = 0, m_struck = 0;
+    std::uint64_t m_state = 0;
     int m_dead = 0;
     std::uint8_t m_deadLevel = 0;
     bool m_crcErrorDue = false;

@@ -73,7 +73,6 @@ public:
     Phases phases_a() const { return m_phases; }
     double torque_nm() const { return m_windings.torque_nm(); } ///< of the air gap, without cogging
     double winding_c() const { return m_winding.temperature_c(); }
-    double trueHeatsink_c() const { return m_heatsink.temperature_c(); }
     double trueBus_v() const { return m_bus.voltage_v(); }
     bool atRest() const { return m_rotor.speed_radps() == 0.0 && !m_windings.carriesCurrent(); }
     Energies energies() const;
