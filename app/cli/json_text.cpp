@@ -5,6 +5,7 @@
 #include <QLocale>
 
 #include <cmath>
+#include <utility>
 
 namespace cli {
 
@@ -18,22 +19,36 @@ QByteArray quoted(const QString &text)
 
 void JsonText::separate()
 {
-    if (!m_first)
+    if (std::exchange(m_keyed, false))
+        return;
+    if (!m_empty)
         m_text += ',';
-    m_first = false;
+    if (m_depth > 0)
+        newLine();
+    m_empty = false;
+}
+
+void JsonText::newLine()
+{
+    if (m_layout == Layout::Indented)
+        m_text += '\n' + QByteArray(qsizetype{2} * m_depth, ' ');
 }
 
 void JsonText::open(char bracket)
 {
     separate();
     m_text += bracket;
-    m_first = true;
+    ++m_depth;
+    m_empty = true;
 }
 
 void JsonText::close(char bracket)
 {
+    --m_depth;
+    if (!m_empty)
+        newLine();
     m_text += bracket;
-    m_first = false;
+    m_empty = false;
 }
 
 void JsonText::put(const QByteArray &token)
@@ -44,13 +59,25 @@ void JsonText::put(const QByteArray &token)
 
 void JsonText::key(const QString &name)
 {
-    put(quoted(name) + ':');
-    m_first = true;
+    put(quoted(name) + (m_layout == Layout::Indented ? ": " : ":"));
+    m_keyed = true;
+}
+
+void JsonText::key(std::string_view name)
+{
+    key(QString::fromUtf8(name.data(), qsizetype(name.size())));
 }
 
 void JsonText::value(const QString &text) { put(quoted(text)); }
 
+void JsonText::value(std::string_view text)
+{
+    put(quoted(QString::fromUtf8(text.data(), qsizetype(text.size()))));
+}
+
 void JsonText::value(qint64 number) { put(QByteArray::number(number)); }
+
+void JsonText::value(std::uint64_t number) { put(QByteArray::number(quint64{number})); }
 
 void JsonText::value(double number)
 {

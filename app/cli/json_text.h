@@ -5,10 +5,18 @@
 #include <QByteArray>
 #include <QString>
 
+#include <string_view>
+
 namespace cli {
 
 class JsonText {
 public:
+    enum class Layout : bool { OneLine, Indented };
+    explicit JsonText(Layout layout = Layout::OneLine)
+        : m_layout(layout)
+    {
+    }
+
     void beginObject() { open('{'); }
     void endObject() { close('}'); }
     void beginArray() { open('['); }
@@ -16,29 +24,47 @@ public:
 
     void key(const QString &name);
     void value(const QString &text);
-    void value(const char *text) { value(QString::fromUtf8(text)); }
+    void value(std::string_view text);
+    void value(const char *text) { value(std::string_view(text)); }
+    void value(int number) { value(qint64{number}); }
     void value(qint64 number);
+    void value(std::uint64_t number);
     void value(double number); ///< null if it is not finite: JSON has no word for that
     void value(bool truth);
 
     /// key() and value().
     template <class T>
-    void member(const char *name, const T &content)
+    void member(std::string_view name, const T &content)
     {
-        key(QString::fromLatin1(name));
+        key(name);
         value(content);
+    }
+    void beginObject(std::string_view name)
+    {
+        key(name);
+        beginObject();
+    }
+    void beginArray(std::string_view name)
+    {
+        key(name);
+        beginArray();
     }
 
     const QByteArray &text() const { return m_text; }
 
 private:
+    void key(std::string_view name);
     void separate();
+    void newLine();
     void open(char bracket);
     void close(char bracket);
     void put(const QByteArray &token);
 
+    Layout m_layout;
     QByteArray m_text;
-    bool m_first = true; ///< nothing in the innermost bracket yet, or a key was written last
+    int m_depth = 0; ///< open brackets
+    bool m_empty = true; ///< nothing in the innermost bracket yet
+    bool m_keyed = false; ///< a key was written last
 };
 
 } // namespace cli

@@ -1,7 +1,7 @@
 // The object, key by key in the order a reader wants.
 #include "describe.h"
 
-#include "json_text.h"
+#include "../cli/json_text.h"
 #include "simulation/plant/parameter_table.h"
 #include "simulation/profile.h"
 
@@ -17,56 +17,7 @@ using simulation::Build;
 using simulation::ParameterInfo;
 using simulation::PlantParameters;
 
-/// Objects, arrays and values, indented.
-class JsonWriter {
-public:
-    void open(std::string_view key, char bracket = '{')
-    {
-        begin(key);
-        m_text += bracket;
-        m_closing += bracket == '{' ? '}' : ']';
-        m_first = true;
-    }
-    void close()
-    {
-        const char bracket = m_closing.back();
-        m_closing.pop_back();
-        if (!m_first)
-            newLine();
-        m_text += bracket;
-        m_first = false;
-    }
-    void put(std::string_view key, double value) { plain(key, jsonNumber(value)); }
-    void put(std::string_view key, int value) { plain(key, std::to_string(value)); }
-    void put(std::string_view key, std::uint64_t value) { plain(key, std::to_string(value)); }
-    void put(std::string_view key, bool value) { plain(key, value ? "true" : "false"); }
-    void put(std::string_view key, std::string_view value) { plain(key, jsonText(value)); }
-    // A text literal would rather be a bool.
-    void put(std::string_view key, const char *value) { put(key, std::string_view(value)); }
-
-    std::string take() { return std::move(m_text) + '\n'; }
-
-private:
-    void plain(std::string_view key, std::string_view value)
-    {
-        begin(key);
-        m_text += value;
-    }
-    void begin(std::string_view key)
-    {
-        if (!m_first)
-            m_text += ',';
-        if (!m_closing.empty())
-            newLine();
-        m_first = false;
-        if (!key.empty())
-            m_text += jsonText(key) + ": ";
-    }
-    void newLine() { m_text += '\n' + std::string(2 * m_closing.size(), ' '); }
-
-    std::string m_text, m_closing;
-    bool m_first = true;
-};
+using cli::JsonText;
 
 std::string_view familyName(simulation::Family family)
 {
@@ -94,93 +45,93 @@ std::string versionText(std::uint32_t version)
         + std::to_string(version >> 8 & 0xFFU);
 }
 
-void putFirmware(JsonWriter &json, const simulation::Traits &traits, const Build &build)
+void putFirmware(JsonText &json, const simulation::Traits &traits, const Build &build)
 {
-    json.open("firmware");
-    json.put("name", traits.firmwareName);
-    json.put("sdkVersion", versionText(traits.sdkVersion));
-    json.put("family", familyName(build.family));
-    json.put("mainSensor", sensorName(build.mainSensor));
-    json.put("auxiliarySensor", sensorName(build.auxiliarySensor));
-    json.put("motors", build.motors);
-    json.open("builtIn");
+    json.beginObject("firmware");
+    json.member("name", traits.firmwareName);
+    json.member("sdkVersion", versionText(traits.sdkVersion));
+    json.member("family", familyName(build.family));
+    json.member("mainSensor", sensorName(build.mainSensor));
+    json.member("auxiliarySensor", sensorName(build.auxiliarySensor));
+    json.member("motors", build.motors);
+    json.beginObject("builtIn");
     for (const simulation::BuildOption &option : simulation::buildOptions())
-        json.put(option.name, build.*option.member);
-    json.close();
-    json.open("quirks");
-    json.put("decodesHeadersInInterrupt", traits.decodesInInterrupt);
-    json.put("cutsPingNumber", traits.truncatesPingNumber);
-    json.put("ignoresMotorBits", traits.ignoresMotorBits);
-    json.put("invertsStartStop", traits.invertsStartStop);
-    json.put("hasSoftReset", traits.hasSoftReset);
-    json.put("hasScaleConfig", traits.hasScaleConfig);
-    json.put("nominalCurrentInDigits", traits.nominalCurrentInDigits);
-    json.put("swapsPositionRamp", traits.swapsPositionRamp);
-    json.put("flushesDatalogOnFault", traits.flushesOnFault);
-    json.put("scalesReadSpeeds", traits.scalesReadSpeeds);
-    json.put("asPrinted", traits.asPrinted);
-    json.close();
-    json.close();
+        json.member(option.name, build.*option.member);
+    json.endObject();
+    json.beginObject("quirks");
+    json.member("decodesHeadersInInterrupt", traits.decodesInInterrupt);
+    json.member("cutsPingNumber", traits.truncatesPingNumber);
+    json.member("ignoresMotorBits", traits.ignoresMotorBits);
+    json.member("invertsStartStop", traits.invertsStartStop);
+    json.member("hasSoftReset", traits.hasSoftReset);
+    json.member("hasScaleConfig", traits.hasScaleConfig);
+    json.member("nominalCurrentInDigits", traits.nominalCurrentInDigits);
+    json.member("swapsPositionRamp", traits.swapsPositionRamp);
+    json.member("flushesDatalogOnFault", traits.flushesOnFault);
+    json.member("scalesReadSpeeds", traits.scalesReadSpeeds);
+    json.member("asPrinted", traits.asPrinted);
+    json.endObject();
+    json.endObject();
 }
 
-void putLink(JsonWriter &json, const BoardOptions &options)
+void putLink(JsonText &json, const BoardOptions &options)
 {
-    json.open("link");
-    json.put("baud", std::uint64_t{options.baud});
-    json.put("request_bytes", std::uint64_t{options.rxMax});
-    json.put("response_bytes", std::uint64_t{options.txSyncMax});
-    json.put("datalog_bytes", std::uint64_t{options.txAsyncMax});
-    json.put("datalogSignals", options.streams);
-    json.put("firstTimestamp", std::uint64_t{options.firstTimestamp});
-    json.put("dataCrc", options.dataCrc);
-    json.put("protocolVersion", options.version);
-    json.put("linkId", options.linkId);
-    json.put("nullCheck", options.nullCheck);
-    json.put("wideDatalog", options.wide);
-    json.put("userCommands", options.userCallbacks);
-    json.put("watchdog_ms", options.watchdogMs);
-    json.close();
+    json.beginObject("link");
+    json.member("baud", std::uint64_t{options.baud});
+    json.member("request_bytes", std::uint64_t{options.rxMax});
+    json.member("response_bytes", std::uint64_t{options.txSyncMax});
+    json.member("datalog_bytes", std::uint64_t{options.txAsyncMax});
+    json.member("datalogSignals", options.streams);
+    json.member("firstTimestamp", std::uint64_t{options.firstTimestamp});
+    json.member("dataCrc", options.dataCrc);
+    json.member("protocolVersion", options.version);
+    json.member("linkId", options.linkId);
+    json.member("nullCheck", options.nullCheck);
+    json.member("wideDatalog", options.wide);
+    json.member("userCommands", options.userCallbacks);
+    json.member("watchdog_ms", options.watchdogMs);
+    json.endObject();
 }
 
-void putMachine(JsonWriter &json, PlantParameters machine)
+void putMachine(JsonText &json, PlantParameters machine)
 {
     std::string_view section;
-    json.open("machine");
+    json.beginObject("machine");
     for (const ParameterInfo &info : simulation::parameterTable()) {
         if (info.section != section) {
             if (!section.empty())
-                json.close();
-            json.open(info.section);
+                json.endObject();
+            json.beginObject(info.section);
             section = info.section;
         }
-        std::visit([&](const auto *value) { json.put(info.name, *value); }, info.slot(machine));
+        std::visit([&](const auto *value) { json.member(info.name, *value); }, info.slot(machine));
     }
-    json.close();
-    json.close();
+    json.endObject();
+    json.endObject();
 }
 
 /// What a digit of the registers stands for; the formulas are those of SCALE_CONFIG.
-void putScales(JsonWriter &json, const PlantParameters &machine)
+void putScales(JsonText &json, const PlantParameters &machine)
 {
     constexpr double kFullScale = 32768.0, kMostVoltage = 32767.0;
-    json.open("scales");
-    json.put("current_a", machine.inverter.maxReadable_a() / kFullScale);
-    json.put("voltage_v", machine.inverter.supply_v / (std::sqrt(3.0) * kMostVoltage));
-    json.put("speed_rpm", 6.0);
-    json.close();
+    json.beginObject("scales");
+    json.member("current_a", machine.inverter.maxReadable_a() / kFullScale);
+    json.member("voltage_v", machine.inverter.supply_v / (std::sqrt(3.0) * kMostVoltage));
+    json.member("speed_rpm", 6.0);
+    json.endObject();
 }
 
-void putLies(JsonWriter &json, const BoardOptions &options)
+void putLies(JsonText &json, const BoardOptions &options)
 {
-    json.open("lies", '[');
+    json.beginArray("lies");
     for (const simulation::LieChoice &choice : options.lies) {
         const simulation::LieInfo &info = simulation::lies()[static_cast<std::size_t>(choice.lie)];
-        json.open({});
-        json.put("name", info.name);
-        json.put("oneIn", std::uint64_t{choice.oneIn > 0 ? choice.oneIn : info.oneIn});
-        json.close();
+        json.beginObject();
+        json.member("name", info.name);
+        json.member("oneIn", std::uint64_t{choice.oneIn > 0 ? choice.oneIn : info.oneIn});
+        json.endObject();
     }
-    json.close();
+    json.endArray();
 }
 
 } // namespace
@@ -191,18 +142,18 @@ std::string describe(const BoardOptions &options)
     const auto machine = simulation::plantOf(options);
     if (traits == nullptr || !machine)
         return "{}\n";
-    JsonWriter json;
-    json.open({});
-    json.put("profile", options.profile);
+    JsonText json(JsonText::Layout::Indented);
+    json.beginObject();
+    json.member("profile", options.profile);
     putFirmware(json, *traits, simulation::buildOf(options));
-    json.put("control_hz", options.hfHz);
-    json.put("seed", options.seed);
+    json.member("control_hz", options.hfHz);
+    json.member("seed", options.seed);
     putLink(json, options);
     putLies(json, options);
     putScales(json, *machine);
     putMachine(json, *machine);
-    json.close();
-    return json.take();
+    json.endObject();
+    return json.text().toStdString() + '\n';
 }
 
 } // namespace sim
