@@ -1,18 +1,19 @@
-// The command line, taken apart. It knows which options each command has, not what they mean to a board.
+// The command line, taken apart. What a command has of its own is read by the command.
 #pragma once
 
 #include "drive/protocol.h"
 #include "drive/wish.h"
 #include "failure.h"
-#include "recording_arguments.h"
-#include "tuning_arguments.h"
 
 #include <QStringList>
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace cli {
+
+struct Command;
 
 struct RampArguments {
     int rpm = 0;
@@ -33,6 +34,33 @@ struct CaptureArguments {
     std::optional<RampArguments> ramp;
 };
 
+/// Of the commands that compare, restore and compute tuning.
+struct TuningArguments {
+    QString file; ///< -o of snapshot, header and motor
+    QStringList only; ///< groups and registers; empty: all
+    bool all = false; ///< diff: measured registers too
+    bool force = false; ///< restore: on other hardware, too
+    bool device = false; ///< diff: one side is the board
+    bool set = false; ///< revup: the words are to be written
+    bool apply = false; ///< gains: write them
+    double bandwidth_radps = 0.0; ///< gains
+    double damping = 0.0; ///< gains: of the speed loop; 0: leave it alone
+    double inertia_kgm2 = 0.0; ///< gains; 0: the board has to say
+    double ke_vrmsPerKrpm = 0.0; ///< gains; 0: the board has to say
+    std::optional<double> speedDelay_s; ///< gains; empty: what the board's sensor usually has
+    double amps = 0.0; ///< torque
+    int milliseconds = 0; ///< torque
+};
+
+/// Of show and export.
+struct RecordingArguments {
+    QString file; ///< export: what to write; its ending says the format
+    QStringList only; ///< names of signals; empty: all
+    std::optional<double> from, to; ///< seconds of the session
+    bool continental = false; ///< CSV for spreadsheets with a decimal comma
+    bool events = false; ///< show: line by line
+};
+
 struct Arguments {
     QString port;
     std::uint32_t baud = 1843200;
@@ -41,13 +69,12 @@ struct Arguments {
     bool json = false;
     bool raw = false;
     int motor = 1;
-    QString command;
+    const Command *command = nullptr; ///< nullptr only beside `text`
     QStringList words; ///< the command's own, without options
     RampArguments ramp; ///< of the command `ramp`
     CaptureArguments capture;
     RecordingArguments recording; ///< of show and export
     drive::UserLimits limits; ///< --max-rpm and --max-amps
-    bool canMove = false; ///< the command can move a motor, or write what moves it
     bool cyclicSetPoints = false; ///< of ramp and capture: with every exchange
     double fullScaleCurrent_a = 0.0; ///< --full-scale-current; 0: not given
     bool expert = false; ///< move motors whose board does not tell its limits
@@ -56,6 +83,10 @@ struct Arguments {
 };
 
 /// @param line  with the program's name in front
-Outcome<Arguments> parseArguments(const QStringList &line);
+/// @param commands  all that there are, in the order of the help
+Outcome<Arguments> parseArguments(
+    const QStringList &line, std::span<const Command *const> commands);
+
+Outcome<RampArguments> rampOf(const QString &rpm, const QString &milliseconds);
 
 } // namespace cli

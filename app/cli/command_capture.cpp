@@ -474,8 +474,80 @@ Outcome<int> CaptureRun::verdict() const
     return kDone;
 }
 
+Outcome<int> runCapture(Desk &desk) { return CaptureRun(desk).run(); }
+
+constexpr OptionText kOptions[] = {
+    kCyclicOption,
+    {"hf", "A,B", "Signals at the rate of the control loop."},
+    {"hf-rate", "N", "One sample every N + 1 control periods, 0 if not given."},
+    {"mf", "C,D", "Signals recorded less often."},
+    {"mf-rate", "N",
+        "One --mf group every N + 1 samples, 15 if not given; 254: one in each packet."},
+    {"seconds", "S", "How long to record."},
+    {"o,output", "FILE.csv", "The file to write."},
+    {"record", "FILE.pcapng", "Records samples, values and events into this file while they come."},
+    {"link", "", "With --record: the bytes of the line, too; twice the size."},
+    {"start", "", "Starts the motor first, waits until it runs, and stops it at the end."},
+    {"ramp", "RPM,MS", "Ramps to RPM within MS milliseconds before recording."},
+    {"from-start", "", "Begins to record before --start and --ramp; --seconds count from then."},
+    {"keep-running", "", "Leaves the motor running at the end."},
+};
+
+Outcome<bool> readCapture(const Given &given, Arguments &arguments)
+{
+    CaptureArguments &capture = arguments.capture;
+    capture.fast = given.list("hf");
+    capture.slow = given.list("mf");
+    if (capture.fast.isEmpty() && capture.slow.isEmpty())
+        return usage(QStringLiteral("Name the signals to record, for example --hf I_A,I_B."));
+    for (const auto &[option, rate, most] : {std::tuple{"hf-rate", &capture.fastRate, 255},
+             std::tuple{"mf-rate", &capture.slowRate, 254}}) {
+        if (!given.has(option))
+            continue;
+        const auto number =
+            wholeNumber(given.value(option), 0, most, QStringLiteral("--") + QLatin1String(option));
+        if (!number)
+            return tl::make_unexpected(number.error());
+        *rate = static_cast<unsigned>(*number);
+    }
+    bool ok = false;
+    capture.seconds = given.value("seconds").toDouble(&ok);
+    if (!ok || !std::isfinite(capture.seconds) || capture.seconds <= 0 || capture.seconds > 86400)
+        return usage(QStringLiteral(
+            "Say how long to record with --seconds S, more than 0 and at most 86400."));
+    capture.file = given.value("output");
+    capture.recording = given.value("record");
+    capture.recordLink = given.has("link");
+    if (capture.file.isEmpty() && capture.recording.isEmpty())
+        return usage(QStringLiteral(
+            "Name the file to write with -o FILE.csv, or --record FILE.pcapng, or both."));
+    if (capture.recordLink && capture.recording.isEmpty())
+        return usage(QStringLiteral("--link belongs to --record FILE.pcapng."));
+    capture.start = given.has("start");
+    capture.fromStart = given.has("from-start");
+    capture.keepRunning = given.has("keep-running");
+    if (given.has("ramp")) {
+        const QStringList parts = given.value("ramp").split(QLatin1Char(','));
+        if (parts.size() != 2)
+            return usage(
+                QStringLiteral("Write the ramp as --ramp RPM,MS, for example --ramp 1500,500."));
+        const auto ramp = rampOf(parts[0], parts[1]);
+        if (!ramp)
+            return tl::make_unexpected(ramp.error());
+        capture.ramp = *ramp;
+    }
+    return true;
+}
+
 } // namespace
 
-Outcome<int> runCapture(Desk &desk) { return CaptureRun(desk).run(); }
+const Command kCapture{.name = "capture",
+    .words = "--hf A,B --seconds S -o FILE.csv",
+    .help = "Records signals into a CSV file, which appears whole or not at all.",
+    .options = kOptions,
+    .read = readCapture,
+    .canMove = true,
+    .ofOneMotor = true,
+    .run = runCapture};
 
 } // namespace cli

@@ -44,8 +44,6 @@ std::optional<QByteArray> bytesOf(const QJsonValue &hex)
     return bytes.size() * 2 == digits.size() ? std::optional(bytes) : std::nullopt;
 }
 
-} // namespace
-
 Outcome<int> runDecode(const Arguments &arguments, Output &out)
 {
     const QString &path = arguments.words.first();
@@ -84,5 +82,15 @@ Outcome<int> runDecode(const Arguments &arguments, Output &out)
         return failure(kFileError, QStringLiteral("%1 holds no recorded packet.").arg(path));
     return kDone;
 }
+
+} // namespace
+
+const Command kDecode{.name = "decode",
+    .words = "TRACE.jsonl",
+    .help = "Decodes a recorded session and prints one JSON object per packet.",
+    .least = 1,
+    .most = 1,
+    .needsPort = false,
+    .runAlone = runDecode};
 
 } // namespace cli

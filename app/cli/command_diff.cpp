@@ -10,6 +10,9 @@ namespace cli {
 
 namespace {
 
+/// Whether a word means the board instead of a file.
+bool isDevice(const QString &word) { return word == QLatin1String("device"); }
+
 using tuning::Entry;
 
 QString hexOf(const Bytes &bytes)
@@ -103,8 +106,6 @@ Outcome<int> printDifferences(
     return kDone;
 }
 
-} // namespace
-
 Outcome<int> runDiffOfFiles(const Arguments &arguments, Output &out)
 {
     const auto a = loadSnapshot(arguments.words[0]);
@@ -142,5 +143,27 @@ Outcome<int> runDiff(Desk &desk)
                 .arg(unanswered.join(QStringLiteral(", "))));
     return printed;
 }
+
+constexpr OptionText kOptions[] = {kOnlyOption, {"all", "", "Measured registers, too."}};
+
+Outcome<bool> readDiff(const Given &given, Arguments &arguments)
+{
+    arguments.tuning.all = given.has("all");
+    arguments.tuning.device = std::any_of(arguments.words.begin(), arguments.words.end(), isDevice);
+    return takeOnly(given, arguments);
+}
+
+} // namespace
+
+const Command kDiff{.name = "diff",
+    .words = "A.json B.json|device",
+    .help = "Lists the registers that differ between two snapshots, or a snapshot and the board.",
+    .least = 2,
+    .most = 2,
+    .options = kOptions,
+    .read = readDiff,
+    .needsPort = false,
+    .run = runDiff,
+    .runAlone = runDiffOfFiles};
 
 } // namespace cli

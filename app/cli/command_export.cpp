@@ -166,8 +166,6 @@ Outcome<Written> write(const RecordingArguments &wanted, const Source &source)
     return writeCsv(wanted.file, *channels, options);
 }
 
-} // namespace
-
 Outcome<int> runExport(const Arguments &arguments, Output &out)
 {
     const RecordingArguments &wanted = arguments.recording;
@@ -207,5 +205,50 @@ Outcome<int> runExport(const Arguments &arguments, Output &out)
         return failure(kDataLost, QStringLiteral("%1 is not whole: %2.").arg(path, lack));
     return kDone;
 }
+
+constexpr OptionText kOptions[] = {
+    {"o,output", "FILE", "The file to write; its ending says the format."},
+    {"signals", "A,B", "Only these signals, in this order; separated by commas."},
+    {"from", "S", "From this second of the session on."},
+    {"to", "S", "Up to this second of the session."},
+    {"continental", "", "CSV with ; and a decimal comma, for spreadsheets that expect them."},
+};
+
+Outcome<bool> readExport(const Given &given, Arguments &all)
+{
+    RecordingArguments &arguments = all.recording;
+    arguments.file = given.value("output");
+    if (arguments.file.isEmpty())
+        return usage(QStringLiteral("Name the file to write with -o FILE, such as -o run.csv."));
+    arguments.continental = given.has("continental");
+    arguments.only = given.list("signals");
+    for (const auto &[option, place] :
+        {std::pair{"from", &arguments.from}, std::pair{"to", &arguments.to}}) {
+        if (!given.has(option))
+            continue;
+        const QString text = given.value(option);
+        *place = plainNumber(text);
+        if (!*place)
+            return usage(
+                QStringLiteral("--%1 must be a number of seconds, with a point, not \"%2\".")
+                    .arg(QLatin1String(option), text));
+    }
+    if (arguments.from && arguments.to && *arguments.from >= *arguments.to)
+        return usage(QStringLiteral("--from must lie before --to."));
+    return true;
+}
+
+} // namespace
+
+const Command kExport{.name = "export",
+    .words = "FILE.pcapng -o FILE.csv|.mat|.wav|.json",
+    .help =
+        "Writes the signals of a recording, or of a CSV file, in another format; or its registers.",
+    .least = 1,
+    .most = 1,
+    .options = kOptions,
+    .read = readExport,
+    .needsPort = false,
+    .runAlone = runExport};
 
 } // namespace cli

@@ -243,8 +243,6 @@ drive::Write writeOf(const GainPlan &plan, const Present &present)
     return write;
 }
 
-} // namespace
-
 Outcome<int> runGains(Desk &desk)
 {
     const auto motor = desk.checkMotor();
@@ -280,5 +278,71 @@ Outcome<int> runGains(Desk &desk)
         desk.out.line(QJsonArray());
     return kDone;
 }
+
+constexpr OptionText kOptions[] = {
+    {"bandwidth", "W", "Of the current loop, in rad/s."},
+    {"damping", "D", "Of the speed loop: 2 is quick, 4 is calm. Left out: it stays."},
+    {"inertia", "J", "Of rotor and load in kg m2; few boards know it."},
+    {"ke", "K", "V rms per 1000 rpm, if the board's own is wrong."},
+    {"delay", "MS",
+        "Of the measured speed in ms. Left out: half the average that ST's generator takes for the "
+        "board's sensor."},
+    {"apply", "", "Writes them and reads them back."},
+};
+
+Outcome<double> positive(const Given &given, const char *option, double least)
+{
+    if (!given.has(option))
+        return 0.0;
+    const QString text = given.value(option);
+    const auto number = plainNumber(text);
+    if (number && *number > least && *number < 1e9)
+        return *number;
+    return usage(
+        QStringLiteral("--%1 must be a number above %2 and below 1e9, with a point, not \"%3\".")
+            .arg(QLatin1String(option), QString::number(least), text));
+}
+
+Outcome<bool> readGains(const Given &given, Arguments &all)
+{
+    TuningArguments &arguments = all.tuning;
+    using Row = std::tuple<const char *, double TuningArguments::*, double>;
+    for (const auto &[option, member, least] :
+        {Row{"bandwidth", &TuningArguments::bandwidth_radps, 0.0},
+            Row{"damping", &TuningArguments::damping, 1.0},
+            Row{"inertia", &TuningArguments::inertia_kgm2, 0.0},
+            Row{"ke", &TuningArguments::ke_vrmsPerKrpm, 0.0}}) {
+        const auto number = positive(given, option, least);
+        if (!number)
+            return tl::make_unexpected(number.error());
+        arguments.*member = *number;
+    }
+    if (given.has("delay")) {
+        constexpr double kLongest_ms = 1000.0;
+        const auto delay_ms = plainNumber(given.value("delay"));
+        if (!delay_ms || *delay_ms < 0.0 || *delay_ms > kLongest_ms)
+            return usage(QStringLiteral(
+                "--delay must be a number of milliseconds from 0 to 1000, not \"%1\".")
+                             .arg(given.value("delay")));
+        arguments.speedDelay_s = *delay_ms / 1e3;
+    }
+    if (arguments.bandwidth_radps == 0.0)
+        return usage(
+            QStringLiteral("Say how fast the current loop is to be with --bandwidth W in rad/s, "
+                           "such as 1500."));
+    arguments.apply = given.has("apply");
+    return true;
+}
+
+} // namespace
+
+const Command kGains{.name = "gains",
+    .words = "--bandwidth W",
+    .help =
+        "Computes gains of the current and speed loops from the motor's values, and applies them.",
+    .options = kOptions,
+    .read = readGains,
+    .ofOneMotor = true,
+    .run = runGains};
 
 } // namespace cli

@@ -5,6 +5,8 @@
 
 namespace cli {
 
+namespace {
+
 Outcome<int> runGet(Desk &desk)
 {
     const catalog::Catalog &catalog = desk.catalog();
@@ -47,5 +49,15 @@ Outcome<int> runGet(Desk &desk)
                 .arg(refused.join(QStringLiteral(", "))));
     return kDone;
 }
+
+} // namespace
+
+const Command kGet{.name = "get",
+    .words = "NAME[@MOTOR]...",
+    .help = "Reads registers, in A, V, rpm, degrees; with --raw as the numbers on the wire.",
+    .least = 1,
+    .most = kAnyWords,
+    .options = {&kRawOption, 1},
+    .run = runGet};
 
 } // namespace cli

@@ -6,6 +6,8 @@
 
 namespace cli {
 
+namespace {
+
 Outcome<int> runHeader(Desk &desk)
 {
     const auto motor = desk.checkMotor();
@@ -39,5 +41,15 @@ Outcome<int> runHeader(Desk &desk)
         desk.out.line(QStringLiteral("%1: %2 macros.").arg(path, QString::number(macros)));
     return kDone;
 }
+
+} // namespace
+
+const Command kHeader{.name = "header",
+    .words = "-o drive_parameters.h",
+    .help = "Writes the tuned values as a C header in the names of ST's drive_parameters.h.",
+    .options = {&kOutputOption, 1},
+    .read = takeOutput,
+    .ofOneMotor = true,
+    .run = runHeader};
 
 } // namespace cli

@@ -118,6 +118,8 @@ void printStatus(Output &out, const drive::MotorStatus &status)
                  .arg(QString::number(status.motor), stateText(status), speed));
 }
 
+namespace {
+
 Outcome<int> runInfo(Desk &desk)
 {
     QJsonArray motors;
@@ -141,5 +143,11 @@ Outcome<int> runInfo(Desk &desk)
         printStatus(desk.out, status);
     return kDone;
 }
+
+} // namespace
+
+const Command kInfo{.name = "info",
+    .help = "Says what the board is, what was negotiated, and what its motors do.",
+    .run = runInfo};
 
 } // namespace cli

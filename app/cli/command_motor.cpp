@@ -55,17 +55,6 @@ QString targetText(const drive::StartTarget &target)
                       : QStringLiteral("Start; what it goes to is not known.");
 }
 
-} // namespace
-
-Outcome<int> Desk::checkMotor() const
-{
-    if (arguments.motor <= board.identity.motors)
-        return arguments.motor;
-    return failure(kUsage,
-        QStringLiteral("The board has no motor %1, only %2.")
-            .arg(QString::number(arguments.motor), QString::number(board.identity.motors)));
-}
-
 Outcome<int> runStart(Desk &desk)
 {
     const auto motor = desk.checkMotor();
@@ -150,5 +139,80 @@ Outcome<int> runTorque(Desk &desk)
             .duration = std::chrono::milliseconds(torque.milliseconds)},
         QStringLiteral("The ramp"));
 }
+
+constexpr OptionText kRampOptions[] = {kCyclicOption};
+
+Outcome<bool> readRamp(const Given &given, Arguments &arguments)
+{
+    const auto ramp = rampOf(given.words()[0], given.words()[1]);
+    if (!ramp)
+        return tl::make_unexpected(ramp.error());
+    arguments.ramp = *ramp;
+    return true;
+}
+
+Outcome<bool> readTorque(const Given &given, Arguments &arguments)
+{
+    const QStringList words = given.words();
+    const auto amps = plainNumber(words[0]);
+    bool ok = false;
+    const int time = words[1].toInt(&ok);
+    if (!amps || !ok || time < 0 || time > 65535)
+        return usage(
+            QStringLiteral("Write torque AMPS MS, such as torque 1.5 500; MS is at most 65535."));
+    arguments.tuning.amps = *amps;
+    arguments.tuning.milliseconds = time;
+    return true;
+}
+
+} // namespace
+
+Outcome<int> Desk::checkMotor() const
+{
+    if (arguments.motor <= board.identity.motors)
+        return arguments.motor;
+    return failure(kUsage,
+        QStringLiteral("The board has no motor %1, only %2.")
+            .arg(QString::number(arguments.motor), QString::number(board.identity.motors)));
+}
+
+const Command kStart{.name = "start",
+    .help = "Starts the motor.",
+    .canMove = true,
+    .ofOneMotor = true,
+    .run = runStart};
+
+/// Meets no board first: the STOPs leave as soon as the port is open.
+const Command kStop{.name = "stop",
+    .help = "Stops every motor and waits until they stand still.",
+    .runAlone = runStop};
+
+const Command kAcknowledge{.name = "ack",
+    .help = "Acknowledges the motor's faults.",
+    .ofOneMotor = true,
+    .run = runAcknowledge};
+
+const Command kRamp{.name = "ramp",
+    .words = "RPM MS",
+    .help = "Ramps the speed set-point to RPM within MS milliseconds.",
+    .least = 2,
+    .most = 2,
+    .options = kRampOptions,
+    .read = readRamp,
+    .canMove = true,
+    .ofOneMotor = true,
+    .numbers = true,
+    .run = runRamp};
+
+const Command kTorque{.name = "torque",
+    .words = "AMPS MS",
+    .help = "Ramps the torque set-point to AMPS of Iq within MS milliseconds.",
+    .least = 2,
+    .most = 2,
+    .read = readTorque,
+    .canMove = true,
+    .ofOneMotor = true,
+    .numbers = true,
+    .run = runTorque};
 
 } // namespace cli

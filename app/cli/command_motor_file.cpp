@@ -138,8 +138,6 @@ void print(Output &out, const drive::MotorFacts &facts, const analysis::MotorShe
             {QStringLiteral("warnings"), warnings}});
 }
 
-} // namespace
-
 Outcome<int> runMotor(Desk &desk)
 {
     const auto motor = desk.checkMotor();
@@ -166,5 +164,23 @@ Outcome<int> runMotor(Desk &desk)
     print(desk.out, *facts, file ? &*file : nullptr);
     return kDone;
 }
+
+Outcome<bool> readMotorFile(const Given &given, Arguments &arguments)
+{
+    arguments.tuning.file = given.value("output");
+    return true;
+}
+
+} // namespace
+
+const Command kMotor{.name = "motor",
+    .words = "[FILE.json] [-o FILE.json]",
+    .help = "Shows what the board says of its motor and what follows from it, beside a motor file "
+            "or into one.",
+    .most = 1,
+    .options = {&kOutputOption, 1},
+    .read = readMotorFile,
+    .ofOneMotor = true,
+    .run = runMotor};
 
 } // namespace cli

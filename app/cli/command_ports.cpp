@@ -39,9 +39,7 @@ QString titleOf(const PortChoice &port)
     return title;
 }
 
-} // namespace
-
-Outcome<int> runPorts(Output &out)
+Outcome<int> runPorts(const Arguments & /*arguments*/, Output &out)
 {
     QJsonArray list;
     for (const PortChoice &port : session::portChoices()) {
@@ -57,5 +55,12 @@ Outcome<int> runPorts(Output &out)
         out.line(list);
     return kDone;
 }
+
+} // namespace
+
+const Command kPorts{.name = "ports",
+    .help = "Lists the serial ports; those of ST-LINK debuggers are marked.",
+    .needsPort = false,
+    .runAlone = runPorts};
 
 } // namespace cli

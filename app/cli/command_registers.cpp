@@ -51,8 +51,6 @@ QJsonObject jsonOf(const RegisterInfo &info, const QString &unit)
         {QStringLiteral("help"), text(info.help)}};
 }
 
-} // namespace
-
 Outcome<int> runRegisters(Desk &desk)
 {
     const catalog::Catalog &catalog = desk.catalog();
@@ -76,5 +74,11 @@ Outcome<int> runRegisters(Desk &desk)
         desk.out.line(list);
     return kDone;
 }
+
+} // namespace
+
+const Command kRegisters{.name = "registers",
+    .help = "Lists the registers that the board's firmware has.",
+    .run = runRegisters};
 
 } // namespace cli

@@ -54,8 +54,6 @@ Outcome<std::vector<int>> movingMotors(Desk &desk)
     return moving;
 }
 
-} // namespace
-
 Outcome<int> runRestore(Desk &desk)
 {
     const auto wanted = loadSnapshot(desk.arguments.words[0]);
@@ -102,5 +100,27 @@ Outcome<int> runRestore(Desk &desk)
         QStringLiteral("Not restored: %1; everything else is.")
             .arg(left.join(QStringLiteral(", "))));
 }
+
+constexpr OptionText kOptions[] = {
+    kOnlyOption, {"force", "", "Also a snapshot of other hardware."}};
+
+Outcome<bool> readRestore(const Given &given, Arguments &arguments)
+{
+    arguments.tuning.force = given.has("force");
+    return takeOnly(given, arguments);
+}
+
+} // namespace
+
+const Command kRestore{.name = "restore",
+    .words = "FILE.json",
+    .help =
+        "Writes back what differs from a snapshot, in as few requests as fit, and reads it back.",
+    .least = 1,
+    .most = 1,
+    .options = kOptions,
+    .read = readRestore,
+    .canMove = true,
+    .run = runRestore};
 
 } // namespace cli

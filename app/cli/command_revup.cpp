@@ -150,8 +150,6 @@ Outcome<int> writeStages(
     return written;
 }
 
-} // namespace
-
 Outcome<int> runRevUp(Desk &desk)
 {
     const auto motor = desk.checkMotor();
@@ -187,5 +185,30 @@ Outcome<int> runRevUp(Desk &desk)
     print(desk.out, *stages, *facts);
     return kDone;
 }
+
+constexpr OptionText kOptions[] = {
+    {"set", "", "Writes stages RPM,A,MS, or those of a file as revup --json prints them."}};
+
+Outcome<bool> readRevUp(const Given &given, Arguments &arguments)
+{
+    arguments.tuning.set = given.has("set");
+    if (arguments.tuning.set == arguments.words.isEmpty())
+        return usage(QStringLiteral(
+            "Write revup, or revup --set and the stages as RPM,A,MS, such as 0,2.5,1000 "
+            "1200,2.5,1500."));
+    return true;
+}
+
+} // namespace
+
+const Command kRevUp{.name = "revup",
+    .words = "[--set FILE|RPM,A,MS...]",
+    .help = "Shows the stages of the start-up and what is wrong with them, or writes others.",
+    .most = 5,
+    .options = kOptions,
+    .read = readRevUp,
+    .ofOneMotor = true,
+    .numbers = true,
+    .run = runRevUp};
 
 } // namespace cli

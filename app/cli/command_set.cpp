@@ -42,8 +42,6 @@ Outcome<Wanted> wantedOf(const Desk &desk, Digits digits)
     return wanted;
 }
 
-} // namespace
-
 Outcome<int> runSet(Desk &desk)
 {
     const Digits digits = desk.arguments.raw ? Digits::Raw : Digits::Shown;
@@ -55,5 +53,18 @@ Outcome<int> runSet(Desk &desk)
         write.reach = drive::Reach::Everything;
     return writeAndReport(desk, write, digits, QStringLiteral("The writing"));
 }
+
+} // namespace
+
+const Command kSet{.name = "set",
+    .words = "NAME[@MOTOR]=VALUE...",
+    .help = "Writes registers and prints each as old -> new, as read back. Values are in the unit "
+            "that get shows, with --raw the numbers on the wire; the decimal sign is a point; "
+            "structures are hexadecimal.",
+    .least = 1,
+    .most = kAnyWords,
+    .options = {&kRawOption, 1},
+    .canMove = true,
+    .run = runSet};
 
 } // namespace cli

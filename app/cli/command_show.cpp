@@ -135,8 +135,6 @@ void print(const OpenedRecording &opened, bool events, Output &out)
         out.line(QStringLiteral("Damaged: %1").arg(session::damageText(place)));
 }
 
-} // namespace
-
 Outcome<int> runShow(const Arguments &arguments, Output &out)
 {
     const QString &path = arguments.words.first();
@@ -152,5 +150,26 @@ Outcome<int> runShow(const Arguments &arguments, Output &out)
         return failure(kDataLost, QStringLiteral("%1 is not whole: %2.").arg(path, lack));
     return kDone;
 }
+
+constexpr OptionText kOptions[] = {
+    {"events", "", "Prints what happened, line by line, with its time."}};
+
+Outcome<bool> readShow(const Given &given, Arguments &arguments)
+{
+    arguments.recording.events = given.has("events");
+    return true;
+}
+
+} // namespace
+
+const Command kShow{.name = "show",
+    .words = "FILE.pcapng",
+    .help = "Says what is in a recording, and what is missing from it.",
+    .least = 1,
+    .most = 1,
+    .options = kOptions,
+    .read = readShow,
+    .needsPort = false,
+    .runAlone = runShow};
 
 } // namespace cli

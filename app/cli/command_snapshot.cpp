@@ -8,6 +8,8 @@
 
 namespace cli {
 
+namespace {
+
 Outcome<int> runSnapshot(Desk &desk)
 {
     const QString &path = desk.arguments.tuning.file;
@@ -34,5 +36,14 @@ Outcome<int> runSnapshot(Desk &desk)
                 .arg(path, board->unanswered.join(QStringLiteral(", "))));
     return kDone;
 }
+
+} // namespace
+
+const Command kSnapshot{.name = "snapshot",
+    .words = "-o FILE.json",
+    .help = "Saves every register that can be read, with the name of board and firmware.",
+    .options = {&kOutputOption, 1},
+    .read = takeOutput,
+    .run = runSnapshot};
 
 } // namespace cli

@@ -1,8 +1,9 @@
-// The commands, each in a file of its own. Each gives the exit status, or the failure that ends the program.
+// The commands: each is a row in a file of its own, and main.cpp has the list of them.
 #pragma once
 
 #include "arguments.h"
 #include "conversation.h"
+#include "option_values.h"
 #include "output.h"
 
 namespace cli {
@@ -18,30 +19,37 @@ struct Desk {
     Outcome<int> checkMotor() const; ///< the motor that is meant, if the board has it
 };
 
-Outcome<int> runPorts(Output &out);
-/// Meets no board first: the STOPs leave as soon as the port is open.
-Outcome<int> runStop(const Arguments &arguments, Output &out);
-Outcome<int> runDecode(const Arguments &arguments, Output &out);
-Outcome<int> runShow(const Arguments &arguments, Output &out);
-Outcome<int> runExport(const Arguments &arguments, Output &out);
-Outcome<int> runDiffOfFiles(const Arguments &arguments, Output &out);
+/// A command. Its functions give the exit status, or the failure that ends the program.
+struct Command {
+    const char *name = "";
+    const char *words = ""; ///< after the name
+    const char *help = "";
+    int least = 0, most = 0; ///< number of words
+    std::span<const OptionText> options =
+        {}; ///< its own, beside those that follow from the members below
+    Outcome<bool> (*read)(
+        const Given &given, Arguments &arguments) = nullptr; ///< its own words and options
+    bool needsPort = true;
+    bool canMove = false; ///< it can move a motor, or write what moves it
+    bool ofOneMotor = false; ///< it has --motor
+    bool numbers = false; ///< its words may be negative
+    Outcome<int> (*run)(Desk &) = nullptr; ///< with a board
+    /// Before a board is met, or without one. Where both are there, this is for runs without --port.
+    Outcome<int> (*runAlone)(const Arguments &, Output &) = nullptr;
+};
 
-Outcome<int> runInfo(Desk &desk);
-Outcome<int> runRegisters(Desk &desk);
-Outcome<int> runGet(Desk &desk);
-Outcome<int> runSet(Desk &desk);
-Outcome<int> runStart(Desk &desk);
-Outcome<int> runAcknowledge(Desk &desk);
-Outcome<int> runRamp(Desk &desk);
-Outcome<int> runCapture(Desk &desk);
-Outcome<int> runSnapshot(Desk &desk);
-Outcome<int> runDiff(Desk &desk);
-Outcome<int> runRestore(Desk &desk);
-Outcome<int> runRevUp(Desk &desk);
-Outcome<int> runTorque(Desk &desk);
-Outcome<int> runGains(Desk &desk);
-Outcome<int> runHeader(Desk &desk);
-Outcome<int> runMotor(Desk &desk);
+constexpr int kAnyWords = 1'000'000;
+constexpr OptionText kRawOption{"raw", "", "Numbers as they are on the wire."};
+constexpr OptionText kOutputOption{
+    "o,output", "FILE", "The file to write; it appears whole or not at all."};
+constexpr OptionText kOnlyOption{
+    "only", "GROUP", "Only this group or register; several are separated by commas."};
+constexpr OptionText kCyclicOption{"cyclic-setpoints", "",
+    "Set-points travel with every exchange (MCB); begins while the motor stands."};
+
+extern const Command kPorts, kInfo, kRegisters, kGet, kSet, kStart, kStop, kAcknowledge, kRamp,
+    kCapture, kSnapshot, kDiff, kRestore, kRevUp, kTorque, kGains, kMotor, kHeader, kShow, kExport,
+    kDecode;
 
 /// Prints a motor's state.
 void printStatus(Output &out, const drive::MotorStatus &status);

@@ -10,35 +10,15 @@ namespace cli {
 
 namespace {
 
-struct LinkCommand {
-    const char *name;
-    Outcome<int> (*run)(Desk &);
-};
-
-const LinkCommand kLinkCommands[] = {
-    {"info", runInfo},
-    {"registers", runRegisters},
-    {"get", runGet},
-    {"set", runSet},
-    {"start", runStart},
-    {"ack", runAcknowledge},
-    {"ramp", runRamp},
-    {"capture", runCapture},
-    {"snapshot", runSnapshot},
-    {"diff", runDiff},
-    {"restore", runRestore},
-    {"revup", runRevUp},
-    {"torque", runTorque},
-    {"gains", runGains},
-    {"header", runHeader},
-    {"motor", runMotor},
-};
+/// In the order of the help.
+const Command *const kCommands[] = {&kPorts, &kInfo, &kRegisters, &kGet, &kSet, &kStart, &kStop,
+    &kAcknowledge, &kRamp, &kCapture, &kSnapshot, &kDiff, &kRestore, &kRevUp, &kTorque, &kGains,
+    &kMotor, &kHeader, &kShow, &kExport, &kDecode};
 
 /// A capture that stops what it started stops it also if it is killed. All else is meant to last longer than the program.
 std::shared_ptr<session::Guardian> guardianFor(const Arguments &arguments)
 {
-    const bool owns = arguments.command == QLatin1String("capture") && arguments.capture.start
-        && !arguments.capture.keepRunning;
+    const bool owns = arguments.capture.start && !arguments.capture.keepRunning;
     const char *why = nullptr;
     std::shared_ptr<session::Guardian> guardian;
     if (owns && !(guardian = session::startGuardian(why)))
@@ -60,16 +40,12 @@ Outcome<int> runLinkCommand(const Arguments &arguments, Output &out)
     if (const auto bounded = talk.bound(*board); !bounded)
         return tl::make_unexpected(bounded.error());
     Desk desk{arguments, talk, *board, out};
-    for (const LinkCommand &command : kLinkCommands) {
-        if (arguments.command == QLatin1String(command.name))
-            return command.run(desk);
-    }
-    return kUsage; // parseArguments() lets no other name through
+    return arguments.command->run(desk);
 }
 
 Outcome<int> run(const QStringList &line)
 {
-    auto arguments = parseArguments(line);
+    auto arguments = parseArguments(line, kCommands);
     if (!arguments)
         return tl::make_unexpected(arguments.error());
     if (const auto bounded = addOwnLimits(*arguments, session::limitsPath()); !bounded)
@@ -78,18 +54,8 @@ Outcome<int> run(const QStringList &line)
     Outcome<int> status = kDone;
     if (arguments->text)
         out.ownText(*arguments->text);
-    else if (arguments->command == QLatin1String("ports"))
-        status = runPorts(out);
-    else if (arguments->command == QLatin1String("decode"))
-        status = runDecode(*arguments, out);
-    else if (arguments->command == QLatin1String("show"))
-        status = runShow(*arguments, out);
-    else if (arguments->command == QLatin1String("export"))
-        status = runExport(*arguments, out);
-    else if (arguments->command == QLatin1String("diff") && !arguments->tuning.device)
-        status = runDiffOfFiles(*arguments, out);
-    else if (arguments->command == QLatin1String("stop"))
-        status = runStop(*arguments, out);
+    else if (arguments->command->runAlone != nullptr && !arguments->tuning.device)
+        status = arguments->command->runAlone(*arguments, out);
     else
         status = runLinkCommand(*arguments, out);
     if (!out.flush() && status && *status == kDone)

@@ -1,6 +1,6 @@
 #include "own_limits.h"
 
-#include "output.h"
+#include "commands.h"
 #include "session/limits_file.h"
 
 namespace cli {
@@ -8,7 +8,8 @@ namespace cli {
 Outcome<bool> addOwnLimits(Arguments &arguments, const QString &file)
 {
     drive::UserLimits &limits = arguments.limits;
-    if (!arguments.canMove || (limits.maxSpeedRpm > 0.0 && limits.maxCurrentAmps > 0.0))
+    if (arguments.command == nullptr || !arguments.command->canMove
+        || (limits.maxSpeedRpm > 0.0 && limits.maxCurrentAmps > 0.0))
         return true;
     const auto own = session::loadLimits(file);
     if (!own)

@@ -111,6 +111,23 @@ Outcome<tuning::Snapshot> loadSnapshot(const QString &path)
             .arg(path, wordsOf(snapshot.error())));
 }
 
+Outcome<bool> takeOutput(const Given &given, Arguments &arguments)
+{
+    arguments.tuning.file = given.value("output");
+    if (arguments.tuning.file.isEmpty())
+        return usage(QStringLiteral("Name the file to write with -o FILE."));
+    return true;
+}
+
+Outcome<bool> takeOnly(const Given &given, Arguments &arguments)
+{
+    arguments.tuning.only = given.list("only");
+    if (given.has("only") && arguments.tuning.only.isEmpty())
+        return usage(QStringLiteral(
+            "Name a group or a register behind --only, such as --only \"Speed loop\"."));
+    return true;
+}
+
 Outcome<tuning::Selection> selectionOf(
     const Arguments &arguments, const tuning::Snapshot &a, const tuning::Snapshot &b)
 {

@@ -21,6 +21,11 @@ Outcome<int> saveFile(const QString &path, const QByteArray &content);
 Outcome<QByteArray> loadFile(const QString &path);
 Outcome<tuning::Snapshot> loadSnapshot(const QString &path);
 
+/// -o, which must be there.
+Outcome<bool> takeOutput(const Given &given, Arguments &arguments);
+/// --only, of groups and registers.
+Outcome<bool> takeOnly(const Given &given, Arguments &arguments);
+
 /// What --only names; a usage failure if something in it fits no register of either snapshot.
 Outcome<tuning::Selection> selectionOf(
     const Arguments &arguments, const tuning::Snapshot &a, const tuning::Snapshot &b);

@@ -1,0 +1,53 @@
+#include "option_values.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace cli {
+
+void addOption(QCommandLineParser &parser, const OptionText &option)
+{
+    parser.addOption({QString::fromLatin1(option.names).split(QLatin1Char(',')),
+        QString::fromLatin1(option.help), QString::fromLatin1(option.value)});
+}
+
+bool Given::has(const char *option) const
+{
+    return m_parser.optionNames().contains(QLatin1String(option));
+}
+
+QString Given::value(const char *option) const
+{
+    return m_parser.value(QString::fromLatin1(option));
+}
+
+QStringList Given::list(const char *option) const
+{
+    QStringList names = value(option).split(QLatin1Char(','), Qt::SkipEmptyParts);
+    for (QString &name : names)
+        name = name.trimmed();
+    return names;
+}
+
+std::optional<double> plainNumber(const QString &text)
+{
+    const QByteArray bytes = text.trimmed().toLatin1();
+    double number = 0.0;
+    const char *end = bytes.constData() + bytes.size();
+    const auto read = std::from_chars(bytes.constData(), end, number);
+    if (read.ec != std::errc{} || read.ptr != end || !std::isfinite(number))
+        return std::nullopt;
+    return number;
+}
+
+Outcome<int> wholeNumber(const QString &text, int least, int most, const QString &what)
+{
+    bool ok = false;
+    const int number = text.trimmed().toInt(&ok);
+    if (!ok || number < least || number > most)
+        return usage(QStringLiteral("%1 must be a whole number from %2 to %3, not \"%4\".")
+                         .arg(what, QString::number(least), QString::number(most), text));
+    return number;
+}
+
+} // namespace cli
