@@ -1,9 +1,7 @@
 // export: the signals of a recording, or of a CSV file, in another format.
-#include "capture/csv_export.h"
-#include "capture/wav_export.h"
 #include "commands.h"
 #include "recording_work.h"
-#include "session/mat_file.h"
+#include "session/export_formats.h"
 
 #include <QFileInfo>
 #include <QJsonObject>
@@ -21,12 +19,6 @@ struct Source {
     std::unique_ptr<OpenedRecording> recording;
     std::unique_ptr<capture::Capture> csv;
     const capture::Capture &capture() const { return recording ? recording->capture : *csv; }
-};
-
-struct Written {
-    session::FileResult file;
-    std::uint64_t rows = 0; ///< of samples
-    std::size_t gaps = 0; ///< of a WAV file
 };
 
 bool endsWith(const QString &path, const char *ending)
@@ -76,57 +68,28 @@ Outcome<capture::Snapshot> chosen(const capture::Capture &capture, const QString
     return capture.snapshot(ids);
 }
 
-QString wavText(capture::WavProblem problem)
+QString problemText(session::ExportProblem problem, const session::ExportFormat &format)
 {
+    using Problem = session::ExportProblem;
     switch (problem) {
-    case capture::WavProblem::None:
+    case Problem::None:
         break;
-    case capture::WavProblem::NoFastSamples:
+    case Problem::NoFastSamples:
         return QStringLiteral("there are no instants at which all fast signals were recorded; name "
                               "fewer with --signals");
-    case capture::WavProblem::DifferentRates:
+    case Problem::DifferentRates:
         return QStringLiteral("the signals have different rates; name some of one with --signals");
-    case capture::WavProblem::TooManyChannels:
-        return QStringLiteral("there are more than 64 signals; name some with --signals");
-    case capture::WavProblem::TooLong:
-        return QStringLiteral("a WAV file ends at 4 GiB; take less with --from and --to");
+    case Problem::TooManySignals:
+    case Problem::TooLong:
+        return QStringLiteral("it holds %1; take less with --signals, or --from and --to")
+            .arg(QLatin1String(format.mostText));
     }
     return {};
 }
 
-Outcome<Written> writeWav(const QString &path, const capture::Snapshot &channels,
-    const std::optional<capture::TimeSpan> &range)
-{
-    capture::WavWriter writer(channels, range);
-    if (writer.problem() != capture::WavProblem::None)
-        return failure(kUsage, QStringLiteral("No WAV file: %1.").arg(wavText(writer.problem())));
-    const auto file = session::writePieces(
-        path, [&writer](std::string_view &bytes) { return writer.next(bytes); });
-    return Written{file, writer.frames(), writer.gaps()};
-}
-
-Outcome<Written> writeMat(const QString &path, const capture::Snapshot &channels,
-    const std::optional<capture::TimeSpan> &range)
-{
-    const session::MatResult result = session::writeMatFile(path, channels, range);
-    if (result.tooLong)
-        return failure(kUsage,
-            QStringLiteral(
-                "A MATLAB file holds 2 GiB of numbers; take less with --from and --to."));
-    return Written{result.file, result.rows, 0};
-}
-
-Written writeCsv(
-    const QString &path, const capture::Snapshot &channels, const capture::CsvOptions &options)
-{
-    capture::CsvWriter writer(channels, options);
-    const auto file =
-        session::writePieces(path, [&writer](std::string_view &text) { return writer.next(text); });
-    return {file, writer.rows(), 0};
-}
-
 /// The newest snapshot of the registers, as the file that the command snapshot writes.
-Outcome<Written> writeJson(const QString &path, const Source &source, std::optional<double> to)
+Outcome<session::ExportOutcome> writeJson(
+    const QString &path, const Source &source, std::optional<double> to)
 {
     const record::RegisterSnapshot *newest = nullptr;
     if (source.recording)
@@ -136,17 +99,15 @@ Outcome<Written> writeJson(const QString &path, const Source &source, std::optio
     if (newest == nullptr)
         return failure(kUsage, QStringLiteral("It holds no register snapshot of that time."));
     bool written = false;
-    return Written{session::writePieces(path, [&](std::string_view &piece) {
+    return session::ExportOutcome{session::writePieces(path, [&](std::string_view &piece) {
         piece = newest->json;
         return !std::exchange(written, true);
     })};
 }
 
-Outcome<Written> write(const RecordingArguments &wanted, const Source &source)
+Outcome<session::ExportOutcome> writeSignals(const RecordingArguments &wanted,
+    const session::ExportFormat &format, const capture::Capture &capture)
 {
-    if (endsWith(wanted.file, ".json"))
-        return writeJson(wanted.file, source, wanted.to);
-    const capture::Capture &capture = source.capture();
     const auto channels = chosen(capture, wanted.only);
     if (!channels)
         return tl::make_unexpected(channels.error());
@@ -155,34 +116,50 @@ Outcome<Written> write(const RecordingArguments &wanted, const Source &source)
     if (all && (wanted.from || wanted.to)) // a polled value at the end is still in it
         range =
             capture::TimeSpan{wanted.from.value_or(all->from), wanted.to.value_or(all->to + 1.0)};
-    if (endsWith(wanted.file, ".wav"))
-        return writeWav(wanted.file, *channels, range);
-    if (endsWith(wanted.file, ".mat"))
-        return writeMat(wanted.file, *channels, range);
-    capture::CsvOptions options;
-    options.range = range;
-    if (wanted.continental)
-        options.dialect = capture::CsvDialect::Continental;
-    return writeCsv(wanted.file, *channels, options);
+    const auto outcome = format.write(wanted.file, {*channels, range}, {});
+    if (outcome.problem != session::ExportProblem::None)
+        return failure(kUsage,
+            QStringLiteral("No %1 file: %2.")
+                .arg(QString::fromLatin1(format.suffix).toUpper(),
+                    problemText(outcome.problem, format)));
+    return outcome;
+}
+
+/// What the file's name ends in, and the options, ask for; nullptr: registers.
+Outcome<const session::ExportFormat *> formatOf(const RecordingArguments &wanted)
+{
+    if (endsWith(wanted.file, ".json"))
+        return nullptr;
+    const session::ExportFormat *format = session::exportFormatOf(wanted.file);
+    if (format == nullptr) {
+        QStringList endings;
+        for (const session::ExportFormat &each : session::exportFormats())
+            endings.append(QLatin1Char('.') + QLatin1String(each.suffix));
+        endings.removeDuplicates();
+        return usage(
+            QStringLiteral("Let the name of the file end in %1 or .json, not as in \"%2\".")
+                .arg(endings.join(QStringLiteral(", ")), wanted.file));
+    }
+    if (wanted.continental && format == session::exportFormatNamed("csv"))
+        return session::exportFormatNamed("csv-continental");
+    return format;
 }
 
 Outcome<int> runExport(const Arguments &arguments, Output &out)
 {
     const RecordingArguments &wanted = arguments.recording;
     const QString &path = arguments.words.first();
-    if (!endsWith(wanted.file, ".csv") && !endsWith(wanted.file, ".mat")
-        && !endsWith(wanted.file, ".wav") && !endsWith(wanted.file, ".json"))
-        return failure(kUsage,
-            QStringLiteral(
-                "Let the name of the file end in .csv, .mat, .wav or .json, not as in \"%1\".")
-                .arg(wanted.file));
+    const auto format = formatOf(wanted);
+    if (!format)
+        return tl::make_unexpected(format.error());
     if (QFileInfo::exists(wanted.file)
         && QFileInfo(path).canonicalFilePath() == QFileInfo(wanted.file).canonicalFilePath())
         return failure(kUsage, QStringLiteral("Name another file to write than the one to read."));
     const auto source = openSource(path);
     if (!source)
         return tl::make_unexpected(source.error());
-    const auto written = write(wanted, *source);
+    const auto written = *format == nullptr ? writeJson(wanted.file, *source, wanted.to)
+                                            : writeSignals(wanted, **format, source->capture());
     if (!written)
         return tl::make_unexpected(written.error());
     if (written->file.error != FileError::None)
@@ -197,7 +174,7 @@ Outcome<int> runExport(const Arguments &arguments, Output &out)
             {QStringLiteral("rows"), static_cast<qint64>(written->rows)},
             {QStringLiteral("bytes"), written->file.bytes},
             {QStringLiteral("complete"), lack.isEmpty()}});
-    else if (endsWith(wanted.file, ".json"))
+    else if (*format == nullptr)
         out.line(wanted.file);
     else
         out.line(QStringLiteral("%1: %2 rows").arg(wanted.file, QString::number(written->rows)));

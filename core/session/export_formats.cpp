@@ -1,0 +1,101 @@
+#include "session/export_formats.h"
+
+#include "capture/csv_export.h"
+#include "capture/wav_export.h"
+#include "session/mat_file.h"
+
+#include <algorithm>
+
+namespace session {
+
+namespace {
+
+using Proceed = std::function<bool(double)>;
+
+template <class Writer>
+FileResult written(const QString &path, Writer &writer, const Proceed &proceed)
+{
+    return writePieces(
+        path, [&writer](std::string_view &piece) { return writer.next(piece); },
+        [&] { return !proceed || proceed(writer.progress()); });
+}
+
+template <capture::CsvDialect Dialect>
+ExportOutcome writeCsv(const QString &path, const ExportWanted &wanted, const Proceed &proceed)
+{
+    capture::CsvOptions options;
+    options.range = wanted.range;
+    options.dialect = Dialect;
+    capture::CsvWriter writer(wanted.channels, options);
+    const FileResult file = written(path, writer, proceed);
+    return {file, ExportProblem::None, writer.rows()};
+}
+
+ExportProblem problemOf(capture::WavProblem problem)
+{
+    switch (problem) {
+    case capture::WavProblem::None:
+        break;
+    case capture::WavProblem::NoFastSamples:
+        return ExportProblem::NoFastSamples;
+    case capture::WavProblem::DifferentRates:
+        return ExportProblem::DifferentRates;
+    case capture::WavProblem::TooManyChannels:
+        return ExportProblem::TooManySignals;
+    case capture::WavProblem::TooLong:
+        return ExportProblem::TooLong;
+    }
+    return ExportProblem::None;
+}
+
+ExportOutcome writeWav(const QString &path, const ExportWanted &wanted, const Proceed &proceed)
+{
+    capture::WavWriter writer(wanted.channels, wanted.range);
+    if (writer.problem() != capture::WavProblem::None)
+        return {{}, problemOf(writer.problem()), 0};
+    const FileResult file = written(path, writer, proceed);
+    return {file, ExportProblem::None, writer.frames()};
+}
+
+ExportOutcome writeMat(const QString &path, const ExportWanted &wanted, const Proceed &proceed)
+{
+    const MatResult result = writeMatFile(path, wanted.channels, wanted.range, proceed);
+    return {
+        result.file, result.tooLong ? ExportProblem::TooLong : ExportProblem::None, result.rows};
+}
+
+using Holds = ExportFormat::Holds;
+using capture::CsvDialect;
+
+constexpr ExportFormat kFormats[] = {
+    {"csv", "csv", "CSV, decimal point and commas", "", Holds::RowsOfTheFastest,
+        writeCsv<CsvDialect::Plain>},
+    {"csv-continental", "csv", "CSV, decimal comma and semicolons", "", Holds::RowsOfTheFastest,
+        writeCsv<CsvDialect::Continental>},
+    {"mat", "mat", "MATLAB file", "2 GiB of numbers", Holds::EverySample, writeMat},
+    {"wav", "wav", "WAV, the fast signals as sound", "64 signals and 4 GiB", Holds::FastSignals,
+        writeWav},
+};
+
+} // namespace
+
+std::span<const ExportFormat> exportFormats() { return kFormats; }
+
+const ExportFormat *exportFormatOf(const QString &path)
+{
+    const auto format =
+        std::find_if(std::begin(kFormats), std::end(kFormats), [&path](const ExportFormat &each) {
+            return path.endsWith(
+                QLatin1Char('.') + QLatin1String(each.suffix), Qt::CaseInsensitive);
+        });
+    return format == std::end(kFormats) ? nullptr : format;
+}
+
+const ExportFormat *exportFormatNamed(std::string_view name)
+{
+    const auto format = std::find_if(std::begin(kFormats), std::end(kFormats),
+        [name](const ExportFormat &each) { return name == each.name; });
+    return format == std::end(kFormats) ? nullptr : format;
+}
+
+} // namespace session
