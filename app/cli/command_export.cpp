@@ -218,7 +218,7 @@ Outcome<bool> readExport(const Given &given, Arguments &all)
 } // namespace
 
 const Command kExport{.name = "export",
-    .words = "FILE.pcapng -o FILE.csv|.mat|.wav|.json",
+    .words = "FILE.pcapng -o FILE.csv|.mat|.npy|.wav|.json",
     .help =
         "Writes the signals of a recording, or of a CSV file, in another format; or its registers.",
     .least = 1,

@@ -1,6 +1,7 @@
 #include "session/export_formats.h"
 
 #include "capture/csv_export.h"
+#include "capture/npy_export.h"
 #include "capture/wav_export.h"
 #include "session/mat_file.h"
 
@@ -64,6 +65,15 @@ ExportOutcome writeMat(const QString &path, const ExportWanted &wanted, const Pr
         result.file, result.tooLong ? ExportProblem::TooLong : ExportProblem::None, result.rows};
 }
 
+ExportOutcome writeNpy(const QString &path, const ExportWanted &wanted, const Proceed &proceed)
+{
+    capture::NpyWriter writer(wanted.channels, wanted.range);
+    if (writer.tooLong())
+        return {{}, ExportProblem::TooLong, 0};
+    const FileResult file = written(path, writer, proceed);
+    return {file, ExportProblem::None, writer.rows()};
+}
+
 using Holds = ExportFormat::Holds;
 using capture::CsvDialect;
 
@@ -73,6 +83,7 @@ constexpr ExportFormat kFormats[] = {
     {"csv-continental", "csv", "CSV, decimal comma and semicolons", "", Holds::RowsOfTheFastest,
         writeCsv<CsvDialect::Continental>},
     {"mat", "mat", "MATLAB file", "2 GiB of numbers", Holds::EverySample, writeMat},
+    {"npy", "npy", "NumPy array", "2 GiB of numbers", Holds::EverySample, writeNpy},
     {"wav", "wav", "WAV, the fast signals as sound", "64 signals and 4 GiB", Holds::FastSignals,
         writeWav},
 };
