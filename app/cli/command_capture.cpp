@@ -1,9 +1,9 @@
 // capture: starts the motor if asked to, records exactly the wanted time, stops what it started, writes the file.
 #include "commands.h"
-#include "csv_output.h"
 #include "recorder.h"
 #include "recording_work.h"
 #include "sentences.h"
+#include "session/export_formats.h"
 #include "session/motion_log_file.h"
 #include "session/whole_file.h"
 #include "snapshot_work.h"
@@ -13,6 +13,7 @@
 #include <QFileInfo>
 #include <QJsonObject>
 #include <QLoggingCategory>
+#include <QTemporaryFile>
 
 #include <cmath>
 
@@ -34,6 +35,23 @@ constexpr double kMostBytes = 1.2e9; ///< of samples, which are kept in memory u
 QString recordingAdvice()
 {
     return QStringLiteral("record fewer signals, or --mf with a smaller --mf-rate");
+}
+
+/// Looks whether the file could be written, before a motor is started for it.
+Outcome<int> checkTarget(const QString &path)
+{
+    const QFileInfo target(path);
+    const auto refused = [&path](const QString &why) {
+        return failure(kFileError,
+            QStringLiteral("%1 cannot be written: %2; choose another place with -o.")
+                .arg(path, why));
+    };
+    if (target.exists() && !target.isFile())
+        return refused(QStringLiteral("it is no file"));
+    QTemporaryFile probe(target.absolutePath() + QStringLiteral("/.rotorscope-XXXXXX"));
+    if (!probe.open())
+        return refused(probe.errorString());
+    return kDone;
 }
 
 class CaptureRun {
@@ -94,7 +112,7 @@ Outcome<int> CaptureRun::run()
     if (!wanted)
         return tl::make_unexpected(wanted.error());
     if (!m_wanted.file.isEmpty())
-        if (const auto possible = checkCsvTarget(m_wanted.file); !possible)
+        if (const auto possible = checkTarget(m_wanted.file); !possible)
             return possible;
     if (const auto possible = rehearse(*wanted); !possible)
         return possible;
@@ -407,10 +425,11 @@ Outcome<int> CaptureRun::write()
 {
     std::uint64_t rows = 0;
     if (!m_wanted.file.isEmpty()) {
-        const auto written = writeCsv(m_recorder.capture(), m_recorder.channels(), m_wanted.file);
-        if (!written)
-            return tl::make_unexpected(written.error());
-        rows = *written;
+        const auto written = session::exportFormatNamed("csv")->write(
+            m_wanted.file, {m_recorder.capture().snapshot(m_recorder.channels()), {}}, {});
+        if (written.file.error != session::FileError::None)
+            return failure(kFileError, sentenceOf(written.file, m_wanted.file));
+        rows = written.rows;
     }
     if (const auto logged = writeMotionLog(); !logged)
         return logged;

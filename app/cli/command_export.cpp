@@ -1,6 +1,7 @@
 // export: the signals of a recording, or of a CSV file, in another format.
 #include "commands.h"
 #include "recording_work.h"
+#include "sentences.h"
 #include "session/export_formats.h"
 
 #include <QFileInfo>
@@ -10,8 +11,6 @@
 #include <utility>
 
 namespace cli {
-
-using session::FileError;
 
 namespace {
 
@@ -162,12 +161,8 @@ Outcome<int> runExport(const Arguments &arguments, Output &out)
                                             : writeSignals(wanted, **format, source->capture());
     if (!written)
         return tl::make_unexpected(written.error());
-    if (written->file.error != FileError::None)
-        return failure(kFileError,
-            QStringLiteral("%1 was not written: %2; make room or choose another place with -o.")
-                .arg(wanted.file,
-                    written->file.error == FileError::NotAFile ? QStringLiteral("it is no file")
-                                                               : written->file.systemText));
+    if (written->file.error != session::FileError::None)
+        return failure(kFileError, sentenceOf(written->file, wanted.file));
     const QString lack = source->recording ? lackText(*source->recording) : lackText(*source->csv);
     if (out.json())
         out.line(QJsonObject{{QStringLiteral("file"), wanted.file},

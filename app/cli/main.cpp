@@ -1,7 +1,6 @@
 // rotorscope-cli: one command, one board, one exit status. Its words are a contract that scripts depend on, so they
 // are English in every language.
 #include "commands.h"
-#include "own_limits.h"
 #include "session/limits_file.h"
 
 #include <QCoreApplication>
@@ -14,6 +13,39 @@ namespace {
 const Command *const kCommands[] = {&kPorts, &kInfo, &kRegisters, &kGet, &kSet, &kStart, &kStop,
     &kAcknowledge, &kRamp, &kCapture, &kSnapshot, &kDiff, &kRestore, &kRevUp, &kTorque, &kGains,
     &kMotor, &kHeader, &kShow, &kExport, &kDecode};
+
+/// The limits that a person has set in the window hold here, too: those of the file are added to the arguments of a command
+/// that can move a motor, which is said on standard error. A file that cannot be read ends such a command, unless both
+/// limits are given.
+Outcome<bool> addOwnLimits(Arguments &arguments, const QString &file)
+{
+    drive::UserLimits &limits = arguments.limits;
+    if (arguments.command == nullptr || !arguments.command->canMove
+        || (limits.maxSpeedRpm > 0.0 && limits.maxCurrentAmps > 0.0))
+        return true;
+    const auto own = session::loadLimits(file);
+    if (!own)
+        return failure(kFileError,
+            QStringLiteral(
+                "Your own limits in %1 cannot be read (%2); set them anew in the window, "
+                "or give --max-rpm and --max-amps.")
+                .arg(file, own.error()));
+    if (!*own)
+        return true;
+    QStringList taken;
+    const auto take = [&taken](double &limit, double its, const QString &unit) {
+        if (limit > 0.0 || !(its > 0.0))
+            return;
+        limit = its;
+        taken.append(numberText(its) + QLatin1Char(' ') + unit);
+    };
+    take(limits.maxSpeedRpm, (*own)->maxSpeedRpm, QStringLiteral("rpm"));
+    take(limits.maxCurrentAmps, (*own)->maxCurrentAmps, QStringLiteral("A"));
+    if (!taken.isEmpty())
+        Output::error(QStringLiteral("Your own limits hold: %1 (from %2).")
+                          .arg(taken.join(QStringLiteral(", ")), file));
+    return true;
+}
 
 /// A capture that stops what it started stops it also if it is killed. All else is meant to last longer than the program.
 std::shared_ptr<session::Guardian> guardianFor(const Arguments &arguments)

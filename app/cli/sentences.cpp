@@ -103,6 +103,14 @@ QString sentenceOf(LinkReason reason, const Arguments &arguments)
         .arg(port, QString::number(arguments.baud));
 }
 
+QString sentenceOf(const session::FileResult &file, const QString &path)
+{
+    return QStringLiteral("%1 was not written: %2; make room or choose another place with -o.")
+        .arg(path,
+            file.error == session::FileError::NotAFile ? QStringLiteral("it is no file")
+                                                       : file.systemText);
+}
+
 QString stateText(const drive::MotorStatus &status)
 {
     QStringList faults;
