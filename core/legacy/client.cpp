@@ -117,9 +117,9 @@ void Client::leaveUrgent(TimePoint now)
         settle("cut short by a stop", now);
         if (now >= *m_unanswered + kAnswerTime + m_config.patience)
             recover(now); // urgent requests that come one after the other hide no silence
-    } else if (m_state == State::Settling) {
-        m_deadline = now + kSettle;
     }
+    if (m_state == State::Settling && !std::exchange(m_owed, true))
+        m_deadline = now + kAnswerTime + m_config.patience;
 }
 
 void Client::receive(ByteView bytes, TimePoint now)
@@ -141,6 +141,7 @@ void Client::receive(ByteView bytes, TimePoint now)
         (m_state == State::Connecting || m_state == State::Recovering) && m_step == Step::Silence;
     if (quiet || m_state == State::Settling) {
         m_deadline = now + kSettle;
+        m_owed = false;
         ++m_stats.bad;
         if (now >= m_noisyUntil)
             restless(now);
@@ -237,6 +238,7 @@ void Client::silence(TimePoint now)
 
 void Client::rest(Duration howLong, TimePoint now)
 {
+    m_owed = false;
     m_deadline = now + howLong;
     m_noisyUntil = now + kNoisyAtMost;
 }
@@ -357,6 +359,8 @@ void Client::handleTimeout(TimePoint now)
     case State::Waiting:
         return answerTimeOver(now);
     case State::Settling:
+        if (m_owed)
+            return answerTimeOver(now);
         m_state = State::Ready;
         return;
     case State::Connecting:

@@ -3,8 +3,8 @@
 //
 // Replies carry neither a number nor the motor, so an answer that comes late could be taken for another's. Therefore
 // nothing is asked while an answer may still be on its way: what has a wrong check, a wrong length or a wrong kind is
-// followed by silence (kSettle), a lost answer by the recovery below. Only what is urgent goes out regardless, and
-// then no answer is believed until the line was silent.
+// followed by silence (kSettle), a lost answer by the recovery below. Only what is urgent goes out regardless: then
+// something has to come back before that silence counts, and no answer is believed until it is over.
 //
 // Recovery, because firmware 5.4.3 holds a broken frame for ever: silence; then single bytes 0xFF, which fill a hanging
 // frame up until the board refuses it, or are passed over where none hangs; then GET_BOARD_INFO. Twice, then the link
@@ -137,6 +137,7 @@ private:
     Frame m_frame;
     std::optional<Request> m_request; ///< waiting for its answer
     bool m_urgentOpen = false; ///< that request is the urgent one
+    bool m_owed = false; ///< settling: something urgent left, and nothing has come back since
     std::optional<Request> m_urgent; ///< waiting to leave
     TimePoint m_urgentBy;
     TimePoint m_asked; ///< when the request was handed out, or had left

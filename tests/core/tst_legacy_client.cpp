@@ -104,6 +104,7 @@ private Q_SLOTS:
     void aSecondAnswerIsNotTakenForTheNext();
     void aRefusalWithoutACodeIsARefusal();
     void aStopGoesAheadOfAnOpenRequest();
+    void theAnswerToAStopEndsTheWait();
     void aStopGoesOutWithoutABoard();
     void aRestartIsTold();
 };
@@ -335,8 +336,30 @@ void TestLegacyClient::aStopGoesAheadOfAnOpenRequest()
     QCOMPARE(pair.sent, (Bytes{0x23, 0x01, 0x02, 0x26}));
     QCOMPARE(pair.all<Client::NoAnswer>().size(), std::size_t{1}); // the request's, once
     QCOMPARE(pair.all<Client::Answer>().size(), std::size_t{0});
-    pair.runFor(300ms);
+    // Either answer may still be on its way: nothing is asked until the time for it is over.
+    pair.sent.clear();
+    for (const TimePoint end = pair.now + Client::kAnswerTime - 10ms; pair.now < end;) {
+        pair.runFor(1ms);
+        QVERIFY(!pair.client.canSend());
+    }
+    QVERIFY(pair.sent.empty());
+    pair.runFor(2s); // and then it makes sure of the board first
     QVERIFY(pair.client.canSend());
+    QCOMPARE(pair.client.stats().recoveries, std::uint64_t{1});
+}
+
+void TestLegacyClient::theAnswerToAStopEndsTheWait()
+{
+    Pair pair;
+    QVERIFY(pair.connect());
+    pair.board.mute(30ms);
+    pair.ask(kSpeed, 10ms);
+    pair.client.sendUrgent({1, legacy::Execute{0x02}}, pair.now);
+    pair.sent.clear();
+    pair.runFor(Client::kGrace + 2 * Client::kSettle);
+    QCOMPARE(pair.sent, (Bytes{0x23, 0x01, 0x02, 0x26}));
+    QVERIFY(pair.client.canSend());
+    QCOMPARE(pair.client.stats().recoveries, std::uint64_t{0});
 }
 
 void TestLegacyClient::aStopGoesOutWithoutABoard()

@@ -97,7 +97,16 @@ void Session::work()
     for (int step = 0; step < 12; ++step) {
         const RegisterId which = watch.drawn[random.below(watch.drawn.size())];
         const int motor = 1 + static_cast<int>(random.below(2)); // which need not be there
-        switch (random.below(9)) {
+        switch (random.below(11)) {
+        case 9: // the board does not hear for a while, and so its motor really goes on
+            toBoard.cut = true;
+            if (random.below(2) == 0) {
+                drive->stop(now);
+                exchange();
+            }
+            runFor(std::chrono::milliseconds(random.below(900)));
+            toBoard.cut = false;
+            break;
         case 6:
         case 7:
             wishes.push_back(submit(Command{MotorAction::Start, motor}));
