@@ -59,8 +59,9 @@ public:
     bool expired(TimePoint now) const
     {
         const bool goesOn = m_sent || (m_begun && !m_motion);
-        return m_permission == Permission::Armed && !goesOn && now > m_fresh + kWishExpiresAfter;
+        return m_permission == Permission::Armed && !goesOn && now > freshUntil();
     }
+    TimePoint freshUntil() const { return m_fresh + kWishExpiresAfter; }
 
     /// The board is not the one that was identified; said once.
     bool takeBoardChanged() { return std::exchange(m_boardChanged, false); }

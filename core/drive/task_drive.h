@@ -55,9 +55,11 @@ protected:
     virtual bool connected() const = 0;
     virtual LinkState linkState() const = 0; ///< where the link is neither closed nor lost
     virtual LinkCounters counters() const = 0;
-    /// Hands the request to the link. @param log  of the wish that it is for, if what it changes is logged
+    /// Hands the request to the link. @param wish  that it is for; may be null
     /// @return  false: it is none that may leave
-    virtual bool send(const Request &request, MotionRecord *log, TimePoint now) = 0;
+    virtual bool send(const Request &request, WishTask<P> *wish, TimePoint now) = 0;
+    /// A link that holds requests back gives this one up if it has not left. @return  whether it had not
+    virtual bool recall(TimePoint) { return false; }
     virtual void sendStop(TimePoint now) = 0; ///< if one is due and may leave
     virtual TimePoint stopMayLeave() const = 0;
     virtual std::optional<TimePoint> nextStop() const
@@ -119,6 +121,10 @@ private:
     void watch(const Watch &watch, TimePoint now) override { m_watch.watch(watch, now); }
     void lookAtOnce(TimePoint now) override { m_vitals.hurry(now); }
     void afterTask(TimePoint now);
+    bool recallArmed(TimePoint now)
+    {
+        return m_wish != nullptr && m_wish->permission() == Permission::Armed && recall(now);
+    }
     void sendNext(TimePoint now);
     bool giveToWish(TimePoint now);
     void close(TimePoint now);
@@ -161,6 +167,7 @@ void TaskDrive<P>::disconnect(TimePoint now)
     setArmed(false);
     m_mode = Mode::Closing;
     m_closeBy = now + closingTime();
+    recallArmed(now);
     cutAllWishes("disconnected");
     m_watch.watch({}, now);
     leave();
@@ -250,8 +257,11 @@ template <class P>
 void TaskDrive<P>::disarm()
 {
     setArmed(false);
+    const bool recalled = recallArmed(m_workedAt);
     m_wishes.cutArmed("disarmed", m_wish);
     m_wishes.collect(m_events, m_workedAt);
+    if (recalled)
+        work(m_workedAt); // the link is free
 }
 
 template <class P>
@@ -389,7 +399,7 @@ template <class P>
 bool TaskDrive<P>::give(Task<P> &task, TimePoint now, WishTask<P> *wish)
 {
     while (const auto request = task.nextRequest(now)) {
-        if (send(*request, wish != nullptr && wish->motion() ? &*wish->motion() : nullptr, now)) {
+        if (send(*request, wish, now)) {
             m_task = &task;
             m_wish = wish;
             return true;

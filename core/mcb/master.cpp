@@ -201,6 +201,8 @@ std::optional<Bytes> Master::nextBytes(TimePoint now, Exchange &exchange)
 
 void Master::work(TimePoint now)
 {
+    if (isLate(now))
+        end(End::NotSent, now, {}, 0, Cause::Cancelled);
     if (m_hasLine && !m_ready && !m_readyBy && !m_exchange
         && (m_operation || m_state == State::Meeting || m_state == State::Seeking
             || m_state == State::Cyclic))
@@ -354,8 +356,12 @@ std::optional<TimePoint> Master::nextTimeout() const
         if (!due || at < *due)
             due = at;
     };
-    if (m_hasLine && !m_ready && m_readyBy)
-        return m_readyBy;
+    if (m_operation && m_operation->sent == 0 && m_operation->request.leaveBy)
+        consider(*m_operation->request.leaveBy);
+    if (m_hasLine && !m_ready && m_readyBy) {
+        consider(*m_readyBy);
+        return due;
+    }
     if (m_operation && m_operation->deadline)
         consider(*m_operation->deadline);
     if (m_hasLine && !m_ready)

@@ -46,6 +46,8 @@ public:
         std::uint16_t address = 0;
         Words words{}; ///< of a write
         bool repeatable = false; ///< a write that may be sent again if its answer is lost
+        std::optional<TimePoint>
+            leaveBy{}; ///< from then on it is not sent any more, nor sent again
     };
 
     enum class End : std::uint8_t {
@@ -117,6 +119,8 @@ public:
     /// Ends the request in hand at once, so that another may go: NotSent if it was not clocked out. A switch of the state
     /// that has left is not cut off.
     void cancel(TimePoint now);
+    /// What was not clocked out ends NotSent; what was is not sent again. @return  whether it ended
+    bool recall(TimePoint now);
 
     /// Maps and enters the cyclic state with a frame every `period`. Needs canSend() and mapping.possible().
     void switchOn(const Mapping &mapping, Duration period, TimePoint now, bool clearCounts = true);
@@ -179,6 +183,7 @@ private:
     void spoil(TimePoint now);
     bool mayRepeat() const;
     void repeat();
+    bool isLate(TimePoint now) const;
     void giveUp(Cause cause, TimePoint now);
     void end(End end, TimePoint now, Words words = {}, std::uint32_t code = 0,
         Cause cause = Cause::None);

@@ -127,6 +127,25 @@ void Master::repeat()
     m_drain = kDrainAfterLoss;
 }
 
+bool Master::recall(TimePoint now)
+{
+    if (!m_operation || m_way != Way::None)
+        return false;
+    if (m_operation->sent > 0) {
+        m_operation->tries = kMostTries;
+        return false;
+    }
+    end(End::NotSent, now, {}, 0, Cause::Cancelled);
+    return true;
+}
+
+/// It has waited for the drive to be ready, or for its turn, until nobody expects it any more.
+bool Master::isLate(TimePoint now) const
+{
+    return m_operation && m_operation->sent == 0 && m_operation->request.leaveBy
+        && now >= *m_operation->request.leaveBy;
+}
+
 /// No answer came: it is asked for again where that does no harm.
 void Master::giveUp(Cause cause, TimePoint now)
 {

@@ -38,6 +38,9 @@ private Q_SLOTS:
     void lostCyclesAreCountedByTheirTicks();
     void aRefusedMappingStaysInTheConfigState();
     void aRequestCanBeCutOff();
+    void whatHasNotLeftIsRecalled();
+    void whatIsRecalledIsNotRepeated();
+    void aRequestLeavesInTimeOrNever();
     void theProbeIsAcceptedByNoSlave();
 };
 
@@ -469,6 +472,67 @@ void TestMcbMaster::aRequestCanBeCutOff()
     QCOMPARE(bus.ended.front().end, End::Unknown);
     QCOMPARE(bus.ended.front().cause, Cause::Cancelled);
     QCOMPARE(bus.slave->registers().find(0x010)->words.front(), std::uint16_t{0});
+}
+
+void TestMcbMaster::whatHasNotLeftIsRecalled()
+{
+    McbBus bus(rig());
+    bus.master.setReady(true, bus.now);
+    QVERIFY(bus.meet()); // and the line stays low behind the first frame
+    const std::size_t frames = bus.sent.size();
+    QVERIFY(!bus.master.recall(bus.now));
+    bus.master.send({Command::Write, 0x010, {6}}, bus.now);
+    QVERIFY(bus.master.recall(bus.now));
+    QVERIFY(bus.master.canSend());
+    bus.master.setReady(true, bus.now);
+    bus.exchange();
+    QCOMPARE(bus.sent.size(), frames);
+    QCOMPARE(bus.ended.size(), std::size_t{1});
+    QCOMPARE(bus.ended.front().end, End::NotSent);
+}
+
+void TestMcbMaster::whatIsRecalledIsNotRepeated()
+{
+    const auto refuseCrc =
+        encodeFrame({0, Command::ErrorOfInfo, false, configOf(ErrorCode::BadCrc), {}});
+    for (const bool recalled : {false, true}) {
+        McbBus bus(rig());
+        QVERIFY(bus.meet());
+        int writes = 0;
+        bool wrote = false, due = false;
+        bus.toSlave = [&](Bytes &bytes) {
+            wrote = (bytes[1] & 0x0E) == 0x04;
+            if (!wrote)
+                return;
+            ++writes;
+            flip(bytes);
+            if (recalled)
+                bus.master.recall(bus.now);
+        };
+        bus.toMaster = [&](Bytes &bytes) {
+            if (std::exchange(due, wrote))
+                bytes = refuseCrc;
+        };
+        const auto done = bus.write(0x010, {6});
+        QVERIFY(done);
+        QCOMPARE(done->end, End::NotSent);
+        QCOMPARE(writes, recalled ? 1 : 3);
+    }
+}
+
+void TestMcbMaster::aRequestLeavesInTimeOrNever()
+{
+    McbBus bus(rig());
+    bus.master.setReady(true, bus.now);
+    QVERIFY(bus.meet());
+    const std::size_t frames = bus.sent.size();
+    const TimePoint by = bus.now + 300ms;
+    bus.master.send({Command::Write, 0x010, {6}, false, by}, bus.now);
+    QVERIFY(bus.runUntil([&] { return !bus.ended.empty(); }, 2s));
+    QCOMPARE(bus.now - by, Duration(0));
+    QCOMPARE(bus.ended.front().end, End::NotSent);
+    QCOMPARE(bus.sent.size(), frames);
+    QVERIFY(bus.master.canSend()); // the line has its own time
 }
 
 void TestMcbMaster::theProbeIsAcceptedByNoSlave()

@@ -73,7 +73,11 @@ struct Session {
     {
         pair.verdictTaken = true;
         pair.onEvent = [this](const Event &event) { look(event); };
-        pair.toBoard = [this](const Bytes &out) { sent(out); };
+        pair.toBoard = [this](Bytes &out) {
+            sent(out);
+            if (pair.now < deafUntil)
+                out[1] ^= 0x55; // refused for its check
+        };
     }
 
     Random random;
@@ -81,6 +85,7 @@ struct Session {
     std::vector<WishId> asked;
     QString wrong;
     bool mayCarry = false;
+    TimePoint deafUntil{}; ///< nothing gets through to the servo, and so its motor really goes on
     std::uint64_t samples = 0;
     std::uint64_t travelled = 0; ///< frames that carried a set-point other than zero
 
@@ -128,7 +133,15 @@ struct Session {
 
     void act()
     {
-        switch (random.below(15)) {
+        switch (random.below(16)) {
+        case 12:
+            deafUntil = pair.now + std::chrono::milliseconds(random.below(900));
+            if (random.below(2) == 0) {
+                pair.stopped = true;
+                mayCarry = false;
+                pair.drive->stop(pair.now);
+            }
+            break;
         case 0:
             pair.drive->arm();
             mayCarry = mayCarry || pair.drive->armed();

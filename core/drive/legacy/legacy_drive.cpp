@@ -65,7 +65,8 @@ private:
         m_link.setDialect(m_board.dialect);
         m_link.setMotorDriven(m_vitals.motorDriven());
     }
-    bool send(const legacy::Request &request, MotionRecord *log, TimePoint now) override;
+    bool send(
+        const legacy::Request &request, WishTask<LegacyProtocol> *wish, TimePoint now) override;
     void sendStop(TimePoint now) override;
     TimePoint stopMayLeave() const override;
     void closeLink() override { m_link.close(); }
@@ -259,13 +260,14 @@ void LegacyDrive::sendStop(TimePoint now)
     onLinkEvents(now);
 }
 
-bool LegacyDrive::send(const legacy::Request &request, MotionRecord *log, TimePoint now)
+bool LegacyDrive::send(
+    const legacy::Request &request, WishTask<LegacyProtocol> *wish, TimePoint now)
 {
     const auto frame = legacy::encodeRequest(request);
     if (!frame)
         return false;
-    if (log != nullptr && changes(request))
-        noteSent(*log, *frame);
+    if (wish != nullptr && wish->motion() && changes(request))
+        noteSent(*wish->motion(), *frame);
     m_link.send(request, now);
     return true;
 }

@@ -83,7 +83,8 @@ private:
 
     // what goes out
     void prepare(TimePoint now) override;
-    bool send(const McbRequest &request, MotionRecord *log, TimePoint now) override;
+    bool send(const McbRequest &request, WishTask<McbProtocol> *wish, TimePoint now) override;
+    bool recall(TimePoint now) override;
     void sendStop(TimePoint now) override;
     TimePoint stopMayLeave() const override
     {
@@ -335,16 +336,28 @@ void McbDrive::sendStop(TimePoint now)
         m_link.send(stop, now);
 }
 
-bool McbDrive::send(const McbRequest &request, MotionRecord *log, TimePoint now)
+bool McbDrive::recall(TimePoint now)
+{
+    const bool recalled = m_link.recall(now);
+    onLinkEvents(now);
+    return recalled;
+}
+
+bool McbDrive::send(const McbRequest &request, WishTask<McbProtocol> *wish, TimePoint now)
 {
     const auto *one = std::get_if<Link::Request>(&request);
+    const bool acts = wish != nullptr && wish->permission() == Permission::Armed;
     const bool inFrames = one != nullptr && travels(*one);
-    if (const Bytes changes = mcbChanges(request); log != nullptr && !changes.empty())
-        noteSent(*log, inFrames ? frameWith(*one) : changes);
+    if (const Bytes changes = mcbChanges(request);
+        wish != nullptr && wish->motion() && !changes.empty())
+        noteSent(*wish->motion(), inFrames ? frameWith(*one) : changes);
     if (inFrames) {
         sendInFrames(*one, now);
     } else if (one != nullptr) {
-        m_link.send(*one, now);
+        Link::Request asked = *one;
+        if (acts) // and the drive may not be ready
+            asked.leaveBy = wish->freshUntil();
+        m_link.send(std::move(asked), now);
     } else if (const auto *map = std::get_if<McbMap>(&request)) {
         // In the config state, so that no frame goes out with words of another mapping.
         m_link.setCyclicOutput(m_setPoints.output(map->mapping.rx));

@@ -95,7 +95,7 @@ private:
     // what goes out
     void prepare(TimePoint now) override;
     bool sendFirst(TimePoint now) override;
-    bool send(const McpRequest &request, MotionRecord *log, TimePoint now) override;
+    bool send(const McpRequest &request, WishTask<McpProtocol> *wish, TimePoint now) override;
     void sendStop(TimePoint now) override;
     TimePoint stopMayLeave() const override
     {
@@ -253,13 +253,13 @@ bool McpDrive::sendFirst(TimePoint now)
     return true;
 }
 
-bool McpDrive::send(const McpRequest &request, MotionRecord *log, TimePoint now)
+bool McpDrive::send(const McpRequest &request, WishTask<McpProtocol> *wish, TimePoint now)
 {
     const auto payload = encode(request, m_board.requestBytes);
     if (!payload)
         return false;
-    if (log != nullptr && !std::holds_alternative<McpGet>(request))
-        noteSent(*log, *payload);
+    if (wish != nullptr && wish->motion() && !std::holds_alternative<McpGet>(request))
+        noteSent(*wish->motion(), *payload);
     m_link.sendRequest(*payload, now);
     return true;
 }
