@@ -27,6 +27,8 @@ or what does not. The tests run with every change; *last run* is the commit at w
   power away, within reach, whenever a motor can move.
 - With the cable out, the adapter dead or the computer without power no STOP reaches the board. The maker's firmware has no communication
   time-out: the motor turns on. Only firmware with a watchdog ([drive-watchdog.md](drive-watchdog.md)) stops then.
+- With the wire from the board cut, a STOP reaches a board of the newer protocol only if this program has been connected to it since its
+  start: other boards swallow what comes before an agreement, and of a board that was never heard one motor is known.
 - STOP switches the power stage off. It does not brake: a motor may coast for a long time, and a load may drive it.
 - A board's OK to STOP proves nothing, and its states are read over a line without a checksum over them. A board without a sensor cannot tell
   standstill from a speed too low for its observer.

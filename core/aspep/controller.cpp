@@ -56,6 +56,14 @@ Duration Controller::responseTimeout() const
     return wire + wire / 2 + 2ms + m_config.hostLatency + m_config.patience;
 }
 
+void Controller::remember(const Beacon &agreed)
+{
+    if (m_everAgreed)
+        return;
+    m_agreed = agreed;
+    m_remembered = true;
+}
+
 void Controller::connect(TimePoint now)
 {
     reset();

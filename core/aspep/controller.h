@@ -104,6 +104,9 @@ public:
 
     explicit Controller(Config config);
 
+    /// What was agreed on this line before this machine was made. Only what goes out without an answer makes use of it.
+    void remember(const Beacon &agreed);
+
     void connect(TimePoint now);
     /// Forgets the link at once, without a word on the wire (the protocol has no disconnect).
     /// An open request ends with NoResponse.
@@ -212,6 +215,7 @@ private:
     void onUrgentDue(TimePoint now);
     void endBlind(TimePoint now);
     bool blind() const;
+    const Beacon &blindOffer() const;
     bool hurried() const;
 
     Config m_config;
@@ -222,6 +226,7 @@ private:
     Beacon m_agreed;
     Framer::Limits m_widest{0, 0, false}; ///< of all agreements: a board goes on with its first
     bool m_everAgreed = false;
+    bool m_remembered = false; ///< m_agreed is what was agreed before, until there is an agreement
     bool m_afterReset = false;
     bool m_parity = false; ///< what the next Ping should say if no request is lost
     std::uint8_t m_linkId = 0;

@@ -82,12 +82,19 @@ void Controller::sendBlind(TimePoint now)
     const bool echoed = m_step == Step::Pinging;
     m_urgent->stage = Urgent::Stage::Sent;
     if (!echoed)
-        sendPacket(m_state == State::Recovering ? m_agreed : m_offer, kBlindGap, now);
+        sendPacket(blindOffer(), kBlindGap, now);
     sendPacket(Ping{false, false, 0, ++m_number}, kBlindGap, now);
     m_step = Step::Waiting;
     m_requestOpen = true;
     sendData(m_urgent->payload, kBlindGap, now);
     *m_replyDue += 2 * kBlindGap;
+}
+
+/// A board that goes on with an agreement leaves the connection for any offer beyond it, and then swallows requests.
+const Beacon &Controller::blindOffer() const
+{
+    const bool unheard = m_remembered && m_offer == m_config.offer;
+    return m_state == State::Recovering || unheard ? m_agreed : m_offer;
 }
 
 std::vector<Output> Controller::blindScript(const std::vector<Bytes> &payloads) const
@@ -98,14 +105,15 @@ std::vector<Output> Controller::blindScript(const std::vector<Bytes> &payloads) 
         script.push_back({Bytes(bytes.begin(), bytes.end()), gap});
     };
     // A board that is connected would leave that state for the offer of a stranger, and not come back without an echo.
-    if (m_everAgreed)
+    const bool known = m_everAgreed || m_remembered;
+    if (known)
         add(m_agreed, kBlindGap);
     add(Ping{}, kBlindGap);
     for (const Bytes &payload : payloads) {
         add(Data{false, static_cast<std::uint16_t>(payload.size())}, kBlindGap);
         script.push_back({bodyOf(payload), m_config.payloadPause});
     }
-    if (m_everAgreed) {
+    if (known) {
         const HeaderBytes beacon = encodeHeader(m_agreed);
         Output fill{{}, kBlindGap};
         for (int i = 0; i < kFillBeacons; ++i)

@@ -119,7 +119,7 @@ public:
         for (std::size_t i = 0; i < m_candidates.size() && !m_settled; ++i) {
             if (i == m_which)
                 continue;
-            const auto other = m_candidates[i].make(true)->stopScript();
+            const auto other = make(i, true)->stopScript();
             script.insert(script.end(), other.begin(), other.end());
         }
         return script;
@@ -141,11 +141,14 @@ public:
         m_drive->doubt(now);
         sift(now);
     }
-    std::optional<Protocol> spoken() const override { return m_spoken; }
+    void remember(const LineMemory &memory) override { m_drive->remember(memory); }
+    LineMemory memory() const override { return m_drive->memory(); }
 
 private:
+    std::unique_ptr<Drive> make(std::size_t which, bool hasty) const;
     void tryCandidate(std::size_t which, TimePoint now);
     void startCandidate(std::size_t which, TimePoint now);
+    void settle();
     void letGo(TimePoint now);
     void takeTurn(TimePoint now);
     void sift(TimePoint now);
@@ -164,7 +167,6 @@ private:
     TimePoint m_stopAsked;
     std::optional<TimePoint> m_turnEnds; ///< of a candidate that stops blind
     bool m_repeating = false; ///< that a stop is wanted has been told
-    std::optional<Protocol> m_spoken;
     std::optional<LinkReason> m_toldLost; ///< of the round before
     LinkReason m_reason = LinkReason::None; ///< the most telling one of this round's failures
     UserLimits m_limits;
@@ -181,18 +183,34 @@ void AutoDrive::tryCandidate(std::size_t which, TimePoint now)
     m_repeating = false;
 }
 
+/// It knows what the one before knew of the line.
+std::unique_ptr<Drive> AutoDrive::make(std::size_t which, bool hasty) const
+{
+    auto drive = m_candidates[which].make(hasty);
+    drive->remember(m_drive->memory());
+    return drive;
+}
+
 /// It also stops what it finds, if that is wanted.
 void AutoDrive::startCandidate(std::size_t which, TimePoint now)
 {
     m_which = which;
     m_settled = false;
-    m_drive = m_candidates[which].make(m_hasty);
+    m_drive = make(which, m_hasty);
     if (m_limits != UserLimits{})
         m_drive->submit({0, m_limits, Source::Person}, now);
     (void)m_drive->takeEvents(); // the log has these limits already
     m_drive->connect(now);
     if (m_stop.active())
         m_drive->stop(now);
+}
+
+void AutoDrive::settle()
+{
+    m_settled = true;
+    LineMemory memory = m_drive->memory();
+    memory.spoken = m_candidates[m_which].protocol;
+    m_drive->remember(memory);
 }
 
 /// What was asked of a candidate ends with it.
@@ -227,8 +245,7 @@ bool AutoDrive::siftLink(const LinkChanged &change)
             m_events.emplace_back(LinkChanged{change.state, asking});
         return false;
     case LinkState::Connected:
-        m_settled = true;
-        m_spoken = m_candidates[m_which].protocol;
+        settle();
         m_stop.end(); // the candidate has its own
         m_turnEnds.reset();
         m_toldLost.reset();

@@ -24,7 +24,7 @@ struct Candidate {
     std::function<std::unique_ptr<Drive>(bool hasty)> make;
     LinkReason asking = LinkReason::None; ///< told while it is tried
     std::string evidence; ///< why it was taken, if its identity does not say itself
-    Protocol protocol = Protocol::Auto; ///< told as Drive::spoken() once its board has answered
+    Protocol protocol = Protocol::Auto; ///< LineMemory::spoken once its board has answered
 };
 
 /// @param candidates  at least one; in the order in which they are tried

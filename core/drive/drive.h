@@ -7,7 +7,7 @@
 
 #include "base/output.h"
 #include "drive/event.h"
-#include "drive/protocol.h"
+#include "drive/line_memory.h"
 #include "drive/wish.h"
 
 #include <optional>
@@ -57,8 +57,10 @@ public:
     /// link as Suspect, and reads the states of the motors before anything but a stop; believed again once they are read.
     virtual void doubt(TimePoint now);
 
-    /// What has turned out to be spoken on the line, of a drive that was not told. Outlives the link.
-    virtual std::optional<Protocol> spoken() const { return std::nullopt; }
+    /// From the drive that had this line before; ahead of connect(). It is for a stop that nothing answers.
+    virtual void remember(const LineMemory &memory) = 0;
+    /// What was remembered, and what the board has told since.
+    virtual LineMemory memory() const = 0;
 };
 
 inline void Drive::handleReady(bool, TimePoint) { }

@@ -24,15 +24,16 @@ MotionRecord recordOf(const StopProgress &progress, TimePoint asked, MotionRecor
     return record;
 }
 
-void StopSequence::begin(int motors, TimePoint now)
+void StopSequence::begin(int motors, TimePoint now, int expected)
 {
+    m_known = motors;
     if (!active())
         m_count = Count::AtLeast;
     m_blindUntil = now + kBlindTime;
     std::erase_if(m_motors, [](const Motor &motor) { return motor.idle; });
     for (Motor &motor : m_motors)
         motor.nextStop = std::min(motor.nextStop, now); // who waits for longer stays first
-    add(motors, now);
+    add(std::max(motors, expected), now);
 }
 
 void StopSequence::follow(int motors, Count count, TimePoint now)
@@ -40,6 +41,7 @@ void StopSequence::follow(int motors, Count count, TimePoint now)
     if (!active())
         return;
     m_count = count;
+    m_known = motors;
     if (count == Count::Exactly)
         std::erase_if(m_motors, [&](const Motor &motor) { return motor.number > motors; });
     add(motors, now);
@@ -68,13 +70,18 @@ bool StopSequence::alarmed() const
         [](const Motor &motor) { return motor.alarmed && !motor.idle; });
 }
 
+bool StopSequence::wantsStop(const Motor &motor, bool connected) const
+{
+    return !motor.idle && (!connected || motor.number <= m_known);
+}
+
 std::optional<int> StopSequence::stopDue(TimePoint now, bool connected) const
 {
     if (!connected && !blind(now))
         return std::nullopt;
     const Motor *due = nullptr; // waiting for longest: nobody starves where no answer comes
     for (const Motor &motor : m_motors)
-        if (!motor.idle && motor.nextStop <= now
+        if (wantsStop(motor, connected) && motor.nextStop <= now
             && (due == nullptr || motor.nextStop < due->nextStop))
             due = &motor;
     return due == nullptr ? std::nullopt : std::optional(due->number);
@@ -145,7 +152,7 @@ std::optional<TimePoint> StopSequence::nextStop(bool connected, TimePoint now) c
 {
     std::optional<TimePoint> due;
     for (const Motor &motor : m_motors)
-        if (!motor.idle && (!due || motor.nextStop < *due))
+        if (wantsStop(motor, connected) && (!due || motor.nextStop < *due))
             due = motor.nextStop;
     if (due && !connected && std::max(*due, now) >= blindUntil())
         return std::nullopt;

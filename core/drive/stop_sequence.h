@@ -41,8 +41,9 @@ public:
         Exactly, ///< the board has told
     };
 
-    /// Asked for; also while it is active.
-    void begin(int motors, TimePoint now);
+    /// Asked for; also while it is active. @param expected  motors that may be there, too: stopped only without a link,
+    /// because with one the board tells at once, and may have no such motor
+    void begin(int motors, TimePoint now, int expected = 1);
     /// What is known of the motors by now. Nothing unless active().
     void follow(int motors, Count count, TimePoint now);
     void end() { m_motors.clear(); }
@@ -86,6 +87,7 @@ private:
         int idleReadings = 0, slowReadings = 0;
     };
     bool allIdle() const;
+    bool wantsStop(const Motor &motor, bool connected) const;
     void add(int motors, TimePoint now);
     void endAtStandstill();
     Motor *find(int number);
@@ -95,6 +97,7 @@ private:
     std::vector<StopProgress> m_progress;
     TimePoint m_blindUntil;
     Count m_count = Count::AtLeast;
+    int m_known = 1; ///< motors that the board is known to have
 };
 
 } // namespace drive

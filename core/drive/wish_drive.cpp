@@ -21,7 +21,7 @@ void WishDrive::beginStop(TimePoint now)
         m_stopAsked = now;
         m_stopsSent.clear();
     }
-    m_stop.begin(m_facts.motors, now);
+    m_stop.begin(m_facts.motors, now, motorsToStop());
     lookAtOnce(now);
 }
 
@@ -153,6 +153,8 @@ void WishDrive::takeStatuses(std::vector<MotorStatus> statuses, TimePoint askedA
 bool WishDrive::followStop(TimePoint now)
 {
     using Count = StopSequence::Count;
+    if (m_facts.motorsCounted)
+        m_memory.motors = m_facts.motors;
     m_stop.follow(m_facts.motors, m_facts.motorsCounted ? Count::Exactly : Count::AtLeast, now);
     return m_mode == Mode::Open && m_stop.active();
 }

@@ -7,6 +7,7 @@
 #include "drive/motion_record.h"
 #include "drive/stop_sequence.h"
 
+#include <algorithm>
 #include <map>
 
 namespace drive {
@@ -18,6 +19,8 @@ public:
     void arm() override;
     bool armed() const override { return m_armed; }
     void doubt(TimePoint now) override;
+    void remember(const LineMemory &memory) override { m_memory = memory; }
+    LineMemory memory() const override { return m_memory; }
 
 protected:
     /// Takes the scale of a motor that there is. @return  why not; empty if it is taken
@@ -54,6 +57,11 @@ protected:
     {
         return m_stop.exclusive() && (!m_stop.alarmed() || m_stop.blind(now));
     }
+    /// Also those that the board had when it was met last, until it tells how many it has.
+    int motorsToStop() const
+    {
+        return m_facts.motorsCounted ? m_facts.motors : std::max(m_facts.motors, m_memory.motors);
+    }
     void collectStop(); ///< its words become events
 
     /// Tells the state of the link if it is another than was told last.
@@ -62,6 +70,7 @@ protected:
     void tellCounters(const LinkCounters &counters, TimePoint now);
 
     BoardFacts &m_facts;
+    LineMemory m_memory;
     StopSequence m_stop;
     Mode m_mode = Mode::Closed;
     std::optional<TimePoint> m_doubtedAt; ///< until the states have been read anew

@@ -67,6 +67,8 @@ public:
     void submit(drive::Wish wish, TimePoint now) override;
     void stop(TimePoint) override { } ///< nothing moves
     bool stopOpen() const override { return false; }
+    void remember(const drive::LineMemory &) override { }
+    drive::LineMemory memory() const override { return {}; }
     void arm() override { }
     void disarm() override { }
     bool armed() const override { return false; }

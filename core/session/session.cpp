@@ -147,11 +147,12 @@ PortError Session::tryOpen(TimePoint now)
     connect(transport.get(), &Transport::failed, this, &Session::onFailed);
     connect(transport.get(), &Transport::readyChanged, this, &Session::onReady);
     m_transport = std::move(transport);
-    if (const auto spoken = m_spoken.find(m_endpoint.path); spoken != m_spoken.end())
-        m_endpoint.spoken = spoken->second;
+    const drive::LineMemory &memory = m_memory[m_endpoint.path];
+    m_endpoint.spoken = memory.spoken;
     if (m_parts.guardian)
         m_parts.guardian->watch(m_transport->descriptor());
     m_drive = m_parts.drive(m_endpoint);
+    m_drive->remember(memory);
     m_outbox = Outbox(m_endpoint.baud);
     m_failure.reset();
     m_phase = Phase::Open;
@@ -419,8 +420,6 @@ void Session::collectEvents(TimePoint now)
         m_driven.told(event, now);
         m_batcher.add(std::move(event));
     }
-    if (const auto spoken = m_drive->spoken())
-        m_spoken[m_endpoint.path] = *spoken;
     if (identified && m_takeUpAgain)
         takeUpAgain(now);
 }
@@ -486,6 +485,7 @@ void Session::dropLink()
         m_parts.guardian->letGo();
     m_transport->close();
     m_transport.release()->deleteLater();
+    m_memory[m_endpoint.path] = m_drive->memory();
     m_drive.reset();
     m_outbox = Outbox(1);
     m_failure.reset();

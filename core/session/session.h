@@ -184,7 +184,7 @@ private:
     WantedStops m_stops;
     QStringList m_stopsTold;
     TimePoint m_stopUntil{}; ///< closing waits so long for a stop that is open
-    std::map<QString, drive::Protocol> m_spoken; ///< by path, where it was found out
+    std::map<QString, drive::LineMemory> m_memory; ///< by path
     DrivenMotors m_driven; ///< also from one connection to the next
     TimePoint m_stampedAt{};
     std::optional<TimePoint> m_yieldBy; ///< the guardian sends until then, at the longest

@@ -117,7 +117,8 @@ public:
         m_now = now;
         m_inner->doubt(now);
     }
-    std::optional<drive::Protocol> spoken() const override { return m_inner->spoken(); }
+    void remember(const drive::LineMemory &memory) override { m_inner->remember(memory); }
+    drive::LineMemory memory() const override { return m_inner->memory(); }
 
 private:
     std::unique_ptr<Drive> m_inner;

@@ -157,12 +157,12 @@ void TestAutoDrive::whatIsSpokenIsTold()
 {
     Running line("powerpc");
     QVERIFY(line.ready);
-    QVERIFY(!line.drive->spoken());
+    QVERIFY(!line.drive->memory().spoken);
     line.connect();
-    QVERIFY(line.runUntil([&] { return line.drive->spoken().has_value(); }, 5s));
-    QVERIFY(line.drive->spoken() == Protocol::Legacy);
+    QVERIFY(line.runUntil([&] { return line.drive->memory().spoken.has_value(); }, 5s));
+    QVERIFY(line.drive->memory().spoken == Protocol::Legacy);
     line.drive->disconnect(line.now);
-    QVERIFY(line.drive->spoken() == Protocol::Legacy);
+    QVERIFY(line.drive->memory().spoken == Protocol::Legacy);
 }
 
 QTEST_APPLESS_MAIN(TestAutoDrive)

@@ -14,6 +14,7 @@ private Q_SLOTS:
     void betweenBlindPacketsTheBoardCanBreathe();
     void onALostLinkItUsesTheAgreedSizes();
     void onALinkThatNeverWasItOffersTheMost();
+    void unheardItUsesWhatWasAgreedBefore();
     void aBlindStopThatIsAnsweredSaysSo();
     void everyUrgentRequestEndsOnce();
     void noiseDoesNotHoldItUp();
@@ -171,6 +172,38 @@ void TestControllerUrgent::onALinkThatNeverWasItOffersTheMost()
     QVERIFY(isPing(link.sent()));
     link.hear(kConfigured);
     QVERIFY(endsWithStop(link.sent()));
+}
+
+void TestControllerUrgent::unheardItUsesWhatWasAgreedBefore()
+{
+    VirtualLink link;
+    link.controller.remember({.rxUnits = 7, .txSyncUnits = 7, .txAsyncUnits = 32});
+    link.controller.connect(link.now);
+    QCOMPARE(link.sent(), kWidest);
+    for (int attempt = 0; attempt < 20; ++attempt) {
+        link.controller.sendUrgent(kStop, link.now);
+        QCOMPARE(link.sent(), kWidest); // for whoever answers
+        link.wait(20ms);
+        const Bytes blind = link.sent();
+        QCOMPARE(Bytes(blind.begin(), blind.begin() + 4), kBoard);
+        QVERIFY(isPing(Bytes(blind.begin() + 4, blind.begin() + 8)));
+        QVERIFY(endsWithStop(blind));
+        QCOMPARE(blind.size(), std::size_t{14});
+        link.wait(30ms);
+    }
+    // Another board, and the wire is whole.
+    const Bytes small = header(aspep::Beacon{.rxUnits = 3, .txSyncUnits = 7, .txAsyncUnits = 8});
+    link.wait(1s);
+    (void)link.sent();
+    link.controller.sendUrgent(kStop, link.now);
+    QCOMPARE(link.sent(), kWidest);
+    link.hear(small);
+    QCOMPARE(link.sent(), small);
+    link.hear(small);
+    QVERIFY(isPing(link.sent()));
+    link.hear(kConfigured);
+    QVERIFY(endsWithStop(link.sent()));
+    QCOMPARE(header(link.controller.agreed()), small);
 }
 
 void TestControllerUrgent::aBlindStopThatIsAnsweredSaysSo()

@@ -55,6 +55,23 @@ bool stopped(LinkPair &dead, const simulation::BoardOptions &options = {}, int m
         && pair.status.at(motor).state != MotorState::Starting;
 }
 
+const simulation::BoardOptions kTwoMotors = [] {
+    simulation::BoardOptions options;
+    options.motors = 2;
+    return options;
+}();
+
+bool startBoth(support::Session &session)
+{
+    for (int motor = 1; motor <= 2; ++motor) {
+        session.submit(Command{MotorAction::Start, motor});
+        if (!session.runUntil(
+                [&] { return session.status[motor].state == MotorState::Running; }, 10s))
+            return false;
+    }
+    return true;
+}
+
 Bytes asked(std::size_t length)
 {
     const auto header = aspep::encodeHeader(aspep::Data{false, static_cast<std::uint16_t>(length)});
@@ -71,6 +88,8 @@ private Q_SLOTS:
     void aRequestInFlightDoesNotKeepItFromStopping();
     void aBoardThatWaitsForAPayloadStopsAllTheSame();
     void everyMotorStops();
+    void ofADriveThatHeardNothingItStopsWhatWasMetBefore_data();
+    void ofADriveThatHeardNothingItStopsWhatWasMetBefore();
     void aBoardOfTheOlderProtocolStops_data();
     void aBoardOfTheOlderProtocolStops();
     void aDriveOnSpiStopsInEitherState_data();
@@ -125,17 +144,32 @@ void TestStopScript::aBoardThatWaitsForAPayloadStopsAllTheSame()
 
 void TestStopScript::everyMotorStops()
 {
-    simulation::BoardOptions options;
-    options.motors = 2;
-    support::Session session(true, options);
-    for (int motor = 1; motor <= 2; ++motor) {
-        session.submit(Command{MotorAction::Start, motor});
-        QVERIFY(session.runUntil(
-            [&] { return session.status[motor].state == MotorState::Running; }, 10s));
-    }
+    support::Session session(true, kTwoMotors);
+    QVERIFY(startBoth(session));
     play(session, session.drive->stopScript(), 2);
-    QVERIFY(stopped(session, options, 1));
-    QVERIFY(stopped(session, options, 2));
+    QVERIFY(stopped(session, kTwoMotors, 1));
+    QVERIFY(stopped(session, kTwoMotors, 2));
+}
+
+void TestStopScript::ofADriveThatHeardNothingItStopsWhatWasMetBefore_data()
+{
+    QTest::addColumn<Protocol>("protocol");
+    QTest::newRow("told what is spoken") << Protocol::Mcp;
+    QTest::newRow("finds it out") << Protocol::Auto;
+}
+
+void TestStopScript::ofADriveThatHeardNothingItStopsWhatWasMetBefore()
+{
+    QFETCH(const Protocol, protocol);
+    support::Session session(true, kTwoMotors);
+    QVERIFY(startBoth(session));
+    const auto next = makeDrive({.protocol = protocol, .baud = session.baud, .patience = {}});
+    next->remember(session.drive->memory());
+    next->connect(session.now);
+    play(session, next->takeOutput(), 1); // its BEACON, for which the board leaves the connection
+    play(session, next->stopScript(), 2);
+    QVERIFY(stopped(session, kTwoMotors, 1));
+    QVERIFY(stopped(session, kTwoMotors, 2));
 }
 
 void TestStopScript::aBoardOfTheOlderProtocolStops_data()

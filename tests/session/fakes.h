@@ -135,7 +135,8 @@ public:
     void arm() override { m_armed = true; }
     void disarm() override { m_armed = false; }
     bool armed() const override { return m_armed; }
-    std::optional<drive::Protocol> spoken() const override { return found; }
+    void remember(const drive::LineMemory &memory) override { known = memory; }
+    drive::LineMemory memory() const override { return known; }
     std::vector<Output> stopScript() const override { return {{bytes({0x5A}), {}}}; }
     void doubt(TimePoint) override
     {
@@ -146,7 +147,7 @@ public:
     std::vector<Output> outputs;
     std::vector<drive::Event> events;
     std::optional<TimePoint> timeout;
-    std::optional<drive::Protocol> found;
+    drive::LineMemory known; ///< of the line
     bool stopping = false; ///< a stop is not confirmed
     Bytes farewell; ///< said at disconnect(), which then does not end by itself
 

@@ -41,7 +41,7 @@ private Q_SLOTS:
     void aPortThatFailsWhileClosingMakesRoomForTheNext();
     void whatWaitsIsDroppedBeforeABlindStop();
     void aPortThatIsLeftForgetsWhatCouldNotLeave();
-    void whatWasSpokenIsTriedFirstNextTime();
+    void whatIsKnownOfALineOutlivesItsPort();
     void aStalledReceiverGetsNoThirdBatch();
     void theSessionCanBeClosedFromWithinABatch();
 };
@@ -499,16 +499,19 @@ void TestSession::aPortThatIsLeftForgetsWhatCouldNotLeave()
     }
 }
 
-void TestSession::whatWasSpokenIsTriedFirstNextTime()
+void TestSession::whatIsKnownOfALineOutlivesItsPort()
 {
     Bench bench;
     bench.session.open(Bench::serial());
-    bench.drive().found = drive::Protocol::Legacy;
+    bench.drive().known = {drive::Protocol::Legacy, 2, aspep::Beacon{}};
     bench.turn();
     unplug(bench);
     plugIn(bench);
+    QCOMPARE(bench.drive().known.motors, 2);
+    QVERIFY(bench.drive().known.agreed.has_value());
     bench.session.open(Bench::serial(QStringLiteral("other")));
     bench.runUntil(bench.now + 1s);
+    QCOMPARE(bench.drive().known.motors, 1);
     QCOMPARE(bench.board.madeFor,
         (std::vector<std::optional<drive::Protocol>>{
             std::nullopt, drive::Protocol::Legacy, std::nullopt}));

@@ -1,5 +1,6 @@
 // A Stop through the session on boards whose motors run, while the port is lost, opened again, or its drive is still
 // finding out what is there. Virtual time; the board outlives its port, as boards do.
+#include "session/recording_tap.h"
 #include "session/session.h"
 
 #include "simulation/mcb/mcb_board.h"
@@ -20,6 +21,7 @@ public:
         std::unique_ptr<simulation::SimulatedBoard> board;
         BoardPort *open = nullptr;
         bool there = true; ///< the plug
+        bool deaf = false; ///< the wire from the board is cut
         Bytes sent;
     };
 
@@ -52,7 +54,7 @@ public:
     {
         m_line.board->advance(now);
         const Bytes out = m_line.board->takeOutput();
-        if (!out.empty())
+        if (!out.empty() && !m_line.deaf)
             Q_EMIT received(QByteArray(
                 reinterpret_cast<const char *>(out.data()), static_cast<qsizetype>(out.size())));
     }
@@ -116,7 +118,8 @@ struct World {
         parts.transport = [&world](const session::Endpoint &) {
             return std::make_unique<BoardPort>(world.line);
         };
-        return parts;
+        return session::tapped(
+            parts, std::make_shared<session::RecordingTap>(std::size_t{1} << 20));
     }
     void take(const drive::Event &event)
     {
@@ -212,6 +215,8 @@ private Q_SLOTS:
     void aStopWhileThePortIsGoneStopsWhatComesBack();
     void aStopWhileTheBoardIsBeingFoundOutStopsIt_data() { boards(); }
     void aStopWhileTheBoardIsBeingFoundOutStopsIt();
+    void withTheWireFromTheBoardCutEveryMotorIsStopped_data() { boards(); }
+    void withTheWireFromTheBoardCutEveryMotorIsStopped();
     void withoutAStopAReopenedPortSendsNone_data() { boards(); }
     void withoutAStopAReopenedPortSendsNone();
 };
@@ -281,6 +286,23 @@ void TestStopAcrossPorts::aStopWhileTheBoardIsBeingFoundOutStopsIt()
         QVERIFY2(world.now - asked <= kStopsWithin + 100ms,
             qPrintable(QString::number((world.now - asked) / 1ms)));
     }
+}
+
+void TestStopAcrossPorts::withTheWireFromTheBoardCutEveryMotorIsStopped()
+{
+    QFETCH(QByteArray, profile);
+    QFETCH(Protocol, protocol);
+    QFETCH(int, motors);
+    World world(profile.constData(), protocol, motors);
+    QVERIFY(world.startAll());
+    world.session.stop();
+    world.unplug(); // in the same moment
+    world.run(700ms);
+    world.line.deaf = true;
+    world.plugIn();
+    world.run(2s);
+    for (int motor = 1; motor <= motors; ++motor)
+        QVERIFY2(!world.line.board->truth(motor).driven, qPrintable(QString::number(motor)));
 }
 
 void TestStopAcrossPorts::withoutAStopAReopenedPortSendsNone()

@@ -95,7 +95,8 @@ public:
     bool armed() const override { return m_drive->armed(); }
     bool stopOpen() const override { return m_drive->stopOpen(); }
     [[nodiscard]] std::vector<Output> stopScript() const override { return m_drive->stopScript(); }
-    std::optional<drive::Protocol> spoken() const override { return m_drive->spoken(); }
+    void remember(const drive::LineMemory &memory) override { m_drive->remember(memory); }
+    drive::LineMemory memory() const override { return m_drive->memory(); }
 
 private:
     using Act = judge::Act;

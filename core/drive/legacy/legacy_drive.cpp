@@ -226,7 +226,7 @@ std::vector<Output> LegacyDrive::stopScript() const
     constexpr Duration kAnswerTime = std::chrono::milliseconds(10); // a frame before it is dropped
     constexpr int kFillers = 8;
     std::vector<Output> script;
-    for (int motor = 1; motor <= m_board.motors; ++motor)
+    for (int motor = 1; motor <= motorsToStop(); ++motor)
         script.push_back({legacy::encodeRequest(stopOf(motor)).value_or(Bytes()), kAnswerTime});
     for (int i = 0; i < kFillers; ++i)
         script.push_back({Bytes{0xFF}, i == 0 ? kAnswerTime : Link::kFillPause});

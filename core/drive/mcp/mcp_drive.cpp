@@ -69,6 +69,7 @@ public:
         work(now);
     }
     std::vector<Output> stopScript() const override;
+    void remember(const LineMemory &memory) override;
 
 private:
     Made taskFor(const Wish &wish) override;
@@ -147,6 +148,7 @@ void McpDrive::on(const Link::Connected &event, TimePoint now)
 {
     linkFound();
     m_resetSeen = event.afterReset;
+    m_memory.agreed = event.agreed;
     if (event.afterReset)
         disarm();
     m_board.requestBytes = event.agreed.rxMax();
@@ -217,9 +219,16 @@ void McpDrive::prepare(TimePoint now)
 std::vector<Output> McpDrive::stopScript() const
 {
     std::vector<Bytes> stops;
-    for (int motor = 1; motor <= m_board.motors; ++motor)
+    for (int motor = 1; motor <= motorsToStop(); ++motor)
         stops.push_back(stopOf(motor));
     return m_link.blindScript(stops);
+}
+
+void McpDrive::remember(const LineMemory &memory)
+{
+    TaskDrive::remember(memory);
+    if (memory.agreed)
+        m_link.remember(*memory.agreed);
 }
 
 void McpDrive::sendStop(TimePoint now)
