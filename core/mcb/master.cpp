@@ -11,6 +11,7 @@ using namespace std::chrono_literals;
 
 constexpr int kQuickIdles = 3; ///< behind a request; the next ones leave the drive some time
 constexpr Duration kIdlePause = 1ms;
+constexpr Duration kSlowCycle = 5ms; ///< what is hurried waits for the frames of a faster one
 constexpr int kBadInRow = 4, kTornInRow = 2; ///< then the length is in doubt
 constexpr int kMeetingTries = 3; ///< what a drive sends in its first frame is not known
 
@@ -170,6 +171,8 @@ Frame Master::operationFrame(Exchange &exchange, TimePoint now)
     return idle(m_state == State::Config ? operation.request.address : std::uint16_t{0});
 }
 
+bool Master::betweenCycles() const { return m_hurried && m_operation && m_period >= kSlowCycle; }
+
 /// Nothing if there is no reason for a frame now.
 std::optional<Bytes> Master::nextBytes(TimePoint now, Exchange &exchange)
 {
@@ -189,10 +192,14 @@ std::optional<Bytes> Master::nextBytes(TimePoint now, Exchange &exchange)
     case State::Cyclic:
         break;
     }
-    if (now < m_cycleStart + m_nextTick * m_period)
+    if (now >= m_cycleStart + m_nextTick * m_period) {
+        exchange.tick = (now - m_cycleStart) / m_period;
+        m_nextTick = *exchange.tick + 1;
+    } else if (betweenCycles()) {
+        m_notBefore = now + kIdlePause;
+    } else {
         return std::nullopt;
-    exchange.tick = (now - m_cycleStart) / m_period;
-    m_nextTick = exchange.tick + 1;
+    }
     Frame frame = m_operation && m_drain == 0 ? operationFrame(exchange, now) : idle(0);
     frame.cyclic = m_cyclicOutput;
     frame.cyclic.resize(m_words);
@@ -256,7 +263,7 @@ void Master::finish(TimePoint now)
     if (frame && isPaddedConfigFrame(exchange.received))
         frame = fail(FrameError::WrongLength);
     if (!frame) {
-        if (m_state == State::Cyclic)
+        if (exchange.tick)
             ++m_stats.cyclesLost;
         if (m_operation && m_operation->sent > 0 && !(exchange.piece && m_operation->sent == 1))
             spoil(now);
@@ -275,8 +282,8 @@ void Master::finishGood(const Exchange &exchange, const Frame &frame, TimePoint 
         m_events.emplace_back(Met{});
         return;
     }
-    if (m_state == State::Cyclic && m_way != Way::Leave)
-        m_events.emplace_back(Cycle{exchange.tick, exchange.at, frame.cyclic});
+    if (exchange.tick && m_way != Way::Leave)
+        m_events.emplace_back(Cycle{*exchange.tick, exchange.at, frame.cyclic});
     if (m_drain > 0) {
         if (frame.command == Command::Idle)
             m_drain = 0;
@@ -304,7 +311,7 @@ void Master::finishTorn(TimePoint now)
     m_notBefore = now + m_config.quiet;
     if (m_state == State::Seeking)
         return takeProbe(exchange.received, now);
-    if (m_state == State::Cyclic)
+    if (exchange.tick)
         ++m_stats.cyclesLost;
     m_lastBad = Cause::NoAnswer;
     if (m_operation && m_operation->sent > 0)
@@ -367,7 +374,8 @@ std::optional<TimePoint> Master::nextTimeout() const
     if (m_hasLine && !m_ready)
         return due;
     if (m_state == State::Cyclic)
-        consider(std::max(m_notBefore, m_cycleStart + m_nextTick * m_period));
+        consider(betweenCycles() ? m_notBefore
+                                 : std::max(m_notBefore, m_cycleStart + m_nextTick * m_period));
     else if (m_operation || m_drain > 0 || m_state != State::Config)
         consider(m_notBefore);
     return due;

@@ -127,6 +127,8 @@ public:
     /// Frames that leave as they are, whether the drive is ready or not and whatever is under way, which takes care of
     /// itself afterwards. What comes back is thrown away.
     void sendBlind(std::vector<Output> frames, TimePoint now);
+    /// From now on no request waits for the next frame of a slow cycle: it has frames of its own between those.
+    void setHurried(bool hurried) { m_hurried = hurried; }
     /// Back to the config state. Needs canSend().
     void switchOff(TimePoint now);
     /// What the drive gets in every cycle from now on; filled up with zeros.
@@ -147,7 +149,7 @@ private:
         std::size_t length = 0;
         TimePoint at{}, by{};
         bool piece = false; ///< it carries a piece of the request
-        std::int64_t tick = 0;
+        std::optional<std::int64_t> tick{}; ///< of a frame of the cycle
         Bytes received{};
     };
     struct Operation {
@@ -167,6 +169,7 @@ private:
     std::optional<Bytes> nextBytes(TimePoint now, Exchange &exchange);
     Frame operationFrame(Exchange &exchange, TimePoint now);
     Frame idle(std::uint16_t address) const;
+    bool betweenCycles() const;
     void endBlind(TimePoint now);
     void finish(TimePoint now);
     void finishGood(const Exchange &exchange, const Frame &frame, TimePoint now);
@@ -218,6 +221,7 @@ private:
     Duration m_period{};
     TimePoint m_cycleStart{};
     std::int64_t m_nextTick = 0;
+    bool m_hurried = false;
     Words m_cyclicOutput;
 
     bool m_wasCyclic = false, m_met = false; ///< before the search

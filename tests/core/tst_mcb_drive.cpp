@@ -38,6 +38,8 @@ private Q_SLOTS:
     void whatWaitsForTheDriveEndsWithItsPermission_data();
     void whatWaitsForTheDriveEndsWithItsPermission();
     void aStopDoesNotWaitForALengthThatNobodyConfirms();
+    void aStopDoesNotWaitForASlowStream_data();
+    void aStopDoesNotWaitForASlowStream();
     void aStopGoesBeforeTheIdentification();
     void samplesCarryTheirNameAndTime();
     void sixtySecondsWithoutALostFrame();
@@ -480,6 +482,42 @@ void TestMcbDrive::aStopDoesNotWaitForALengthThatNobodyConfirms()
     QVERIFY(pair.runUntil([&] { return !stageIsOn(pair); }, 200ms));
     pair.toBoard = pair.toDrive = {};
     QVERIFY(pair.runUntil([&] { return !pair.drive->stopOpen(); }, 5s));
+}
+
+void TestMcbDrive::aStopDoesNotWaitForASlowStream_data()
+{
+    QTest::addColumn<unsigned>("every");
+    for (const unsigned every : {1U, 2U, 4U, 5U, 16U, 64U, 220U, 256U})
+        QTest::addRow("every %u ms", every) << every;
+}
+
+/// From any instant of the cycle, with and without a request in hand.
+void TestMcbDrive::aStopDoesNotWaitForASlowStream()
+{
+    QFETCH(const unsigned, every);
+    constexpr int kPhases = 16;
+    Duration worst{};
+    for (int phase = 0; phase < kPhases; ++phase) {
+        McbPair pair;
+        QVERIFY(pair.meet());
+        QVERIFY(start(pair));
+        QVERIFY(pair.ask(streamOf({pair.id("BUS_VOLTAGE")}, every)).outcome == Outcome::Ok);
+        pair.runFor(600ms);
+        pair.runFor(every * 1ms * phase / kPhases);
+        if (phase % 2 == 1)
+            pair.submit(Read{{pair.id("I_Q_MEAS"), pair.id("POSITION_MEAS")}});
+        pair.writes.clear();
+        const TimePoint asked = pair.now;
+        pair.drive->stop(pair.now);
+        QVERIFY(pair.runUntil([&] { return !pair.writes.empty(); }, 1s));
+        QCOMPARE(pair.writes.front().address, std::uint16_t{0x010});
+        QCOMPARE(pair.writes.front().config[0], std::uint16_t{0x06});
+        worst = std::max(worst, pair.now - asked);
+        QVERIFY(pair.runUntil([&] { return !pair.drive->stopOpen(); }, 5s));
+        QVERIFY(std::none_of(pair.stops.begin(), pair.stops.end(),
+            [](const StopProgress &stop) { return stop.word == StopWord::NotConfirmed; }));
+    }
+    QVERIFY2(worst <= 25ms, qPrintable(QString::number(worst / 1us)));
 }
 
 void TestMcbDrive::aStopGoesBeforeTheIdentification()

@@ -36,6 +36,7 @@ private Q_SLOTS:
     void aLostAckOfTheSwitchIsFoundOut_data();
     void aLostAckOfTheSwitchIsFoundOut();
     void lostCyclesAreCountedByTheirTicks();
+    void aHurriedRequestDisturbsNoCycle();
     void aRefusedMappingStaysInTheConfigState();
     void aRequestCanBeCutOff();
     void whatHasNotLeftIsRecalled();
@@ -443,6 +444,26 @@ void TestMcbMaster::lostCyclesAreCountedByTheirTicks()
     for (std::size_t i = 1; i < bus.cycles.size(); ++i)
         QCOMPARE(bus.cycles[i].tick - bus.cycles[i - 1].tick, std::int64_t{i == 4 ? 2 : 1});
     QCOMPARE(bus.master.stats().cyclesLost, std::uint64_t{1});
+}
+
+void TestMcbMaster::aHurriedRequestDisturbsNoCycle()
+{
+    McbBus bus(rig());
+    QVERIFY(bus.meet());
+    bus.master.switchOn(kMapping, 100ms, bus.now);
+    QVERIFY(bus.runUntil([&] { return bus.cycles.size() == 2; }, 5s));
+    bus.runFor(30ms);
+    bus.master.setHurried(true);
+    const TimePoint asked = bus.now;
+    QCOMPARE(bus.write(0x010, {6})->end, End::Ok);
+    QVERIFY(bus.now - asked <= 5ms);
+    bus.runFor(280ms);
+    QCOMPARE(bus.cycles.size(), std::size_t{5});
+    for (std::size_t i = 1; i < bus.cycles.size(); ++i) {
+        QCOMPARE(bus.cycles[i].tick, std::int64_t(i));
+        QCOMPARE(bus.cycles[i].at - bus.cycles[0].at, Duration(i * 100ms));
+    }
+    QCOMPARE(bus.master.stats().cyclesLost, std::uint64_t{0});
 }
 
 void TestMcbMaster::aRefusedMappingStaysInTheConfigState()

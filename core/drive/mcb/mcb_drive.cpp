@@ -275,7 +275,9 @@ void McbDrive::onStatuses(const std::vector<MotorStatus> &statuses)
 
 void McbDrive::prepare(TimePoint)
 {
-    if (m_mode == Mode::Open && m_stop.active())
+    const bool stopping = m_mode == Mode::Open && m_stop.active();
+    m_link.setHurried(stopping);
+    if (stopping)
         restSetPoints();
     else
         m_stopWaits.reset();
