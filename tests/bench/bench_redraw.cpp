@@ -43,7 +43,7 @@ struct Scope {
         // A little further each time, so that nothing can be answered from a cache.
         const double shift = span * 1e-5 * (++moved % 100);
         view.setVisibleRange(shift, shift + span);
-        view.plotWidget().replot(QCustomPlot::rpQueuedRefresh);
+        view.findChild<QCustomPlot *>()->replot(QCustomPlot::rpQueuedRefresh);
     }
 };
 

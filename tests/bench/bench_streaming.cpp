@@ -40,7 +40,7 @@ struct Scope {
         stream.append(capture, kFrame);
         const double newest = double(stream.ticks()) / kTickHz;
         view.setVisibleRange(newest - window, newest);
-        view.plotWidget().replot(QCustomPlot::rpQueuedRefresh);
+        view.findChild<QCustomPlot *>()->replot(QCustomPlot::rpQueuedRefresh);
     }
     bool complete() const
     {

@@ -192,7 +192,7 @@ void TestBoardsSession::findTheGainInItsForm(const char *name)
 
 void TestBoardsSession::rampAndStop()
 {
-    auto *speed = m_rig->window.controlPanel()->speed();
+    auto *speed = m_rig->window.findChild<widgets::ControlPanel *>()->speed();
     speed->setText(QStringLiteral("1200"));
     QTest::keyClick(speed, Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(std::abs(shown("SPEED_MEAS") - 1200.0) < 60.0, 15000);

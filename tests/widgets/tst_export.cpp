@@ -371,7 +371,7 @@ private Q_SLOTS:
             const QString svg = m_folder.filePath(QStringLiteral("dense%1.svg").arg(span));
             const quint64 before = scope()->redraws();
             QTRY_VERIFY(scope()->redraws() > before);
-            const QImage screen = scope()->plotWidget().grab().toImage();
+            const QImage screen = scope()->findChild<QCustomPlot *>()->grab().toImage();
             exportAs(ExportFormat::Svg, kVisible, svg);
             QFile text(svg);
             QVERIFY(text.open(QIODevice::ReadOnly));

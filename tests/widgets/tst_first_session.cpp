@@ -83,7 +83,8 @@ private Q_SLOTS:
     void enterAddsWhatIsSelected()
     {
         const int before = int(m_rig->window.scope()->channels().size());
-        QTreeView *tree = m_rig->window.registerPanel()->tree();
+        QTreeView *tree =
+            m_rig->window.findChild<widgets::RegisterPanel *>()->findChild<QTreeView *>();
         m_rig->find<QLineEdit>("registerSearch")->setText(QStringLiteral("I_ALPHA_MEAS"));
         const auto *proxy = qobject_cast<QSortFilterProxyModel *>(tree->model());
         const auto index =
@@ -140,7 +141,7 @@ private Q_SLOTS:
 
     void aNewSetPointIsReached()
     {
-        auto *speed = m_rig->window.controlPanel()->speed();
+        auto *speed = m_rig->window.findChild<widgets::ControlPanel *>()->speed();
         speed->setText(QStringLiteral("1200"));
         QTest::keyClick(speed, Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(
@@ -155,13 +156,14 @@ private Q_SLOTS:
         QTest::keyClick(&m_rig->window, Qt::Key_Escape);
         QVERIFY(!device().armed());
         QTRY_COMPARE_WITH_TIMEOUT(state(), MotorState::Idle, 5000);
-        const auto *words = m_rig->window.controlPanel()->findChild<widgets::StopWords *>();
+        const auto *words =
+            m_rig->window.findChild<widgets::ControlPanel *>()->findChild<widgets::StopWords *>();
         QTRY_VERIFY_WITH_TIMEOUT(
             words->text().contains(QStringLiteral("speed not measurable")), 10000);
         QCOMPARE(m_rig->window.height(), 720);
         // With the words of the stop and a message over them.
         QVERIFY(m_rig->find<QWidget>("banner")->isVisible());
-        const auto *panel = m_rig->window.controlPanel();
+        const auto *panel = m_rig->window.findChild<widgets::ControlPanel *>();
         for (const QWidget *seen : {static_cast<const QWidget *>(m_rig->find<QWidget>("stop")),
                  static_cast<const QWidget *>(panel->findChild<widgets::ReadoutBox *>())})
             QTRY_COMPARE(seen->visibleRegion().boundingRect().size(), seen->size());

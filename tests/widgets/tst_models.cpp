@@ -132,7 +132,7 @@ private Q_SLOTS:
         bench.device.setMotor(2);
         QTRY_VERIFY_WITH_TIMEOUT(bench.registers.known(bench.id("SPEED_KP@2")).has_value(), 10000);
         bench.registers.togglePinned(bench.id("SPEED_KP@2"));
-        bench.rig.window.registerPanel()->setColumns({QStringLiteral("hex")});
+        bench.rig.window.findChild<widgets::RegisterPanel *>()->setColumns({QStringLiteral("hex")});
         QVERIFY(bench.type("SPEED_KP@2", QStringLiteral("5")));
         bench.rig.workbench.edits().revert();
 

@@ -411,7 +411,7 @@ private:
     }
     static QMessageBox *askForStart(facts::WindowRig &rig)
     {
-        rig.window.controlPanel()->start();
+        rig.window.findChild<widgets::ControlPanel *>()->start();
         QMessageBox *open = nullptr;
         for (auto *box : rig.window.findChildren<QMessageBox *>(QStringLiteral("motionQuestion")))
             if (box->isVisible())

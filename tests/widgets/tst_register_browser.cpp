@@ -35,7 +35,7 @@ QString textOf(const EditBench &bench, std::string_view name, RegisterModel::Col
 /// Selects a register in the tree, as a click on its value does.
 void select(EditBench &bench, std::string_view name)
 {
-    QTreeView *tree = bench.panel.tree();
+    QTreeView *tree = bench.panel.findChild<QTreeView *>();
     const auto *proxy = qobject_cast<const QAbstractProxyModel *>(tree->model());
     const QModelIndex cell = proxy->mapFromSource(cellOf(bench, name, RegisterModel::ValueColumn));
     tree->expand(cell.parent());
@@ -84,7 +84,7 @@ private Q_SLOTS:
         const auto shown = [&](RegisterModel::Column column, int width) {
             const Seen delegate(bench.model);
             QStyleOptionViewItem option;
-            option.widget = bench.panel.tree();
+            option.widget = bench.panel.findChild<QTreeView *>();
             option.font = bench.panel.font();
             option.rect = QRect(0, 0, width, 20);
             delegate.initStyleOption(&option, bench.model.indexOf(power, column));
@@ -107,14 +107,14 @@ private Q_SLOTS:
         widgets::Settings settings = facts::WindowRig::quietSettings();
         settings.registerColumns = {QStringLiteral("hex"), QStringLiteral("access")};
         const facts::WindowRig rig(settings);
-        widgets::RegisterPanel &panel = *rig.window.registerPanel();
-        QVERIFY(panel.tree()->isColumnHidden(RegisterModel::ValueColumn));
-        QVERIFY(!panel.tree()->isColumnHidden(RegisterModel::HexColumn));
-        QVERIFY(!panel.tree()->isColumnHidden(RegisterModel::NameColumn));
+        widgets::RegisterPanel &panel = *rig.window.findChild<widgets::RegisterPanel *>();
+        QVERIFY(panel.findChild<QTreeView *>()->isColumnHidden(RegisterModel::ValueColumn));
+        QVERIFY(!panel.findChild<QTreeView *>()->isColumnHidden(RegisterModel::HexColumn));
+        QVERIFY(!panel.findChild<QTreeView *>()->isColumnHidden(RegisterModel::NameColumn));
         auto *value = panel.columnsMenu()->findChild<QAction *>(QStringLiteral("value"));
         QVERIFY(value != nullptr);
         value->trigger();
-        QVERIFY(!panel.tree()->isColumnHidden(RegisterModel::ValueColumn));
+        QVERIFY(!panel.findChild<QTreeView *>()->isColumnHidden(RegisterModel::ValueColumn));
         QCOMPARE(rig.window.settings().registerColumns,
             (QStringList{
                 QStringLiteral("value"), QStringLiteral("hex"), QStringLiteral("access")}));
@@ -154,7 +154,8 @@ private Q_SLOTS:
         QVERIFY(cell.data(Qt::ToolTipRole).toString().contains(word));
         auto *search = bench.panel.findChild<QLineEdit *>(QStringLiteral("registerSearch"));
         QVERIFY(search != nullptr);
-        const auto *proxy = qobject_cast<const QAbstractProxyModel *>(bench.panel.tree()->model());
+        const auto *proxy = qobject_cast<const QAbstractProxyModel *>(
+            bench.panel.findChild<QTreeView *>()->model());
         for (const char *typed : {"drehzahlregler", "speed regulator"}) {
             search->setText(QLatin1String(typed));
             QVERIFY2(proxy->mapFromSource(cell).isValid(), typed);
@@ -226,13 +227,16 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(rig.workbench.device().identified().has_value(), 10000);
         widgets::RegisterModel &model = rig.workbench.registers();
         const auto id = *model.idOf("LOWSIDE_MODULATION");
-        widgets::RegisterPanel &panel = *rig.window.registerPanel();
+        widgets::RegisterPanel &panel = *rig.window.findChild<widgets::RegisterPanel *>();
         panel.focusSearch();
         QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("LOWSIDE_MOD"));
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
-        QCOMPARE(
-            panel.tree()->currentIndex().siblingAtColumn(0).data(RegisterModel::IdRole).toUInt(),
+        QCOMPARE(panel.findChild<QTreeView *>()
+                     ->currentIndex()
+                     .siblingAtColumn(0)
+                     .data(RegisterModel::IdRole)
+                     .toUInt(),
             quint32(id));
         QTRY_VERIFY_WITH_TIMEOUT(model.known(id).has_value(), 10000);
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_F2);
@@ -305,15 +309,16 @@ private Q_SLOTS:
         };
         QTRY_VERIFY(!watch.registers().empty());
         QVERIFY(!polled()); // its group is closed
-        widgets::RegisterPanel &panel = *rig.window.registerPanel();
-        const auto *proxy = qobject_cast<const QAbstractProxyModel *>(panel.tree()->model());
+        widgets::RegisterPanel &panel = *rig.window.findChild<widgets::RegisterPanel *>();
+        const auto *proxy =
+            qobject_cast<const QAbstractProxyModel *>(panel.findChild<QTreeView *>()->model());
         const QModelIndex cell = proxy->mapFromSource(rig.workbench.registers().indexOf(id));
-        panel.tree()->expand(cell.parent());
-        panel.tree()->scrollTo(cell);
+        panel.findChild<QTreeView *>()->expand(cell.parent());
+        panel.findChild<QTreeView *>()->scrollTo(cell);
         QTRY_VERIFY(polled());
-        panel.tree()->collapse(cell.parent());
+        panel.findChild<QTreeView *>()->collapse(cell.parent());
         QTRY_VERIFY(!polled());
-        panel.tree()->expand(cell.parent());
+        panel.findChild<QTreeView *>()->expand(cell.parent());
         QTRY_VERIFY(polled());
         panel.window()->hide();
         panel.hide();

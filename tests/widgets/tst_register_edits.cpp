@@ -347,7 +347,7 @@ private Q_SLOTS:
         bench.panel.show();
         QVERIFY(QTest::qWaitForWindowExposed(&bench.panel));
         bench.type("SPEED_KP", QStringLiteral("77"));
-        QTreeView *tree = bench.panel.tree();
+        QTreeView *tree = bench.panel.findChild<QTreeView *>();
         const auto *proxy = qobject_cast<const QAbstractProxyModel *>(tree->model());
         const QModelIndex cell = proxy->mapFromSource(
             bench.model.indexOf(bench.id("SPEED_KP"), RegisterModel::ValueColumn));
@@ -367,7 +367,7 @@ private Q_SLOTS:
         bench.panel.resize(420, 600);
         bench.panel.show();
         QVERIFY(QTest::qWaitForWindowExposed(&bench.panel));
-        QTreeView *tree = bench.panel.tree();
+        QTreeView *tree = bench.panel.findChild<QTreeView *>();
         const auto *proxy = qobject_cast<const QAbstractProxyModel *>(tree->model());
         const QModelIndex name = proxy->mapFromSource(
             bench.model.indexOf(bench.id("SPEED_KP"), RegisterModel::NameColumn));

@@ -201,7 +201,7 @@ private Q_SLOTS:
         QVERIFY(box);
         QVERIFY(box->findText(QStringLiteral("torque")) >= 0);
         box->setCurrentText(QStringLiteral("torque"));
-        bench.panel.tree()->setFocus();
+        bench.panel.findChild<QTreeView *>()->setFocus();
         QTRY_COMPARE(bench.edits.pendingCount(), 1);
         QVERIFY(bench.model.pending().front().value == Value(std::int64_t{4}));
         const QModelIndex cell =
@@ -221,7 +221,7 @@ private Q_SLOTS:
         QVERIFY(box && box->findText(QStringLiteral("torque")) < 0);
         QVERIFY(box->currentIndex() >= 0); // what the board holds is among them
         box->setCurrentText(QStringLiteral("Drehmoment"));
-        bench.panel.tree()->setFocus();
+        bench.panel.findChild<QTreeView *>()->setFocus();
         QTRY_COMPARE(bench.edits.pendingCount(), 1);
         QVERIFY(bench.model.pending().front().value == Value(std::int64_t{4}));
         const QModelIndex cell =
@@ -287,7 +287,7 @@ private:
         bench.panel.activateWindow();
         if (!QTest::qWaitForWindowActive(&bench.panel))
             return nullptr;
-        QTreeView *tree = bench.panel.tree();
+        QTreeView *tree = bench.panel.findChild<QTreeView *>();
         const QModelIndex source =
             bench.model.indexOf(id, static_cast<RegisterModel::Column>(column));
         const auto *proxy = qobject_cast<QAbstractProxyModel *>(tree->model());
@@ -367,7 +367,8 @@ void TestRegisterEntry::whateverIsTypedNothingOutsideTheLimitsIsWritten()
         }
         if (random.chance(0.7))
             QTest::keyClick(editor, Qt::Key_Return);
-        bench.panel.tree()->setFocus(); // what is good is taken over, what is not is told
+        bench.panel.findChild<QTreeView *>()
+            ->setFocus(); // what is good is taken over, what is not is told
         QCoreApplication::processEvents();
         for (const drive::RegisterWrite &write : bench.model.pending())
             QVERIFY2(

@@ -75,7 +75,6 @@ private Q_SLOTS:
 
     void aValueOlderThanThreePeriodsIsStale()
     {
-        m_model->setPollPeriod(100ms);
         m_model->take({facts::reading(facts::kSpeed, std::int64_t{1500})}, 1000ms);
         m_model->refresh(1300ms);
         QVERIFY(!stale(facts::kSpeed));
@@ -91,7 +90,6 @@ private Q_SLOTS:
 
     void aSlowLinkIsGivenThePeriodThatItReaches()
     {
-        m_model->setPollPeriod(100ms);
         m_model->take({facts::reading(facts::kSpeed, std::int64_t{1})}, 0ms);
         m_model->take({facts::reading(facts::kSpeed, std::int64_t{2})}, 400ms);
         m_model->refresh(1500ms);

@@ -382,17 +382,17 @@ void TestScopeEvents::theLogForgetsButNeverANote()
 void TestScopeEvents::manyAtOnceAreShownAtOnce()
 {
     QTreeView *list = openList();
-    auto *panel = m_rig->find<widgets::EventPanel>("eventPanel");
+    const QSignalSpy scrolls(list->verticalScrollBar(), &QScrollBar::valueChanged);
     QCoreApplication::processEvents();
     for (const bool seen : {true, false}) {
         m_rig->find<QWidget>("eventDock")->setVisible(seen);
         QCoreApplication::processEvents();
-        const int before = panel->scrolls();
+        const qsizetype before = scrolls.size();
         for (int i = 0; i < 5000; ++i)
             log().add(EventKind::State, 4.0 + i * 1e-4, QStringLiteral("RUN"));
-        QCOMPARE(panel->scrolls(), before); // each would look at all rows there are
+        QCOMPARE(scrolls.size(), before); // each would look at all rows there are
         QCoreApplication::processEvents();
-        QCOMPARE(panel->scrolls(), before + (seen ? 1 : 0));
+        QCOMPARE(scrolls.size() > before, seen);
     }
     m_rig->find<QWidget>("eventDock")->show();
     QTRY_COMPARE(list->verticalScrollBar()->value(), list->verticalScrollBar()->maximum());

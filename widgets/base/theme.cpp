@@ -1,9 +1,8 @@
 #include "widgets/base/theme.h"
 
-#include "widgets/base/late_icons.h"
-
 #include <QApplication>
 #include <QPointer>
+#include <QStyleFactory>
 #include <QToolTip>
 
 namespace widgets {
@@ -73,9 +72,9 @@ void applyTheme(Theme theme)
 {
     const bool dark = desktopIsDark();
     // Kept, not asked for: with a style sheet the application's style is Qt's own, with ours behind it.
-    static QPointer<LateIcons> style;
+    static QPointer<QStyle> style;
     if (!style)
-        QApplication::setStyle(style = new LateIcons);
+        QApplication::setStyle(style = QStyleFactory::create(QStringLiteral("Fusion")));
     const bool wantDark = theme == Theme::Dark || (theme == Theme::System && dark);
     const QPalette palette = wantDark ? darkPalette() : lightPalette();
     QApplication::setPalette(palette);

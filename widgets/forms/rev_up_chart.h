@@ -34,7 +34,6 @@ public:
     QList<QPointF> drawn(Quantity quantity) const;
     QList<QPointF> drawnMeasured(Quantity quantity) const;
     std::optional<Point> selected() const { return m_selected; }
-    bool dragging() const { return m_drag.has_value(); }
     /// The selected point in words, with units; how to move points if none is selected.
     QString hint() const;
 

@@ -12,6 +12,7 @@
 namespace widgets {
 namespace {
 
+constexpr Milliseconds kPollPeriod{100}; ///< of what is on screen
 constexpr Milliseconds kLongestInterval{2000};
 
 QString fromCore(const std::string &text)
@@ -118,7 +119,7 @@ void RegisterModel::take(const std::vector<drive::Reading> &readings, Millisecon
 
 bool RegisterModel::outdated(const Row &row, Milliseconds now) const
 {
-    return !m_believed || now - row.at > 3 * std::max(m_period, row.interval);
+    return !m_believed || now - row.at > 3 * std::max(kPollPeriod, row.interval);
 }
 
 void RegisterModel::refresh(Milliseconds now)

@@ -58,7 +58,6 @@ public:
     /// Marks values older than 3 periods as stale. A register's period is the one wished for, or the one at which its
     /// values really come where the link is slower.
     void refresh(Milliseconds now);
-    void setPollPeriod(Milliseconds period) { m_period = period; }
     /// False: nothing is known to be current any more, whatever its age (a link that is silent).
     void setBelieved(bool believed);
 
@@ -173,7 +172,6 @@ private:
     std::vector<drive::MotorLimits> m_limits;
     std::unordered_map<catalog::RegisterId, std::size_t> m_byId;
     QStringList m_pinned;
-    Milliseconds m_period{100};
     int m_motor = 1;
     bool m_believed = true;
 };

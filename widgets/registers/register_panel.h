@@ -25,7 +25,6 @@ public:
     RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget *parent = nullptr);
     ~RegisterPanel() override;
 
-    QTreeView *tree() const { return m_tree; }
     /// Registers whose rows are expanded and on screen.
     std::vector<catalog::RegisterId> visibleRegisters() const;
 

@@ -41,7 +41,6 @@ public:
     /// folded stay so.
     void foldWhen(std::function<bool()> crowded);
     void room(); ///< it may have changed
-    bool folded() const { return m_folded; }
 
 public Q_SLOTS:
     /// Some times a second: what the link really carries, beside what was planned.

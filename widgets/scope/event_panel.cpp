@@ -113,10 +113,8 @@ void EventPanel::follow()
 void EventPanel::scrollToEnd()
 {
     m_behind = !m_list->isVisible(); // nobody sees where a hidden one stands
-    if (!m_behind) {
-        ++m_scrolls;
+    if (!m_behind)
         m_list->scrollToBottom();
-    }
 }
 
 void EventPanel::showEvent(QShowEvent *event)

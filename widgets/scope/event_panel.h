@@ -23,7 +23,6 @@ public:
     void focusFirst() override;
     void editNote(quint32 marker); ///< selects it and opens its note
     /// To the end, since it was made: each looks at all rows.
-    int scrolls() const { return m_scrolls; }
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
@@ -44,7 +43,6 @@ private:
     QCheckBox *m_onlyMarkers;
     QTimer m_scroll;
     bool m_behind = false; ///< its end is to be shown when it is seen
-    int m_scrolls = 0;
 };
 
 } // namespace widgets

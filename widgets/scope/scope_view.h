@@ -97,7 +97,6 @@ public:
 
     /// For the status bar and for tests: redraws since the view was made.
     quint64 redraws() const { return m_redraws; }
-    QCustomPlot &plotWidget() { return *m_plot; } ///< for the scope's own parts
     /// The events and the plots with all that stands over them, as shapes, in pixels.
     void drawShapes(QPaintDevice &device);
     QSize shapesSize() const;

@@ -58,11 +58,8 @@ public:
 
     Settings settings() const; ///< as they are now, to be saved
     ConnectBar *connectBar() const { return m_connectBar; }
-    ControlPanel *controlPanel() const { return m_control; }
-    RegisterPanel *registerPanel() const { return m_registerPanel; }
     ScopeView *scope() const { return m_scope; }
     SignalSelection *selection() const { return m_selection; }
-    FirstSteps *firstSteps() const { return m_firstSteps; }
     /// Makes now what is made after the first picture; a second call costs nothing.
     void finishTools();
     static constexpr char kExportJob[] = "exportJob"; ///< its object's name

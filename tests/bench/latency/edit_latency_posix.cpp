@@ -67,13 +67,14 @@ public:
     double edit(int value)
     {
         auto &model = m_rig.workbench.registers();
-        widgets::RegisterPanel &panel = *m_rig.window.registerPanel();
-        const auto *proxy = qobject_cast<QAbstractProxyModel *>(panel.tree()->model());
+        widgets::RegisterPanel &panel = *m_rig.window.findChild<widgets::RegisterPanel *>();
+        const auto *proxy =
+            qobject_cast<QAbstractProxyModel *>(panel.findChild<QTreeView *>()->model());
         const QModelIndex cell =
             proxy->mapFromSource(model.indexOf(m_id, widgets::RegisterModel::ValueColumn));
-        panel.tree()->expand(cell.parent());
-        panel.tree()->scrollTo(cell);
-        panel.tree()->setCurrentIndex(cell);
+        panel.findChild<QTreeView *>()->expand(cell.parent());
+        panel.findChild<QTreeView *>()->scrollTo(cell);
+        panel.findChild<QTreeView *>()->setCurrentIndex(cell);
         QCoreApplication::processEvents();
         panel.editCurrent();
         auto *editor = panel.findChild<QLineEdit *>(QStringLiteral("registerEntry"));
