@@ -40,8 +40,8 @@ void StopSequence::follow(int motors, Count count, TimePoint now)
 {
     if (!active())
         return;
-    m_count = count;
     m_known = motors;
+    m_count = count;
     if (count == Count::Exactly)
         std::erase_if(m_motors, [&](const Motor &motor) { return motor.number > motors; });
     add(motors, now);
