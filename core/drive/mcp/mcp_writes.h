@@ -63,7 +63,6 @@ private:
     void settle(Item &item, std::uint8_t status);
     void takeStatuses(const std::vector<Item *> &items, ByteView response);
     std::vector<RegisterId> idsToRead(bool after) const;
-    void startReading(Phase phase);
     void enter(Phase phase);
     void takeReadingsInto(
         std::optional<Value> WriteResult::*where, ByteView response, TimePoint now);
