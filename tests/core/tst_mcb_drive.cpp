@@ -35,8 +35,6 @@ private Q_SLOTS:
     void aStopThatIsNotObeyedIsAlarmed();
     void aDriveThatIsNotReadyIsStoppedBlind();
     void aDriveThatAnswersNobodyIsStoppedBlind();
-    void whatWaitsForTheDriveEndsWithItsPermission_data();
-    void whatWaitsForTheDriveEndsWithItsPermission();
     void aStopDoesNotWaitForALengthThatNobodyConfirms();
     void aStopDoesNotWaitForASlowStream_data();
     void aStopDoesNotWaitForASlowStream();
@@ -388,52 +386,6 @@ void TestMcbDrive::aDriveThatIsNotReadyIsStoppedBlind()
             return !pair.drive->stopOpen();
         },
         5s));
-}
-
-void TestMcbDrive::whatWaitsForTheDriveEndsWithItsPermission_data()
-{
-    QTest::addColumn<int>("what");
-    QTest::newRow("disarmed") << 0;
-    QTest::newRow("disconnected") << 1;
-    QTest::newRow("too late") << 2;
-}
-
-/// A drive that is not ready keeps requests waiting: cut off at any moment, none of them acts afterwards.
-void TestMcbDrive::whatWaitsForTheDriveEndsWithItsPermission()
-{
-    QFETCH(int, what);
-    int leftBefore = 0;
-    constexpr int kMoments = 12;
-    for (int moment = 0; moment < kMoments; ++moment) {
-        McbPair pair;
-        QVERIFY(pair.meet());
-        arm(pair);
-        pair.look = 100us;
-        const auto letThrough = [&](int frames) {
-            for (int i = 0; i < frames; ++i) {
-                pair.drive->handleReady(true, pair.now);
-                pair.runFor(100us);
-            }
-        };
-        pair.drive->handleReady(false, pair.now);
-        pair.writes.clear();
-        const WishId id = pair.submit(Command{MotorAction::AcknowledgeFaults, 1});
-        letThrough(moment);
-        const std::size_t before = pair.writes.size();
-        leftBefore += before > 0 ? 1 : 0;
-        if (what == 0)
-            pair.drive->disarm();
-        else if (what == 1)
-            pair.drive->disconnect(pair.now);
-        else
-            pair.runFor(600ms);
-        letThrough(100);
-        if (what < 2 || before == 0) // what was begun in time is finished
-            QCOMPARE(pair.writes.size(), before);
-        QCOMPARE(pair.ended[id].size(), std::size_t{1});
-        QVERIFY(before > 0 || pair.ended[id].front().outcome == Outcome::NotSent);
-    }
-    QVERIFY(leftBefore > 0 && leftBefore < kMoments);
 }
 
 void TestMcbDrive::aDriveThatAnswersNobodyIsStoppedBlind()
