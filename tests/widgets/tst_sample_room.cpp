@@ -113,7 +113,9 @@ private Q_SLOTS:
     {
         facts::WindowRig rig;
         const std::uint64_t usual = rig.workbench.archive()->budget();
-        QCOMPARE(usual, session::usualArchiveBudget(session::archiveFolder()));
+        // Half of what is free, and others write to the disk meanwhile.
+        const auto now = static_cast<double>(session::usualArchiveBudget(session::archiveFolder()));
+        QVERIFY(std::abs(static_cast<double>(usual) - now) < 0.05 * now);
         auto *size = open(rig);
         QVERIFY(size->text().isEmpty());
         QTest::keyClick(size, Qt::Key_Return);
