@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QPointer>
+#include <QStyle>
 #include <QStyleFactory>
 #include <QToolTip>
 
