@@ -385,6 +385,8 @@ void Session::yieldPort(TimePoint now)
 void Session::exchange(TimePoint now)
 {
     for (int round = 0; round < kMostRounds && !m_failure && !handsOff(); ++round) {
+        if (m_stopRequested.exchange(false)) // since this turn began, which may have taken long
+            stopNow(now);
         std::vector<Output> outputs = m_drive->takeOutput();
         for (const Output &output : outputs) {
             qCDebug(lcLinkBytes).noquote()

@@ -114,6 +114,7 @@ private Q_SLOTS:
     void aBrokenRuleSpeaks_data();
     void aBrokenRuleSpeaks();
     void whatIsKeptIsSilent();
+    void whoArmsWhileTheMotorComesToRestMayBeHeard();
     void theOrderOfStopsIsTheDrives();
     void aListOfParametersTakesNothingFromOthers();
     void aMotorNobodyKnowsOfIsStoppedWhenItIsKnown();
@@ -338,6 +339,35 @@ void TestMsRules::whatIsKeptIsSilent()
     b.run(1s);
     QCOMPARE(b.judge.verdict(), std::string());
     QCOMPARE(b.judge.counts().starts, 2);
+}
+
+void TestMsRules::whoArmsWhileTheMotorComesToRestMayBeHeard()
+{
+    for (const bool threads : {false, true}) {
+        Bench b;
+        b.judge.line().grace = threads ? 300ms : 0ms;
+        b.arm();
+        b.act(Act::Kind::Stop);
+        b.request({kStop | 1});
+        b.act(Act::Kind::Arm); // at the window; the line's thread hears of it after the motor came to rest
+        b.truth[0] = {};
+        b.run(20ms);
+        b.act(Act::Kind::Start);
+        b.request({kStart | 1});
+        QCOMPARE(b.judge.verdict().empty(), threads);
+        // A Stop that comes after it counts.
+        b.drive();
+        b.run(2ms);
+        b.act(Act::Kind::Stop);
+        b.request({kStop | 1});
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::Stop);
+        b.truth[0] = {};
+        b.run(20ms);
+        b.act(Act::Kind::Start);
+        b.request({kStart | 1});
+        QVERIFY(!b.judge.verdict().empty());
+    }
 }
 
 void TestMsRules::theOrderOfStopsIsTheDrives()

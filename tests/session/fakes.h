@@ -30,7 +30,7 @@ public:
         FakeTransport *alive = nullptr;
         session::PortError openResult; ///< what the next open() answers
         bool sent = true;
-        std::function<void()> onWrite = {};
+        std::function<void()> onWrite = {}, onAdvance = {};
     };
 
     explicit FakeTransport(Log &log)
@@ -63,7 +63,11 @@ public:
         m_log.sent = true;
     }
     bool sent(TimePoint) const override { return m_log.sent; }
-    void advance(TimePoint) override { }
+    void advance(TimePoint) override
+    {
+        if (m_log.onAdvance)
+            m_log.onAdvance();
+    }
     std::optional<TimePoint> nextWake() const override { return {}; }
     bool real() const override { return false; }
 

@@ -18,6 +18,7 @@ private Q_SLOTS:
     void bytesReachTheDriveAndItsEventsComeOut();
     void theDrivesTimeoutIsKept();
     void aStopFromAnotherThreadReachesTheDriveBeforeQueuedWishes();
+    void aStopThatComesDuringATurnIsBeforeWhatLeavesInIt();
     void aStopWithoutAPortDoesNothing();
     void wishesWithoutAPortEndNotSent();
     void armingIsToldAndEndsWithTheStop();
@@ -126,6 +127,23 @@ void TestSession::aStopFromAnotherThreadReachesTheDriveBeforeQueuedWishes()
     QCoreApplication::sendPostedEvents(&bench.session);
     QCOMPARE(bench.board.stops, 1);
     QCOMPARE(bench.board.wishes.size(), 1U);
+}
+
+void TestSession::aStopThatComesDuringATurnIsBeforeWhatLeavesInIt()
+{
+    Bench bench;
+    bench.session.open(Bench::serial());
+    bench.drive().outputs = {{bytes({1}), {}}};
+    int stopsBeforeWriting = -1;
+    bench.port.onWrite = [&] { stopsBeforeWriting = bench.board.stops; };
+    // What the port does takes time, in which somebody presses Esc.
+    bench.port.onAdvance = [&] {
+        if (bench.port.written.empty() && bench.board.stops == 0)
+            bench.session.stopFromAnyThread();
+    };
+    bench.turn();
+    QCOMPARE(stopsBeforeWriting, 1);
+    QCOMPARE(bench.board.stops, 1);
 }
 
 void TestSession::aStopWithoutAPortDoesNothing()

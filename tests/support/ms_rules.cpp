@@ -162,13 +162,9 @@ void MsRules::act(const Act &act)
         m_stop.reset();
         return forgetActs();
     case Act::Kind::Arm:
-        if (m_stop && std::any_of(m_stop->motors.begin(), m_stop->motors.end(), [](const auto &of) {
-                return !of.second.rested;
-            }))
-            return; // first the stop that was asked for
-        ++m_counts.arms;
-        m_armed = m_open;
-        m_stop.reset();
+        if (!stopGoesOn())
+            return arm();
+        m_armedEarly = act.at; // first the stop that was asked for
         return;
     case Act::Kind::Disarm:
         return forgetActs();
@@ -205,6 +201,21 @@ void MsRules::act(const Act &act)
     }
 }
 
+bool MsRules::stopGoesOn() const
+{
+    return m_stop
+        && std::any_of(m_stop->motors.begin(), m_stop->motors.end(),
+            [](const auto &of) { return !of.second.rested; });
+}
+
+void MsRules::arm()
+{
+    ++m_counts.arms;
+    m_armed = m_open;
+    m_stop.reset();
+    m_armedEarly.reset();
+}
+
 void MsRules::onStop(const Act &act)
 {
     ++m_counts.stops;
@@ -214,10 +225,7 @@ void MsRules::onStop(const Act &act)
     m_open = m_open || m_link != Link::Closed; // a Stop interrupts the disconnecting
     if (!m_open)
         return;
-    const bool goesOn = m_stop
-        && std::any_of(m_stop->motors.begin(), m_stop->motors.end(),
-            [](const auto &of) { return !of.second.rested; });
-    if (!goesOn) {
+    if (!stopGoesOn()) {
         m_stop = OpenStop{act.at, act.at, m_moment, act.at, {}};
         for (int motor = 1; motor <= m_line.motors; ++motor)
             m_stop->motors[motor];
@@ -228,6 +236,7 @@ void MsRules::onStop(const Act &act)
 /// Nobody is armed any more, and nothing is asked for.
 void MsRules::forgetActs()
 {
+    m_armedEarly.reset();
     if (std::exchange(m_armed, false)) {
         m_disarmed = m_moment;
         m_disarmedAt = m_now;
@@ -334,6 +343,9 @@ void MsRules::look(TimePoint now, const std::vector<Motor> &truth)
         if (m_stop && truth[i].idle)
             m_stop->motors[number].rested = true;
     }
+    // Armed while the last motor came to rest: what the line's thread found when the word reached it is not known here.
+    if (m_armedEarly && !stopGoesOn() && now - *m_armedEarly < m_line.grace)
+        arm();
     stopsLeaveInTime(now);
     silenceIsTold(now);
 }

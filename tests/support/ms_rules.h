@@ -211,6 +211,8 @@ private:
     void silenceIsTold(TimePoint now);
 
     void onStop(const Act &act);
+    bool stopGoesOn() const; ///< some motor has not come to rest since
+    void arm();
     void forgetActs();
     bool acts(Kind kind) const;
     bool wasUnderWay() const
@@ -250,6 +252,7 @@ private:
     std::vector<Pending> m_acts;
     std::map<int, TimePoint> m_stopSent; ///< by motor
     std::optional<TimePoint> m_leave, m_confirmed, m_held;
+    std::optional<TimePoint> m_armedEarly; ///< when a person armed before the Stop was over
     bool m_holdAgreed = false; ///< since the connection or the last Stop
     bool m_startedOnce = false; ///< since the connection or the last Stop
     double m_userRpm = 0.0, m_userAmps = 0.0;

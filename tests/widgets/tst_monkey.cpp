@@ -182,6 +182,7 @@ private:
         note(what);
         noteArming();
         const bool stops = widget->objectName() == QLatin1String("stop")
+            || widget->objectName() == QLatin1String("stopMotors")
             || widget->objectName() == QLatin1String("faultHelpStop")
             || widget->objectName() == QLatin1String("rampStop");
         m_restores = widget->objectName() == QLatin1String("snapshotRestore")
