@@ -120,6 +120,15 @@ private:
 
     void watch(const Watch &watch, TimePoint now) override { m_watch.watch(watch, now); }
     void lookAtOnce(TimePoint now) override { m_vitals.hurry(now); }
+    /// What waits was asked for, and checked, under limits that hold no more.
+    void limitsChanged() override
+    {
+        cutActing("the limits have changed", [](WishTask<P> &wish) {
+            return wish.permission() == Permission::Armed && wish.motion().has_value();
+        });
+    }
+    template <class Which>
+    void cutActing(const std::string &reason, Which which);
     void afterTask(TimePoint now);
     bool recallArmed(TimePoint now)
     {
@@ -134,7 +143,7 @@ private:
     TimePoint m_closeBy;
     WishTask<P> *m_wish = nullptr; ///< m_task, if it is a wish's
     EndedWish m_ended;
-    bool m_cutAfterAnswer = false;
+    std::string m_cutAfterAnswer; ///< why m_wish ends when its answer has come; empty: it goes on
 };
 
 template <class P>
@@ -247,7 +256,7 @@ void TaskDrive<P>::stop(TimePoint now)
 {
     if (m_mode == Mode::Closed)
         return;
-    m_cutAfterAnswer = m_task != nullptr;
+    m_cutAfterAnswer = m_task != nullptr ? "stopped" : "";
     m_wishes.cutAll("stopped", m_wish);
     beginStop(now);
     work(now);
@@ -258,10 +267,20 @@ void TaskDrive<P>::disarm()
 {
     setArmed(false);
     const bool recalled = recallArmed(m_workedAt);
-    m_wishes.cutArmed("disarmed", m_wish);
-    m_wishes.collect(m_events, m_workedAt);
+    cutActing("disarmed", [](WishTask<P> &wish) { return wish.permission() == Permission::Armed; });
     if (recalled)
         work(m_workedAt); // the link is free
+}
+
+/// The one whose answer is due ends with it, also if somebody arms again before.
+template <class P>
+template <class Which>
+void TaskDrive<P>::cutActing(const std::string &reason, Which which)
+{
+    m_wishes.cutActing(reason, m_wish, which);
+    if (m_wish != nullptr && which(*m_wish) && m_cutAfterAnswer.empty())
+        m_cutAfterAnswer = reason;
+    m_wishes.collect(m_events, m_workedAt);
 }
 
 template <class P>
@@ -270,7 +289,7 @@ void TaskDrive<P>::cutAllWishes(const std::string &reason)
     m_wishes.cutAll(reason, nullptr);
     if (std::exchange(m_wish, nullptr) != nullptr)
         m_task = &m_ended;
-    m_cutAfterAnswer = false;
+    m_cutAfterAnswer.clear();
     m_wishes.collect(m_events, m_workedAt);
 }
 
@@ -315,12 +334,12 @@ void TaskDrive<P>::afterTask(TimePoint now)
 {
     m_task = nullptr;
     WishTask<P> *wish = std::exchange(m_wish, nullptr);
-    const bool cut = std::exchange(m_cutAfterAnswer, false);
+    const std::string cut = std::exchange(m_cutAfterAnswer, {});
     if (wish == nullptr)
         return;
     const bool changed = wish->takeBoardChanged();
-    if (cut)
-        wish->cut("stopped");
+    if (!cut.empty())
+        wish->cut(cut);
     if (wish->finished() && wish->permission() == Permission::Armed)
         lookAtOnce(now); // whatever became of it
     if (changed)

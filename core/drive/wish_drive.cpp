@@ -72,7 +72,8 @@ void WishDrive::takeLimits(const Wish &wish, const UserLimits &limits, TimePoint
 {
     if (!isPlausible(limits))
         return endNow(wish, Outcome::Refused, "no limit is like that", now);
-    m_facts.user = limits;
+    if (std::exchange(m_facts.user, limits) != limits)
+        limitsChanged();
     endNow(wish, Outcome::Ok, {}, now);
 }
 

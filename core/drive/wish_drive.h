@@ -37,6 +37,7 @@ protected:
 
     virtual void work(TimePoint now) = 0; ///< sends what is due, tells what has happened
     virtual void watch(const Watch &watch, TimePoint now) = 0;
+    virtual void limitsChanged() { } ///< a person's own
     virtual void lookAtOnce(
         TimePoint now) = 0; ///< at the states of the motors, and often for a while
 

@@ -31,7 +31,9 @@ public:
 
     /// Ends all wishes but the one in flight (may be null).
     void cutAll(const std::string &reason, const WishTask<P> *except);
-    void cutArmed(const std::string &reason, const WishTask<P> *except);
+    /// @param which  of a task; whether it is to end
+    template <class Which>
+    void cutActing(const std::string &reason, const WishTask<P> *except, Which which);
 
     /// Ends and removes what has finished, reading its results out. @param now  when that was, for the motion log
     void collect(std::vector<Event> &events, TimePoint now);
@@ -93,10 +95,11 @@ void WishQueue<P>::cutAll(const std::string &reason, const WishTask<P> *except)
 }
 
 template <class P>
-void WishQueue<P>::cutArmed(const std::string &reason, const WishTask<P> *except)
+template <class Which>
+void WishQueue<P>::cutActing(const std::string &reason, const WishTask<P> *except, Which which)
 {
     for (const auto &task : m_acting)
-        if (task->permission() == Permission::Armed && task.get() != except)
+        if (task.get() != except && which(*task))
             task->cut(reason);
 }
 

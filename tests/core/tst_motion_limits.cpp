@@ -50,6 +50,7 @@ private Q_SLOTS:
     void expertModeEndsWithTheConnection();
     void expertModeIsForWhatIsUnknownOnly();
     void theLowerLimitWins();
+    void loweringALimitEndsWhatWaits();
     void limitsOfNoUseAreRefused();
     void ownLimitsOutliveTheConnection();
     void aStartThatWouldGoBeyondOnesOwnLimitIsRefused_data();
@@ -203,6 +204,27 @@ void TestMotionLimits::theLowerLimitWins()
     QVERIFY(ends(SpeedRamp{1, std::int32_t(board.maxSpeedRpm) + 1, 0ms}) == Outcome::Refused);
     QVERIFY(ends(TorqueRamp{1, board.nominalCurrentAmps * 1.01, 0ms}) == Outcome::Refused);
     QVERIFY(ends(SpeedRamp{1, std::int32_t(board.maxSpeedRpm), 0ms}) == Outcome::Ok);
+}
+
+void TestMotionLimits::loweringALimitEndsWhatWaits()
+{
+    Session session;
+    session.drive->arm();
+    std::vector<WishId> ramps;
+    for (const int rpm : {1500, 1600, 1700})
+        ramps.push_back(session.submit(SpeedRamp{1, rpm, 0ms}));
+    const WishId read = session.submit(Read{{session.id("SPEED_KP")}});
+    const WishId stop = session.submit(Command{MotorAction::StopMotor, 1});
+    const WishId limits = session.submit(UserLimits{1000.0, 0.0});
+    for (const WishId wish : {ramps[0], ramps[1], ramps[2], read, stop, limits})
+        QVERIFY(session.runUntilEnded(wish));
+    QVERIFY(session.outcome(ramps[0]) != Outcome::Refused); // it had begun
+    for (const WishId late : {ramps[1], ramps[2]}) {
+        QVERIFY(session.outcome(late) == Outcome::NotSent);
+        QVERIFY(reasonOf(session, late).find("limits") != std::string::npos);
+    }
+    QVERIFY(session.outcome(read) == Outcome::Ok);
+    QVERIFY(session.outcome(stop) == Outcome::Ok);
 }
 
 void TestMotionLimits::limitsOfNoUseAreRefused()
