@@ -104,7 +104,7 @@ std::optional<legacy::Request> LegacyCommandTask::nextRequest(TimePoint)
         if (auto why = drive::refuseStart(m_board, m_command.motor); !why.empty())
             return refused(std::move(why));
         if (looking())
-            return m_reader.nextRequest(m_board);
+            return m_reader.nextRequest();
         if (m_reader.gaveUp()) {
             end(Outcome::NotSent, "no answer about what it would start to");
             return std::nullopt;
@@ -120,8 +120,8 @@ std::optional<legacy::Request> LegacyCommandTask::nextRequest(TimePoint)
 void LegacyCommandTask::takeResponse(const legacy::Reply &response, TimePoint now)
 {
     if (!sent()) {
-        if (auto reading = m_reader.takeResponse(response, m_board, now))
-            m_found.push_back(std::move(*reading));
+        for (Reading &reading : m_reader.takeResponse(response, now))
+            m_found.push_back(std::move(reading));
     } else if (std::holds_alternative<legacy::Ack>(response)) {
         end(Outcome::Ok);
     } else {

@@ -27,7 +27,7 @@ private:
 
     const LegacyFacts &m_board;
     Command m_command;
-    LegacyReader m_reader;
+    LegacyReader m_reader{m_board};
     std::vector<Reading> m_found;
     bool m_looked = false;
 };

@@ -3,8 +3,10 @@
 #include "base/overloaded.h"
 #include "drive/legacy/legacy_commands.h"
 #include "drive/legacy/legacy_identification.h"
-#include "drive/legacy/legacy_polling.h"
+#include "drive/legacy/legacy_vitals.h"
+#include "drive/legacy/legacy_watch.h"
 #include "drive/legacy/legacy_writes.h"
+#include "drive/read_task.h"
 #include "drive/task_drive.h"
 #include "legacy/client.h"
 
@@ -82,7 +84,7 @@ LegacyDrive::Made LegacyDrive::taskFor(const Wish &wish)
     return std::visit(
         Overloaded{
             [&](const Read &read) -> Made {
-                return std::make_unique<LegacyReadTask>(wish.id, read, m_board);
+                return std::make_unique<ReadTask<LegacyProtocol>>(wish.id, read, m_board);
             },
             [&](const Write &write) -> Made {
                 return std::make_unique<LegacyWriteTask>(wish.id, write, m_board);

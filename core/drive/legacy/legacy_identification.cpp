@@ -62,7 +62,7 @@ std::optional<legacy::Request> LegacyIdentification::nextRequest(TimePoint)
     case Phase::Motors:
         return legacyRequest(m_board.motors + 1, legacy::GetRegister{kStatus});
     case Phase::Registers:
-        return m_reader.nextRequest(m_board);
+        return m_reader.nextRequest();
     case Phase::Done:
         break;
     }
@@ -104,14 +104,13 @@ void LegacyIdentification::takeResponse(const legacy::Reply &response, TimePoint
         }
         return probeRegisters();
     case Phase::Registers:
-        if (auto reading = m_reader.takeResponse(response, m_board, now)) {
-            if (reading->status == ReadStatus::Ok) {
-                m_values[reading->id] = reading->value;
-                m_readings.push_back(std::move(*reading));
+        for (Reading &reading : m_reader.takeResponse(response, now))
+            if (reading.status == ReadStatus::Ok) {
+                m_values[reading.id] = reading.value;
+                m_readings.push_back(std::move(reading));
             }
-            if (m_reader.finished())
-                finish();
-        }
+        if (m_reader.finished())
+            finish();
         return;
     case Phase::Done:
         return;

@@ -27,6 +27,7 @@ struct LegacyProtocol {
     using Vitals = LegacyVitals;
     using Watch = LegacyWatch;
     using Reader = LegacyReader;
+    static std::optional<ReadStatus> refuseRead(const LegacyFacts &board, RegisterId id);
 };
 
 inline legacy::Request legacyRequest(int motor, legacy::Command command)

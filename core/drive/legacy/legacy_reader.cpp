@@ -36,7 +36,7 @@ void LegacyReader::start(const std::vector<RegisterId> &ids)
     m_gaveUp = false;
 }
 
-std::optional<legacy::Request> LegacyReader::nextRequest(const LegacyFacts &) const
+std::optional<legacy::Request> LegacyReader::nextRequest() const
 {
     if (m_waiting.empty())
         return std::nullopt;
@@ -48,20 +48,19 @@ std::optional<legacy::Request> LegacyReader::nextRequest(const LegacyFacts &) co
     return request;
 }
 
-std::optional<Reading> LegacyReader::done(ReadStatus status, Value value, TimePoint now)
+std::vector<Reading> LegacyReader::done(ReadStatus status, Value value, TimePoint now)
 {
     Reading reading{m_waiting.front(), status, std::move(value), now};
     m_waiting.pop_front();
     m_stages.clear();
     m_losses = 0;
-    return reading;
+    return {std::move(reading)};
 }
 
-std::optional<Reading> LegacyReader::takeResponse(
-    const legacy::Reply &response, const LegacyFacts &board, TimePoint now)
+std::vector<Reading> LegacyReader::takeResponse(const legacy::Reply &response, TimePoint now)
 {
     if (m_waiting.empty())
-        return std::nullopt;
+        return {};
     const RegisterId id = m_waiting.front();
     const auto *ack = std::get_if<legacy::Ack>(&response);
     if (ack == nullptr)
@@ -72,10 +71,10 @@ std::optional<Reading> LegacyReader::takeResponse(
         m_losses = 0;
         m_stages.insert(m_stages.end(), ack->data.begin(), ack->data.end());
         if (m_stages.size() < kStageBytes * legacy::kRevUpStages)
-            return std::nullopt;
+            return {};
         return done(ReadStatus::Ok, std::exchange(m_stages, {}), now);
     }
-    const legacy::Register *which = legacy::findRegister(board.dialect, legacyNumber(id));
+    const legacy::Register *which = legacy::findRegister(m_board.dialect, legacyNumber(id));
     auto value = which != nullptr ? legacyValue(*which, ack->data) : std::nullopt;
     return value ? done(ReadStatus::Ok, std::move(*value), now)
                  : done(ReadStatus::NotSupported, {}, now);

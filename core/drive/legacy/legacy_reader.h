@@ -14,20 +14,25 @@ class LegacyReader {
 public:
     static constexpr int kRepeats = 3;
 
+    explicit LegacyReader(const LegacyFacts &board)
+        : m_board(board)
+    {
+    }
+
     void start(const std::vector<RegisterId> &ids);
     void clear() { start({}); }
     bool finished() const { return m_waiting.empty(); }
     bool gaveUp() const { return m_gaveUp; } ///< some were never answered: no Reading for those
 
     /// What is asked next; nothing when finished.
-    std::optional<legacy::Request> nextRequest(const LegacyFacts &board) const;
-    /// The reading that the answer completes, if it does.
-    std::optional<Reading> takeResponse(
-        const legacy::Reply &response, const LegacyFacts &board, TimePoint now);
+    std::optional<legacy::Request> nextRequest() const;
+    /// The reading that the answer completes, if it does: at most one.
+    std::vector<Reading> takeResponse(const legacy::Reply &response, TimePoint now);
     void takeNoResponse();
 
 private:
-    std::optional<Reading> done(ReadStatus status, Value value, TimePoint now);
+    const LegacyFacts &m_board;
+    std::vector<Reading> done(ReadStatus status, Value value, TimePoint now);
 
     std::deque<RegisterId> m_waiting;
     Bytes m_stages; ///< of the rev-up, read until now

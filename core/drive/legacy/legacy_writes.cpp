@@ -52,49 +52,12 @@ std::string refuseStages(
 
 } // namespace
 
-LegacyReadTask::LegacyReadTask(WishId id, const Read &read, const LegacyFacts &board)
-    : WishTask(id, Permission::Always)
-    , m_board(board)
-    , m_ids(read.registers)
+std::optional<ReadStatus> LegacyProtocol::refuseRead(const LegacyFacts &board, RegisterId id)
 {
-}
-
-void LegacyReadTask::finishIfRead()
-{
-    if (m_reader.finished() && !finished())
-        end(m_reader.gaveUp() ? Outcome::Unknown : Outcome::Ok,
-            m_reader.gaveUp() ? "no answer" : "");
-}
-
-std::optional<legacy::Request> LegacyReadTask::nextRequest(TimePoint now)
-{
-    if (!std::exchange(m_started, true)) {
-        std::vector<RegisterId> ids;
-        for (const RegisterId id : m_ids) {
-            const auto *info = m_board.catalog->find(id);
-            const bool readable = info != nullptr && info->readable();
-            if (readable && refuseAddress(m_board, id).empty())
-                ids.push_back(id);
-            else
-                m_readings.push_back({id, ReadStatus::NotSupported, {}, now});
-        }
-        m_reader.start(ids);
-    }
-    finishIfRead();
-    return m_reader.nextRequest(m_board);
-}
-
-void LegacyReadTask::takeResponse(const legacy::Reply &response, TimePoint now)
-{
-    if (auto reading = m_reader.takeResponse(response, m_board, now))
-        m_readings.push_back(std::move(*reading));
-    finishIfRead();
-}
-
-void LegacyReadTask::takeNoResponse(std::optional<bool>, TimePoint)
-{
-    m_reader.takeNoResponse();
-    finishIfRead();
+    const auto *info = board.catalog->find(id);
+    const bool readable = info != nullptr && info->readable();
+    return readable && refuseAddress(board, id).empty() ? std::nullopt
+                                                        : std::optional(ReadStatus::NotSupported);
 }
 
 LegacyWriteTask::LegacyWriteTask(WishId id, const Write &write, const LegacyFacts &board)
@@ -196,7 +159,7 @@ std::optional<legacy::Request> LegacyWriteTask::nextRequest(TimePoint)
             return item.requests[m_request];
         }
         if (!m_reader.finished())
-            return m_reader.nextRequest(m_board);
+            return m_reader.nextRequest();
         afterReading();
     }
     return std::nullopt;
@@ -214,15 +177,13 @@ void LegacyWriteTask::takeResponse(const legacy::Reply &response, TimePoint now)
 {
     if (m_phase == Phase::Setting)
         return takeAnswer(response);
-    auto reading = m_reader.takeResponse(response, m_board, now);
-    if (!reading)
-        return;
-    if (reading->status == ReadStatus::Ok) {
+    for (Reading &reading : m_reader.takeResponse(response, now)) {
         auto &where =
             m_phase == Phase::Before ? current().result.before : current().result.readBack;
-        where = reading->value;
+        if (reading.status == ReadStatus::Ok)
+            where = reading.value;
+        m_readings.push_back(std::move(reading));
     }
-    m_readings.push_back(std::move(*reading));
     if (m_reader.finished())
         afterReading();
 }

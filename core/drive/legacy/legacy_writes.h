@@ -11,26 +11,6 @@
 
 namespace drive {
 
-class LegacyReadTask : public WishTask<LegacyProtocol> {
-public:
-    LegacyReadTask(WishId id, const Read &read, const LegacyFacts &board);
-
-    std::optional<legacy::Request> nextRequest(TimePoint now) override;
-    void takeResponse(const legacy::Reply &response, TimePoint now) override;
-    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
-    std::vector<Reading> takeReadings() override { return std::exchange(m_readings, {}); }
-    bool onlyReads() const override { return true; }
-
-private:
-    void finishIfRead();
-
-    const LegacyFacts &m_board;
-    std::vector<RegisterId> m_ids;
-    LegacyReader m_reader;
-    std::vector<Reading> m_readings;
-    bool m_started = false;
-};
-
 class LegacyWriteTask : public WishTask<LegacyProtocol> {
 public:
     LegacyWriteTask(WishId id, const Write &write, const LegacyFacts &board);
@@ -66,7 +46,7 @@ private:
     std::vector<Item> m_items;
     std::size_t m_at = 0, m_request = 0; ///< the register at work, and its next request
     Phase m_phase = Phase::Check;
-    LegacyReader m_reader;
+    LegacyReader m_reader{m_board};
     std::string m_doubt; ///< why it is not known whether the board took it
     bool m_setSent = false; ///< of the register at work
     bool m_repeated = false; ///< that request has been sent twice

@@ -139,10 +139,10 @@ void McbActTask::takeResponse(const McbAnswer &answer, TimePoint now)
     if (finished())
         return;
     if (!m_reader.finished()) {
-        const Reading reading = m_reader.takeResponse(answer, m_board, now);
-        const auto number = asNumber(reading.value);
-        if (reading.status == ReadStatus::Ok && number && std::isfinite(*number))
-            m_values[mcbAddressOf(reading.id)] = *number;
+        for (const Reading &reading : m_reader.takeResponse(answer, now))
+            if (const auto number = asNumber(reading.value);
+                reading.status == ReadStatus::Ok && number && std::isfinite(*number))
+                m_values[mcbAddressOf(reading.id)] = *number;
         return;
     }
     const Step step = m_steps.front();

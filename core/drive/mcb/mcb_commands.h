@@ -48,7 +48,7 @@ protected:
 private:
     const McbBoard &m_board;
     int m_motor;
-    McbReader m_reader;
+    McbReader m_reader{m_board};
     std::map<std::uint16_t, double> m_values;
     std::deque<Step> m_steps;
     std::string m_problem; ///< of a step that was to be planned

@@ -5,8 +5,9 @@
 #include "drive/mcb/mcb_identification.h"
 #include "drive/mcb/mcb_stream.h"
 #include "drive/mcb/mcb_vitals.h"
-#include "drive/mcb/mcb_watch.h"
 #include "drive/mcb/mcb_writes.h"
+#include "drive/read_task.h"
+#include "drive/register_watch.h"
 #include "drive/task_drive.h"
 #include "mcb/dictionary.h"
 
@@ -135,7 +136,10 @@ McbDrive::Made McbDrive::taskFor(const Wish &wish)
         McbSetPoints &setPoints;
         using Made = std::unique_ptr<WishTask<McbProtocol>>;
 
-        Made operator()(const Read &read) { return std::make_unique<McbReadTask>(id, read, board); }
+        Made operator()(const Read &read)
+        {
+            return std::make_unique<ReadTask<McbProtocol>>(id, read, board);
+        }
         Made operator()(const Write &write)
         {
             return std::make_unique<McbWriteTask>(id, write, board);

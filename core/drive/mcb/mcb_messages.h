@@ -54,7 +54,8 @@ struct McbAnswer {
 class McbIdentification;
 class McbReader;
 class McbVitals;
-class McbWatch;
+template <class P>
+class RegisterWatch;
 
 struct McbProtocol {
     using Request = McbRequest;
@@ -63,8 +64,9 @@ struct McbProtocol {
     using Link = mcb::Master;
     using Identification = McbIdentification;
     using Vitals = McbVitals;
-    using Watch = McbWatch;
+    using Watch = RegisterWatch<McbProtocol>;
     using Reader = McbReader;
+    static std::optional<ReadStatus> refuseRead(const McbBoard &board, RegisterId id);
 };
 
 /// In the place of a code, but ours: the drive took the value, and another one is read back.

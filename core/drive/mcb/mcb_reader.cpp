@@ -43,6 +43,14 @@ Result<mcb::Words, std::string> mcbWordsOf(
     return fail(std::string("the register has a type of another size"));
 }
 
+std::optional<ReadStatus> McbProtocol::refuseRead(const McbBoard &board, RegisterId id)
+{
+    const std::uint16_t address = mcbAddressOf(id);
+    return board.infoOf(address) == nullptr || board.readable(address)
+        ? std::nullopt
+        : std::optional(ReadStatus::NotSupported);
+}
+
 void McbReader::start(const std::vector<RegisterId> &ids)
 {
     m_waiting.assign(ids.begin(), ids.end());
@@ -56,21 +64,23 @@ std::optional<McbRequest> McbReader::nextRequest() const
     return mcbRead(mcbAddressOf(m_waiting.front()));
 }
 
-Reading McbReader::takeResponse(const McbAnswer &answer, const McbBoard &board, TimePoint now)
+std::vector<Reading> McbReader::takeResponse(const McbAnswer &answer, TimePoint now)
 {
+    if (m_waiting.empty())
+        return {};
     Reading reading{m_waiting.front(), ReadStatus::Ok, {}, now};
     m_waiting.pop_front();
     if (!answer.ok) {
         reading.status = answer.code == static_cast<std::uint32_t>(mcb::ErrorCode::NoSuchRegister)
             ? ReadStatus::NotSupported
             : ReadStatus::Refused;
-        return reading;
+        return {std::move(reading)};
     }
-    if (auto value = mcbValueOf(board, mcbAddressOf(reading.id), answer.words))
+    if (auto value = mcbValueOf(m_board, mcbAddressOf(reading.id), answer.words))
         reading.value = std::move(*value);
     else
         reading.status = ReadStatus::Refused;
-    return reading;
+    return {std::move(reading)};
 }
 
 void McbReader::takeNoResponse()

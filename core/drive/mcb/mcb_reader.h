@@ -11,6 +11,11 @@ namespace drive {
 
 class McbReader {
 public:
+    explicit McbReader(const McbBoard &board)
+        : m_board(board)
+    {
+    }
+
     /// Forgets what it was doing and begins with these.
     void start(const std::vector<RegisterId> &ids);
     void clear() { m_waiting.clear(); }
@@ -19,10 +24,11 @@ public:
     bool gaveUp() const { return m_gaveUp; } ///< some were never answered: no Reading for those
 
     std::optional<McbRequest> nextRequest() const; ///< nothing when finished
-    Reading takeResponse(const McbAnswer &answer, const McbBoard &board, TimePoint now);
+    std::vector<Reading> takeResponse(const McbAnswer &answer, TimePoint now); ///< one
     void takeNoResponse();
 
 private:
+    const McbBoard &m_board;
     std::deque<RegisterId> m_waiting; ///< the first one is asked
     bool m_gaveUp = false;
 };

@@ -79,7 +79,7 @@ bool CommandTask::checking(std::optional<McpRequest> &request)
 std::optional<McpRequest> CommandTask::nextRequest(TimePoint)
 {
     if (!m_refusal.empty())
-        return m_reader.nextRequest(m_board);
+        return m_reader.nextRequest();
     if (finished() || sent())
         return std::nullopt;
     if (!m_board.hasMotor(m_command.motor)) {
@@ -98,7 +98,7 @@ void CommandTask::takeResponse(const ByteView &response, TimePoint now)
     if (!sent())
         return m_check.takeResponse(response, now);
     if (!m_refusal.empty()) {
-        for (const Reading &reading : m_reader.takeResponse(response, m_board, now)) {
+        for (const Reading &reading : m_reader.takeResponse(response, now)) {
             const auto *value = std::get_if<std::int64_t>(&reading.value);
             if (reading.status != ReadStatus::Ok || value == nullptr)
                 continue;
@@ -121,8 +121,7 @@ void CommandTask::takeResponse(const ByteView &response, TimePoint now)
         return end(Outcome::Unknown, "an answer that fits nothing");
     m_refusal = refusalIn(response);
     m_reader.start(
-        {idOf(mcp::reg::kStatus, m_command.motor), idOf(mcp::reg::kFaultsFlags, m_command.motor)},
-        m_board);
+        {idOf(mcp::reg::kStatus, m_command.motor), idOf(mcp::reg::kFaultsFlags, m_command.motor)});
 }
 
 void CommandTask::takeNoResponse(std::optional<bool> executed, TimePoint)
@@ -228,10 +227,10 @@ std::optional<McpRequest> SetPointTask::nextRequest(TimePoint)
             return std::nullopt;
         }
         m_step = Step::ReadMode;
-        m_reader.start({idOf(mcp::reg::kControlMode, m_motor)}, m_board);
+        m_reader.start({idOf(mcp::reg::kControlMode, m_motor)});
         [[fallthrough]];
     case Step::ReadMode:
-        return m_reader.nextRequest(m_board);
+        return m_reader.nextRequest();
     case Step::SetMode:
         markSent();
         return mcpSet(mcp::reg::kControlMode, m_motor, static_cast<std::uint32_t>(mode));
@@ -250,7 +249,7 @@ void SetPointTask::takeResponse(const ByteView &response, TimePoint now)
     if (m_step == Step::ReadMode) {
         const std::int64_t wanted = m_kind == Kind::Speed ? kSpeedModeNumber : kTorqueModeNumber;
         bool already = false;
-        for (const Reading &reading : m_reader.takeResponse(response, m_board, now))
+        for (const Reading &reading : m_reader.takeResponse(response, now))
             already = reading.status != ReadStatus::Ok || reading.value == Value(wanted);
         if (m_reader.finished())
             m_step = already && !m_reader.gaveUp() ? Step::SetPoint : Step::SetMode;

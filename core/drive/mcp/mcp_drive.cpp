@@ -4,11 +4,12 @@
 #include "drive/mcp/mcp_commands.h"
 #include "drive/mcp/mcp_heartbeat.h"
 #include "drive/mcp/mcp_identification.h"
-#include "drive/mcp/mcp_polling.h"
 #include "drive/mcp/mcp_position.h"
 #include "drive/mcp/mcp_stream.h"
 #include "drive/mcp/mcp_vitals.h"
+#include "drive/mcp/mcp_watch.h"
 #include "drive/mcp/mcp_writes.h"
+#include "drive/read_task.h"
 #include "drive/task_drive.h"
 
 namespace drive {
@@ -118,9 +119,9 @@ private:
 McpDrive::Made McpDrive::taskFor(const Wish &wish)
 {
     if (const auto *read = std::get_if<Read>(&wish.what))
-        return std::make_unique<ReadTask>(wish.id, *read, m_board);
+        return std::make_unique<ReadTask<McpProtocol>>(wish.id, *read, m_board);
     if (const auto *write = std::get_if<Write>(&wish.what))
-        return std::make_unique<WriteTask>(wish.id, *write, m_board);
+        return std::make_unique<McpWriteTask>(wish.id, *write, m_board);
     if (const auto *command = std::get_if<Command>(&wish.what))
         return std::make_unique<CommandTask>(wish.id, *command, m_board);
     if (const auto *speed = std::get_if<SpeedRamp>(&wish.what))

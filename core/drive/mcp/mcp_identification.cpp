@@ -63,7 +63,7 @@ void Identification::restart()
     m_board.watchdog.reset();
     m_board.streaming = {};
     m_unanswered = {mcp::reg::kGlobalConfig.bits};
-    m_reader.start({mcp::reg::kGlobalConfig.bits}, m_board);
+    m_reader.start({mcp::reg::kGlobalConfig.bits});
 }
 
 void Identification::statesRead()
@@ -77,7 +77,7 @@ std::optional<McpRequest> Identification::nextRequest(TimePoint)
     if (m_phase == Phase::StopDatalog)
         return datalogRequest(m_board.linkId, mcp::datalogStop());
     if (m_phase == Phase::Count || m_phase == Phase::Describe)
-        return m_reader.nextRequest(m_board);
+        return m_reader.nextRequest();
     return std::nullopt;
 }
 
@@ -85,7 +85,7 @@ void Identification::takeResponse(const ByteView &response, TimePoint now)
 {
     if (m_phase == Phase::StopDatalog)
         return describe(); // builds without a datalog refuse, which is as good as stopped
-    takeReadings(m_reader.takeResponse(response, m_board, now));
+    takeReadings(m_reader.takeResponse(response, now));
     if (m_reader.finished())
         afterRound();
 }
@@ -124,7 +124,7 @@ void Identification::afterRound()
     std::set<RegisterId> again = m_doubtful;
     again.insert(m_unanswered.begin(), m_unanswered.end());
     if (!again.empty() && ++m_rounds < kMostRounds)
-        return m_reader.start({again.begin(), again.end()}, m_board);
+        return m_reader.start({again.begin(), again.end()});
     for (const RegisterId id : m_doubtful)
         m_values.erase(id); // never the same twice: rather unknown than wrong
     m_doubtful.clear();
@@ -153,7 +153,7 @@ void Identification::describe()
                 mcp::reg::kPwrStageName, mcp::reg::kMotorName, mcp::reg::kScaleConfig})
             ids.push_back(idOf(id, motor));
     m_unanswered = {ids.begin(), ids.end()};
-    m_reader.start(ids, m_board);
+    m_reader.start(ids);
 }
 
 const Bytes *Identification::raw(mcp::RegisterId id, int motor) const

@@ -52,7 +52,7 @@ private:
 
     McpBoard &m_board;
     Phase m_phase = Phase::Count;
-    RegisterReader m_reader;
+    RegisterReader m_reader{m_board};
     std::map<RegisterId, Value> m_values;
     std::set<RegisterId> m_doubtful; ///< structures that were not the same twice
     std::set<RegisterId> m_unanswered; ///< asked for, and the answers were lost

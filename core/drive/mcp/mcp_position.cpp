@@ -53,10 +53,10 @@ std::optional<McpRequest> PositionTask::nextRequest(TimePoint)
         }
         m_asked = true;
         m_reader.start(
-            {m_board.catalog->withMotor(*m_board.catalog->find(kPosition), m_ramp.motor)}, m_board);
+            {m_board.catalog->withMotor(*m_board.catalog->find(kPosition), m_ramp.motor)});
     }
     if (!m_reader.finished())
-        return m_reader.nextRequest(m_board);
+        return m_reader.nextRequest();
     if (!m_judged)
         judge();
     if (finished())
@@ -70,7 +70,7 @@ std::optional<McpRequest> PositionTask::nextRequest(TimePoint)
 void PositionTask::takeResponse(const ByteView &response, TimePoint now)
 {
     if (!sent()) {
-        for (const Reading &reading : m_reader.takeResponse(response, m_board, now))
+        for (const Reading &reading : m_reader.takeResponse(response, now))
             if (const auto number = asNumber(reading.value);
                 reading.status == ReadStatus::Ok && number && std::isfinite(*number))
                 m_position_rad = *number;

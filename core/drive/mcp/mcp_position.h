@@ -23,7 +23,7 @@ private:
 
     const McpBoard &m_board;
     PositionRamp m_ramp;
-    RegisterReader m_reader;
+    RegisterReader m_reader{m_board};
     std::optional<double> m_position_rad;
     bool m_asked = false, m_judged = false;
 };

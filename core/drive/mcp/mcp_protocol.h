@@ -15,8 +15,8 @@ namespace drive {
 
 class Identification;
 class RegisterReader;
-class VitalPoll;
-class WatchPoll;
+class McpVitals;
+class McpWatch;
 
 struct McpGet {
     std::vector<mcp::RegisterId> registers;
@@ -45,9 +45,10 @@ struct McpProtocol {
     using Facts = McpBoard;
     using Link = aspep::Controller;
     using Identification = drive::Identification;
-    using Vitals = VitalPoll;
-    using Watch = WatchPoll;
+    using Vitals = McpVitals;
+    using Watch = McpWatch;
     using Reader = RegisterReader;
+    static std::optional<ReadStatus> refuseRead(const McpBoard &board, RegisterId id);
 };
 
 } // namespace drive

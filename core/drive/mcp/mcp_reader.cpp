@@ -35,7 +35,7 @@ bool sizeFits(RegisterId id, const Value &value)
 
 } // namespace
 
-void RegisterReader::start(const std::vector<RegisterId> &ids, const McpBoard &)
+void RegisterReader::start(const std::vector<RegisterId> &ids)
 {
     clear();
     m_waiting.assign(ids.begin(), ids.end());
@@ -54,21 +54,21 @@ void RegisterReader::clear()
     m_doubted.reset();
 }
 
-std::optional<McpRequest> RegisterReader::nextRequest(const McpBoard &board)
+std::optional<McpRequest> RegisterReader::nextRequest()
 {
     if (m_waiting.empty())
         return std::nullopt;
     McpGet request;
-    std::size_t room = board.responseBytes - kStatusBytes;
+    std::size_t room = m_board.responseBytes - kStatusBytes;
     m_batch = 0;
     for (const RegisterId id : m_waiting) {
         const std::size_t width = wireWidth(id);
-        const auto *info = board.catalog->find(id);
+        const auto *info = m_board.catalog->find(id);
         const bool alone =
             width == 0 || (info != nullptr && info->stub); // a stub answers without a value
         if (m_batch > 0
             && (alone || width > room
-                || kCommandBytes + (m_batch + 1) * kIdBytes > board.requestBytes))
+                || kCommandBytes + (m_batch + 1) * kIdBytes > m_board.requestBytes))
             break;
         request.registers.push_back({static_cast<std::uint16_t>(id)});
         room -= std::min(width, room);
@@ -80,8 +80,7 @@ std::optional<McpRequest> RegisterReader::nextRequest(const McpBoard &board)
     return request;
 }
 
-std::vector<Reading> RegisterReader::takeResponse(
-    const ByteView &response, const McpBoard &board, TimePoint now)
+std::vector<Reading> RegisterReader::takeResponse(const ByteView &response, TimePoint now)
 {
     std::vector<Reading> readings;
     if (response.empty() || m_batch == 0) {
@@ -92,10 +91,10 @@ std::vector<Reading> RegisterReader::takeResponse(
     ByteReader values(response.first(response.size() - kStatusBytes));
     while (readings.size() < m_batch && values.left() > 0) {
         const RegisterId id = m_waiting[readings.size()];
-        auto value = readValue(values, id, typeOf(*board.catalog, id));
+        auto value = readValue(values, id, typeOf(*m_board.catalog, id));
         if (!value)
             break;
-        if (board.knownFirmware && !sizeFits(id, *value)) {
+        if (m_board.knownFirmware && !sizeFits(id, *value)) {
             takeNoResponse();
             return {};
         }

@@ -19,20 +19,25 @@ class RegisterReader {
 public:
     static constexpr int kRepeats = 3;
 
+    explicit RegisterReader(const McpBoard &board)
+        : m_board(board)
+    {
+    }
+
     /// Forgets what it was doing and begins with these ids.
-    void start(const std::vector<RegisterId> &ids, const McpBoard &board);
+    void start(const std::vector<RegisterId> &ids);
     void clear();
 
     bool finished() const { return m_waiting.empty(); }
     bool gaveUp() const { return m_gaveUp; } ///< some were never answered: no Reading for those
 
     /// The request for the next batch; nothing when finished.
-    std::optional<McpRequest> nextRequest(const McpBoard &board);
-    std::vector<Reading> takeResponse(
-        const ByteView &response, const McpBoard &board, TimePoint now);
+    std::optional<McpRequest> nextRequest();
+    std::vector<Reading> takeResponse(const ByteView &response, TimePoint now);
     void takeNoResponse();
 
 private:
+    const McpBoard &m_board;
     std::deque<RegisterId> m_waiting; ///< in sending order; the open batch is its first m_batch
     std::size_t m_batch = 0;
     std::optional<RegisterId> m_doubted; ///< refused once

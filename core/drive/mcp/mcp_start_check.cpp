@@ -25,13 +25,13 @@ std::vector<RegisterId> StartCheck::wanted() const
 std::optional<McpRequest> StartCheck::nextRequest()
 {
     if (!std::exchange(m_started, true))
-        m_reader.start(wanted(), m_board);
-    return m_reader.nextRequest(m_board);
+        m_reader.start(wanted());
+    return m_reader.nextRequest();
 }
 
 void StartCheck::takeResponse(const ByteView &response, TimePoint now)
 {
-    for (Reading &reading : m_reader.takeResponse(response, m_board, now))
+    for (Reading &reading : m_reader.takeResponse(response, now))
         m_readings.push_back(std::move(reading));
 }
 

@@ -32,7 +32,7 @@ private:
 
     const McpBoard &m_board;
     int m_motor;
-    RegisterReader m_reader;
+    RegisterReader m_reader{m_board};
     std::vector<Reading> m_readings;
     bool m_started = false;
 };

@@ -22,15 +22,6 @@ bool isDatalogRegister(RegisterId id)
         || bare == mcp::reg::kAsyncStLink.bits;
 }
 
-/// Why the id cannot be addressed on this board; empty if it can.
-std::string refuseAddress(const McpBoard &board, RegisterId id)
-{
-    const auto *info = board.catalog->find(id);
-    if (info != nullptr && info->perMotor && !board.hasMotor(board.catalog->motorOf(id)))
-        return "no such motor";
-    return {};
-}
-
 /// Why bytes of this length are not written over those that were read; empty if they may. The two that are written in
 /// lengths of their own are looked at elsewhere: TORQUE_RAMP with the limits, REVUP_DATA by the board.
 std::string refuseLength(const RegisterWrite &write, const Value &before)
@@ -68,50 +59,17 @@ bool sameValue(RegisterId id, const Value &wanted, const Value &read)
 
 } // namespace
 
-ReadTask::ReadTask(WishId id, const Read &read, const McpBoard &board)
-    : WishTask(id, Permission::Always)
-    , m_board(board)
-    , m_ids(read.registers)
+std::optional<ReadStatus> McpProtocol::refuseRead(const McpBoard &board, RegisterId id)
 {
+    const auto *info = board.catalog->find(id);
+    if (info != nullptr && !info->readable())
+        return ReadStatus::NotSupported;
+    if (info != nullptr && info->perMotor && !board.hasMotor(board.catalog->motorOf(id)))
+        return ReadStatus::Refused; // no such motor
+    return std::nullopt;
 }
 
-std::optional<McpRequest> ReadTask::nextRequest(TimePoint now)
-{
-    if (!std::exchange(m_started, true)) {
-        std::vector<RegisterId> ids;
-        for (const RegisterId id : m_ids) {
-            const auto *info = m_board.catalog->find(id);
-            const bool readable = info == nullptr || info->readable();
-            if (refuseAddress(m_board, id).empty() && readable)
-                ids.push_back(id);
-            else
-                m_readings.push_back(
-                    {id, readable ? ReadStatus::Refused : ReadStatus::NotSupported, {}, now});
-        }
-        m_reader.start(ids, m_board);
-        if (m_reader.finished())
-            end(Outcome::Ok);
-    }
-    return m_reader.nextRequest(m_board);
-}
-
-void ReadTask::takeResponse(const ByteView &response, TimePoint now)
-{
-    for (Reading &reading : m_reader.takeResponse(response, m_board, now))
-        m_readings.push_back(std::move(reading));
-    if (m_reader.finished())
-        end(m_reader.gaveUp() ? Outcome::Unknown : Outcome::Ok,
-            m_reader.gaveUp() ? "no answer" : "");
-}
-
-void ReadTask::takeNoResponse(std::optional<bool>, TimePoint)
-{
-    m_reader.takeNoResponse();
-    if (m_reader.finished())
-        end(Outcome::Unknown, "no answer");
-}
-
-WriteTask::WriteTask(WishId id, const Write &write, const McpBoard &board)
+McpWriteTask::McpWriteTask(WishId id, const Write &write, const McpBoard &board)
     : WishTask(id, Permission::Armed)
     , m_board(board)
     , m_reach(write.reach)
@@ -122,7 +80,7 @@ WriteTask::WriteTask(WishId id, const Write &write, const McpBoard &board)
     }
 }
 
-void WriteTask::check(Item &item) const
+void McpWriteTask::check(Item &item) const
 {
     const auto *info = m_board.catalog->find(item.write.id);
     if (isDatalogRegister(item.write.id)) {
@@ -143,14 +101,14 @@ void WriteTask::check(Item &item) const
 }
 
 /// Whether it has a SET of its own.
-bool WriteTask::alone(const Item &item) const
+bool McpWriteTask::alone(const Item &item) const
 {
     const auto *info = m_board.catalog->find(item.write.id);
     return wireWidth(item.write.id) == 0 || info == nullptr || info->dangerous;
 }
 
 /// Whether it may follow in a SET of this size that has so many registers already.
-bool WriteTask::joins(const Item &item, std::size_t size, std::size_t count) const
+bool McpWriteTask::joins(const Item &item, std::size_t size, std::size_t count) const
 {
     const std::size_t width = wireWidth(item.write.id), at = size + sizeof(std::uint16_t);
     return !alone(item) && at + width <= m_board.requestBytes && at % width == 0
@@ -158,7 +116,7 @@ bool WriteTask::joins(const Item &item, std::size_t size, std::size_t count) con
 }
 
 /// The next SET; its items are open then. Empty when nothing waits.
-McpSet WriteTask::nextSet()
+McpSet McpWriteTask::nextSet()
 {
     McpSet set;
     std::size_t size = sizeof(std::uint16_t); // the command word
@@ -177,7 +135,7 @@ McpSet WriteTask::nextSet()
     return set;
 }
 
-std::vector<WriteTask::Item *> WriteTask::open()
+std::vector<McpWriteTask::Item *> McpWriteTask::open()
 {
     std::vector<Item *> items;
     for (Item &item : m_items)
@@ -186,7 +144,7 @@ std::vector<WriteTask::Item *> WriteTask::open()
     return items;
 }
 
-std::vector<RegisterId> WriteTask::idsToRead(bool after) const
+std::vector<RegisterId> McpWriteTask::idsToRead(bool after) const
 {
     std::vector<RegisterId> ids;
     for (const Item &item : m_items) {
@@ -206,7 +164,7 @@ std::vector<RegisterId> WriteTask::idsToRead(bool after) const
 }
 
 /// The speed on the way to a position depends on where the shaft is, which has been read.
-void WriteTask::judgeWays()
+void McpWriteTask::judgeWays()
 {
     for (Item &item : m_items) {
         const auto *bytes = std::get_if<Bytes>(&item.write.value);
@@ -226,14 +184,14 @@ void WriteTask::judgeWays()
     }
 }
 
-void WriteTask::enter(Phase phase)
+void McpWriteTask::enter(Phase phase)
 {
     m_phase = phase;
     if (phase != Phase::Setting)
-        m_reader.start(idsToRead(phase == Phase::After), m_board);
+        m_reader.start(idsToRead(phase == Phase::After));
 }
 
-std::optional<McpRequest> WriteTask::nextRequest(TimePoint)
+std::optional<McpRequest> McpWriteTask::nextRequest(TimePoint)
 {
     if (finished())
         return std::nullopt;
@@ -245,7 +203,7 @@ std::optional<McpRequest> WriteTask::nextRequest(TimePoint)
     }
     if (m_phase == Phase::Before) {
         if (!m_reader.finished())
-            return m_reader.nextRequest(m_board);
+            return m_reader.nextRequest();
         for (Item &item : m_items) {
             if (item.state != State::Waiting || !item.result.before)
                 continue;
@@ -266,13 +224,13 @@ std::optional<McpRequest> WriteTask::nextRequest(TimePoint)
         finish();
         return std::nullopt;
     }
-    return m_reader.nextRequest(m_board);
+    return m_reader.nextRequest();
 }
 
-void WriteTask::takeReadingsInto(
+void McpWriteTask::takeReadingsInto(
     std::optional<Value> WriteResult::*where, ByteView response, TimePoint now)
 {
-    for (Reading &reading : m_reader.takeResponse(response, m_board, now)) {
+    for (Reading &reading : m_reader.takeResponse(response, now)) {
         for (Item &item : m_items)
             if (item.write.id == reading.id && reading.status == ReadStatus::Ok)
                 item.result.*where = reading.value;
@@ -282,7 +240,7 @@ void WriteTask::takeReadingsInto(
     }
 }
 
-void WriteTask::takeResponse(const ByteView &response, TimePoint now)
+void McpWriteTask::takeResponse(const ByteView &response, TimePoint now)
 {
     if (m_phase == Phase::Before) {
         takeReadingsInto(&WriteResult::before, response, now);
@@ -295,7 +253,7 @@ void WriteTask::takeResponse(const ByteView &response, TimePoint now)
     }
 }
 
-void WriteTask::settle(Item &item, std::uint8_t status)
+void McpWriteTask::settle(Item &item, std::uint8_t status)
 {
     if (status == static_cast<std::uint8_t>(mcp::Status::Ok))
         finishItem(item, Outcome::Ok, {});
@@ -306,7 +264,7 @@ void WriteTask::settle(Item &item, std::uint8_t status)
 /// One register: its status, or two where a value was not parsed to its end; the first is the register's.
 /// Several: one OK for all, or a status for each that was looked at and a NOK at the end. What comes behind a value
 /// that cannot be parsed is not looked at. A NOK inside the list is a good one as the protocol is printed.
-void WriteTask::takeStatuses(const std::vector<Item *> &items, ByteView response)
+void McpWriteTask::takeStatuses(const std::vector<Item *> &items, ByteView response)
 {
     constexpr auto kOk = static_cast<std::uint8_t>(mcp::Status::Ok);
     constexpr auto kNok = static_cast<std::uint8_t>(mcp::Status::Nok);
@@ -326,7 +284,7 @@ void WriteTask::takeStatuses(const std::vector<Item *> &items, ByteView response
     }
 }
 
-void WriteTask::takeNoResponse(std::optional<bool> executed, TimePoint)
+void McpWriteTask::takeNoResponse(std::optional<bool> executed, TimePoint)
 {
     if (m_phase != Phase::Setting) {
         m_reader.takeNoResponse();
@@ -347,14 +305,14 @@ void WriteTask::takeNoResponse(std::optional<bool> executed, TimePoint)
     }
 }
 
-void WriteTask::finishItem(Item &item, Outcome outcome, const std::string &reason)
+void McpWriteTask::finishItem(Item &item, Outcome outcome, const std::string &reason)
 {
     item.state = State::Done;
     item.result.outcome = outcome;
     item.result.reason = reason;
 }
 
-void WriteTask::finish()
+void McpWriteTask::finish()
 {
     Outcome outcome = Outcome::Ok;
     std::string reason;
@@ -386,7 +344,7 @@ void WriteTask::finish()
     end(outcome, reason);
 }
 
-void WriteTask::cut(const std::string &reason)
+void McpWriteTask::cut(const std::string &reason)
 {
     if (finished())
         return;
@@ -399,7 +357,7 @@ void WriteTask::cut(const std::string &reason)
     finish();
 }
 
-void WriteTask::supersede(const Write &newer)
+void McpWriteTask::supersede(const Write &newer)
 {
     if (finished())
         return;

@@ -1,4 +1,4 @@
-// Read and write wishes. A list of writes goes out in its order, in as few SETs as fit, surrounded by reading: the
+// Write wishes. A list of writes goes out in its order, in as few SETs as fit, surrounded by reading: the
 // value before, for undo, and the value after it, because an OK is not a proof.
 //
 // What shares a SET: scalars whose values stay aligned as in a SET of their own (small controllers fault otherwise),
@@ -13,27 +13,9 @@
 
 namespace drive {
 
-class ReadTask : public WishTask<McpProtocol> {
+class McpWriteTask : public WishTask<McpProtocol> {
 public:
-    ReadTask(WishId id, const Read &read, const McpBoard &board);
-
-    std::optional<McpRequest> nextRequest(TimePoint now) override;
-    void takeResponse(const ByteView &response, TimePoint now) override;
-    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
-    std::vector<Reading> takeReadings() override { return std::exchange(m_readings, {}); }
-    bool onlyReads() const override { return true; }
-
-private:
-    const McpBoard &m_board;
-    std::vector<RegisterId> m_ids;
-    RegisterReader m_reader;
-    std::vector<Reading> m_readings;
-    bool m_started = false;
-};
-
-class WriteTask : public WishTask<McpProtocol> {
-public:
-    WriteTask(WishId id, const Write &write, const McpBoard &board);
+    McpWriteTask(WishId id, const Write &write, const McpBoard &board);
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
     void takeResponse(const ByteView &response, TimePoint now) override;
@@ -72,7 +54,7 @@ private:
     const McpBoard &m_board;
     Reach m_reach;
     std::vector<Item> m_items;
-    RegisterReader m_reader;
+    RegisterReader m_reader{m_board};
     std::vector<Reading> m_readings;
     std::map<RegisterId, double> m_numbers; ///< numbers read, for the judgement of moves
     Phase m_phase = Phase::Before;

@@ -1,0 +1,171 @@
+// The states of the motors, read over and over: what a person must always be able to trust. Slow while nothing happens, fast
+// while a start or a stop is under way, or after something was commanded. Decides what is asked next; whoever owns the link
+// decides when.
+#pragma once
+
+#include "drive/stop_sequence.h"
+#include "drive/task.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace drive {
+
+inline constexpr Duration kVitalsEvery = std::chrono::milliseconds(100);
+inline constexpr Duration kVitalsFast = std::chrono::milliseconds(20);
+inline constexpr Duration kVitalsHurry = std::chrono::milliseconds(500); ///< how long it stays fast
+inline constexpr Duration kVitalsPause = std::chrono::milliseconds(250); ///< at most, for others
+
+template <class P>
+class Vitals : public Task<P> {
+public:
+    explicit Vitals(const typename P::Facts &board)
+        : m_board(board)
+    {
+    }
+
+    void restart(TimePoint now); ///< a new connection: nothing known counts any more
+    void hurry(TimePoint now); ///< something was commanded: read at once and fast for a while
+    std::optional<TimePoint> due() const { return m_due; }
+    /// Every motor has been read at least once since restart().
+    bool complete() const { return m_complete; }
+    bool motorDriven() const; ///< one was last seen not idle
+
+    std::optional<typename P::Request> nextRequest(TimePoint now) override;
+    void takeResponse(const typename P::Answer &response, TimePoint now) override;
+    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+
+    /// What was read since the last call.
+    std::vector<MotorStatus> takeStatuses() { return std::exchange(m_news, {}); }
+    /// When the round behind the newest statuses began: evidence is never older than this.
+    TimePoint askedAt() const { return m_askedAt; }
+
+protected:
+    // What a protocol brings.
+    virtual std::vector<RegisterId> idsToRead() = 0; ///< of a round that begins
+    /// What the answers call for; empty: the round is over.
+    virtual std::vector<RegisterId> idsBehind() { return {}; }
+    /// All but the motor's number and the time; nothing if it was not told this time.
+    virtual std::optional<MotorStatus> statusOf(int motor) const = 0;
+
+    const Value *valueOf(RegisterId id) const ///< that this round has read
+    {
+        const auto at = m_round.find(id);
+        return at == m_round.end() ? nullptr : &at->second;
+    }
+    std::set<RegisterId> m_refused; ///< by the board, since restart()
+    const typename P::Facts &m_board;
+
+private:
+    void afterAnswer(TimePoint now);
+    void publish(TimePoint now);
+
+    typename P::Reader m_reader{m_board};
+    std::map<RegisterId, Value> m_round;
+    std::map<int, MotorStatus> m_latest;
+    std::vector<MotorStatus> m_news;
+    std::optional<TimePoint> m_due;
+    TimePoint m_fastUntil, m_askedAt, m_roundAsked;
+    bool m_complete = false;
+};
+
+template <class P>
+void Vitals<P>::restart(TimePoint now)
+{
+    m_reader.clear();
+    m_round.clear();
+    m_refused.clear();
+    m_latest.clear();
+    m_news.clear();
+    m_due = m_fastUntil = now;
+    m_complete = false;
+}
+
+template <class P>
+void Vitals<P>::hurry(TimePoint now)
+{
+    m_fastUntil = now + kVitalsHurry;
+    if (m_due)
+        m_due = now;
+}
+
+template <class P>
+bool Vitals<P>::motorDriven() const
+{
+    return std::any_of(
+        m_latest.begin(), m_latest.end(), [](const auto &one) { return !isDriveIdle(one.second); });
+}
+
+template <class P>
+std::optional<typename P::Request> Vitals<P>::nextRequest(TimePoint now)
+{
+    if (m_reader.finished()) {
+        if (!m_due || now < *m_due)
+            return std::nullopt;
+        m_round.clear();
+        m_reader.start(idsToRead());
+        m_roundAsked = now;
+    }
+    return m_reader.nextRequest();
+}
+
+template <class P>
+void Vitals<P>::takeResponse(const typename P::Answer &response, TimePoint now)
+{
+    if (m_reader.finished())
+        return; // begun anew while it was asked
+    for (Reading &reading : m_reader.takeResponse(response, now)) {
+        if (reading.status == ReadStatus::Ok)
+            m_round[reading.id] = std::move(reading.value);
+        else
+            m_refused.insert(reading.id);
+    }
+    afterAnswer(now);
+}
+
+template <class P>
+void Vitals<P>::takeNoResponse(std::optional<bool>, TimePoint now)
+{
+    if (m_reader.finished())
+        return;
+    m_reader.takeNoResponse();
+    afterAnswer(now);
+}
+
+template <class P>
+void Vitals<P>::afterAnswer(TimePoint now)
+{
+    if (!m_reader.finished())
+        return;
+    if (const auto ids = idsBehind(); !ids.empty())
+        m_reader.start(ids);
+    else
+        publish(now);
+}
+
+template <class P>
+void Vitals<P>::publish(TimePoint now)
+{
+    m_askedAt = m_roundAsked;
+    m_complete = true;
+    for (int motor = 1; motor <= m_board.motors; ++motor) {
+        auto status = statusOf(motor);
+        m_complete = m_complete && status.has_value();
+        if (!status)
+            continue;
+        status->motor = motor;
+        status->at = now;
+        m_latest[motor] = *status;
+        m_news.push_back(std::move(*status));
+    }
+    const bool underWay = std::any_of(m_latest.begin(), m_latest.end(), [](const auto &one) {
+        const MotorState state = one.second.state;
+        return state == MotorState::Starting || state == MotorState::Stopping;
+    });
+    const Duration period = underWay || now < m_fastUntil ? kVitalsFast : kVitalsEvery;
+    // On a slow line a round takes long: half of the time is for others. One that an outage made long says nothing.
+    m_due = std::max(m_roundAsked + period, now + std::min(now - m_roundAsked, kVitalsPause));
+}
+
+} // namespace drive
