@@ -2,7 +2,7 @@
 // foreign program that talks on the port, and a datalog that is set up anew before the last set-up has arrived.
 // ROTORSCOPE_LONG=1 runs more of each.
 #include "drive/make_drive.h"
-#include "fuzz/either_effect.h"
+#include "fuzz/wire_either.h"
 #include "simulation/mcb/mcb_board.h"
 #include "support/link_pair.h"
 
@@ -38,13 +38,20 @@ simulation::BoardOptions slow(const char *profile)
     return options;
 }
 
-std::function<fuzz::Effect(ByteView)> effectsOf(Protocol client)
+std::unique_ptr<judge::Decoder> decoderOf(Protocol client)
 {
     if (client == Protocol::Auto)
-        return fuzz::EitherEffect();
+        return std::make_unique<fuzz::WireEither>();
     if (client == Protocol::Mcp)
-        return fuzz::McpEffects();
-    return fuzz::legacyEffect;
+        return std::make_unique<judge::WireMcp>(115200, 0.0);
+    return std::make_unique<judge::WireLegacy>();
+}
+
+bool acts(judge::Kind kind)
+{
+    using enum judge::Kind;
+    return kind == Start || kind == SetPoint || kind == Mode || kind == Write || kind == Acknowledge
+        || kind == StopRamp;
 }
 
 } // namespace
@@ -68,14 +75,14 @@ void TestFaultClasses::nothingActsOnABoardOfAnotherProtocol()
     if (mcb)
         pair.board = simulation::makeMcbBoard({});
     pair.drive = makeDrive({static_cast<Protocol>(client), 115200, {}});
-    auto effectOf = effectsOf(static_cast<Protocol>(client));
-    int acted = 0, unknown = 0;
+    const auto decoder = decoderOf(static_cast<Protocol>(client));
+    int acted = 0, never = 0;
     pair.loses = [&](const Bytes &output) {
-        const fuzz::Effect effect = effectOf(output);
-        const bool acts = effect == fuzz::Effect::Starts || effect == fuzz::Effect::Acts;
         const bool trusted = pair.identified && pair.identified->identity.knownFirmware;
-        acted += acts && !trusted ? 1 : 0;
-        unknown += effect == fuzz::Effect::Never ? 1 : 0;
+        for (const judge::Sent &one : decoder->sent(output, pair.now)) {
+            acted += acts(one.kind) && !trusted ? 1 : 0;
+            never += one.kind == judge::Kind::Never ? 1 : 0;
+        }
         return false;
     };
     pair.connect();
@@ -90,7 +97,7 @@ void TestFaultClasses::nothingActsOnABoardOfAnotherProtocol()
     }
     pair.runFor(1s);
     QCOMPARE(acted, 0);
-    QCOMPARE(unknown, 0);
+    QCOMPARE(never, 0);
     QVERIFY(!pair.status.contains(1) || pair.status.at(1).state == MotorState::Idle
         || pair.status.at(1).state == MotorState::Unknown);
     pair.drive->disconnect(pair.now);

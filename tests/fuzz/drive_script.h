@@ -1,5 +1,6 @@
 // Reads a fuzzer's bytes as what a person, a line and a board do to a drive: wishes, stops, arming, line cuts, faults,
-// resets and time, on a virtual clock. Whatever they do, the rules of DriveRun hold; a broken one is a finding.
+// resets and time, on a virtual clock. Whatever they do, the judge of the wire finds nothing, each wish ends once and within
+// 5 s after the faults, output is bounded and time never stands still; anything else is a finding.
 //
 // First byte: bits 0 and 1 what is there at first (see Peer), bit 2 a second motor, bit 3 nobody waits for the
 // identification, bit 4 nobody arms, bit 5 the line is silent at first, bit 6 the whole run is made twice.
@@ -11,6 +12,7 @@
 #include "drive/drive.h"
 #include "fuzz/script.h"
 #include "simulation/device.h"
+#include "support/judged_drive.h"
 
 #include <algorithm>
 #include <array>
@@ -20,8 +22,8 @@
 #include <functional>
 #include <iostream>
 #include <limits>
-#include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 namespace fuzz {
@@ -33,23 +35,14 @@ class Peer : public simulation::Device {
 public:
     virtual void reset() = 0;
     virtual void setFaults(std::uint16_t present) = 0;
-};
-
-/// What bytes that leave a drive can do, told apart by the protocol.
-enum class Effect : std::uint8_t {
-    None, ///< reads, keeps the link, sets the recording up
-    Stops,
-    Starts,
-    Acts, ///< sets a reference, writes, acknowledges
-    Holds, ///< repeats a reference that was set before
-    Never, ///< what nobody may send
+    virtual std::vector<judge::Motor> truth() const = 0; ///< one a motor
 };
 
 struct Target {
     std::function<std::unique_ptr<drive::Drive>()> drive;
     std::function<std::unique_ptr<Peer>(unsigned which, int motors)> peer;
-    /// Of each output in its order; it may keep what it needs between them and is made anew for each run.
-    std::function<std::function<Effect(ByteView output)>()> effects;
+    std::function<std::unique_ptr<judge::Decoder>()> decoder; ///< of the judge
+    judge::Line line; ///< but for its motors
     std::uint32_t baud = 1843200;
     bool exchanges = false; ///< SPI: as many bytes come in as go out, and at once
 };
@@ -78,6 +71,14 @@ private:
 };
 
 /// One drive, one line and one board through a whole script.
+inline std::string hexOf(ByteView bytes)
+{
+    std::string text;
+    for (const std::uint8_t byte : bytes)
+        (text += "0123456789abcdef"[byte >> 4]) += "0123456789abcdef"[byte & 15U];
+    return text;
+}
+
 class DriveRun {
 public:
     DriveRun(const Target &target, ByteView script)
@@ -92,8 +93,10 @@ public:
         const std::uint8_t flags = m_script.byte();
         const int motors = flags & 0x04 ? 2 : 1;
         m_peer = m_target.peer(flags & 0x03U, motors);
-        m_drive = m_target.drive();
-        m_effectOf = m_target.effects();
+        judge::Line line = m_target.line;
+        line.motors = static_cast<int>(m_peer->truth().size());
+        m_judge.watch(m_target.decoder(), line);
+        m_drive = std::make_unique<support::JudgedDrive>(m_target.drive(), m_judge);
         m_cut[0] = m_cut[1] = flags & 0x20;
         m_drive->connect(m_now);
         drain();
@@ -104,6 +107,8 @@ public:
         for (int acts = 0; acts < kMostActs && !m_script.over() && m_now < kLatest; ++acts)
             act();
         settle();
+        m_judge.settle(m_now);
+        hearVerdict();
         return m_sum;
     }
 
@@ -148,7 +153,7 @@ private:
         if (const auto due = m_drive->nextTimeout())
             next = std::min(next, *due);
         if (!m_sending.empty())
-            next = std::min(next, m_lineFreeAt + m_sending.front().gapBefore);
+            next = std::min(next, m_lineFreeAt + m_sending.front().output.gapBefore);
         else if (m_unsent)
             next = std::min(next, m_lineFreeAt);
         if (m_stalled && !m_held.empty())
@@ -157,9 +162,12 @@ private:
     }
     void step()
     {
-        while (!m_sending.empty() && m_lineFreeAt + m_sending.front().gapBefore <= m_now) {
-            const Bytes bytes = std::move(m_sending.front().bytes);
+        while (!m_sending.empty() && m_lineFreeAt + m_sending.front().output.gapBefore <= m_now) {
+            const auto [output, moment] = std::move(m_sending.front());
+            const Bytes &bytes = output.bytes;
             m_sending.pop_front();
+            tell("  sends ", hexOf(bytes));
+            m_judge.sent(bytes, m_now, moment);
             m_lineFreeAt = m_now + wireTime(bytes.size(), m_target.baud);
             m_unsent = true;
             cross(bytes);
@@ -179,6 +187,15 @@ private:
             m_drive->handleTimeout(m_now);
             drain();
         }
+        m_judge.look(m_now, m_peer->truth());
+        hearVerdict();
+    }
+    void hearVerdict()
+    {
+        if (m_judge.violations().empty())
+            return;
+        tell("  violated: ", m_judge.verdict());
+        require(false);
     }
     void cross(const Bytes &bytes)
     {
@@ -203,6 +220,7 @@ private:
             return;
         bytes.swap(m_held);
         m_held.clear();
+        tell("  hears ", hexOf(bytes));
         m_drive->receive(bytes, m_now);
         drain();
     }
@@ -255,27 +273,11 @@ private:
             for (Output &output : outputs) {
                 bytes += output.bytes.size();
                 require(bytes <= kMostOutput && output.gapBefore >= Duration{});
-                judge(output.bytes);
-                m_sending.push_back(std::move(output));
+                for (const std::uint8_t byte : output.bytes)
+                    add(byte);
+                m_sending.push_back({std::move(output), m_judge.moment()});
             }
         }
-        m_wasArmed = m_drive->armed();
-    }
-    void judge(ByteView output)
-    {
-        for (const std::uint8_t byte : output)
-            add(byte);
-        const Effect effect = m_effectOf(output);
-        tell("  sends ", output.size(), " bytes, effect ", int(effect));
-        require(effect != Effect::Never);
-        require(effect != Effect::Holds || !m_stopped);
-        if (effect != Effect::Starts && effect != Effect::Acts)
-            return;
-        // Nothing acts but in a drive that is armed, or was when it was last asked: arm() is a person's word alone.
-        require(m_wasArmed || m_drive->armed());
-        require(!m_stopped);
-        if (effect == Effect::Starts)
-            require(++m_startsSent <= m_startsAsked);
     }
     void note(const drive::Event &event)
     {
@@ -320,7 +322,7 @@ private:
     {
         const drive::WishId id = ++m_lastWish;
         tell("wish ", id);
-        m_open.emplace(id, true);
+        m_open.insert(id);
         drive::Wish wish;
         wish.id = id;
         wish.what = std::move(what);
@@ -330,15 +332,11 @@ private:
     void arm()
     {
         m_drive->arm();
-        if (m_drive->armed())
-            m_stopped = false;
         drain();
     }
     void stop()
     {
         m_drive->stop(m_now);
-        m_stopped = true;
-        m_wasArmed = false;
         require(!m_drive->armed());
         drain();
     }
@@ -346,7 +344,6 @@ private:
     {
         m_drive->disarm();
         require(!m_drive->armed());
-        m_wasArmed = false;
         drain();
     }
 
@@ -402,12 +399,7 @@ private:
         return (m_script.byte() - 128) * std::array{0.05, 1.0, 12.0, 400.0}[m_script.byte() % 4U];
     }
 
-    void command(drive::MotorAction action)
-    {
-        const int which = motor();
-        m_startsAsked += action == drive::MotorAction::Start ? 1 : 0;
-        ask(drive::Command{action, which});
-    }
+    void command(drive::MotorAction action) { ask(drive::Command{action, motor()}); }
     void write(int count)
     {
         drive::Write write;
@@ -447,10 +439,14 @@ private:
     Script m_script;
     TimePoint m_now{1s};
     std::unique_ptr<Peer> m_peer;
+    judge::MsRules m_judge;
     std::unique_ptr<drive::Drive> m_drive;
-    std::function<Effect(ByteView)> m_effectOf;
 
-    std::deque<Output> m_sending;
+    struct Handed {
+        Output output;
+        std::uint64_t moment = 0; ///< of the judge
+    };
+    std::deque<Handed> m_sending;
     TimePoint m_lineFreeAt{};
     bool m_unsent = false;
     std::array<bool, 2> m_cut{};
@@ -459,14 +455,11 @@ private:
     Bytes m_held;
 
     drive::WishId m_lastWish = 0;
-    std::map<drive::WishId, bool> m_open;
+    std::set<drive::WishId> m_open;
     std::shared_ptr<const catalog::Catalog> m_catalog;
     capture::StreamLayout m_layout;
     drive::LinkState m_link = drive::LinkState::Closed;
-    bool m_wasArmed = false; ///< before the call that is being judged
-    bool m_stopped = false; ///< and not armed since
     bool m_closed = false;
-    int m_startsAsked = 0, m_startsSent = 0;
     std::uint64_t m_sum = 0xCBF29CE484222325ULL;
 };
 
@@ -533,7 +526,7 @@ inline void DriveRun::act()
     case 18: {
         const int kind = m_script.below(4);
         if (kind == 0)
-            return ask(drive::UserLimits{number(), number()});
+            return ask(drive::UserLimits{std::abs(number()), std::abs(number())});
         if (kind == 1)
             return ask(drive::ExpertMode{motor()});
         if (kind == 2)
@@ -569,19 +562,30 @@ inline void DriveRun::actOnLine(int which)
         return m_peer->setFaults(static_cast<std::uint16_t>(m_script.byte()));
     case 6: { // any bytes, as if from the board
         const ByteView bytes = m_script.take(m_script.byte() % 32U);
+        if (!m_sending.empty())
+            return; // the drive may take them for the answer to what the judge has not seen leave
+        tell("  hears what nobody sent ", hexOf(bytes));
         if (!bytes.empty())
             m_drive->receive(bytes, m_now);
         return drain();
     }
-    case 7: // nobody calls for a while, as in a process that was stopped
-        m_now += milliseconds() * 2;
-        return;
+    case 7: { // nobody calls for a while, as in a process that was stopped
+        const Duration gap = milliseconds() * 2;
+        if (m_drive->stopOpen() || !m_sending.empty())
+            return; // nobody can judge what could not be sent meanwhile
+        m_now += gap;
+        m_drive->doubt(m_now);
+        return drain();
+    }
     default: // closed, and perhaps opened again
         m_drive->disconnect(m_now);
         drain();
-        m_stopped = true;
-        m_wasArmed = false;
         m_closed = m_script.byte() % 2 != 0;
+        if (!m_closed || m_link == drive::LinkState::Closed) { // what has not left never does
+            m_sending.clear();
+            m_unsent = false;
+            m_lineFreeAt = m_now;
+        }
         if (!m_closed) {
             m_drive->connect(m_now);
             drain();
@@ -598,6 +602,7 @@ public:
     TimePoint nextWake() const override { return TimePoint::max(); }
     void reset() override { }
     void setFaults(std::uint16_t) override { }
+    std::vector<judge::Motor> truth() const override { return {judge::Motor{}}; }
 };
 
 /// Plays one input; twice where it asks for it, which must come to the same.

@@ -1,6 +1,8 @@
 // AutoDrive through any script of acts, faults and time, and boards of each serial protocol: drive_script.h has the rules.
 #include "drive/make_drive.h"
-#include "fuzz/either_effect.h"
+#include "fuzz/wire_either.h"
+
+using namespace std::chrono_literals;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
@@ -15,7 +17,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
             return std::make_unique<fuzz::LegacyPeer>(
                 which == 1 ? legacy::Dialect::PowerPc : legacy::Dialect::Stm32, motors);
         },
-        .effects = [] { return fuzz::EitherEffect(); },
+        .decoder = [] { return std::make_unique<fuzz::WireEither>(); },
+        .line = {.baud = 115200, .firstStop = 400ms, .repeat = 500ms, .suspect = 1s, .lost = 6s},
         .baud = 115200,
     };
     fuzz::playDrive(target, {data, size});

@@ -1,6 +1,9 @@
 // LegacyDrive in both dialects through any script of acts, faults and time: drive_script.h has the rules.
 #include "drive/legacy/legacy_drive.h"
 #include "fuzz/legacy_peer.h"
+#include "support/wire_legacy.h"
+
+using namespace std::chrono_literals;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
@@ -12,7 +15,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
             return std::make_unique<fuzz::LegacyPeer>(
                 which == 1 ? legacy::Dialect::PowerPc : legacy::Dialect::Stm32, motors);
         },
-        .effects = [] { return fuzz::legacyEffect; },
+        .decoder = [] { return std::make_unique<judge::WireLegacy>(); },
+        .line = {.baud = 115200,
+            .firstStop = 150ms,
+            .repeat = 250ms,
+            .suspect = 1s,
+            .lost = 6s,
+            .answerWithin = 900ms},
         .baud = 115200,
     };
     fuzz::playDrive(target, {data, size});

@@ -1,6 +1,9 @@
 // McbDrive through any script of acts, faults and time: drive_script.h has the rules.
 #include "drive/mcb/mcb_drive.h"
 #include "fuzz/mcb_peer.h"
+#include "support/wire_mcb.h"
+
+using namespace std::chrono_literals;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
@@ -11,7 +14,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
                 return std::make_unique<fuzz::NobodyThere>();
             return std::make_unique<fuzz::McbPeer>();
         },
-        .effects = [] { return fuzz::mcbEffect; },
+        .decoder = [] { return std::make_unique<judge::WireMcb>(); },
+        .line = {.firstStop = 150ms,
+            .repeat = 250ms,
+            .suspect = {},
+            .lost = {},
+            .startParts = 2,
+            .referenceParts = 2},
         .baud = 10'000'000,
         .exchanges = true,
     };

@@ -1,6 +1,9 @@
 // McpDrive through any script of acts, faults and time: drive_script.h has the rules.
 #include "drive/mcp/mcp_drive.h"
 #include "fuzz/mcp_peer.h"
+#include "support/wire_mcp.h"
+
+using namespace std::chrono_literals;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
@@ -11,7 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
                 return std::make_unique<fuzz::NobodyThere>();
             return std::make_unique<fuzz::McpPeer>(motors);
         },
-        .effects = [] { return fuzz::McpEffects(); },
+        .decoder = [] { return std::make_unique<judge::WireMcp>(1843200, 0.0); },
+        .line = {.firstStop = 110ms, .repeat = 210ms, .gap = 500us, .answerWithin = 10s},
     };
     fuzz::playDrive(target, {data, size});
     return 0;

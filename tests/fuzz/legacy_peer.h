@@ -35,6 +35,14 @@ public:
                 motor.state = kFaultOver;
         }
     }
+    std::vector<judge::Motor> truth() const override
+    {
+        std::vector<judge::Motor> all;
+        for (const Motor &motor : m_motors)
+            all.push_back({motor.state == kRun, motor.state != kRun,
+                motor.state == kRun ? static_cast<double>(motor.rpm) : 0.0});
+        return all;
+    }
 
 private:
     // STATUS
@@ -87,39 +95,5 @@ private:
     std::vector<Motor> m_motors;
     simulation::LegacyBoard m_board;
 };
-
-/// What frames of the older protocol do; one output each. Fewer bytes than a frame has only fill up one that hangs.
-inline Effect legacyEffect(ByteView output)
-{
-    if (output.size() < legacy::kFrameOverhead)
-        return Effect::None;
-    const unsigned motor = output[0] >> 5U;
-    switch (static_cast<legacy::FrameCode>(output[0] & 0x1FU)) {
-    case legacy::FrameCode::GetRegister:
-    case legacy::FrameCode::GetBoardInfo:
-    case legacy::FrameCode::GetRevUp:
-    case legacy::FrameCode::GetFirmwareVersion:
-        return Effect::None;
-    case legacy::FrameCode::Execute:
-        break;
-    default:
-        return motor == 0 ? Effect::Never : Effect::Acts;
-    }
-    if (motor == 0)
-        return Effect::Never;
-    switch (static_cast<legacy::CommandId>(output[2])) {
-    case legacy::CommandId::StartMotor:
-        return Effect::Starts;
-    case legacy::CommandId::StopMotor:
-        return Effect::Stops;
-    case legacy::CommandId::StopRamp:
-    case legacy::CommandId::FaultAck:
-        return Effect::Acts;
-    case legacy::CommandId::Ping:
-        return Effect::None;
-    default:
-        return Effect::Never;
-    }
-}
 
 } // namespace fuzz

@@ -32,6 +32,11 @@ public:
         m_present = present != 0;
         m_fault = m_fault || m_present;
     }
+    std::vector<judge::Motor> truth() const override
+    {
+        const bool driven = m_state == State::On || m_state == State::Enabled;
+        return {{driven, !driven, 0.0}};
+    }
 
 private:
     enum class State : std::uint8_t { Off, Ready, On, Enabled };
@@ -83,30 +88,5 @@ private:
     simulation::McbSlave m_slave;
     Bytes m_answer;
 };
-
-/// What MCB frames do; one output each. A set-point that travels with the frames is Holds while it is not zero.
-inline Effect mcbEffect(ByteView output)
-{
-    const auto frame = mcb::decodeFrame(output);
-    if (!frame)
-        return Effect::None; // its probes are no frames on purpose, and no slave takes one
-    if (frame->command == mcb::Command::Write) {
-        const unsigned word = frame->config[0];
-        if (frame->address == drive::mcbreg::kControl) {
-            constexpr unsigned kShutdown = 0x06, kEnable = 0x0F;
-            if (word == 0 || word == kShutdown)
-                return Effect::Stops;
-            return word == kEnable ? Effect::Starts : Effect::Acts;
-        }
-        const bool mapping = frame->address == mcb::kStateRegister
-            || (frame->address >= mcb::kRxCountRegister
-                && frame->address <= mcb::kTxCountRegister + mcb::kMostMapped);
-        if (!mapping)
-            return Effect::Acts;
-    }
-    const bool carries = std::any_of(
-        frame->cyclic.begin(), frame->cyclic.end(), [](std::uint16_t word) { return word != 0; });
-    return carries ? Effect::Holds : Effect::None;
-}
 
 } // namespace fuzz

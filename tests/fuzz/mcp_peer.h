@@ -60,11 +60,21 @@ public:
             motor.faults &= present == 0 ? 0xFFFFU : 0xFFFFFFFFU;
         }
     }
+    std::vector<judge::Motor> truth() const override
+    {
+        std::vector<judge::Motor> all;
+        for (const Motor &motor : m_motors) {
+            const bool driven = motor.state == kStart || motor.state == kRun;
+            all.push_back({driven, !driven, motor.state == kRun ? kTurning_rpm : 0.0});
+        }
+        return all;
+    }
 
 private:
     // STATUS
     static constexpr std::uint8_t kIdle = 0, kStart = 4, kRun = 6, kStop = 8, kFaultNow = 10,
                                   kFaultOver = 11;
+    static constexpr std::int32_t kTurning_rpm = 1000;
     static constexpr Duration kAnswersAfter = 1ms;
     static constexpr std::size_t kMostComing = 16;
     static constexpr double kTickHz = 16000.0;
@@ -210,7 +220,7 @@ private:
         if (bare == mcp::reg::kFaultsFlags)
             return ByteWriter().u32(motor->faults).u8(0).take();
         if (bare == mcp::reg::kSpeedMeas)
-            return ByteWriter().s32(motor->state == kRun ? 1000 : 0).u8(0).take();
+            return ByteWriter().s32(motor->state == kRun ? kTurning_rpm : 0).u8(0).take();
         const auto written = motor->written.find(id.bits);
         return written != motor->written.end() ? written->second : asTheBoardSays(id);
     }
@@ -291,53 +301,6 @@ private:
     std::uint8_t m_mark = 0;
     std::size_t m_length = 0;
     std::uint32_t m_ticks = 0, m_timestamp = 0;
-};
-
-/// What MCP packets do; a header and its payload are two outputs.
-class McpEffects {
-public:
-    Effect operator()(ByteView output)
-    {
-        if (std::exchange(m_payloadNext, false))
-            return ofRequest(output);
-        if (output.size() != aspep::kHeaderSize)
-            return Effect::Never;
-        const auto header = aspep::decodeHeader({output[0], output[1], output[2], output[3]});
-        const auto *data = header ? std::get_if<aspep::Data>(&*header) : nullptr;
-        m_payloadNext = data != nullptr;
-        return data != nullptr && data->length == 0 ? Effect::Never : Effect::None;
-    }
-
-private:
-    static Effect ofRequest(ByteView payload)
-    {
-        const auto request = mcp::decodeRequest(payload);
-        if (!request)
-            return Effect::Never;
-        if (mcp::isMotorCommand(request->command) && request->motor == 0)
-            return Effect::Never;
-        switch (static_cast<mcp::CommandId>(request->command)) {
-        case mcp::CommandId::StartStop:
-            return Effect::Never;
-        case mcp::CommandId::StartMotor:
-            return Effect::Starts;
-        case mcp::CommandId::StopMotor:
-            return Effect::Stops;
-        case mcp::CommandId::StopRamp:
-        case mcp::CommandId::FaultAck:
-            return Effect::Acts;
-        case mcp::CommandId::SetRegister:
-            break;
-        default:
-            return Effect::None;
-        }
-        constexpr unsigned kFirst = 20, kLast = 22; // what configures the datalog
-        for (const auto &write : mcp::decodeSetList(request->content).writes)
-            if (write.id.type() != 5 || write.id.element() < kFirst || write.id.element() > kLast)
-                return Effect::Acts;
-        return Effect::None;
-    }
-    bool m_payloadNext = false;
 };
 
 } // namespace fuzz
