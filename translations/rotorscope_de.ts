@@ -273,51 +273,50 @@
     </message>
 </context>
 <context>
+    <name>ExportFormat</name>
+    <message>
+        <source>Picture of the scope, PNG</source>
+        <translation>Bild des Oszilloskops, PNG</translation>
+    </message>
+    <message>
+        <source>Picture of the plots, SVG</source>
+        <translation>Bild der Diagramme, SVG</translation>
+    </message>
+    <message>
+        <source>Picture of the plots, PDF</source>
+        <translation>Bild der Diagramme, PDF</translation>
+    </message>
+    <message>
+        <source>CSV, decimal point and commas</source>
+        <translation>CSV, Dezimalpunkt und Kommas</translation>
+    </message>
+    <message>
+        <source>CSV, decimal comma and semicolons</source>
+        <translation>CSV, Dezimalkomma und Semikolons</translation>
+    </message>
+    <message>
+        <source>MATLAB file</source>
+        <translation>MATLAB-Datei</translation>
+    </message>
+    <message>
+        <source>2 GiB of numbers</source>
+        <translation>2 GiB an Zahlen</translation>
+    </message>
+    <message>
+        <source>NumPy array</source>
+        <translation>NumPy-Feld</translation>
+    </message>
+    <message>
+        <source>WAV, the fast signals as sound</source>
+        <translation>WAV, die schnellen Signale als Ton</translation>
+    </message>
+    <message>
+        <source>64 signals and 4 GiB</source>
+        <translation>64 Signale und 4 GiB</translation>
+    </message>
+</context>
+<context>
     <name>Exports</name>
-    <message>
-        <source>No WAV file: there is no time at which all fast signals were recorded.</source>
-        <translation>Keine WAV-Datei: Es gibt keine Zeit, zu der alle schnellen Signale aufgezeichnet wurden.</translation>
-    </message>
-    <message>
-        <source>No WAV file: the signals have different rates.</source>
-        <translation>Keine WAV-Datei: Die Signale haben verschiedene Raten.</translation>
-    </message>
-    <message>
-        <source>No WAV file: there are more than 64 signals.</source>
-        <translation>Keine WAV-Datei: Es sind mehr als 64 Signale.</translation>
-    </message>
-    <message>
-        <source>No WAV file: it would be longer than 4 GiB. Choose a shorter range.</source>
-        <translation>Keine WAV-Datei: Sie wäre länger als 4 GiB. Wählen Sie einen kürzeren Bereich.</translation>
-    </message>
-    <message>
-        <source>WAV files (*.wav)</source>
-        <translation>WAV-Dateien (*.wav)</translation>
-    </message>
-    <message>
-        <source>MATLAB files (*.mat)</source>
-        <translation>MATLAB-Dateien (*.mat)</translation>
-    </message>
-    <message>
-        <source>PNG pictures (*.png)</source>
-        <translation>PNG-Bilder (*.png)</translation>
-    </message>
-    <message>
-        <source>SVG pictures (*.svg)</source>
-        <translation>SVG-Bilder (*.svg)</translation>
-    </message>
-    <message>
-        <source>PDF files (*.pdf)</source>
-        <translation>PDF-Dateien (*.pdf)</translation>
-    </message>
-    <message>
-        <source>CSV files (*.csv)</source>
-        <translation>CSV-Dateien (*.csv)</translation>
-    </message>
-    <message>
-        <source>No MATLAB file: it would hold more than 2 GiB of numbers. Choose a shorter range.</source>
-        <translation>Keine MATLAB-Datei: Sie enthielte mehr als 2 GiB an Zahlen. Wählen Sie einen kürzeren Bereich.</translation>
-    </message>
     <message>
         <source>The export was cancelled. Written before: %1.</source>
         <comment>files</comment>
@@ -327,6 +326,18 @@
         <source>Written before: %1.</source>
         <comment>files</comment>
         <translation>Vorher geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>No %1 file: there is no time at which all fast signals were recorded.</source>
+        <translation>Keine %1-Datei: Es gibt keine Zeit, zu der alle schnellen Signale aufgezeichnet wurden.</translation>
+    </message>
+    <message>
+        <source>No %1 file: the signals have different rates.</source>
+        <translation>Keine %1-Datei: Die Signale haben verschiedene Raten.</translation>
+    </message>
+    <message>
+        <source>No %1 file: it holds %2. Choose fewer signals or a shorter range.</source>
+        <translation>Keine %1-Datei: Sie fasst %2. Wählen Sie weniger Signale oder einen kürzeren Bereich.</translation>
     </message>
 </context>
 <context>
@@ -3004,34 +3015,6 @@
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>CSV, decimal point and commas</source>
-        <translation>CSV, Dezimalpunkt und Kommas</translation>
-    </message>
-    <message>
-        <source>CSV, decimal comma and semicolons</source>
-        <translation>CSV, Dezimalkomma und Semikolons</translation>
-    </message>
-    <message>
-        <source>WAV, the fast signals as sound</source>
-        <translation>WAV, die schnellen Signale als Ton</translation>
-    </message>
-    <message>
-        <source>MATLAB file</source>
-        <translation>MATLAB-Datei</translation>
-    </message>
-    <message>
-        <source>Picture of the scope, PNG</source>
-        <translation>Bild des Oszilloskops, PNG</translation>
-    </message>
-    <message>
-        <source>Picture of the plots, SVG</source>
-        <translation>Bild der Diagramme, SVG</translation>
-    </message>
-    <message>
-        <source>Picture of the plots, PDF</source>
-        <translation>Bild der Diagramme, PDF</translation>
-    </message>
-    <message>
         <source>Between the cursors A and B</source>
         <translation>Zwischen den Cursorn A und B</translation>
     </message>
@@ -3063,11 +3046,15 @@
         <translation>Die 16-Bit-Werte der schnellen Signale, je ein Kanal, in ihrer eigenen Rate; wo Werte verloren gingen, folgen sofort die nächsten.</translation>
     </message>
     <message numerus="yes">
-        <source>%n signal(s) in a structure for each rate, with time and units; what is unknown is NaN.</source>
+        <source>%n signal(s), every sample with its time; what is unknown is NaN.</source>
         <translation>
-            <numerusform>Ein Signal in einer Struktur je Rate, mit Zeit und Einheiten; Unbekanntes ist NaN.</numerusform>
-            <numerusform>%n Signale in einer Struktur je Rate, mit Zeit und Einheiten; Unbekanntes ist NaN.</numerusform>
+            <numerusform>Ein Signal, jeder Wert mit seiner Zeit; Unbekanntes ist NaN.</numerusform>
+            <numerusform>%n Signale, jeder Wert mit seiner Zeit; Unbekanntes ist NaN.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>%1-Dateien (*.%2)</translation>
     </message>
 </context>
 <context>
@@ -3961,8 +3948,8 @@
         <translation>Export…</translation>
     </message>
     <message>
-        <source>Writes samples or a picture to a file: CSV, WAV, MATLAB, PNG, SVG, PDF (Ctrl+Shift+E)</source>
-        <translation>Schreibt Abtastwerte oder ein Bild in eine Datei: CSV, WAV, MATLAB, PNG, SVG, PDF (Strg+Umschalt+E)</translation>
+        <source>Writes samples or a picture to a file (Ctrl+Shift+E)</source>
+        <translation>Schreibt Abtastwerte oder ein Bild in eine Datei (Strg+Umschalt+E)</translation>
     </message>
     <message>
         <source>Export</source>

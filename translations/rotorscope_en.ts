@@ -273,51 +273,50 @@
     </message>
 </context>
 <context>
+    <name>ExportFormat</name>
+    <message>
+        <source>Picture of the scope, PNG</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture of the plots, SVG</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture of the plots, PDF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV, decimal point and commas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV, decimal comma and semicolons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MATLAB file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2 GiB of numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NumPy array</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>WAV, the fast signals as sound</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>64 signals and 4 GiB</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Exports</name>
-    <message>
-        <source>No WAV file: there is no time at which all fast signals were recorded.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No WAV file: the signals have different rates.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No WAV file: there are more than 64 signals.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No WAV file: it would be longer than 4 GiB. Choose a shorter range.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>WAV files (*.wav)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>MATLAB files (*.mat)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>PNG pictures (*.png)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>SVG pictures (*.svg)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>PDF files (*.pdf)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>CSV files (*.csv)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No MATLAB file: it would hold more than 2 GiB of numbers. Choose a shorter range.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>The export was cancelled. Written before: %1.</source>
         <comment>files</comment>
@@ -326,6 +325,18 @@
     <message>
         <source>Written before: %1.</source>
         <comment>files</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No %1 file: there is no time at which all fast signals were recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No %1 file: the signals have different rates.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No %1 file: it holds %2. Choose fewer signals or a shorter range.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3000,34 +3011,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>CSV, decimal point and commas</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>CSV, decimal comma and semicolons</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>WAV, the fast signals as sound</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>MATLAB file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Picture of the scope, PNG</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Picture of the plots, SVG</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Picture of the plots, PDF</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Between the cursors A and B</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3058,15 +3041,19 @@
         <source>The 16-bit codes of the fast signals, a channel each, at their own rate; where samples were lost the next ones follow at once.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>No trace is shown. Choose everything recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message numerus="yes">
-        <source>%n signal(s) in a structure for each rate, with time and units; what is unknown is NaN.</source>
+        <source>%n signal(s), every sample with its time; what is unknown is NaN.</source>
         <translation>
-            <numerusform>One signal in a structure for each rate, with time and units; what is unknown is NaN.</numerusform>
-            <numerusform>%n signals in a structure for each rate, with time and units; what is unknown is NaN.</numerusform>
+            <numerusform>One signal, every sample with its time; what is unknown is NaN.</numerusform>
+            <numerusform>%n signals, every sample with its time; what is unknown is NaN.</numerusform>
         </translation>
     </message>
     <message>
-        <source>No trace is shown. Choose everything recorded.</source>
+        <source>%1 files (*.%2)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3945,7 +3932,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Writes samples or a picture to a file: CSV, WAV, MATLAB, PNG, SVG, PDF (Ctrl+Shift+E)</source>
+        <source>Writes samples or a picture to a file (Ctrl+Shift+E)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

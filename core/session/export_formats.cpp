@@ -78,14 +78,17 @@ using Holds = ExportFormat::Holds;
 using capture::CsvDialect;
 
 constexpr ExportFormat kFormats[] = {
-    {"csv", "csv", "CSV, decimal point and commas", "", Holds::RowsOfTheFastest,
-        writeCsv<CsvDialect::Plain>},
-    {"csv-continental", "csv", "CSV, decimal comma and semicolons", "", Holds::RowsOfTheFastest,
-        writeCsv<CsvDialect::Continental>},
-    {"mat", "mat", "MATLAB file", "2 GiB of numbers", Holds::EverySample, writeMat},
-    {"npy", "npy", "NumPy array", "2 GiB of numbers", Holds::EverySample, writeNpy},
-    {"wav", "wav", "WAV, the fast signals as sound", "64 signals and 4 GiB", Holds::FastSignals,
-        writeWav},
+    {"csv", "csv", QT_TRANSLATE_NOOP("ExportFormat", "CSV, decimal point and commas"), "",
+        Holds::RowsOfTheFastest, writeCsv<CsvDialect::Plain>},
+    {"csv-continental", "csv",
+        QT_TRANSLATE_NOOP("ExportFormat", "CSV, decimal comma and semicolons"), "",
+        Holds::RowsOfTheFastest, writeCsv<CsvDialect::Continental>},
+    {"mat", "mat", QT_TRANSLATE_NOOP("ExportFormat", "MATLAB file"),
+        QT_TRANSLATE_NOOP("ExportFormat", "2 GiB of numbers"), Holds::EverySample, writeMat},
+    {"npy", "npy", QT_TRANSLATE_NOOP("ExportFormat", "NumPy array"),
+        QT_TRANSLATE_NOOP("ExportFormat", "2 GiB of numbers"), Holds::EverySample, writeNpy},
+    {"wav", "wav", QT_TRANSLATE_NOOP("ExportFormat", "WAV, the fast signals as sound"),
+        QT_TRANSLATE_NOOP("ExportFormat", "64 signals and 4 GiB"), Holds::FastSignals, writeWav},
 };
 
 } // namespace

@@ -1,7 +1,7 @@
 // P10: a CSV file of 8 signals x 1,000,000 rows, against what other programs do for each number.
 #include "bench/motor_data.h"
 #include "bench/paired.h"
-#include "session/csv_file.h"
+#include "session/export_formats.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -59,9 +59,9 @@ struct Export {
     /// As the program does: beside the old file, on the disk, then in its place.
     void ours() const
     {
-        capture::CsvWriter writer(snapshot);
-        const auto result = session::writeCsvFile(path("ours.csv"), writer);
-        require(result.error == session::CsvError::None, "the CSV file was not written");
+        const auto result =
+            session::exportFormatNamed("csv")->write(path("ours.csv"), {snapshot, {}}, {});
+        require(result.file.error == session::FileError::None, "the CSV file was not written");
     }
 
     /// What no writer of this text can go below: the same bytes, ready made, in pieces of the same size.

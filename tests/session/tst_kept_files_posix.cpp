@@ -3,7 +3,7 @@
 // Both are done by this very program, started again with a word that says what to do. 100 kills; with ROTORSCOPE_LONG=1
 // 1,000 of them.
 #include "capture/csv_import.h"
-#include "session/csv_file.h"
+#include "session/export_formats.h"
 #include "session/motion_log_file.h"
 #include "session/motor_file.h"
 #include "session/rev_up_json.h"
@@ -70,17 +70,18 @@ capture::Capture captureOf(int version)
     return capture;
 }
 
-CsvResult exportCsv(const QString &path, int version)
+FileError exportCsv(const QString &path, int version)
 {
     const capture::Capture capture = captureOf(version);
-    capture::CsvWriter writer(capture.snapshot(std::array{capture.channels().front().id}), {});
-    return writeCsvFile(path, writer);
+    return exportFormatNamed("csv")
+        ->write(path, {capture.snapshot(std::array{capture.channels().front().id}), {}}, {})
+        .file.error;
 }
 
 bool save(const QString &what, const QString &path, int version)
 {
     if (what == QLatin1String("csv"))
-        return exportCsv(path, version).error == CsvError::None;
+        return exportCsv(path, version) == FileError::None;
     return writeWholeFile(path, snapshotJson(snapshotOf(version, 2000))).isEmpty();
 }
 

@@ -1,4 +1,5 @@
 // Export and import through the real window: every format, every range, read back; and work that takes long.
+#include "capture/csv_export.h"
 #include "capture/csv_import.h"
 #include "support/scope_window.h"
 #include "widgets/files/export_order.h"
@@ -29,7 +30,6 @@
 
 using namespace capture;
 using widgets::Banner;
-using widgets::ExportFormat;
 
 namespace {
 
@@ -73,15 +73,16 @@ private Q_SLOTS:
 
     void whatIsExportedIsImportedIdentically_data()
     {
-        QTest::addColumn<int>("format");
-        QTest::newRow("decimal point") << int(ExportFormat::Csv);
-        QTest::newRow("decimal comma") << int(ExportFormat::CsvContinental);
+        QTest::addColumn<QByteArray>("format");
+        QTest::newRow("decimal point") << QByteArray("csv");
+        QTest::newRow("decimal comma") << QByteArray("csv-continental");
     }
     void whatIsExportedIsImportedIdentically()
     {
-        QFETCH(int, format);
-        const QString path = m_folder.filePath(QStringLiteral("%1.csv").arg(format));
-        exportAs(ExportFormat(format), kEverything, path);
+        QFETCH(QByteArray, format);
+        const QString path =
+            m_folder.filePath(QStringLiteral("%1.csv").arg(QString::fromLatin1(format)));
+        exportAs(format, kEverything, path);
         QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Exported to ")));
         const Capture original = recording();
         m_rig->files.answer = path;
@@ -133,25 +134,27 @@ private Q_SLOTS:
 
     void whatAFileHoldsIsKnown_data()
     {
-        QTest::addColumn<int>("format");
+        QTest::addColumn<QByteArray>("format");
         QTest::addColumn<bool>("alone");
         QTest::addColumn<bool>("all");
-        QTest::newRow("one CSV") << int(ExportFormat::Csv) << false << false;
-        QTest::newRow("one for each rate") << int(ExportFormat::Csv) << true << true;
-        QTest::newRow("MATLAB") << int(ExportFormat::Mat) << false << true;
-        QTest::newRow("WAV") << int(ExportFormat::Wav) << false << false;
+        QTest::newRow("one CSV") << QByteArray("csv") << false << false;
+        QTest::newRow("one for each rate") << QByteArray("csv") << true << true;
+        QTest::newRow("MATLAB") << QByteArray("mat") << false << true;
+        QTest::newRow("NumPy") << QByteArray("npy") << false << true;
+        QTest::newRow("WAV") << QByteArray("wav") << false << false;
     }
     /// Streamed for two seconds, then only read now and then: one table has the rows of what was streamed.
     void whatAFileHoldsIsKnown()
     {
-        QFETCH(int, format);
+        QFETCH(QByteArray, format);
         QFETCH(bool, alone);
         QFETCH(bool, all);
         Capture capture = recording();
         std::vector<ChannelId> ids;
         for (const ChannelInfo &info : capture.channels())
             ids.push_back(info.id);
-        widgets::ExportOrder order{ExportFormat(format), {}, {}, {}, {}};
+        widgets::ExportOrder order;
+        order.format = session::exportFormatNamed(format.toStdString());
         const auto carriedOut = [&] {
             order.parts.clear();
             const Snapshot channels = capture.snapshot(ids);
@@ -159,14 +162,14 @@ private Q_SLOTS:
                 alone ? splitByRate(channels) : std::vector{channels};
             for (const Snapshot &part : parts)
                 order.parts.append({m_folder.filePath(QStringLiteral("held%1_%2")
-                                                          .arg(QString::number(format),
+                                                          .arg(QString::fromLatin1(format),
                                                               QString::number(order.parts.size()))),
                     part});
             return widgets::carryOut(order, [](double) { return true; });
         };
         ids.resize(2); // the fast ones
         QVERIFY(carriedOut().ok());
-        QCOMPARE(carriedOut().allInIt, ExportFormat(format) != ExportFormat::Wav);
+        QCOMPARE(carriedOut().allInIt, format != "wav");
         capture.appendPolled(9, "TEMPERATURE", "\u00b0C", 60.0, 25.0);
         ids.push_back(*capture.find(9));
         QCOMPARE(carriedOut().allInIt, all);
@@ -203,7 +206,7 @@ private Q_SLOTS:
         cursors.move(widgets::CursorEnd::A, 0.5);
         cursors.move(widgets::CursorEnd::B, 0.25); // either may be first
         const QString path = m_folder.filePath(QStringLiteral("cursors.csv"));
-        exportAs(ExportFormat::Csv, kCursors, path);
+        exportAs("csv", kCursors, path);
         QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Exported to ")));
         const QList<QByteArray> lines = linesOf(path);
         QCOMPARE(lines.size(), 4000 + 1);
@@ -215,7 +218,7 @@ private Q_SLOTS:
     {
         scope()->setVisibleRange(1.5, 1.75);
         const QString path = m_folder.filePath(QStringLiteral("visible.csv"));
-        exportAs(ExportFormat::Csv, kVisible, path);
+        exportAs("csv", kVisible, path);
         QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Exported to ")));
         QCOMPARE(linesOf(path).size(), 4000 + 1);
     }
@@ -254,20 +257,22 @@ private Q_SLOTS:
 
     void otherFormatsAreWhatTheirNameSays_data()
     {
-        QTest::addColumn<int>("format");
+        QTest::addColumn<QByteArray>("format");
         QTest::addColumn<QByteArray>("begin");
         QTest::addColumn<int>("atLeast");
-        QTest::newRow("WAV") << int(ExportFormat::Wav) << QByteArray("RIFF") << 30400 * 4;
-        QTest::newRow("MATLAB") << int(ExportFormat::Mat) << QByteArray("MATLAB 5.0") << 10000;
-        QTest::newRow("PDF") << int(ExportFormat::Pdf) << QByteArray("%PDF-") << 2000;
+        QTest::newRow("WAV") << QByteArray("wav") << QByteArray("RIFF") << 30400 * 4;
+        QTest::newRow("MATLAB") << QByteArray("mat") << QByteArray("MATLAB 5.0") << 10000;
+        QTest::newRow("NumPy") << QByteArray("npy") << QByteArray("\x93NUMPY") << 30400 * 8 * 2;
+        QTest::newRow("PDF") << QByteArray("pdf") << QByteArray("%PDF-") << 2000;
     }
     void otherFormatsAreWhatTheirNameSays()
     {
-        QFETCH(int, format);
+        QFETCH(QByteArray, format);
         QFETCH(QByteArray, begin);
         QFETCH(int, atLeast);
-        const QString path = m_folder.filePath(QStringLiteral("other.%1").arg(format));
-        exportAs(ExportFormat(format), kEverything, path);
+        const QString path =
+            m_folder.filePath(QStringLiteral("other.%1").arg(QString::fromLatin1(format)));
+        exportAs(format, kEverything, path);
         QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Exported to ")));
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
@@ -279,7 +284,7 @@ private Q_SLOTS:
     {
         const QSize size = pixels(); // before a banner takes some of it
         const QString png = m_folder.filePath(QStringLiteral("a.png"));
-        exportAs(ExportFormat::Png, kEverything, png);
+        exportAs("png", kEverything, png);
         QVERIFY(banner()->text().startsWith(QStringLiteral("Exported to ")));
         const QImage image(png);
         QCOMPARE(image.size(), size);
@@ -288,7 +293,7 @@ private Q_SLOTS:
         scope()->events().add(
             widgets::EventKind::Marker, (seen.from + seen.to) / 2, QStringLiteral("look here"));
         const QString svg = m_folder.filePath(QStringLiteral("a.svg"));
-        exportAs(ExportFormat::Svg, kEverything, svg);
+        exportAs("svg", kEverything, svg);
         QFile text(svg);
         QVERIFY(text.open(QIODevice::ReadOnly));
         const QByteArray shapes = text.readAll();
@@ -372,7 +377,7 @@ private Q_SLOTS:
             const quint64 before = scope()->redraws();
             QTRY_VERIFY(scope()->redraws() > before);
             const QImage screen = scope()->findChild<QCustomPlot *>()->grab().toImage();
-            exportAs(ExportFormat::Svg, kVisible, svg);
+            exportAs("svg", kVisible, svg);
             QFile text(svg);
             QVERIFY(text.open(QIODevice::ReadOnly));
             const QByteArray content = text.readAll();
@@ -414,8 +419,7 @@ private Q_SLOTS:
 
     void aPlaceThatTakesNoFileIsOneSentence()
     {
-        exportAs(ExportFormat::Mat, kEverything,
-            m_folder.filePath(QStringLiteral("no/such/folder/a.mat")));
+        exportAs("mat", kEverything, m_folder.filePath(QStringLiteral("no/such/folder/a.mat")));
         QTRY_VERIFY(banner()->text().contains(QStringLiteral("cannot be written")));
         QCOMPARE(banner()->kind(), Banner::Kind::Warning);
     }
@@ -500,7 +504,8 @@ private Q_SLOTS:
         std::vector<ChannelId> ids;
         for (const ChannelInfo &info : capture.channels())
             ids.push_back(info.id);
-        widgets::ExportOrder order{ExportFormat::Csv, {}, {}, {}, {}};
+        widgets::ExportOrder order;
+        order.format = session::exportFormatNamed("csv");
         for (const Snapshot &part : splitByRate(capture.snapshot(ids)))
             order.parts.append(
                 {m_folder.filePath(QStringLiteral("part%1.csv").arg(order.parts.size())), part});
@@ -509,7 +514,7 @@ private Q_SLOTS:
             order, [&order](double) { return !QFile::exists(order.parts[0].path); });
         QVERIFY(result.cancelled());
         QVERIFY(QFile::exists(order.parts[0].path));
-        QCOMPARE(widgets::exportErrorText(result),
+        QCOMPARE(widgets::exportErrorText(order, result),
             QStringLiteral("The export was cancelled. Written before: part0.csv."));
     }
 
@@ -532,13 +537,13 @@ private Q_SLOTS:
 private:
     static constexpr int kVisible = 0, kEverything = 1, kCursors = 2; ///< rows of the choice
 
-    void exportAs(ExportFormat format, int range, const QString &path)
+    void exportAs(const QByteArray &format, int range, const QString &path)
     {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // a dialog of before
         m_rig->files.answer = path;
         m_rig->window.exportCsv();
         auto *choice = m_rig->find<QComboBox>("exportFormat");
-        choice->setCurrentIndex(choice->findData(int(format)));
+        choice->setCurrentIndex(choice->findData(QString::fromLatin1(format)));
         m_rig->find<QComboBox>("exportRange")->setCurrentIndex(range);
         QTest::mouseClick(m_rig->find<QPushButton>("exportSave"), Qt::LeftButton);
     }

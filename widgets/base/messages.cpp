@@ -314,25 +314,25 @@ QString failureText(const QString &action, const drive::Ended &ended)
               .arg(action, how, reason);
 }
 
-QString csvErrorText(const session::CsvResult &result)
+QString exportFileErrorText(const session::FileResult &result, const QString &wanted)
 {
-    using session::CsvError;
-    const QString path = deviceText(result.path);
+    using session::FileError;
+    const QString path = deviceText(wanted);
     const QString detail = deviceText(result.systemText);
     switch (result.error) {
-    case CsvError::None:
+    case FileError::None:
         return {};
-    case CsvError::Cancelled:
+    case FileError::Cancelled:
         return Messages::tr("The export was cancelled; no file was written.");
-    case CsvError::NotAFile:
+    case FileError::NotAFile:
         return Messages::tr("%1 is not a file. Choose another name.").arg(path);
-    case CsvError::CannotOpen:
+    case FileError::CannotOpen:
         return Messages::tr("%1 cannot be written (%2). Choose another folder.").arg(path, detail);
-    case CsvError::CannotWrite:
+    case FileError::CannotWrite:
         return Messages::tr("The disk did not take the file (%1). Make room or choose another "
                             "folder; nothing was replaced.")
             .arg(detail);
-    case CsvError::CannotReplace:
+    case FileError::CannotReplace:
         return Messages::tr("%1 cannot be replaced (%2). Choose another name.").arg(path, detail);
     }
     return {};

@@ -4,9 +4,9 @@
 
 #include "drive/event.h"
 #include "drive/motion_caution.h"
-#include "session/csv_file.h"
 #include "session/dead_man.h"
 #include "session/endpoint.h"
+#include "session/piece_file.h"
 
 #include <QString>
 
@@ -36,7 +36,7 @@ QString stopNotConfirmedText();
 /// How a wish failed, in one sentence: `action` names it ("Start"); empty if it went well.
 QString failureText(const QString &action, const drive::Ended &ended);
 
-/// Why an export was not written, and what to do; empty for None.
-QString csvErrorText(const session::CsvResult &result);
+/// Why a file was not written, and what to do; empty for None.
+QString exportFileErrorText(const session::FileResult &result, const QString &path);
 
 } // namespace widgets

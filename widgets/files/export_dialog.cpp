@@ -1,11 +1,14 @@
 #include "widgets/files/export_dialog.h"
 
+#include "capture/csv_export.h"
 #include "session/motion_log_file.h"
 #include "widgets/base/device_text.h"
 #include "widgets/files/file_prompt.h"
+#include "widgets/files/scope_picture.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDateTime>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -14,6 +17,8 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace widgets {
 namespace {
@@ -58,10 +63,10 @@ QString partName(const capture::Channel &channel)
 
 } // namespace
 
-QString suggestedCaptureName(const QDateTime &now, ExportFormat format)
+QString suggestedCaptureName(const QDateTime &now, const QString &suffix)
 {
     return QLocale::c().toString(now, QStringLiteral("yyyy-MM-dd_HH-mm-ss"))
-        + QStringLiteral("_motor_capture.") + suffixOf(format);
+        + QStringLiteral("_motor_capture.") + suffix;
 }
 
 ExportDialog::ExportDialog(capture::Capture &capture, ScopeView &scope, FilePrompt &files,
@@ -80,16 +85,14 @@ ExportDialog::ExportDialog(capture::Capture &capture, ScopeView &scope, FileProm
     setWindowTitle(tr("Export"));
     setModal(true);
     m_format->setObjectName(QStringLiteral("exportFormat"));
-    const std::pair<ExportFormat, QString> formats[] = {
-        {ExportFormat::Csv, tr("CSV, decimal point and commas")},
-        {ExportFormat::CsvContinental, tr("CSV, decimal comma and semicolons")},
-        {ExportFormat::Wav, tr("WAV, the fast signals as sound")},
-        {ExportFormat::Mat, tr("MATLAB file")},
-        {ExportFormat::Png, tr("Picture of the scope, PNG")},
-        {ExportFormat::Svg, tr("Picture of the plots, SVG")},
-        {ExportFormat::Pdf, tr("Picture of the plots, PDF")}};
-    for (const auto &[format, text] : formats)
-        m_format->addItem(text, static_cast<int>(format));
+    const auto add = [this](const char *title, const char *name) {
+        m_format->addItem(
+            QCoreApplication::translate("ExportFormat", title), QString::fromLatin1(name));
+    };
+    for (const session::ExportFormat &each : session::exportFormats())
+        add(each.title, each.name);
+    for (const PictureFormat &each : pictureFormats())
+        add(each.title, each.suffix);
     m_range->setObjectName(QStringLiteral("exportRange"));
     m_range->addItem(tr("What the scope shows"), Visible);
     m_range->addItem(tr("Everything recorded"), Everything);
@@ -126,9 +129,23 @@ ExportDialog::ExportDialog(capture::Capture &capture, ScopeView &scope, FileProm
     updateSummary();
 }
 
-ExportFormat ExportDialog::format() const
+const session::ExportFormat *ExportDialog::format() const
 {
-    return static_cast<ExportFormat>(m_format->currentData().toInt());
+    return session::exportFormatNamed(m_format->currentData().toString().toStdString());
+}
+
+const PictureFormat *ExportDialog::picture() const
+{
+    const std::span<const PictureFormat> all = pictureFormats();
+    const auto found = std::find_if(all.begin(), all.end(), [this](const PictureFormat &each) {
+        return m_format->currentData() == QLatin1String(each.suffix);
+    });
+    return found == all.end() ? nullptr : &*found;
+}
+
+QString ExportDialog::suffix() const
+{
+    return QString::fromLatin1(picture() ? picture()->suffix : format()->suffix);
 }
 
 std::optional<capture::TimeSpan> ExportDialog::range() const
@@ -165,26 +182,26 @@ QString ExportDialog::emptyText() const
 
 void ExportDialog::updateSummary()
 {
-    const bool picture = isPicture(format());
-    const bool csv = format() == ExportFormat::Csv || format() == ExportFormat::CsvContinental;
-    m_range->setEnabled(!picture);
-    m_rates->setEnabled(csv);
+    using Holds = session::ExportFormat::Holds;
+    const session::ExportFormat *chosen = format();
+    const bool rows = chosen && chosen->holds == Holds::RowsOfTheFastest;
+    m_range->setEnabled(chosen);
+    m_rates->setEnabled(rows);
     const auto channels = snapshot();
     m_save->setEnabled(!channels->empty());
     if (channels->empty()) {
         m_summary->setText(emptyText());
-    } else if (picture) {
+    } else if (!chosen) {
         m_summary->setText(tr("The scope as it is on the screen now."));
-    } else if (csv) {
+    } else if (rows) {
         m_summary->setText(
             tr("%n signal(s). The first column is the time in seconds. Lost samples have no row.",
                 nullptr, static_cast<int>(channels->size())));
-    } else if (format() == ExportFormat::Wav) {
+    } else if (chosen->holds == Holds::FastSignals) {
         m_summary->setText(tr("The 16-bit codes of the fast signals, a channel each, at their own "
                               "rate; where samples were lost the next ones follow at once."));
     } else {
-        m_summary->setText(tr("%n signal(s) in a structure for each rate, with time and units; "
-                              "what is unknown is NaN.",
+        m_summary->setText(tr("%n signal(s), every sample with its time; what is unknown is NaN.",
             nullptr, static_cast<int>(channels->size())));
     }
 }
@@ -194,9 +211,9 @@ void ExportDialog::ask()
     SaveQuestion question;
     question.title = tr("Export");
     question.folder = m_folder.isEmpty() ? QDir::homePath() : m_folder;
-    question.suggestedName = suggestedCaptureName(QDateTime::currentDateTime(), format());
-    question.filter = filterOf(format());
-    question.suffix = suffixOf(format());
+    question.suggestedName = suggestedCaptureName(QDateTime::currentDateTime(), suffix());
+    question.filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
+    question.suffix = suffix();
     m_files.askSave(this, question, [this](const QString &path) { order(path); });
 }
 
@@ -221,15 +238,15 @@ QStringList ExportDialog::taken(const ExportOrder &order) const
 
 void ExportDialog::order(const QString &path)
 {
-    ExportOrder made{format(), path, {}, range(), {}};
+    ExportOrder made{format(), picture(), path, {}, range(), {}};
     const capture::Snapshot all = snapshot();
     if (m_rates->isEnabled() && m_rates->currentIndex() == 1) {
         for (const capture::Snapshot &part : capture::splitByRate(all))
             made.parts.append({partPath(path, partName(part->front()), made.parts), part});
-    } else if (!isPicture(made.format)) {
+    } else if (made.format) {
         made.parts.append({path, all});
     }
-    if (made.parts.isEmpty() && !isPicture(made.format)) {
+    if (made.parts.isEmpty() && made.format) {
         m_summary->setText(emptyText());
         return;
     }

@@ -38,7 +38,9 @@ private:
     QStringList taken(const ExportOrder &order) const;
     void updateSummary();
     QString emptyText() const;
-    ExportFormat format() const;
+    const session::ExportFormat *format() const; ///< null: it is a picture
+    const PictureFormat *picture() const;
+    QString suffix() const;
     std::optional<capture::TimeSpan> range() const;
     capture::Snapshot snapshot() const;
 
@@ -55,6 +57,6 @@ private:
 };
 
 /// "2026-05-04_13-02-59_motor_capture.csv"
-QString suggestedCaptureName(const QDateTime &now, ExportFormat format);
+QString suggestedCaptureName(const QDateTime &now, const QString &suffix);
 
 } // namespace widgets

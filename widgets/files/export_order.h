@@ -1,10 +1,8 @@
-// What a person wants in a file, as values, and the writing of it in any thread: CSV in two dialects, WAV, MATLAB.
+// What is wanted in a file, as values, and the writing of it in any thread, in one of session::exportFormats().
 // Pictures are of the screen and are made in its thread (scope_picture.h).
 #pragma once
 
-#include "capture/capture.h"
-#include "capture/wav_export.h"
-#include "session/csv_file.h"
+#include "session/export_formats.h"
 
 #include <QList>
 #include <QString>
@@ -12,36 +10,32 @@
 
 namespace widgets {
 
-enum class ExportFormat : std::uint8_t { Csv, CsvContinental, Wav, Mat, Png, Svg, Pdf };
-
-bool isPicture(ExportFormat format);
-QString suffixOf(ExportFormat format); ///< "csv"
-QString filterOf(ExportFormat format); ///< for a file dialog
+struct PictureFormat;
 
 struct ExportOrder {
     struct Part {
         QString path;
         capture::Snapshot channels;
     };
-    ExportFormat format = ExportFormat::Csv;
-    QString path; ///< as the person named it
+    const session::ExportFormat *format = nullptr; ///< null for a picture
+    const PictureFormat *picture = nullptr;
+    QString path; ///< as it was named
     QList<Part> parts; ///< a file each; none for a picture
     std::optional<capture::TimeSpan> range; ///< all if not set
     QString motionLog; ///< where the log goes beside it; empty: it has none
 };
 
 struct ExportResult {
-    session::CsvResult file; ///< of the first part that failed, else of the last one
-    capture::WavProblem wav = capture::WavProblem::None;
-    bool matTooLong = false;
+    session::ExportOutcome last; ///< of the first part that failed, else of the last one
+    QString path; ///< its
     QStringList written; ///< names of the parts that are whole
     bool allInIt = false; ///< every sample of the parts is in a file
     bool ok() const
     {
-        return file.error == session::FileError::None && wav == capture::WavProblem::None
-            && !matTooLong;
+        return last.file.error == session::FileError::None
+            && last.problem == session::ExportProblem::None;
     }
-    bool cancelled() const { return file.error == session::FileError::Cancelled; }
+    bool cancelled() const { return last.file.error == session::FileError::Cancelled; }
 };
 
 /// Writes the files one after the other; each appears whole or not at all.
@@ -49,6 +43,6 @@ struct ExportResult {
 ExportResult carryOut(const ExportOrder &order, const std::function<bool(double)> &proceed);
 
 /// Why there is no file, and what to do; empty if there is one.
-QString exportErrorText(const ExportResult &result);
+QString exportErrorText(const ExportOrder &order, const ExportResult &result);
 
 } // namespace widgets

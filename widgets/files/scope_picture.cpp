@@ -52,21 +52,25 @@ QByteArray pngOf(ScopeView &scope)
     return buffer.data();
 }
 
+constexpr PictureFormat kPictures[] = {
+    {"png", QT_TRANSLATE_NOOP("ExportFormat", "Picture of the scope, PNG"), pngOf},
+    {"svg", QT_TRANSLATE_NOOP("ExportFormat", "Picture of the plots, SVG"), svgOf},
+    {"pdf", QT_TRANSLATE_NOOP("ExportFormat", "Picture of the plots, PDF"), pdfOf}};
+
 } // namespace
 
 QImage scopeImage(ScopeView &scope) { return scope.grab().toImage(); }
 
-session::CsvResult writePicture(ScopeView &scope, ExportFormat format, const QString &path)
+std::span<const PictureFormat> pictureFormats() { return kPictures; }
+
+session::FileResult writePicture(ScopeView &scope, const PictureFormat &format, const QString &path)
 {
-    const QByteArray bytes = format == ExportFormat::Svg ? svgOf(scope)
-        : format == ExportFormat::Pdf                    ? pdfOf(scope)
-                                                         : pngOf(scope);
+    const QByteArray bytes = format.draw(scope);
     bool written = false;
-    const session::FileResult file = session::writePieces(path, [&](std::string_view &piece) {
+    return session::writePieces(path, [&](std::string_view &piece) {
         piece = {bytes.constData(), static_cast<std::size_t>(bytes.size())};
         return !std::exchange(written, true);
     });
-    return {file.error, path, file.systemText, 0, file.bytes};
 }
 
 } // namespace widgets

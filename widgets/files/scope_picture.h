@@ -1,8 +1,11 @@
 // Pictures of the scope as it is on the screen, as files.
 #pragma once
 
-#include "session/csv_file.h"
-#include "widgets/files/export_order.h"
+#include "session/piece_file.h"
+
+#include <QByteArray>
+
+#include <span>
 
 class QImage;
 
@@ -12,7 +15,15 @@ class ScopeView;
 
 QImage scopeImage(ScopeView &scope); ///< all of it, in the screen's pixels
 
-/// PNG of the whole view; SVG and PDF of its plots, traces and cursors as shapes.
-session::CsvResult writePicture(ScopeView &scope, ExportFormat format, const QString &path);
+/// PNG is of the whole view; SVG and PDF of its plots, traces and cursors as shapes.
+struct PictureFormat {
+    const char *suffix = ""; ///< of the file, without a point
+    const char *title = ""; ///< for a choice; can be translated ("ExportFormat")
+    QByteArray (*draw)(ScopeView &scope) = nullptr;
+};
+
+std::span<const PictureFormat> pictureFormats();
+session::FileResult writePicture(
+    ScopeView &scope, const PictureFormat &format, const QString &path);
 
 } // namespace widgets

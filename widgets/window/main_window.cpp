@@ -304,8 +304,7 @@ QWidget *MainWindow::makeScopeBar()
     m_export = new QAction(tr("&Export\u2026"), this);
     m_export->setIconText(tr("Export\u2026"));
     m_export->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_E);
-    m_export->setToolTip(tr(
-        "Writes samples or a picture to a file: CSV, WAV, MATLAB, PNG, SVG, PDF (Ctrl+Shift+E)"));
+    m_export->setToolTip(tr("Writes samples or a picture to a file (Ctrl+Shift+E)"));
     QMainWindow::addAction(m_export);
     connect(m_export, &QAction::triggered, this, &MainWindow::exportCsv);
     save->setDefaultAction(m_export);

@@ -210,17 +210,18 @@ void MainWindow::runExport(const ExportOrder &order)
             m_exportedRevision = revision;
         if (!result.ok()) {
             m_closeAfterExport = false; // somebody has to read why
-            say(Banner::Kind::Warning, exportErrorText(result));
-        } else if (isPicture(order.format)) {
+            say(Banner::Kind::Warning, exportErrorText(order, result));
+        } else if (order.picture) {
             m_settings.exportFolder = QFileInfo(order.path).path();
             say(Banner::Kind::Note, tr("Exported to %1.").arg(deviceText(order.path)));
         } else {
             exported(order.parts.first().path, order.motionLog);
         }
     };
-    if (isPicture(order.format)) {
+    if (order.picture) {
         ExportResult result;
-        result.file = writePicture(*m_scope, order.format, order.path);
+        result.path = order.path;
+        result.last.file = writePicture(*m_scope, *order.picture, order.path);
         done(result);
         return;
     }

@@ -1,6 +1,6 @@
 // A disk that is full after so many bytes, for each such number: a limit on the file's size gives the same short
 // write as a full disk, without one.
-#include "session/csv_file.h"
+#include "session/export_formats.h"
 #include "support/size_limit_posix.h"
 
 #include <QDir>
@@ -14,7 +14,7 @@
 using namespace session;
 using support::SizeLimit;
 
-class TestCsvFullDisk : public QObject {
+class TestExportFullDisk : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void whereverItFillsTheOldFileStays();
@@ -33,9 +33,14 @@ capture::Snapshot recording()
     return capture.snapshot(ids);
 }
 
+FileResult writeCsv(const QString &path, const capture::Snapshot &channels)
+{
+    return exportFormatNamed("csv")->write(path, {channels, {}}, {}).file;
+}
+
 } // namespace
 
-void TestCsvFullDisk::whereverItFillsTheOldFileStays()
+void TestExportFullDisk::whereverItFillsTheOldFileStays()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.csv"));
@@ -43,17 +48,15 @@ void TestCsvFullDisk::whereverItFillsTheOldFileStays()
     QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
     old.close();
     const capture::Snapshot snapshot = recording();
-    capture::CsvWriter whole(snapshot);
-    const CsvResult full = writeCsvFile(folder.filePath(QStringLiteral("b.csv")), whole);
-    QCOMPARE(full.error, CsvError::None);
+    const FileResult full = writeCsv(folder.filePath(QStringLiteral("b.csv")), snapshot);
+    QCOMPARE(full.error, FileError::None);
     for (qint64 bytes = 0; bytes < full.bytes; bytes += 1 + full.bytes / 37) {
-        capture::CsvWriter writer(snapshot);
-        CsvResult result;
+        FileResult result;
         {
             const SizeLimit limit(static_cast<rlim_t>(bytes));
-            result = writeCsvFile(path, writer);
+            result = writeCsv(path, snapshot);
         }
-        QCOMPARE(result.error, CsvError::CannotWrite);
+        QCOMPARE(result.error, FileError::CannotWrite);
         QCOMPARE(result.systemText, qt_error_string(EFBIG));
         QVERIFY(old.open(QIODevice::ReadOnly));
         QCOMPARE(old.readAll(), QByteArray("old"));
@@ -62,13 +65,12 @@ void TestCsvFullDisk::whereverItFillsTheOldFileStays()
     }
 }
 
-void TestCsvFullDisk::noRoomIsKeptBehindTheEnd()
+void TestExportFullDisk::noRoomIsKeptBehindTheEnd()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.csv"));
-    capture::CsvWriter writer(recording());
-    const CsvResult result = writeCsvFile(path, writer);
-    QCOMPARE(result.error, CsvError::None);
+    const FileResult result = writeCsv(path, recording());
+    QCOMPARE(result.error, FileError::None);
     QVERIFY(result.bytes > 1'000'000); // several pieces
     struct stat file { };
     QCOMPARE(stat(QFile::encodeName(path).constData(), &file), 0);
@@ -77,5 +79,5 @@ void TestCsvFullDisk::noRoomIsKeptBehindTheEnd()
         qPrintable(QString::number(file.st_blocks)));
 }
 
-QTEST_GUILESS_MAIN(TestCsvFullDisk)
-#include "tst_csv_full_disk_posix.moc"
+QTEST_GUILESS_MAIN(TestExportFullDisk)
+#include "tst_export_full_disk_posix.moc"

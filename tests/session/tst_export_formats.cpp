@@ -1,5 +1,5 @@
-// The CSV file: whole or not there at all, whatever the disk does.
-#include "session/csv_file.h"
+// An exported file: whole or not there at all, whatever the disk does.
+#include "session/export_formats.h"
 
 #include <QDir>
 #include <QFile>
@@ -8,7 +8,7 @@
 
 using namespace session;
 
-class TestCsvFile : public QObject {
+class TestExportFormats : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void theFileHoldsWhatTheWriterSays();
@@ -42,52 +42,54 @@ void put(const QString &path, const QByteArray &text)
     QCOMPARE(file.write(text), text.size());
 }
 
+ExportOutcome writeCsv(const QString &path, const capture::Snapshot &channels,
+    const std::function<bool(double)> &proceed = {})
+{
+    return exportFormatNamed("csv")->write(path, {channels, {}}, proceed);
+}
+
 } // namespace
 
-void TestCsvFile::theFileHoldsWhatTheWriterSays()
+void TestExportFormats::theFileHoldsWhatTheWriterSays()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.csv"));
-    capture::CsvWriter writer(recording(50'000));
-    const CsvResult result = writeCsvFile(path, writer);
-    QCOMPARE(result.error, CsvError::None);
+    const ExportOutcome result = writeCsv(path, recording(50'000));
+    QCOMPARE(result.file.error, FileError::None);
     QCOMPARE(result.rows, 50'000U);
     const QByteArray text = contents(path);
-    QCOMPARE(text.size(), result.bytes);
+    QCOMPARE(text.size(), result.file.bytes);
     QVERIFY(text.startsWith("time [s],A [A],B [A]\n0,123.4,123.4\n"));
     QCOMPARE(text.count('\n'), 50'001);
 }
 
-void TestCsvFile::aFolderThatIsNotThereIsOneError()
+void TestExportFormats::aFolderThatIsNotThereIsOneError()
 {
     QTemporaryDir folder;
-    capture::CsvWriter writer(recording(1000));
-    const CsvResult result =
-        writeCsvFile(folder.filePath(QStringLiteral("no/such/folder/a.csv")), writer);
-    QCOMPARE(result.error, CsvError::CannotOpen);
-    QVERIFY(!result.systemText.isEmpty());
+    const ExportOutcome result =
+        writeCsv(folder.filePath(QStringLiteral("no/such/folder/a.csv")), recording(1000));
+    QCOMPARE(result.file.error, FileError::CannotOpen);
+    QVERIFY(!result.file.systemText.isEmpty());
 }
 
-void TestCsvFile::aFolderIsNotReplaced()
+void TestExportFormats::aFolderIsNotReplaced()
 {
     QTemporaryDir folder;
-    capture::CsvWriter writer(recording(1000));
-    QCOMPARE(writeCsvFile(folder.path(), writer).error, CsvError::NotAFile);
+    QCOMPARE(writeCsv(folder.path(), recording(1000)).file.error, FileError::NotAFile);
     QVERIFY(QFileInfo(folder.path()).isDir());
 }
 
-void TestCsvFile::cancellingLeavesTheOldFile()
+void TestExportFormats::cancellingLeavesTheOldFile()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.csv"));
     put(path, "old");
-    capture::CsvWriter writer(recording(200'000));
-    const CsvResult result =
-        writeCsvFile(path, writer, [](double fraction) { return fraction < 0.3; });
-    QCOMPARE(result.error, CsvError::Cancelled);
+    const ExportOutcome result =
+        writeCsv(path, recording(200'000), [](double fraction) { return fraction < 0.3; });
+    QCOMPARE(result.file.error, FileError::Cancelled);
     QCOMPARE(contents(path), QByteArray("old"));
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
 }
 
-QTEST_GUILESS_MAIN(TestCsvFile)
-#include "tst_csv_file.moc"
+QTEST_GUILESS_MAIN(TestExportFormats)
+#include "tst_export_formats.moc"
