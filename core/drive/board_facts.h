@@ -28,6 +28,7 @@ struct BoardFacts {
     std::vector<catalog::Scales> scales; ///< one a motor
     std::vector<MotorLimits> limits; ///< one a motor
     std::vector<bool> speedMeasured; ///< one a motor: by an encoder or Hall sensors
+    std::set<RegisterId> missing; ///< of the catalogue, at one motor: another has it
     StreamLimits streaming;
     std::vector<Capability> capabilities;
 

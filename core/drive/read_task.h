@@ -1,11 +1,12 @@
 // A person's read wish: what cannot be asked is told at once, the rest is asked register by register.
 #pragma once
 
+#include "drive/reader.h"
 #include "drive/task.h"
 
 namespace drive {
 
-/// @tparam P  with a Reader, and refuseRead(facts, id): how a register that is not asked ends; nothing if it is
+/// @tparam P  with refuseRead(facts, id): how a register that is not asked ends; nothing if it is
 template <class P>
 class ReadTask : public WishTask<P> {
 public:
@@ -55,7 +56,7 @@ private:
 
     const typename P::Facts &m_board;
     std::vector<RegisterId> m_ids;
-    typename P::Reader m_reader{m_board};
+    Reader<P> m_reader{m_board};
     std::vector<Reading> m_readings;
     bool m_started = false;
 };

@@ -1,6 +1,7 @@
 // Reads the watched registers in rounds, where signals that are to be drawn come by themselves (else drive/legacy).
 #pragma once
 
+#include "drive/reader.h"
 #include "drive/task.h"
 #include "drive/watch_round.h"
 
@@ -58,7 +59,7 @@ protected:
     WatchRound m_round;
 
 private:
-    typename P::Reader m_reader{m_board};
+    Reader<P> m_reader{m_board};
 };
 
 } // namespace drive

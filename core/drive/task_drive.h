@@ -3,6 +3,7 @@
 #pragma once
 
 #include "drive/motion_of.h"
+#include "drive/read_task.h"
 #include "drive/wish_drive.h"
 #include "drive/wish_queue.h"
 
@@ -10,7 +11,8 @@
 
 namespace drive {
 
-/// @tparam P  Request, Answer, Facts; Link, a sans-IO machine; Identification, Vitals and Watch, tasks
+/// @tparam P  Request, Answer, Facts; Link, a sans-IO machine; Identification, Vitals and Watch, tasks; Writes, the task of
+///            a write wish
 template <class P>
 class TaskDrive : public WishDrive {
 public:
@@ -26,6 +28,13 @@ public:
         m_link.handleTimeout(now);
         m_stop.handleTimeout(now);
         work(now);
+    }
+    void handleSent(TimePoint now) override
+    {
+        if constexpr (requires { m_link.handleSent(now); }) {
+            m_link.handleSent(now);
+            work(now);
+        }
     }
     std::vector<Output> takeOutput() override { return m_link.takeOutput(); }
     std::optional<TimePoint> nextTimeout() const override;
@@ -49,27 +58,34 @@ protected:
     }
 
     // What a protocol brings.
-    virtual Made taskFor(const Wish &wish) = 0; ///< for all but those done at once
+    /// For what commands and moves; nullptr: it is not there.
+    virtual Made taskFor(const Wish &wish) = 0;
     virtual void onLinkEvents(TimePoint now) = 0;
     virtual void onIdentified(TimePoint now) = 0;
     virtual bool connected() const = 0;
-    virtual LinkState linkState() const = 0; ///< where the link is neither closed nor lost
-    virtual LinkCounters counters() const = 0;
     /// Hands the request to the link. @param wish  that it is for; may be null
     /// @return  false: it is none that may leave
     virtual bool send(const Request &request, WishTask<P> *wish, TimePoint now) = 0;
     /// A link that holds requests back gives this one up if it has not left. @return  whether it had not
     virtual bool recall(TimePoint) { return false; }
     virtual void sendStop(TimePoint now) = 0; ///< if one is due and may leave
-    virtual TimePoint stopMayLeave() const = 0;
+    virtual void closeLink() = 0;
+
+    // What it may bring.
+    virtual LinkState linkState() const ///< where the link is neither closed nor lost
+    {
+        return connected() ? LinkState::Connected : LinkState::Connecting;
+    }
+    virtual LinkCounters counters() const { return {}; }
+    virtual TimePoint stopMayLeave() const
+    {
+        return m_stopUnderWay ? m_stopSince + StopSequence::kRepeat : TimePoint{};
+    }
     virtual std::optional<TimePoint> nextStop() const
     {
         const auto next = m_stop.nextStop(connected(), m_workedAt);
         return next ? std::optional(std::max(*next, stopMayLeave())) : std::nullopt;
     }
-    virtual void closeLink() = 0;
-
-    // What it may bring.
     virtual bool sendFirst(TimePoint now); ///< true: the link is not there for anything else now
     virtual void prepare(TimePoint) { } ///< before anything is sent
     virtual void leave() { } ///< adds the wishes that end what the board does by itself
@@ -79,10 +95,8 @@ protected:
     virtual void collect(TimePoint now);
     virtual std::optional<TimePoint> nextOwn() const { return std::nullopt; }
     virtual std::optional<TimePoint> nextWork() const { return std::nullopt; } ///< on a free link
-    virtual bool reconnectsBlind() const
-    {
-        return false;
-    } ///< STOPs without a link do not hinder it
+    /// STOPs without a link do not hinder it.
+    virtual bool reconnectsBlind() const { return false; }
 
     void work(TimePoint now) final;
     bool linkIsFree() const { return m_link.canSend() && m_task == nullptr && !m_stopUnderWay; }
@@ -91,9 +105,20 @@ protected:
     /// The answer to m_task has come, or never will: the link is free. What acts is looked at at once.
     void takeAnswer(const Answer &answer, TimePoint now);
     void takeLoss(std::optional<bool> executed, TimePoint now);
+    /// The answer to the STOP that is under way, if one is.
+    void takeStopAnswer(bool ok, TimePoint now);
     void cutAllWishes(const std::string &reason);
 
     void linkFound();
+    /// Behind linkFound(): all is found out anew. @param about  what the link was told of the board
+    template <class... About>
+    void meet(LinkReason reason, TimePoint now, const About &...about)
+    {
+        m_identification.restart(about...);
+        m_vitals.restart(now);
+        m_watch.restart(now);
+        tell(LinkState::Connected, reason);
+    }
     void linkLost(LinkReason reason, TimePoint now);
     void forgetLink(); ///< what was under way is never answered
 
@@ -104,8 +129,9 @@ protected:
     typename P::Watch m_watch{m_board};
     WishQueue<P> m_wishes;
     Task<P> *m_task = nullptr; ///< whose answer the link is waiting for
-    bool m_stopUnderWay =
-        false; ///< handed to the link, not answered; may wait behind m_task's answer
+    /// Handed to the link, not answered; may wait behind m_task's answer.
+    bool m_stopUnderWay = false;
+    int m_stopMotor = 1; ///< whose
     TimePoint m_stopSince;
     bool m_suspect = false;
     std::optional<TimePoint> m_reconnectAt;
@@ -129,6 +155,7 @@ private:
     }
     template <class Which>
     void cutActing(const std::string &reason, Which which);
+    Made make(const Wish &wish);
     void afterTask(TimePoint now);
     bool recallArmed(TimePoint now)
     {
@@ -293,12 +320,33 @@ void TaskDrive<P>::cutAllWishes(const std::string &reason)
     m_wishes.collect(m_events, m_workedAt);
 }
 
+/// What is not there is refused with the reason; to end a stream that is not there is no failure.
+template <class P>
+typename TaskDrive<P>::Made TaskDrive<P>::make(const Wish &wish)
+{
+    if (const auto *read = std::get_if<Read>(&wish.what))
+        return std::make_unique<ReadTask<P>>(wish.id, *read, m_board);
+    if (const auto *write = std::get_if<Write>(&wish.what))
+        return std::make_unique<typename P::Writes>(wish.id, *write, m_board);
+    if (Made task = taskFor(wish))
+        return task;
+    const auto feature = featureOf(wish);
+    const auto *stream = std::get_if<Stream>(&wish.what);
+    const bool harmless = stream != nullptr || std::holds_alternative<CyclicSetPoints>(wish.what);
+    const bool ends = stream != nullptr && stream->fast.empty() && stream->slow.empty();
+    return std::make_unique<EndedTask<P>>(wish.id,
+        harmless ? Permission::Always : Permission::Armed, ends ? Outcome::Ok : Outcome::Refused,
+        ends          ? ""
+            : feature ? m_board.reasonAgainst(*feature)
+                      : "is not there");
+}
+
 template <class P>
 void TaskDrive<P>::submit(Wish wish, TimePoint now)
 {
     if (takeAtOnce(wish, now))
         return;
-    Made task = taskFor(wish);
+    Made task = make(wish);
     if (task->permission() == Permission::Armed && !armed())
         return endNow(wish, Outcome::NotSent,
             m_stop.active() ? "stopped; arm again first" : "not armed", now);
@@ -327,6 +375,16 @@ void TaskDrive<P>::takeLoss(std::optional<bool> executed, TimePoint now)
 {
     m_task->takeNoResponse(executed, now);
     afterTask(now);
+}
+
+template <class P>
+void TaskDrive<P>::takeStopAnswer(bool ok, TimePoint now)
+{
+    if (!std::exchange(m_stopUnderWay, false))
+        return;
+    if (ok)
+        m_stop.stopAnswered(m_stopMotor, now);
+    m_vitals.hurry(now);
 }
 
 template <class P>

@@ -33,6 +33,14 @@ std::optional<double> asNumber(const Value &value)
     return std::nullopt;
 }
 
+bool sameValue(const Value &written, const Value &read)
+{
+    const auto a = asNumber(written), b = asNumber(read);
+    if (a && b)
+        return *a == *b || static_cast<float>(*a) == static_cast<float>(*b);
+    return written == read;
+}
+
 Result<std::int64_t, std::string> wholeNumberFor(ValueType type, const Value &value)
 {
     const auto number = wholeNumber(value);

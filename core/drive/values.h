@@ -15,6 +15,9 @@ using catalog::Value;
 /// The number in a value, if it is one.
 std::optional<double> asNumber(const Value &value);
 
+/// What was read is what was written; a board may hold a number in 32 bits only.
+bool sameValue(const Value &written, const Value &read);
+
 /// The whole number in a value, also where it came as a floating-point one, if a register of the type holds it. Fails
 /// with the reason.
 Result<std::int64_t, std::string> wholeNumberFor(catalog::ValueType type, const Value &value);

@@ -3,6 +3,7 @@
 // decides when.
 #pragma once
 
+#include "drive/reader.h"
 #include "drive/stop_sequence.h"
 #include "drive/task.h"
 
@@ -61,7 +62,7 @@ private:
     void afterAnswer(TimePoint now);
     void publish(TimePoint now);
 
-    typename P::Reader m_reader{m_board};
+    Reader<P> m_reader{m_board};
     std::map<RegisterId, Value> m_round;
     std::map<int, MotorStatus> m_latest;
     std::vector<MotorStatus> m_news;

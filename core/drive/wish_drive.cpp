@@ -1,5 +1,6 @@
 #include "drive/wish_drive.h"
 
+#include "base/overloaded.h"
 #include "drive/motion_of.h"
 
 #include <algorithm>
@@ -11,6 +12,21 @@ namespace {
 constexpr Duration kCountersEvery = std::chrono::milliseconds(250);
 
 } // namespace
+
+std::optional<Feature> featureOf(const Wish &wish)
+{
+    return std::visit(
+        Overloaded{
+            [](const SpeedRamp &) { return std::optional(Feature::SpeedRamp); },
+            [](const TorqueRamp &) { return std::optional(Feature::TorqueRamp); },
+            [](const CurrentReference &) { return std::optional(Feature::CurrentReference); },
+            [](const PositionRamp &) { return std::optional(Feature::PositionRamp); },
+            [](const Stream &) { return std::optional(Feature::Stream); },
+            [](const CyclicSetPoints &) { return std::optional(Feature::CyclicSetPoints); },
+            [](const auto &) { return std::optional<Feature>(); },
+        },
+        wish.what);
+}
 
 void WishDrive::beginStop(TimePoint now)
 {

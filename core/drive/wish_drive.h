@@ -12,6 +12,9 @@
 
 namespace drive {
 
+/// What a board has to have for the wish; empty: every board can be asked for it.
+std::optional<Feature> featureOf(const Wish &wish);
+
 class WishDrive : public Drive {
 public:
     std::vector<Event> takeEvents() override { return std::exchange(m_events, {}); }

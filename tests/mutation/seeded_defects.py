@@ -31,7 +31,7 @@ DEFECTS = [
          '    end(executed.has_value() && !*executed ? Outcome::NotSent : Outcome::Unknown, "no answer");\n}\n\nSetPointTask',
          '    static_cast<void>(executed);\n}\n\nSetPointTask')]),
     ("writes pass unarmed", CAMPAIGN, "armed", [
-        ("core/drive/mcp/mcp_writes.cpp", "    : WishTask(id, Permission::Armed)\n", "    : WishTask(id, Permission::Always)\n")]),
+        ("core/drive/write_task.h", "WishTask<P>(id, Permission::Armed)", "WishTask<P>(id, Permission::Always)")]),
     ("a Stop is not repeated", "tst_mcp_drive_stop", "stop in time", [
         ("core/drive/stop_sequence.cpp", "motor->nextStop = now + kRepeat;", "motor->nextStop = now + 100 * kRepeat;")]),
     ("no STOP without a link", "tst_mcp_drive_stop", "stop in time", [

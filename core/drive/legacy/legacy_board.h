@@ -5,14 +5,10 @@
 #include "drive/board_facts.h"
 #include "legacy/protocol.h"
 
-#include <set>
-
 namespace drive {
 
 struct LegacyFacts : BoardFacts {
     legacy::Dialect dialect = legacy::Dialect::Stm32;
-    /// Registers that a motor does not have although another one has: by id with motor.
-    std::set<RegisterId> missing;
     double bytesPerSecond = 11520.0; ///< of the line, in each direction
 };
 

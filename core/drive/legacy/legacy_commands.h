@@ -4,7 +4,7 @@
 // An acknowledgement here proves nothing: START is acknowledged in any state. What the motor does is read by others.
 #pragma once
 
-#include "drive/legacy/legacy_reader.h"
+#include "drive/legacy/legacy_reads.h"
 #include "drive/task.h"
 
 namespace drive {
@@ -27,7 +27,7 @@ private:
 
     const LegacyFacts &m_board;
     Command m_command;
-    LegacyReader m_reader{m_board};
+    Reader<LegacyProtocol> m_reader{m_board};
     std::vector<Reading> m_found;
     bool m_looked = false;
 };

@@ -1,12 +1,11 @@
 #include "drive/legacy/legacy_drive.h"
 
 #include "base/overloaded.h"
+#include "drive/drawn_watch.h"
 #include "drive/legacy/legacy_commands.h"
 #include "drive/legacy/legacy_identification.h"
 #include "drive/legacy/legacy_vitals.h"
-#include "drive/legacy/legacy_watch.h"
 #include "drive/legacy/legacy_writes.h"
-#include "drive/read_task.h"
 #include "drive/task_drive.h"
 #include "legacy/client.h"
 
@@ -38,11 +37,6 @@ public:
         m_board.bytesPerSecond = config.baud / kBitsPerByte;
     }
 
-    void handleSent(TimePoint now) override
-    {
-        m_link.handleSent(now);
-        work(now);
-    }
     std::vector<Output> stopScript() const override;
 
 private:
@@ -73,52 +67,24 @@ private:
     TimePoint stopMayLeave() const override;
     void closeLink() override { m_link.close(); }
 
-    std::uint8_t m_stopMotor = 0; ///< with a stop on its way: whose
     bool m_restarted = false; ///< the board said so; it is met anew
     bool m_reidentify = false;
 };
 
 LegacyDrive::Made LegacyDrive::taskFor(const Wish &wish)
 {
-    using Ended = EndedTask<LegacyProtocol>;
+    const auto setPoint = [&](const auto &what) -> Made {
+        return std::make_unique<LegacySetPointTask>(wish.id, what, m_board);
+    };
     return std::visit(
         Overloaded{
-            [&](const Read &read) -> Made {
-                return std::make_unique<ReadTask<LegacyProtocol>>(wish.id, read, m_board);
-            },
-            [&](const Write &write) -> Made {
-                return std::make_unique<LegacyWriteTask>(wish.id, write, m_board);
-            },
             [&](const Command &command) -> Made {
                 return std::make_unique<LegacyCommandTask>(wish.id, command, m_board);
             },
-            [&](const SpeedRamp &ramp) -> Made {
-                return std::make_unique<LegacySetPointTask>(wish.id, ramp, m_board);
-            },
-            [&](const TorqueRamp &ramp) -> Made {
-                return std::make_unique<LegacySetPointTask>(wish.id, ramp, m_board);
-            },
-            [&](const CurrentReference &reference) -> Made {
-                return std::make_unique<LegacySetPointTask>(wish.id, reference, m_board);
-            },
-            [&](const PositionRamp &) -> Made {
-                return std::make_unique<Ended>(wish.id, Permission::Armed, Outcome::Refused,
-                    m_board.reasonAgainst(Feature::PositionRamp));
-            },
-            [&](const CyclicSetPoints &) -> Made {
-                return std::make_unique<Ended>(wish.id, Permission::Always, Outcome::Refused,
-                    m_board.reasonAgainst(Feature::CyclicSetPoints));
-            },
-            [&](const Stream &stream) -> Made { // none can be had; stopping none is no failure
-                const bool stops = stream.fast.empty() && stream.slow.empty();
-                return std::make_unique<Ended>(wish.id, Permission::Always,
-                    stops ? Outcome::Ok : Outcome::Refused,
-                    stops ? std::string() : m_board.reasonAgainst(Feature::Stream));
-            },
-            [&](const auto &) -> Made {
-                return std::make_unique<Ended>(
-                    wish.id, Permission::Always, Outcome::Refused, "not here");
-            },
+            [&](const SpeedRamp &ramp) -> Made { return setPoint(ramp); },
+            [&](const TorqueRamp &ramp) -> Made { return setPoint(ramp); },
+            [&](const CurrentReference &reference) -> Made { return setPoint(reference); },
+            [](const auto &) -> Made { return nullptr; },
         },
         wish.what);
 }
@@ -148,23 +114,17 @@ void LegacyDrive::onConnected(const Link::Connected &event, TimePoint now)
     if (event.again && m_board.identified && !m_reidentify)
         return; // a recovery: the same board, in step again
     m_reidentify = false;
-    m_identification.restart(event.board);
-    m_vitals.restart(now);
-    m_watch.restart(now);
-    tell(LinkState::Connected,
-        std::exchange(m_restarted, false) ? LinkReason::BoardReset : LinkReason::None);
+    meet(std::exchange(m_restarted, false) ? LinkReason::BoardReset : LinkReason::None, now,
+        event.board);
 }
 
 void LegacyDrive::onAnswer(const Link::Answer &event, TimePoint now)
 {
     m_suspect = false;
     if (m_task != nullptr)
-        return takeAnswer(event.reply, now);
-    if (!std::exchange(m_stopUnderWay, false))
-        return;
-    if (event.sure && std::holds_alternative<legacy::Ack>(event.reply))
-        m_stop.stopAnswered(m_stopMotor, now);
-    m_vitals.hurry(now);
+        takeAnswer(event.reply, now);
+    else
+        takeStopAnswer(event.sure && std::holds_alternative<legacy::Ack>(event.reply), now);
 }
 
 /// Whatever was known of it is void, and nobody has armed this board.
@@ -253,7 +213,7 @@ void LegacyDrive::sendStop(TimePoint now)
     if (!motor)
         return;
     const bool clean = m_link.canSend() || m_link.state() == Link::State::Waiting;
-    m_stopMotor = static_cast<std::uint8_t>(*motor);
+    m_stopMotor = *motor;
     m_stopSince = now;
     const legacy::Request request = stopOf(*motor);
     noteStop(*motor, legacy::encodeRequest(request).value_or(Bytes()), now);

@@ -5,7 +5,7 @@
 // of the dialects has are read. If they contradict each other, or a person's choice, the board stays read-only.
 #pragma once
 
-#include "drive/legacy/legacy_reader.h"
+#include "drive/legacy/legacy_reads.h"
 #include "drive/task.h"
 #include "legacy/reply.h"
 
@@ -53,7 +53,7 @@ private:
     bool m_versionKnown = false; ///< GET_FW_VERSION was answered
     std::optional<bool> m_powerPcRegister, m_stm32Register; ///< there
     std::string m_doubt; ///< why nothing may be written
-    LegacyReader m_reader{m_board};
+    Reader<LegacyProtocol> m_reader{m_board};
     std::map<RegisterId, Value> m_values;
     std::vector<Reading> m_readings;
     Identity m_identity;

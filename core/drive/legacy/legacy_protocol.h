@@ -14,9 +14,12 @@ class Client;
 namespace drive {
 
 class LegacyIdentification;
-class LegacyReader;
+class LegacyReads;
 class LegacyVitals;
-class LegacyWatch;
+class LegacyWriteTask;
+
+template <class P>
+class DrawnWatch;
 
 struct LegacyProtocol {
     using Request = legacy::Request;
@@ -25,9 +28,12 @@ struct LegacyProtocol {
     using Link = legacy::Client;
     using Identification = LegacyIdentification;
     using Vitals = LegacyVitals;
-    using Watch = LegacyWatch;
-    using Reader = LegacyReader;
+    using Watch = DrawnWatch<LegacyProtocol>;
+    using Reads = LegacyReads;
+    using Writes = LegacyWriteTask;
+    static constexpr int kAttempts = 3;
     static std::optional<ReadStatus> refuseRead(const LegacyFacts &board, RegisterId id);
+    static std::optional<std::string> refusalIn(const legacy::Reply &reply);
 };
 
 inline legacy::Request legacyRequest(int motor, legacy::Command command)

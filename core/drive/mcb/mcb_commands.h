@@ -7,7 +7,7 @@
 #pragma once
 
 #include "drive/control_mode.h"
-#include "drive/mcb/mcb_reader.h"
+#include "drive/mcb/mcb_reads.h"
 #include "drive/task.h"
 
 #include <deque>
@@ -48,7 +48,7 @@ protected:
 private:
     const McbBoard &m_board;
     int m_motor;
-    McbReader m_reader{m_board};
+    Reader<McbProtocol> m_reader{m_board};
     std::map<std::uint16_t, double> m_values;
     std::deque<Step> m_steps;
     std::string m_problem; ///< of a step that was to be planned

@@ -1,12 +1,12 @@
 #include "drive/mcb/mcb_drive.h"
 
+#include "base/overloaded.h"
 #include "drive/mcb/mcb_catalog.h"
 #include "drive/mcb/mcb_commands.h"
 #include "drive/mcb/mcb_identification.h"
 #include "drive/mcb/mcb_stream.h"
 #include "drive/mcb/mcb_vitals.h"
 #include "drive/mcb/mcb_writes.h"
-#include "drive/read_task.h"
 #include "drive/register_watch.h"
 #include "drive/task_drive.h"
 #include "mcb/dictionary.h"
@@ -52,7 +52,6 @@ public:
         endSetPoints();
         TaskDrive::connect(now);
     }
-    void handleSent(TimePoint) override { }
     void handleReady(bool high, TimePoint now) override
     {
         m_link.setReady(high, now);
@@ -71,7 +70,7 @@ private:
     void on(const Link::Searching &, TimePoint) { m_stream.interrupted(); }
     void on(const Link::Back &event, TimePoint now);
     void on(const Link::Lost &event, TimePoint now);
-    void beginAnew(TimePoint now);
+    void beginAnew(LinkReason reason, TimePoint now);
     void onIdentified(TimePoint now) override;
     void identifyAnew() override { m_identification.restart(); }
     void onStatuses(const std::vector<MotorStatus> &statuses) override;
@@ -87,10 +86,6 @@ private:
     bool send(const McbRequest &request, WishTask<McbProtocol> *wish, TimePoint now) override;
     bool recall(TimePoint now) override;
     void sendStop(TimePoint now) override;
-    TimePoint stopMayLeave() const override
-    {
-        return m_stopUnderWay ? m_stopSince + StopSequence::kRepeat : TimePoint{};
-    }
     std::optional<TimePoint> nextStop() const override;
     bool travels(const Link::Request &request) const;
     Bytes frameWith(const Link::Request &request) const;
@@ -129,62 +124,27 @@ McbDrive::McbDrive(const McbDriveConfig &config)
 
 McbDrive::Made McbDrive::taskFor(const Wish &wish)
 {
-    struct Make {
-        WishId id;
-        const McbBoard &board;
-        McbStreamControl &stream;
-        McbSetPoints &setPoints;
-        using Made = std::unique_ptr<WishTask<McbProtocol>>;
-
-        Made operator()(const Read &read)
-        {
-            return std::make_unique<ReadTask<McbProtocol>>(id, read, board);
-        }
-        Made operator()(const Write &write)
-        {
-            return std::make_unique<McbWriteTask>(id, write, board);
-        }
-        Made operator()(const Command &command)
-        {
-            return std::make_unique<McbCommandTask>(id, command, board);
-        }
-        Made operator()(const SpeedRamp &ramp)
-        {
-            return std::make_unique<McbSpeedTask>(id, ramp, board);
-        }
-        Made operator()(const TorqueRamp &)
-        {
-            return std::make_unique<EndedTask<McbProtocol>>(
-                id, Permission::Armed, Outcome::Refused, board.reasonAgainst(Feature::TorqueRamp));
-        }
-        Made operator()(const CurrentReference &reference)
-        {
-            return std::make_unique<McbCurrentTask>(id, reference, board);
-        }
-        Made operator()(const PositionRamp &ramp)
-        {
-            return std::make_unique<McbPositionTask>(id, ramp, board);
-        }
-        Made operator()(const Stream &wanted)
-        {
-            return std::make_unique<McbStreamTask>(id, wanted, stream, setPoints);
-        }
-        Made operator()(const CyclicSetPoints &wanted)
-        {
-            return std::make_unique<McbStreamTask>(id, wanted, stream, setPoints);
-        }
-        // Done at once, before a task is asked for.
-        Made refused() const
-        {
-            return std::make_unique<EndedTask<McbProtocol>>(
-                id, Permission::Armed, Outcome::Refused, "is no work");
-        }
-        Made operator()(const Watch &) const { return refused(); }
-        Made operator()(const UserLimits &) const { return refused(); }
-        Made operator()(const ExpertMode &) const { return refused(); }
-        Made operator()(const CurrentScale &) const { return refused(); }
+    const auto stream = [&](const auto &wanted) -> Made {
+        return std::make_unique<McbStreamTask>(wish.id, wanted, m_stream, m_setPoints);
     };
-    return std::visit(Make{wish.id, m_board, m_stream, m_setPoints}, wish.what);
+    return std::visit(Overloaded{
+                          [&](const Command &command) -> Made {
+                              return std::make_unique<McbCommandTask>(wish.id, command, m_board);
+                          },
+                          [&](const SpeedRamp &ramp) -> Made {
+                              return std::make_unique<McbSpeedTask>(wish.id, ramp, m_board);
+                          },
+                          [&](const CurrentReference &reference) -> Made {
+                              return std::make_unique<McbCurrentTask>(wish.id, reference, m_board);
+                          },
+                          [&](const PositionRamp &ramp) -> Made {
+                              return std::make_unique<McbPositionTask>(wish.id, ramp, m_board);
+                          },
+                          [&](const Stream &wanted) -> Made { return stream(wanted); },
+                          [&](const CyclicSetPoints &wanted) -> Made { return stream(wanted); },
+                          [](const auto &) -> Made { return nullptr; },
+                      },
+        wish.what);
 }
 
 void McbDrive::onLinkEvents(TimePoint now)
@@ -195,12 +155,8 @@ void McbDrive::onLinkEvents(TimePoint now)
 
 void McbDrive::on(const Link::Done &event, TimePoint now)
 {
-    if (m_task == nullptr) {
-        if (std::exchange(m_stopUnderWay, false) && event.end == Link::End::Ok)
-            m_stop.stopAnswered(1, now);
-        m_vitals.hurry(now);
-        return;
-    }
+    if (m_task == nullptr)
+        return takeStopAnswer(event.end == Link::End::Ok, now);
     const auto wanted = std::exchange(m_confirming, std::nullopt);
     const Link::Done done = wanted ? confirmed(event, *wanted) : event;
     if (done.end == Link::End::Ok || done.end == Link::End::Refused)
@@ -209,21 +165,18 @@ void McbDrive::on(const Link::Done &event, TimePoint now)
         takeLoss(done.end == Link::End::NotSent ? std::optional(false) : std::nullopt, now);
 }
 
-void McbDrive::beginAnew(TimePoint now)
+void McbDrive::beginAnew(LinkReason reason, TimePoint now)
 {
     m_stream.ended();
     endSetPoints();
     m_faulty = false;
-    m_identification.restart();
-    m_vitals.restart(now);
-    m_watch.restart(now);
+    meet(reason, now);
 }
 
 void McbDrive::on(const Link::Met &, TimePoint now)
 {
     linkFound();
-    beginAnew(now);
-    tell(LinkState::Connected, LinkReason::None);
+    beginAnew(LinkReason::None, now);
 }
 
 void McbDrive::on(const Link::Cycle &event, TimePoint)
@@ -239,8 +192,7 @@ void McbDrive::on(const Link::Back &event, TimePoint now)
         return;
     disarm();
     m_board.expert.clear();
-    beginAnew(now);
-    tell(LinkState::Connected, LinkReason::BoardReset);
+    beginAnew(LinkReason::BoardReset, now);
 }
 
 void McbDrive::on(const Link::Lost &event, TimePoint now)

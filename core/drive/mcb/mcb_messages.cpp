@@ -67,6 +67,11 @@ std::string hexText(std::uint64_t number, int digits)
     return text;
 }
 
+std::optional<std::string> McbProtocol::refusalIn(const McbAnswer &answer)
+{
+    return answer.ok ? std::nullopt : std::optional(mcbWordOf(answer.code));
+}
+
 std::string mcbWordOf(std::uint32_t code)
 {
     if (code == kOtherValueRead)

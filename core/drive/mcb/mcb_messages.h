@@ -52,8 +52,9 @@ struct McbAnswer {
 };
 
 class McbIdentification;
-class McbReader;
+class McbReads;
 class McbVitals;
+class McbWriteTask;
 template <class P>
 class RegisterWatch;
 
@@ -65,8 +66,11 @@ struct McbProtocol {
     using Identification = McbIdentification;
     using Vitals = McbVitals;
     using Watch = RegisterWatch<McbProtocol>;
-    using Reader = McbReader;
+    using Reads = McbReads;
+    using Writes = McbWriteTask;
+    static constexpr int kAttempts = 1;
     static std::optional<ReadStatus> refuseRead(const McbBoard &board, RegisterId id);
+    static std::optional<std::string> refusalIn(const McbAnswer &answer);
 };
 
 /// In the place of a code, but ours: the drive took the value, and another one is read back.

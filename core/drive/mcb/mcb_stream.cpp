@@ -3,7 +3,7 @@
 #include "drive/mcb/mcb_catalog.h"
 #include "drive/mcb/mcb_identification.h"
 #include "drive/mcb/mcb_messages.h"
-#include "drive/mcb/mcb_reader.h"
+#include "drive/mcb/mcb_reads.h"
 #include "drive/stop_sequence.h"
 #include "drive/values.h"
 

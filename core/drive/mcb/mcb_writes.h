@@ -1,44 +1,20 @@
-// Write wishes, one register after the other: its type is asked first, because a drive may have another one than it had,
-// then its value, for undo; then it is written, once, and read back.
+// Write wishes: a register's type is asked first, because a drive may have another one than it had, and of a mode the
+// set-point that comes into force with it.
 #pragma once
 
-#include "drive/mcb/mcb_reader.h"
-#include "drive/task.h"
+#include "drive/mcb/mcb_reads.h"
+#include "drive/stepwise_write.h"
 
 namespace drive {
 
-class McbWriteTask : public WishTask<McbProtocol> {
+class McbWriteTask final : public StepwiseWrite<McbProtocol> {
 public:
-    McbWriteTask(WishId id, const Write &write, const McbBoard &board);
-
-    std::optional<McbRequest> nextRequest(TimePoint now) override;
-    void takeResponse(const McbAnswer &answer, TimePoint now) override;
-    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
-    void cut(const std::string &reason) override;
-    void supersede(const Write &newer) override;
-    std::vector<Reading> takeReadings() override { return std::exchange(m_readings, {}); }
+    using StepwiseWrite::StepwiseWrite;
 
 private:
-    enum class Step : std::uint8_t { Check, Info, Before, Followed, Set, After };
-    struct Item {
-        RegisterWrite write;
-        WriteResult result;
-        bool done = false, sent = false;
-    };
-    Item &item() { return m_items[m_at]; }
-    std::string check();
-    void close(Outcome outcome, const std::string &reason = {});
-    void finish();
-
-    const McbBoard &m_board;
-    Reach m_reach;
-    std::uint16_t m_followed =
-        0; ///< the set-point that comes into force with the mode that is written; 0: none
-    std::vector<Item> m_items;
-    std::size_t m_at = 0;
-    Step m_step = Step::Check;
-    mcb::Words m_words;
-    std::vector<Reading> m_readings;
+    std::string plan(const RegisterWrite &write) override;
+    std::string judgeAnswer(const McbRequest &question, const McbAnswer &answer) override;
+    std::string reasonWithout(const McbRequest &question) const override;
 };
 
 } // namespace drive

@@ -2,7 +2,7 @@
 // Unknown (or NotSent, if the board's count of requests proves it), and the state is read instead.
 #pragma once
 
-#include "drive/mcp/mcp_reader.h"
+#include "drive/mcp/mcp_reads.h"
 #include "drive/mcp/mcp_start_check.h"
 #include "drive/task.h"
 
@@ -23,7 +23,7 @@ private:
     Command m_command;
     StartCheck m_check;
     std::string m_refusal; ///< the board's word, while the state that explains it is read
-    RegisterReader m_reader{m_board};
+    Reader<McpProtocol> m_reader{m_board};
     std::string m_state, m_faults;
 };
 
@@ -54,7 +54,7 @@ private:
     std::chrono::milliseconds m_duration{};
     Step m_step = Step::Begin;
     bool m_modeRepeated = false;
-    RegisterReader m_reader{m_board};
+    Reader<McpProtocol> m_reader{m_board};
 };
 
 } // namespace drive

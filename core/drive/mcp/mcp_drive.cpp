@@ -1,6 +1,7 @@
 #include "drive/mcp/mcp_drive.h"
 
 #include "aspep/controller.h"
+#include "base/overloaded.h"
 #include "drive/mcp/mcp_commands.h"
 #include "drive/mcp/mcp_heartbeat.h"
 #include "drive/mcp/mcp_identification.h"
@@ -9,7 +10,6 @@
 #include "drive/mcp/mcp_vitals.h"
 #include "drive/mcp/mcp_watch.h"
 #include "drive/mcp/mcp_writes.h"
-#include "drive/read_task.h"
 #include "drive/task_drive.h"
 
 namespace drive {
@@ -64,11 +64,6 @@ public:
         m_board.baud = config.baud;
     }
 
-    void handleSent(TimePoint now) override
-    {
-        m_link.handleSent(now);
-        work(now);
-    }
     std::vector<Output> stopScript() const override;
     void remember(const LineMemory &memory) override;
 
@@ -112,31 +107,31 @@ private:
 
     Heartbeat m_heartbeat{m_board};
     StreamControl m_stream{m_board};
-    int m_stopMotor = 0; ///< with a stop on its way: whose
     bool m_resetSeen = false; ///< the connection under way follows a reset of the board
 };
 
 McpDrive::Made McpDrive::taskFor(const Wish &wish)
 {
-    if (const auto *read = std::get_if<Read>(&wish.what))
-        return std::make_unique<ReadTask<McpProtocol>>(wish.id, *read, m_board);
-    if (const auto *write = std::get_if<Write>(&wish.what))
-        return std::make_unique<McpWriteTask>(wish.id, *write, m_board);
-    if (const auto *command = std::get_if<Command>(&wish.what))
-        return std::make_unique<CommandTask>(wish.id, *command, m_board);
-    if (const auto *speed = std::get_if<SpeedRamp>(&wish.what))
-        return std::make_unique<SetPointTask>(wish.id, *speed, m_board);
-    if (const auto *torque = std::get_if<TorqueRamp>(&wish.what))
-        return std::make_unique<SetPointTask>(wish.id, *torque, m_board);
-    if (const auto *current = std::get_if<CurrentReference>(&wish.what))
-        return std::make_unique<SetPointTask>(wish.id, *current, m_board);
-    if (const auto *position = std::get_if<PositionRamp>(&wish.what))
-        return std::make_unique<PositionTask>(wish.id, *position, m_board);
-    if (const auto *cyclic = std::get_if<CyclicSetPoints>(&wish.what))
-        return std::make_unique<EndedTask<McpProtocol>>(wish.id,
-            cyclic->on ? Permission::Armed : Permission::Always, Outcome::Refused,
-            m_board.reasonAgainst(Feature::CyclicSetPoints));
-    return std::make_unique<StreamTask>(wish.id, std::get<Stream>(wish.what), m_stream);
+    const auto setPoint = [&](const auto &what) -> Made {
+        return std::make_unique<SetPointTask>(wish.id, what, m_board);
+    };
+    return std::visit(
+        Overloaded{
+            [&](const Command &command) -> Made {
+                return std::make_unique<CommandTask>(wish.id, command, m_board);
+            },
+            [&](const SpeedRamp &speed) -> Made { return setPoint(speed); },
+            [&](const TorqueRamp &torque) -> Made { return setPoint(torque); },
+            [&](const CurrentReference &current) -> Made { return setPoint(current); },
+            [&](const PositionRamp &position) -> Made {
+                return std::make_unique<PositionTask>(wish.id, position, m_board);
+            },
+            [&](const Stream &stream) -> Made {
+                return std::make_unique<StreamTask>(wish.id, stream, m_stream);
+            },
+            [](const auto &) -> Made { return nullptr; },
+        },
+        wish.what);
 }
 
 void McpDrive::onLinkEvents(TimePoint now)
@@ -156,12 +151,9 @@ void McpDrive::on(const Link::Connected &event, TimePoint now)
     m_board.responseBytes = event.agreed.txSyncMax();
     m_board.streamBytes = event.agreed.txAsyncMax();
     m_board.linkId = m_link.linkId();
-    m_identification.restart();
-    m_vitals.restart(now);
     m_heartbeat.restart(now);
-    m_watch.restart(now);
     m_stream.connected();
-    tell(LinkState::Connected, event.afterReset ? LinkReason::BoardReset : LinkReason::None);
+    meet(event.afterReset ? LinkReason::BoardReset : LinkReason::None, now);
 }
 
 void McpDrive::on(const Link::Recovered &, TimePoint)
@@ -173,12 +165,9 @@ void McpDrive::on(const Link::Recovered &, TimePoint)
 void McpDrive::on(const Link::Response &event, TimePoint now)
 {
     if (m_task != nullptr)
-        return takeAnswer(event.payload, now);
-    if (!std::exchange(m_stopUnderWay, false))
-        return;
-    if (event.payload == Bytes{static_cast<std::uint8_t>(mcp::Status::Ok)})
-        m_stop.stopAnswered(m_stopMotor, now);
-    m_vitals.hurry(now);
+        takeAnswer(event.payload, now);
+    else
+        takeStopAnswer(event.payload == Bytes{static_cast<std::uint8_t>(mcp::Status::Ok)}, now);
 }
 
 void McpDrive::on(const Link::NoResponse &event, TimePoint now)

@@ -93,7 +93,7 @@ void Identification::takeResponse(const ByteView &response, TimePoint now)
 void Identification::takeNoResponse(std::optional<bool>, TimePoint)
 {
     if (m_phase == Phase::StopDatalog) {
-        if (++m_stopLosses > RegisterReader::kRepeats)
+        if (++m_stopLosses >= McpProtocol::kAttempts)
             describe();
         return;
     }

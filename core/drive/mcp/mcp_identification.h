@@ -7,7 +7,7 @@
 // board "unknown firmware": shown read-only and raw, never refused.
 #pragma once
 
-#include "drive/mcp/mcp_reader.h"
+#include "drive/mcp/mcp_reads.h"
 #include "drive/task.h"
 #include "mcp/structures.h"
 
@@ -52,7 +52,7 @@ private:
 
     McpBoard &m_board;
     Phase m_phase = Phase::Count;
-    RegisterReader m_reader{m_board};
+    Reader<McpProtocol> m_reader{m_board};
     std::map<RegisterId, Value> m_values;
     std::set<RegisterId> m_doubtful; ///< structures that were not the same twice
     std::set<RegisterId> m_unanswered; ///< asked for, and the answers were lost

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "drive/mcp/mcp_limits.h"
-#include "drive/mcp/mcp_reader.h"
+#include "drive/mcp/mcp_reads.h"
 #include "drive/task.h"
 
 namespace drive {
@@ -23,7 +23,7 @@ private:
 
     const McpBoard &m_board;
     PositionRamp m_ramp;
-    RegisterReader m_reader{m_board};
+    Reader<McpProtocol> m_reader{m_board};
     std::optional<double> m_position_rad;
     bool m_asked = false, m_judged = false;
 };

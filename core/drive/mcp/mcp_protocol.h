@@ -14,9 +14,10 @@ class Controller;
 namespace drive {
 
 class Identification;
-class RegisterReader;
+class McpReads;
 class McpVitals;
 class McpWatch;
+class McpWriteTask;
 
 struct McpGet {
     std::vector<mcp::RegisterId> registers;
@@ -47,7 +48,9 @@ struct McpProtocol {
     using Identification = drive::Identification;
     using Vitals = McpVitals;
     using Watch = McpWatch;
-    using Reader = RegisterReader;
+    using Writes = McpWriteTask;
+    using Reads = McpReads;
+    static constexpr int kAttempts = 4;
     static std::optional<ReadStatus> refuseRead(const McpBoard &board, RegisterId id);
 };
 

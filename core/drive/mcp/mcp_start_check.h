@@ -3,7 +3,7 @@
 // is read; the board's own limits are the business of its firmware then.
 #pragma once
 
-#include "drive/mcp/mcp_reader.h"
+#include "drive/mcp/mcp_reads.h"
 
 #include <optional>
 #include <string>
@@ -32,7 +32,7 @@ private:
 
     const McpBoard &m_board;
     int m_motor;
-    RegisterReader m_reader{m_board};
+    Reader<McpProtocol> m_reader{m_board};
     std::vector<Reading> m_readings;
     bool m_started = false;
 };

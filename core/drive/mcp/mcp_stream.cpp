@@ -1,6 +1,6 @@
 #include "drive/mcp/mcp_stream.h"
 
-#include "drive/mcp/mcp_reader.h"
+#include "drive/mcp/mcp_reads.h"
 #include "drive/mcp/mcp_values.h"
 #include "mcp/datalog.h"
 #include "mcp/protocol.h"
@@ -281,7 +281,7 @@ void StreamTask::takeResponse(const ByteView &response, TimePoint now)
 
 void StreamTask::takeNoResponse(std::optional<bool>, TimePoint)
 {
-    if (++m_losses > RegisterReader::kRepeats)
+    if (++m_losses >= McpProtocol::kAttempts)
         end(Outcome::Unknown, "no answer");
 }
 

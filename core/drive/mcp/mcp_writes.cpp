@@ -42,21 +42,6 @@ std::size_t sizeOf(const mcp::Value &value, RegisterId id)
     return raw != nullptr ? raw->size() + sizeof(std::uint16_t) : wireWidth(id);
 }
 
-/// What was read equals what was meant to be written. TORQUE_RAMP reads back shorter than it is written.
-bool sameValue(RegisterId id, const Value &wanted, const Value &read)
-{
-    const auto a = asNumber(wanted), b = asNumber(read);
-    if (a && b)
-        return *a == *b || static_cast<float>(*a) == static_cast<float>(*b);
-    const auto *bytes = std::get_if<Bytes>(&wanted);
-    if ((id & ~RegisterId{7}) == mcp::reg::kTorqueRamp.bits && bytes != nullptr
-        && bytes->size() == 6) {
-        const Bytes shortForm{(*bytes)[0], (*bytes)[1], (*bytes)[4], (*bytes)[5]};
-        return read == Value(shortForm) || read == wanted;
-    }
-    return wanted == read;
-}
-
 } // namespace
 
 std::optional<ReadStatus> McpProtocol::refuseRead(const McpBoard &board, RegisterId id)
@@ -69,35 +54,31 @@ std::optional<ReadStatus> McpProtocol::refuseRead(const McpBoard &board, Registe
     return std::nullopt;
 }
 
-McpWriteTask::McpWriteTask(WishId id, const Write &write, const McpBoard &board)
-    : WishTask(id, Permission::Armed)
-    , m_board(board)
-    , m_reach(write.reach)
+/// TORQUE_RAMP reads back shorter than it is written.
+bool McpWriteTask::same(const RegisterWrite &write, const Value &read) const
 {
-    for (const RegisterWrite &one : write.writes) {
-        m_items.push_back({one, {}, State::Waiting, false, {}});
-        m_items.back().result.id = one.id;
-    }
+    const auto *bytes = std::get_if<Bytes>(&write.value);
+    const bool torqueRamp = (write.id & ~RegisterId{7}) == mcp::reg::kTorqueRamp.bits;
+    if (torqueRamp && bytes != nullptr && bytes->size() == 6
+        && read == Value(Bytes{(*bytes)[0], (*bytes)[1], (*bytes)[4], (*bytes)[5]}))
+        return true;
+    return sameValue(write.value, read);
 }
 
-void McpWriteTask::check(Item &item) const
+/// Why it must not be written; empty if it may, like that.
+std::string McpWriteTask::check(const Item &item, mcp::Value &encoded) const
 {
-    const auto *info = m_board.catalog->find(item.write.id);
-    if (isDatalogRegister(item.write.id)) {
-        item.result.reason = "is set by streaming";
-    } else if (auto why = refuseWriteOf(m_board, item.write, m_reach); !why.empty()) {
-        item.result.reason = why;
-    } else if (auto encoded = wireValue(*info, item.write.value); !encoded) {
-        item.result.reason = encoded.error();
-    } else if (sizeOf(*encoded, item.write.id) + 4 > m_board.requestBytes) {
-        item.result.reason = "is longer than a request";
-    } else {
-        item.encoded = std::move(*encoded);
-    }
-    if (!item.result.reason.empty()) {
-        item.state = State::Done;
-        item.result.outcome = Outcome::Refused;
-    }
+    if (isDatalogRegister(item.write.id))
+        return "is set by streaming";
+    if (auto why = refuseWriteOf(m_board, item.write, m_reach); !why.empty())
+        return why;
+    auto value = wireValue(*m_board.catalog->find(item.write.id), item.write.value);
+    if (!value)
+        return value.error();
+    if (sizeOf(*value, item.write.id) + 4 > m_board.requestBytes)
+        return "is longer than a request";
+    encoded = std::move(*value);
+    return {};
 }
 
 /// Whether it has a SET of its own.
@@ -120,12 +101,13 @@ McpSet McpWriteTask::nextSet()
 {
     McpSet set;
     std::size_t size = sizeof(std::uint16_t); // the command word
-    for (Item &item : m_items) {
+    for (std::size_t i = 0; i < m_items.size(); ++i) {
+        Item &item = m_items[i];
         if (item.state != State::Waiting)
             continue;
         if (!set.writes.empty() && !joins(item, size, set.writes.size()))
             break;
-        set.writes.push_back({{static_cast<std::uint16_t>(item.write.id)}, item.encoded});
+        set.writes.push_back({{static_cast<std::uint16_t>(item.write.id)}, m_encoded[i]});
         size += sizeof(std::uint16_t) + wireWidth(item.write.id);
         item.state = State::Open;
         if (alone(item)
@@ -180,7 +162,7 @@ void McpWriteTask::judgeWays()
             ? refuseWay(m_board, motor, *positionIn(*bytes), *now)
             : "the board does not tell where the shaft is";
         if (!why.empty())
-            finishItem(item, Outcome::Refused, why);
+            endItem(item, Outcome::Refused, why);
     }
 }
 
@@ -195,10 +177,12 @@ std::optional<McpRequest> McpWriteTask::nextRequest(TimePoint)
 {
     if (finished())
         return std::nullopt;
-    if (!std::exchange(m_started, true)) {
-        for (Item &item : m_items)
-            if (item.state == State::Waiting)
-                check(item);
+    if (m_phase == Phase::Begin) {
+        m_encoded.resize(m_items.size());
+        for (std::size_t i = 0; i < m_items.size(); ++i)
+            if (m_items[i].state == State::Waiting)
+                if (auto why = check(m_items[i], m_encoded[i]); !why.empty())
+                    endItem(m_items[i], Outcome::Refused, why);
         enter(Phase::Before);
     }
     if (m_phase == Phase::Before) {
@@ -208,7 +192,7 @@ std::optional<McpRequest> McpWriteTask::nextRequest(TimePoint)
             if (item.state != State::Waiting || !item.result.before)
                 continue;
             if (const auto why = refuseLength(item.write, *item.result.before); !why.empty())
-                finishItem(item, Outcome::Refused, why);
+                endItem(item, Outcome::Refused, why);
         }
         judgeWays();
         enter(Phase::Setting);
@@ -227,7 +211,7 @@ std::optional<McpRequest> McpWriteTask::nextRequest(TimePoint)
     return m_reader.nextRequest();
 }
 
-void McpWriteTask::takeReadingsInto(
+void McpWriteTask::takeAnswers(
     std::optional<Value> WriteResult::*where, ByteView response, TimePoint now)
 {
     for (Reading &reading : m_reader.takeResponse(response, now)) {
@@ -236,16 +220,16 @@ void McpWriteTask::takeReadingsInto(
                 item.result.*where = reading.value;
         if (const auto number = asNumber(reading.value); number && reading.status == ReadStatus::Ok)
             m_numbers[reading.id] = *number; // one of them may be where a shaft is
-        m_readings.push_back(std::move(reading));
+        tell(std::move(reading));
     }
 }
 
 void McpWriteTask::takeResponse(const ByteView &response, TimePoint now)
 {
     if (m_phase == Phase::Before) {
-        takeReadingsInto(&WriteResult::before, response, now);
+        takeAnswers(&WriteResult::before, response, now);
     } else if (m_phase == Phase::After) {
-        takeReadingsInto(&WriteResult::readBack, response, now);
+        takeAnswers(&WriteResult::readBack, response, now);
         if (m_reader.finished())
             finish();
     } else {
@@ -256,9 +240,9 @@ void McpWriteTask::takeResponse(const ByteView &response, TimePoint now)
 void McpWriteTask::settle(Item &item, std::uint8_t status)
 {
     if (status == static_cast<std::uint8_t>(mcp::Status::Ok))
-        finishItem(item, Outcome::Ok, {});
+        endItem(item, Outcome::Ok);
     else
-        finishItem(item, Outcome::Refused, statusWord(status));
+        endItem(item, Outcome::Refused, statusWord(status));
 }
 
 /// One register: its status, or two where a value was not parsed to its end; the first is the register's.
@@ -301,76 +285,8 @@ void McpWriteTask::takeNoResponse(std::optional<bool> executed, TimePoint)
         else if (!raw && !std::exchange(item->repeated, true))
             item->state = State::Waiting;
         else
-            finishItem(*item, Outcome::NotSent, "no answer");
+            endItem(*item, Outcome::NotSent, "no answer");
     }
-}
-
-void McpWriteTask::finishItem(Item &item, Outcome outcome, const std::string &reason)
-{
-    item.state = State::Done;
-    item.result.outcome = outcome;
-    item.result.reason = reason;
-}
-
-void McpWriteTask::finish()
-{
-    Outcome outcome = Outcome::Ok;
-    std::string reason;
-    for (Item &item : m_items) {
-        if (item.state == State::Doubtful) {
-            if (!item.result.readBack)
-                finishItem(item, Outcome::Unknown, "no answer");
-            else if (sameValue(item.write.id, item.write.value, *item.result.readBack))
-                finishItem(item, Outcome::Ok, {});
-            else
-                finishItem(item, Outcome::Refused, "no answer, and another value is read back");
-        }
-        if (item.result.readBack && item.result.outcome == Outcome::Ok)
-            item.result.verified =
-                sameValue(item.write.id, item.write.value, *item.result.readBack);
-        // Unknown tells the most, then Refused, then NotSent.
-        const auto weight = [](Outcome o) {
-            return o == Outcome::Unknown ? 3
-                : o == Outcome::Refused  ? 2
-                : o == Outcome::NotSent  ? 1
-                                         : 0;
-        };
-        if (weight(item.result.outcome) > weight(outcome)) {
-            outcome = item.result.outcome;
-            reason = m_board.catalog->nameOf(item.write.id) + ": " + item.result.reason;
-        }
-        writes().push_back(item.result);
-    }
-    end(outcome, reason);
-}
-
-void McpWriteTask::cut(const std::string &reason)
-{
-    if (finished())
-        return;
-    for (Item &item : m_items) {
-        if (item.state == State::Waiting)
-            finishItem(item, Outcome::NotSent, reason);
-        else if (item.state == State::Open)
-            finishItem(item, Outcome::Unknown, reason);
-    }
-    finish();
-}
-
-void McpWriteTask::supersede(const Write &newer)
-{
-    if (finished())
-        return;
-    bool left = false;
-    for (Item &item : m_items) {
-        const bool again = std::any_of(newer.writes.begin(), newer.writes.end(),
-            [&](const RegisterWrite &write) { return write.id == item.write.id; });
-        if (again && item.state == State::Waiting && !item.repeated)
-            finishItem(item, Outcome::NotSent, "replaced by a newer write");
-        left = left || item.state != State::Done;
-    }
-    if (!left && !m_started)
-        finish();
 }
 
 } // namespace drive

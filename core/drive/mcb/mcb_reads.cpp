@@ -1,4 +1,4 @@
-#include "drive/mcb/mcb_reader.h"
+#include "drive/mcb/mcb_reads.h"
 
 #include "drive/mcb/mcb_catalog.h"
 #include "drive/mcb/mcb_messages.h"
@@ -51,42 +51,26 @@ std::optional<ReadStatus> McbProtocol::refuseRead(const McbBoard &board, Registe
         : std::optional(ReadStatus::NotSupported);
 }
 
-void McbReader::start(const std::vector<RegisterId> &ids)
+McbRequest McbReads::request(std::span<const RegisterId> ids, std::size_t &count) const
 {
-    m_waiting.assign(ids.begin(), ids.end());
-    m_gaveUp = false;
+    count = 1;
+    return mcbRead(mcbAddressOf(ids.front()));
 }
 
-std::optional<McbRequest> McbReader::nextRequest() const
+std::optional<std::vector<Reading>> McbReads::readings(
+    std::span<const RegisterId> ids, const McbAnswer &answer, TimePoint now) const
 {
-    if (m_waiting.empty())
-        return std::nullopt;
-    return mcbRead(mcbAddressOf(m_waiting.front()));
-}
-
-std::vector<Reading> McbReader::takeResponse(const McbAnswer &answer, TimePoint now)
-{
-    if (m_waiting.empty())
-        return {};
-    Reading reading{m_waiting.front(), ReadStatus::Ok, {}, now};
-    m_waiting.pop_front();
-    if (!answer.ok) {
-        reading.status = answer.code == static_cast<std::uint32_t>(mcb::ErrorCode::NoSuchRegister)
-            ? ReadStatus::NotSupported
-            : ReadStatus::Refused;
-        return {std::move(reading)};
-    }
-    if (auto value = mcbValueOf(m_board, mcbAddressOf(reading.id), answer.words))
+    Reading reading{ids.front(), ReadStatus::Refused, {}, now};
+    auto value = answer.ok ? mcbValueOf(m_board, mcbAddressOf(reading.id), answer.words)
+                           : std::optional<Value>();
+    if (value) {
+        reading.status = ReadStatus::Ok;
         reading.value = std::move(*value);
-    else
-        reading.status = ReadStatus::Refused;
-    return {std::move(reading)};
-}
-
-void McbReader::takeNoResponse()
-{
-    m_gaveUp = true;
-    m_waiting.pop_front();
+    } else if (!answer.ok
+        && answer.code == static_cast<std::uint32_t>(mcb::ErrorCode::NoSuchRegister)) {
+        reading.status = ReadStatus::NotSupported;
+    }
+    return std::vector{std::move(reading)};
 }
 
 } // namespace drive

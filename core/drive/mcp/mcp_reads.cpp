@@ -1,4 +1,4 @@
-#include "drive/mcp/mcp_reader.h"
+#include "drive/mcp/mcp_reads.h"
 
 #include "drive/mcp/mcp_values.h"
 #include "mcp/protocol.h"
@@ -35,44 +35,32 @@ bool sizeFits(RegisterId id, const Value &value)
 
 } // namespace
 
-void RegisterReader::start(const std::vector<RegisterId> &ids)
+void McpReads::begin(std::vector<RegisterId> &ids)
 {
-    clear();
-    m_waiting.assign(ids.begin(), ids.end());
-    std::stable_sort(m_waiting.begin(), m_waiting.end(), [](RegisterId a, RegisterId b) {
+    m_doubted.reset();
+    std::stable_sort(ids.begin(), ids.end(), [](RegisterId a, RegisterId b) {
         return mcp::getOrder({static_cast<std::uint16_t>(a)})
             < mcp::getOrder({static_cast<std::uint16_t>(b)});
     });
 }
 
-void RegisterReader::clear()
+McpRequest McpReads::request(std::span<const RegisterId> ids, std::size_t &count) const
 {
-    m_waiting.clear();
-    m_batch = 0;
-    m_losses = 0;
-    m_gaveUp = false;
-    m_doubted.reset();
-}
-
-std::optional<McpRequest> RegisterReader::nextRequest()
-{
-    if (m_waiting.empty())
-        return std::nullopt;
     McpGet request;
     std::size_t room = m_board.responseBytes - kStatusBytes;
-    m_batch = 0;
-    for (const RegisterId id : m_waiting) {
+    count = 0;
+    for (const RegisterId id : ids) {
         const std::size_t width = wireWidth(id);
         const auto *info = m_board.catalog->find(id);
         const bool alone =
             width == 0 || (info != nullptr && info->stub); // a stub answers without a value
-        if (m_batch > 0
+        if (count > 0
             && (alone || width > room
-                || kCommandBytes + (m_batch + 1) * kIdBytes > m_board.requestBytes))
+                || kCommandBytes + (count + 1) * kIdBytes > m_board.requestBytes))
             break;
         request.registers.push_back({static_cast<std::uint16_t>(id)});
         room -= std::min(width, room);
-        ++m_batch;
+        ++count;
         if (alone)
             break;
     }
@@ -80,58 +68,39 @@ std::optional<McpRequest> RegisterReader::nextRequest()
     return request;
 }
 
-std::vector<Reading> RegisterReader::takeResponse(const ByteView &response, TimePoint now)
+std::optional<std::vector<Reading>> McpReads::readings(
+    std::span<const RegisterId> ids, ByteView answer, TimePoint now)
 {
     std::vector<Reading> readings;
-    if (response.empty() || m_batch == 0) {
-        takeNoResponse();
-        return readings;
-    }
-    const std::uint8_t status = response.back();
-    ByteReader values(response.first(response.size() - kStatusBytes));
-    while (readings.size() < m_batch && values.left() > 0) {
-        const RegisterId id = m_waiting[readings.size()];
+    if (answer.empty() || ids.empty())
+        return std::nullopt;
+    const std::uint8_t status = answer.back();
+    ByteReader values(answer.first(answer.size() - kStatusBytes));
+    while (readings.size() < ids.size() && values.left() > 0) {
+        const RegisterId id = ids[readings.size()];
         auto value = readValue(values, id, typeOf(*m_board.catalog, id));
         if (!value)
             break;
-        if (m_board.knownFirmware && !sizeFits(id, *value)) {
-            takeNoResponse();
-            return {};
-        }
+        if (m_board.knownFirmware && !sizeFits(id, *value))
+            return std::nullopt;
         readings.push_back({id, ReadStatus::Ok, std::move(*value), now});
     }
     const bool ok = status == static_cast<std::uint8_t>(mcp::Status::Ok);
     const bool silent =
-        ok && m_batch == 1 && response.size() == kStatusBytes; // a stub without a value
-    const bool complete = values.ok() && values.left() == 0;
-    if (!complete || (ok ? readings.size() != m_batch && !silent : readings.size() == m_batch)) {
-        takeNoResponse();
-        return {};
-    }
-    if (readings.size() < m_batch) {
+        ok && ids.size() == 1 && answer.size() == kStatusBytes; // a stub without a value
+    const bool all = readings.size() == ids.size();
+    if (!values.ok() || values.left() > 0 || (ok ? !all && !silent : all))
+        return std::nullopt;
+    if (!all) {
         const bool unknown =
             silent || status == static_cast<std::uint8_t>(mcp::Status::UnknownRegister);
-        const RegisterId failed = m_waiting[readings.size()];
+        const RegisterId failed = ids[readings.size()];
         if (silent || m_doubted == failed)
             readings.push_back(
                 {failed, unknown ? ReadStatus::NotSupported : ReadStatus::Refused, {}, now});
         m_doubted = failed;
     }
-    const std::size_t done = readings.size();
-    m_waiting.erase(m_waiting.begin(), m_waiting.begin() + static_cast<std::ptrdiff_t>(done));
-    m_batch = 0;
-    m_losses = 0;
     return readings;
-}
-
-void RegisterReader::takeNoResponse()
-{
-    if (++m_losses <= kRepeats || m_waiting.empty())
-        return;
-    m_gaveUp = true;
-    m_waiting.erase(m_waiting.begin(), m_waiting.begin() + static_cast<std::ptrdiff_t>(m_batch));
-    m_batch = 0;
-    m_losses = 0;
 }
 
 } // namespace drive
