@@ -139,6 +139,8 @@ void Controller::endBlind(TimePoint now)
 
 bool Controller::blind() const { return m_urgent && m_urgent->stage == Urgent::Stage::Sent; }
 
+bool Controller::urgentWaits() const { return m_urgent && !blind(); }
+
 bool Controller::hurried() const { return m_urgent && m_urgent->stage != Urgent::Stage::Patience; }
 
 } // namespace aspep

@@ -156,7 +156,9 @@ def environment(preset, **more):
     home.mkdir(parents=True, exist_ok=True)
     home.chmod(0o700)
     folders = {name: str(home) for name in ("XDG_RUNTIME_DIR", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME")}
-    return {**os.environ, "QT_QPA_PLATFORM": "offscreen", "LC_ALL": "C.UTF-8", **folders, **more}
+    # A long form takes longer than the minutes that Qt gives a function.
+    return {**os.environ, "QT_QPA_PLATFORM": "offscreen", "LC_ALL": "C.UTF-8", "QTEST_FUNCTION_TIMEOUT": "36000000",
+            **folders, **more}
 
 
 def run_program(program, preset, what, how, **more):

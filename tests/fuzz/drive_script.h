@@ -1,6 +1,7 @@
 // Reads a fuzzer's bytes as what a person, a line and a board do to a drive: wishes, stops, arming, line cuts, faults,
 // resets and time, on a virtual clock. Whatever they do, the judge of the wire finds nothing, each wish ends once and within
-// 5 s after the faults, output is bounded and time never stands still; anything else is a finding.
+// 30 s after the faults (a servo that does not answer is asked three times for half a second, register by register),
+// output is bounded and time never stands still; anything else is a finding.
 //
 // First byte: bits 0 and 1 what is there at first (see Peer), bit 2 a second motor, bit 3 nobody waits for the
 // identification, bit 4 nobody arms, bit 5 the line is silent at first, bit 6 the whole run is made twice.
@@ -117,7 +118,7 @@ private:
     static constexpr int kMostActs = 64;
     static constexpr Duration kToIdentify = 1500ms;
     static constexpr TimePoint kLatest{5s}; ///< then the acts end
-    static constexpr Duration kToSettle = 5s, kToClose = 700ms;
+    static constexpr Duration kToSettle = 30s, kToClose = 700ms;
     static constexpr std::size_t kMostOutput = 16384; ///< bytes of one turn
     static constexpr std::size_t kMostEvents = 2000; ///< of one turn
     static constexpr int kStepsAtOneInstant = 1000;

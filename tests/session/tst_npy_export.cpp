@@ -145,7 +145,7 @@ void TestNpyExport::anEmptyCaptureIsAnEmptyArray()
 void TestNpyExport::allItHoldsIsBounded()
 {
     const Snapshot channels = all(recording());
-    constexpr std::size_t kAll = 302 * 6 * sizeof(double);
+    constexpr std::size_t kAll = std::size_t{302} * 6 * sizeof(double);
     std::string_view piece;
     NpyWriter over(channels, {}, kAll - 1);
     QVERIFY(over.tooLong());

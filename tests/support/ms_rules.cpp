@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace judge {
 
@@ -190,8 +191,8 @@ void MsRules::act(const Act &act)
         m_leave = act.at;
         return;
     case Act::Kind::Limits:
-        m_userRpm = act.rpm.value_or(0.0);
-        m_userAmps = act.amps.value_or(0.0);
+        m_userBefore = std::exchange(m_user, {act.rpm.value_or(0.0), act.amps.value_or(0.0)});
+        m_userChanged = m_moment;
         return;
     case Act::Kind::Scale:
         m_line.ampsPerDigit = act.amps.value_or(0.0) / 32768.0;
@@ -203,9 +204,9 @@ void MsRules::act(const Act &act)
 
 bool MsRules::stopGoesOn() const
 {
-    return m_stop
-        && std::any_of(m_stop->motors.begin(), m_stop->motors.end(),
-            [](const auto &of) { return !of.second.rested; });
+    return m_stop && std::any_of(m_stop->motors.begin(), m_stop->motors.end(), [](const auto &of) {
+        return !of.second.rested;
+    });
 }
 
 void MsRules::arm()

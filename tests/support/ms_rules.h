@@ -255,7 +255,11 @@ private:
     std::optional<TimePoint> m_armedEarly; ///< when a person armed before the Stop was over
     bool m_holdAgreed = false; ///< since the connection or the last Stop
     bool m_startedOnce = false; ///< since the connection or the last Stop
-    double m_userRpm = 0.0, m_userAmps = 0.0;
+    struct Bounds {
+        double rpm = 0.0, amps = 0.0;
+    };
+    Bounds m_user, m_userBefore; ///< of the person, and until m_userChanged
+    std::uint64_t m_userChanged = 0; ///< moment
     std::set<std::uint64_t> m_wishes, m_ended;
     std::map<int, Motor> m_truth;
     struct Seen {

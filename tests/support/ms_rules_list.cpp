@@ -173,7 +173,9 @@ void MsRules::setPointsAreBounded(const Sent &sent)
     const auto most = [](double board, double user) {
         return board > 0.0 && user > 0.0 ? std::min(board, user) : std::max(board, user);
     };
-    const double rpm = most(m_line.maxRpm, m_userRpm), amps = most(m_line.maxAmps, m_userAmps);
+    // What had begun to leave when a person changed them is finished.
+    const Bounds &user = m_packetBegan < m_userChanged ? m_userBefore : m_user;
+    const double rpm = most(m_line.maxRpm, user.rpm), amps = most(m_line.maxAmps, user.amps);
     if (sent.rpm && !(std::isfinite(*sent.rpm) && (rpm <= 0.0 || std::abs(*sent.rpm) <= rpm + 1.0)))
         violate("bounded", number(*sent.rpm) + " rpm, allowed are " + number(rpm));
     if (sent.amps

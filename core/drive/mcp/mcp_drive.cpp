@@ -96,6 +96,8 @@ private:
     void sendStop(TimePoint now) override;
     TimePoint stopMayLeave() const override
     {
+        if (m_link.urgentWaits())
+            return TimePoint::max(); // the last one is still to leave, and the link knows when
         return m_stopUnderWay ? m_stopSince + m_stop.turn() : TimePoint{};
     }
     Duration closingTime() const override { return std::chrono::milliseconds(500); }
