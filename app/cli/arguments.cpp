@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "drive/protocol_table.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -101,10 +102,9 @@ Outcome<bool> takeCommon(const QCommandLineParser &parser, Arguments &arguments)
             return usage(QStringLiteral("--protocol is one of %1, not \"%2\".")
                              .arg(protocolWords(QStringLiteral(", ")), word));
         arguments.protocol = *protocol;
-        constexpr std::uint32_t kOlderBaud = 115200; // of every generated project seen
-        if (arguments.baud == Arguments().baud
-            && (*protocol == drive::Protocol::Legacy || *protocol == drive::Protocol::PowerPc))
-            arguments.baud = kOlderBaud;
+        const std::uint32_t usual = drive::rowOf(*protocol).baud;
+        if (arguments.baud == Arguments().baud && usual != 0)
+            arguments.baud = usual;
     }
     if (parser.isSet(QStringLiteral("baud"))) {
         const auto baud = wholeNumber(

@@ -45,6 +45,18 @@ std::string beyond(double bound, std::string_view unit, bool own)
 
 } // namespace
 
+std::string refuseMotor(const BoardFacts &board, int motor)
+{
+    return board.hasMotor(motor) ? "" : "there is no motor " + std::to_string(motor);
+}
+
+std::string refuseRampTime(std::chrono::milliseconds time)
+{
+    return time.count() < 0 || time > kLongestRamp
+        ? "a ramp lasts 0 to " + std::to_string(kLongestRamp.count()) + " ms"
+        : "";
+}
+
 std::string refuseStart(const BoardFacts &board, int motor)
 {
     if (board.expert.contains(motor))

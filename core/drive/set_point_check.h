@@ -6,9 +6,20 @@
 #include "drive/board_facts.h"
 #include "drive/wish.h"
 
+#include <chrono>
 #include <string>
 
 namespace drive {
+
+/// Firmware takes speeds as 16 bits of rpm: beyond, they turn over into the other direction.
+constexpr double kGreatestWireRpm = 32767.0;
+/// What every protocol can hold.
+constexpr std::chrono::milliseconds kLongestRamp{65535};
+
+/// Why there is nothing to be moved; empty if there is that motor.
+std::string refuseMotor(const BoardFacts &board, int motor);
+/// Why no ramp lasts so long; empty if one may.
+std::string refuseRampTime(std::chrono::milliseconds time);
 
 /// Why this motor must not be started: a limit that is not known, named; empty if it may.
 std::string refuseStart(const BoardFacts &board, int motor);

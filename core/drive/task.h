@@ -90,6 +90,11 @@ protected:
         m_ended.outcome = outcome;
         m_ended.reason = std::move(reason);
     }
+    /// As what leaves once ends whose answer was lost.
+    void endLost(std::optional<bool> executed)
+    {
+        end(executed.has_value() && !*executed ? Outcome::NotSent : Outcome::Unknown, "no answer");
+    }
     void markSent() { m_sent = true; }
     void markBoardChanged() { m_boardChanged = true; }
     bool begun() const { return m_begun; }

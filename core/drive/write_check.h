@@ -11,9 +11,6 @@
 
 namespace drive {
 
-/// Firmware takes speeds as 16 bits of rpm: beyond, they turn over into the other direction.
-constexpr double kGreatestWireRpm = 32767.0;
-
 /// Why this value must not be written; empty if it may.
 std::string refuseWrite(const BoardFacts &board, const RegisterWrite &write, Reach reach);
 

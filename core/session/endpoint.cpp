@@ -1,5 +1,6 @@
 #include "session/endpoint.h"
 
+#include "drive/protocol_table.h"
 #include "session/port_list.h"
 #include "simulation/legacy/legacy_motor_board.h"
 
@@ -8,7 +9,6 @@ namespace session {
 namespace {
 
 constexpr QLatin1Char kOf(':'); ///< between the simulated board and what it speaks
-constexpr std::uint32_t kOlderBaud = 115200;
 constexpr char kSpiDevice[] = "/dev/spidev";
 
 } // namespace
@@ -29,14 +29,18 @@ Endpoint endpointFor(const QString &path, std::uint32_t baud, drive::Protocol pr
         if (simulation::isLegacyProfile(name)) {
             endpoint.kind = Endpoint::Kind::Simulator;
             endpoint.board.profile = name; // what it speaks may be found out
-            endpoint.baud = kOlderBaud;
+            endpoint.baud = drive::rowOf(drive::Protocol::Legacy).baud;
         } else if (spoken && *spoken != drive::Protocol::Auto) {
             endpoint.kind = Endpoint::Kind::Simulator;
             endpoint.protocol = *spoken;
         }
     } else if (isSpiPath(path) && protocol == drive::Protocol::Auto) {
-        endpoint.protocol = drive::Protocol::Mcb; // nothing else is spoken there
+        for (const drive::ProtocolRow &row : drive::protocolTable())
+            if (!row.choice.serial)
+                endpoint.protocol = row.choice.protocol; // nothing else is spoken there
     }
+    if (const auto &row = drive::rowOf(endpoint.protocol); !row.choice.serial)
+        endpoint.board.profile = row.board; // no other has its line
     endpoint.board.baud = endpoint.baud;
     return endpoint;
 }

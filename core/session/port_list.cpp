@@ -1,6 +1,6 @@
 #include "session/port_list.h"
 
-#include "drive/protocol.h"
+#include "drive/protocol_table.h"
 
 #include <QDir>
 #include <QSerialPortInfo>
@@ -64,9 +64,10 @@ QList<PortChoice> simulatedBoards()
 {
     using Kind = PortChoice::Kind;
     QList<PortChoice> choices{{Kind::Simulator, QString::fromLatin1(kSimulatorPath), {}}};
-    for (const drive::ProtocolChoice &choice : drive::protocolChoices()) {
-        if (choice.protocol == drive::Protocol::Auto || choice.protocol == drive::Protocol::Mcp)
+    for (const drive::ProtocolRow &row : drive::protocolTable()) {
+        if (row.board.empty())
             continue; // the board above
+        const drive::ProtocolChoice &choice = row.choice;
         choices.append({Kind::Simulator,
             QString::fromLatin1(kSimulatorPath) + QLatin1Char(':')
                 + QString::fromLatin1(choice.word.data(), qsizetype(choice.word.size())),

@@ -4,7 +4,6 @@
 #include "session/simulator_transport.h"
 #include "session/spi_transport.h"
 #include "session/trace_transport.h"
-#include "simulation/mcb/mcb_board.h"
 
 namespace session {
 
@@ -14,12 +13,6 @@ std::unique_ptr<Transport> makeTransport(const Endpoint &endpoint)
     case Endpoint::Kind::Simulator: {
         simulation::BoardOptions options = endpoint.board;
         options.baud = endpoint.baud;
-        if (endpoint.protocol == drive::Protocol::Mcb)
-            return std::make_unique<SimulatorTransport>([options] {
-                simulation::McbBoardOptions servo;
-                servo.board = options;
-                return simulation::makeMcbBoard(servo);
-            });
         return std::make_unique<SimulatorTransport>(
             [options] { return simulation::makeBoard(options); });
     }

@@ -4,6 +4,7 @@
 #include "simulation/cpu_load.h"
 #include "simulation/datalog_recorder.h"
 #include "simulation/legacy/legacy_motor_board.h"
+#include "simulation/mcb/mcb_board.h"
 #include "simulation/performer.h"
 #include "simulation/profile.h"
 #include "simulation/register_file.h"
@@ -306,6 +307,12 @@ std::unique_ptr<SimulatedBoard> makeBoard(const BoardOptions &options)
 {
     if (isLegacyProfile(options.profile))
         return makeLegacyBoard(options);
+    if (options.profile == kServoProfile) {
+        McbBoardOptions servo;
+        servo.board = options;
+        servo.board.profile = BoardOptions().profile;
+        return makeMcbBoard(std::move(servo));
+    }
     const Traits *traits = findTraits(options.profile);
     if (traits == nullptr)
         return nullptr;

@@ -1,9 +1,8 @@
-// What every drive does, whatever it speaks: the four real protocols, and a toy that shows what a new one has to bring. The
-// same few sentences for all of them, against a simulated board on virtual time.
-#include "drive/make_drive.h"
+// What every drive does, whatever it speaks: the same few sentences for all protocols of the table, and for a toy that shows
+// what a new one has to bring. Against simulated boards, on virtual time.
 #include "drive/motion_limits.h"
+#include "drive/protocol_table.h"
 #include "drive/values.h"
-#include "simulation/mcb/mcb_board.h"
 #include "simulation/simulated_board.h"
 #include "support/toy_drive.h"
 
@@ -22,41 +21,46 @@ struct Spoken {
     std::function<std::unique_ptr<Drive>()> drive;
     std::function<std::unique_ptr<simulation::Device>()> board;
     std::uint32_t baud = 0; ///< 0: bytes take no time
-    const char *gain = "SPEED_KP"; ///< a parameter that can be written
 };
 
-Spoken serial(Protocol protocol, const char *profile, std::uint32_t baud)
+const std::map<std::string, Spoken> &protocols()
 {
-    return {[=] {
-                return makeDrive({protocol, baud});
-            },
-        [=] {
-            simulation::BoardOptions options;
-            options.profile = profile;
-            options.baud = baud;
-            return simulation::makeBoard(options);
-        },
-        baud};
+    static const auto all = [] {
+        std::map<std::string, Spoken> made{
+            {"toy",
+                {[] { return std::make_unique<support::toy::ToyDrive>(); },
+                    [] { return std::make_unique<support::toy::Board>(); }}},
+        };
+        for (const ProtocolRow &row : protocolTable())
+            if (row.choice.protocol != Protocol::Auto)
+                made[std::string(row.choice.word)] = {
+                    [&row] {
+                        return makeDrive({row.choice.protocol, row.baud});
+                    },
+                    [&row] {
+                        simulation::BoardOptions options;
+                        if (!row.board.empty())
+                            options.profile = row.board;
+                        options.baud = row.baud != 0 ? row.baud : options.baud;
+                        return simulation::makeBoard(options);
+                    },
+                    row.baud};
+        return made;
+    }();
+    return all;
 }
 
-const std::map<std::string, Spoken> kProtocols{
-    {"mcp", serial(Protocol::Mcp, "mcsdk-6.4", 1843200)},
-    {"legacy", serial(Protocol::Legacy, "legacy", 115200)},
-    {"powerpc", serial(Protocol::PowerPc, "powerpc", 115200)},
-    {"mcb",
-        {[] { return makeDrive({Protocol::Mcb}); }, [] { return simulation::makeMcbBoard({}); }, 0,
-            "CL_VEL_PID_KP"}},
-    {"toy",
-        {[] { return std::make_unique<support::toy::ToyDrive>(); },
-            [] { return std::make_unique<support::toy::Board>(); }}},
-};
+/// A parameter that the board has and that can be written.
+std::string gainOf(const catalog::Catalog &catalog)
+{
+    return catalog.find("SPEED_KP") != nullptr ? "SPEED_KP" : "CL_VEL_PID_KP";
+}
 
 /// A drive and a board, joined by a line that may be cut.
 class Bench {
 public:
     explicit Bench(const Spoken &spoken)
         : drive(spoken.drive())
-        , gain(spoken.gain)
         , m_board(spoken.board())
         , m_baud(spoken.baud)
     {
@@ -108,6 +112,10 @@ public:
             && ask(Command{MotorAction::Start, 1}).outcome == Outcome::Ok
             && runUntil([this] { return status->state == MotorState::Running; });
     }
+    RegisterId gain() const
+    {
+        return identified->catalog->resolve(gainOf(*identified->catalog)).value_or(0);
+    }
     bool said(StopWord word) const
     {
         return std::find(words.begin(), words.end(), word) != words.end();
@@ -115,7 +123,6 @@ public:
 
     TimePoint now{1s};
     std::unique_ptr<Drive> drive;
-    std::string gain;
     bool cut = false; ///< nothing gets through
     LinkState link = LinkState::Closed;
     std::optional<Identified> identified;
@@ -194,7 +201,7 @@ private Q_SLOTS:
         QVERIFY(bench.link == LinkState::Connected);
         QVERIFY(bench.status->state == MotorState::Idle);
         QVERIFY(!bench.identified->identity.protocol.empty());
-        QVERIFY(bench.identified->catalog->find(bench.gain) != nullptr);
+        QVERIFY(bench.identified->catalog->find(gainOf(*bench.identified->catalog)) != nullptr);
         QVERIFY(!bench.drive->armed());
     }
     void nothingActsUnarmed_data() { rows(); }
@@ -202,7 +209,7 @@ private Q_SLOTS:
     {
         Bench bench(spoken());
         QVERIFY(bench.meet());
-        const RegisterId id = *bench.identified->catalog->resolve(bench.gain);
+        const RegisterId id = bench.gain();
         QVERIFY(bench.ask(Write{{{id, std::int64_t{1}}}}).outcome == Outcome::NotSent);
         QVERIFY(bench.ask(SpeedRamp{1, 100, 100ms}).outcome == Outcome::NotSent);
         QVERIFY(bench.ask(Command{MotorAction::Start, 1}).outcome == Outcome::NotSent);
@@ -213,7 +220,7 @@ private Q_SLOTS:
     {
         Bench bench(spoken());
         QVERIFY(bench.meet() && bench.arm());
-        const RegisterId id = *bench.identified->catalog->resolve(bench.gain);
+        const RegisterId id = bench.gain();
         QVERIFY(bench.ask(Read{{id}}).outcome == Outcome::Ok);
         const Value before = bench.values.at(id).value;
         const Value wanted = std::holds_alternative<double>(before)
@@ -282,7 +289,7 @@ private Q_SLOTS:
     {
         Bench bench(spoken());
         QVERIFY(bench.meet() && bench.arm());
-        const RegisterId id = *bench.identified->catalog->resolve(bench.gain);
+        const RegisterId id = bench.gain();
         bench.cut = true;
         QVERIFY(bench.ask(Read{{id}}).outcome != Outcome::Ok);
         QVERIFY(bench.runUntil([&] { return bench.link == LinkState::Lost; }));
@@ -308,13 +315,13 @@ private:
     static void rows()
     {
         QTest::addColumn<std::string>("protocol");
-        for (const auto &[name, protocol] : kProtocols)
+        for (const auto &[name, protocol] : protocols())
             QTest::newRow(name.c_str()) << name;
     }
     static const Spoken &spoken()
     {
         QFETCH(std::string, protocol);
-        return kProtocols.at(protocol);
+        return protocols().at(protocol);
     }
 };
 

@@ -25,10 +25,10 @@ DEFECTS = [
         ("core/drive/wish_drive.cpp", "    m_workedAt = now;\n    setArmed(false);\n", "    m_workedAt = now;\n"),
         ("core/drive/task_drive.h", 'm_wishes.cutAll("stopped", m_wish);', "")]),
     ("a start is repeated when its answer is lost", CAMPAIGN, "asked for", [
-        ("core/drive/mcp/mcp_commands.cpp", "    if (finished() || sent())\n        return std::nullopt;\n    if (!m_board.hasMotor",
-         "    if (finished())\n        return std::nullopt;\n    if (!m_board.hasMotor"),
+        ("core/drive/mcp/mcp_commands.cpp", "    if (finished() || sent())\n        return std::nullopt;\n    if (auto why = refuseMotor",
+         "    if (finished())\n        return std::nullopt;\n    if (auto why = refuseMotor"),
         ("core/drive/mcp/mcp_commands.cpp",
-         '    end(executed.has_value() && !*executed ? Outcome::NotSent : Outcome::Unknown, "no answer");\n}\n\nSetPointTask',
+         '    endLost(executed);\n}\n\nSetPointTask',
          '    static_cast<void>(executed);\n}\n\nSetPointTask')]),
     ("writes pass unarmed", CAMPAIGN, "armed", [
         ("core/drive/write_task.h", "WishTask<P>(id, Permission::Armed)", "WishTask<P>(id, Permission::Always)")]),

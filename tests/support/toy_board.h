@@ -31,7 +31,7 @@ constexpr Frame kStop{'W', Control, Stop};
 inline Bytes encode(const Frame &frame)
 {
     Bytes bytes = ByteWriter()
-                      .u8(static_cast<unsigned>(frame.kind))
+                      .u8(static_cast<std::uint8_t>(frame.kind))
                       .u8(frame.address)
                       .s16(frame.value)
                       .take();

@@ -29,19 +29,7 @@ legacy::CommandId commandOf(MotorAction action)
     return legacy::CommandId::FaultAck;
 }
 
-std::string noSuchMotor(int motor) { return "there is no motor " + std::to_string(motor); }
-
-Outcome lostOutcome(std::optional<bool> executed)
-{
-    return executed.has_value() && !*executed ? Outcome::NotSent : Outcome::Unknown;
-}
-
 } // namespace
-
-std::string refuseLegacySpeed(const LegacyFacts &board, int motor, double rpm)
-{
-    return refuseWireSpeed(board, motor, rpm);
-}
 
 LegacyCommandTask::LegacyCommandTask(WishId id, const Command &command, const LegacyFacts &board)
     : WishTask(
@@ -98,8 +86,8 @@ std::optional<legacy::Request> LegacyCommandTask::nextRequest(TimePoint)
         end(Outcome::Refused, std::move(why));
         return std::nullopt;
     };
-    if (!m_board.hasMotor(m_command.motor))
-        return refused(noSuchMotor(m_command.motor));
+    if (auto why = refuseMotor(m_board, m_command.motor); !why.empty())
+        return refused(std::move(why));
     if (m_command.action == MotorAction::Start) {
         if (auto why = drive::refuseStart(m_board, m_command.motor); !why.empty())
             return refused(std::move(why));
@@ -132,7 +120,7 @@ void LegacyCommandTask::takeResponse(const legacy::Reply &response, TimePoint no
 void LegacyCommandTask::takeNoResponse(std::optional<bool> executed, TimePoint)
 {
     if (sent())
-        end(lostOutcome(executed), "no answer");
+        endLost(executed);
     else
         m_reader.takeNoResponse();
 }
@@ -161,14 +149,14 @@ LegacySetPointTask::LegacySetPointTask(
 
 std::string LegacySetPointTask::refuse() const
 {
-    if (!m_board.hasMotor(m_motor))
-        return noSuchMotor(m_motor);
+    if (auto why = refuseMotor(m_board, m_motor); !why.empty())
+        return why;
     if (auto why = m_board.reasonAgainst(m_feature); !why.empty())
         return why;
-    if (m_duration.count() < 0 || m_duration.count() > 0xFFFF)
-        return "a ramp lasts 0 to 65535 ms";
+    if (auto why = refuseRampTime(m_duration); !why.empty())
+        return why;
     if (m_feature == Feature::SpeedRamp)
-        return refuseLegacySpeed(m_board, m_motor, m_first);
+        return refuseWireSpeed(m_board, m_motor, m_first);
     if (auto why = m_board.reasonAgainstAmps(m_motor); !why.empty())
         return why;
     if (auto why = refuseCurrent(m_board, m_motor, std::hypot(m_first, m_second)); !why.empty())
@@ -217,7 +205,7 @@ void LegacySetPointTask::takeResponse(const legacy::Reply &response, TimePoint)
 
 void LegacySetPointTask::takeNoResponse(std::optional<bool> executed, TimePoint)
 {
-    end(lostOutcome(executed), "no answer");
+    endLost(executed);
 }
 
 } // namespace drive

@@ -9,10 +9,6 @@
 
 namespace drive {
 
-/// As refuseSpeed() of drive/set_point_check.h; also beyond what the board's 16 bits hold, where it would turn over into
-/// another direction.
-std::string refuseLegacySpeed(const LegacyFacts &board, int motor, double rpm);
-
 class LegacyCommandTask : public WishTask<LegacyProtocol> {
 public:
     LegacyCommandTask(WishId id, const Command &command, const LegacyFacts &board);

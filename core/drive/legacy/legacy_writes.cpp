@@ -1,6 +1,5 @@
 #include "drive/legacy/legacy_writes.h"
 
-#include "drive/legacy/legacy_commands.h"
 #include "drive/set_point_check.h"
 #include "drive/values.h"
 #include "drive/write_check.h"
@@ -30,7 +29,7 @@ std::string refuseStages(
 {
     const double amps = board.ampsPerDigit(motor);
     for (const legacy::RevUpStage &stage : stages) {
-        if (auto why = refuseLegacySpeed(board, motor, stage.speed_rpm); !why.empty())
+        if (auto why = refuseWireSpeed(board, motor, stage.speed_rpm); !why.empty())
             return why;
         if (amps > 0.0)
             if (auto why = refuseCurrent(board, motor, stage.torque * amps); !why.empty())
@@ -81,8 +80,7 @@ std::string LegacyWriteTask::plan(const RegisterWrite &write)
     if (!bytes)
         return bytes.error();
     this->write({legacyMotor(id), legacy::SetRegister{legacyNumber(id), *bytes}});
-    return which->info.id == kFinalSpeed ? refuseLegacySpeed(m_board, motor, number)
-                                         : std::string();
+    return which->info.id == kFinalSpeed ? refuseWireSpeed(m_board, motor, number) : std::string();
 }
 
 } // namespace drive

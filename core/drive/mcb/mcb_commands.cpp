@@ -30,9 +30,6 @@ constexpr double kSecondsPerMinute = 60.0, kTurn_rad = 2.0 * std::numbers::pi;
 constexpr double kFarthest_rad = 1e4;
 /// Added to the set-points of velocity, Iq and Id.
 constexpr std::array<std::uint16_t, 3> kOffsets{0x07B, 0x07C, 0x07D};
-constexpr int kLongestRamp_ms = 65535;
-
-std::string noSuchMotor(int motor) { return "there is no motor " + std::to_string(motor); }
 
 } // namespace
 
@@ -102,8 +99,8 @@ std::optional<McbRequest> McbActTask::nextRequest(TimePoint now)
 {
     if (finished())
         return std::nullopt;
-    if (!m_board.hasMotor(m_motor)) {
-        end(Outcome::Refused, noSuchMotor(m_motor));
+    if (auto why = refuseMotor(m_board, m_motor); !why.empty()) {
+        end(Outcome::Refused, std::move(why));
         return std::nullopt;
     }
     if (!m_reader.finished())
@@ -172,8 +169,7 @@ void McbActTask::takeNoResponse(std::optional<bool> executed, TimePoint)
         m_reader.takeNoResponse();
         return;
     }
-    const bool notExecuted = executed.has_value() && !*executed;
-    end(notExecuted ? Outcome::NotSent : Outcome::Unknown, "no answer");
+    endLost(executed);
 }
 
 McbCommandTask::McbCommandTask(WishId id, const Command &command, const McbBoard &board)
@@ -271,8 +267,8 @@ std::string McbSpeedTask::plan()
 {
     if (auto why = board().reasonAgainst(Feature::SpeedRamp); !why.empty())
         return why;
-    if (m_ramp.duration.count() < 0 || m_ramp.duration.count() > kLongestRamp_ms)
-        return "a ramp lasts 0 to 65535 ms";
+    if (auto why = refuseRampTime(m_ramp.duration); !why.empty())
+        return why;
     if (auto why = refuseSpeed(board(), motor(), m_ramp.rpm); !why.empty())
         return why;
     const double target = m_ramp.rpm / kSecondsPerMinute;
@@ -321,7 +317,7 @@ std::string McbPositionTask::plan()
         return why;
     if (!(std::abs(m_ramp.radians) <= kFarthest_rad))
         return "an angle is at most 10000 rad";
-    if (m_ramp.duration.count() < 1 || m_ramp.duration.count() > kLongestRamp_ms)
+    if (m_ramp.duration.count() < 1 || m_ramp.duration > kLongestRamp)
         return "a move lasts 1 to 65535 ms";
     const auto now = valueOf(kPositionNow);
     if (!now)

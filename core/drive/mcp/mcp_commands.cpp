@@ -46,8 +46,6 @@ std::string refusalIn(ByteView response)
     return response.empty() || response.size() > 2 ? std::string() : statusWord(response.front());
 }
 
-std::string noSuchMotor(int motor) { return "there is no motor " + std::to_string(motor); }
-
 } // namespace
 
 CommandTask::CommandTask(WishId id, const Command &command, const McpBoard &board)
@@ -82,8 +80,8 @@ std::optional<McpRequest> CommandTask::nextRequest(TimePoint)
         return m_reader.nextRequest();
     if (finished() || sent())
         return std::nullopt;
-    if (!m_board.hasMotor(m_command.motor)) {
-        end(Outcome::Refused, noSuchMotor(m_command.motor));
+    if (auto why = refuseMotor(m_board, m_command.motor); !why.empty()) {
+        end(Outcome::Refused, std::move(why));
         return std::nullopt;
     }
     if (std::optional<McpRequest> question;
@@ -134,7 +132,7 @@ void CommandTask::takeNoResponse(std::optional<bool> executed, TimePoint)
             end(Outcome::Refused, m_refusal + m_state + m_faults);
         return;
     }
-    end(executed.has_value() && !*executed ? Outcome::NotSent : Outcome::Unknown, "no answer");
+    endLost(executed);
 }
 
 SetPointTask::SetPointTask(WishId id, const SpeedRamp &ramp, const McpBoard &board)
@@ -169,15 +167,15 @@ SetPointTask::SetPointTask(WishId id, const CurrentReference &reference, const M
 
 std::string SetPointTask::refuse() const
 {
-    if (!m_board.hasMotor(m_motor))
-        return noSuchMotor(m_motor);
+    if (auto why = refuseMotor(m_board, m_motor); !why.empty())
+        return why;
     const Feature feature = m_kind == Kind::Speed ? Feature::SpeedRamp
         : m_kind == Kind::Torque                  ? Feature::TorqueRamp
                                                   : Feature::CurrentReference;
     if (auto why = m_board.reasonAgainst(feature); !why.empty())
         return why;
-    if (m_duration.count() < 0 || m_duration.count() > 0xFFFF)
-        return "a ramp lasts 0 to 65535 ms";
+    if (auto why = refuseRampTime(m_duration); !why.empty())
+        return why;
     if (m_kind == Kind::Speed)
         return refuseWireSpeed(m_board, m_motor, m_first);
     if (!(m_board.ampsPerDigit(m_motor) > 0.0))
@@ -274,10 +272,9 @@ void SetPointTask::takeNoResponse(std::optional<bool> executed, TimePoint)
             end(Outcome::NotSent, "no answer");
         return;
     }
-    const bool notExecuted = executed.has_value() && !*executed;
-    if (m_step == Step::SetMode && notExecuted && !std::exchange(m_modeRepeated, true))
+    if (m_step == Step::SetMode && executed == false && !std::exchange(m_modeRepeated, true))
         return; // a scalar that was not written may be written again
-    end(notExecuted ? Outcome::NotSent : Outcome::Unknown, "no answer");
+    endLost(executed);
 }
 
 } // namespace drive

@@ -1,6 +1,7 @@
 #include "drive/mcp/mcp_position.h"
 
 #include "drive/mcp/mcp_values.h"
+#include "drive/set_point_check.h"
 #include "mcp/protocol.h"
 
 #include <cmath>
@@ -27,8 +28,8 @@ RawPosition PositionTask::wanted() const
 
 std::string PositionTask::refuse() const
 {
-    if (!m_board.hasMotor(m_ramp.motor))
-        return "there is no motor " + std::to_string(m_ramp.motor);
+    if (auto why = refuseMotor(m_board, m_ramp.motor); !why.empty())
+        return why;
     return refusePosition(m_board, m_ramp.motor, wanted());
 }
 
@@ -93,7 +94,7 @@ void PositionTask::takeNoResponse(std::optional<bool> executed, TimePoint)
             judge();
         return;
     }
-    end(executed.has_value() && !*executed ? Outcome::NotSent : Outcome::Unknown, "no answer");
+    endLost(executed);
 }
 
 } // namespace drive

@@ -9,6 +9,8 @@
 
 namespace simulation {
 
+inline constexpr std::string_view kServoProfile = "mcb"; ///< of makeBoard()
+
 struct McbBoardOptions {
     BoardOptions
         board; ///< motor, plant, load, control rate and seed count; its motor is "servo24" unless it says one

@@ -1,0 +1,111 @@
+#include "drive/protocol_table.h"
+
+#include "drive/auto_drive.h"
+#include "drive/legacy/legacy_drive.h"
+#include "drive/mcb/mcb_drive.h"
+#include "drive/mcp/mcp_drive.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+namespace drive {
+
+namespace {
+
+std::unique_ptr<Drive> makeMcp(const LineOptions &options, Search search)
+{
+    McpDriveConfig config;
+    config.baud = options.baud;
+    config.patience = options.patience;
+    config.hasty = search == Search::Hasty;
+    return makeMcpDrive(config);
+}
+
+template <legacy::Dialect dialect>
+std::unique_ptr<Drive> makeOlder(const LineOptions &options, Search search)
+{
+    LegacyDriveConfig config;
+    config.baud = options.baud;
+    config.patience = options.patience;
+    if (search == Search::No)
+        config.dialect = dialect;
+    return makeLegacyDrive(config);
+}
+
+std::unique_ptr<Drive> makeMcb(const LineOptions &options, Search)
+{
+    McbDriveConfig config;
+    config.patience = options.patience;
+    return makeMcbDrive(config);
+}
+
+std::unique_ptr<Drive> makeAuto(const LineOptions &options, Search)
+{
+    std::vector<Candidate> candidates;
+    for (const ProtocolRow &row : protocolTable())
+        if (row.asking != LinkReason::None)
+            candidates.push_back({[options, make = row.make](bool hasty) {
+                                      return make(options, hasty ? Search::Hasty : Search::Patient);
+                                  },
+                row.asking, std::string(row.evidence), row.choice.protocol});
+    std::stable_partition(candidates.begin(), candidates.end(),
+        [&](const Candidate &one) { return options.spoken == one.protocol; });
+    return makeAutoDrive(std::move(candidates));
+}
+
+} // namespace
+
+std::span<const ProtocolRow> protocolTable()
+{
+    using enum Protocol;
+    using legacy::Dialect;
+    static constexpr std::array kRows{
+        ProtocolRow{{Auto, "auto", "", "", true}, 0, "", makeAuto},
+        ProtocolRow{{Mcp, "mcp", "MCP over ASPEP", "STM32 motor control SDK 6", true}, 1843200, "",
+            makeMcp, LinkReason::AskingNewer, "it answered a BEACON"},
+        ProtocolRow{{Legacy, "legacy", "MCP legacy", "STM32 motor control SDK 3 to 5", true},
+            115200, "legacy", makeOlder<Dialect::Stm32>, LinkReason::AskingOlder},
+        ProtocolRow{{PowerPc, "powerpc", "MCP PowerPC", "PowerPC boards", true}, 115200, "powerpc",
+            makeOlder<Dialect::PowerPc>},
+        ProtocolRow{{Mcb, "mcb", "MCB over SPI", "servo drives of Ingenia and Celera", false}, 0,
+            "mcb", makeMcb},
+    };
+    return kRows;
+}
+
+const ProtocolRow &rowOf(Protocol protocol)
+{
+    const auto rows = protocolTable();
+    return *std::find_if(rows.begin(), rows.end(),
+        [&](const ProtocolRow &row) { return row.choice.protocol == protocol; });
+}
+
+std::span<const ProtocolChoice> protocolChoices()
+{
+    static const auto choices = [] {
+        std::vector<ProtocolChoice> all;
+        for (const ProtocolRow &row : protocolTable())
+            all.push_back(row.choice);
+        return all;
+    }();
+    return choices;
+}
+
+std::string_view wordOf(Protocol protocol) { return rowOf(protocol).choice.word; }
+
+std::optional<Protocol> protocolOf(std::string_view word)
+{
+    for (const ProtocolRow &row : protocolTable())
+        if (row.choice.word == word)
+            return row.choice.protocol;
+    return std::nullopt;
+}
+
+std::unique_ptr<Drive> makeDrive(const LineOptions &options)
+{
+    return rowOf(options.protocol).make(options, Search::No);
+}
+
+} // namespace drive

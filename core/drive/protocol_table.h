@@ -1,0 +1,36 @@
+// The protocols, a row each: the one list of them. The window, the command line, the simulated boards and Protocol::Auto
+// choose from it. A protocol more is a folder below this one, and a row.
+#pragma once
+
+#include "drive/event.h"
+#include "drive/make_drive.h"
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace drive {
+
+/// Whether a drive is made to find out who is there.
+enum class Search : std::uint8_t {
+    No,
+    Hasty, ///< somebody else is tried next
+    Patient,
+};
+
+struct ProtocolRow {
+    ProtocolChoice choice;
+    std::uint32_t baud = 0; ///< of its boards, unless one is told otherwise; 0: its lines have none
+    std::string_view board; ///< profile of its simulated board; empty: the standard one, or none
+    std::unique_ptr<Drive> (*make)(const LineOptions &options, Search search) = nullptr;
+
+    // Of those that Protocol::Auto asks for.
+    LinkReason asking = LinkReason::None; ///< told meanwhile; None: it is not asked for
+    std::string_view evidence = {}; ///< of one that has answered, where the drive itself tells none
+};
+
+/// In the order in which they are offered and asked for.
+std::span<const ProtocolRow> protocolTable();
+const ProtocolRow &rowOf(Protocol protocol);
+
+} // namespace drive
