@@ -1,5 +1,6 @@
 #include "widgets/control/jog_box.h"
 
+#include "analysis/ramp.h"
 #include "widgets/control/command_box.h"
 #include "widgets/control/setpoint_edit.h"
 
@@ -14,7 +15,6 @@
 namespace widgets {
 namespace {
 
-constexpr double kRpmStep = 6.0; // one digit of speed is 0.1 Hz
 constexpr double kFallbackRpm = 300.0;
 // A busy X11 session tells some repeats as a release and a press of one and the same instant.
 constexpr std::chrono::milliseconds kRepeatWithin{30};
@@ -215,9 +215,10 @@ JogButton *JogBox::makeButton(const QString &text, const char *name, int sign)
 void JogBox::updateLimit()
 {
     const double most = m_jog.greatestRpm();
-    m_speed->setLimits(most > 0.0 ? most : kFallbackRpm, kRpmStep, tr("rpm"));
+    m_speed->setLimits(most > 0.0 ? most : kFallbackRpm, analysis::kSpeedStep_rpm, tr("rpm"));
     if (most > 0.0 && !std::exchange(m_speedGiven, true))
-        m_speed->setValue(std::floor(most / 2.0 / kRpmStep) * kRpmStep);
+        m_speed->setValue(
+            std::floor(most / 2.0 / analysis::kSpeedStep_rpm) * analysis::kSpeedStep_rpm);
     follow();
 }
 

@@ -1,6 +1,8 @@
 #include "widgets/control/setpoint_box.h"
 
+#include "analysis/ramp.h"
 #include "drive/control_mode.h"
+#include "drive/set_point_check.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/control/command_box.h"
@@ -16,10 +18,8 @@
 namespace widgets {
 namespace {
 
-constexpr double kRpmStep = 6.0; // one digit of speed is 0.1 Hz
-constexpr double kFallbackLimitRpm = 32766.0; // speeds beyond 16 bits are cut by the board
 constexpr double kAmpStep = 0.01;
-constexpr double kLongestRampMs = 65535.0, kRampTimeMs = 500.0, kRampTimeNotchMs = 100.0;
+constexpr double kRampTimeMs = 500.0, kRampTimeNotchMs = 100.0;
 
 QLabel *plainLabel(QWidget *parent, const char *objectName)
 {
@@ -60,7 +60,8 @@ SetpointBox::SetpointBox(
     m_echo->setWordWrap(true);
     m_echo->setEnabled(false);
     m_control->setEnabled(false);
-    m_rampTime->setLimits(kLongestRampMs, 1.0, QStringLiteral("ms"));
+    m_rampTime->setLimits(
+        static_cast<double>(drive::kLongestRamp.count()), 1.0, QStringLiteral("ms"));
     m_rampTime->setNegativeAllowed(false);
     m_rampTime->setNotch(kRampTimeNotchMs);
     m_rampTime->setValue(kRampTimeMs);
@@ -160,8 +161,8 @@ void SetpointBox::updateLimits()
     // What the board does not tell is refused below, with the reason: the field need not know it.
     const drive::MotionBounds bounds = m_device.bounds(m_device.motor());
     m_speed->setLimits(
-        bounds.rpm > 0.0 ? std::min(bounds.rpm, kFallbackLimitRpm) : kFallbackLimitRpm, kRpmStep,
-        tr("rpm"));
+        bounds.rpm > 0.0 ? std::min(bounds.rpm, drive::kGreatestWireRpm) : drive::kGreatestWireRpm,
+        analysis::kSpeedStep_rpm, tr("rpm"));
     for (SetpointEdit *edit : {m_torque, m_iq, m_id})
         edit->setLimits(
             bounds.amps > 0.0 ? bounds.amps : drive::kHighestAmps, kAmpStep, QStringLiteral("A"));

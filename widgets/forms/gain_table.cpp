@@ -2,6 +2,7 @@
 
 #include "analysis/observer_gains.h"
 #include "analysis/physical_gains.h"
+#include "catalog/gain_rows.h"
 #include "tuning/gain_plant.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/value_text.h"
@@ -18,70 +19,22 @@
 namespace widgets {
 namespace {
 
-/// What a gain is a gain of; those of a GainId come first, in its order.
-enum Kind {
-    TorqueKp,
-    TorqueKi,
-    FluxKp,
-    FluxKi,
-    SpeedKp,
-    SpeedKi,
-    WeakeningKp,
-    WeakeningKi,
-    PositionKp,
-    PositionKi,
-    PositionKd,
-    PllKp,
-    PllKi,
-    Observer1,
-    Observer2,
-    PerUnit,
-    InUnits, ///< not digits: a number in the unit that the board's catalogue tells
-};
-constexpr std::size_t kKinds = InUnits + 1;
+using catalog::GainKind;
+using enum catalog::GainKind;
 
-struct Spec {
-    const char *name = nullptr; ///< of the register; nullptr: there is none here
-    Kind kind = PerUnit;
-    bool divided = true;
-};
-constexpr int kPlaces = 3; ///< Kp, Ki, Kd
-struct RowSpec {
-    const char *title = nullptr;
-    std::array<Spec, kPlaces> gains;
-};
+constexpr int kPlaces = catalog::kGainPlaces;
 
-constexpr std::array kRows{
-    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Torque (Iq)"),
-        {{{"I_Q_KP", TorqueKp}, {"I_Q_KI", TorqueKi}, {}}}},
-    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Flux (Id)"),
-        {{{"I_D_KP", FluxKp}, {"I_D_KI", FluxKi}, {}}}},
-    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Speed"),
-        {{{"SPEED_KP", SpeedKp}, {"SPEED_KI", SpeedKi}, {}}}},
-    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Flux weakening"),
-        {{{"FLUXWK_KP", WeakeningKp}, {"FLUXWK_KI", WeakeningKi}, {}}}},
-    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Position"),
-        {{{"POSITION_KP", PositionKp}, {"POSITION_KI", PositionKi}, {"POSITION_KD", PositionKd}}}},
-    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Observer's PLL"),
-        {{{"STOPLL_KP", PllKp}, {"STOPLL_KI", PllKi}, {}}}},
-    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Observer (C1, C2)"),
-        {{{"STOPLL_C1", Observer1, false}, {"STOPLL_C2", Observer2, false}, {}}}},
-    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "CORDIC observer (C1, C2)"),
-        {{{"STOCORDIC_C1", Observer1, false}, {"STOCORDIC_C2", Observer2, false}, {}}}},
-    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Currents"),
-        {{{"FOC_KP_IDQ", PerUnit, false}, {"FOC_WI_IDQ", PerUnit, false}, {}}}},
-    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Speed"),
-        {{{"FOC_KP_SPD", PerUnit, false}, {"FOC_KI_SPD", PerUnit, false}, {}}}},
-    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Torque (Iq)"),
-        {{{"CL_CUR_Q_KP", InUnits, false}, {"CL_CUR_Q_KI", InUnits, false}, {}}}},
-    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Flux (Id)"),
-        {{{"CL_CUR_D_KP", InUnits, false}, {"CL_CUR_D_KI", InUnits, false}, {}}}},
-    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Speed"),
-        {{{"CL_VEL_PID_KP", InUnits, false}, {"CL_VEL_PID_KI", InUnits, false},
-            {"CL_VEL_PID_KD", InUnits, false}}}},
-    RowSpec{QT_TRANSLATE_NOOP("widgets::GainTable", "Position"),
-        {{{"CL_POS_PID_KP", InUnits, false}, {"CL_POS_PID_KI", InUnits, false},
-            {"CL_POS_PID_KD", InUnits, false}}}},
+/// By GainLoop.
+constexpr std::array kTitles{
+    QT_TRANSLATE_NOOP("widgets::GainTable", "Torque (Iq)"),
+    QT_TRANSLATE_NOOP("widgets::GainTable", "Flux (Id)"),
+    QT_TRANSLATE_NOOP("widgets::GainTable", "Speed"),
+    QT_TRANSLATE_NOOP("widgets::GainTable", "Flux weakening"),
+    QT_TRANSLATE_NOOP("widgets::GainTable", "Position"),
+    QT_TRANSLATE_NOOP("widgets::GainTable", "Observer's PLL"),
+    QT_TRANSLATE_NOOP("widgets::GainTable", "Observer (C1, C2)"),
+    QT_TRANSLATE_NOOP("widgets::GainTable", "CORDIC observer (C1, C2)"),
+    QT_TRANSLATE_NOOP("widgets::GainTable", "Currents"),
 };
 
 constexpr int kColumnsAGain = 4; ///< numerator, slash, divisor, physical
@@ -106,7 +59,7 @@ QString scaleMissing()
                          "worth.");
 }
 
-Physical loopGain(Kind kind, double digits, const analysis::GainPlant &plant)
+Physical loopGain(GainKind kind, double digits, const analysis::GainPlant &plant)
 {
     const auto id = static_cast<analysis::GainId>(kind);
     const auto physical = analysis::physicalGain(id, digits, plant);
@@ -118,7 +71,7 @@ Physical loopGain(Kind kind, double digits, const analysis::GainPlant &plant)
         true};
 }
 
-Physical weakeningGain(Kind kind, double digits, const analysis::GainPlant &plant)
+Physical weakeningGain(GainKind kind, double digits, const analysis::GainPlant &plant)
 {
     if (!(plant.stage.realOhms() > 0.0) || !(plant.speedPeriod_s > 0.0))
         return unknown(scaleMissing());
@@ -130,7 +83,7 @@ Physical weakeningGain(Kind kind, double digits, const analysis::GainPlant &plan
         : Physical{gainWithUnit(gains.ki, QStringLiteral("A/(V\u00b7s)")), hint, true};
 }
 
-Physical positionGain(Kind kind, double digits, const analysis::GainPlant &plant)
+Physical positionGain(GainKind kind, double digits, const analysis::GainPlant &plant)
 {
     if (!(plant.stage.digitsPerAmp > 0.0) || !(plant.speedPeriod_s > 0.0))
         return unknown(scaleMissing());
@@ -167,7 +120,8 @@ Physical inUnits(const RegisterModel &model, std::optional<catalog::RegisterId> 
 }
 
 /// Where ST's rule would put it for this motor.
-Physical observerGain(Kind kind, const drive::MotorFacts &facts, const analysis::GainPlant &plant)
+Physical observerGain(
+    GainKind kind, const drive::MotorFacts &facts, const analysis::GainPlant &plant)
 {
     const QString why = GainTexts::tr("The observer's own full scales are not told by the board.");
     const double maxBemf_v = analysis::maxObserverBemf_v(facts.limits.maxSpeedRpm,
@@ -208,10 +162,11 @@ GainTable::GainTable(RegisterModel &model, QWidget *parent)
         grid->setColumnStretch((place + 1) * kColumnsAGain, 1);
         m_heads.push_back(head);
     }
-    for (std::size_t row = 0; row < kRows.size(); ++row)
-        addRow(grid, static_cast<int>(row) + 1);
-    grid->addWidget(m_none, static_cast<int>(kRows.size()) + 1, 0, 1, 1 + kPlaces * kColumnsAGain);
-    grid->setRowStretch(static_cast<int>(kRows.size()) + 2, 1);
+    const int rows = static_cast<int>(catalog::gainRows().size());
+    for (int row = 1; row <= rows; ++row)
+        addRow(grid, row);
+    grid->addWidget(m_none, rows + 1, 0, 1, 1 + kPlaces * kColumnsAGain);
+    grid->setRowStretch(rows + 2, 1);
     m_soon.setSingleShot(true); // many fields change at once
     m_soon.setInterval(0);
     connect(&m_soon, &QTimer::timeout, this, &GainTable::updateRows);
@@ -220,19 +175,19 @@ GainTable::GainTable(RegisterModel &model, QWidget *parent)
 
 void GainTable::addRow(QGridLayout *grid, int row)
 {
-    const RowSpec &spec = kRows[static_cast<std::size_t>(row) - 1];
-    auto *title = new QLabel(tr(spec.title), this);
+    const catalog::GainRow &spec = catalog::gainRows()[static_cast<std::size_t>(row) - 1];
+    auto *title = new QLabel(tr(kTitles.at(static_cast<std::size_t>(spec.loop))), this);
     grid->addWidget(title, row, 0);
     m_titles.push_back(title);
     for (int place = 0; place < kPlaces; ++place) {
-        const Spec &gain = spec.gains[static_cast<std::size_t>(place)];
+        const catalog::GainRegister &gain = spec.gains[static_cast<std::size_t>(place)];
         if (gain.name)
             addGain(grid, row, place, gain.kind, gain.name, gain.divided);
     }
 }
 
 void GainTable::addGain(
-    QGridLayout *grid, int row, int place, int kind, const char *name, bool divided)
+    QGridLayout *grid, int row, int place, GainKind kind, const char *name, bool divided)
 {
     const int first = 1 + place * kColumnsAGain;
     const int digit = fontMetrics().horizontalAdvance(QLatin1Char('0'));
@@ -333,22 +288,24 @@ std::optional<double> GainTable::digitsOf(const Gain &gain)
 void GainTable::updatePhysical()
 {
     const analysis::GainPlant plant = tuning::gainPlant(m_facts);
-    std::array<std::optional<double>, kKinds> digits;
+    std::array<std::optional<double>, catalog::kGainKinds> digits;
     for (const Gain &gain : m_gains)
         if (gain.numerator->id())
             digits[static_cast<std::size_t>(gain.kind)] = digitsOf(gain);
+    constexpr auto kPllKp = static_cast<std::size_t>(PllKp);
+    constexpr auto kPllKi = static_cast<std::size_t>(PllKi);
     const auto pll = [&]() -> Physical {
-        if (!digits[PllKp] || !digits[PllKi] || !(plant.stage.controlPeriod_s > 0.0))
+        if (!digits[kPllKp] || !digits[kPllKi] || !(plant.stage.controlPeriod_s > 0.0))
             return unknown(tr("The board does not say its control rate."));
         const auto loop = analysis::pllForecast(
-            {*digits[PllKp], *digits[PllKi]}, plant.stage.controlPeriod_s, kPllShare);
+            {*digits[kPllKp], *digits[kPllKi]}, plant.stage.controlPeriod_s, kPllShare);
         return {tr("\u2248 %1 rad/s, damping %2")
                     .arg(significantText(loop.natural_radps, 3), significantText(loop.damping, 2)),
             tr("Natural frequency of the PLL at half the highest speed, if the observer's full "
                "scale is 1.2 times that speed, as ST's generator has it.")};
     };
     for (const Gain &gain : m_gains) {
-        const auto kind = static_cast<Kind>(gain.kind);
+        const GainKind kind = gain.kind;
         const auto value = digitsOf(gain);
         Physical shown;
         if (kind == InUnits)

@@ -2,6 +2,7 @@
 // comes to in SI units, or why that cannot be said. Follows the RegisterModel live; edits stay pending.
 #pragma once
 
+#include "catalog/gain_rows.h"
 #include "drive/motor_view.h"
 #include "widgets/registers/register_field.h"
 
@@ -31,7 +32,7 @@ Q_SIGNALS:
 
 private:
     struct Gain {
-        int kind = 0;
+        catalog::GainKind kind = catalog::GainKind::PerUnit;
         int row = 0, place = 0;
         RegisterField *numerator = nullptr;
         RegisterField *divisor = nullptr; ///< nullptr: there is none in any firmware
@@ -39,7 +40,8 @@ private:
         QLabel *physical = nullptr;
     };
     void addRow(QGridLayout *grid, int row);
-    void addGain(QGridLayout *grid, int row, int place, int kind, const char *name, bool divided);
+    void addGain(QGridLayout *grid, int row, int place, catalog::GainKind kind, const char *name,
+        bool divided);
     void updateRows();
     void updatePhysical();
     static std::optional<double> digitsOf(const Gain &gain); ///< as wanted; empty: not known

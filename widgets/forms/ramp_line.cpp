@@ -1,6 +1,7 @@
 #include "widgets/forms/ramp_line.h"
 
 #include "analysis/ramp.h"
+#include "drive/set_point_check.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/value_text.h"
@@ -19,11 +20,10 @@
 namespace widgets {
 namespace {
 
-constexpr double kFallbackRpm = std::numeric_limits<std::int16_t>::max();
 constexpr double kFallbackAmps = 1000.0; // the board's own limit is enforced below, with the reason
 constexpr double kFarthestDegrees = 360000.0, kDegreeStep = 0.1, kDegreeNotch = 1.0;
 constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
-constexpr double kLongestMs = 65535.0, kFirstMs = 500.0, kNotchMs = 100.0;
+constexpr double kFirstMs = 500.0, kNotchMs = 100.0;
 
 QString rpmUnit() { return RampLine::tr("rpm"); }
 
@@ -75,7 +75,8 @@ RampLine::RampLine(RampKind kind, const Device &device, const RegisterModel &reg
         current ? tr("Current reference Id, in A") : tr("Duration of the ramp in ms"));
     m_send->setAccessibleName(tr("Send: %1", "kind of ramp").arg(title()));
     if (!current) {
-        m_second->setLimits(kLongestMs, 1.0, QStringLiteral("ms"));
+        m_second->setLimits(
+            static_cast<double>(drive::kLongestRamp.count()), 1.0, QStringLiteral("ms"));
         m_second->setNotch(kNotchMs);
         m_second->setNegativeAllowed(false);
         m_second->setValue(kFirstMs);
@@ -232,7 +233,8 @@ void RampLine::updateLimits()
         for (QWidget *widget : m_widgets)
             widget->setVisible(there);
     } else if (m_kind == RampKind::Speed) {
-        m_first->setLimits(bounds.rpm > 0.0 ? std::min(bounds.rpm, kFallbackRpm) : kFallbackRpm,
+        m_first->setLimits(bounds.rpm > 0.0 ? std::min(bounds.rpm, drive::kGreatestWireRpm)
+                                            : drive::kGreatestWireRpm,
             analysis::kSpeedStep_rpm, rpmUnit());
     } else {
         const double limit = bounds.amps > 0.0 ? bounds.amps : kFallbackAmps;
