@@ -35,6 +35,14 @@ struct BoardFacts {
     UserLimits user; ///< a person's; outlives the connection
     std::set<int> expert; ///< motors that a person moves without all limits known
 
+    /// Another board may be there now; what a person allows holds for it, too.
+    void forget()
+    {
+        const UserLimits allowed = user;
+        *this = BoardFacts();
+        user = allowed;
+    }
+
     bool hasMotor(int motor) const { return motor >= 1 && motor <= motors; }
 
     MotorLimits limitsOf(int motor) const

@@ -38,16 +38,7 @@ void LegacyIdentification::restart(const legacy::BoardInfo &info)
     m_identity = {};
     m_losses = 0;
     m_news = false;
-    m_board.identified = m_board.knownFirmware = false;
-    m_board.motors = 1;
-    m_board.motorsCounted = false;
-    m_board.catalog = std::make_shared<const catalog::Catalog>();
-    m_board.scales.clear();
-    m_board.limits.clear();
-    m_board.expert.clear(); // another board may be there now
-    m_board.capabilities.clear();
-    m_board.streaming = {};
-    m_board.missing.clear();
+    m_board.forget();
 }
 
 std::optional<legacy::Request> LegacyIdentification::nextRequest(TimePoint)

@@ -50,18 +50,10 @@ void Identification::restart()
     m_sizesKnown = true;
     m_news = false;
     m_stopLosses = 0;
-    m_board.identified = m_board.knownFirmware = m_board.hso = false;
-    m_board.motors = 1;
-    m_board.motorsCounted = false;
+    m_board.forget();
+    m_board.hso = false;
     m_board.version = 0;
-    m_board.catalog = std::make_shared<const catalog::Catalog>();
-    m_board.scales.clear();
-    m_board.limits.clear();
-    m_board.speedMeasured.clear();
-    m_board.expert.clear(); // another board may be there now
-    m_board.capabilities.clear();
     m_board.watchdog.reset();
-    m_board.streaming = {};
     m_unanswered = {mcp::reg::kGlobalConfig.bits};
     m_reader.start({mcp::reg::kGlobalConfig.bits});
 }
