@@ -183,8 +183,7 @@ private:
         noteArming();
         const bool stops = widget->objectName() == QLatin1String("stop")
             || widget->objectName() == QLatin1String("stopMotors")
-            || widget->objectName() == QLatin1String("faultHelpStop")
-            || widget->objectName() == QLatin1String("rampStop");
+            || widget->objectName() == QLatin1String("faultHelpStop");
         m_restores = widget->objectName() == QLatin1String("snapshotRestore")
             || (m_restores && widget->objectName() == QLatin1String("writeAnyway"));
         m_world.act(m_restores ? Act::Kind::Restore : inputOn(widget));
