@@ -409,6 +409,8 @@ void TaskDrive<P>::work(TimePoint now)
 {
     m_workedAt = now;
     onLinkEvents(now);
+    if (m_link.canSend())
+        m_stopUnderWay = false; // its answer has come, or never will
     auto statuses = m_vitals.takeStatuses();
     onStatuses(statuses);
     takeStatuses(std::move(statuses), m_vitals.askedAt());

@@ -160,7 +160,9 @@ void WishDrive::takeStatuses(std::vector<MotorStatus> statuses, TimePoint askedA
     if (m_doubtedAt && all && askedAt >= *m_doubtedAt)
         m_doubtedAt.reset();
     for (MotorStatus &status : statuses) {
-        m_stop.takeStatus(status, askedAt);
+        if (!m_doubtedAt
+            || askedAt >= *m_doubtedAt) // an answer from before a gap tells nothing of now
+            m_stop.takeStatus(status, askedAt);
         m_faultNow[status.motor] =
             status.state == MotorState::FaultNow || !status.faultsNow.empty();
         m_events.emplace_back(std::move(status));

@@ -171,6 +171,19 @@ Frame Master::operationFrame(Exchange &exchange, TimePoint now)
     return idle(m_state == State::Config ? operation.request.address : std::uint16_t{0});
 }
 
+void Master::setHurried(bool hurried, TimePoint now)
+{
+    m_hurried = hurried ? std::optional(m_hurried.value_or(now)) : std::nullopt;
+}
+
+TimePoint Master::exchangeDue() const
+{
+    if (!m_hurried)
+        return m_exchange->by;
+    return std::min(m_exchange->by,
+        std::max(m_exchange->at, *m_hurried) + m_config.hurriedExchangeWithin + m_config.patience);
+}
+
 bool Master::betweenCycles() const { return m_hurried && m_operation && m_period >= kSlowCycle; }
 
 /// Nothing if there is no reason for a frame now.
@@ -343,7 +356,7 @@ void Master::handleTimeout(TimePoint now)
 {
     if (m_blindBytes > 0 && now >= m_blindBy)
         endBlind(now);
-    if (m_exchange && now >= m_exchange->by)
+    if (m_exchange && now >= exchangeDue())
         finishTorn(now);
     checkReady(now);
     checkOperation(now);
@@ -357,7 +370,7 @@ std::optional<TimePoint> Master::nextTimeout() const
     if (m_state == State::Closed || m_state == State::Lost)
         return std::nullopt;
     if (m_exchange)
-        return m_exchange->by;
+        return exchangeDue();
     std::optional<TimePoint> due;
     const auto consider = [&due](TimePoint at) {
         if (!due || at < *due)

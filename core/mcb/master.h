@@ -34,6 +34,7 @@ public:
         Duration readyWithin = std::chrono::milliseconds(1000);
         /// All bytes of an exchange are back. SPI needs none; ours, for byte streams.
         Duration exchangeWithin = std::chrono::milliseconds(200);
+        Duration hurriedExchangeWithin = std::chrono::milliseconds(50);
         /// Nothing is sent after a torn exchange: longer than our slaves keep an unfinished frame (50 ms).
         Duration quiet = std::chrono::milliseconds(60);
         Duration patience{}; ///< added to all of these, for computers that stall
@@ -127,8 +128,9 @@ public:
     /// Frames that leave as they are, whether the drive is ready or not and whatever is under way, which takes care of
     /// itself afterwards. What comes back is thrown away.
     void sendBlind(std::vector<Output> frames, TimePoint now);
-    /// From now on no request waits for the next frame of a slow cycle: it has frames of its own between those.
-    void setHurried(bool hurried) { m_hurried = hurried; }
+    /// From now on no request waits for the next frame of a slow cycle: it has frames of its own between those. Nor does it
+    /// wait long for bytes that are missing from an exchange.
+    void setHurried(bool hurried, TimePoint now);
     /// Back to the config state. Needs canSend().
     void switchOff(TimePoint now);
     /// What the drive gets in every cycle from now on; filled up with zeros.
@@ -170,6 +172,7 @@ private:
     Frame operationFrame(Exchange &exchange, TimePoint now);
     Frame idle(std::uint16_t address) const;
     bool betweenCycles() const;
+    TimePoint exchangeDue() const; ///< of the one under way
     void endBlind(TimePoint now);
     void finish(TimePoint now);
     void finishGood(const Exchange &exchange, const Frame &frame, TimePoint now);
@@ -221,7 +224,7 @@ private:
     Duration m_period{};
     TimePoint m_cycleStart{};
     std::int64_t m_nextTick = 0;
-    bool m_hurried = false;
+    std::optional<TimePoint> m_hurried; ///< since then
     Words m_cyclicOutput;
 
     bool m_wasCyclic = false, m_met = false; ///< before the search

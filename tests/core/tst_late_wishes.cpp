@@ -67,6 +67,7 @@ private Q_SLOTS:
     void afterAGapTheStatesAreReadFirst_data() { profiles(); }
     void afterAGapTheStatesAreReadFirst();
     void afterAGapTheDriveOnASpiLineIsDoubtedToo();
+    void anAnswerFromBeforeAGapConfirmsNoStop();
     void aGapWithoutALinkChangesNothing();
 };
 
@@ -187,6 +188,31 @@ void TestLateWishes::afterAGapTheDriveOnASpiLineIsDoubtedToo()
     QVERIFY(pair.ended.at(start).front().outcome == Outcome::NotSent);
     QVERIFY(pair.runUntil([&] { return pair.link == LinkState::Connected; }, 2s));
     QVERIFY(pair.status->at > then);
+}
+
+void TestLateWishes::anAnswerFromBeforeAGapConfirmsNoStop()
+{
+    int confirmedLater = 0;
+    for (Duration offset{}; offset < 30ms; offset += 500us) {
+        Session session(true, boardOf(QStringLiteral("mcsdk-6.4")));
+        QVERIFY(session.ready && session.startMotor());
+        session.drive->stop(session.now);
+        session.exchange();
+        QVERIFY(session.runUntil([&] { return session.board->truth(1).idle; }, 5s));
+        session.runFor(offset); // an answer may be on its way
+        const TimePoint then = session.now += 1600ms;
+        session.drive->doubt(session.now);
+        session.exchange();
+        session.stops.clear();
+        QVERIFY(session.runUntil([&] { return session.link == LinkState::Connected; }, 5s));
+        session.runFor(1s);
+        for (const StopProgress &said : session.stops)
+            confirmedLater += said.word == StopWord::DriveIdle ? 1 : 0;
+        QCOMPARE(session.judge.verdict(), std::string());
+        QVERIFY(!session.drive->stopOpen());
+        QVERIFY(session.status[1].at > then);
+    }
+    QVERIFY(confirmedLater > 0);
 }
 
 void TestLateWishes::aGapWithoutALinkChangesNothing()

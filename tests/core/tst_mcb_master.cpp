@@ -453,7 +453,7 @@ void TestMcbMaster::aHurriedRequestDisturbsNoCycle()
     bus.master.switchOn(kMapping, 100ms, bus.now);
     QVERIFY(bus.runUntil([&] { return bus.cycles.size() == 2; }, 5s));
     bus.runFor(30ms);
-    bus.master.setHurried(true);
+    bus.master.setHurried(true, bus.now);
     const TimePoint asked = bus.now;
     QCOMPARE(bus.write(0x010, {6})->end, End::Ok);
     QVERIFY(bus.now - asked <= 5ms);

@@ -143,6 +143,10 @@ private:
         while (!condition() && m_now < end) {
             const TimePoint next = std::clamp(nextEvent(), m_now, end);
             standing = next == m_now ? standing + 1 : 0;
+            if (standing + 1 == kStepsAtOneInstant)
+                tell("  stands still: the board wakes in ", toSeconds(m_peer->nextWake() - m_now),
+                    " s, the drive in ", toSeconds(m_drive->nextTimeout().value_or(end) - m_now),
+                    " s, ", m_sending.size(), " to send");
             require(standing < kStepsAtOneInstant); // it asks to be called in a circle
             m_now = next;
             step();
@@ -428,10 +432,13 @@ private:
             return;
         }
         passUntil([this] { return m_open.empty(); }, kToSettle);
+        for (const drive::WishId wish : m_open)
+            tell("  still open: ", wish);
         require(m_open.empty());
         m_drive->disconnect(m_now);
         drain();
         pass(kToClose);
+        tell("  closed, link ", int(m_link));
         require(!m_drive->nextTimeout().has_value());
         require(m_link == drive::LinkState::Closed);
     }

@@ -7,15 +7,18 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <iostream>
 #include <optional>
 
 namespace fuzz {
 
 /// Ends the run as a finding; unlike assert also in a release build.
-inline void require(bool holds)
+inline void require(bool holds, int line = __builtin_LINE())
 {
-    if (!holds)
-        std::abort();
+    if (holds)
+        return;
+    std::cerr << "not as line " << line << " requires\n";
+    std::abort();
 }
 
 /// Plays `script` on a machine with receive(), handleTimeout() and nextTimeout(). A byte up to 191 is the length of a

@@ -78,6 +78,10 @@ DEFECTS = [
     ("a start after a Stop is not asked about", "tst_motion_gate", "first starts are asked", [
         ("widgets/control/motion_gate.cpp", "            .clear(); // whoever stops does not expect what the board still holds: the next start is asked\n        m_agreed.clear();\n",
          "            .size();\n")]),
+    ("what disarming ended goes on", "tst_mcb_not_ready", "asked for", [
+        ("core/drive/task_drive.h", "    if (m_wish != nullptr && which(*m_wish) && m_cutAfterAnswer.empty())\n        m_cutAfterAnswer = reason;\n", "")]),
+    ("a repetition puts off the first STOP", "tst_mcp_drive_faults seedsThatFailedOnceStayWell", "stop in time", [
+        ("core/drive/mcp/mcp_drive.cpp", "        if (m_link.urgentWaits())\n            return TimePoint::max();", "        //")]),
     ("a Stop goes down with its link", "tst_mcp_drive_stop", "stop in time", [
         ("core/drive/mcp/mcp_drive.cpp", "        m_stop.stopFailed(m_stopMotor, now);", "        //")]),
 ]

@@ -229,10 +229,10 @@ void McbDrive::onStatuses(const std::vector<MotorStatus> &statuses)
     }
 }
 
-void McbDrive::prepare(TimePoint)
+void McbDrive::prepare(TimePoint now)
 {
     const bool stopping = m_mode == Mode::Open && m_stop.active();
-    m_link.setHurried(stopping);
+    m_link.setHurried(stopping, now);
     if (stopping)
         restSetPoints();
     else
