@@ -334,17 +334,21 @@ std::optional<TimePoint> Client::suspectAt() const
     return std::max(*m_unanswered + kLeastOpen, m_lastByte + kSuspectAfter);
 }
 
+bool Client::asking() const
+{
+    return m_state == State::Waiting
+        || ((m_state == State::Recovering || m_state == State::Connecting) && m_step == Step::Ask);
+}
+
 void Client::handleTimeout(TimePoint now)
 {
-    const bool asking = m_state == State::Waiting
-        || ((m_state == State::Recovering || m_state == State::Connecting) && m_step == Step::Ask);
     if (const auto at = suspectAt(); at && now >= *at) {
         m_suspected = true;
         m_events.emplace_back(Suspect{});
     }
     if (m_urgent && now >= m_urgentBy)
         return leaveUrgent(now);
-    if (asking && m_framer.midFrame() && now >= m_lastByte + kSettle) {
+    if (asking() && m_framer.midFrame() && now >= m_lastByte + kSettle) {
         ++m_stats.bad;
         m_framer.reset();
         if (m_state == State::Waiting)
@@ -391,8 +395,7 @@ std::optional<TimePoint> Client::nextTimeout() const
     TimePoint due = m_deadline;
     if (m_urgent)
         due = std::min(due, m_urgentBy);
-    const bool asking = m_state == State::Waiting || m_step == Step::Ask;
-    if (asking && m_framer.midFrame())
+    if (asking() && m_framer.midFrame())
         due = std::min(due, m_lastByte + kSettle);
     return std::min(due, suspectAt().value_or(due));
 }

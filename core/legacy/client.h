@@ -127,6 +127,7 @@ private:
     void giveUp(TimePoint now);
     void leaveUrgent(TimePoint now);
     void answerTimeOver(TimePoint now);
+    bool asking() const; ///< an answer is due
     std::optional<TimePoint> suspectAt() const;
 
     Config m_config;
