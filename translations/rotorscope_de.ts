@@ -6575,7 +6575,7 @@ mN·m</translation>
     </message>
 </context>
 <context>
-    <name>widgets::SignalSelection</name>
+    <name>widgets::SignalPlan</name>
     <message>
         <source>Recording signals</source>
         <translation>Signale aufzeichnen</translation>
@@ -6591,6 +6591,9 @@ mN·m</translation>
             <numerusform>%n Signale passen nicht in die Aufzeichnung und werden einzeln gelesen.</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>widgets::SignalSelection</name>
     <message>
         <source>The scope shows up to %1 signals of a file: take one off to see another.</source>
         <translation>Das Oszilloskop zeigt bis zu %1 Signale einer Datei: Nehmen Sie eines weg, um ein anderes zu sehen.</translation>

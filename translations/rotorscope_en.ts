@@ -6569,7 +6569,7 @@ mN·m</source>
     </message>
 </context>
 <context>
-    <name>widgets::SignalSelection</name>
+    <name>widgets::SignalPlan</name>
     <message>
         <source>Recording signals</source>
         <translation type="unfinished"></translation>
@@ -6585,6 +6585,9 @@ mN·m</source>
             <numerusform>%n signals do not fit into the recording and are read one by one.</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>widgets::SignalSelection</name>
     <message>
         <source>The scope shows up to %1 signals of a file: take one off to see another.</source>
         <translation type="unfinished"></translation>

@@ -151,7 +151,7 @@ private:
     void show(const std::vector<catalog::RegisterId> &ids)
     {
         widgets::SignalSelection &selection = *m_rig.window.selection();
-        const auto before = selection.wanted();
+        const auto before = selection.plan().wanted();
         for (const widgets::WantedSignal &signal : before)
             selection.remove(signal.id);
         for (const auto id : ids)

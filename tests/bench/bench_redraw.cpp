@@ -20,7 +20,8 @@ constexpr int kHeight = 1080;
 /// The scope with all signals in one plot, fully zoomed out.
 struct Scope {
     capture::Capture capture;
-    widgets::ScopeView view{capture};
+    widgets::EventLog events;
+    widgets::ScopeView view{capture, events};
     double span = 0;
     int moved = 0;
 

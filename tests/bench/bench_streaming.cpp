@@ -19,7 +19,8 @@ constexpr double kFrameMs = 1000.0 / 60.0;
 /// Our scope, the window's worth of samples recorded.
 struct Scope {
     capture::Capture capture{capture::Capture::Config{.maxBytes = std::size_t{8} << 30}};
-    widgets::ScopeView view{capture};
+    widgets::EventLog events;
+    widgets::ScopeView view{capture, events};
     MotorStream stream;
     double window;
 

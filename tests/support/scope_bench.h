@@ -29,7 +29,8 @@ inline capture::StreamLayout layoutOf(
 /// A scope of 800 x 400 on a capture whose signals are at 1 kHz.
 struct Bench {
     Capture capture;
-    ScopeView view{capture};
+    widgets::EventLog events;
+    ScopeView view{capture, events};
     capture::Tick tick = 0;
     capture::StreamId stream = 1;
     std::size_t signalCount = 0;

@@ -40,7 +40,7 @@ protected:
     }
     void setup(const std::function<void(TriggerSetup &)> &edit)
     {
-        TriggerSetup setup = control().setup();
+        TriggerSetup setup = control().trigger().setup();
         edit(setup);
         control().setSetup(setup);
     }

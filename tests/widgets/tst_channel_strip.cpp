@@ -46,10 +46,10 @@ private:
 void TestChannelStrip::aSetThatFitsIsRecordedWithoutANotice()
 {
     auto *selection = m_rig->window.findChild<widgets::SignalSelection *>();
-    QSignalSpy notices(selection, &widgets::SignalSelection::noticed);
+    QSignalSpy notices(&selection->plan(), &widgets::SignalPlan::noticed);
     connectBehind(184320.0); // once more
     QVERIFY(notices.isEmpty());
-    QVERIFY(!selection->plan().rateLowered);
+    QVERIFY(!selection->plan().planned().rateLowered);
     QVERIFY(budget().text().contains(QStringLiteral("of 184 kB/s")));
 }
 
@@ -57,7 +57,7 @@ void TestChannelStrip::aSetThatDoesNotFitIsSaidBeforeItStarts()
 {
     QStringList order;
     auto *selection = m_rig->window.findChild<widgets::SignalSelection *>();
-    connect(selection, &widgets::SignalSelection::noticed, this, [&](const QString &sentence) {
+    connect(&selection->plan(), &widgets::SignalPlan::noticed, this, [&](const QString &sentence) {
         order.append(QStringLiteral("notice"));
         QCOMPARE(banner(), sentence); // where a person sees it
         QVERIFY2(
@@ -70,22 +70,23 @@ void TestChannelStrip::aSetThatDoesNotFitIsSaidBeforeItStarts()
     connectBehind(11520.0);
     QCOMPARE(order.value(0), QStringLiteral("notice"));
     QVERIFY(order.contains(QStringLiteral("stream")));
-    QVERIFY(selection->plan().rateLowered);
+    QVERIFY(selection->plan().planned().rateLowered);
     QVERIFY(budget().text().contains(QStringLiteral("rate lowered")));
 }
 
 void TestChannelStrip::theNoticeComesAgainWithTheNextConnection()
 {
     auto *selection = m_rig->window.findChild<widgets::SignalSelection *>();
-    QSignalSpy notices(selection, &widgets::SignalSelection::noticed);
+    QSignalSpy notices(&selection->plan(), &widgets::SignalPlan::noticed);
     connectBehind(11520.0);
     QCOMPARE(notices.size(), 1);
-    selection->setRoute(facts::kCurrentA, widgets::Route::Fast); // the same plan, the same board
+    selection->plan().setRoute(
+        facts::kCurrentA, widgets::Route::Fast); // the same plan, the same board
     QCoreApplication::processEvents();
     QCOMPARE(notices.size(), 1);
     connectBehind(11520.0);
     QCOMPARE(notices.size(), 2);
-    QVERIFY(selection->plan().rateLowered);
+    QVERIFY(selection->plan().planned().rateLowered);
 }
 
 void TestChannelStrip::theTipSaysWhatFits()
@@ -127,7 +128,7 @@ void TestChannelStrip::readSignalsSayHowOftenAndHowWellTheyAreTimed()
     QCoreApplication::processEvents();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the chips of before
     auto *selection = m_rig->window.findChild<widgets::SignalSelection *>();
-    const auto &polled = selection->plan().polled;
+    const auto &polled = selection->plan().planned().polled;
     QVERIFY(polled.size() >= 2);
     const auto planned = QString::number(std::lround(1000.0 / double(polled.size())));
     QVERIFY2(budget().text().contains(

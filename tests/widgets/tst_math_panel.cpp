@@ -82,7 +82,7 @@ private:
         for (int i = 0; i < 5; ++i)
             m_rig->draw();
     }
-    MathChannels &math() { return *m_rig->window.findChild<MathChannels *>(); }
+    MathChannels &math() { return m_rig->workbench.math(); }
     widgets::ScopeView &view() { return m_rig->scope(); }
     capture::Capture &capture() { return m_rig->workbench.capture(); }
     QTreeView *list() { return m_rig->find<QTreeView>("mathList"); }
@@ -222,7 +222,7 @@ void TestMathPanel::itHasAChipLikeARecordedOne()
     QVERIFY(!chip());
     add("Sum", "I_A + I_B");
     QVERIFY(chip());
-    const QColor color = math().colorOf(QStringLiteral("Sum"));
+    const QColor color = view().colorOf(channel(0));
     QCOMPARE(chip()->grab().toImage().pixelColor(11, chip()->height() / 2), color);
     m_rig->find<QDockWidget>("mathDock")->hide();
     press(QStringLiteral("How Sum is computed"));
@@ -242,8 +242,8 @@ void TestMathPanel::theTriggerTakesIt()
 {
     add("M", "I_A - 1500 * I_A / I_A");
     auto *trigger = m_rig->window.findChild<widgets::TriggerControl *>();
-    trigger->setSource(channel(0));
-    widgets::TriggerSetup setup = trigger->setup();
+    trigger->trigger().setSource(channel(0));
+    widgets::TriggerSetup setup = trigger->trigger().setup();
     setup.mode = scope::Mode::Normal;
     setup.level = 0.0;
     setup.hysteresis = 1.0;
@@ -251,8 +251,8 @@ void TestMathPanel::theTriggerTakesIt()
     trigger->setSetup(setup);
     for (int i = 0; i < 10; ++i)
         m_rig->record(100, ramp);
-    QCOMPARE(trigger->history().records().size(), std::size_t(1));
-    const double at = capture::toSeconds(trigger->history().records().front().trigger);
+    QCOMPARE(trigger->trigger().history().records().size(), std::size_t(1));
+    const double at = capture::toSeconds(trigger->trigger().history().records().front().trigger);
     QVERIFY2(std::abs(at - 1.5) < 0.0011, qPrintable(QString::number(at)));
 }
 
@@ -261,7 +261,7 @@ void TestMathPanel::clearingTheRecordingBeginsItAnew()
     add("M", "I_A");
     const capture::ChannelId before = channel(0);
     const QColor color = view().colorOf(before);
-    m_rig->window.selection()->clearRecorded();
+    m_rig->workbench.signalPlan().clear();
     m_rig->record(100, ramp);
     QVERIFY(channel(0) != before && channel(0) != 0);
     QCOMPARE(capture().size(channel(0)), std::uint64_t(100));
@@ -287,7 +287,7 @@ void TestMathPanel::aSignalOfAnotherUnitDoesNotMoveIn()
     QVERIFY(own > view().plotOf(channel(0)));
     widgets::SignalSelection &selection = *m_rig->window.selection();
     selection.add(facts::kVoltage);
-    QCOMPARE(selection.wanted().back().plot, own + 1);
+    QCOMPARE(selection.plan().wanted().back().plot, own + 1);
 }
 
 void TestMathPanel::itIsKeptAndWaitsForItsSignals()

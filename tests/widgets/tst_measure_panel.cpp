@@ -73,7 +73,7 @@ private:
     widgets::TriggerControl &triggerOn(double length)
     {
         auto *trigger = m_rig->window.findChild<widgets::TriggerControl *>();
-        widgets::TriggerSetup setup = trigger->setup();
+        widgets::TriggerSetup setup = trigger->trigger().setup();
         setup.mode = scope::Mode::Normal;
         setup.level = 0.0;
         setup.hysteresis = 1.0;
@@ -85,7 +85,7 @@ private:
     static int complete(const widgets::TriggerControl &trigger)
     {
         int count = 0;
-        for (const scope::Record &record : trigger.history().records())
+        for (const scope::Record &record : trigger.trigger().history().records())
             count += record.state == scope::Record::State::Complete ? 1 : 0;
         return count;
     }
@@ -156,7 +156,7 @@ void TestMeasurePanel::recordsAreCounted()
 {
     add(facts::kCurrentA, Quantity::Mean);
     auto *trigger = m_rig->window.findChild<widgets::TriggerControl *>();
-    widgets::TriggerSetup setup = trigger->setup();
+    widgets::TriggerSetup setup = trigger->trigger().setup();
     setup.mode = scope::Mode::Normal;
     setup.level = 0.0;
     setup.hysteresis = 1.0;

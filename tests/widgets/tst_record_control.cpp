@@ -610,7 +610,7 @@ private:
     {
         record(path);
         QTRY_VERIFY(line()->text().contains(QStringLiteral(" MB, ")));
-        m_rig->window.selection()->clearRecorded();
+        m_rig->workbench.signalPlan().clear();
         QTRY_VERIFY(capture().timeSpan().has_value());
         const auto first = capture().timeSpan()->from;
         QTRY_VERIFY(capture().timeSpan()->to > first + 0.3);

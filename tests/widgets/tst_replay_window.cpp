@@ -146,17 +146,17 @@ private Q_SLOTS:
         m_rig->workbench.replay().setSpeed(4.0);
         replay();
         QTRY_COMPARE(scope()->channels().size(), 2);
-        trigger->setSource(scope()->channels().first());
-        widgets::TriggerSetup setup = trigger->setup();
+        trigger->trigger().setSource(scope()->channels().first());
+        widgets::TriggerSetup setup = trigger->trigger().setup();
         setup.mode = scope::Mode::Normal;
         setup.level = 0.0;
         setup.hysteresis = 1.0;
         setup.length = 0.05;
         trigger->setSetup(setup);
-        QTRY_VERIFY(!trigger->history().records().empty());
+        QTRY_VERIFY(!trigger->trigger().history().records().empty());
         // The square wave rises at every 1600th tick and 800 more, half way between two samples.
         const auto first = *capture().timeSpan(scope()->channels().first());
-        const double at = capture::toSeconds(trigger->history().records().back().trigger);
+        const double at = capture::toSeconds(trigger->trigger().history().records().back().trigger);
         QVERIFY(std::abs(std::remainder(at - first.from - 0.05 + 0.5 / 16000.0, 0.1)) < 1e-6);
     }
 
@@ -166,14 +166,15 @@ private Q_SLOTS:
         m_rig->workbench.replay().setSpeed(4.0);
         replay();
         QTRY_COMPARE(scope()->channels().size(), 2);
-        widgets::TriggerSetup setup = trigger->setup();
+        widgets::TriggerSetup setup = trigger->trigger().setup();
         setup.mode = scope::Mode::Normal;
         setup.type = widgets::TriggerType::RegisterWrite;
         setup.length = 0.05;
         trigger->setSetup(setup);
-        QTRY_VERIFY(!trigger->history().records().empty());
+        QTRY_VERIFY(!trigger->trigger().history().records().empty());
         const auto first = *capture().timeSpan(scope()->channels().first());
-        const double at = capture::toSeconds(trigger->history().records().front().trigger);
+        const double at =
+            capture::toSeconds(trigger->trigger().history().records().front().trigger);
         QVERIFY2(std::abs(at - first.from - 8.01) < 0.02, qPrintable(QString::number(at)));
     }
 

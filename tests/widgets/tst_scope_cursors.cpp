@@ -282,7 +282,7 @@ void TestScopeCursors::zoomAndClearLeaveTheTimesAlone()
     const auto before = cursors().pair();
     scope().zoom(4.0);
     scope().pan(0.3);
-    m_rig->window.selection()->clearRecorded();
+    m_rig->workbench.signalPlan().clear();
     m_rig->draw();
     QCOMPARE(cursors().pair().a, before.a);
     QCOMPARE(cursors().pair().b, before.b);

@@ -347,7 +347,7 @@ void TestScopeEvents::aMarkersLineIsDrawn()
 void TestScopeEvents::clearingKeepsNotes()
 {
     const quint32 marker = log().add(EventKind::Marker, 2.0, QStringLiteral("keep"));
-    m_rig->window.selection()->clearRecorded();
+    m_rig->workbench.signalPlan().clear();
     scope().zoom(10.0);
     QVERIFY(log().find(marker));
     QCOMPARE(log().find(marker)->seconds, 2.0);

@@ -36,7 +36,7 @@ private Q_SLOTS:
     void theTriggerTakesOneLineInGerman()
     {
         auto *trigger = m_rig->window.findChild<widgets::TriggerControl *>();
-        widgets::TriggerSetup setup = trigger->setup();
+        widgets::TriggerSetup setup = trigger->trigger().setup();
         setup.mode = scope::Mode::Auto;
         setup.level = 0.0;
         setup.hysteresis = 1.0;

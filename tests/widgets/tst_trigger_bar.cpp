@@ -63,27 +63,27 @@ private Q_SLOTS:
 
 void TestTriggerBar::rollIsWhatItWasBefore()
 {
-    QVERIFY(control().setup().mode == Mode::Roll);
-    QVERIFY(control().state() == AcquisitionState::Roll);
+    QVERIFY(control().trigger().setup().mode == Mode::Roll);
+    QVERIFY(control().trigger().state() == AcquisitionState::Roll);
     QVERIFY(view().following());
     QVERIFY(!view().triggerMarks().position);
     square(4000);
     m_rig->draw();
     QCOMPARE(view().visibleRange().to, 5.999);
-    QVERIFY(control().history().records().empty());
+    QVERIFY(control().trigger().history().records().empty());
     QTest::keyClick(&view(), Qt::Key_T); // nothing waits for it
-    QVERIFY(control().history().records().empty());
+    QVERIFY(control().trigger().history().records().empty());
 }
 
 void TestTriggerBar::normalKeepsARecordAndSetsZeroAtItsTrigger()
 {
     normal();
-    QVERIFY(control().state() == AcquisitionState::Armed);
+    QVERIFY(control().trigger().state() == AcquisitionState::Armed);
     QVERIFY(stateWord().contains(QStringLiteral("Armed")));
     flat(60);
-    QVERIFY(control().history().records().empty());
+    QVERIFY(control().trigger().history().records().empty());
     square(200); // from tick 2060 on: rises at 2100
-    QVERIFY(!control().history().records().empty());
+    QVERIFY(!control().trigger().history().records().empty());
     const double trigger = capture::toSeconds(control().shown()->trigger);
     QVERIFY(near(std::fmod(trigger + 0.0005, 0.1), 0.0)); // half way between two samples
     QCOMPARE(view().timeOrigin(), trigger);
@@ -102,12 +102,13 @@ void TestTriggerBar::autoRunsWithoutATrigger()
     normal();
     control().setMode(Mode::Auto);
     flat(1000);
-    QVERIFY(control().state() == AcquisitionState::Auto);
-    QVERIFY(!control().history().records().empty());
-    QVERIFY(control().history().records().back().cause == scope::Record::Cause::Automatic);
+    QVERIFY(control().trigger().state() == AcquisitionState::Auto);
+    QVERIFY(!control().trigger().history().records().empty());
+    QVERIFY(
+        control().trigger().history().records().back().cause == scope::Record::Cause::Automatic);
     square(300);
     bool hit = false;
-    for (const scope::Record &record : control().history().records())
+    for (const scope::Record &record : control().trigger().history().records())
         hit = hit || record.cause == scope::Record::Cause::Condition;
     QVERIFY(hit);
 }
@@ -116,29 +117,29 @@ void TestTriggerBar::sTakesOneRecordAndStops()
 {
     normal();
     QTest::keyClick(&view(), Qt::Key_S);
-    QVERIFY(control().setup().mode == Mode::Single);
-    QVERIFY(control().state() == AcquisitionState::Armed);
-    const std::size_t before = control().history().records().size();
+    QVERIFY(control().trigger().setup().mode == Mode::Single);
+    QVERIFY(control().trigger().state() == AcquisitionState::Armed);
+    const std::size_t before = control().trigger().history().records().size();
     square(1000);
-    QCOMPARE(control().history().records().size(), before + 1);
+    QCOMPARE(control().trigger().history().records().size(), before + 1);
     QVERIFY(!view().running());
-    QVERIFY(control().state() == AcquisitionState::Stop);
+    QVERIFY(control().trigger().state() == AcquisitionState::Stop);
     QVERIFY(stateWord().contains(QStringLiteral("Stop")));
     QTest::keyClick(&view(), Qt::Key_S); // the next one
     QVERIFY(view().running());
     square(1000);
-    QCOMPARE(control().history().records().size(), before + 2);
+    QCOMPARE(control().trigger().history().records().size(), before + 2);
 }
 
 void TestTriggerBar::tForcesATrigger()
 {
     normal();
     flat(300);
-    QVERIFY(control().history().records().empty());
+    QVERIFY(control().trigger().history().records().empty());
     QTest::keyClick(&view(), Qt::Key_T);
     flat(100);
-    QCOMPARE(control().history().records().size(), std::size_t{1});
-    QVERIFY(control().history().records().back().cause == scope::Record::Cause::Forced);
+    QCOMPARE(control().trigger().history().records().size(), std::size_t{1});
+    QVERIFY(control().trigger().history().records().back().cause == scope::Record::Cause::Forced);
 }
 
 void TestTriggerBar::spaceStopsAndArms()
@@ -146,17 +147,17 @@ void TestTriggerBar::spaceStopsAndArms()
     normal();
     square(500);
     QTest::keyClick(&view(), Qt::Key_Space);
-    QVERIFY(control().state() == AcquisitionState::Stop);
-    const std::size_t before = control().history().records().size();
+    QVERIFY(control().trigger().state() == AcquisitionState::Stop);
+    const std::size_t before = control().trigger().history().records().size();
     QVERIFY(before > 0);
     square(500);
-    QCOMPARE(control().history().records().size(), before);
+    QCOMPARE(control().trigger().history().records().size(), before);
     view().setVisibleRange(0.0, 1.0); // looking around in the recording
-    QVERIFY(near(control().setup().length, 0.05));
+    QVERIFY(near(control().trigger().setup().length, 0.05));
     QTest::keyClick(&view(), Qt::Key_Space);
-    QVERIFY(control().state() == AcquisitionState::Armed);
+    QVERIFY(control().trigger().state() == AcquisitionState::Armed);
     square(500);
-    QVERIFY(control().history().records().size() > before);
+    QVERIFY(control().trigger().history().records().size() > before);
     QVERIFY(near(span(), 0.05));
 }
 
@@ -166,11 +167,11 @@ void TestTriggerBar::zoomingARunningPictureSetsTheRecordsLength()
     square(500);
     const double trigger = view().timeOrigin();
     QTest::keyClick(&view(), Qt::Key_Plus);
-    QVERIFY(control().setup().length < 0.04);
-    QVERIFY(near(span(), control().setup().length));
+    QVERIFY(control().trigger().setup().length < 0.04);
+    QVERIFY(near(span(), control().trigger().setup().length));
     QVERIFY(near((trigger - left()) / span(), 0.2)); // the trigger stays at its place
     square(500);
-    QVERIFY(near(span(), control().setup().length));
+    QVERIFY(near(span(), control().trigger().setup().length));
     QVERIFY(view().timeOrigin() > trigger);
 }
 
@@ -188,12 +189,13 @@ void TestTriggerBar::theLevelIsDragged()
         return QPoint(area.right() + 5, area.top() + qRound(share * area.height())) - shift;
     };
     m_rig->drag(plotPoint(0.0), plotPoint(8.0));
-    QVERIFY2(std::abs(control().setup().level - 8.0) < 10.0, "moved to where it was dragged");
-    QVERIFY(control().setup().level > 2.0);
-    QVERIFY(
-        std::abs(m_rig->find<widgets::ValueEdit>("triggerLevel")->value() - control().setup().level)
+    QVERIFY2(
+        std::abs(control().trigger().setup().level - 8.0) < 10.0, "moved to where it was dragged");
+    QVERIFY(control().trigger().setup().level > 2.0);
+    QVERIFY(std::abs(m_rig->find<widgets::ValueEdit>("triggerLevel")->value()
+                - control().trigger().setup().level)
         < 1e-9);
-    QCOMPARE(view().triggerMarks().levels.front(), control().setup().level);
+    QCOMPARE(view().triggerMarks().levels.front(), control().trigger().setup().level);
 }
 
 void TestTriggerBar::thePositionIsDragged()
@@ -207,7 +209,7 @@ void TestTriggerBar::thePositionIsDragged()
     const QPoint shift = m_rig->plot().mapTo(&view(), QPoint(0, 0));
     const QPoint flag = QPoint(qRound(view().xOf(trigger)), area.top() + 3) - shift;
     m_rig->drag(flag, flag + QPoint(area.width() * 3 / 10, 0));
-    QVERIFY(std::abs(control().setup().preTrigger - 0.5) < 0.02);
+    QVERIFY(std::abs(control().trigger().setup().preTrigger - 0.5) < 0.02);
     QVERIFY(std::abs((trigger - left()) / span() - 0.5) < 0.02);
     QCOMPARE(view().timeOrigin(), trigger);
 }
@@ -253,15 +255,15 @@ void TestTriggerBar::aLevelIsTypedStrictly()
         QTest::keyClick(level, Qt::Key_Return);
     };
     type("5 A");
-    QCOMPARE(control().setup().level, 5.0);
+    QCOMPARE(control().trigger().setup().level, 5.0);
     QCOMPARE(level->text(), QStringLiteral("5\u00a0A"));
     for (const char *nonsense : {"1.2.3", "1e3", "", "5 V", "nan", "1,000.5"}) {
         type(nonsense);
-        QCOMPARE(control().setup().level, 5.0);
+        QCOMPARE(control().trigger().setup().level, 5.0);
         QCOMPARE(level->text(), QStringLiteral("5\u00a0A"));
     }
     type("-2,5");
-    QCOMPARE(control().setup().level, -2.5);
+    QCOMPARE(control().trigger().setup().level, -2.5);
     auto *holdOff = m_rig->find<widgets::ValueEdit>("triggerHoldOff");
     for (const auto &[text, seconds] :
         {std::pair{"20 ms", 0.02}, {"500us", 5e-4}, {"1 min", 60.0}}) {
@@ -283,10 +285,10 @@ void TestTriggerBar::valuesThatMakeNoSenseAreSaid()
         setup.level = 5.0;
         setup.upper = 1.0;
     });
-    QVERIFY(control().error() == scope::ConditionError::LevelsSwapped);
+    QVERIFY(control().trigger().error() == scope::ConditionError::LevelsSwapped);
     QVERIFY(stateWord().contains(QStringLiteral("above")));
     setup([](TriggerSetup &setup) { setup.upper = 6.0; });
-    QVERIFY(!control().error());
+    QVERIFY(!control().trigger().error());
 }
 
 void TestTriggerBar::everyTypeIsSearchedFor()
@@ -310,7 +312,7 @@ void TestTriggerBar::everyTypeIsSearchedFor()
             setup([](TriggerSetup &setup) { setup.time = 0.0; });
         if (wanted == TriggerType::Window) // the trace is in it when it is down
             setup([](TriggerSetup &setup) { setup.level = -15.0; });
-        QVERIFY(!control().error());
+        QVERIFY(!control().trigger().error());
         const double before = double(m_rig->tick) / 1000.0;
         flat(30);
         square(970);
@@ -330,23 +332,23 @@ void TestTriggerBar::stateChangesAndWritesTrigger()
     status.at = TimePoint(std::chrono::milliseconds(2090));
     facts::feed(m_rig->device(), {status});
     flat(100);
-    QCOMPARE(control().history().records().size(), std::size_t{1});
+    QCOMPARE(control().trigger().history().records().size(), std::size_t{1});
     QVERIFY(near(view().timeOrigin(), 2.09));
     setup([](TriggerSetup &setup) { setup.type = TriggerType::Fault; });
     flat(300);
-    QCOMPARE(control().history().records().size(), std::size_t{1});
+    QCOMPARE(control().trigger().history().records().size(), std::size_t{1});
     status.faultsNow = {"OVER_VOLT"};
     status.at = TimePoint(std::chrono::milliseconds(m_rig->tick));
     facts::feed(m_rig->device(), {status});
     flat(100);
-    QCOMPARE(control().history().records().size(), std::size_t{2});
+    QCOMPARE(control().trigger().history().records().size(), std::size_t{2});
 }
 
 void TestTriggerBar::recordsAreSteppedPinnedAndNamed()
 {
     normal(0.02);
     square(1000);
-    const auto records = control().history().records();
+    const auto records = control().trigger().history().records();
     QVERIFY(records.size() >= 5);
     QTest::keyClick(&view(), Qt::Key_PageUp);
     QVERIFY(!view().running());
@@ -370,12 +372,12 @@ void TestTriggerBar::recordsAreSteppedPinnedAndNamed()
     QVERIFY(editor);
     QTest::keyClicks(editor, QStringLiteral("load on"));
     QTest::keyClick(editor, Qt::Key_Return);
-    QTRY_COMPARE(
-        QString::fromStdString(control().history().find(third)->label), QStringLiteral("load on"));
+    QTRY_COMPARE(QString::fromStdString(control().trigger().history().find(third)->label),
+        QStringLiteral("load on"));
     view().setRunning(true);
     square(20000); // far more records than are kept
-    QVERIFY(control().history().find(third));
-    QVERIFY(!control().history().find(records.front().id));
+    QVERIFY(control().trigger().history().find(third));
+    QVERIFY(!control().trigger().history().find(records.front().id));
 }
 
 void TestTriggerBar::recordsGoWithTheirSamples()
@@ -384,18 +386,18 @@ void TestTriggerBar::recordsGoWithTheirSamples()
     square(1000);
     view().keepReference(widgets::Reference::A);
     control().setPersistence(3);
-    control().setPinned(control().history().records().back().id, true);
+    control().trigger().setPinned(control().trigger().history().records().back().id, true);
     QVERIFY(view().timeOrigin() > 0.0);
     QVERIFY(view().ghostCount() > 0);
-    m_rig->window.selection()->clearRecorded();
-    QVERIFY(control().history().records().empty());
+    m_rig->workbench.signalPlan().clear();
+    QVERIFY(control().trigger().history().records().empty());
     QVERIFY(!control().shown());
     QCOMPARE(view().timeOrigin(), 0.0);
     QCOMPARE(view().ghostCount(), 0);
     QVERIFY(view().hasReference()); // a copy of its own
-    QVERIFY(control().state() == AcquisitionState::Armed);
+    QVERIFY(control().trigger().state() == AcquisitionState::Armed);
     square(1000);
-    const std::size_t again = control().history().records().size();
+    const std::size_t again = control().trigger().history().records().size();
     QVERIFY(again >= 8 && again <= 10); // none from before, none that nothing triggered
     QVERIFY(view().ghostCount() > 0);
 
@@ -406,7 +408,7 @@ void TestTriggerBar::recordsGoWithTheirSamples()
     file.append(block);
     m_rig->window.selection()->showFile(std::move(file));
     m_rig->draw();
-    QVERIFY(control().history().records().empty());
+    QVERIFY(control().trigger().history().records().empty());
     QCOMPARE(view().timeOrigin(), 0.0);
     QCOMPARE(view().ghostCount(), 0);
     QTest::keyClick(&view(), Qt::Key_PageUp); // nothing of the board over the file
@@ -417,22 +419,23 @@ void TestTriggerBar::recordsGoWithTheirSamples()
 void TestTriggerBar::recordsWhoseSamplesWereLetGoAreMarked()
 {
     capture::Capture &capture = m_rig->workbench.capture();
-    m_rig->window.selection()->clearRecorded();
+    m_rig->workbench.signalPlan().clear();
     capture = capture::Capture({.maxBytes = 1'000'000});
     m_rig->stream();
     capture.appendPolled(900, "ONCE", "V", 0.001, 1.0); // kept for ever
     square(200);
     normal(0.02);
     square(300);
-    const auto records = control().history().records();
+    const auto records = control().trigger().history().records();
     QVERIFY(records.size() >= 2);
-    control().setPinned(records.front().id, true);
+    control().trigger().setPinned(records.front().id, true);
     setup([](TriggerSetup &setup) { setup.level = 50.0; }); // nothing gets there
-    QSignalSpy told(&control(), &TriggerControl::historyChanged);
-    for (int i = 0; i < 30 && control().history().records().size() > 1; ++i)
+    QSignalSpy told(&control().trigger(), &widgets::Trigger::historyChanged);
+    for (int i = 0; i < 30 && control().trigger().history().records().size() > 1; ++i)
         flat(50000);
-    QCOMPARE(control().history().records().size(), std::size_t{1});
-    QVERIFY(control().history().records().front().state == scope::Record::State::Released);
+    QCOMPARE(control().trigger().history().records().size(), std::size_t{1});
+    QVERIFY(
+        control().trigger().history().records().front().state == scope::Record::State::Released);
     QVERIFY(!told.isEmpty());
 }
 
@@ -447,7 +450,7 @@ void TestTriggerBar::theRecordsAreAModel()
     QVERIFY(!table.setData(table.index(0, 1), 1, Qt::EditRole));
     QVERIFY(table.setData(table.index(0, 0), Qt::Checked, Qt::CheckStateRole));
     QCOMPARE(table.data(table.index(0, 0), Qt::CheckStateRole).toInt(), int(Qt::Checked));
-    QCOMPARE(table.rowOf(control().history().records().back().id), 0);
+    QCOMPARE(table.rowOf(control().trigger().history().records().back().id), 0);
     square(1000);
     table.refresh();
 }
@@ -471,9 +474,9 @@ void TestTriggerBar::aFileIsReplayedToTriggerOnIt()
     QTest::keyClick(&view(), Qt::Key_S);
     control().single();
     control().setMode(Mode::Auto);
-    control().force();
-    QVERIFY(control().setup().mode == Mode::Roll);
-    m_rig->window.selection()->clearRecorded();
+    control().trigger().force();
+    QVERIFY(control().trigger().setup().mode == Mode::Roll);
+    m_rig->workbench.signalPlan().clear();
     QVERIFY(mode->isEnabled());
     QVERIFY2(!stateWord().contains(QStringLiteral("replay it")), qPrintable(stateWord()));
 }
@@ -483,7 +486,7 @@ void TestTriggerBar::endGoesBackToRoll()
     normal();
     square(500);
     QTest::keyClick(&view(), Qt::Key_End);
-    QVERIFY(control().setup().mode == Mode::Roll);
+    QVERIFY(control().trigger().setup().mode == Mode::Roll);
     QCOMPARE(view().timeOrigin(), 0.0);
     QVERIFY(view().following());
     QVERIFY(!view().triggerMarks().position);
@@ -513,7 +516,7 @@ void TestTriggerBar::fittingStopsFirst()
     QTest::keyClick(&view(), Qt::Key_F);
     QVERIFY(!view().running());
     QCOMPARE(left(), 0.0);
-    QVERIFY(near(control().setup().length, 0.05));
+    QVERIFY(near(control().trigger().setup().length, 0.05));
 }
 
 void TestTriggerBar::anAgeNeverGoesBack()
@@ -581,7 +584,7 @@ void TestTriggerBar::aReferenceStaysBehind()
     const QImage without = m_rig->plot().grab().toImage();
     QVERIFY(with != without);
     QVERIFY(before != without);
-    m_rig->window.selection()->clearRecorded();
+    m_rig->workbench.signalPlan().clear();
     QTest::keyClick(&view(), Qt::Key_R); // nothing is shown: nothing to keep
     m_rig->draw();
 }

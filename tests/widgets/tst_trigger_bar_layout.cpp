@@ -97,19 +97,19 @@ void TestTriggerBarLayout::aChangingStateMovesNothing()
         QCoreApplication::processEvents();
         return QList<int>{more->mapTo(&m_rig->window, QPoint()).x(), view().plotRect(0).height()};
     };
-    QVERIFY(control().state() == AcquisitionState::Armed);
-    control().force();
+    QVERIFY(control().trigger().state() == AcquisitionState::Armed);
+    control().trigger().force();
     square(100);
-    QVERIFY(control().state() == AcquisitionState::Triggered);
+    QVERIFY(control().trigger().state() == AcquisitionState::Triggered);
     const QList<int> triggered = places();
     view().setRunning(false);
-    QVERIFY(control().state() == AcquisitionState::Stop);
+    QVERIFY(control().trigger().state() == AcquisitionState::Stop);
     QCOMPARE(places(), triggered);
     setup([](TriggerSetup &setup) { setup.length = 0.02; });
     view().setRunning(true);
     square(500);
     flat(100);
-    QVERIFY(control().state() == AcquisitionState::Armed);
+    QVERIFY(control().trigger().state() == AcquisitionState::Armed);
     QCOMPARE(places(), triggered);
 }
 

@@ -277,7 +277,7 @@ void TestXyPanel::aGapBreaksTheLine()
 void TestXyPanel::itFollowsTheRecordThatIsShown()
 {
     auto *trigger = m_rig->window.findChild<widgets::TriggerControl *>();
-    widgets::TriggerSetup setup = trigger->setup();
+    widgets::TriggerSetup setup = trigger->trigger().setup();
     setup.mode = scope::Mode::Normal;
     setup.level = 0.0;
     setup.hysteresis = 1.0;

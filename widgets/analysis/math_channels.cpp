@@ -1,7 +1,6 @@
 #include "widgets/analysis/math_channels.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/scope/scope_view.h"
 
 #include <algorithm>
 #include <set>
@@ -16,25 +15,21 @@ constexpr std::uint64_t kKept = 65'536;
 struct MathChannels::Computed {
     Entry entry;
     catalog::RegisterId registerId = 0; ///< its colour and its trigger go by it
-    int plot = -1; ///< where it was last; -1: nowhere yet
     std::vector<capture::ChannelId> inputs; ///< that `math` was made for
     std::optional<scope::MathChannel> math;
     capture::Index copied = 0; ///< of math's channel
 };
 
-MathChannels::MathChannels(capture::Capture &capture, ScopeView &scope, QObject *parent)
+MathChannels::MathChannels(capture::Capture &capture, QObject *parent)
     : QObject(parent)
     , m_capture(capture)
-    , m_scope(scope)
 {
     m_rest.setSingleShot(true);
     m_rest.setInterval(0);
     connect(&m_rest, &QTimer::timeout, this, [this] {
         advance();
-        m_scope.redraw();
+        Q_EMIT advanced();
     });
-    connect(&scope, &ScopeView::captureAdvanced, this, &MathChannels::advance);
-    connect(&scope, &ScopeView::removeRequested, this, &MathChannels::takenOff);
 }
 
 MathChannels::~MathChannels() = default;
@@ -159,7 +154,7 @@ bool MathChannels::set(const QString &name, const QString &text)
     }
     advance();
     Q_EMIT changed();
-    m_scope.redraw();
+    Q_EMIT advanced();
     return true;
 }
 
@@ -181,50 +176,7 @@ void MathChannels::setShown(const QString &name, bool shown)
     if (!computed || computed->entry.formula.shown == shown)
         return;
     computed->entry.formula.shown = shown;
-    if (shown)
-        show(*computed);
-    else
-        m_scope.removeChannel(computed->entry.channel);
     Q_EMIT changed();
-}
-
-/// Off the picture is not out of the world: it may be another's input.
-void MathChannels::takenOff(quint32 channel)
-{
-    for (const auto &computed : m_computed) {
-        if (computed->entry.channel == channel && channel != 0) {
-            computed->entry.formula.shown = false;
-            Q_EMIT changed();
-        }
-    }
-}
-
-QColor MathChannels::colorOf(const QString &name) const
-{
-    const Computed *computed = find(name);
-    const bool drawn = computed && m_scope.plotOf(computed->entry.channel) >= 0;
-    return drawn ? m_scope.colorOf(computed->entry.channel) : QColor();
-}
-
-/// Beside the traces of its unit, or in a plot of its own.
-int MathChannels::plotFor(const QString &unit) const
-{
-    for (const capture::ChannelId id : m_scope.channels()) {
-        const auto info = m_capture.info(id);
-        if (info && deviceText(info->unit) == unit)
-            return m_scope.plotOf(id);
-    }
-    return m_scope.channels().isEmpty() ? 0 : m_scope.plotCount();
-}
-
-void MathChannels::show(Computed &computed)
-{
-    if (computed.entry.channel == 0 || !computed.entry.formula.shown)
-        return;
-    const bool known = computed.plot >= 0 && computed.plot < m_scope.plotCount();
-    m_scope.addChannel(
-        computed.entry.channel, known ? computed.plot : plotFor(computed.entry.unit));
-    computed.plot = m_scope.plotOf(computed.entry.channel);
 }
 
 void MathChannels::dropChannel(Computed &computed)
@@ -235,7 +187,7 @@ void MathChannels::dropChannel(Computed &computed)
     computed.entry.unit.clear();
     if (channel == 0)
         return;
-    m_scope.removeChannel(channel);
+    Q_EMIT goes(channel);
     m_capture.removeImported(channel);
 }
 
@@ -243,18 +195,12 @@ void MathChannels::dropChannel(Computed &computed)
 void MathChannels::makeChannel(Computed &computed, const std::string &unit)
 {
     const capture::ChannelId before = computed.entry.channel;
-    if (const int plot = m_scope.plotOf(before); plot >= 0)
-        computed.plot = deviceText(unit) == computed.entry.unit ? plot : -1;
     computed.entry.unit = deviceText(unit);
     computed.entry.channel =
         m_capture.addImported(computed.entry.formula.name.toStdString(), unit, computed.registerId);
-    show(computed); // before the other goes, and perhaps its plot with it
-    if (before != 0) {
-        m_scope.removeChannel(before);
+    Q_EMIT made(computed.entry.formula.name, before);
+    if (before != 0)
         m_capture.removeImported(before);
-    }
-    if (m_scope.plotOf(computed.entry.channel) >= 0)
-        computed.plot = m_scope.plotOf(computed.entry.channel);
     Q_EMIT changed();
 }
 
@@ -298,12 +244,7 @@ bool MathChannels::prepare(std::size_t index)
         computed.entry.channel = 0; // the recording was cleared
         computed.math.reset();
     }
-    if (computed.math && inputsAreThere(computed)) {
-        if (const int plot = m_scope.plotOf(computed.entry.channel); plot >= 0)
-            computed.plot = plot;
-        return true;
-    }
-    if (compile(index))
+    if ((computed.math && inputsAreThere(computed)) || compile(index))
         return true;
     if (computed.entry.channel != 0) {
         dropChannel(computed);

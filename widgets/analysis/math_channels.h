@@ -1,4 +1,4 @@
-// The math channels of the scope: each computes a formula over recorded signals as they grow, into a channel of the
+// The math channels: each computes a formula over recorded signals as they grow, into a channel of the
 // capture, so that it is drawn, measured, triggered on and exported like any other. A channel whose signals are not
 // there waits for them; one whose signals were recorded anew begins anew.
 //
@@ -15,8 +15,6 @@
 #include <functional>
 
 namespace widgets {
-
-class ScopeView;
 
 class MathChannels : public QObject {
     Q_OBJECT
@@ -39,8 +37,8 @@ public:
         bool fine() const { return !fault && !noSignal; }
     };
 
-    /// Both outlive it.
-    MathChannels(capture::Capture &capture, ScopeView &scope, QObject *parent = nullptr);
+    /// @param capture  outlives it
+    explicit MathChannels(capture::Capture &capture, QObject *parent = nullptr);
     ~MathChannels() override;
 
     /// Who knows which registers are still asked for one by one. Others do not hold a channel back.
@@ -62,13 +60,16 @@ public:
     bool set(const QString &name, const QString &text);
     void remove(const QString &name);
     void setShown(const QString &name, bool shown);
-    QColor colorOf(const QString &name) const; ///< not valid: it is not drawn
 
 public Q_SLOTS:
     void advance(); ///< computes what has become known, so much that nobody waits for it
 
 Q_SIGNALS:
     void changed(); ///< entries()
+    /// The entry of this name has a channel now, in the place of the one that it had and that is still there (0: none).
+    void made(const QString &name, quint32 before);
+    void goes(quint32 channel); ///< it is still there
+    void advanced(); ///< without being asked: the rest of what was too much for once
 
 private:
     struct Computed;
@@ -82,15 +83,11 @@ private:
     bool inputsAreThere(const Computed &computed) const;
     void makeChannel(Computed &computed, const std::string &unit);
     void dropChannel(Computed &computed);
-    void show(Computed &computed);
     bool step(std::size_t index);
     void copyTo(Computed &computed);
-    int plotFor(const QString &unit) const;
     std::optional<scope::Nanos> until(std::span<const capture::Channel *const> inputs) const;
-    void takenOff(quint32 channel);
 
     capture::Capture &m_capture;
-    ScopeView &m_scope;
     std::function<std::vector<catalog::RegisterId>()> m_polled;
     List m_computed;
     catalog::RegisterId m_nextRegister = capture::kFirstOwnRegister;

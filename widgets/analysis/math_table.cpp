@@ -1,5 +1,6 @@
 #include "widgets/analysis/math_table.h"
 
+#include "widgets/analysis/math_traces.h"
 #include "widgets/scope/axis_ticks.h"
 #include "widgets/scope/reading_text.h"
 #include "widgets/scope/scope_view.h"
@@ -88,7 +89,7 @@ QVariant MathTable::data(const QModelIndex &index, int role) const
         return static_cast<int>(its.formula.shown ? Qt::Checked : Qt::Unchecked);
     if (role == Qt::DecorationRole && index.column() == NameColumn) {
         QPixmap swatch(kSwatch, kSwatch);
-        const QColor color = m_channels.colorOf(its.formula.name);
+        const QColor color = MathTraces::colorOf(m_scope, its.channel);
         swatch.fill(color.isValid() ? color : Qt::transparent);
         return swatch;
     }

@@ -7,6 +7,8 @@
 
 namespace widgets {
 
+class ScopeView;
+
 class MathTable : public QAbstractTableModel {
     Q_OBJECT
 public:

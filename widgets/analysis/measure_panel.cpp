@@ -67,7 +67,7 @@ MeasurePanel::MeasurePanel(
     layout->addWidget(m_list, 1);
 
     connect(&scope, &ScopeView::channelsChanged, this, &MeasurePanel::fillTraces);
-    connect(&trigger, &TriggerControl::recordCompleted, this, &MeasurePanel::recordCompleted);
+    connect(&trigger.trigger(), &Trigger::recordCompleted, this, &MeasurePanel::recordCompleted);
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
         &MeasurePanel::drawChosen);
     fillTraces();

@@ -41,7 +41,6 @@ EventRecorder::EventRecorder(Device &device, const capture::Capture &capture, Ev
     connect(&device, &Device::wishEnded, this, &EventRecorder::ended);
     connect(&device, &Device::statusChanged, this, &EventRecorder::status);
     connect(&device, &Device::linkStateChanged, this, &EventRecorder::link);
-    connect(&device, &Device::samplesArrived, this, &EventRecorder::lost);
     connect(&device, &Device::streamStarted, this,
         [this](const capture::StreamLayout &layout) { m_tickHz = layout.tickHz; });
     connect(&device, &Device::stopWished, this,
@@ -234,7 +233,7 @@ void EventRecorder::link()
     }
 }
 
-void EventRecorder::lost(const capture::SampleBlock &block)
+void EventRecorder::stored(const capture::SampleBlock &block)
 {
     if (block.lostTicks <= 0 || !(m_tickHz > 0))
         return;

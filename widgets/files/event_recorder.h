@@ -24,11 +24,12 @@ private:
 class EventRecorder : public QObject {
     Q_OBJECT
 public:
-    /// All outlive it. Connected after whatever appends samples to `capture`.
+    /// All outlive it.
     EventRecorder(Device &device, const capture::Capture &capture, EventLog &log,
         std::function<Milliseconds()> now, QObject *parent = nullptr);
 
     double now() const; ///< seconds on the session's axis
+    void stored(const capture::SampleBlock &block); ///< it is in the capture
 
     /// What was asked for, in words; empty for what is no command. @param several  motors, which are told apart
     static QString wishText(const drive::Wish &wish, bool several);
@@ -50,7 +51,6 @@ private:
     void wrote(const drive::WriteResult &write, double seconds);
     void status(int motor);
     void link();
-    void lost(const capture::SampleBlock &block);
     QString named(int motor, const QString &text) const;
     bool severalMotors() const;
 

@@ -145,7 +145,7 @@ void RecordPanel::refresh(Milliseconds)
 void RecordPanel::followShown()
 {
     const scope::Record *shown = m_control.shown();
-    if (!isVisible() || !shown || m_control.state() != scope::AcquisitionState::Stop)
+    if (!isVisible() || !shown || m_control.trigger().state() != scope::AcquisitionState::Stop)
         return;
     refresh({});
     const int row = m_table->rowOf(shown->id);

@@ -37,7 +37,7 @@ RecordTable::RecordTable(TriggerControl &control, QObject *parent)
 
 void RecordTable::refresh()
 {
-    const auto &now = m_control.history().records();
+    const auto &now = m_control.trigger().history().records();
     std::vector<scope::Record> fresh(now.rbegin(), now.rend());
     const bool same = std::equal(fresh.begin(), fresh.end(), m_records.begin(), m_records.end(),
         [](const scope::Record &one, const scope::Record &other) { return one.id == other.id; });
@@ -88,7 +88,7 @@ QVariant RecordTable::data(const QModelIndex &index, int role) const
     case TimeColumn:
         return timeLabel(trigger, kTimeStep, 1.0, QLocale::c());
     case AgeColumn:
-        return ageText(m_control.now() - trigger);
+        return ageText(m_control.trigger().now() - trigger);
     case CauseColumn:
         return causeText(record);
     default:
@@ -102,9 +102,9 @@ bool RecordTable::setData(const QModelIndex &index, const QVariant &value, int r
         return false;
     const scope::RecordId id = m_records[std::size_t(index.row())].id;
     if (role == Qt::CheckStateRole && index.column() == TimeColumn)
-        m_control.setPinned(id, value.toInt() == Qt::Checked);
+        m_control.trigger().setPinned(id, value.toInt() == Qt::Checked);
     else if (role == Qt::EditRole && index.column() == LabelColumn)
-        m_control.setLabel(id, value.toString().simplified());
+        m_control.trigger().setLabel(id, value.toString().simplified());
     else
         return false;
     refresh();

@@ -169,7 +169,7 @@ ChannelStrip::ChannelStrip(SignalSelection &selection, Device &device, QWidget *
     layout->addLayout(bottom);
 
     connect(m_rate, &QComboBox::activated, this,
-        [this](int index) { m_selection.setFastEvery(m_rate->itemData(index).toUInt()); });
+        [this](int index) { m_selection.plan().setFastEvery(m_rate->itemData(index).toUInt()); });
     connect(&selection, &SignalSelection::changed, this, &ChannelStrip::rebuild);
     connect(&device, &Device::identityChanged, this, &ChannelStrip::fillRates);
     connect(&device, &Device::identityChanged, this, [this] { m_rates.forget(); });
@@ -216,7 +216,7 @@ void ChannelStrip::fillRates()
     }
     m_rate->setEnabled(tickHz > 0.0);
     showFold();
-    m_rate->setCurrentIndex(m_rate->findData(m_selection.fastEvery()));
+    m_rate->setCurrentIndex(m_rate->findData(m_selection.plan().fastEvery()));
 }
 
 QWidget *ChannelStrip::makeChip(const PlannedSignal &planned)
@@ -248,7 +248,7 @@ QWidget *ChannelStrip::makeChip(const PlannedSignal &planned)
         action->setChecked(route == planned.route);
         action->setEnabled(route == Route::Polled || planned.detour != Detour::NotStreamable);
         connect(action, &QAction::triggered, this,
-            [this, id, chosen = route] { m_selection.setRoute(id, chosen); });
+            [this, id, chosen = route] { m_selection.plan().setRoute(id, chosen); });
     }
     menu->addSeparator();
     QMenu *colors = menu->addMenu(tr("&Colour"));
@@ -269,7 +269,7 @@ QWidget *ChannelStrip::makeChip(const PlannedSignal &planned)
 /// The rate on the tag; what it means, and how well the times are known, in its tool tip.
 void ChannelStrip::showRates()
 {
-    for (const PlannedSignal &planned : m_selection.plan().signalList) {
+    for (const PlannedSignal &planned : m_selection.plan().planned().signalList) {
         const auto tag = m_polledTags.find(planned.id);
         if (tag == m_polledTags.end())
             continue;
@@ -354,7 +354,7 @@ void ChannelStrip::fold()
 void ChannelStrip::showFold()
 {
     // A file costs nothing of a link and takes no further signal; math channels it can have.
-    const bool file = m_selection.showsFile();
+    const bool file = m_selection.plan().showsFile();
     const int count = m_flow->count();
     setVisible(!file || count != 0);
     m_empty->setVisible(count == 0 && !file);
@@ -385,9 +385,9 @@ void ChannelStrip::rebuild()
         }
         delete item;
     }
-    const bool file = m_selection.showsFile();
+    const bool file = m_selection.plan().showsFile();
     for (const PlannedSignal &planned :
-        file ? std::vector<PlannedSignal>() : m_selection.plan().signalList) {
+        file ? std::vector<PlannedSignal>() : m_selection.plan().planned().signalList) {
         QWidget *chip = makeChip(planned);
         m_flow->addWidget(chip);
         chip->show();
@@ -418,10 +418,10 @@ QString ChannelStrip::pollingText(int polled) const
 
 void ChannelStrip::updateBudget()
 {
-    const ChannelPlan &plan = m_selection.plan();
+    const ChannelPlan &plan = m_selection.plan().planned();
     const double link = m_device.streamLimits().linkBytesPerSecond;
     m_rate->setCurrentIndex(m_rate->findData(
-        plan.stream.fast.empty() ? m_selection.fastEvery() : plan.stream.fastEvery));
+        plan.stream.fast.empty() ? m_selection.plan().fastEvery() : plan.stream.fastEvery));
     if (plan.signalList.empty() || link <= 0.0) {
         m_budget->clear();
         m_budget->setToolTip({});
@@ -474,7 +474,7 @@ void ChannelStrip::measure(Milliseconds now)
     if (since < kMeasureOver)
         return;
     const bool counted = m_measuredAt.count() > 0 && bytes >= m_bytesBefore;
-    const bool streams = m_selection.plan().bytesPerSecond > 0.0 && m_device.answering();
+    const bool streams = m_selection.plan().planned().bytesPerSecond > 0.0 && m_device.answering();
     m_measured.reset();
     if (counted && streams)
         m_measured = static_cast<double>(bytes - m_bytesBefore) / toSeconds(since);

@@ -56,10 +56,11 @@ ScopeTools::ScopeTools(ScopeView &scope, TriggerControl &trigger, QWidget &windo
 void ScopeTools::makeTrigger(TriggerControl &trigger)
 {
     QAction *single = make(tr("&Single record"), Qt::Key_S, {}, [&trigger] { trigger.single(); });
-    QAction *force = make(tr("Force a &trigger"), Qt::Key_T, {}, [&trigger] { trigger.force(); });
+    QAction *force =
+        make(tr("Force a &trigger"), Qt::Key_T, {}, [&trigger] { trigger.trigger().force(); });
     connect(&trigger, &TriggerControl::changed, this, [&trigger, single, force] {
-        single->setEnabled(trigger.awaitsSamples());
-        force->setEnabled(trigger.awaitsSamples());
+        single->setEnabled(trigger.trigger().awaitsSamples());
+        force->setEnabled(trigger.trigger().awaitsSamples());
     });
     m_groups.append(QList<QAction *>{single, force});
     QAction *before =

@@ -27,13 +27,14 @@ constexpr double kMostSpan = 1e7;
 constexpr double kFarthest = 4e9;
 } // namespace
 
-ScopeView::ScopeView(capture::Capture &capture, QWidget *parent)
+ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *parent)
     : QWidget(parent)
     , m_capture(capture)
     , m_plot(new QCustomPlot(this))
     , m_hint(new QLabel(this))
     , m_dropMark(new QRubberBand(QRubberBand::Rectangle, this))
     , m_stale(new StaleMark(*this, this))
+    , m_events(events)
     , m_lane(new EventLane(*this, m_events, this))
     , m_overview(new ScopeOverview(*this, capture, this))
     , m_stack(std::make_unique<PlotStack>(*m_plot, capture))
@@ -227,7 +228,6 @@ void ScopeView::captureChanged()
 {
     if (m_capture.revision() != m_drawnRevision && m_stack->adoptChannels())
         updateDescription();
-    Q_EMIT captureAdvanced();
     if (m_running && m_capture.revision() != m_drawnRevision)
         redraw();
 }

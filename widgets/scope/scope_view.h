@@ -34,8 +34,8 @@ class StaleMark;
 class ScopeView : public QWidget {
     Q_OBJECT
 public:
-    /// @param capture  outlives the view; only touched in the GUI thread
-    explicit ScopeView(capture::Capture &capture, QWidget *parent = nullptr);
+    /// Both outlive the view and are only touched in the GUI thread. @param events  in the lane above the traces
+    ScopeView(capture::Capture &capture, EventLog &events, QWidget *parent = nullptr);
     ~ScopeView() override;
 
     /// Shows a channel of the capture; `plot` is clipped to [0, plotCount()], plotCount() makes a new one.
@@ -93,7 +93,7 @@ public:
     bool hasReference() const { return hasReference(Reference::A) || hasReference(Reference::B); }
     Cursors &cursors() { return m_cursors; }
     const Cursors &cursors() const { return m_cursors; }
-    EventLog &events() { return m_events; } ///< what the lane above the traces shows
+    EventLog &events() { return m_events; }
 
     /// For the status bar and for tests: redraws since the view was made.
     quint64 redraws() const { return m_redraws; }
@@ -144,7 +144,6 @@ Q_SIGNALS:
     void followingChanged(bool following);
     void visibleRangeChanged(double from, double to);
     void drawn(); ///< after each redraw
-    void captureAdvanced(); ///< there may be new samples; before they are drawn
     void channelMoved(quint32 channel); ///< to another plot
     void referencesChanged(); ///< hasReference()
     void colorsChanged(); ///< by a person
@@ -196,7 +195,7 @@ private:
     QRubberBand *m_dropMark;
     StaleMark *m_stale;
     Cursors m_cursors;
-    EventLog m_events;
+    EventLog &m_events;
     EventLane *m_lane;
     ScopeOverview *m_overview;
     std::unique_ptr<PlotStack> m_stack;

@@ -133,14 +133,14 @@ void TriggerBar::makeBar()
         });
     });
     connect(m_source, &QComboBox::activated, this,
-        [this](int index) { m_control.setSource(m_source->itemData(index).toUInt()); });
+        [this](int index) { m_control.trigger().setSource(m_source->itemData(index).toUInt()); });
     connect(m_way, &QComboBox::activated, this, [this](int index) {
         change([index](TriggerSetup &setup) { setup.way = static_cast<TriggerWay>(index); });
     });
     connect(m_level, &ValueEdit::committed, this,
         [this](double value) { change([value](TriggerSetup &setup) { setup.level = value; }); });
     connect(m_single, &QToolButton::clicked, &m_control, &TriggerControl::single);
-    connect(m_force, &QToolButton::clicked, &m_control, &TriggerControl::force);
+    connect(m_force, &QToolButton::clicked, &m_control.trigger(), &Trigger::force);
     connect(m_more, &QToolButton::clicked, this, &TriggerBar::openDetails);
 }
 
@@ -209,13 +209,13 @@ QWidget *TriggerBar::makeDetails()
     connect(m_preTrigger, &ValueEdit::committed, this, [this](double value) {
         change([value](TriggerSetup &setup) { setup.preTrigger = value / 100.0; });
     });
-    connect(m_middle, &QPushButton::clicked, &m_control, &TriggerControl::levelToMiddle);
+    connect(m_middle, &QPushButton::clicked, &m_control.trigger(), &Trigger::levelToMiddle);
     return details;
 }
 
 void TriggerBar::change(const std::function<void(TriggerSetup &)> &edit)
 {
-    TriggerSetup setup = m_control.setup();
+    TriggerSetup setup = m_control.trigger().setup();
     edit(setup);
     m_control.setSetup(setup);
 }
@@ -234,7 +234,7 @@ void TriggerBar::fillSources()
     QString made;
     for (const capture::ChannelId id : m_scope.channels())
         made += QString::number(id) + QLatin1Char(' ');
-    const auto source = m_control.source();
+    const auto source = m_control.trigger().source();
     if (made != m_sourcesShown) {
         m_sourcesShown = made;
         m_source->clear();
@@ -246,7 +246,7 @@ void TriggerBar::fillSources()
 
 void TriggerBar::fillWays()
 {
-    const QList<WayText> ways = wayTexts(m_control.setup().type);
+    const QList<WayText> ways = wayTexts(m_control.trigger().setup().type);
     const auto same = [this](const WayText &way, int index) {
         return m_way->itemText(index) == way.sign
             && m_way->itemData(index, Qt::ToolTipRole).toString() == way.word;
@@ -262,7 +262,7 @@ void TriggerBar::fillWays()
             m_way->setItemData(i, ways[i].word, Qt::AccessibleTextRole);
         }
     }
-    const int chosen = static_cast<int>(m_control.setup().way);
+    const int chosen = static_cast<int>(m_control.trigger().setup().way);
     m_way->setCurrentIndex(chosen);
     const QString word = chosen < ways.size() ? ways[chosen].word : QString();
     m_way->setToolTip(word);
@@ -271,14 +271,14 @@ void TriggerBar::fillWays()
 
 void TriggerBar::follow()
 {
-    const TriggerSetup &setup = m_control.setup();
+    const TriggerSetup &setup = m_control.trigger().setup();
     const TriggerFields fields = fieldsOf(setup.type);
     const bool on = setup.mode != scope::Mode::Roll;
     m_mode->setCurrentIndex(m_mode->findData(static_cast<int>(setup.mode)));
     m_type->setCurrentIndex(m_type->findData(static_cast<int>(setup.type)));
     fillSources();
     fillWays();
-    const auto source = m_control.source();
+    const auto source = m_control.trigger().source();
     const QString unit = source ? QString::fromStdString(source->unit) : QString();
     const double step = source && source->kind != capture::ChannelInfo::Kind::Polled
         ? std::abs(source->factor)
@@ -290,7 +290,7 @@ void TriggerBar::follow()
         tr("%1; also the arrow at the right edge of the plot").arg(levelName(setup.type)));
 
     const auto shown = [](QWidget *widget, bool visible) { widget->setVisible(visible); };
-    const bool awaits = m_control.awaitsSamples();
+    const bool awaits = m_control.trigger().awaitsSamples();
     m_mode->setEnabled(awaits || on); // back to Roll
     m_single->setEnabled(awaits);
     m_force->setEnabled(awaits);
@@ -309,7 +309,7 @@ void TriggerBar::follow()
 
 void TriggerBar::followDetails(const QString &unit, double step)
 {
-    const TriggerSetup &setup = m_control.setup();
+    const TriggerSetup &setup = m_control.trigger().setup();
     const TriggerFields fields = fieldsOf(setup.type);
     for (ValueEdit *edit : {m_upper, m_hysteresis})
         edit->setPlain(unit, step);
@@ -337,8 +337,9 @@ void TriggerBar::followDetails(const QString &unit, double step)
     row(m_time, fields.time);
     row(m_count, fields.count);
     m_middle->setVisible(fields.source);
-    m_problem->setText(m_control.error() ? conditionErrorText(*m_control.error()) : QString());
-    m_problem->setVisible(m_control.error().has_value());
+    m_problem->setText(
+        m_control.trigger().error() ? conditionErrorText(*m_control.trigger().error()) : QString());
+    m_problem->setVisible(m_control.trigger().error().has_value());
     m_details->adjustSize();
 }
 
@@ -356,14 +357,14 @@ int TriggerBar::widestState() const
 
 void TriggerBar::showState()
 {
-    const scope::AcquisitionState state = m_control.state();
-    const bool roll = m_control.setup().mode == scope::Mode::Roll;
-    const bool awaits = m_control.awaitsSamples();
+    const scope::AcquisitionState state = m_control.trigger().state();
+    const bool roll = m_control.trigger().setup().mode == scope::Mode::Roll;
+    const bool awaits = m_control.trigger().awaitsSamples();
     QString text = awaits ? stateSign(state) + stateText(state) : tr("File: replay it to trigger");
-    if (awaits && m_control.error() && !roll)
-        text = QStringLiteral("\u26a0 ") + conditionErrorText(*m_control.error());
+    if (awaits && m_control.trigger().error() && !roll)
+        text = QStringLiteral("\u26a0 ") + conditionErrorText(*m_control.trigger().error());
     if (const scope::Record *record = m_control.shown(); record && !roll) {
-        const double age = m_control.now() - capture::toSeconds(record->trigger);
+        const double age = m_control.trigger().now() - capture::toSeconds(record->trigger);
         text += kBeforeAge + ageText(age);
     }
     m_state->setMinimumWidth(roll || !awaits ? 0 : widestState());

@@ -30,6 +30,7 @@
 #include "widgets/scope/trigger_bar.h"
 #include "widgets/scope/trigger_control.h"
 #include "widgets/snapshots/snapshot_panel.h"
+#include "widgets/window/application.h"
 #include "widgets/window/banner.h"
 #include "widgets/window/connect_bar.h"
 #include "widgets/window/first_steps.h"
@@ -97,14 +98,11 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     , m_device(workbench.device())
     , m_files(files)
     , m_settings(settings)
-    , m_scope(new ScopeView(workbench.capture(), this))
-    , m_selection(new SignalSelection(m_device, workbench.capture(), *m_scope, this))
-    , m_math(new MathChannels(workbench.capture(), *m_scope, this))
-    , m_recorder(new EventRecorder(
-          m_device, workbench.capture(), m_scope->events(),
-          [&workbench] { return workbench.now(); }, this))
-    , m_trigger(new TriggerControl(
-          *m_scope, workbench.capture(), [this] { return m_recorder->now(); }, this))
+    , m_scope(new ScopeView(workbench.capture(), workbench.events(), this))
+    , m_selection(new SignalSelection(
+          m_device, workbench.capture(), workbench.signalPlan(), *m_scope, this))
+    , m_math(workbench.math())
+    , m_trigger(new TriggerControl(workbench.trigger(), *m_scope, workbench.capture(), this))
     , m_connectBar(new ConnectBar(m_device, ports, this))
     , m_alarm(new StopAlarm(this))
     , m_shutdown(new Shutdown(
@@ -167,7 +165,7 @@ Settings MainWindow::settings() const
         now.ramps = m_ramps->presets();
     now.samplesOnDiskGB = m_room->wanted();
     now.recordFolder = m_record->folder();
-    now.formulas = m_math->formulas();
+    now.formulas = m_math.formulas();
     now.traceColors = m_scope->chosenColors();
     return now;
 }
@@ -180,6 +178,9 @@ QWidget *MainWindow::makeTop()
     auto *stop = new StopButton(strip);
     stop->setObjectName(QStringLiteral("stopMotors"));
     connect(stop, &StopButton::stopPressed, &m_device, &Device::stop);
+    auto *application = qobject_cast<Application *>(QCoreApplication::instance());
+    Q_ASSERT(application); // without it Esc would not stop
+    connect(application, &Application::stopPressed, this, [this] { m_device.stop(); });
 
     auto *stripLayout = new QHBoxLayout(strip);
     stripLayout->setContentsMargins(8, 5, 8, 5);
@@ -237,7 +238,6 @@ void MainWindow::makeScopeActions()
     connect(m_scope, &ScopeView::runningChanged, this, &MainWindow::showRunning);
     connect(
         m_selection, &SignalSelection::changed, this, [this] { showRunning(m_scope->running()); });
-    connect(m_selection, &SignalSelection::forgot, m_trigger, &TriggerControl::forget);
     showRunning(m_scope->running());
     connect(m_scope, &ScopeView::followingChanged, m_follow, &QAction::setChecked);
     m_scopeTools = new ScopeTools(*m_scope, *m_trigger, *this);
@@ -249,8 +249,8 @@ QString MainWindow::sourceText() const
     if (m_device.answering())
         return replaying(m_device) ? tr("Replay", "the scope shows it")
                                    : tr("Live", "the scope's picture moves");
-    return m_selection->showsFile() ? tr("File", "the scope shows it")
-                                    : tr("Run", "the scope's picture moves");
+    return m_workbench.signalPlan().showsFile() ? tr("File", "the scope shows it")
+                                                : tr("Run", "the scope's picture moves");
 }
 
 void MainWindow::showRunning(bool running)
@@ -401,7 +401,8 @@ void MainWindow::connectParts()
     m_scales = new CurrentScales(m_device, m_settings.currentScales, this);
     connect(m_scales, &CurrentScales::told, this, note);
     connect(m_control, &ControlPanel::currentScaleWanted, this, &MainWindow::askForCurrentScale);
-    connect(m_selection, &SignalSelection::failed, this, note);
+    connect(&m_workbench.signalPlan(), &SignalPlan::failed, this, note);
+    connect(&m_workbench.signalPlan(), &SignalPlan::noticed, this, note);
     connect(m_selection, &SignalSelection::noticed, this, note);
     connect(m_registerPanel, &RegisterPanel::registersChosen, m_selection,
         [this](const QList<quint32> &ids) {
@@ -415,19 +416,17 @@ void MainWindow::connectParts()
         m_firstSteps, &FirstSteps::finished, this, [this] { m_settings.firstStepsDone = true; });
 
     WatchList &watch = m_workbench.watchList();
-    watch.addDrawnSource([this] { return m_selection->plan().polled; });
     watch.addSource([this] { return m_control->watchedRegisters(); });
     watch.addSource([this] { return m_bigNumbers->watchedRegisters(); });
     watch.addSource([this] { return m_registerPanel->visibleRegisters(); });
     connect(m_bigNumbers, &BigNumbers::watchedRegistersChanged, &watch, &WatchList::changed);
-    connect(m_selection, &SignalSelection::changed, &watch, &WatchList::changed);
     connect(m_control, &ControlPanel::watchedRegistersChanged, &watch, &WatchList::changed);
     connect(m_registerPanel, &RegisterPanel::visibleRegistersChanged, &watch, &WatchList::changed);
 
     connect(&m_workbench, &Workbench::heartbeat, m_control, &ControlPanel::refresh);
     connect(&m_workbench, &Workbench::heartbeat, m_status, &StatusStrip::refresh);
     connect(m_room, &SampleRoom::refreshed, m_status, &StatusStrip::showHeld);
-    connect(&m_device, &Device::batchApplied, m_scope, &ScopeView::captureChanged);
+    connect(&m_workbench, &Workbench::advanced, m_scope, &ScopeView::captureChanged);
     connect(&m_workbench, &Workbench::heartbeat, this, &MainWindow::tellReleased);
     connect(&m_device, &Device::linkStateChanged, this, &MainWindow::linkChanged);
     connect(&m_device, &Device::portStateChanged, this, &MainWindow::portChanged);
@@ -571,8 +570,9 @@ void MainWindow::exportCsv()
         new ExportDialog(m_workbench.capture(), *m_scope, m_files, m_settings.exportFolder, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     // What was asked of this session's motors says nothing about a file's samples.
-    dialog->setMotionLog(
-        [this] { return !m_selection->showsFile() && m_workbench.motionLog().rowCount() > 0; });
+    dialog->setMotionLog([this] {
+        return !m_workbench.signalPlan().showsFile() && m_workbench.motionLog().rowCount() > 0;
+    });
     connect(dialog, &ExportDialog::wanted, this, &MainWindow::runExport);
     if (m_scope->running()) { // what is on the screen now is what is meant
         m_scope->setRunning(false);

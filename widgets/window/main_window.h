@@ -26,7 +26,6 @@ class ConnectBar;
 class ControlPanel;
 class CurrentScales;
 class EventPanel;
-class EventRecorder;
 class FileJob;
 class FilePrompt;
 class FirstSteps;
@@ -176,8 +175,7 @@ private:
     ScopeView *m_scope;
     SignalSelection *m_selection;
     ScopeTools *m_scopeTools = nullptr;
-    MathChannels *m_math; ///< before the trigger, which may watch one of them
-    EventRecorder *m_recorder;
+    MathChannels &m_math;
     EventPanel *m_events = nullptr;
     TriggerControl *m_trigger;
     ConnectBar *m_connectBar = nullptr;

@@ -14,7 +14,6 @@
 #include "widgets/files/sample_room_dialog.h"
 #include "widgets/files/scope_picture.h"
 #include "widgets/scope/scope_view.h"
-#include "widgets/scope/trigger_control.h"
 #include "widgets/snapshots/snapshot_panel.h"
 #include "widgets/snapshots/snapshot_recorder.h"
 #include "widgets/window/connect_bar.h"
@@ -32,8 +31,8 @@ namespace widgets {
 
 void MainWindow::makeRecording()
 {
-    m_record = new RecordControl({m_workbench.recording(), m_device, m_scope->events(), m_files,
-                                     [this] { return m_recorder->now(); }},
+    m_record = new RecordControl({m_workbench.recording(), m_device, m_workbench.events(), m_files,
+                                     [this] { return m_workbench.eventRecorder().now(); }},
         m_settings.recordFolder, this);
     const auto make = [this](const QString &text, const char *name, const QKeySequence &keys,
                           void (MainWindow::*slot)()) {
@@ -55,13 +54,13 @@ void MainWindow::makeRecording()
     connect(m_record, &RecordControl::said, this, &MainWindow::say);
     new SnapshotRecorder(
         m_device, m_workbench.recording(), m_workbench.snapshots(),
-        [this] { return m_recorder->now(); }, this);
-    m_markers = new MarkerFile(m_scope->events(), m_files, *m_record, this);
+        [this] { return m_workbench.eventRecorder().now(); }, this);
+    m_markers = new MarkerFile(m_workbench.events(), m_files, *m_record, this);
     connect(m_markers, &MarkerFile::said, this, &MainWindow::say);
     // Those of a connection stay for the next one.
     m_connectBar->setBeforeOpening([this](std::function<void()> goOn) {
         leaveThen(another([this, goOn = std::move(goOn)] {
-            if (m_selection->showsFile())
+            if (m_workbench.signalPlan().showsFile())
                 askForMarkers(goOn);
             else
                 goOn();
@@ -73,9 +72,9 @@ void MainWindow::makeRecording()
     connect(&m_workbench, &Workbench::heartbeat, m_room, &SampleRoom::refresh);
     connect(&m_workbench.replay(), &session::Replay::happened, this,
         [this, writes = ReplayedWrites()](const session::ReplayedEntry &entry) mutable {
-            addReplayed(m_scope->events(), entry);
+            addReplayed(m_workbench.events(), entry);
             if (const auto seconds = writes.take(entry))
-                m_trigger->event(scope::EventTrigger::Kind::RegisterWrite, *seconds, 0);
+                m_workbench.trigger().event(scope::EventTrigger::Kind::RegisterWrite, *seconds, 0);
             if (std::holds_alternative<record::Note>(entry.entry))
                 m_markers->replayed(entry.seconds);
         });
@@ -91,7 +90,7 @@ void MainWindow::say(Banner::Kind kind, const QString &sentence)
 void MainWindow::tellReleased()
 {
     const bool released = m_workbench.capture().released() > 0;
-    if (released && !m_selection->showsFile() && !m_toldReleased)
+    if (released && !m_workbench.signalPlan().showsFile() && !m_toldReleased)
         say(Banner::Kind::Warning, m_room->fullText());
     m_toldReleased = released;
 }
@@ -193,7 +192,7 @@ void MainWindow::showImported(const QString &path, capture::Capture &imported)
     }
     const QString released = releasedText(imported);
     const int left = m_selection->showFile(std::move(imported));
-    m_scope->events().clear();
+    m_workbench.events().clear();
     const QString sentence = tr("Imported %1.").arg(deviceText(path)) + leftText(left);
     if (released.isEmpty())
         say(Banner::Kind::Note, sentence);
@@ -269,8 +268,8 @@ void MainWindow::askForRoom()
 void MainWindow::fillFileSignals()
 {
     m_fileSignals->clear();
-    m_fileSignals->setEnabled(m_selection->showsFile());
-    if (!m_selection->showsFile())
+    m_fileSignals->setEnabled(m_workbench.signalPlan().showsFile());
+    if (!m_workbench.signalPlan().showsFile())
         return;
     std::vector<capture::ChannelInfo> all = m_workbench.capture().channels();
     std::stable_sort(all.begin(), all.end(), [](const auto &one, const auto &other) {
@@ -305,7 +304,7 @@ void MainWindow::showRecording(OpenedRecording &opened)
     bool whole = true;
     QString sentence = openedText(opened, whole);
     sentence += leftText(m_selection->showFile(std::move(opened.capture)));
-    fillEvents(m_scope->events(), opened.report);
+    fillEvents(m_workbench.events(), opened.report);
     m_markers->opened(opened.path, opened.report.bytes);
     m_recordedSnapshots = {opened.path, std::move(opened.report.snapshots)};
     if (m_snapshotPanel)

@@ -41,7 +41,7 @@ Question makeQuestion(QWidget *window, const char *name, const QString &title, c
 void MainWindow::replaceRecorded(std::function<void()> goOn)
 {
     const capture::Capture &capture = m_workbench.capture();
-    const bool kept = m_selection->showsFile() || !capture.timeSpan()
+    const bool kept = m_workbench.signalPlan().showsFile() || !capture.timeSpan()
         || capture.revision() == m_exportedRevision || m_record->holds(capture);
     if (kept) {
         askForMarkers(std::move(goOn));
@@ -130,12 +130,12 @@ QString MainWindow::markersText() const
 void MainWindow::clearRecorded()
 {
     const auto clear = [this] {
-        const bool file = m_selection->showsFile();
-        m_selection->clearRecorded();
-        if (file && !m_selection->showsFile()) // a replay goes on
-            m_scope->events().clear();
+        const bool file = m_workbench.signalPlan().showsFile();
+        m_workbench.signalPlan().clear();
+        if (file && !m_workbench.signalPlan().showsFile()) // a replay goes on
+            m_workbench.events().clear();
     };
-    if (m_selection->showsFile() && !replaying(m_device))
+    if (m_workbench.signalPlan().showsFile() && !replaying(m_device))
         askForMarkers(clear);
     else
         clear();

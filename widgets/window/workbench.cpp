@@ -1,9 +1,9 @@
 #include "widgets/window/workbench.h"
 
+#include "widgets/files/replaying.h"
+
 #include <QCoreApplication>
 #include <QInputEvent>
-
-#include "widgets/window/application.h"
 
 namespace widgets {
 namespace {
@@ -28,10 +28,8 @@ Workbench::Workbench(session::MakeSink makeSink, session::Parts parts, QObject *
     m_clock.start();
     connectSession();
     connectModels();
+    connectTrigger();
     m_edits.keepBeforeWriting(m_snapshots);
-    auto *application = qobject_cast<Application *>(QCoreApplication::instance());
-    Q_ASSERT(application); // without it Esc would not stop
-    connect(application, &Application::stopPressed, &m_device, &Device::stop);
     connect(&m_heart, &QTimer::timeout, this, [this] {
         m_registers.refresh(now());
         Q_EMIT heartbeat(now());
@@ -94,10 +92,28 @@ void Workbench::connectSession()
     connect(session, &Session::batch, &m_device, &Device::apply);
     connect(session, &Session::interrupted, &m_device, &Device::interrupted);
     connect(&m_device, &Device::batchApplied, session, &Session::acknowledge);
-    connect(&m_device, &Device::samplesArrived, this,
-        [this](const capture::SampleBlock &block) { m_replay->take(record::samplesOf(block)); });
+    connect(&m_device, &Device::samplesArrived, this, [this](const capture::SampleBlock &block) {
+        m_replay->take(record::samplesOf(block));
+        m_capture.append(block);
+        Q_EMIT samplesStored(block);
+    });
+    connect(&m_device, &Device::streamStarted, &m_signalPlan, &SignalPlan::begin);
+    connect(this, &Workbench::samplesStored, &m_recorder, &EventRecorder::stored);
+    connect(&m_signalPlan, &SignalPlan::begunAnew, &m_events, &EventLog::clear);
+    connect(&m_device, &Device::batchApplied, this, &Workbench::advance);
+    connect(&m_signalPlan, &SignalPlan::renewed, this, &Workbench::advance);
+    m_math.setPolled([this] { return m_signalPlan.planned().polled; });
+    m_watchList.addDrawnSource([this] { return m_signalPlan.planned().polled; });
+    connect(&m_signalPlan, &SignalPlan::changed, &m_watchList, &WatchList::changed);
     connect(&m_device, &Device::readingsArrived, this,
         [this](const std::vector<drive::Reading> &readings) { m_replay->take(readings.size()); });
+}
+
+void Workbench::advance()
+{
+    m_math.advance();
+    m_trigger.advance();
+    Q_EMIT advanced();
 }
 
 void Workbench::connectModels()
@@ -108,15 +124,40 @@ void Workbench::connectModels()
         m_registers.setCatalog(m_device.catalog(), m_device.motor());
         m_watchList.forget();
     };
-    connect(&m_device, &Device::identityChanged, this, showBoard);
+    connect(&m_device, &Device::identityChanged, this, [this, showBoard] {
+        showBoard();
+        m_signalPlan.boardChanged();
+    });
     connect(&m_device, &Device::motorChanged, this, showBoard);
     connect(&m_device, &Device::readingsArrived, this,
-        [this](const std::vector<drive::Reading> &readings) { m_registers.take(readings, now()); });
+        [this](const std::vector<drive::Reading> &readings) {
+            m_registers.take(readings, now());
+            m_signalPlan.take(readings);
+        });
     connect(&m_device, &Device::motionLogged, this, [this](const drive::MotionRecord &record) {
         m_motionLog.take(record, QDateTime::currentDateTime());
     });
     connect(&m_device, &Device::linkStateChanged, this,
         [this] { m_registers.setBelieved(m_device.answering()); });
+}
+
+void Workbench::connectTrigger()
+{
+    const auto tell = [this] {
+        const bool replay = replaying(m_device) && m_device.portOpen();
+        m_trigger.setAwaitsSamples(!m_signalPlan.showsFile() || replay);
+    };
+    connect(&m_signalPlan, &SignalPlan::changed, this, tell);
+    connect(&m_device, &Device::portStateChanged, this, tell);
+    connect(&m_signalPlan, &SignalPlan::forgot, &m_trigger, &Trigger::forget);
+    using Kind = scope::EventTrigger::Kind;
+    connect(&m_recorder, &EventRecorder::stateChanged, this,
+        [this](double seconds, EventKind kind, quint32 which) {
+            m_trigger.event(
+                kind == EventKind::Fault ? Kind::Fault : Kind::StateChange, seconds, which);
+        });
+    connect(&m_recorder, &EventRecorder::written, this,
+        [this](double seconds, quint32 id) { m_trigger.event(Kind::RegisterWrite, seconds, id); });
 }
 
 } // namespace widgets

@@ -1,7 +1,8 @@
 // Workbench: the parts of Rotorscope that are not widgets, made and connected: the session in its thread, the device,
-// the registers, the capture, the polling, the Esc key and one heartbeat. It decides nothing; panels are given its parts.
+// the registers, the signals and the capture that they are recorded in, the events, the polling and one heartbeat. It
+// decides nothing; panels are given its parts.
 //
-// Outlives every window that shows it. Needs the Application, whose Esc key it hands to the device.
+// Outlives every window that shows it, and needs none.
 #pragma once
 
 #include "capture/capture.h"
@@ -9,13 +10,18 @@
 #include "session/recording.h"
 #include "session/replay.h"
 #include "session/session_thread.h"
+#include "widgets/analysis/math_channels.h"
 #include "widgets/base/device.h"
 #include "widgets/control/input_age.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/motion_log_model.h"
+#include "widgets/files/event_recorder.h"
 #include "widgets/registers/register_edits.h"
 #include "widgets/registers/register_model.h"
 #include "widgets/registers/watch_list.h"
+#include "widgets/scope/event_log.h"
+#include "widgets/scope/signal_plan.h"
+#include "widgets/scope/trigger.h"
 #include "widgets/snapshots/snapshot_auto.h"
 
 #include <QElapsedTimer>
@@ -40,6 +46,11 @@ public:
     MotionGate &motion() { return m_motion; } ///< what moves a motor goes through here
     MotionLogModel &motionLog() { return m_motionLog; }
     capture::Capture &capture() { return m_capture; }
+    SignalPlan &signalPlan() { return m_signalPlan; }
+    MathChannels &math() { return m_math; }
+    EventLog &events() { return m_events; }
+    EventRecorder &eventRecorder() { return m_recorder; }
+    Trigger &trigger() { return m_trigger; }
     /// Where the capture puts what memory has no room for; for other captures as well.
     const std::shared_ptr<session::DiskArchive> &archive() { return m_archive; }
     session::Recording &recording() { return m_recording; }
@@ -56,6 +67,8 @@ public:
     void atSession(const std::function<void(session::Session &)> &what);
 
 Q_SIGNALS:
+    void samplesStored(const capture::SampleBlock &block); ///< in the capture
+    void advanced(); ///< there may be new samples; what is computed from them is there, too
     void heartbeat(widgets::Milliseconds now); ///< some times a second: ages, rates
 
 protected:
@@ -63,6 +76,8 @@ protected:
 
 private:
     void pulse();
+    void advance();
+    void connectTrigger();
     void connectSession();
     void connectModels();
 
@@ -78,6 +93,11 @@ private:
     MotionLogModel m_motionLog;
     std::shared_ptr<session::DiskArchive> m_archive;
     capture::Capture m_capture;
+    SignalPlan m_signalPlan{m_device, m_capture};
+    MathChannels m_math{m_capture}; ///< before the trigger, which may watch one of them
+    EventLog m_events;
+    EventRecorder m_recorder{m_device, m_capture, m_events, [this] { return now(); }};
+    Trigger m_trigger{m_capture, [this] { return m_recorder.now(); }};
     WatchList m_watchList;
     QTimer m_heart;
     QTimer m_pulse; ///< also while the models are busy with a heartbeat
