@@ -184,6 +184,8 @@ private:
     {
         if (const auto *link = std::get_if<drive::LinkChanged>(&event)) {
             m_judge.said(linkOf(link->state), m_now);
+            if (link->reason == drive::LinkReason::BoardReset)
+                m_judge.saidIdentified(0, m_now); // it is met anew
         } else if (const auto *found = std::get_if<drive::Identified>(&event)) {
             m_judge.saidIdentified(found->identity.motors, m_now);
         } else if (const auto *end = std::get_if<drive::Ended>(&event)) {
