@@ -200,7 +200,7 @@ void MsRules::oneInFlight(const Sent &sent)
 /// A link that comes about or comes back begins with a look.
 void MsRules::firstRequestOnlyReads(const Sent &sent)
 {
-    if (!m_requested && sent.firstOfPacket && acts(sent.kind))
+    if (!m_requested && sent.firstOfPacket && acts(sent.kind) && !wasUnderWay())
         violate("looks first", std::string(nameOf(sent.kind)) + " is the first request of a link");
 }
 
