@@ -349,7 +349,8 @@ void TestMsRules::whoArmsWhileTheMotorComesToRestMayBeHeard()
         b.arm();
         b.act(Act::Kind::Stop);
         b.request({kStop | 1});
-        b.act(Act::Kind::Arm); // at the window; the line's thread hears of it after the motor came to rest
+        b.act(Act::Kind::
+                Arm); // at the window; the line's thread hears of it after the motor came to rest
         b.truth[0] = {};
         b.run(20ms);
         b.act(Act::Kind::Start);

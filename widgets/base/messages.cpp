@@ -314,10 +314,10 @@ QString failureText(const QString &action, const drive::Ended &ended)
               .arg(action, how, reason);
 }
 
-QString exportFileErrorText(const session::FileResult &result, const QString &wanted)
+QString exportFileErrorText(const session::FileResult &result, const QString &path)
 {
     using session::FileError;
-    const QString path = deviceText(wanted);
+    const QString name = deviceText(path);
     const QString detail = deviceText(result.systemText);
     switch (result.error) {
     case FileError::None:
@@ -325,15 +325,15 @@ QString exportFileErrorText(const session::FileResult &result, const QString &wa
     case FileError::Cancelled:
         return Messages::tr("The export was cancelled; no file was written.");
     case FileError::NotAFile:
-        return Messages::tr("%1 is not a file. Choose another name.").arg(path);
+        return Messages::tr("%1 is not a file. Choose another name.").arg(name);
     case FileError::CannotOpen:
-        return Messages::tr("%1 cannot be written (%2). Choose another folder.").arg(path, detail);
+        return Messages::tr("%1 cannot be written (%2). Choose another folder.").arg(name, detail);
     case FileError::CannotWrite:
         return Messages::tr("The disk did not take the file (%1). Make room or choose another "
                             "folder; nothing was replaced.")
             .arg(detail);
     case FileError::CannotReplace:
-        return Messages::tr("%1 cannot be replaced (%2). Choose another name.").arg(path, detail);
+        return Messages::tr("%1 cannot be replaced (%2). Choose another name.").arg(name, detail);
     }
     return {};
 }
