@@ -145,7 +145,10 @@ const PictureFormat *ExportDialog::picture() const
 
 QString ExportDialog::suffix() const
 {
-    return QString::fromLatin1(picture() ? picture()->suffix : format()->suffix);
+    if (const PictureFormat *drawn = picture())
+        return QString::fromLatin1(drawn->suffix);
+    const session::ExportFormat *written = format();
+    return written != nullptr ? QString::fromLatin1(written->suffix) : QString();
 }
 
 std::optional<capture::TimeSpan> ExportDialog::range() const
