@@ -1,6 +1,7 @@
 // P10: a CSV file of 8 signals x 1,000,000 rows, against what other programs do for each number.
 #include "bench/motor_data.h"
 #include "bench/paired.h"
+#include "capture/csv_export.h"
 #include "session/export_formats.h"
 
 #include <QFile>
