@@ -201,7 +201,7 @@ void TestSerialTransport::whatALineDidNotTakeCanBeDropped()
     Port port(terminal.path());
     QCOMPARE(port.transport.open({}).problem, PortProblem::None);
     // Nobody reads: the line takes a part, and the rest waits.
-    const Bytes start(256 * 1024, 0xAA);
+    const Bytes start(std::size_t{256} * 1024, 0xAA);
     port.transport.write(start, {});
     QVERIFY(!port.transport.sent({}));
     port.transport.discardOutput();
