@@ -160,8 +160,8 @@ void WishDrive::takeStatuses(std::vector<MotorStatus> statuses, TimePoint askedA
     if (m_doubtedAt && all && askedAt >= *m_doubtedAt)
         m_doubtedAt.reset();
     for (MotorStatus &status : statuses) {
-        if (!m_doubtedAt
-            || askedAt >= *m_doubtedAt) // an answer from before a gap tells nothing of now
+        // An answer from before a gap tells nothing of now.
+        if (!m_doubtedAt || askedAt >= *m_doubtedAt)
             m_stop.takeStatus(status, askedAt);
         m_faultNow[status.motor] =
             status.state == MotorState::FaultNow || !status.faultsNow.empty();

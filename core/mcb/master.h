@@ -34,6 +34,7 @@ public:
         Duration readyWithin = std::chrono::milliseconds(1000);
         /// All bytes of an exchange are back. SPI needs none; ours, for byte streams.
         Duration exchangeWithin = std::chrono::milliseconds(200);
+        /// The same while a Stop is wanted: it cannot wait for bytes that a line has lost.
         Duration hurriedExchangeWithin = std::chrono::milliseconds(50);
         /// Nothing is sent after a torn exchange: longer than our slaves keep an unfinished frame (50 ms).
         Duration quiet = std::chrono::milliseconds(60);

@@ -37,8 +37,8 @@ struct ExportFormat {
     const char *name = ""; ///< one word
     const char *suffix =
         ""; ///< of the file, without a point; the first row of a suffix is the usual one
-    const char *title =
-        ""; ///< for a choice; this and the next one can be translated ("ExportFormat")
+    /// For a choice. This and the next one can be translated, in the context "ExportFormat".
+    const char *title = "";
     const char *mostText = ""; ///< how much fits, where something is TooLong or are TooManySignals
     Holds holds = Holds::EverySample;
     /// Writes the whole file, or none. @param proceed  told 0..1; false cancels

@@ -18,6 +18,8 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include <algorithm>
+
 class TestStop : public QObject {
     Q_OBJECT
 
@@ -175,6 +177,7 @@ private Q_SLOTS:
         device().setStopsWanted({QStringLiteral("/dev/ttyACM0")});
         QVERIFY(alarm->isVisible());
         QVERIFY(textOf(*alarm).contains(QStringLiteral("/dev/ttyACM0")));
+        QVERIFY(allTextFits(*alarm));
         auto *takeBack = m_rig->find<QPushButton>("takeStopBack");
         QVERIFY(takeBack->isVisible());
         alarm->reject(); // takes nothing back
@@ -204,6 +207,10 @@ private Q_SLOTS:
                 drive::StopProgress{2, StopWord::NotConfirmed, {}}});
         QVERIFY(textOf(*alarm).contains(QStringLiteral("Motor 1 was told to stop")));
         QVERIFY(textOf(*alarm).contains(QStringLiteral("Motor 2 was told to stop")));
+        QVERIFY(allTextFits(*alarm));
+        device().setStopsWanted({QStringLiteral("/dev/ttyACM0"), QStringLiteral("/dev/ttyACM1")});
+        QVERIFY(allTextFits(*alarm)); // it grows with its text
+        device().setStopsWanted({});
         facts::feed(device(),
             {drive::StopProgress{1, StopWord::DriveIdle, {}},
                 drive::StopProgress{1, StopWord::Standstill, {}}});
@@ -373,6 +380,15 @@ private:
         for (const auto *label : dialog.findChildren<QLabel *>())
             all += label->text() + QLatin1Char('\n');
         return all;
+    }
+    /// No label is lower than its text, with all the lines that its width makes.
+    static bool allTextFits(const QWidget &dialog)
+    {
+        QCoreApplication::sendPostedEvents(); // the layout's own
+        const auto labels = dialog.findChildren<QLabel *>();
+        return std::all_of(labels.begin(), labels.end(), [](const QLabel *label) {
+            return label->height() >= label->heightForWidth(label->width());
+        });
     }
     widgets::Device &device() { return m_rig->workbench.device(); }
 

@@ -47,6 +47,8 @@ void StopAlarm::make()
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(28, 24, 28, 20);
     layout->setSpacing(14);
+    // Always as large as its text: what a word-wrapped label needs in height is asked for by no other constraint.
+    layout->setSizeConstraint(QLayout::SetFixedSize);
     layout->addWidget(m_text);
     layout->addWidget(m_detail);
     layout->addWidget(buttons);
