@@ -1,5 +1,5 @@
 # libmatio, which reads and writes the files of MATLAB: the target MATIO::headers. The library itself is loaded when it is
-# needed (core/session/mat_library.cpp), by the version of its interface that these headers belong to.
+# needed (core/session/files/mat_library.cpp), by the version of its interface that these headers belong to.
 find_path(MATIO_INCLUDE_DIR matio.h)
 find_library(MATIO_LIBRARY matio)
 include(FindPackageHandleStandardArgs)

@@ -3,9 +3,9 @@
 #include "recorder.h"
 #include "recording_work.h"
 #include "sentences.h"
-#include "session/export_formats.h"
-#include "session/motion_log_file.h"
-#include "session/whole_file.h"
+#include "session/files/export_formats.h"
+#include "session/files/motion_log_file.h"
+#include "session/files/whole_file.h"
 #include "snapshot_work.h"
 #include "values.h"
 
@@ -317,7 +317,7 @@ Outcome<int> CaptureRun::startRecording()
     m_recording.emplace(m_desk.talk, m_wanted.recording, m_wanted.recordLink);
     if (const auto started = m_recording->start(m_desk.arguments.port); !started)
         return started;
-    const auto board = readBoard(m_desk, tuning::Scope::All);
+    const auto board = readBoard(m_desk, snapshots::Scope::All);
     if (!board)
         return tl::make_unexpected(salvage(abandon(board.error())));
     m_recording->add(board->at, board->snapshot);

@@ -13,7 +13,7 @@ namespace {
 /// Whether a word means the board instead of a file.
 bool isDevice(const QString &word) { return word == QLatin1String("device"); }
 
-using tuning::Entry;
+using snapshots::Entry;
 
 QString hexOf(const Bytes &bytes)
 {
@@ -64,7 +64,7 @@ QString nameOf(const Entry &entry, int motors)
         : name;
 }
 
-QJsonObject jsonOf(const tuning::Difference &difference, const QString &name)
+QJsonObject jsonOf(const snapshots::Difference &difference, const QString &name)
 {
     const Entry &either = difference.either();
     return {{QStringLiteral("name"), name}, {QStringLiteral("motor"), either.motor},
@@ -77,28 +77,28 @@ QJsonObject jsonOf(const tuning::Difference &difference, const QString &name)
         {QStringLiteral("b_raw"), rawJson(difference.b)}};
 }
 
-Outcome<int> printDifferences(
-    const Arguments &arguments, const tuning::Snapshot &a, const tuning::Snapshot &b, Output &out)
+Outcome<int> printDifferences(const Arguments &arguments, const snapshots::Snapshot &a,
+    const snapshots::Snapshot &b, Output &out)
 {
     const auto selection = selectionOf(arguments, a, b);
     if (!selection)
         return tl::make_unexpected(selection.error());
-    const auto scope = arguments.tuning.all ? tuning::Scope::All : tuning::Scope::Tunable;
-    const auto list = tuning::differences(a, b, scope, *selection);
+    const auto scope = arguments.tuning.all ? snapshots::Scope::All : snapshots::Scope::Tunable;
+    const auto list = snapshots::differences(a, b, scope, *selection);
     const int motors = std::max(a.board.motors, b.board.motors);
     if (out.json()) {
         QJsonArray array;
-        for (const tuning::Difference &difference : list)
+        for (const snapshots::Difference &difference : list)
             array.append(jsonOf(difference, nameOf(difference.either(), motors)));
         out.line(array);
         return kDone;
     }
     qsizetype nameWidth = 0, aWidth = 0;
-    for (const tuning::Difference &difference : list) {
+    for (const snapshots::Difference &difference : list) {
         nameWidth = std::max(nameWidth, nameOf(difference.either(), motors).size());
         aWidth = std::max(aWidth, textOf(difference.a).size());
     }
-    for (const tuning::Difference &difference : list)
+    for (const snapshots::Difference &difference : list)
         out.line(nameOf(difference.either(), motors).leftJustified(nameWidth + 2)
             + textOf(difference.a).leftJustified(aWidth + 2) + textOf(difference.b));
     if (list.empty())
@@ -119,8 +119,9 @@ Outcome<int> runDiffOfFiles(const Arguments &arguments, Output &out)
 
 Outcome<int> runDiff(Desk &desk)
 {
-    const auto scope = desk.arguments.tuning.all ? tuning::Scope::All : tuning::Scope::Tunable;
-    std::vector<tuning::Snapshot> sides;
+    const auto scope =
+        desk.arguments.tuning.all ? snapshots::Scope::All : snapshots::Scope::Tunable;
+    std::vector<snapshots::Snapshot> sides;
     QStringList unanswered;
     for (const QString &word : desk.arguments.words) {
         if (isDevice(word)) {

@@ -2,7 +2,7 @@
 #include "commands.h"
 #include "recording_work.h"
 #include "sentences.h"
-#include "session/export_formats.h"
+#include "session/files/export_formats.h"
 
 #include <QFileInfo>
 #include <QJsonObject>

@@ -1,7 +1,7 @@
 // gains: what the regulators need for a bandwidth and a damping, and how well their digits can say it.
-#include "analysis/gain_plan.h"
+#include "drive/gain_plant.h"
+#include "motor/gain_plan.h"
 #include "motor_facts.h"
-#include "tuning/gain_plant.h"
 #include "write_report.h"
 
 #include <QJsonArray>
@@ -12,20 +12,20 @@ namespace cli {
 
 namespace {
 
-using analysis::GainId;
-using analysis::GainPlan;
-using analysis::GainWarning;
-using analysis::PlannedGain;
+using motor::GainId;
+using motor::GainPlan;
+using motor::GainWarning;
+using motor::PlannedGain;
 
 /// A gain as this board names it.
 struct Name {
     const char *name; ///< of the numerator; the exponent's ends in _DIV
     const char *unit;
 };
-constexpr analysis::PerGain<Name> kNames{{{"I_Q_KP", "V/A"}, {"I_Q_KI", "V/(A s)"},
-    {"I_D_KP", "V/A"}, {"I_D_KI", "V/(A s)"}, {"SPEED_KP", "A/(rad/s)"}, {"SPEED_KI", "A/rad"}}};
+constexpr motor::PerGain<Name> kNames{{{"I_Q_KP", "V/A"}, {"I_Q_KI", "V/(A s)"}, {"I_D_KP", "V/A"},
+    {"I_D_KI", "V/(A s)"}, {"SPEED_KP", "A/(rad/s)"}, {"SPEED_KI", "A/rad"}}};
 
-const Name &nameOf(GainId id) { return kNames[analysis::indexOf(id)]; }
+const Name &nameOf(GainId id) { return kNames[motor::indexOf(id)]; }
 QString textOf(GainId id) { return QLatin1String(nameOf(id).name); }
 
 using Present = std::map<std::string, Digits16>;
@@ -53,7 +53,7 @@ Outcome<bool> checkPresent(const Present &present, const GainPlan &plan)
 }
 
 /// Why these gains must not be written.
-QString sentenceOf(const GainPlan &plan, const analysis::GainFinding &finding)
+QString sentenceOf(const GainPlan &plan, const motor::GainFinding &finding)
 {
     switch (finding.warning) {
     case GainWarning::BandwidthBeyondLimit:
@@ -74,7 +74,7 @@ QString sentenceOf(const GainPlan &plan, const analysis::GainFinding &finding)
 /// What the speed loop was left alone for; empty if it was not.
 QString missingOf(const GainPlan &plan)
 {
-    for (const analysis::GainFinding &finding : plan.findings) {
+    for (const motor::GainFinding &finding : plan.findings) {
         if (finding.warning == GainWarning::SpeedNeedsInertia)
             return QStringLiteral("inertia");
         if (finding.warning == GainWarning::SpeedNeedsFlux)
@@ -92,7 +92,7 @@ bool swapped(const GainPlan &plan)
 }
 
 /// What is worth knowing about gains that can be written; empty for what is said elsewhere.
-QString noteOf(const analysis::GainFinding &finding)
+QString noteOf(const motor::GainFinding &finding)
 {
     const auto number = [](double value) { return QString::number(value, 'g', 4); };
     switch (finding.warning) {
@@ -119,17 +119,17 @@ QString noteOf(const analysis::GainFinding &finding)
 QStringList notesOf(const GainPlan &plan)
 {
     QStringList notes;
-    for (const analysis::GainFinding &finding : plan.findings)
+    for (const motor::GainFinding &finding : plan.findings)
         if (const QString note = noteOf(finding); !note.isEmpty())
             notes.append(note);
     return notes;
 }
 
-analysis::GainPlant plantOf(const drive::MotorFacts &facts, const TuningArguments &wanted)
+motor::GainPlant plantOf(const drive::MotorFacts &facts, const TuningArguments &wanted)
 {
-    analysis::GainPlant plant = tuning::gainPlant(facts);
+    motor::GainPlant plant = drive::gainPlant(facts);
     if (wanted.ke_vrmsPerKrpm > 0.0)
-        plant.motor.flux_wb = analysis::fluxOfKe_wb(wanted.ke_vrmsPerKrpm, facts.motor.polePairs);
+        plant.motor.flux_wb = motor::fluxOfKe_wb(wanted.ke_vrmsPerKrpm, facts.motor.polePairs);
     if (wanted.inertia_kgm2 > 0.0)
         plant.inertia_kgm2 = wanted.inertia_kgm2;
     if (wanted.speedDelay_s)
@@ -140,12 +140,12 @@ analysis::GainPlant plantOf(const drive::MotorFacts &facts, const TuningArgument
 Outcome<GainPlan> planOf(
     const TuningArguments &wanted, const drive::MotorFacts &facts, const Present &present)
 {
-    analysis::PerGain<std::optional<int>> divisors;
+    motor::PerGain<std::optional<int>> divisors;
     for (std::size_t i = 0; i < divisors.size(); ++i)
         if (const auto found = present.find(std::string(kNames[i].name) + "_DIV");
             found != present.end())
             divisors[i] = static_cast<int>(found->second.value);
-    GainPlan plan = analysis::planGains(
+    GainPlan plan = motor::planGains(
         plantOf(facts, wanted), {wanted.bandwidth_radps, wanted.damping}, divisors);
     if (const auto complete = checkPresent(present, plan); !complete)
         return tl::make_unexpected(complete.error());

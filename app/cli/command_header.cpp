@@ -1,6 +1,6 @@
 #include "motor_facts.h"
 #include "snapshot_work.h"
-#include "tuning/drive_parameters.h"
+#include "snapshots/drive_parameters.h"
 
 #include <QJsonObject>
 
@@ -13,7 +13,7 @@ Outcome<int> runHeader(Desk &desk)
     const auto motor = desk.checkMotor();
     if (!motor)
         return motor;
-    const auto board = readBoard(desk, tuning::Scope::Tunable);
+    const auto board = readBoard(desk, snapshots::Scope::Tunable);
     if (!board)
         return tl::make_unexpected(board.error());
     if (!board->unanswered.isEmpty())
@@ -24,7 +24,7 @@ Outcome<int> runHeader(Desk &desk)
     if (!facts)
         return tl::make_unexpected(facts.error());
     const QByteArray text = QByteArray::fromStdString(
-        tuning::driveParametersHeader(board->snapshot, *motor, facts->ampsPerDigit));
+        snapshots::driveParametersHeader(board->snapshot, *motor, facts->ampsPerDigit));
     const auto macros = text.count("\n#define ") - 1; // without the guard
     if (macros <= 0)
         return failure(kRefused,

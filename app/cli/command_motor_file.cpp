@@ -1,6 +1,6 @@
 // motor: what the board says of its motor, beside a file, or into one.
 #include "motor_facts.h"
-#include "session/motor_file.h"
+#include "session/files/motor_file.h"
 #include "snapshot_work.h"
 
 #include <QJsonArray>
@@ -10,8 +10,8 @@ namespace cli {
 
 namespace {
 
-using analysis::MotorQuantity;
-using analysis::MotorWarning;
+using motor::MotorQuantity;
+using motor::MotorWarning;
 
 QString textOf(std::string_view text)
 {
@@ -89,7 +89,7 @@ struct Derived {
 
 std::vector<Derived> derivedOf(const drive::MotorFacts &facts)
 {
-    const auto constants = analysis::motorConstants(facts.motor, facts.bus_v);
+    const auto constants = motor::motorConstants(facts.motor, facts.bus_v);
     return {{"kt", "N m/A", constants.kt_nmpa}, {"ke", "V/krpm", constants.ke_vrmsPerKrpm},
         {"kv", "rpm/V", constants.kv_rpmpv}, {"tau_q", "s", constants.timeConstantQ_s},
         {"tau_d", "s", constants.timeConstantD_s}, {"base_speed", "rpm", constants.baseSpeed_rpm}};
@@ -101,12 +101,12 @@ QJsonObject row(const QString &name, std::string_view unit, const std::optional<
         {QStringLiteral("board"), jsonOf(board)}};
 }
 
-void print(Output &out, const drive::MotorFacts &facts, const analysis::MotorSheet *file)
+void print(Output &out, const drive::MotorFacts &facts, const motor::MotorSheet *file)
 {
     const auto sheet = drive::sheetOf(facts);
     QJsonArray rows, derived, warnings;
-    for (const auto &one : analysis::compareMotors(sheet, file != nullptr ? *file : sheet)) {
-        const auto unit = analysis::motorQuantities()[static_cast<std::size_t>(one.quantity)].unit;
+    for (const auto &one : motor::compareMotors(sheet, file != nullptr ? *file : sheet)) {
+        const auto unit = motor::motorQuantities()[static_cast<std::size_t>(one.quantity)].unit;
         QJsonObject object = row(nameOf(one.quantity), unit, one.here);
         QString line = nameOf(one.quantity).leftJustified(12) + textOf(one.here, unit);
         if (file != nullptr) {
@@ -125,9 +125,9 @@ void print(Output &out, const drive::MotorFacts &facts, const analysis::MotorShe
         if (!out.json())
             out.line(name.leftJustified(12) + textOf(one.value, one.unit));
     }
-    const analysis::DriveLimits drive{
+    const motor::DriveLimits drive{
         facts.bus_v, facts.limits.maxCurrentAmps, facts.limits.maxSpeedRpm};
-    for (const MotorWarning warning : analysis::checkMotor(facts.motor, drive)) {
+    for (const MotorWarning warning : motor::checkMotor(facts.motor, drive)) {
         warnings.append(wordOf(warning));
         if (!out.json())
             out.line(QStringLiteral("note: ") + wordOf(warning));
@@ -144,7 +144,7 @@ Outcome<int> runMotor(Desk &desk)
     if (!motor)
         return motor;
     const QString path = desk.arguments.words.value(0);
-    std::optional<analysis::MotorSheet> file;
+    std::optional<motor::MotorSheet> file;
     if (!path.isEmpty()) {
         const auto read = session::readMotorFile(path);
         if (!read)

@@ -1,6 +1,6 @@
 #include "commands.h"
 #include "sentences.h"
-#include "session/port_list.h"
+#include "session/transports/port_list.h"
 
 #include <QJsonArray>
 #include <QJsonObject>

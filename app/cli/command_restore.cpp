@@ -1,6 +1,6 @@
 #include "sentences.h"
 #include "snapshot_work.h"
-#include "tuning/restore.h"
+#include "snapshots/restore.h"
 #include "write_report.h"
 
 #include <QJsonArray>
@@ -9,26 +9,26 @@ namespace cli {
 
 namespace {
 
-const char *wordOf(tuning::NotRestored why)
+const char *wordOf(snapshots::NotRestored why)
 {
     switch (why) {
-    case tuning::NotRestored::NotOnBoard:
+    case snapshots::NotRestored::NotOnBoard:
         return "not on this board";
-    case tuning::NotRestored::OtherType:
+    case snapshots::NotRestored::OtherType:
         return "something else in this firmware";
-    case tuning::NotRestored::Moves:
+    case snapshots::NotRestored::Moves:
         return "moves a motor";
-    case tuning::NotRestored::MotorMoves:
+    case snapshots::NotRestored::MotorMoves:
         return "the motor is not idle";
-    case tuning::NotRestored::ReadsDifferently:
+    case snapshots::NotRestored::ReadsDifferently:
         return "firmware reads it in another form than it writes";
     }
     return "";
 }
 
-Outcome<int> checkHardware(const Desk &desk, const tuning::Snapshot &snapshot)
+Outcome<int> checkHardware(const Desk &desk, const snapshots::Snapshot &snapshot)
 {
-    const auto others = tuning::otherHardware(snapshot.board, desk.board.identity);
+    const auto others = snapshots::otherHardware(snapshot.board, desk.board.identity);
     if (others.empty() || desk.arguments.tuning.force)
         return kDone;
     QStringList names;
@@ -62,7 +62,7 @@ Outcome<int> runRestore(Desk &desk)
     const auto sameHardware = checkHardware(desk, *wanted);
     if (!sameHardware)
         return sameHardware;
-    const auto board = readBoard(desk, tuning::Scope::All);
+    const auto board = readBoard(desk, snapshots::Scope::All);
     if (!board)
         return tl::make_unexpected(board.error());
     const auto selection = selectionOf(desk.arguments, *wanted, board->snapshot);
@@ -71,8 +71,8 @@ Outcome<int> runRestore(Desk &desk)
     const auto moving = movingMotors(desk);
     if (!moving)
         return tl::make_unexpected(moving.error());
-    const tuning::RestorePlan plan =
-        tuning::planRestore(*wanted, board->snapshot, desk.catalog(), *selection, *moving);
+    const snapshots::RestorePlan plan =
+        snapshots::planRestore(*wanted, board->snapshot, desk.catalog(), *selection, *moving);
 
     Outcome<int> done = kDone;
     if (!plan.writes.empty())
@@ -86,7 +86,7 @@ Outcome<int> runRestore(Desk &desk)
         return done;
     QStringList left, acting;
     for (const auto &[name, why] : plan.left) {
-        if (why == tuning::NotRestored::Moves)
+        if (why == snapshots::NotRestored::Moves)
             acting.append(plainText(name));
         else
             left.append(QStringLiteral("%1 (%2)").arg(plainText(name), QLatin1String(wordOf(why))));

@@ -1,7 +1,7 @@
 // revup: the stages of the start-up, what is wrong with them, and others in their place.
-#include "analysis/rev_up.h"
+#include "motor/rev_up.h"
 #include "motor_facts.h"
-#include "session/rev_up_json.h"
+#include "session/files/rev_up_json.h"
 #include "snapshot_work.h"
 #include "write_report.h"
 
@@ -13,9 +13,9 @@ namespace cli {
 
 namespace {
 
-using analysis::RevUp;
-using analysis::RevUpFinding;
-using analysis::RevUpMistake;
+using motor::RevUp;
+using motor::RevUpFinding;
+using motor::RevUpMistake;
 
 const char *wordOf(RevUpMistake mistake)
 {
@@ -31,14 +31,14 @@ auto badStage(const QString &word)
 }
 
 /// @param digits  of the current, where they are known better than the amperes
-Outcome<analysis::RevUpStage> stageOf(double rpm, double digits, double ms, const QString &word)
+Outcome<motor::RevUpStage> stageOf(double rpm, double digits, double ms, const QString &word)
 {
     const auto whole = [](double value, double least, double most) {
         return value >= least && value <= most && value == std::nearbyint(value);
     };
     if (!whole(rpm, -32767, 32767) || !whole(digits, -32768, 32767) || !whole(ms, 0, 65535))
         return badStage(word);
-    return analysis::RevUpStage{static_cast<std::int32_t>(rpm), static_cast<std::int16_t>(digits),
+    return motor::RevUpStage{static_cast<std::int32_t>(rpm), static_cast<std::int16_t>(digits),
         static_cast<std::uint16_t>(ms)};
 }
 
@@ -91,12 +91,12 @@ Outcome<RevUp> stagesOfFile(const QString &path, double ampsPerDigit)
 
 std::vector<RevUpFinding> findingsOf(const RevUp &stages, const drive::MotorFacts &facts)
 {
-    analysis::RevUpLimits limits;
-    limits.minimumSpeed_rpm = analysis::minimumStartSpeed_rpm(facts.limits.maxSpeedRpm);
+    motor::RevUpLimits limits;
+    limits.minimumSpeed_rpm = motor::minimumStartSpeed_rpm(facts.limits.maxSpeedRpm);
     limits.nominalCurrent_a = facts.limits.nominalCurrentAmps;
     limits.maxCurrent_a = facts.limits.maxCurrentAmps;
     limits.maxSpeed_rpm = facts.limits.maxSpeedRpm;
-    return analysis::checkRevUp(stages, facts.ampsPerDigit, limits);
+    return motor::checkRevUp(stages, facts.ampsPerDigit, limits);
 }
 
 void printNotes(Output &out, const std::vector<RevUpFinding> &findings)
@@ -111,7 +111,7 @@ void printNotes(Output &out, const std::vector<RevUpFinding> &findings)
 void print(Output &out, const RevUp &stages, const drive::MotorFacts &facts)
 {
     const auto findings = findingsOf(stages, facts);
-    const double duration_s = analysis::revUpDuration_s(stages);
+    const double duration_s = motor::revUpDuration_s(stages);
     if (out.json()) {
         QJsonArray list;
         for (const RevUpFinding &finding : findings)
@@ -142,8 +142,8 @@ Outcome<int> writeStages(
             return failure(kRefused,
                 QStringLiteral("Stage %1 is beyond the limit of %2; nothing was written.")
                     .arg(QString::number(finding.stage + 1), QString::number(finding.limit)));
-    const RevUp all = analysis::completed(stages);
-    const drive::Write write{{{id, analysis::bytesOf(all)}}, drive::Reach::Parameters};
+    const RevUp all = motor::completed(stages);
+    const drive::Write write{{{id, motor::bytesOf(all)}}, drive::Reach::Parameters};
     const auto written = writeAndReport(desk, write, Digits::Shown, QStringLiteral("The writing"));
     if (written && !desk.out.json())
         print(desk.out, all, facts); // bytes alone say little
@@ -176,7 +176,7 @@ Outcome<int> runRevUp(Desk &desk)
     if (!readings)
         return tl::make_unexpected(readings.error());
     const auto *bytes = std::get_if<Bytes>(&readings->front().value);
-    const auto stages = analysis::revUpOfBytes(bytes != nullptr ? *bytes : Bytes{});
+    const auto stages = motor::revUpOfBytes(bytes != nullptr ? *bytes : Bytes{});
     if (bytes == nullptr || !stages)
         return failure(kRefused,
             QStringLiteral("The board does not give REVUP_DATA; it starts with a sensor, its "

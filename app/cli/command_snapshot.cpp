@@ -1,4 +1,4 @@
-#include "session/snapshot_json.h"
+#include "session/files/snapshot_json.h"
 #include "snapshot_work.h"
 
 #include <QJsonArray>
@@ -13,15 +13,15 @@ namespace {
 Outcome<int> runSnapshot(Desk &desk)
 {
     const QString &path = desk.arguments.tuning.file;
-    const auto board = readBoard(desk, tuning::Scope::All);
+    const auto board = readBoard(desk, snapshots::Scope::All);
     if (!board)
         return tl::make_unexpected(board.error());
     const auto &entries = board->snapshot.entries;
     const auto saved = saveFile(path, session::snapshotJson(board->snapshot));
     if (!saved)
         return saved;
-    const auto tunable = std::count_if(
-        entries.begin(), entries.end(), [](const tuning::Entry &entry) { return entry.tunable; });
+    const auto tunable = std::count_if(entries.begin(), entries.end(),
+        [](const snapshots::Entry &entry) { return entry.tunable; });
     if (desk.out.json())
         desk.out.line(QJsonObject{{QStringLiteral("file"), path},
             {QStringLiteral("registers"), static_cast<qint64>(entries.size())},

@@ -4,7 +4,7 @@
 #include "drive/motion_limits.h"
 #include "drive/stop_sequence.h"
 #include "sentences.h"
-#include "session/port_list.h"
+#include "session/transports/port_list.h"
 
 #include <QEventLoop>
 #include <QTimer>

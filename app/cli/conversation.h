@@ -8,9 +8,9 @@
 #include "arguments.h"
 #include "failure.h"
 #include "interrupt.h"
-#include "session/motion_log_file.h"
-#include "session/recording_tap.h"
-#include "session/session.h"
+#include "session/files/motion_log_file.h"
+#include "session/link/session.h"
+#include "session/recording/recording_tap.h"
 
 #include <functional>
 #include <map>

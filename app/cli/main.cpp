@@ -1,7 +1,7 @@
 // rotorscope-cli: one command, one board, one exit status. Its words are a contract that scripts depend on, so they
 // are English in every language.
 #include "commands.h"
-#include "session/limits_file.h"
+#include "session/files/limits_file.h"
 
 #include <QCoreApplication>
 

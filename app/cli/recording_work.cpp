@@ -2,8 +2,8 @@
 
 #include "capture/csv_import.h"
 #include "output.h"
-#include "session/disk_archive.h"
-#include "session/snapshot_json.h"
+#include "session/archive/disk_archive.h"
+#include "session/files/snapshot_json.h"
 
 #include <QCoreApplication>
 #include <QEventLoop>
@@ -175,7 +175,7 @@ Outcome<int> ConversationRecording::start(const QString &source)
                 m_result ? m_result->systemText : QStringLiteral("the disk does not answer")));
 }
 
-void ConversationRecording::add(TimePoint at, const tuning::Snapshot &registers)
+void ConversationRecording::add(TimePoint at, const snapshots::Snapshot &registers)
 {
     m_recording.add(at.time_since_epoch().count(),
         record::RegisterSnapshot{"all registers", session::snapshotJson(registers).toStdString()});

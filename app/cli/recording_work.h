@@ -2,9 +2,9 @@
 #pragma once
 
 #include "conversation.h"
-#include "session/recording.h"
-#include "session/recording_reader.h"
-#include "tuning/snapshot.h"
+#include "session/recording/recording.h"
+#include "session/recording/recording_reader.h"
+#include "snapshots/snapshot.h"
 
 namespace cli {
 
@@ -32,7 +32,7 @@ public:
 
     Outcome<int> start(const QString &source);
     /// What the board holds.
-    void add(TimePoint at, const tuning::Snapshot &registers);
+    void add(TimePoint at, const snapshots::Snapshot &registers);
     /// Ends it, if it is not over already.
     /// @return  kDone; a failure if it ended early or something did not get into it
     Outcome<int> finish();

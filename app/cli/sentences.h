@@ -3,8 +3,8 @@
 
 #include "arguments.h"
 #include "drive/event.h"
-#include "session/endpoint.h"
-#include "session/piece_file.h"
+#include "session/files/piece_file.h"
+#include "session/transports/endpoint.h"
 
 namespace cli {
 

@@ -2,8 +2,8 @@
 
 #include "sentences.h"
 
-#include "session/snapshot_json.h"
-#include "session/whole_file.h"
+#include "session/files/snapshot_json.h"
+#include "session/files/whole_file.h"
 
 #include <algorithm>
 
@@ -64,9 +64,9 @@ QString wordsOf(const session::SnapshotFileError &error)
 
 } // namespace
 
-Outcome<BoardSnapshot> readBoard(Desk &desk, tuning::Scope scope)
+Outcome<BoardSnapshot> readBoard(Desk &desk, snapshots::Scope scope)
 {
-    const auto ids = tuning::snapshotRegisters(desk.catalog(), scope);
+    const auto ids = snapshots::snapshotRegisters(desk.catalog(), scope);
     const auto readings = desk.talk.read(ids);
     if (!readings)
         return tl::make_unexpected(readings.error());
@@ -76,7 +76,7 @@ Outcome<BoardSnapshot> readBoard(Desk &desk, tuning::Scope scope)
         if (reading.status != drive::ReadStatus::Ok && reading.at == TimePoint{})
             result.unanswered.append(QString::fromStdString(desk.catalog().nameOf(reading.id)));
     }
-    result.snapshot = tuning::snapshotOf(desk.board.identity, desk.catalog(), *readings);
+    result.snapshot = snapshots::snapshotOf(desk.board.identity, desk.catalog(), *readings);
     return result;
 }
 
@@ -98,7 +98,7 @@ Outcome<QByteArray> loadFile(const QString &path)
         QStringLiteral("%1 cannot be read: %2; check the name.").arg(path, content.error()));
 }
 
-Outcome<tuning::Snapshot> loadSnapshot(const QString &path)
+Outcome<snapshots::Snapshot> loadSnapshot(const QString &path)
 {
     const auto content = loadFile(path);
     if (!content)
@@ -128,13 +128,13 @@ Outcome<bool> takeOnly(const Given &given, Arguments &arguments)
     return true;
 }
 
-Outcome<tuning::Selection> selectionOf(
-    const Arguments &arguments, const tuning::Snapshot &a, const tuning::Snapshot &b)
+Outcome<snapshots::Selection> selectionOf(
+    const Arguments &arguments, const snapshots::Snapshot &a, const snapshots::Snapshot &b)
 {
     std::vector<std::string> names;
     for (const QString &name : arguments.tuning.only)
         names.push_back(name.toStdString());
-    const tuning::Selection selection(names);
+    const snapshots::Selection selection(names);
     const auto notInA = selection.unmatched(a), notInB = selection.unmatched(b);
     for (const std::string &name : notInA)
         if (std::find(notInB.begin(), notInB.end(), name) != notInB.end())

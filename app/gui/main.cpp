@@ -3,11 +3,11 @@
 
 #include "../cli/interrupt.h"
 
-#include "session/guardian.h"
-#include "session/limits_file.h"
-#include "session/port_list.h"
+#include "session/files/limits_file.h"
+#include "session/link/guardian.h"
+#include "session/transports/port_list.h"
+#include "widgets/base/file_prompt.h"
 #include "widgets/base/theme.h"
-#include "widgets/files/file_prompt.h"
 #include "widgets/window/application.h"
 #include "widgets/window/connect_bar.h"
 #include "widgets/window/main_window.h"

@@ -2,8 +2,8 @@
 #include "describe.h"
 
 #include "../cli/json_text.h"
+#include "simulation/mcp/profile.h"
 #include "simulation/plant/parameter_table.h"
-#include "simulation/profile.h"
 
 #include <array>
 #include <cmath>

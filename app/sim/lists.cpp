@@ -1,11 +1,11 @@
 // Tables of names: profiles, motors, lies.
 #include "lists.h"
 
-#include "simulation/build.h"
-#include "simulation/liars.h"
+#include "simulation/firmware/build.h"
 #include "simulation/mcb/mcb_faults.h"
+#include "simulation/mcp/liars.h"
+#include "simulation/mcp/profile.h"
 #include "simulation/plant/presets.h"
-#include "simulation/profile.h"
 #include "simulation/simulated_board.h"
 
 #include <algorithm>

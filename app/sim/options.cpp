@@ -3,7 +3,7 @@
 
 #include "mcb_options.h"
 
-#include "session/motor_file.h"
+#include "session/files/motor_file.h"
 #include "simulation/legacy/legacy_motor_board.h"
 #include "simulation/plant/presets.h"
 

@@ -1,11 +1,11 @@
 #include "served.h"
 
 #include "legacy_words.h"
-#include "session/legacy_rig_file.h"
-#include "session/mcb_rig_file.h"
+#include "session/files/legacy_rig_file.h"
+#include "session/files/mcb_rig_file.h"
 #include "simulation/legacy/legacy_board.h"
 #include "simulation/mcb/mcb_board.h"
-#include "simulation/mcb_slave.h"
+#include "simulation/mcb/mcb_slave.h"
 
 namespace sim {
 

@@ -19,7 +19,7 @@ enum class GainLoop : std::uint8_t {
     Currents, ///< both at once
 };
 
-/// What a gain is a gain of; those of an analysis::GainId come first, in its order.
+/// What a gain is a gain of; those of an motor::GainId come first, in its order.
 enum class GainKind : std::uint8_t {
     TorqueKp,
     TorqueKi,

@@ -3,8 +3,8 @@
 // Pure functions; they ask for nothing.
 #pragma once
 
-#include "analysis/motor_sheet.h"
 #include "drive/event.h"
+#include "motor/motor_sheet.h"
 
 #include <functional>
 #include <optional>
@@ -15,7 +15,7 @@ namespace drive {
 
 /// What tuning starts from. 0: the board does not say, or was not asked yet.
 struct MotorFacts {
-    analysis::MotorParameters motor; ///< its nominal current is the motor's own
+    motor::MotorParameters motor; ///< its nominal current is the motor's own
     std::string name;
     double bus_v = 0.0; ///< nominal
     MotorLimits limits; ///< of the drive, and what its set-points stay within
@@ -62,7 +62,7 @@ std::vector<RegisterId> motorRegisters(const catalog::Catalog &catalog, int moto
 MotorFacts motorFacts(const catalog::Catalog &catalog, int motor, const ValueSource &known);
 
 /// The same as a description that files can be compared with; what the board does not say is not in it.
-analysis::MotorSheet sheetOf(const MotorFacts &facts);
+motor::MotorSheet sheetOf(const MotorFacts &facts);
 
 /// In the order motor, application, firmware, scales, board.
 std::vector<StructureView> motorStructures(

@@ -2,14 +2,26 @@
 // choose from it. A protocol more is a folder below this one, and a row.
 #pragma once
 
+#include "drive/drive.h"
 #include "drive/event.h"
-#include "drive/make_drive.h"
+#include "drive/protocol.h"
 
 #include <memory>
 #include <span>
 #include <string_view>
 
 namespace drive {
+
+struct LineOptions {
+    Protocol protocol = Protocol::Auto;
+    std::uint32_t baud = 1843200; ///< of the open port; time-outs and stream sizes follow from it
+    Duration patience{}; ///< added to the time-out of every reply
+    /// Of Protocol::Auto: what was spoken there before, and is tried first.
+    std::optional<Protocol> spoken{};
+};
+
+/// The drive for a line, by the protocol that is spoken on it.
+std::unique_ptr<Drive> makeDrive(const LineOptions &options);
 
 /// Whether a drive is made to find out who is there.
 enum class Search : std::uint8_t {

@@ -8,9 +8,9 @@
 
 #include "base/bytes.h"
 #include "base/time.h"
-#include "simulation/build.h"
 #include "simulation/device.h"
-#include "simulation/liars.h"
+#include "simulation/firmware/build.h"
+#include "simulation/mcp/liars.h"
 #include "simulation/plant/parameters.h"
 
 #include <cstdint>

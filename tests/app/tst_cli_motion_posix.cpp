@@ -1,5 +1,5 @@
 // What bounds the motion that the command line asks for, and what it leaves in the motion log.
-#include "session/limits_file.h"
+#include "session/files/limits_file.h"
 #include "support/programs_posix.h"
 
 #include <QDir>

@@ -1,5 +1,5 @@
 // Recordings as scripts see them: capture --record, show and export. The real program, against its own simulated board.
-#include "session/snapshot_json.h"
+#include "session/files/snapshot_json.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -2,7 +2,7 @@
 #include "bench/motor_data.h"
 #include "bench/paired.h"
 #include "capture/csv_export.h"
-#include "session/export_formats.h"
+#include "session/files/export_formats.h"
 
 #include <QFile>
 #include <QFileInfo>

@@ -3,8 +3,8 @@
 #include "bench/paired.h"
 #include "record/decoder.h"
 #include "record/restore.h"
-#include "session/recording_file.h"
-#include "session/recording_reader.h"
+#include "session/recording/recording_file.h"
+#include "session/recording/recording_reader.h"
 
 #include <QFile>
 #include <QTemporaryDir>

@@ -3,8 +3,8 @@
 #include "base/wide_registers.h"
 #include "bench/motor_data.h"
 #include "bench/paired.h"
+#include "widgets/scope/drawing/trace_image.h"
 #include "widgets/scope/scope_view.h"
-#include "widgets/scope/trace_image.h"
 
 #include <qcustomplot.h>
 

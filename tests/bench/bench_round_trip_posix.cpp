@@ -2,7 +2,7 @@
 // a worker thread, from there and from the GUI thread; against a thread that polls and reads. Real time, for waiting is
 // what counts: the three take turns, and the median round trip of each turn is compared. POSIX only: pseudo-terminals.
 #include "bench/paired.h"
-#include "session/serial_transport.h"
+#include "session/transports/serial_transport.h"
 #include "support/pseudo_terminal.h"
 
 #include <QEventLoop>

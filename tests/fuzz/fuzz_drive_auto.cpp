@@ -1,5 +1,5 @@
 // AutoDrive through any script of acts, faults and time, and boards of each serial protocol: drive_script.h has the rules.
-#include "drive/make_drive.h"
+#include "drive/protocol_table.h"
 #include "fuzz/wire_either.h"
 
 using namespace std::chrono_literals;

@@ -1,11 +1,11 @@
 // Any text as each of the JSON files that Rotorscope reads: it is taken whole or refused, and what was taken is the same
 // after writing and reading it again. The first byte chooses the reader.
 #include "fuzz/script.h"
-#include "session/legacy_rig_file.h"
-#include "session/mcb_rig_file.h"
-#include "session/motor_file.h"
-#include "session/rev_up_json.h"
-#include "session/snapshot_json.h"
+#include "session/files/legacy_rig_file.h"
+#include "session/files/mcb_rig_file.h"
+#include "session/files/motor_file.h"
+#include "session/files/rev_up_json.h"
+#include "session/files/snapshot_json.h"
 
 namespace {
 
@@ -19,7 +19,7 @@ void snapshot(const QByteArray &text)
     fuzz::require(again.has_value() && session::snapshotJson(*again) == ours);
 }
 
-void motor(const QByteArray &text)
+void motorFile(const QByteArray &text)
 {
     const auto read = session::readMotor(text);
     if (!read)
@@ -55,7 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         snapshot(text);
         break;
     case 1:
-        motor(text);
+        motorFile(text);
         break;
     case 2:
         revUp(text);

@@ -36,11 +36,11 @@ PATH = {
     "core/drive/set_point_check.cpp": ["tst_motion_limits", "tst_what_may_be_written", "tst_mcp_drive_writes"],
     "core/drive/start_target.cpp": ["tst_motion_limits", "tst_what_may_be_written"],
     "core/drive/write_check.cpp": ["tst_what_may_be_written", "tst_mcp_drive_writes"],
-    "core/session/dead_man.cpp": ["tst_dead_man"],
-    "core/session/time_gap.h": ["tst_dead_man"],
-    "core/session/driven_motors.cpp": ["tst_session_guardian"],
-    "core/session/stop_page_posix.cpp": ["tst_guardian_posix", "tst_session_guardian"],
-    "core/session/guardian_posix.cpp": ["tst_guardian_posix"],
+    "core/session/link/dead_man.cpp": ["tst_dead_man"],
+    "core/session/link/time_gap.h": ["tst_dead_man"],
+    "core/session/link/driven_motors.cpp": ["tst_session_guardian"],
+    "core/session/link/stop_page_posix.cpp": ["tst_guardian_posix", "tst_session_guardian"],
+    "core/session/link/guardian_posix.cpp": ["tst_guardian_posix"],
     "widgets/window/shutdown.cpp": ["tst_leaving", "tst_stop"],
 }
 

@@ -69,9 +69,9 @@ DEFECTS = [
     ("late wishes are sent", CAMPAIGN, "asked for", [
         ("core/drive/task.h", "return m_fresh + kWishExpiresAfter;", "return m_fresh + 100 * kWishExpiresAfter;")]),
     ("a restore writes what moves a motor", "tst_what_may_be_written", "asked for", [
-        ("core/tuning/restore.cpp", "&& !info->stub && !info->restorable();", "&& info->stub;"),
-        ("core/tuning/restore.cpp", "if (moves || !entry.tunable)", "if (moves)"),
-        ("core/tuning/snapshot.cpp", "return info.restorable();", "return info.readable() && info.writable() && !info.stub;"),
+        ("core/snapshots/restore.cpp", "&& !info->stub && !info->restorable();", "&& info->stub;"),
+        ("core/snapshots/restore.cpp", "if (moves || !entry.tunable)", "if (moves)"),
+        ("core/snapshots/snapshot.cpp", "return info.restorable();", "return info.readable() && info.writable() && !info.stub;"),
         ("core/drive/write_check.cpp", "    if (reach == Reach::Parameters)\n        return", "    if (reach == Reach::Parameters && info.stub)\n        return")]),
     ("a list of parameters may hold a set-point", CAMPAIGN, "asked for", [
         ("core/drive/write_check.cpp", "    if (reach == Reach::Parameters)\n        return", "    if (reach == Reach::Parameters && info.stub)\n        return")]),

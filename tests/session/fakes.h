@@ -2,7 +2,7 @@
 // number that the test moves.
 #pragma once
 
-#include "session/session.h"
+#include "session/link/session.h"
 
 #include <deque>
 #include <functional>

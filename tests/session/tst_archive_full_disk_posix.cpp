@@ -1,6 +1,6 @@
 // A disk that takes no more while samples go there: what it has stays readable, the rest is kept in memory, and it goes
 // round in what it has. A limit on the size of files gives the same short write as a full disk, without one.
-#include "session/disk_archive.h"
+#include "session/archive/disk_archive.h"
 #include "support/capture_twins.h"
 #include "support/once.h"
 #include "support/size_limit_posix.h"

@@ -1,5 +1,5 @@
 // Batches on given time: their pace, their number, and what thins while the receiver is behind.
-#include "session/batcher.h"
+#include "session/link/batcher.h"
 
 #include <QtTest>
 

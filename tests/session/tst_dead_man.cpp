@@ -2,7 +2,7 @@
 // on virtual time, but for the thread that is really kept from running.
 #include "fakes.h"
 
-#include "session/session_thread.h"
+#include "session/link/session_thread.h"
 
 #include <QtTest>
 

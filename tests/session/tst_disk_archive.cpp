@@ -1,6 +1,6 @@
 // The archive on a real disk: the same samples from there, little memory, nothing left behind, room given back; and
 // folders that cannot be used cost nothing but the oldest samples.
-#include "session/disk_archive.h"
+#include "session/archive/disk_archive.h"
 #include "support/capture_twins.h"
 #include "support/once.h"
 

@@ -1,6 +1,6 @@
 // What the name of a port means: simulated boards, SPI devices with and without a ready line, everything else.
-#include "session/endpoint.h"
-#include "session/spi_transport.h"
+#include "session/transports/endpoint.h"
+#include "session/transports/spi_transport.h"
 
 #include <QtTest>
 

@@ -1,5 +1,5 @@
 // An exported file: whole or not there at all, whatever the disk does.
-#include "session/export_formats.h"
+#include "session/files/export_formats.h"
 
 #include <QDir>
 #include <QFile>

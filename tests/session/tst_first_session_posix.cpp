@@ -1,6 +1,6 @@
 // The whole first session over a pseudo-terminal: QSerialPort on our side, the simulated board on the other, in real
 // time; and the cable pulled in the middle of a packet.
-#include "session/session.h"
+#include "session/link/session.h"
 #include "support/board_on_terminal.h"
 
 #include <QTemporaryDir>

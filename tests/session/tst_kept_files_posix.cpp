@@ -3,12 +3,12 @@
 // Both are done by this very program, started again with a word that says what to do. 100 kills; with ROTORSCOPE_LONG=1
 // 1,000 of them.
 #include "capture/csv_import.h"
-#include "session/export_formats.h"
-#include "session/motion_log_file.h"
-#include "session/motor_file.h"
-#include "session/rev_up_json.h"
-#include "session/snapshot_json.h"
-#include "session/whole_file.h"
+#include "session/files/export_formats.h"
+#include "session/files/motion_log_file.h"
+#include "session/files/motor_file.h"
+#include "session/files/rev_up_json.h"
+#include "session/files/snapshot_json.h"
+#include "session/files/whole_file.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
@@ -35,12 +35,12 @@ private Q_SLOTS:
 namespace {
 
 /// Values of every kind, with awkward numbers and names.
-tuning::Snapshot snapshotOf(int version, int entries)
+snapshots::Snapshot snapshotOf(int version, int entries)
 {
-    tuning::Snapshot snapshot;
+    snapshots::Snapshot snapshot;
     snapshot.board.firmware = "version " + std::to_string(version);
     for (int i = 0; i < entries; ++i) {
-        tuning::Entry entry;
+        snapshots::Entry entry;
         entry.name = "REGISTER_I_" + std::to_string(i); // an I is another letter in Turkish
         entry.motor = 1;
         entry.id = static_cast<catalog::RegisterId>(0x49 + i);
@@ -104,7 +104,7 @@ QByteArray everyFile(const QString &folder)
     const auto motor = readMotor("{\"motor\": {\"rs_ohm\": 0.35, \"polePairs\": 7}}");
     all += motor ? motorJson(motor->sheet())
                  : QByteArray::fromStdString(motorFileErrorText("f", motor.error()));
-    const analysis::RevUp stages = analysis::usualRevUp(1.5, 3000.0, 0.00123);
+    const motor::RevUp stages = motor::usualRevUp(1.5, 3000.0, 0.00123);
     const QByteArray revUp = revUpJson(stages, 0.00123);
     all += revUp;
     if (const auto again = readRevUpJson(revUp, 0.00123))

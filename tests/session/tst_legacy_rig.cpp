@@ -1,6 +1,6 @@
 // Static boards of the older serial protocol, made from rig files: every vector byte for byte on virtual time, and files
 // with flaws.
-#include "session/legacy_rig_file.h"
+#include "session/files/legacy_rig_file.h"
 #include "simulation/legacy/legacy_board.h"
 #include "support/legacy_vectors.h"
 

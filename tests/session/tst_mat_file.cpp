@@ -1,5 +1,5 @@
 // The MATLAB file, read back by a reader that shares no code with its writer (support/read_mat.py).
-#include "session/mat_file.h"
+#include "session/files/mat_file.h"
 
 #include <QDir>
 #include <QJsonArray>

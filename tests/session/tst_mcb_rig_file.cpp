@@ -1,5 +1,5 @@
 // Rig files of the MCB slave: what is read, and that what is wrong is named.
-#include "session/mcb_rig_file.h"
+#include "session/files/mcb_rig_file.h"
 
 #include <QTest>
 

@@ -1,4 +1,4 @@
-#include "session/motor_file.h"
+#include "session/files/motor_file.h"
 #include "simulation/plant/presets.h"
 
 #include <QTemporaryDir>
@@ -163,7 +163,7 @@ private Q_SLOTS:
             const auto again = session::readMotor(session::motorJson(sheet));
             QVERIFY(again.has_value());
             QCOMPARE(again->sheet().name, sheet.name);
-            for (const auto &row : analysis::compareMotors(sheet, again->sheet(), 1e-6)) {
+            for (const auto &row : motor::compareMotors(sheet, again->sheet(), 1e-6)) {
                 QVERIFY(row.here && row.there);
                 QVERIFY(!row.differs);
             }
@@ -177,12 +177,12 @@ private Q_SLOTS:
         QVERIFY(file.has_value());
         QVERIFY(near(file->sheet().rs_ohm, 0.5));
         QVERIFY(!file->sheet().polePairs);
-        QCOMPARE(analysis::compareMotors({}, file->sheet()).size(), 1U);
+        QCOMPARE(motor::compareMotors({}, file->sheet()).size(), 1U);
     }
 
     void whatNoMachineCanHaveIsNotWritten()
     {
-        analysis::MotorSheet sheet;
+        motor::MotorSheet sheet;
         sheet.rs_ohm = 0.0;
         sheet.ld_h = std::nan("");
         sheet.polePairs = 3.5;
@@ -196,7 +196,7 @@ private Q_SLOTS:
 
     void floatsOfABoardAreWrittenShort()
     {
-        analysis::MotorSheet sheet;
+        motor::MotorSheet sheet;
         sheet.rs_ohm = static_cast<double>(0.35F);
         QVERIFY(session::motorJson(sheet).contains("\"rs_ohm\": 0.35\n"));
     }
@@ -218,13 +218,13 @@ private Q_SLOTS:
 
     void figuresCloserThanTheToleranceDoNotDiffer()
     {
-        analysis::MotorSheet here, there;
+        motor::MotorSheet here, there;
         here.rs_ohm = 0.35;
         there.rs_ohm = 0.3501;
         here.lq_h = 1e-3;
         there.lq_h = 1.1e-3;
         here.bus_v = 24;
-        const auto rows = analysis::compareMotors(here, there);
+        const auto rows = motor::compareMotors(here, there);
         QCOMPARE(rows.size(), 3U);
         QVERIFY(!rows[0].differs);
         QVERIFY(rows[1].differs);

@@ -1,6 +1,6 @@
 // The array as NumPy reads it.
 #include "capture/npy_export.h"
-#include "session/export_formats.h"
+#include "session/files/export_formats.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -1,5 +1,5 @@
 // The list of ports: its order and its marks, whatever the system says.
-#include "session/port_list.h"
+#include "session/transports/port_list.h"
 
 #include <QtTest>
 

@@ -1,6 +1,6 @@
 // A recording on a disk that fails at any block: what was counted stays, the file says how it ended, and nothing more
 // is asked of the disk.
-#include "session/recording_file.h"
+#include "session/recording/recording_file.h"
 #include "support/recording_facts.h"
 
 #include <QTemporaryDir>

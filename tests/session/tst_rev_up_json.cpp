@@ -1,12 +1,12 @@
 // Rev-ups as files: what was saved is opened again, and what does not fit is refused whole.
-#include "session/rev_up_json.h"
+#include "session/files/rev_up_json.h"
 
 #include <QJsonDocument>
 #include <QTest>
 
 #include <random>
 
-using analysis::RevUp;
+using motor::RevUp;
 
 namespace {
 
@@ -28,7 +28,7 @@ private Q_SLOTS:
     {
         std::mt19937 random(3);
         for (int round = 0; round < 500; ++round) {
-            RevUp stages(1 + random() % analysis::kRevUpStages);
+            RevUp stages(1 + random() % motor::kRevUpStages);
             for (auto &stage : stages)
                 stage = {static_cast<std::int32_t>(random() % 65535) - 32767,
                     static_cast<std::int16_t>(random()), static_cast<std::uint16_t>(random())};

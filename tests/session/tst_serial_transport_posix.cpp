@@ -1,5 +1,5 @@
 // The serial port against pseudo-terminals: bytes, one writer, and every way a port can fail.
-#include "session/serial_transport.h"
+#include "session/transports/serial_transport.h"
 #include "support/pseudo_terminal.h"
 
 #include <QAbstractEventDispatcher>

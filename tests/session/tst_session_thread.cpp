@@ -1,6 +1,6 @@
 // The session in its own thread, as the window has it: it opens, is stopped and ends without being waited for.
-#include "session/session.h"
-#include "session/session_thread.h"
+#include "session/link/session.h"
+#include "session/link/session_thread.h"
 
 #include <QElapsedTimer>
 #include <QPointer>

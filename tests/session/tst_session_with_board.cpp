@@ -1,6 +1,6 @@
 // The session with the real drive and the simulated board, on virtual time and judged on the wire: what a person does
 // first.
-#include "session/session.h"
+#include "session/link/session.h"
 #include "support/judged_line.h"
 
 #include <QtTest>

@@ -1,6 +1,6 @@
 // Snapshots as files: the same values give the same bytes, what is read is what was written, and nonsense is refused.
-#include "session/snapshot_json.h"
-#include "session/whole_file.h"
+#include "session/files/snapshot_json.h"
+#include "session/files/whole_file.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-using tuning::Entry;
-using tuning::Snapshot;
+using snapshots::Entry;
+using snapshots::Snapshot;
 
 class TestSnapshotJson : public QObject {
     Q_OBJECT
@@ -82,7 +82,7 @@ void TestSnapshotJson::whatIsWrittenIsReadAgain()
     for (std::size_t i = 0; i < read->entries.size(); ++i) {
         const Entry &is = read->entries[i], &was = snapshot.entries[i];
         QVERIFY(is.isSame(was) && is.id == was.id && is.group == was.group && is.type == was.type);
-        QVERIFY2(tuning::sameValue(is.value, was.value), was.name.c_str());
+        QVERIFY2(snapshots::sameValue(is.value, was.value), was.name.c_str());
         QVERIFY(is.tunable);
         QCOMPARE(is.shown.has_value(), was.shown.has_value());
         if (was.shown && std::isfinite(*was.shown)) {
@@ -90,7 +90,7 @@ void TestSnapshotJson::whatIsWrittenIsReadAgain()
             QCOMPARE(is.unit, was.unit);
         }
     }
-    QVERIFY(tuning::differences(*read, snapshot, tuning::Scope::All).empty());
+    QVERIFY(snapshots::differences(*read, snapshot, snapshots::Scope::All).empty());
 }
 
 void TestSnapshotJson::theSameValuesGiveTheSameBytes()

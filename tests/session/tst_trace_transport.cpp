@@ -1,5 +1,5 @@
 // A recorded session as a port: it plays what the board sent, at its pace, and takes nothing.
-#include "session/trace_transport.h"
+#include "session/transports/trace_transport.h"
 
 #include <QTemporaryDir>
 #include <QtTest>

@@ -1,7 +1,7 @@
 // The port vanishes at any byte of a session, while it reads and while it writes, and is there again: each wish ends once,
 // nothing is armed, the motor is not started a second time, and the board is found again.
 // Every 37th byte; with ROTORSCOPE_LONG=1 each of them.
-#include "session/session.h"
+#include "session/link/session.h"
 #include "simulation/simulated_board.h"
 
 #include <QtTest>

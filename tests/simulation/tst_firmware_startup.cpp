@@ -1,6 +1,6 @@
 // Starts from any angle, on every motor; what the observer makes of the rotor then; and rev-ups that must fail.
 // Source: features 6.5 and 6.8.
-#include "simulation/build.h"
+#include "simulation/firmware/build.h"
 #include "support/axis_bench.h"
 
 #include <QTest>

@@ -2,7 +2,7 @@
 // did not have, ends each command once, sends nothing that was not asked for, and knows within seconds where it stands.
 #include "support/link_pair.h"
 
-#include "simulation/liars.h"
+#include "simulation/mcp/liars.h"
 
 #include <QTest>
 

@@ -4,9 +4,9 @@
 //   guarded_program PORT drive    drives until somebody ends it
 //                        idle     arms, moves nothing
 //                        leave    starts, then closes the port as a person does who leaves the motor running, and ends
-#include "session/guardian.h"
-#include "session/session.h"
-#include "session/session_thread.h"
+#include "session/link/guardian.h"
+#include "session/link/session.h"
+#include "session/link/session_thread.h"
 
 #include <QApplication>
 #include <QTimer>

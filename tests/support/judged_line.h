@@ -4,8 +4,8 @@
 // bounds are those of a drive. The board lives on while its cable is out.
 #pragma once
 
-#include "drive/make_drive.h"
-#include "session/session.h"
+#include "drive/protocol_table.h"
+#include "session/link/session.h"
 #include "simulation/mcb/mcb_board.h"
 #include "simulation/simulated_board.h"
 #include "support/judge_speaks.h"

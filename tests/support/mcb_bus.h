@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mcb/master.h"
-#include "simulation/mcb_slave.h"
+#include "simulation/mcb/mcb_slave.h"
 #include "support/judge_speaks.h"
 #include "support/wire_mcb.h"
 

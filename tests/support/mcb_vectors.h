@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mcb/value.h"
-#include "simulation/mcb_registers.h"
+#include "simulation/mcb/mcb_registers.h"
 
 #include <QFile>
 #include <QJsonArray>

@@ -58,12 +58,12 @@ struct RevUpBench {
         form.show();
         return QTest::qWaitForWindowExposed(&form);
     }
-    const analysis::RevUp &stages() const { return model.stages(); }
+    const motor::RevUp &stages() const { return model.stages(); }
     bool type(int row, int column, const QString &text)
     {
         return model.setData(model.index(row, column), text);
     }
-    bool setAll(const analysis::RevUp &stages) { return model.setStages(stages); }
+    bool setAll(const motor::RevUp &stages) { return model.setStages(stages); }
     Bytes heldBytes() { return std::get<Bytes>(bench.held("REVUP_DATA")); }
     Bytes wantedBytes() const
     {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "capture/capture.h"
+#include "widgets/base/register_texts.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QtTest>

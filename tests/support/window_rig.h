@@ -2,7 +2,7 @@
 #pragma once
 
 #include "support/window_facts.h"
-#include "widgets/files/file_prompt.h"
+#include "widgets/base/file_prompt.h"
 #include "widgets/window/application.h"
 #include "widgets/window/main_window.h"
 #include "widgets/window/workbench.h"

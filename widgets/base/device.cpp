@@ -1,7 +1,7 @@
 #include "widgets/base/device.h"
 
 #include "drive/board_facts.h"
-#include "widgets/files/replaying.h"
+#include "widgets/base/replaying.h"
 
 namespace widgets {
 namespace {

@@ -8,7 +8,7 @@
 #include "drive/event.h"
 #include "drive/motion_limits.h"
 #include "drive/wish.h"
-#include "session/session.h"
+#include "session/link/session.h"
 
 #include <QObject>
 

@@ -4,9 +4,9 @@
 
 #include "drive/event.h"
 #include "drive/motion_caution.h"
-#include "session/dead_man.h"
-#include "session/endpoint.h"
-#include "session/piece_file.h"
+#include "session/files/piece_file.h"
+#include "session/link/dead_man.h"
+#include "session/transports/endpoint.h"
 
 #include <QString>
 

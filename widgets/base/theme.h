@@ -1,11 +1,13 @@
 // Light and dark: Fusion with a palette of our own, so that every desktop shows the same window.
 #pragma once
 
-#include "widgets/window/settings.h"
-
 #include <QPalette>
 
+#include <cstdint>
+
 namespace widgets {
+
+enum class Theme : std::uint8_t { System, Light, Dark };
 
 QPalette lightPalette();
 QPalette darkPalette();

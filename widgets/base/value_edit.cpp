@@ -1,8 +1,8 @@
 #include "widgets/base/value_edit.h"
 
+#include "widgets/base/axis_ticks.h"
+#include "widgets/base/reading_text.h"
 #include "widgets/base/setpoint_text.h"
-#include "widgets/scope/axis_ticks.h"
-#include "widgets/scope/reading_text.h"
 
 #include <QKeyEvent>
 #include <QToolTip>

@@ -1,7 +1,7 @@
 #include "widgets/base/value_text.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/registers/register_texts.h"
+#include "widgets/base/register_texts.h"
 
 #include <QLocale>
 

@@ -1,7 +1,7 @@
 #include "widgets/control/current_scale_dialog.h"
 
-#include "analysis/current_scale.h"
 #include "drive/motion_limits.h"
+#include "motor/current_scale.h"
 #include "widgets/base/setpoint_text.h"
 #include "widgets/base/value_text.h"
 
@@ -96,7 +96,7 @@ QGroupBox *CurrentScaleDialog::makeCircuit()
 
 void CurrentScaleDialog::compute()
 {
-    const double amps = analysis::fullScaleCurrent_a(
+    const double amps = motor::fullScaleCurrent_a(
         {positiveIn(m_shunt) * kMilli, positiveIn(m_gain), positiveIn(m_reference)});
     if (amps > 0.0)
         m_amps->setText(numberText(amps, 4));

@@ -1,6 +1,6 @@
 #include "widgets/control/jog_box.h"
 
-#include "analysis/ramp.h"
+#include "motor/ramp.h"
 #include "widgets/control/command_box.h"
 #include "widgets/control/setpoint_edit.h"
 
@@ -215,10 +215,9 @@ JogButton *JogBox::makeButton(const QString &text, const char *name, int sign)
 void JogBox::updateLimit()
 {
     const double most = m_jog.greatestRpm();
-    m_speed->setLimits(most > 0.0 ? most : kFallbackRpm, analysis::kSpeedStep_rpm, tr("rpm"));
+    m_speed->setLimits(most > 0.0 ? most : kFallbackRpm, motor::kSpeedStep_rpm, tr("rpm"));
     if (most > 0.0 && !std::exchange(m_speedGiven, true))
-        m_speed->setValue(
-            std::floor(most / 2.0 / analysis::kSpeedStep_rpm) * analysis::kSpeedStep_rpm);
+        m_speed->setValue(std::floor(most / 2.0 / motor::kSpeedStep_rpm) * motor::kSpeedStep_rpm);
     follow();
 }
 

@@ -2,7 +2,7 @@
 // the capture does, over every connection. Words of the log are translated here, in its files they are not.
 #pragma once
 
-#include "session/motion_log_file.h"
+#include "session/files/motion_log_file.h"
 
 #include <QAbstractTableModel>
 

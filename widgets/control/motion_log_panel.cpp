@@ -1,9 +1,9 @@
 #include "widgets/control/motion_log_panel.h"
 
-#include "session/whole_file.h"
+#include "session/files/whole_file.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/file_prompt.h"
 #include "widgets/control/motion_log_model.h"
-#include "widgets/files/file_prompt.h"
 
 #include <QClipboard>
 #include <QDir>

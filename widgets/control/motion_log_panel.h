@@ -1,7 +1,7 @@
 // The motion log as a table: what was asked of the motors and how it ended. It can be copied and saved, never changed. A tool like the forms, without edits.
 #pragma once
 
-#include "widgets/forms/form.h"
+#include "widgets/base/form.h"
 
 class QTableView;
 

@@ -1,8 +1,8 @@
 #include "widgets/control/setpoint_box.h"
 
-#include "analysis/ramp.h"
 #include "drive/control_mode.h"
 #include "drive/set_point_check.h"
+#include "motor/ramp.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/control/command_box.h"
@@ -162,7 +162,7 @@ void SetpointBox::updateLimits()
     const drive::MotionBounds bounds = m_device.bounds(m_device.motor());
     m_speed->setLimits(
         bounds.rpm > 0.0 ? std::min(bounds.rpm, drive::kGreatestWireRpm) : drive::kGreatestWireRpm,
-        analysis::kSpeedStep_rpm, tr("rpm"));
+        motor::kSpeedStep_rpm, tr("rpm"));
     for (SetpointEdit *edit : {m_torque, m_iq, m_id})
         edit->setLimits(
             bounds.amps > 0.0 ? bounds.amps : drive::kHighestAmps, kAmpStep, QStringLiteral("A"));

@@ -3,8 +3,8 @@
 #include "base/overloaded.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/messages.h"
+#include "widgets/base/reading_text.h"
 #include "widgets/base/value_text.h"
-#include "widgets/scope/reading_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "capture/capture.h"
 #include "widgets/base/device.h"
-#include "widgets/scope/event_log.h"
+#include "widgets/scope/events/event_log.h"
 
 #include <functional>
 #include <map>

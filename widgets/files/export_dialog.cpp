@@ -1,9 +1,9 @@
 #include "widgets/files/export_dialog.h"
 
 #include "capture/csv_export.h"
-#include "session/motion_log_file.h"
+#include "session/files/motion_log_file.h"
 #include "widgets/base/device_text.h"
-#include "widgets/files/file_prompt.h"
+#include "widgets/base/file_prompt.h"
 #include "widgets/files/scope_picture.h"
 #include "widgets/scope/scope_view.h"
 

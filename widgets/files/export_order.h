@@ -2,7 +2,7 @@
 // Pictures are of the screen and are made in its thread (scope_picture.h).
 #pragma once
 
-#include "session/export_formats.h"
+#include "session/files/export_formats.h"
 
 #include <QList>
 #include <QString>

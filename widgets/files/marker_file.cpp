@@ -1,11 +1,11 @@
 #include "widgets/files/marker_file.h"
 
-#include "session/whole_file.h"
+#include "session/files/whole_file.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/file_prompt.h"
 #include "widgets/files/file_job.h"
-#include "widgets/files/file_prompt.h"
 #include "widgets/files/record_control.h"
-#include "widgets/scope/event_log.h"
+#include "widgets/scope/events/event_log.h"
 
 #include <QAction>
 #include <QDir>

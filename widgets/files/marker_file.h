@@ -2,9 +2,9 @@
 // opened recording or a copy of it, into the recording of the connection, or, where there is none, into a list.
 #pragma once
 
-#include "session/recording_notes.h"
+#include "session/recording/recording_notes.h"
+#include "widgets/base/banner.h"
 #include "widgets/files/markers.h"
-#include "widgets/window/banner.h"
 
 #include <QObject>
 

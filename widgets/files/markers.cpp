@@ -1,7 +1,7 @@
 #include "widgets/files/markers.h"
 
 #include "capture/csv_export.h"
-#include "widgets/scope/event_log.h"
+#include "widgets/scope/events/event_log.h"
 
 namespace widgets {
 

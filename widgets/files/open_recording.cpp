@@ -4,7 +4,7 @@
 #include "widgets/base/value_text.h"
 #include "widgets/files/file_job.h"
 #include "widgets/files/happening_text.h"
-#include "widgets/scope/event_log.h"
+#include "widgets/scope/events/event_log.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "capture/capture.h"
-#include "session/recording_reader.h"
-#include "session/replay.h"
+#include "session/recording/recording_reader.h"
+#include "session/recording/replay.h"
 
 #include <QObject>
 

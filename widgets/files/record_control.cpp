@@ -1,10 +1,10 @@
 #include "widgets/files/record_control.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/file_prompt.h"
 #include "widgets/base/lamp.h"
 #include "widgets/base/value_text.h"
-#include "widgets/files/file_prompt.h"
-#include "widgets/scope/event_log.h"
+#include "widgets/scope/events/event_log.h"
 
 #include <QAction>
 #include <QCoreApplication>

@@ -2,10 +2,10 @@
 // the events and marks on the clock of the traces. The file itself is session::Recording's, in a thread of its own.
 #pragma once
 
-#include "session/recording.h"
+#include "session/recording/recording.h"
+#include "widgets/base/banner.h"
 #include "widgets/base/device.h"
 #include "widgets/files/markers.h"
-#include "widgets/window/banner.h"
 
 #include <QObject>
 

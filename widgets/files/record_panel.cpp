@@ -3,7 +3,7 @@
 #include "widgets/base/wheel_guard.h"
 #include "widgets/files/record_table.h"
 #include "widgets/scope/scope_view.h"
-#include "widgets/scope/trigger_control.h"
+#include "widgets/scope/trigger/trigger_control.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>

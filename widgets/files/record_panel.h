@@ -1,7 +1,7 @@
 // The last records of the trigger as a tool: look at one again, pin it so that it stays, give it a label.
 #pragma once
 
-#include "widgets/forms/form.h"
+#include "widgets/base/form.h"
 
 class QSpinBox;
 class QTreeView;

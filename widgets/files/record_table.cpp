@@ -1,7 +1,7 @@
 #include "widgets/files/record_table.h"
 
+#include "widgets/base/axis_ticks.h"
 #include "widgets/base/device_text.h"
-#include "widgets/scope/axis_ticks.h"
 
 #include <algorithm>
 

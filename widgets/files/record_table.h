@@ -2,7 +2,7 @@
 // record. Read anew when asked, because records come by the dozen in a second.
 #pragma once
 
-#include "widgets/scope/trigger_control.h"
+#include "widgets/scope/trigger/trigger_control.h"
 
 #include <QAbstractTableModel>
 

@@ -1,10 +1,10 @@
 #include "widgets/files/replay_bar.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/replaying.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/files/record_control.h"
-#include "widgets/files/replaying.h"
 
 #include <QComboBox>
 #include <QFileInfo>

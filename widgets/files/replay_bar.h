@@ -1,7 +1,7 @@
 // ReplayBar: the pace of a replay, a pause, and how far it is. Shown while a recording is what is connected.
 #pragma once
 
-#include "session/replay.h"
+#include "session/recording/replay.h"
 #include "widgets/base/device.h"
 
 #include <QWidget>

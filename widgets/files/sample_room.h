@@ -3,9 +3,9 @@
 #pragma once
 
 #include "capture/capture.h"
-#include "session/disk_archive.h"
+#include "session/archive/disk_archive.h"
+#include "widgets/base/banner.h"
 #include "widgets/base/device.h"
-#include "widgets/window/banner.h"
 
 #include <QObject>
 

@@ -1,7 +1,7 @@
 // Pictures of the scope as it is on the screen, as files.
 #pragma once
 
-#include "session/piece_file.h"
+#include "session/files/piece_file.h"
 
 #include <QByteArray>
 

@@ -12,7 +12,7 @@
 namespace widgets {
 namespace {
 
-using analysis::GainId;
+using motor::GainId;
 
 constexpr double kMilli = 1e3;
 constexpr double kShownTimeConstants = 7.0;
@@ -21,7 +21,7 @@ constexpr double kShownOfSpeed = 0.7; ///< of the predicted step
 QString percentText(double share) { return significantText(100.0 * share, 2); }
 
 /// "0", or "0 to 4" where it depends on the board's timer.
-QString overshootText(const analysis::CurrentForecast &forecast)
+QString overshootText(const motor::CurrentForecast &forecast)
 {
     constexpr double kWorthSaying = 0.005;
     const QString prompt = percentText(forecast.step.overshoot);
@@ -30,9 +30,9 @@ QString overshootText(const analysis::CurrentForecast &forecast)
         : GainForecast::tr("%1 to %2", "percent").arg(prompt, percentText(forecast.lateOvershoot));
 }
 
-analysis::PiGains digitsOf(const analysis::PerGain<HeldGain> &board, GainId kp, GainId ki)
+motor::PiGains digitsOf(const motor::PerGain<HeldGain> &board, GainId kp, GainId ki)
 {
-    return {board[analysis::indexOf(kp)].value(), board[analysis::indexOf(ki)].value()};
+    return {board[motor::indexOf(kp)].value(), board[motor::indexOf(ki)].value()};
 }
 
 } // namespace
@@ -53,22 +53,22 @@ GainForecast::GainForecast(QWidget *parent)
     column->addWidget(m_speedPlot, 1);
 }
 
-void GainForecast::showPlan(const analysis::GainPlan &plan, double asked_radps,
-    const analysis::GainPlant &plant, const analysis::PerGain<HeldGain> &board)
+void GainForecast::showPlan(const motor::GainPlan &plan, double asked_radps,
+    const motor::GainPlant &plant, const motor::PerGain<HeldGain> &board)
 {
     showCurrent(plan, asked_radps, plant, board);
     showSpeed(plan, plant, board);
 }
 
-void GainForecast::showCurrent(const analysis::GainPlan &plan, double asked_radps,
-    const analysis::GainPlant &plant, const analysis::PerGain<HeldGain> &board)
+void GainForecast::showCurrent(const motor::GainPlan &plan, double asked_radps,
+    const motor::GainPlant &plant, const motor::PerGain<HeldGain> &board)
 {
     if (!plan.current) {
         m_currentText->say({});
         m_currentPlot->setReason(tr("No prediction yet."));
         return;
     }
-    const analysis::CurrentForecast &now = *plan.current;
+    const motor::CurrentForecast &now = *plan.current;
     const auto hertz = [](double radps) {
         return significantText(radps / (2.0 * std::numbers::pi), 3);
     };
@@ -82,16 +82,16 @@ void GainForecast::showCurrent(const analysis::GainPlan &plan, double asked_radp
         "Rise with a timer that takes the new voltage at once, as on the simulated board. One that "
         "takes it a period later rises quicker and overshoots more.")));
     const double duration = kShownTimeConstants / now.realBandwidth_radps;
-    const analysis::PiGains present = digitsOf(board, GainId::TorqueKp, GainId::TorqueKi);
-    analysis::StepPrediction before;
+    const motor::PiGains present = digitsOf(board, GainId::TorqueKp, GainId::TorqueKi);
+    motor::StepPrediction before;
     if (present.kp > 0.0 && present.ki >= 0.0)
-        before = analysis::forecastCurrent(present, plant.torque(), plant.stage, duration).step;
+        before = motor::forecastCurrent(present, plant.torque(), plant.stage, duration).step;
     m_currentPlot->setSteps(now.step, before, duration);
     m_currentPlot->setAccessibleDescription(m_currentText->text());
 }
 
-void GainForecast::showSpeed(const analysis::GainPlan &plan, const analysis::GainPlant &plant,
-    const analysis::PerGain<HeldGain> &board)
+void GainForecast::showSpeed(const motor::GainPlan &plan, const motor::GainPlant &plant,
+    const motor::PerGain<HeldGain> &board)
 {
     if (!plan.speed) {
         m_speedText->say({});
@@ -99,7 +99,7 @@ void GainForecast::showSpeed(const analysis::GainPlan &plan, const analysis::Gai
             plan.current ? tr("The speed loop stays as it is.") : tr("No prediction yet."));
         return;
     }
-    const analysis::SpeedForecast &now = *plan.speed;
+    const motor::SpeedForecast &now = *plan.speed;
     QString text = tr("Rise %1 ms, margin %2\u00b0. Overshoot %3 %, behind a ramp %4 %.")
                        .arg(significantText(now.step.rise_s * kMilli, 3),
                            significantText(now.margin.phase_deg, 3),
@@ -114,12 +114,12 @@ void GainForecast::showSpeed(const analysis::GainPlan &plan, const analysis::Gai
     m_speedText->say(text);
     const double duration =
         kShownOfSpeed * now.step.period_s * static_cast<double>(now.step.response.size());
-    const analysis::PiGains present = digitsOf(board, GainId::SpeedKp, GainId::SpeedKi);
-    const analysis::PiGains torque = digitsOf(board, GainId::TorqueKp, GainId::TorqueKi);
-    analysis::StepPrediction before;
+    const motor::PiGains present = digitsOf(board, GainId::SpeedKp, GainId::SpeedKi);
+    const motor::PiGains torque = digitsOf(board, GainId::TorqueKp, GainId::TorqueKi);
+    motor::StepPrediction before;
     if (present.kp > 0.0 && present.ki >= 0.0 && torque.kp > 0.0)
-        before = analysis::forecastSpeed(present, plant,
-            analysis::realBandwidth_radps(torque.kp, plant.torque(), plant.stage), duration)
+        before = motor::forecastSpeed(present, plant,
+            motor::realBandwidth_radps(torque.kp, plant.torque(), plant.stage), duration)
                      .step;
     m_speedPlot->setSteps(now.step, before, duration);
     m_speedPlot->setAccessibleDescription(text);

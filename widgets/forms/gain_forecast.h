@@ -16,14 +16,14 @@ public:
     explicit GainForecast(QWidget *parent = nullptr);
 
     /// @param asked_radps  the bandwidth that was wished for
-    void showPlan(const analysis::GainPlan &plan, double asked_radps,
-        const analysis::GainPlant &plant, const analysis::PerGain<HeldGain> &board);
+    void showPlan(const motor::GainPlan &plan, double asked_radps, const motor::GainPlant &plant,
+        const motor::PerGain<HeldGain> &board);
 
 private:
-    void showCurrent(const analysis::GainPlan &plan, double asked_radps,
-        const analysis::GainPlant &plant, const analysis::PerGain<HeldGain> &board);
-    void showSpeed(const analysis::GainPlan &plan, const analysis::GainPlant &plant,
-        const analysis::PerGain<HeldGain> &board);
+    void showCurrent(const motor::GainPlan &plan, double asked_radps, const motor::GainPlant &plant,
+        const motor::PerGain<HeldGain> &board);
+    void showSpeed(const motor::GainPlan &plan, const motor::GainPlant &plant,
+        const motor::PerGain<HeldGain> &board);
 
     GainLabel *m_currentText, *m_speedText;
     GainPlot *m_currentPlot, *m_speedPlot;

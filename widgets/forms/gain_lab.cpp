@@ -22,8 +22,8 @@
 namespace widgets {
 namespace {
 
-using analysis::GainId;
-using analysis::GainPlan;
+using motor::GainId;
+using motor::GainPlan;
 
 constexpr double kMilli = 1e3;
 constexpr int kSliderSteps = 1000;
@@ -226,7 +226,7 @@ double GainLab::sliderEnd() const
 {
     const double period_s = m_motor->facts().controlPeriod_s;
     return period_s > 0.0
-        ? std::max(2.0 * kLeastBandwidth, analysis::bandwidthLimit_radps(1.0 / period_s))
+        ? std::max(2.0 * kLeastBandwidth, motor::bandwidthLimit_radps(1.0 / period_s))
         : kMostBandwidth;
 }
 
@@ -259,9 +259,9 @@ void GainLab::fillDelay()
     m_delay->setValue(delay_s > 0.0 ? std::optional(delay_s * kMilli) : std::nullopt);
 }
 
-analysis::GainPlant GainLab::plant() const
+motor::GainPlant GainLab::plant() const
 {
-    analysis::GainPlant plant = m_motor->plant();
+    motor::GainPlant plant = m_motor->plant();
     plant.speedDelay_s = m_delay->value().value_or(0.0) / kMilli;
     return plant;
 }
@@ -296,12 +296,12 @@ void GainLab::forgetTyped()
 
 void GainLab::refreshPresent()
 {
-    analysis::PerGain<HeldGain> held;
+    motor::PerGain<HeldGain> held;
     for (std::size_t i = 0; i < held.size(); ++i) {
         const auto id = static_cast<GainId>(i);
         held[i].numerator = wholeOf(m_model, QLatin1String(gainRegister(id)));
         if (const auto exponent = wholeOf(m_model, divisorOf(id));
-            exponent && *exponent >= 0 && *exponent <= analysis::kMaxExponent)
+            exponent && *exponent >= 0 && *exponent <= motor::kMaxExponent)
             held[i].exponent = static_cast<int>(*exponent);
     }
     if (held == m_held)
@@ -314,12 +314,12 @@ void GainLab::refreshPresent()
 /// Until somebody wishes for another one, it is the bandwidth that the board has.
 void GainLab::takeBoardsBandwidth()
 {
-    const analysis::GainPlant board = plant();
-    const double kp = m_held[analysis::indexOf(GainId::TorqueKp)].value();
+    const motor::GainPlant board = plant();
+    const double kp = m_held[motor::indexOf(GainId::TorqueKp)].value();
     if (m_wished || !(kp > 0.0) || !(board.torque().inductance_h > 0.0)
         || !(board.stage.ruleOhms() > 0.0))
         return;
-    const double now = analysis::ruleBandwidth_radps(kp, board.torque(), board.stage);
+    const double now = motor::ruleBandwidth_radps(kp, board.torque(), board.stage);
     const double digit = std::pow(10.0, std::floor(std::log10(now)) - 2.0);
     fillBandwidth(std::round(now / digit) * digit, nullptr);
 }
@@ -327,7 +327,7 @@ void GainLab::takeBoardsBandwidth()
 std::vector<catalog::RegisterId> GainLab::registers() const
 {
     std::vector<catalog::RegisterId> ids;
-    for (std::size_t i = 0; i < analysis::kGainIds; ++i) {
+    for (std::size_t i = 0; i < motor::kGainIds; ++i) {
         const auto gain = static_cast<GainId>(i);
         for (const QString &name : {QString(QLatin1String(gainRegister(gain))), divisorOf(gain)})
             if (const auto id = m_model.idOf(name.toStdString()); id && m_model.pollable(*id))
@@ -348,7 +348,7 @@ QString GainLab::obstacle() const
         return tr(
             "This drive's gains are numbers in units, and its current loop is not the one whose "
             "rule is used here: set them among the regulators.");
-    for (const analysis::PlannedGain &gain : m_plan.gains)
+    for (const motor::PlannedGain &gain : m_plan.gains)
         for (const QString &name :
             {QString(QLatin1String(gainRegister(gain.id))), divisorOf(gain.id)})
             if (const auto id = m_model.idOf(name.toStdString());
@@ -364,8 +364,8 @@ QString GainLab::obstacle() const
         return tr("Type a damping from 1.05 to 20, or leave the speed loop out.");
     if (const QString problem = m_motor->problem(); !problem.isEmpty())
         return problem;
-    for (const analysis::GainFinding &finding : m_plan.findings)
-        if (analysis::blocks(finding.warning))
+    for (const motor::GainFinding &finding : m_plan.findings)
+        if (motor::blocks(finding.warning))
             return gainFindingText(finding);
     return {};
 }
@@ -374,11 +374,11 @@ void GainLab::recompute()
 {
     const double bandwidth = m_hertz->value() && m_bandwidth->value() ? *m_bandwidth->value() : 0.0;
     const double damping = m_speed->isChecked() ? m_damping->value().value_or(0.0) : 0.0;
-    analysis::PerGain<std::optional<int>> divisors;
+    motor::PerGain<std::optional<int>> divisors;
     for (std::size_t i = 0; i < divisors.size(); ++i)
         divisors[i] = m_held[i].exponent;
     m_plan =
-        bandwidth > 0.0 ? analysis::planGains(plant(), {bandwidth, damping}, divisors) : GainPlan();
+        bandwidth > 0.0 ? motor::planGains(plant(), {bandwidth, damping}, divisors) : GainPlan();
     m_table->showPlan(m_plan, m_held);
     m_forecast->showPlan(m_plan, bandwidth, plant(), m_held);
     showFindings();
@@ -393,9 +393,9 @@ void GainLab::recompute()
 void GainLab::showFindings()
 {
     QStringList lines;
-    for (const analysis::GainFinding &finding : m_plan.findings)
-        lines.append((analysis::blocks(finding.warning) ? QStringLiteral("\u26a0 ")
-                                                        : QStringLiteral("\u2022 "))
+    for (const motor::GainFinding &finding : m_plan.findings)
+        lines.append(
+            (motor::blocks(finding.warning) ? QStringLiteral("\u26a0 ") : QStringLiteral("\u2022 "))
             + gainFindingText(finding));
     if (lines.isEmpty() && m_plan.gains.empty())
         lines.append(QStringLiteral("\u26a0 ") + obstacle());

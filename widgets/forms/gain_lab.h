@@ -33,7 +33,7 @@ public:
     /// The board may hold other gains now.
     void refreshPresent();
 
-    const analysis::GainPlan &plan() const { return m_plan; }
+    const motor::GainPlan &plan() const { return m_plan; }
     std::vector<catalog::RegisterId> registers() const;
     void focusFirst();
     void tell(const QString &sentence); ///< what came of a preview; goes with the next change
@@ -52,14 +52,14 @@ private:
     void wished();
     double sliderEnd() const;
     void fillDelay();
-    analysis::GainPlant plant() const;
+    motor::GainPlant plant() const;
     void recompute();
     void showFindings();
     QString obstacle() const; ///< why no preview is possible; empty if it is
 
     RegisterModel &m_model;
-    analysis::PerGain<HeldGain> m_held;
-    analysis::GainPlan m_plan;
+    motor::PerGain<HeldGain> m_held;
+    motor::GainPlan m_plan;
     bool m_wished = false; ///< bandwidth or damping are a person's
     bool m_delayTyped = false;
     GainMotor *m_motor;

@@ -1,6 +1,6 @@
 #include "widgets/forms/gain_motor.h"
 
-#include "tuning/gain_plant.h"
+#include "drive/gain_plant.h"
 #include "widgets/forms/gain_number.h"
 
 #include <QGridLayout>
@@ -92,8 +92,8 @@ void GainMotor::fluxTyped(GainNumber *field)
     GainNumber *other = field == m_flux ? m_ke : m_flux;
     std::erase(m_typed, other);
     if (value && poles)
-        other->setValue(field == m_flux ? analysis::keOfFlux_vrmsPerKrpm(*value / kMilli, *poles)
-                                        : analysis::fluxOfKe_wb(*value, *poles) * kMilli);
+        other->setValue(field == m_flux ? motor::keOfFlux_vrmsPerKrpm(*value / kMilli, *poles)
+                                        : motor::fluxOfKe_wb(*value, *poles) * kMilli);
     else
         other->setValue(std::nullopt);
     typed(field);
@@ -119,7 +119,7 @@ void GainMotor::fill()
         if (!isTyped(field))
             field->setValue(value > 0.0 ? std::optional(value * factor) : std::nullopt);
     };
-    const analysis::MotorParameters &motor = m_facts.motor;
+    const motor::MotorParameters &motor = m_facts.motor;
     put(m_rs, motor.rs_ohm, 1.0);
     put(m_lq, motor.lq_h, kMilli);
     put(m_ld, motor.ld_h, kMilli);
@@ -127,7 +127,7 @@ void GainMotor::fill()
     if (!isTyped(m_flux) && !isTyped(m_ke)) {
         put(m_flux, motor.flux_wb, kMilli);
         put(m_ke,
-            motor.polePairs > 0.0 ? analysis::keOfFlux_vrmsPerKrpm(motor.flux_wb, motor.polePairs)
+            motor.polePairs > 0.0 ? motor::keOfFlux_vrmsPerKrpm(motor.flux_wb, motor.polePairs)
                                   : 0.0,
             1.0);
     }
@@ -135,9 +135,9 @@ void GainMotor::fill()
         m_facts.inertia_kgm2 > 0.0 ? m_facts.inertia_kgm2 : m_remembered_kgm2.value_or(0.0), kGcm2);
 }
 
-analysis::GainPlant GainMotor::plant() const
+motor::GainPlant GainMotor::plant() const
 {
-    analysis::GainPlant plant = tuning::gainPlant(m_facts);
+    motor::GainPlant plant = drive::gainPlant(m_facts);
     const auto in = [](const GainNumber *field, double factor) {
         return field->value().value_or(0.0) / factor;
     };

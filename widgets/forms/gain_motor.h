@@ -2,8 +2,8 @@
 // a person where it has not or is wrong. In the sizes people use (mH, mWb, g cm2); plant() is in SI units.
 #pragma once
 
-#include "analysis/gain_plan.h"
 #include "drive/motor_view.h"
+#include "motor/gain_plan.h"
 
 #include <QWidget>
 
@@ -27,7 +27,7 @@ public:
     void forgetTyped();
 
     /// 0 for what is missing or not understood.
-    analysis::GainPlant plant() const;
+    motor::GainPlant plant() const;
     /// What is wrong with a field, named; empty if nothing is.
     QString problem() const;
 

@@ -12,14 +12,14 @@
 namespace widgets {
 namespace {
 
-using analysis::GainId;
+using motor::GainId;
 
 enum Column { NameColumn, BoardColumn, NewColumn, RealColumn, RoundingColumn, RoomColumn, Columns };
 
 } // namespace
 
 GainPlanTable::GainPlanTable(QWidget *parent)
-    : QTableWidget(int(analysis::kGainIds), Columns, parent)
+    : QTableWidget(int(motor::kGainIds), Columns, parent)
 {
     setObjectName(QStringLiteral("labGains"));
     setAccessibleName(tr("Planned gains"));
@@ -68,10 +68,9 @@ void GainPlanTable::fixColumns()
     setMinimumWidth(all);
 }
 
-void GainPlanTable::showPlan(
-    const analysis::GainPlan &plan, const analysis::PerGain<HeldGain> &board)
+void GainPlanTable::showPlan(const motor::GainPlan &plan, const motor::PerGain<HeldGain> &board)
 {
-    for (std::size_t i = 0; i < analysis::kGainIds; ++i) {
+    for (std::size_t i = 0; i < motor::kGainIds; ++i) {
         const auto id = static_cast<GainId>(i);
         const int row = static_cast<int>(i);
         const auto put = [this, row](int column, const QString &text, bool strong = false) {
@@ -84,7 +83,7 @@ void GainPlanTable::showPlan(
             cell->setFont(bold);
         };
         const HeldGain &held = board[i];
-        const analysis::PlannedGain *gain = plan.find(id);
+        const motor::PlannedGain *gain = plan.find(id);
         put(NameColumn, QLatin1String(gainRegister(id)));
         put(BoardColumn,
             held.known() ? fractionText({int(*held.numerator), *held.exponent})
@@ -95,7 +94,7 @@ void GainPlanTable::showPlan(
                 put(column, {});
             continue;
         }
-        const analysis::Quantised &kept = gain->quantised;
+        const motor::Quantised &kept = gain->quantised;
         const bool changes =
             held.numerator != kept.gain.numerator || held.exponent != kept.gain.exponent;
         put(NewColumn, fractionText(kept.gain), changes);

@@ -2,7 +2,7 @@
 // how much room is left.
 #pragma once
 
-#include "analysis/gain_plan.h"
+#include "motor/gain_plan.h"
 
 #include <QTableWidget>
 
@@ -30,7 +30,7 @@ class GainPlanTable : public QTableWidget {
 public:
     explicit GainPlanTable(QWidget *parent = nullptr);
 
-    void showPlan(const analysis::GainPlan &plan, const analysis::PerGain<HeldGain> &board);
+    void showPlan(const motor::GainPlan &plan, const motor::PerGain<HeldGain> &board);
 
 private:
     void fixColumns();

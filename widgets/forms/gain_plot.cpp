@@ -13,7 +13,7 @@ namespace {
 constexpr double kLeastTop = 1.15, kMostTop = 2.0; ///< of the axis; the step ends at 1
 constexpr int kMargin = 4;
 
-double highest(const analysis::StepPrediction &step)
+double highest(const motor::StepPrediction &step)
 {
     return step.response.empty() ? 0.0
                                  : *std::max_element(step.response.begin(), step.response.end());
@@ -29,8 +29,8 @@ GainPlot::GainPlot(const QString &title, QWidget *parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
-void GainPlot::setSteps(const analysis::StepPrediction &planned,
-    const analysis::StepPrediction &present, double duration_s)
+void GainPlot::setSteps(
+    const motor::StepPrediction &planned, const motor::StepPrediction &present, double duration_s)
 {
     m_planned = planned;
     m_present = present;
@@ -64,7 +64,7 @@ double GainPlot::top() const
 }
 
 void GainPlot::drawStep(
-    QPainter &painter, const QRectF &area, const analysis::StepPrediction &step) const
+    QPainter &painter, const QRectF &area, const motor::StepPrediction &step) const
 {
     QPainterPath path;
     for (std::size_t i = 0; i < step.response.size(); ++i) {

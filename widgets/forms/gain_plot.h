@@ -2,7 +2,7 @@
 // has now, dashed. Draws what it is given.
 #pragma once
 
-#include "analysis/current_loop.h"
+#include "motor/current_loop.h"
 
 #include <QWidget>
 
@@ -14,7 +14,7 @@ public:
     explicit GainPlot(const QString &title, QWidget *parent = nullptr);
 
     /// Empty responses are not drawn. Both begin at 0; what lies beyond `duration_s` is cut.
-    void setSteps(const analysis::StepPrediction &planned, const analysis::StepPrediction &present,
+    void setSteps(const motor::StepPrediction &planned, const motor::StepPrediction &present,
         double duration_s);
     /// Instead of a picture: why there is none.
     void setReason(const QString &sentence);
@@ -26,12 +26,11 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
-    void drawStep(
-        QPainter &painter, const QRectF &area, const analysis::StepPrediction &step) const;
+    void drawStep(QPainter &painter, const QRectF &area, const motor::StepPrediction &step) const;
     double top() const;
 
     QString m_title, m_reason;
-    analysis::StepPrediction m_planned, m_present;
+    motor::StepPrediction m_planned, m_present;
     double m_duration_s = 0.0;
 };
 

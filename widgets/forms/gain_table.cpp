@@ -1,9 +1,9 @@
 #include "widgets/forms/gain_table.h"
 
-#include "analysis/observer_gains.h"
-#include "analysis/physical_gains.h"
 #include "catalog/gain_rows.h"
-#include "tuning/gain_plant.h"
+#include "drive/gain_plant.h"
+#include "motor/observer_gains.h"
+#include "motor/physical_gains.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/value_text.h"
 #include "widgets/forms/gain_number.h"
@@ -59,10 +59,10 @@ QString scaleMissing()
                          "worth.");
 }
 
-Physical loopGain(GainKind kind, double digits, const analysis::GainPlant &plant)
+Physical loopGain(GainKind kind, double digits, const motor::GainPlant &plant)
 {
-    const auto id = static_cast<analysis::GainId>(kind);
-    const auto physical = analysis::physicalGain(id, digits, plant);
+    const auto id = static_cast<motor::GainId>(kind);
+    const auto physical = motor::physicalGain(id, digits, plant);
     if (!physical)
         return unknown(scaleMissing());
     return {gainWithUnit(*physical, gainUnit(id)),
@@ -71,24 +71,24 @@ Physical loopGain(GainKind kind, double digits, const analysis::GainPlant &plant
         true};
 }
 
-Physical weakeningGain(GainKind kind, double digits, const analysis::GainPlant &plant)
+Physical weakeningGain(GainKind kind, double digits, const motor::GainPlant &plant)
 {
     if (!(plant.stage.realOhms() > 0.0) || !(plant.speedPeriod_s > 0.0))
         return unknown(scaleMissing());
     const auto gains =
-        analysis::fluxWeakeningGains({digits, digits}, plant.stage, plant.speedPeriod_s);
+        motor::fluxWeakeningGains({digits, digits}, plant.stage, plant.speedPeriod_s);
     const QString hint = GainTexts::tr("Amperes of Id for volts that are missing.");
     return kind == WeakeningKp
         ? Physical{gainWithUnit(gains.kp, QStringLiteral("A/V")), hint, true}
         : Physical{gainWithUnit(gains.ki, QStringLiteral("A/(V\u00b7s)")), hint, true};
 }
 
-Physical positionGain(GainKind kind, double digits, const analysis::GainPlant &plant)
+Physical positionGain(GainKind kind, double digits, const motor::GainPlant &plant)
 {
     if (!(plant.stage.digitsPerAmp > 0.0) || !(plant.speedPeriod_s > 0.0))
         return unknown(scaleMissing());
     const auto gains =
-        analysis::positionGains({digits, digits, digits}, plant.stage, plant.speedPeriod_s);
+        motor::positionGains({digits, digits, digits}, plant.stage, plant.speedPeriod_s);
     const QString hint = GainTexts::tr("Amperes of Iq for radians of the shaft.");
     switch (kind) {
     case PositionKp:
@@ -120,21 +120,20 @@ Physical inUnits(const RegisterModel &model, std::optional<catalog::RegisterId> 
 }
 
 /// Where ST's rule would put it for this motor.
-Physical observerGain(
-    GainKind kind, const drive::MotorFacts &facts, const analysis::GainPlant &plant)
+Physical observerGain(GainKind kind, const drive::MotorFacts &facts, const motor::GainPlant &plant)
 {
     const QString why = GainTexts::tr("The observer's own full scales are not told by the board.");
-    const double maxBemf_v = analysis::maxObserverBemf_v(facts.limits.maxSpeedRpm,
-        analysis::keOfFlux_vrmsPerKrpm(facts.motor.flux_wb, facts.motor.polePairs));
+    const double maxBemf_v = motor::maxObserverBemf_v(facts.limits.maxSpeedRpm,
+        motor::keOfFlux_vrmsPerKrpm(facts.motor.flux_wb, facts.motor.polePairs));
     if (!(maxBemf_v > 0.0) || !(plant.stage.digitsPerAmp > 0.0)
         || !(plant.stage.controlPeriod_s > 0.0) || !(facts.motor.lq_h > 0.0))
         return unknown(why);
-    analysis::ObserverScale scale;
+    motor::ObserverScale scale;
     scale.maxCurrent_a = 32768.0 / plant.stage.digitsPerAmp;
     scale.maxBemf_v = maxBemf_v;
-    const auto gains = analysis::observerGains(plant.torque(), plant.stage.controlPeriod_s, scale);
+    const auto gains = motor::observerGains(plant.torque(), plant.stage.controlPeriod_s, scale);
     double placed = kind == Observer1 ? gains.gain1 : gains.gain2;
-    while (std::abs(placed) > analysis::kMaxNumerator)
+    while (std::abs(placed) > motor::kMaxNumerator)
         placed /= 2.0; // ST's generator halves F1 or F2 until it fits
     return {GainTexts::tr("(ST's rule: %1)").arg(numberText(std::trunc(placed), 0)),
         GainTexts::tr("Where ST's rule puts it for this motor: poles at a quarter of the motor's "
@@ -280,14 +279,14 @@ std::optional<double> GainTable::digitsOf(const Gain &gain)
         return static_cast<double>(*whole);
     const auto divisor = gain.divisor->wanted();
     const auto *exponent = divisor ? std::get_if<std::int64_t>(&*divisor) : nullptr;
-    if (exponent == nullptr || *exponent < 0 || *exponent > analysis::kMaxExponent)
+    if (exponent == nullptr || *exponent < 0 || *exponent > motor::kMaxExponent)
         return {};
     return std::ldexp(static_cast<double>(*whole), -static_cast<int>(*exponent));
 }
 
 void GainTable::updatePhysical()
 {
-    const analysis::GainPlant plant = tuning::gainPlant(m_facts);
+    const motor::GainPlant plant = drive::gainPlant(m_facts);
     std::array<std::optional<double>, catalog::kGainKinds> digits;
     for (const Gain &gain : m_gains)
         if (gain.numerator->id())
@@ -297,7 +296,7 @@ void GainTable::updatePhysical()
     const auto pll = [&]() -> Physical {
         if (!digits[kPllKp] || !digits[kPllKi] || !(plant.stage.controlPeriod_s > 0.0))
             return unknown(tr("The board does not say its control rate."));
-        const auto loop = analysis::pllForecast(
+        const auto loop = motor::pllForecast(
             {*digits[kPllKp], *digits[kPllKi]}, plant.stage.controlPeriod_s, kPllShare);
         return {tr("\u2248 %1 rad/s, damping %2")
                     .arg(significantText(loop.natural_radps, 3), significantText(loop.damping, 2)),

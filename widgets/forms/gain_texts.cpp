@@ -8,8 +8,8 @@
 namespace widgets {
 namespace {
 
-using analysis::GainId;
-using analysis::GainWarning;
+using motor::GainId;
+using motor::GainWarning;
 
 struct Gains {
     Q_DECLARE_TR_FUNCTIONS(Gains)
@@ -19,11 +19,11 @@ struct Row {
     const char *name;
     const char *unit;
 };
-constexpr analysis::PerGain<Row> kRows{
+constexpr motor::PerGain<Row> kRows{
     {{"I_Q_KP", "V/A"}, {"I_Q_KI", "V/(A\u00b7s)"}, {"I_D_KP", "V/A"}, {"I_D_KI", "V/(A\u00b7s)"},
         {"SPEED_KP", "A/(rad/s)"}, {"SPEED_KI", "A/rad"}}};
 
-const Row &rowOf(GainId id) { return kRows[analysis::indexOf(id)]; }
+const Row &rowOf(GainId id) { return kRows[motor::indexOf(id)]; }
 
 } // namespace
 
@@ -43,13 +43,13 @@ QString gainWithUnit(double physical, const QString &unit)
     return significantText(physical) + QChar(0x202f) + unit;
 }
 
-QString fractionText(const analysis::FixedPointGain &gain)
+QString fractionText(const motor::FixedPointGain &gain)
 {
     return QStringLiteral("%1/2^%2").arg(
         QString::number(gain.numerator), QString::number(gain.exponent));
 }
 
-QString gainFindingText(const analysis::GainFinding &finding)
+QString gainFindingText(const motor::GainFinding &finding)
 {
     const QString name = finding.gain ? QLatin1String(gainRegister(*finding.gain)) : QString();
     const QString is = significantText(finding.is, 3), limit = significantText(finding.limit, 3);

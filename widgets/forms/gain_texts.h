@@ -1,7 +1,7 @@
 // The words of the gain forms: units of gains, and what is to be said about a plan.
 #pragma once
 
-#include "analysis/gain_plan.h"
+#include "motor/gain_plan.h"
 
 #include <QString>
 
@@ -12,14 +12,14 @@ class RegisterModel;
 /// The board's gains are numbers in units of their own, not digits over a divisor.
 bool gainsInUnits(const RegisterModel &model);
 /// Of the numerator's register; its divisor's ends in "_DIV".
-const char *gainRegister(analysis::GainId id);
+const char *gainRegister(motor::GainId id);
 /// "V/A", "A/rad"; the same in every language.
-QString gainUnit(analysis::GainId id);
+QString gainUnit(motor::GainId id);
 QString gainWithUnit(double physical, const QString &unit);
 /// "4621/2^10"
-QString fractionText(const analysis::FixedPointGain &gain);
+QString fractionText(const motor::FixedPointGain &gain);
 
 /// One sentence, with what to do.
-QString gainFindingText(const analysis::GainFinding &finding);
+QString gainFindingText(const motor::GainFinding &finding);
 
 } // namespace widgets

@@ -137,7 +137,7 @@ void GainsForm::showBoard(const drive::MotorFacts &facts)
 QStringList GainsForm::othersPending() const
 {
     std::vector<catalog::RegisterId> planned;
-    for (const analysis::PlannedGain &gain : m_lab->plan().gains)
+    for (const motor::PlannedGain &gain : m_lab->plan().gains)
         for (const QString &suffix : {QString(), QStringLiteral("_DIV")})
             if (const auto id =
                     m_model.idOf((QLatin1String(gainRegister(gain.id)) + suffix).toStdString()))
@@ -154,9 +154,9 @@ void GainsForm::preview()
     if (m_edits.underWay())
         return m_lab->tell(tr("A write is under way: preview again when it has ended."));
     const QStringList others = othersPending();
-    const analysis::GainPlan plan = m_lab->plan(); // each edit lets the lab look again
+    const motor::GainPlan plan = m_lab->plan(); // each edit lets the lab look again
     int changes = 0;
-    for (const analysis::PlannedGain &gain : plan.gains) {
+    for (const motor::PlannedGain &gain : plan.gains) {
         const std::string name = gainRegister(gain.id);
         const auto numerator = m_model.idOf(name), divisor = m_model.idOf(name + "_DIV");
         if (!numerator || !divisor)

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "drive/motor_view.h"
-#include "widgets/forms/form.h"
+#include "widgets/base/form.h"
 #include "widgets/registers/register_edits.h"
 
 #include <QMap>

@@ -98,13 +98,13 @@ QWidget *MotorConverter::makeField(
     return edit;
 }
 
-void MotorConverter::suggest(const analysis::MotorSheet &sheet)
+void MotorConverter::suggest(const motor::MotorSheet &sheet)
 {
     if (!m_typed)
         take(sheet);
 }
 
-void MotorConverter::take(const analysis::MotorSheet &sheet)
+void MotorConverter::take(const motor::MotorSheet &sheet)
 {
     m_typed = false;
     for (int field = 0; field < FieldCount; ++field)
@@ -201,18 +201,18 @@ void MotorConverter::convert(Field from)
     const double typed = m_values[m_strength];
     if (!(typed > 0.0) || (m_strength == Flux && !number(PolePairs)))
         return;
-    const double flux_wb = m_strength == Ke ? analysis::fluxOfKe_wb(typed, pairs)
-        : m_strength == Kv                  ? analysis::fluxOfKv_wb(typed, pairs)
+    const double flux_wb = m_strength == Ke ? motor::fluxOfKe_wb(typed, pairs)
+        : m_strength == Kv                  ? motor::fluxOfKv_wb(typed, pairs)
         : m_strength == Flux                ? typed * kMilli
                                             : typed * kMilli / (1.5 * pairs);
     const auto show = [&](Field field, double value) {
         if (field != m_strength) // what was typed stays as it was typed
             put(field, value);
     };
-    show(Ke, analysis::keOfFlux_vrmsPerKrpm(flux_wb, pairs));
-    show(Kv, analysis::kvOfFlux_rpmpv(flux_wb, pairs));
+    show(Ke, motor::keOfFlux_vrmsPerKrpm(flux_wb, pairs));
+    show(Kv, motor::kvOfFlux_rpmpv(flux_wb, pairs));
     show(Flux, number(PolePairs) ? flux_wb / kMilli : 0.0);
-    show(Kt, analysis::ktOfFlux_nmpa(flux_wb, pairs) / kMilli);
+    show(Kt, motor::ktOfFlux_nmpa(flux_wb, pairs) / kMilli);
 }
 
 void MotorConverter::tell()

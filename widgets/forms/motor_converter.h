@@ -2,7 +2,7 @@
 // winding, each computed from the one that was typed last. It reads and writes nothing.
 #pragma once
 
-#include "analysis/motor_sheet.h"
+#include "motor/motor_sheet.h"
 
 #include <QWidget>
 
@@ -20,8 +20,8 @@ public:
     explicit MotorConverter(QWidget *parent = nullptr);
 
     /// Begins with a motor's values; what a person has typed stays.
-    void suggest(const analysis::MotorSheet &sheet);
-    void take(const analysis::MotorSheet &sheet); ///< whatever was typed
+    void suggest(const motor::MotorSheet &sheet);
+    void take(const motor::MotorSheet &sheet); ///< whatever was typed
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;

@@ -1,10 +1,10 @@
 #include "widgets/forms/motor_form.h"
 
-#include "session/motor_file.h"
-#include "session/whole_file.h"
+#include "session/files/motor_file.h"
+#include "session/files/whole_file.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/file_prompt.h"
 #include "widgets/base/messages.h"
-#include "widgets/files/file_prompt.h"
 #include "widgets/forms/motor_converter.h"
 #include "widgets/forms/motor_messages.h"
 
@@ -149,7 +149,7 @@ QWidget *MotorForm::makeRight()
     auto *board = makeButton(
         tr("From the &board"), "convertBoard", tr("Begins again with the board's values."));
     connect(board, &QPushButton::clicked, this,
-        [this] { m_converter->take(m_facts ? drive::sheetOf(*m_facts) : analysis::MotorSheet()); });
+        [this] { m_converter->take(m_facts ? drive::sheetOf(*m_facts) : motor::MotorSheet()); });
     auto *inner = new QVBoxLayout(group);
     inner->setContentsMargins(6, 4, 6, 6);
     inner->setSpacing(4);
@@ -226,9 +226,9 @@ void MotorForm::showWarnings()
 {
     QStringList lines;
     if (m_facts) {
-        const analysis::DriveLimits drive{
+        const motor::DriveLimits drive{
             m_facts->bus_v, m_facts->limits.maxCurrentAmps, m_facts->limits.maxSpeedRpm};
-        for (const auto warning : analysis::checkMotor(m_facts->motor, drive))
+        for (const auto warning : motor::checkMotor(m_facts->motor, drive))
             lines.append(QStringLiteral("\u26a0 ") + motorWarningText(warning));
         if (lines.isEmpty())
             lines.append(QStringLiteral("\u2713 ") + tr("The board's motor looks plausible."));

@@ -3,7 +3,7 @@
 // the board: these figures are built into the firmware.
 #pragma once
 
-#include "widgets/forms/form.h"
+#include "widgets/base/form.h"
 #include "widgets/forms/motor_model.h"
 #include "widgets/registers/register_model.h"
 

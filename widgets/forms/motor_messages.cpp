@@ -133,9 +133,9 @@ QString structureText(const std::string &structure)
     return deviceText(structure);
 }
 
-QString motorQuantityText(analysis::MotorQuantity quantity)
+QString motorQuantityText(motor::MotorQuantity quantity)
 {
-    using analysis::MotorQuantity;
+    using motor::MotorQuantity;
     switch (quantity) {
     case MotorQuantity::PolePairs:
         return Motor::tr("Pole pairs");
@@ -161,9 +161,9 @@ QString motorQuantityText(analysis::MotorQuantity quantity)
     return {};
 }
 
-QString motorWarningText(analysis::MotorWarning warning)
+QString motorWarningText(motor::MotorWarning warning)
 {
-    using analysis::MotorWarning;
+    using motor::MotorWarning;
     switch (warning) {
     case MotorWarning::PolePairsMissing:
         return Motor::tr("The pole pairs are no whole number from 1 to 50: count the magnets and "

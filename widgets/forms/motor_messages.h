@@ -2,9 +2,9 @@
 // with a file and what to do about it.
 #pragma once
 
-#include "analysis/motor_sheet.h"
 #include "drive/motor_view.h"
-#include "session/motor_file.h"
+#include "motor/motor_sheet.h"
+#include "session/files/motor_file.h"
 
 #include <QString>
 
@@ -18,9 +18,9 @@ FieldText fieldText(const std::string &structure, const std::string &key);
 /// Of a structure as a whole.
 QString structureText(const std::string &structure);
 
-QString motorQuantityText(analysis::MotorQuantity quantity);
+QString motorQuantityText(motor::MotorQuantity quantity);
 /// What is wrong, and what to do.
-QString motorWarningText(analysis::MotorWarning warning);
+QString motorWarningText(motor::MotorWarning warning);
 
 /// One sentence without the file's name.
 QString motorFileErrorText(const session::MotorFileError &error);

@@ -1,9 +1,9 @@
 #include "widgets/forms/motor_model.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/register_texts.h"
 #include "widgets/base/si_text.h"
 #include "widgets/forms/motor_messages.h"
-#include "widgets/registers/register_texts.h"
 
 #include <QFont>
 #include <QLocale>
@@ -42,13 +42,13 @@ QString rawOf(const drive::StructureField &field)
     return {};
 }
 
-QString figureText(analysis::MotorQuantity quantity, const std::optional<double> &value)
+QString figureText(motor::MotorQuantity quantity, const std::optional<double> &value)
 {
     if (!value)
         return QStringLiteral("\u2013");
-    if (quantity == analysis::MotorQuantity::Inertia)
+    if (quantity == motor::MotorQuantity::Inertia)
         return siText(*value * kGcm2PerKgm2, QStringLiteral("g cm\u00b2"));
-    const auto unit = analysis::motorQuantities()[static_cast<std::size_t>(quantity)].unit;
+    const auto unit = motor::motorQuantities()[static_cast<std::size_t>(quantity)].unit;
     return siText(*value, QString::fromUtf8(unit.data(), qsizetype(unit.size())));
 }
 
@@ -76,7 +76,7 @@ void MotorModel::clearBoard()
     rebuild();
 }
 
-void MotorModel::showFile(const std::optional<analysis::MotorSheet> &sheet)
+void MotorModel::showFile(const std::optional<motor::MotorSheet> &sheet)
 {
     m_file = sheet;
     rebuild();
@@ -86,7 +86,7 @@ int MotorModel::differences() const
 {
     if (!m_file || !m_facts)
         return 0;
-    const auto rows = analysis::compareMotors(drive::sheetOf(*m_facts), *m_file);
+    const auto rows = motor::compareMotors(drive::sheetOf(*m_facts), *m_file);
     return static_cast<int>(
         std::count_if(rows.begin(), rows.end(), [](const auto &row) { return row.differs; }));
 }
@@ -95,7 +95,7 @@ int MotorModel::compared() const
 {
     if (!m_file || !m_facts)
         return 0;
-    const auto rows = analysis::compareMotors(drive::sheetOf(*m_facts), *m_file);
+    const auto rows = motor::compareMotors(drive::sheetOf(*m_facts), *m_file);
     return static_cast<int>(std::count_if(
         rows.begin(), rows.end(), [](const auto &row) { return row.here && row.there; }));
 }
@@ -146,18 +146,18 @@ MotorModel::Group MotorModel::structureGroup(const drive::StructureView &structu
 
 MotorModel::Group MotorModel::derivedGroup() const
 {
-    const auto sheet = m_facts ? drive::sheetOf(*m_facts) : analysis::MotorSheet();
-    const auto constants = [](const analysis::MotorSheet &from) {
-        return analysis::motorConstants(from.parameters(), from.bus_v.value_or(0.0));
+    const auto sheet = m_facts ? drive::sheetOf(*m_facts) : motor::MotorSheet();
+    const auto constants = [](const motor::MotorSheet &from) {
+        return motor::motorConstants(from.parameters(), from.bus_v.value_or(0.0));
     };
-    const auto torque = [](const analysis::MotorSheet &from) -> std::optional<double> {
+    const auto torque = [](const motor::MotorSheet &from) -> std::optional<double> {
         if (!from.polePairs || !from.flux_wb || !from.nominalCurrent_a)
             return std::nullopt;
-        return analysis::ktOfFlux_nmpa(*from.flux_wb, *from.polePairs) * *from.nominalCurrent_a;
+        return motor::ktOfFlux_nmpa(*from.flux_wb, *from.polePairs) * *from.nominalCurrent_a;
     };
     const auto board = constants(sheet);
-    const analysis::MotorSheet none;
-    const analysis::MotorSheet &file = m_file ? *m_file : none;
+    const motor::MotorSheet none;
+    const motor::MotorSheet &file = m_file ? *m_file : none;
     const auto other = constants(file);
     const Derived rows[] = {
         {"flux", tr("Flux of the magnets \u03bb"),
@@ -198,14 +198,14 @@ MotorModel::Group MotorModel::derivedGroup() const
 
 MotorModel::Group MotorModel::comparisonGroup() const
 {
-    const auto sheet = m_facts ? drive::sheetOf(*m_facts) : analysis::MotorSheet();
+    const auto sheet = m_facts ? drive::sheetOf(*m_facts) : motor::MotorSheet();
     Group group{QStringLiteral("comparison"), tr("Board and file"), {}, {}, false};
     group.remark = !m_facts  ? tr("no board to compare with")
         : differences() == 0 ? tr("no difference")
                              : tr("%n difference(s)", nullptr, differences());
-    for (const analysis::MotorComparison &row : analysis::compareMotors(sheet, *m_file)) {
+    for (const motor::MotorComparison &row : motor::compareMotors(sheet, *m_file)) {
         const QString name = motorQuantityText(row.quantity);
-        const auto &info = analysis::motorQuantities()[static_cast<std::size_t>(row.quantity)];
+        const auto &info = motor::motorQuantities()[static_cast<std::size_t>(row.quantity)];
         const QString raw = row.here ? baseText(*row.here) : QString();
         group.rows.push_back({QStringLiteral("compare %1").arg(int(row.quantity)), name,
             figureText(row.quantity, row.here), raw,

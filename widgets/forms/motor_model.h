@@ -2,8 +2,8 @@
 // It only shows; where its values come from is the form's business.
 #pragma once
 
-#include "analysis/motor_sheet.h"
 #include "drive/motor_view.h"
+#include "motor/motor_sheet.h"
 
 #include <QAbstractItemModel>
 
@@ -27,7 +27,7 @@ public:
     void showBoard(const drive::MotorFacts &facts, std::vector<drive::StructureView> structures);
     void clearBoard();
     /// A file's description beside the board's; nothing takes it away.
-    void showFile(const std::optional<analysis::MotorSheet> &sheet);
+    void showFile(const std::optional<motor::MotorSheet> &sheet);
     bool hasFile() const { return m_file.has_value(); }
     int differences() const; ///< figures that board and file both have, with other values
     int compared() const; ///< figures that both have
@@ -62,7 +62,7 @@ private:
     std::vector<Group> m_groups;
     std::optional<drive::MotorFacts> m_facts;
     std::vector<drive::StructureView> m_structures;
-    std::optional<analysis::MotorSheet> m_file;
+    std::optional<motor::MotorSheet> m_file;
 };
 
 } // namespace widgets

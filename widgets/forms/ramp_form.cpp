@@ -1,6 +1,6 @@
 #include "widgets/forms/ramp_form.h"
 
-#include "analysis/ramp.h"
+#include "motor/ramp.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
@@ -250,9 +250,9 @@ void RampForm::ended(const drive::Ended &ended)
     Milliseconds duration{};
     if (const auto *speed = std::get_if<drive::SpeedRamp>(&wish.what)) {
         m_running = RampKind::Speed;
-        target = analysis::quantisedSpeed_rpm(speed->rpm);
+        target = motor::quantisedSpeed_rpm(speed->rpm);
         duration = speed->duration;
-        step = analysis::kSpeedStep_rpm;
+        step = motor::kSpeedStep_rpm;
     } else if (const auto *torque = std::get_if<drive::TorqueRamp>(&wish.what)) {
         m_running = RampKind::Torque;
         target = torque->amps;

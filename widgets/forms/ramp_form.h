@@ -2,7 +2,7 @@
 // for those that are wanted again. Motion goes through the MotionGate; nothing here sends without a person's act.
 #pragma once
 
-#include "widgets/forms/form.h"
+#include "widgets/base/form.h"
 #include "widgets/forms/ramp_line.h"
 #include "widgets/forms/ramp_progress.h"
 

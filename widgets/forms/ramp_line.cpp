@@ -1,7 +1,7 @@
 #include "widgets/forms/ramp_line.h"
 
-#include "analysis/ramp.h"
 #include "drive/set_point_check.h"
+#include "motor/ramp.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/si_text.h"
 #include "widgets/base/value_text.h"
@@ -178,7 +178,7 @@ double RampLine::peakRpm() const
     const auto from = reference();
     if (!from)
         return 0.0;
-    return analysis::positionPeakSpeed_rpm(
+    return motor::positionPeakSpeed_rpm(
         (m_first->sentValue().value_or(*from) - *from) / kDegreesPerRad,
         m_second->sentValue().value_or(0.0) / 1000.0);
 }
@@ -235,7 +235,7 @@ void RampLine::updateLimits()
     } else if (m_kind == RampKind::Speed) {
         m_first->setLimits(bounds.rpm > 0.0 ? std::min(bounds.rpm, drive::kGreatestWireRpm)
                                             : drive::kGreatestWireRpm,
-            analysis::kSpeedStep_rpm, rpmUnit());
+            motor::kSpeedStep_rpm, rpmUnit());
     } else {
         const double limit = bounds.amps > 0.0 ? bounds.amps : kFallbackAmps;
         const double step = ampStep(limit, ampsPerDigit());
@@ -253,8 +253,8 @@ QString RampLine::speedNote() const
     QStringList parts{m_first->echo()};
     if (from) {
         const double stairs =
-            std::abs(to - analysis::quantisedSpeed_rpm(*from)) / analysis::kSpeedStep_rpm;
-        parts.append(signedRate(analysis::rampAcceleration_rpmps(*from, to, seconds), rpmUnit()));
+            std::abs(to - motor::quantisedSpeed_rpm(*from)) / motor::kSpeedStep_rpm;
+        parts.append(signedRate(motor::rampAcceleration_rpmps(*from, to, seconds), rpmUnit()));
         if (seconds > 0.0 && stairs >= 1.0)
             parts.append(tr("%n stair(s) of 6 rpm", nullptr, static_cast<int>(stairs)));
     }

@@ -1,8 +1,8 @@
 #include "widgets/forms/ramp_preview.h"
 
-#include "analysis/ramp.h"
+#include "motor/ramp.h"
 #include "widgets/base/plot_look.h"
-#include "widgets/scope/trace_colors.h"
+#include "widgets/base/trace_colors.h"
 
 #include <QEvent>
 #include <QVBoxLayout>
@@ -28,7 +28,7 @@ RampPicture plannedRamp(RampKind kind, double from, double to, double seconds)
     case RampKind::Speed:
         picture.label = RampPreview::tr("Speed [rpm]");
         picture.stairs = true;
-        for (const auto &point : analysis::rampPreview(from, to, seconds))
+        for (const auto &point : motor::rampPreview(from, to, seconds))
             picture.plan.push_back({point.time_s, point.speed_rpm});
         return picture;
     case RampKind::Position:
@@ -36,7 +36,7 @@ RampPicture plannedRamp(RampKind kind, double from, double to, double seconds)
         for (int i = 0; i <= kPathPoints; ++i) {
             const double share = double(i) / kPathPoints;
             picture.plan.push_back(
-                {share * seconds, from + (to - from) * analysis::positionShare(share)});
+                {share * seconds, from + (to - from) * motor::positionShare(share)});
         }
         return picture;
     case RampKind::Torque:

@@ -1,6 +1,6 @@
 #include "widgets/forms/rev_up_chart.h"
 
-#include "analysis/ramp.h"
+#include "motor/ramp.h"
 #include "widgets/base/value_text.h"
 #include "widgets/forms/rev_up_edit.h"
 #include "widgets/forms/rev_up_start.h"
@@ -18,8 +18,8 @@
 namespace widgets {
 namespace {
 
-using analysis::RevUp;
-using analysis::RevUpStage;
+using motor::RevUp;
+using motor::RevUpStage;
 using Quantity = RevUpChart::Quantity;
 
 constexpr double kReach = 14.0; ///< px from a point within which it is meant
@@ -369,7 +369,7 @@ void RevUpChart::dragTo(const QPointF &position)
     const double ms = std::max(
         std::round((value.x() - drag.begins_s) * kMs), drag.before.duration_ms > 0 ? 1.0 : 0.0);
     const double y = speed ? value.y() : value.y() / m_model.shownPerDigit();
-    const RevUpStage wanted = analysis::fittedStage(drag.before, drag.upright && speed ? y : keep,
+    const RevUpStage wanted = motor::fittedStage(drag.before, drag.upright && speed ? y : keep,
         drag.upright && !speed ? y : keep, drag.sideways ? ms : keep, m_model.bounds());
     if (wanted != m_model.stages()[static_cast<std::size_t>(drag.point.stage)])
         m_model.setStage(drag.point.stage, wanted);
@@ -390,8 +390,8 @@ bool RevUpChart::nudge(const QKeyEvent &key)
     const double keep = std::numeric_limits<double>::quiet_NaN();
     const bool speed = m_selected->quantity == Quantity::Speed;
     const double ms = std::max(old.duration_ms + right * steps, old.duration_ms > 0 ? 1.0 : 0.0);
-    const RevUpStage wanted = analysis::fittedStage(old,
-        up != 0 && speed ? old.speed_rpm + up * steps * analysis::kSpeedStep_rpm : keep,
+    const RevUpStage wanted = motor::fittedStage(old,
+        up != 0 && speed ? old.speed_rpm + up * steps * motor::kSpeedStep_rpm : keep,
         up != 0 && !speed ? old.current_digits + up * steps : keep, right != 0 ? ms : keep,
         m_model.bounds());
     if (wanted != old)
@@ -496,7 +496,7 @@ void RevUpChart::drawForeground(QPainter *painter, const QRectF &)
             drawLimit(*painter, Quantity::Speed,
                 backwards ? -limits.minimumSpeed_rpm : limits.minimumSpeed_rpm,
                 tr("observer sees from %1\u202frpm").arg(numberText(limits.minimumSpeed_rpm, 0)));
-        const analysis::RevUpBounds bounds = m_model.bounds();
+        const motor::RevUpBounds bounds = m_model.bounds();
         if (!m_model.currentUnit().isEmpty())
             drawLimit(*painter, Quantity::Current, bounds.digits * m_model.shownPerDigit(),
                 tr("limit %1").arg(amps(bounds.digits * m_model.shownPerDigit(), 2)));
@@ -558,7 +558,7 @@ void RevUpChart::drawMistakes(QPainter &painter) const
         const int stage = static_cast<int>(finding.stage);
         if (stage >= m_model.used())
             continue;
-        const bool current = finding.mistake == analysis::RevUpMistake::TooMuchCurrent;
+        const bool current = finding.mistake == motor::RevUpMistake::TooMuchCurrent;
         const QPointF point = handle({stage, current ? Quantity::Current : Quantity::Speed});
         const double top = chart()->plotArea().top();
         const QPointF tip(point.x(), std::max(point.y() - 26.0, top));

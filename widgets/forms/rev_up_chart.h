@@ -68,7 +68,7 @@ private:
         Point point;
         QPointF from; ///< where the button went down, viewport
         QPointF offset; ///< from there to the point
-        analysis::RevUpStage before;
+        motor::RevUpStage before;
         double begins_s = 0.0; ///< the stage
         bool sideways = false, upright = false; ///< has left the dead zone that way
     };

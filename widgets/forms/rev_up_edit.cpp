@@ -1,6 +1,6 @@
 #include "widgets/forms/rev_up_edit.h"
 
-#include "analysis/ramp.h"
+#include "motor/ramp.h"
 #include "widgets/forms/rev_up_model.h"
 
 #include <QHeaderView>
@@ -57,7 +57,7 @@ QWidget *RevUpDelegate::createEditor(
 {
     const int column = index.column();
     const int step =
-        column == RevUpModel::SpeedColumn ? static_cast<int>(analysis::kSpeedStep_rpm) : 1;
+        column == RevUpModel::SpeedColumn ? static_cast<int>(motor::kSpeedStep_rpm) : 1;
     auto *edit =
         new RevUpEdit([model = &m_model, column] { return model->rulesOf(column); }, step, parent);
     edit->setObjectName(QStringLiteral("revUpEntry"));
@@ -152,7 +152,7 @@ void RevUpTable::changeEvent(QEvent *event)
 
 QSize RevUpTable::sizeHint() const
 {
-    const int rows = static_cast<int>(analysis::kRevUpStages);
+    const int rows = static_cast<int>(motor::kRevUpStages);
     return {horizontalHeader()->length() + verticalHeader()->minimumWidth() + 2 * frameWidth(),
         horizontalHeader()->sizeHint().height() + rows * verticalHeader()->defaultSectionSize()
             + 2 * frameWidth()};

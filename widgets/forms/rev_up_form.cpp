@@ -1,17 +1,17 @@
 #include "widgets/forms/rev_up_form.h"
 
 #include "drive/motor_view.h"
-#include "session/rev_up_json.h"
-#include "session/whole_file.h"
+#include "session/files/rev_up_json.h"
+#include "session/files/whole_file.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/file_prompt.h"
+#include "widgets/base/register_texts.h"
 #include "widgets/base/value_text.h"
-#include "widgets/files/file_prompt.h"
 #include "widgets/forms/rev_up_chart.h"
 #include "widgets/forms/rev_up_edit.h"
 #include "widgets/forms/rev_up_start.h"
 #include "widgets/forms/rev_up_texts.h"
 #include "widgets/registers/edit_bar.h"
-#include "widgets/registers/register_texts.h"
 
 #include <QFileInfo>
 #include <QFormLayout>
@@ -43,12 +43,12 @@ QLabel *makeText(const char *name, QWidget *parent)
 }
 
 /// The sign of the speed set-point turns the whole rev-up around.
-bool turnsAgainst(const MeasuredStart &measured, const analysis::RevUp &stages)
+bool turnsAgainst(const MeasuredStart &measured, const motor::RevUp &stages)
 {
     double is = 0.0, planned = 0.0;
     for (const QPointF &point : measured.speed_rpm)
         is += point.y();
-    for (const analysis::RevUpStage &stage : stages)
+    for (const motor::RevUpStage &stage : stages)
         planned += stage.speed_rpm;
     return is * planned < 0.0;
 }
@@ -284,10 +284,10 @@ void RevUpForm::connectParts()
     connect(m_chart, &RevUpChart::removeWanted, this, remove);
     connect(m_usual, &QPushButton::clicked, this, [this] {
         const RevUpFacts &facts = m_model->facts();
-        analysis::RevUp stages = analysis::usualRevUp(
+        motor::RevUp stages = motor::usualRevUp(
             facts.limits.nominalCurrent_a, facts.boardSpeed_rpm, facts.ampsPerDigit);
-        for (analysis::RevUpStage &stage : stages)
-            stage = analysis::fittedStage(
+        for (motor::RevUpStage &stage : stages)
+            stage = motor::fittedStage(
                 stage, stage.speed_rpm, stage.current_digits, stage.duration_ms, m_model->bounds());
         change(m_model->setStages(stages), 0);
     });
@@ -324,12 +324,12 @@ void RevUpForm::takeFacts()
         const drive::UserLimits &own = m_device.userLimits();
         facts.boardSpeed_rpm = limits.maxSpeedRpm;
         facts.limits.maxSpeed_rpm = lowerLimit(limits.maxSpeedRpm, own.maxSpeedRpm);
-        facts.limits.minimumSpeed_rpm = analysis::minimumStartSpeed_rpm(limits.maxSpeedRpm);
+        facts.limits.minimumSpeed_rpm = motor::minimumStartSpeed_rpm(limits.maxSpeedRpm);
         facts.limits.nominalCurrent_a = limits.nominalCurrentAmps;
         facts.limits.maxCurrent_a = lowerLimit(limits.maxCurrentAmps, own.maxCurrentAmps);
         if (motor.motor.flux_wb > 0.0 && motor.motor.polePairs > 0.0)
             facts.limits.load.kt_nmpa =
-                analysis::ktOfFlux_nmpa(motor.motor.flux_wb, motor.motor.polePairs);
+                motor::ktOfFlux_nmpa(motor.motor.flux_wb, motor.motor.polePairs);
         m_inertiaFound_kgm2 = motor.inertia_kgm2;
     }
     facts.limits.load.inertia_kgm2 =
@@ -397,7 +397,7 @@ void RevUpForm::showFacts()
     QStringList lines;
     if (reason.isEmpty()) {
         lines.append(tr("Takes %1\u202fs in all")
-                         .arg(numberText(analysis::revUpDuration_s(m_model->stages()), 2)));
+                         .arg(numberText(motor::revUpDuration_s(m_model->stages()), 2)));
         const auto &limits = facts.limits;
         if (limits.maxSpeed_rpm > 0.0)
             lines.append(tr("Highest speed %1\u202frpm").arg(numberText(limits.maxSpeed_rpm, 0)));
@@ -519,7 +519,7 @@ void RevUpForm::enableButtons()
     const int stage = currentStage(), used = m_model->used();
     m_table->setEnabled(m_model->rowCount() > 0);
     m_chart->setEnabled(used > 0);
-    m_add->setEnabled(can && used < static_cast<int>(analysis::kRevUpStages));
+    m_add->setEnabled(can && used < static_cast<int>(motor::kRevUpStages));
     m_remove->setEnabled(can && stage >= 0 && stage < used);
     m_up->setEnabled(can && stage > 0 && stage < used);
     m_down->setEnabled(can && stage >= 0 && stage + 1 < used);
@@ -555,7 +555,7 @@ void RevUpForm::readFile(const QString &path)
                                                     : tr("it is not JSON");
         return Q_EMIT failed(tr("%1 is no rev-up: %2.").arg(name, why));
     }
-    const analysis::RevUpBounds bounds = m_model->bounds();
+    const motor::RevUpBounds bounds = m_model->bounds();
     for (std::size_t i = 0; i < stages->size(); ++i) {
         const auto &stage = (*stages)[i];
         if (std::abs(stage.speed_rpm) > bounds.speed_rpm

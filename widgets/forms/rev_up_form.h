@@ -3,7 +3,7 @@
 // edits; a start stays with the control panel.
 #pragma once
 
-#include "widgets/forms/form.h"
+#include "widgets/base/form.h"
 #include "widgets/forms/rev_up_model.h"
 #include "widgets/registers/register_edits.h"
 

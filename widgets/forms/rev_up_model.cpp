@@ -14,9 +14,9 @@
 namespace widgets {
 namespace {
 
-using analysis::RevUp;
-using analysis::RevUpMistake;
-using analysis::RevUpStage;
+using motor::RevUp;
+using motor::RevUpMistake;
+using motor::RevUpStage;
 
 const char *const kRegister = "REVUP_DATA";
 
@@ -31,10 +31,10 @@ catalog::RegisterInfo numberOf(catalog::ValueType type)
 std::optional<RevUp> stagesIn(const std::optional<catalog::Value> &value)
 {
     const auto *bytes = value ? std::get_if<Bytes>(&*value) : nullptr;
-    const auto stages = analysis::revUpOfBytes(bytes != nullptr ? *bytes : Bytes{});
+    const auto stages = motor::revUpOfBytes(bytes != nullptr ? *bytes : Bytes{});
     if (!stages || stages->empty())
         return {};
-    return analysis::completed(*stages);
+    return motor::completed(*stages);
 }
 
 /// What the register holds; a pulse has no sign.
@@ -134,13 +134,13 @@ void RevUpModel::setFacts(const RevUpFacts &facts)
 
 void RevUpModel::judge()
 {
-    analysis::RevUpLimits limits = m_facts.limits;
+    motor::RevUpLimits limits = m_facts.limits;
     if (m_facts.sixStep) { // a pulse is no current
         limits.load = {};
         limits.maxCurrent_a = limits.nominalCurrent_a = 0.0;
     }
-    m_findings = m_stages.empty() ? std::vector<analysis::RevUpFinding>()
-                                  : analysis::checkRevUp(m_stages, m_facts.ampsPerDigit, limits);
+    m_findings = m_stages.empty() ? std::vector<motor::RevUpFinding>()
+                                  : motor::checkRevUp(m_stages, m_facts.ampsPerDigit, limits);
 }
 
 QString RevUpModel::unavailable() const
@@ -161,13 +161,13 @@ QString RevUpModel::unavailable() const
 
 bool RevUpModel::editable() const { return m_editable; }
 
-analysis::RevUpBounds RevUpModel::bounds() const
+motor::RevUpBounds RevUpModel::bounds() const
 {
     double amps = m_facts.limits.maxCurrent_a;
     const double nominal = m_facts.limits.nominalCurrent_a;
     if (nominal > 0.0 && (!(amps > 0.0) || nominal < amps))
         amps = nominal;
-    analysis::RevUpBounds bounds = analysis::revUpBounds(
+    motor::RevUpBounds bounds = motor::revUpBounds(
         m_facts.limits.maxSpeed_rpm, m_facts.sixStep ? 0.0 : amps, m_facts.ampsPerDigit);
     bounds.pulse = m_facts.sixStep;
     return bounds;
@@ -193,27 +193,26 @@ bool RevUpModel::setStages(const RevUp &stages)
 {
     if (!m_editable || stages.empty())
         return false;
-    return m_registers.setPending(*m_id, analysis::bytesOf(analysis::completed(stages)));
+    return m_registers.setPending(*m_id, motor::bytesOf(motor::completed(stages)));
 }
 
 bool RevUpModel::setStage(int row, const RevUpStage &stage)
 {
     return row >= 0 && row < rowCount()
-        && setStages(analysis::withStage(m_stages, static_cast<std::size_t>(row), stage));
+        && setStages(motor::withStage(m_stages, static_cast<std::size_t>(row), stage));
 }
 
 bool RevUpModel::addAfter(int row)
 {
-    if (used() >= static_cast<int>(analysis::kRevUpStages))
+    if (used() >= static_cast<int>(motor::kRevUpStages))
         return false;
-    return setStages(
-        analysis::withStageAfter(m_stages, static_cast<std::size_t>(std::max(row, 0))));
+    return setStages(motor::withStageAfter(m_stages, static_cast<std::size_t>(std::max(row, 0))));
 }
 
 bool RevUpModel::remove(int row)
 {
     return row >= 0 && row < used()
-        && setStages(analysis::withoutStage(m_stages, static_cast<std::size_t>(row)));
+        && setStages(motor::withoutStage(m_stages, static_cast<std::size_t>(row)));
 }
 
 bool RevUpModel::move(int row, int by)
@@ -221,8 +220,8 @@ bool RevUpModel::move(int row, int by)
     const int to = row + by;
     if (row < 0 || to < 0 || row >= used() || to >= used())
         return false;
-    return setStages(analysis::withSwapped(
-        m_stages, static_cast<std::size_t>(row), static_cast<std::size_t>(to)));
+    return setStages(
+        motor::withSwapped(m_stages, static_cast<std::size_t>(row), static_cast<std::size_t>(to)));
 }
 
 EntryRules RevUpModel::rulesOf(int column) const
@@ -230,7 +229,7 @@ EntryRules RevUpModel::rulesOf(int column) const
     static const auto kDuration = numberOf(catalog::ValueType::U16),
                       kSpeed = numberOf(catalog::ValueType::S32),
                       kDigits = numberOf(catalog::ValueType::S16);
-    const analysis::RevUpBounds most = bounds();
+    const motor::RevUpBounds most = bounds();
     const double digits = most.digits;
     const catalog::Limits current{most.pulse ? 0.0 : -digits, digits};
     switch (column) {
@@ -291,8 +290,8 @@ QString RevUpModel::torque(int row) const
         return tr("not used", "a stage of a rev-up");
     if (m_facts.sixStep || !(load.kt_nmpa > 0.0) || !(m_facts.ampsPerDigit > 0.0))
         return QStringLiteral("\u2013");
-    const double given = analysis::availableTorque_nm(m_stages, stage, m_facts.ampsPerDigit, load);
-    const double needed = analysis::neededTorque_nm(
+    const double given = motor::availableTorque_nm(m_stages, stage, m_facts.ampsPerDigit, load);
+    const double needed = motor::neededTorque_nm(
         m_stages[stage], row > 0 ? m_stages[stage - 1].speed_rpm : 0.0, load);
     const int decimals = given < 0.1 ? 1 : 0;
     const QString left = !(load.inertia_kgm2 > 0.0) ? QStringLiteral("?")
@@ -446,7 +445,7 @@ bool RevUpModel::setData(const QModelIndex &index, const QVariant &value, int ro
     const auto raw = static_cast<double>(*whole);
     const bool speed = index.column() == SpeedColumn, time = index.column() == DurationColumn;
     const RevUpStage old = m_stages[static_cast<std::size_t>(index.row())];
-    const RevUpStage stage = analysis::fittedStage(
+    const RevUpStage stage = motor::fittedStage(
         old, speed ? raw : keep, speed || time ? keep : raw, time ? raw : keep, bounds());
     if (!setStage(index.row(), stage))
         return false;

@@ -3,7 +3,7 @@
 // person wants them, and every change is a pending edit of that register.
 #pragma once
 
-#include "analysis/rev_up.h"
+#include "motor/rev_up.h"
 #include "widgets/registers/register_model.h"
 
 #include <QAbstractTableModel>
@@ -16,7 +16,7 @@ struct RevUpFacts {
     bool sixStep = false; ///< a pulse stands where the current does
     double boardSpeed_rpm = 0.0; ///< its highest; a person's own limit may be lower
     QString angleSensor; ///< the drive starts by it and runs no stages; empty: it does
-    analysis::RevUpLimits limits;
+    motor::RevUpLimits limits;
     bool operator==(const RevUpFacts &) const = default;
 };
 
@@ -42,20 +42,19 @@ public:
     /// Why there are no stages, one sentence; empty if there are.
     QString unavailable() const;
     /// Five, or none; as a person wants them.
-    const analysis::RevUp &stages() const { return m_stages; }
-    int used() const { return static_cast<int>(analysis::usedStages(m_stages)); }
+    const motor::RevUp &stages() const { return m_stages; }
+    int used() const { return static_cast<int>(motor::usedStages(m_stages)); }
     bool editable() const;
-    analysis::RevUpBounds bounds() const;
+    motor::RevUpBounds bounds() const;
     /// What one digit of the register's current is worth on screen: A, or 1 where it is shown as it is.
     double shownPerDigit() const;
     QString currentName() const; ///< of what the digits are: Iq or the pulse
     QString currentUnit() const; ///< "A" or nothing
-    const std::vector<analysis::RevUpFinding> &findings() const { return m_findings; }
+    const std::vector<motor::RevUpFinding> &findings() const { return m_findings; }
 
     // All changes make a pending edit, or return false and change nothing.
-    bool setStages(const analysis::RevUp &stages);
-    bool setStage(
-        int row, const analysis::RevUpStage &stage); ///< as it is, bounds are the caller's
+    bool setStages(const motor::RevUp &stages);
+    bool setStage(int row, const motor::RevUpStage &stage); ///< as it is, bounds are the caller's
     bool addAfter(int row);
     bool remove(int row);
     bool move(int row, int by);
@@ -88,10 +87,10 @@ private:
     RegisterModel &m_registers;
     std::optional<catalog::RegisterId> m_id;
     RevUpFacts m_facts;
-    analysis::RevUp m_stages;
-    analysis::RevUp m_before; ///< what the board held when they began to differ
+    motor::RevUp m_stages;
+    motor::RevUp m_before; ///< what the board held when they began to differ
     bool m_editable = false;
-    std::vector<analysis::RevUpFinding> m_findings;
+    std::vector<motor::RevUpFinding> m_findings;
 };
 
 } // namespace widgets

@@ -10,8 +10,8 @@
 namespace widgets {
 namespace {
 
-using analysis::RevUpFinding;
-using analysis::RevUpMistake;
+using motor::RevUpFinding;
+using motor::RevUpMistake;
 
 struct Texts {
     Q_DECLARE_TR_FUNCTIONS(RevUp)
@@ -24,12 +24,12 @@ QString amps(double value) { return numberText(value, 2) + QStringLiteral("\u202
 QString torqueAdvice(const RevUpFinding &finding, const RevUpModel &model)
 {
     const auto &load = model.facts().limits.load;
-    const analysis::RevUp &stages = model.stages();
+    const motor::RevUp &stages = model.stages();
     const double from = finding.stage > 0 ? stages[finding.stage - 1].speed_rpm : 0.0;
-    analysis::RevUpStage endless = stages[finding.stage];
+    motor::RevUpStage endless = stages[finding.stage];
     const double radps = std::abs(endless.speed_rpm - from) * 2.0 * std::numbers::pi / 60.0;
     endless.duration_ms = 65535;
-    const double friction = analysis::neededTorque_nm(endless, from, load)
+    const double friction = motor::neededTorque_nm(endless, from, load)
         - load.inertia_kgm2 * radps / (endless.duration_ms * 1e-3);
     const double left = finding.is - friction;
     const QString current = amps(finding.limit / load.kt_nmpa);

@@ -8,7 +8,7 @@
 namespace widgets {
 
 /// One or two sentences.
-QString revUpFindingText(const analysis::RevUpFinding &finding, const RevUpModel &model);
+QString revUpFindingText(const motor::RevUpFinding &finding, const RevUpModel &model);
 
 /// "0.52 N·m" or "34.1 mN·m".
 QString torqueText(double nm);

@@ -1,7 +1,7 @@
 #include "widgets/registers/flags_edit.h"
 
 #include "catalog/names.h"
-#include "widgets/registers/register_texts.h"
+#include "widgets/base/register_texts.h"
 
 #include <QKeyEvent>
 

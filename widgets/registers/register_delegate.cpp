@@ -1,10 +1,10 @@
 #include "widgets/registers/register_delegate.h"
 
 #include "catalog/names.h"
+#include "widgets/base/register_texts.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/registers/flags_edit.h"
-#include "widgets/registers/register_texts.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>

@@ -1,7 +1,7 @@
 #include "widgets/registers/register_edits.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/snapshots/snapshot_auto.h"
+#include "widgets/registers/keep_before_writing.h"
 
 #include <QUndoCommand>
 
@@ -68,12 +68,12 @@ RegisterEdits::RegisterEdits(Device &device, RegisterModel &model, QObject *pare
     connect(&m_steps, &QUndoStack::indexChanged, this, &RegisterEdits::changed);
 }
 
-void RegisterEdits::keepBeforeWriting(AutoSnapshots &snapshots)
+void RegisterEdits::keepBeforeWriting(KeepBeforeWriting &snapshots)
 {
     m_snapshots = &snapshots;
-    connect(&snapshots, &AutoSnapshots::taken, this, &RegisterEdits::kept);
-    connect(&snapshots, &AutoSnapshots::broken, this, &RegisterEdits::notKept);
-    connect(&snapshots, &AutoSnapshots::told, this, [this](const QString &sentence) {
+    connect(&snapshots, &KeepBeforeWriting::taken, this, &RegisterEdits::kept);
+    connect(&snapshots, &KeepBeforeWriting::broken, this, &RegisterEdits::notKept);
+    connect(&snapshots, &KeepBeforeWriting::told, this, [this](const QString &sentence) {
         if (underWay())
             m_aside.append(sentence); // the end of the write would take its place at once
         else
@@ -153,7 +153,7 @@ std::vector<drive::RegisterWrite> RegisterEdits::stepWrites(Verb verb) const
     return writes;
 }
 
-tuning::BoardFacts RegisterEdits::facts() const
+drive::HeldValues RegisterEdits::facts() const
 {
     return {[this](catalog::RegisterId id) { return m_model.known(id); },
         [this](int motor) {
@@ -167,7 +167,7 @@ QList<WriteLine> RegisterEdits::cautious(const std::vector<drive::RegisterWrite>
     const auto catalog = m_device.catalog();
     if (!catalog)
         return lines;
-    const auto cautions = tuning::cautionsOf(writes, *catalog, facts());
+    const auto cautions = drive::cautionsOf(writes, *catalog, facts());
     for (std::size_t i = 0; i < writes.size(); ++i) {
         if (cautions[i] == catalog::Caution::None)
             continue;
@@ -188,7 +188,7 @@ void RegisterEdits::begin(Verb verb, std::vector<drive::RegisterWrite> writes)
     m_verb = verb;
     const auto catalog = m_device.catalog();
     m_writes =
-        catalog ? tuning::pairsTogether(std::move(writes), *catalog, facts()) : std::move(writes);
+        catalog ? drive::pairsTogether(std::move(writes), *catalog, facts()) : std::move(writes);
     m_confirmed = false;
     const QList<WriteLine> lines = cautious(m_writes);
     if (lines.isEmpty())

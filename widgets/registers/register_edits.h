@@ -5,7 +5,7 @@
 // decline() has to follow. The list ends with the connection: a board that was away may have been reset.
 #pragma once
 
-#include "tuning/write_caution.h"
+#include "drive/write_caution.h"
 #include "widgets/base/device.h"
 #include "widgets/registers/register_model.h"
 #include "widgets/registers/write_report.h"
@@ -15,7 +15,7 @@
 
 namespace widgets {
 
-class AutoSnapshots;
+class KeepBeforeWriting;
 
 /// One register of a write that a person is asked about.
 struct WriteLine {
@@ -32,7 +32,7 @@ public:
 
     /// From now on what the board holds is read and kept before more than one register is written, in whatever way. It
     /// outlives this.
-    void keepBeforeWriting(AutoSnapshots &snapshots);
+    void keepBeforeWriting(KeepBeforeWriting &snapshots);
 
     const QUndoStack &steps() const { return m_steps; }
     int pendingCount() const { return static_cast<int>(m_model.pending().size()); }
@@ -79,13 +79,13 @@ private:
     void keep(const drive::Ended &ended);
     void tell(const drive::Ended &ended);
     void tellEnd(const QString &sentence, bool good);
-    tuning::BoardFacts facts() const;
+    drive::HeldValues facts() const;
     void linkChanged();
     void forget();
 
     Device &m_device;
     RegisterModel &m_model;
-    AutoSnapshots *m_snapshots = nullptr;
+    KeepBeforeWriting *m_snapshots = nullptr;
     QUndoStack m_steps;
     Stage m_stage = Stage::Idle;
     Verb m_verb = Verb::Apply;

@@ -3,9 +3,9 @@
 #include "catalog/names.h"
 #include "drive/motion_limits.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/register_texts.h"
 #include "widgets/base/setpoint_text.h"
 #include "widgets/base/value_text.h"
-#include "widgets/registers/register_texts.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>

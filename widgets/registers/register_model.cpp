@@ -1,9 +1,8 @@
 #include "widgets/registers/register_model.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/register_texts.h"
 #include "widgets/base/value_text.h"
-#include "widgets/registers/register_texts.h"
-#include "widgets/scope/scope_view.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

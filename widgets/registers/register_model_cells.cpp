@@ -1,8 +1,8 @@
 // What the cells of a RegisterModel show: values in both unit systems, access and help, and the words around them.
 #include "widgets/base/device_text.h"
+#include "widgets/base/register_texts.h"
 #include "widgets/base/value_text.h"
 #include "widgets/registers/register_model.h"
-#include "widgets/registers/register_texts.h"
 
 #include <QApplication>
 #include <QFont>

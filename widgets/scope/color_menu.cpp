@@ -1,6 +1,6 @@
 #include "widgets/scope/color_menu.h"
 
-#include "widgets/scope/trace_colors.h"
+#include "widgets/base/trace_colors.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>

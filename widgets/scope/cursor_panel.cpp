@@ -1,8 +1,8 @@
 #include "widgets/scope/cursor_panel.h"
 
+#include "widgets/base/reading_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/scope/cursor_table.h"
-#include "widgets/scope/reading_text.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QApplication>

@@ -1,7 +1,7 @@
 #include "widgets/scope/cursor_table.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/scope/reading_text.h"
+#include "widgets/base/reading_text.h"
 #include "widgets/scope/scope_view.h"
 
 #include <algorithm>

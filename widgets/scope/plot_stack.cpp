@@ -1,11 +1,11 @@
 #include "widgets/scope/plot_stack.h"
 
+#include "widgets/base/axis_ticks.h"
 #include "widgets/base/plot_look.h"
-#include "widgets/scope/axis_ticker.h"
-#include "widgets/scope/axis_ticks.h"
-#include "widgets/scope/trace_colors.h"
+#include "widgets/base/trace_colors.h"
+#include "widgets/scope/drawing/axis_ticker.h"
+#include "widgets/scope/drawing/waveform_plottable.h"
 #include "widgets/scope/trace_legend.h"
-#include "widgets/scope/waveform_plottable.h"
 
 #include <QSet>
 

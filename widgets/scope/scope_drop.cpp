@@ -1,6 +1,7 @@
 // The scope as a place to drop registers on: reads the drag, marks where it would land, and says where it did.
 #include "widgets/scope/scope_drop.h"
 
+#include "widgets/base/register_texts.h"
 #include "widgets/scope/plot_stack.h"
 #include "widgets/scope/scope_view.h"
 

@@ -1,8 +1,8 @@
 // The scope's keys and its context menu: which wish each one is. What the wishes do is in the other parts of ScopeView.
+#include "widgets/base/trace_colors.h"
 #include "widgets/scope/color_menu.h"
 #include "widgets/scope/plot_stack.h"
 #include "widgets/scope/scope_view.h"
-#include "widgets/scope/trace_colors.h"
 
 #include <QKeyEvent>
 #include <QMenu>

@@ -1,6 +1,6 @@
 #include "widgets/scope/scope_mouse.h"
 
-#include "widgets/scope/axis_ticks.h"
+#include "widgets/base/axis_ticks.h"
 #include "widgets/scope/plot_stack.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trace_legend.h"

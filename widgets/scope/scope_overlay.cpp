@@ -1,10 +1,10 @@
 #include "widgets/scope/scope_overlay.h"
 
+#include "widgets/base/reading_text.h"
+#include "widgets/base/trace_colors.h"
 #include "widgets/scope/cursors.h"
-#include "widgets/scope/event_log.h"
+#include "widgets/scope/events/event_log.h"
 #include "widgets/scope/plot_stack.h"
-#include "widgets/scope/reading_text.h"
-#include "widgets/scope/trace_colors.h"
 
 #include <QEvent>
 #include <QPainter>

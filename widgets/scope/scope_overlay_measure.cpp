@@ -1,7 +1,7 @@
 // How the scope's overlay draws what a measurement measured: levels, bands and the ends of what was timed.
+#include "widgets/base/trace_colors.h"
 #include "widgets/scope/plot_stack.h"
 #include "widgets/scope/scope_overlay.h"
-#include "widgets/scope/trace_colors.h"
 
 #include <QPainter>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "capture/capture.h"
-#include "widgets/scope/ghost.h"
+#include "widgets/scope/drawing/ghost.h"
 
 #include <qcustomplot.h>
 

@@ -1,7 +1,7 @@
 #include "widgets/scope/scope_tools.h"
 
 #include "widgets/scope/scope_view.h"
-#include "widgets/scope/trigger_control.h"
+#include "widgets/scope/trigger/trigger_control.h"
 
 namespace widgets {
 

@@ -1,11 +1,11 @@
 #include "widgets/scope/scope_view.h"
 
-#include "widgets/scope/event_lane.h"
+#include "widgets/scope/drawing/stale_mark.h"
+#include "widgets/scope/events/event_lane.h"
 #include "widgets/scope/plot_stack.h"
 #include "widgets/scope/scope_mouse.h"
 #include "widgets/scope/scope_overlay.h"
 #include "widgets/scope/scope_overview.h"
-#include "widgets/scope/stale_mark.h"
 
 #include <QCoreApplication>
 #include <QEvent>

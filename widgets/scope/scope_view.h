@@ -4,10 +4,10 @@
 
 #include "capture/capture.h"
 #include "widgets/scope/cursors.h"
-#include "widgets/scope/event_log.h"
-#include "widgets/scope/ghost.h"
-#include "widgets/scope/measure_marks.h"
-#include "widgets/scope/trigger_marks.h"
+#include "widgets/scope/drawing/ghost.h"
+#include "widgets/scope/drawing/measure_marks.h"
+#include "widgets/scope/events/event_log.h"
+#include "widgets/scope/trigger/trigger_marks.h"
 
 #include <QElapsedTimer>
 #include <QMap>
@@ -213,8 +213,5 @@ private:
     bool m_running = true;
     bool m_following = true;
 };
-
-/// Mime type of registers dragged from the tree: a list of ids as JSON numbers.
-inline constexpr char kRegisterMimeType[] = "application/x-rotorscope-registers";
 
 } // namespace widgets

@@ -1,7 +1,7 @@
 #include "widgets/scope/trace_legend.h"
 
-#include "widgets/scope/axis_ticks.h"
-#include "widgets/scope/trace_colors.h"
+#include "widgets/base/axis_ticks.h"
+#include "widgets/base/trace_colors.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // What an opened recording holds of registers, as text: most of it is never looked at.
 #pragma once
 
-#include "session/recording_reader.h"
+#include "session/recording/recording_reader.h"
 
 namespace widgets {
 

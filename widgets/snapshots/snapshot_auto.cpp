@@ -16,7 +16,7 @@ QString autoSnapshotFolder()
 }
 
 AutoSnapshots::AutoSnapshots(Device &device, const QString &folder, QObject *parent)
-    : QObject(parent)
+    : KeepBeforeWriting(parent)
     , m_reader(device)
     , m_folder(folder)
 {
@@ -38,7 +38,7 @@ AutoSnapshots::AutoSnapshots(Device &device, const QString &folder, QObject *par
         });
 }
 
-void AutoSnapshots::take() { m_reader.start(tuning::Scope::Tunable); }
+void AutoSnapshots::take() { m_reader.start(snapshots::Scope::Tunable); }
 
 void AutoSnapshots::read(const BoardReading &reading)
 {
@@ -50,7 +50,7 @@ void AutoSnapshots::read(const BoardReading &reading)
         return;
     }
     const QDateTime now = QDateTime::currentDateTime();
-    m_kept.push_front({now, std::make_shared<const tuning::Snapshot>(reading.snapshot), {}});
+    m_kept.push_front({now, std::make_shared<const snapshots::Snapshot>(reading.snapshot), {}});
     if (m_kept.size() > kMostInMemory)
         m_kept.pop_back();
     m_saving.push_back(now);

@@ -2,7 +2,8 @@
 // once, as a file as soon as the disk takes it. A disk that does not is told about and stops no write.
 #pragma once
 
-#include "session/snapshot_folder.h"
+#include "session/files/snapshot_folder.h"
+#include "widgets/registers/keep_before_writing.h"
 #include "widgets/snapshots/snapshot_reader.h"
 
 #include <deque>
@@ -13,14 +14,14 @@ namespace widgets {
 /// In the person's data folder.
 QString autoSnapshotFolder();
 
-class AutoSnapshots : public QObject {
+class AutoSnapshots : public KeepBeforeWriting {
     Q_OBJECT
 public:
     static constexpr std::size_t kMostInMemory = 20;
 
     struct Kept {
         QDateTime at;
-        std::shared_ptr<const tuning::Snapshot> snapshot;
+        std::shared_ptr<const snapshots::Snapshot> snapshot;
         QString file; ///< empty until it is there
     };
 
@@ -31,12 +32,7 @@ public:
     const session::SnapshotFolder &folder() const { return m_folder; }
     bool running() const { return m_reader.running(); }
 
-    void take(); ///< taken() or broken() follows; nothing while one is under way
-
-Q_SIGNALS:
-    void taken(); ///< it is in memory: writing may begin
-    void broken(const QString &sentence); ///< the board could not be read
-    void told(const QString &sentence); ///< something is missing that does not stop a write
+    void take() override;
 
 private:
     void read(const BoardReading &reading);

@@ -1,10 +1,10 @@
 #include "widgets/snapshots/snapshot_dialog.h"
 
-#include "session/snapshot_json.h"
-#include "session/whole_file.h"
-#include "tuning/drive_parameters.h"
+#include "session/files/snapshot_json.h"
+#include "session/files/whole_file.h"
+#include "snapshots/drive_parameters.h"
 #include "widgets/base/device_text.h"
-#include "widgets/files/file_prompt.h"
+#include "widgets/base/file_prompt.h"
 #include "widgets/snapshots/snapshot_text.h"
 
 #include <QDialogButtonBox>
@@ -87,7 +87,7 @@ void SnapshotDialog::begin()
     m_save->setEnabled(false);
     m_progress->setRange(0, 0);
     m_progress->setVisible(true);
-    m_reader.start(m_form == Form::Snapshot ? tuning::Scope::All : tuning::Scope::Tunable);
+    m_reader.start(m_form == Form::Snapshot ? snapshots::Scope::All : snapshots::Scope::Tunable);
 }
 
 void SnapshotDialog::read(const BoardReading &reading)
@@ -102,9 +102,10 @@ void SnapshotDialog::read(const BoardReading &reading)
     }
     m_save->setText(tr("Save\u2026"));
     m_snapshot = reading.snapshot;
-    m_content = m_form == Form::Snapshot ? session::snapshotJson(m_snapshot)
-                                         : QByteArray::fromStdString(tuning::driveParametersHeader(
-                                             m_snapshot, m_motor, ampsPerDigit(m_device, m_motor)));
+    m_content = m_form == Form::Snapshot
+        ? session::snapshotJson(m_snapshot)
+        : QByteArray::fromStdString(
+            snapshots::driveParametersHeader(m_snapshot, m_motor, ampsPerDigit(m_device, m_motor)));
     const int count = static_cast<int>(m_snapshot.entries.size());
     if (!reading.unanswered.isEmpty()) // a person decides whether that will do
         return tell(

@@ -45,7 +45,7 @@ private:
     QString m_folder;
     int m_motor;
     SnapshotReader m_reader;
-    tuning::Snapshot m_snapshot;
+    snapshots::Snapshot m_snapshot;
     QByteArray m_content;
     QLabel *m_summary;
     QProgressBar *m_progress;

@@ -1,8 +1,8 @@
 #include "widgets/snapshots/snapshot_model.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/register_texts.h"
 #include "widgets/base/value_text.h"
-#include "widgets/registers/register_texts.h"
 #include "widgets/snapshots/snapshot_text.h"
 
 #include <QApplication>
@@ -12,7 +12,7 @@ namespace widgets {
 namespace {
 
 /// As the plan names what it leaves: NAME or NAME@MOTOR.
-bool isNamed(const tuning::Entry &entry, const std::string &name)
+bool isNamed(const snapshots::Entry &entry, const std::string &name)
 {
     return name == entry.name || name == entry.name + "@" + std::to_string(entry.motor);
 }
@@ -24,7 +24,7 @@ SnapshotModel::SnapshotModel(QObject *parent)
 {
 }
 
-void SnapshotModel::compare(Side a, Side b, tuning::Scope scope)
+void SnapshotModel::compare(Side a, Side b, snapshots::Scope scope)
 {
     beginResetModel();
     if (a != m_a)
@@ -34,24 +34,24 @@ void SnapshotModel::compare(Side a, Side b, tuning::Scope scope)
     m_rows.clear();
     m_plan = {};
     if (m_a && m_b)
-        for (const tuning::Difference &difference : tuning::differences(*m_a, *m_b, scope))
+        for (const snapshots::Difference &difference : snapshots::differences(*m_a, *m_b, scope))
             m_rows.push_back({difference, SIZE_MAX, {}, true});
     endResetModel();
     Q_EMIT chosenChanged();
 }
 
-void SnapshotModel::offer(const tuning::RestorePlan &plan)
+void SnapshotModel::offer(const snapshots::RestorePlan &plan)
 {
     m_plan = plan;
     for (Row &row : m_rows) {
         row.write = SIZE_MAX;
         row.why.clear();
-        const tuning::Entry &entry = row.difference.either();
+        const snapshots::Entry &entry = row.difference.either();
         row.wanted = !m_unwanted.contains(Key(entry.name, entry.motor));
         for (std::size_t i = 0; row.difference.b != nullptr && i < plan.writes.size(); ++i)
             if (plan.writes[i].id == row.difference.b->id)
                 row.write = i;
-        for (const tuning::RestorePlan::Left &left : plan.left)
+        for (const snapshots::RestorePlan::Left &left : plan.left)
             if (row.write == SIZE_MAX && isNamed(entry, left.name))
                 row.why = notRestoredText(left.why);
     }
@@ -108,7 +108,7 @@ int SnapshotModel::columnCount(const QModelIndex &parent) const
 
 QString SnapshotModel::text(const Row &row, int column) const
 {
-    const tuning::Difference &difference = row.difference;
+    const snapshots::Difference &difference = row.difference;
     switch (column) {
     case NameColumn:
         return deviceText(difference.either().name);
@@ -135,7 +135,7 @@ QString SnapshotModel::text(const Row &row, int column) const
 QVariant SnapshotModel::sortKey(const Row &row, int column) const
 {
     const bool ofA = column == AColumn || column == ARawColumn;
-    const tuning::Entry *entry = ofA ? row.difference.a : row.difference.b;
+    const snapshots::Entry *entry = ofA ? row.difference.a : row.difference.b;
     if (column == AColumn || column == BColumn || column == ARawColumn || column == BRawColumn) {
         const double raw = entry != nullptr ? rawNumber(entry->value) : 0.0;
         const bool shown = column == AColumn || column == BColumn;
@@ -146,7 +146,7 @@ QVariant SnapshotModel::sortKey(const Row &row, int column) const
 
 QString SnapshotModel::toolTip(const Row &row) const
 {
-    const tuning::Entry &entry = row.difference.either();
+    const snapshots::Entry &entry = row.difference.either();
     QStringList lines{QStringLiteral("<b>%1</b>").arg(deviceToolTip(entry.name)),
         registerGroupText(entry.group).toHtmlEscaped()};
     if (row.difference.a == nullptr)
@@ -181,7 +181,7 @@ QVariant SnapshotModel::data(const QModelIndex &index, int role) const
             ? QVariant()
             : QVariant(QApplication::palette().brush(QPalette::Disabled, QPalette::Text));
     case SearchRole: {
-        const tuning::Entry &entry = row.difference.either();
+        const snapshots::Entry &entry = row.difference.either();
         return QString(deviceText(entry.name) + QLatin1Char('\n') + deviceText(entry.group)
             + QLatin1Char('\n') + registerGroupText(entry.group));
     }
@@ -240,7 +240,7 @@ bool SnapshotModel::setData(const QModelIndex &index, const QVariant &value, int
     if (role != Qt::CheckStateRole || !flags(index).testFlag(Qt::ItemIsUserCheckable))
         return false;
     Row &row = m_rows[static_cast<std::size_t>(index.row())];
-    const tuning::Entry &entry = row.difference.either();
+    const snapshots::Entry &entry = row.difference.either();
     row.wanted = value.toInt() == Qt::Checked;
     if (row.wanted)
         m_unwanted.erase(Key(entry.name, entry.motor));

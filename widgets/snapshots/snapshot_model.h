@@ -2,7 +2,7 @@
 // board. It compares and remembers; reading and writing are others' business.
 #pragma once
 
-#include "tuning/restore.h"
+#include "snapshots/restore.h"
 
 #include <QAbstractTableModel>
 
@@ -30,15 +30,15 @@ public:
         SortRole, ///< numbers as numbers
         RestorableRole, ///< bool
     };
-    using Side = std::shared_ptr<const tuning::Snapshot>;
+    using Side = std::shared_ptr<const snapshots::Snapshot>;
 
     explicit SnapshotModel(QObject *parent = nullptr);
 
     /// Either may be empty: then nothing is shown.
-    void compare(Side a, Side b, tuning::Scope scope);
+    void compare(Side a, Side b, snapshots::Scope scope);
     /// What of it can be written to the board that B was read from; those have a check box, all checked at first. What
     /// was unchecked before stays so. An empty plan: none.
-    void offer(const tuning::RestorePlan &plan);
+    void offer(const snapshots::RestorePlan &plan);
     /// The writes that are wanted, in the plan's order, of the rows that `seen` says yes to.
     std::vector<drive::RegisterWrite> chosen(const std::function<bool(int row)> &seen) const;
 
@@ -60,7 +60,7 @@ Q_SIGNALS:
 private:
     using Key = std::pair<std::string, int>; ///< name and motor
     struct Row {
-        tuning::Difference difference;
+        snapshots::Difference difference;
         std::size_t write = SIZE_MAX; ///< in m_plan; SIZE_MAX: cannot be restored
         QString why; ///< it cannot
         bool wanted = true;
@@ -72,7 +72,7 @@ private:
 
     Side m_a, m_b;
     std::vector<Row> m_rows;
-    tuning::RestorePlan m_plan;
+    snapshots::RestorePlan m_plan;
     std::set<Key> m_unwanted;
 };
 

@@ -1,10 +1,10 @@
 #include "widgets/snapshots/snapshot_panel.h"
 
 #include "capture/tick_time.h"
-#include "session/whole_file.h"
+#include "session/files/whole_file.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/file_prompt.h"
 #include "widgets/base/value_text.h"
-#include "widgets/files/file_prompt.h"
 #include "widgets/snapshots/snapshot_text.h"
 
 #include <QCheckBox>
@@ -82,7 +82,7 @@ SnapshotPanel::Source *SnapshotPanel::source(const QString &key)
     return found == m_sources.end() ? nullptr : &*found;
 }
 
-std::shared_ptr<const tuning::Snapshot> SnapshotPanel::snapshotOf(const Side &side) const
+std::shared_ptr<const snapshots::Snapshot> SnapshotPanel::snapshotOf(const Side &side) const
 {
     for (const Source &one : m_sources)
         if (one.key == side.key)
@@ -182,7 +182,7 @@ bool SnapshotPanel::load(const QString &path, Side &side)
         return false;
     }
     tell({});
-    const auto value = std::make_shared<const tuning::Snapshot>(std::move(*snapshot));
+    const auto value = std::make_shared<const snapshots::Snapshot>(std::move(*snapshot));
     if (Source *known = source(path))
         known->snapshot = value;
     else
@@ -207,7 +207,7 @@ bool SnapshotPanel::take(Source &recorded)
         return false;
     }
     tell({});
-    recorded.snapshot = std::make_shared<const tuning::Snapshot>(std::move(*snapshot));
+    recorded.snapshot = std::make_shared<const snapshots::Snapshot>(std::move(*snapshot));
     return true;
 }
 
@@ -241,14 +241,14 @@ void SnapshotPanel::readBoard()
     }
     tell({});
     m_progress->setRange(0, 0);
-    m_reader.start(tuning::Scope::All);
+    m_reader.start(snapshots::Scope::All);
     updateTexts();
 }
 
 void SnapshotPanel::boardRead(const BoardReading &reading)
 {
     if (reading.end == BoardReading::End::Whole) {
-        source(kBoard)->snapshot = std::make_shared<const tuning::Snapshot>(reading.snapshot);
+        source(kBoard)->snapshot = std::make_shared<const snapshots::Snapshot>(reading.snapshot);
         if (!reading.unanswered.isEmpty())
             tell(tr("The board never answered for: %1.", "list of registers")
                      .arg(reading.unanswered.join(QStringLiteral(", "))));
@@ -271,7 +271,7 @@ void SnapshotPanel::boardChanged()
 void SnapshotPanel::compare()
 {
     m_model->compare(snapshotOf(m_a), snapshotOf(m_b),
-        m_all->isChecked() ? tuning::Scope::All : tuning::Scope::Tunable);
+        m_all->isChecked() ? snapshots::Scope::All : snapshots::Scope::Tunable);
     m_moving = {-1}; // none that can be: offer() has to look
     offer();
 }
@@ -290,9 +290,9 @@ void SnapshotPanel::offer()
     const auto a = snapshotOf(m_a), b = snapshotOf(m_b);
     const bool canBe = a && b && catalog && isBoard(m_b) && !isBoard(m_a);
     m_model->offer(
-        canBe ? tuning::planRestore(*a, *b, *catalog, {}, moving) : tuning::RestorePlan());
+        canBe ? snapshots::planRestore(*a, *b, *catalog, {}, moving) : snapshots::RestorePlan());
     const auto others =
-        canBe ? tuning::otherHardware(a->board, b->board) : std::vector<std::string>();
+        canBe ? snapshots::otherHardware(a->board, b->board) : std::vector<std::string>();
     QStringList names;
     for (const std::string &name : others)
         names.append(deviceText(name));

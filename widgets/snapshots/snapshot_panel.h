@@ -3,7 +3,7 @@
 // like any other edit, so that it needs arming, asks, and can be taken back.
 #pragma once
 
-#include "widgets/forms/form.h"
+#include "widgets/base/form.h"
 #include "widgets/registers/register_edits.h"
 #include "widgets/snapshots/recorded_snapshots.h"
 #include "widgets/snapshots/snapshot_auto.h"
@@ -54,7 +54,7 @@ private:
     struct Source {
         Kind kind = Kind::Board;
         QString key, title;
-        std::shared_ptr<const tuning::Snapshot> snapshot; ///< empty: not read yet
+        std::shared_ptr<const snapshots::Snapshot> snapshot; ///< empty: not read yet
     };
     struct Side {
         QComboBox *box = nullptr;
@@ -75,7 +75,7 @@ private:
     bool load(const QString &path, Side &side);
     bool take(Source &recorded);
     Source *source(const QString &key);
-    std::shared_ptr<const tuning::Snapshot> snapshotOf(const Side &side) const;
+    std::shared_ptr<const snapshots::Snapshot> snapshotOf(const Side &side) const;
     bool isBoard(const Side &side) const;
     void boardRead(const BoardReading &reading);
     void boardChanged();

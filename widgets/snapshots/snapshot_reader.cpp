@@ -29,7 +29,7 @@ SnapshotReader::SnapshotReader(Device &device, QObject *parent)
     });
 }
 
-void SnapshotReader::start(tuning::Scope scope)
+void SnapshotReader::start(snapshots::Scope scope)
 {
     if (m_running)
         return;
@@ -40,7 +40,7 @@ void SnapshotReader::start(tuning::Scope scope)
     const auto catalog = m_device.catalog();
     if (!catalog || !m_device.answering())
         return finish(BoardReading::End::Broken);
-    for (const catalog::RegisterId id : tuning::snapshotRegisters(*catalog, scope))
+    for (const catalog::RegisterId id : snapshots::snapshotRegisters(*catalog, scope))
         if (!m_absent.contains(id))
             m_ids.push_back(id);
     ask();
@@ -105,7 +105,8 @@ void SnapshotReader::finish(BoardReading::End how, const QString &reason)
             else if (how == BoardReading::End::Whole)
                 result.unanswered.append(deviceText(catalog->nameOf(id)));
         }
-        result.snapshot = tuning::snapshotOf(m_device.identified()->identity, *catalog, readings);
+        result.snapshot =
+            snapshots::snapshotOf(m_device.identified()->identity, *catalog, readings);
     }
     Q_EMIT finished(result);
 }

@@ -4,7 +4,7 @@
 // start(), then progressed() now and then and finished() exactly once, also after cancel().
 #pragma once
 
-#include "tuning/snapshot.h"
+#include "snapshots/snapshot.h"
 #include "widgets/base/device.h"
 
 #include <QObject>
@@ -22,7 +22,7 @@ struct BoardReading {
         Broken, ///< the connection ended, or everything was cancelled by a stop
     };
     End end = End::Whole;
-    tuning::Snapshot snapshot; ///< as far as it came
+    snapshots::Snapshot snapshot; ///< as far as it came
     QStringList unanswered; ///< registers that may be there and whose answer never came
     QString reason; ///< of Broken: the drive's word
 };
@@ -35,7 +35,7 @@ public:
     bool running() const { return m_running; }
 
 public Q_SLOTS:
-    void start(tuning::Scope scope); ///< nothing while one is under way
+    void start(snapshots::Scope scope); ///< nothing while one is under way
     void cancel();
 
 Q_SIGNALS:

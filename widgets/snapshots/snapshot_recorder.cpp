@@ -1,7 +1,7 @@
 #include "widgets/snapshots/snapshot_recorder.h"
 
 #include "capture/tick_time.h"
-#include "session/snapshot_json.h"
+#include "session/files/snapshot_json.h"
 
 namespace widgets {
 
@@ -40,10 +40,10 @@ void SnapshotRecorder::begin()
 void SnapshotRecorder::readIfWanted()
 {
     if (m_wanted && m_device.answering() && m_device.identified())
-        m_reader.start(tuning::Scope::All);
+        m_reader.start(snapshots::Scope::All);
 }
 
-void SnapshotRecorder::add(const char *title, const tuning::Snapshot &snapshot)
+void SnapshotRecorder::add(const char *title, const snapshots::Snapshot &snapshot)
 {
     if (!m_recording.running())
         return;

@@ -2,7 +2,7 @@
 // whenever a board has come, and what was read before a list of writes.
 #pragma once
 
-#include "session/recording.h"
+#include "session/recording/recording.h"
 #include "widgets/snapshots/snapshot_auto.h"
 
 #include <functional>
@@ -20,7 +20,7 @@ public:
 private:
     void begin();
     void readIfWanted();
-    void add(const char *title, const tuning::Snapshot &snapshot);
+    void add(const char *title, const snapshots::Snapshot &snapshot);
 
     Device &m_device;
     session::Recording &m_recording;

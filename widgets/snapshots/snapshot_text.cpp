@@ -2,8 +2,8 @@
 
 #include "catalog/names.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/register_texts.h"
 #include "widgets/base/value_text.h"
-#include "widgets/registers/register_texts.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -27,7 +27,7 @@ QString joined(const std::vector<std::string> &names)
                            : words.join(QStringLiteral(" | "));
 }
 
-QString wholeText(const tuning::Entry &entry, std::int64_t raw)
+QString wholeText(const snapshots::Entry &entry, std::int64_t raw)
 {
     if (!catalog::namedValues(entry.name).empty())
         return valueNameText(catalog::valueName(entry.name, raw));
@@ -77,7 +77,7 @@ QString problemText(session::SnapshotProblem problem)
 
 } // namespace
 
-QString snapshotValueText(const tuning::Entry *entry)
+QString snapshotValueText(const snapshots::Entry *entry)
 {
     if (entry == nullptr)
         return kDash;
@@ -92,7 +92,7 @@ QString snapshotValueText(const tuning::Entry *entry)
     return snapshotRawText(entry);
 }
 
-QString snapshotRawText(const tuning::Entry *entry)
+QString snapshotRawText(const snapshots::Entry *entry)
 {
     return entry != nullptr ? deviceText(rawText(entry->value)) : kDash;
 }
@@ -115,9 +115,9 @@ QString snapshotFileErrorText(const QString &file, const session::SnapshotFileEr
         .arg(name, line, which, what);
 }
 
-QString notRestoredText(tuning::NotRestored why)
+QString notRestoredText(snapshots::NotRestored why)
 {
-    using tuning::NotRestored;
+    using snapshots::NotRestored;
     switch (why) {
     case NotRestored::NotOnBoard:
         return SnapshotText::tr("This board does not have it, or it cannot be written there.");

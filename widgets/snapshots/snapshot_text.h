@@ -2,8 +2,8 @@
 // restored, and the names that files get.
 #pragma once
 
-#include "session/snapshot_json.h"
-#include "tuning/restore.h"
+#include "session/files/snapshot_json.h"
+#include "snapshots/restore.h"
 
 #include <QDateTime>
 #include <QString>
@@ -11,13 +11,13 @@
 namespace widgets {
 
 /// In the unit people read, without it; names where numbers have them; a dash where `entry` is nullptr.
-QString snapshotValueText(const tuning::Entry *entry);
+QString snapshotValueText(const snapshots::Entry *entry);
 /// As on the wire.
-QString snapshotRawText(const tuning::Entry *entry);
+QString snapshotRawText(const snapshots::Entry *entry);
 
 /// Why a file is no snapshot, and where: one sentence.
 QString snapshotFileErrorText(const QString &file, const session::SnapshotFileError &error);
-QString notRestoredText(tuning::NotRestored why);
+QString notRestoredText(snapshots::NotRestored why);
 
 /// "2026-05-04_13-02-59_motor_" and `what`, e.g. "snapshot.json".
 QString suggestedFileName(const QDateTime &now, const QString &what);

@@ -2,7 +2,7 @@
 // an open port is not yet a board.
 #pragma once
 
-#include "session/port_list.h"
+#include "session/transports/port_list.h"
 #include "widgets/base/device.h"
 
 #include <QWidget>

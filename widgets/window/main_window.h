@@ -2,10 +2,10 @@
 // and connects actions; decisions are the panels' own.
 #pragma once
 
-#include "session/port_list.h"
-#include "widgets/scope/signal_selection.h"
+#include "session/transports/port_list.h"
+#include "widgets/base/banner.h"
+#include "widgets/scope/signals/signal_selection.h"
 #include "widgets/snapshots/recorded_snapshots.h"
-#include "widgets/window/banner.h"
 #include "widgets/window/settings.h"
 #include "widgets/window/workbench.h"
 

@@ -1,11 +1,11 @@
 // Files in the main window: recordings, export and import, and what of a file is shown where.
-#include "session/recording_transport.h"
+#include "session/transports/recording_transport.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/file_prompt.h"
 #include "widgets/base/value_text.h"
 #include "widgets/files/event_recorder.h"
 #include "widgets/files/export_order.h"
 #include "widgets/files/file_job.h"
-#include "widgets/files/file_prompt.h"
 #include "widgets/files/import_csv.h"
 #include "widgets/files/marker_file.h"
 #include "widgets/files/open_recording.h"

@@ -1,9 +1,9 @@
 // What the main window asks before samples and markers that are in no file go: when a file takes their place, with a
 // connection, and at the end.
 #include "widgets/base/device_text.h"
+#include "widgets/base/replaying.h"
 #include "widgets/files/marker_file.h"
 #include "widgets/files/record_control.h"
-#include "widgets/files/replaying.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/window/main_window.h"
 

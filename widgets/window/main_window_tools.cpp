@@ -1,8 +1,8 @@
 // The tools of the main window: forms in docks below the scope, as tabs of one another, hidden until somebody asks. A
 // form is made when it is first seen, when a board is to come, or when the window is painted and nothing else is to be done.
 #include "widgets/base/device_text.h"
+#include "widgets/base/form.h"
 #include "widgets/control/motion_log_panel.h"
-#include "widgets/forms/form.h"
 #include "widgets/forms/gains_form.h"
 #include "widgets/forms/motor_form.h"
 #include "widgets/forms/ramp_form.h"

@@ -1,6 +1,6 @@
 #include "widgets/window/own_limits.h"
 
-#include "session/limits_file.h"
+#include "session/files/limits_file.h"
 #include "widgets/base/device_text.h"
 
 namespace widgets {

@@ -1,6 +1,6 @@
 #include "widgets/window/settings.h"
 
-#include "widgets/scope/trace_colors.h"
+#include "widgets/base/trace_colors.h"
 
 #include <QDir>
 #include <QFile>

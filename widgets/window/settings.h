@@ -2,8 +2,9 @@
 // gives the defaults, and saving replaces it whole or not at all.
 #pragma once
 
-#include "widgets/analysis/math_formula.h"
+#include "widgets/base/theme.h"
 #include "widgets/forms/ramp_preset.h"
+#include "widgets/measuring/math_formula.h"
 
 #include <QByteArray>
 #include <QMap>
@@ -11,8 +12,6 @@
 #include <QStringList>
 
 namespace widgets {
-
-enum class Theme : std::uint8_t { System, Light, Dark };
 
 struct Settings {
     QByteArray geometry; ///< of the window, as Qt saves it

@@ -1,6 +1,6 @@
 #include "widgets/window/shutdown.h"
 
-#include "widgets/files/replaying.h"
+#include "widgets/base/replaying.h"
 
 namespace widgets {
 namespace {

@@ -3,9 +3,9 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/lamp.h"
 #include "widgets/base/messages.h"
+#include "widgets/base/replaying.h"
 #include "widgets/base/value_text.h"
 #include "widgets/control/fault_texts.h"
-#include "widgets/files/replaying.h"
 
 #include <QFileInfo>
 #include <QLabel>

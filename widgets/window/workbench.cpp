@@ -1,6 +1,6 @@
 #include "widgets/window/workbench.h"
 
-#include "widgets/files/replaying.h"
+#include "widgets/base/replaying.h"
 
 #include <QCoreApplication>
 #include <QInputEvent>

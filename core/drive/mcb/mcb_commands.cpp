@@ -1,6 +1,5 @@
 #include "drive/mcb/mcb_commands.h"
 
-#include "analysis/ramp.h"
 #include "drive/mcb/mcb_catalog.h"
 #include "drive/mcb/mcb_identification.h"
 #include "drive/mcb/mcb_messages.h"
@@ -8,6 +7,7 @@
 #include "drive/set_point_check.h"
 #include "drive/values.h"
 #include "drive/write_check.h"
+#include "motor/ramp.h"
 
 #include <algorithm>
 #include <array>
@@ -325,7 +325,7 @@ std::string McbPositionTask::plan()
     const double counts = m_ramp.radians / kTurn_rad * board().countsPerTurn;
     const double way_rad = m_ramp.radians - *now / board().countsPerTurn * kTurn_rad;
     const double seconds = std::chrono::duration<double>(m_ramp.duration).count();
-    const double rpm = std::abs(analysis::positionPeakSpeed_rpm(way_rad, seconds));
+    const double rpm = std::abs(motor::positionPeakSpeed_rpm(way_rad, seconds));
     if (auto why = refuseSpeed(board(), motor(), rpm); !why.empty())
         return "the speed on the way is " + why;
     constexpr double kLeast = 1e-3; // turns a second: no drive takes 0 for a profile

@@ -1,11 +1,11 @@
 #include "drive/mcp/mcp_limits.h"
 
-#include "analysis/ramp.h"
 #include "drive/set_point_check.h"
 #include "drive/values.h"
 #include "drive/write_check.h"
 #include "mcp/protocol.h"
 #include "mcp/structures.h"
+#include "motor/ramp.h"
 
 #include <cmath>
 
@@ -129,8 +129,7 @@ std::string refusePosition(const McpBoard &board, int motor, const RawPosition &
 std::string refuseWay(
     const McpBoard &board, int motor, const RawPosition &wanted, double position_rad)
 {
-    const double rpm =
-        analysis::positionPeakSpeed_rpm(wanted.radians - position_rad, wanted.seconds);
+    const double rpm = motor::positionPeakSpeed_rpm(wanted.radians - position_rad, wanted.seconds);
     const std::string why = refuseSpeed(board, motor, rpm);
     return why.empty() ? why : "the speed on the way is " + why;
 }

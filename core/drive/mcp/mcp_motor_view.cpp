@@ -1,5 +1,5 @@
 // The structures of MCP boards for drive/motor_view.h. Facts: mcp-aspep sections 8 and 9; what "rated flux" means is in
-// analysis::fluxOfConfiguration_wb.
+// motor::fluxOfConfiguration_wb.
 #include "catalog/names.h"
 #include "drive/mcp/mcp_scales.h"
 #include "drive/motor_view.h"
@@ -65,8 +65,8 @@ std::optional<Bytes> bytesOf(
 /// "Rated flux" is Ke in standard firmware and V/Hz in HSO firmware: told apart as the flux is.
 bool givenPerHertz(const mcp::MotorConfig &motor)
 {
-    const double flux = analysis::fluxOfConfiguration_wb(motor.ratedFlux, motor.polePairs);
-    return flux > 0.0 && flux != analysis::fluxOfKe_wb(motor.ratedFlux, motor.polePairs);
+    const double flux = motor::fluxOfConfiguration_wb(motor.ratedFlux, motor.polePairs);
+    return flux > 0.0 && flux != motor::fluxOfKe_wb(motor.ratedFlux, motor.polePairs);
 }
 
 std::string fluxUnit(const MotorFacts &facts) { return facts.fluxPerHertz ? "V/Hz" : "V/krpm"; }
@@ -172,7 +172,7 @@ MotorFacts motorFacts(const catalog::Catalog &catalog, int motor, const ValueSou
             .rs_ohm = config->rs,
             .lq_h = config->lq,
             .ld_h = config->ld,
-            .flux_wb = analysis::fluxOfConfiguration_wb(config->ratedFlux, config->polePairs),
+            .flux_wb = motor::fluxOfConfiguration_wb(config->ratedFlux, config->polePairs),
             .nominalCurrent_a = config->maxCurrent};
         facts.name = config->name;
         facts.fluxPerHertz = givenPerHertz(*config);
@@ -208,12 +208,12 @@ MotorFacts motorFacts(const catalog::Catalog &catalog, int motor, const ValueSou
     return facts;
 }
 
-analysis::MotorSheet sheetOf(const MotorFacts &facts)
+motor::MotorSheet sheetOf(const MotorFacts &facts)
 {
     const auto said = [](double value) {
         return std::isfinite(value) && value > 0.0 ? std::optional(value) : std::nullopt;
     };
-    analysis::MotorSheet sheet;
+    motor::MotorSheet sheet;
     sheet.name = facts.name;
     sheet.polePairs = said(facts.motor.polePairs);
     sheet.rs_ohm = said(facts.motor.rs_ohm);

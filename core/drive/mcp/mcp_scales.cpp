@@ -1,7 +1,7 @@
 #include "drive/mcp/mcp_scales.h"
 
-#include "analysis/motor_constants.h"
 #include "drive/motion_limits.h"
+#include "motor/motor_constants.h"
 
 #include <cmath>
 
@@ -65,10 +65,9 @@ MotorLimits limitsOf(const MotorDescription &motor)
     }
     if (motor.motor) {
         limits.polePairs = plausible(motor.motor->polePairs, kMaxPolePairs);
-        const double flux =
-            analysis::fluxOfConfiguration_wb(motor.motor->ratedFlux, limits.polePairs);
+        const double flux = motor::fluxOfConfiguration_wb(motor.motor->ratedFlux, limits.polePairs);
         limits.torquePerAmp =
-            plausible(analysis::ktOfFlux_nmpa(flux, limits.polePairs), kMaxTorquePerAmp);
+            plausible(motor::ktOfFlux_nmpa(flux, limits.polePairs), kMaxTorquePerAmp);
     }
     return limits;
 }

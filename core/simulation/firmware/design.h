@@ -2,7 +2,7 @@
 // power stage. Pure functions of the plant's parameters. Source: features 6.2, 6.3, 6.5, 6.6.
 #pragma once
 
-#include "simulation/build.h"
+#include "simulation/firmware/build.h"
 #include "simulation/firmware/protection.h"
 #include "simulation/firmware/rev_up.h"
 #include "simulation/firmware/stage.h"

@@ -10,7 +10,7 @@
 // Source: mcp-aspep facts 7 to 9; features 6.2 to 6.8; the session start_ramp_stop.
 #pragma once
 
-#include "simulation/build.h"
+#include "simulation/firmware/build.h"
 #include "simulation/firmware/current_control.h"
 #include "simulation/firmware/design.h"
 #include "simulation/firmware/feed_forward.h"

@@ -2,7 +2,7 @@
 // registers show; one of them closes the loops. Facade over maths; it decides nothing.
 #pragma once
 
-#include "simulation/build.h"
+#include "simulation/firmware/build.h"
 #include "simulation/firmware/design.h"
 #include "simulation/maths/encoder_sensor.h"
 #include "simulation/maths/hall_sensor.h"

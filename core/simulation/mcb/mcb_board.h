@@ -3,8 +3,8 @@
 #pragma once
 
 #include "simulation/mcb/mcb_faults.h"
+#include "simulation/mcb/mcb_slave.h"
 #include "simulation/mcb/servo.h"
-#include "simulation/mcb_slave.h"
 #include "simulation/simulated_board.h"
 
 namespace simulation {

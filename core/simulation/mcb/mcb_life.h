@@ -1,7 +1,7 @@
 // What stands behind the registers of a slave that is more than its registers: a motor and its control.
 #pragma once
 
-#include "simulation/mcb_registers.h"
+#include "simulation/mcb/mcb_registers.h"
 
 #include <optional>
 

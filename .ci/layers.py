@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""layers.py: says where an include goes up, where Qt is where it must not be, and where ARCHITECTURE.md is not true.
+
+Folders are layers: each may include those of lower rows, and its own. A folder that the list does not name is a finding.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+ROWS = {
+    'core': ['base',
+             'aspep catalog',
+             'capture legacy mcb motor',
+             'mcp',
+             'drive',
+             'record scope simulation snapshots',
+             'session'],
+    'widgets': ['base',
+                'registers scope',
+                'control files measuring snapshots',
+                'forms',
+                'window'],
+}
+QT = {'core/session'}  # of core
+MOST_FILES = 50  # in one folder, its own folders not counted
+
+INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]', re.M)
+
+
+def row_of(path):
+    """Row and room of a file: ('core', 2, 'drive'); no row if the list has none for it."""
+    top, room = path.parts[0], path.parts[1]
+    for number, row in enumerate(ROWS.get(top, [])):
+        if room in row.split():
+            return top, number, room
+    return top, None, room
+
+
+def target_of(name):
+    """The file in the project that an include names; core's are named without `core`."""
+    for candidate in (pathlib.Path(name), pathlib.Path('core') / name):
+        if candidate.is_file():
+            return candidate
+    return None
+
+
+def includes(path):
+    for quote, name in INCLUDE.findall(path.read_text(encoding='utf-8')):
+        top, row, room = row_of(path)
+        if row is None:
+            yield f'{path}: .ci/layers.py has no row for {top}/{room}'
+        if top == 'core' and f'{top}/{room}' not in QT and re.match(r'Q[A-Z]|Qt', name):
+            yield f'{path}: Qt is for {", ".join(sorted(QT))} alone: {name}'
+        target = target_of(name) if quote == '"' else None
+        if target is None or len(target.parts) < 3:
+            continue
+        to_top, to_row, to_room = row_of(target)
+        order = ['core', 'widgets', 'app']
+        if order.index(to_top) > order.index(top):
+            yield f'{path}: goes up to {to_top}: {name}'
+        elif to_top == top and to_room != room and to_row is not None and row is not None and to_row >= row:
+            yield f'{path}: goes up, or aside, to {to_top}/{to_room}: {name}'
+
+
+def rooms(files):
+    """Folders of the source as the table has them: those of core and their own, of the rest the first."""
+    found = set()
+    for path in files:
+        depth = len(path.parts) - 1
+        found.add('/'.join(path.parts[:min(depth, 3)]) if path.parts[0] == 'core' else path.parts[0])
+    return {room for room in found if room != 'core'}
+
+
+def table():
+    text = pathlib.Path('ARCHITECTURE.md').read_text(encoding='utf-8')
+    return set(re.findall(r'^\| `((?:core|widgets|app)[\w/]*)`', text, re.M)), text
+
+
+def main():
+    listed = subprocess.run(['git', '-c', 'safe.directory=*', 'ls-files', '--cached', '--others', '--exclude-standard', 'core',
+                             'widgets', 'app', 'tests'], capture_output=True, text=True, check=True).stdout.split()
+    files = [path for path in map(pathlib.Path, listed) if path.suffix in ('.cpp', '.h') and path.is_file()]
+    source = [path for path in files if path.parts[0] != 'tests']
+    found = [line for path in source if path.parts[0] != 'app' for line in includes(path)]
+
+    counts = {}
+    for path in files:
+        counts[path.parent] = counts.get(path.parent, 0) + 1
+    found += [f'{folder}: {count} files, at most {MOST_FILES}' for folder, count in sorted(counts.items())
+              if count > MOST_FILES]
+
+    told, text = table()
+    have = rooms(source)
+    found += [f'ARCHITECTURE.md has no row for {room}' for room in sorted(have - told)]
+    found += [f'ARCHITECTURE.md has a row for {room}, which is not there' for room in sorted(told - have)]
+    widgets = {path.parts[1] for path in source if path.parts[0] == 'widgets' and len(path.parts) > 2}
+    row = next((line for line in text.splitlines() if line.startswith('| `widgets`')), '')
+    found += [f'ARCHITECTURE.md does not name widgets/{room}' for room in sorted(widgets) if f'`{room}`' not in row]
+    print('\n'.join(found), end='\n' if found else '')
+    return 1 if found else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

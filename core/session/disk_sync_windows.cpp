@@ -1,9 +1,0 @@
-#include "session/disk_sync.h"
-
-#include <io.h>
-
-namespace session {
-
-bool syncToDisk(int handle) { return _commit(handle) == 0; }
-
-} // namespace session

@@ -1,0 +1,54 @@
+// The formats that signals are written in: a row each, which is all that the programs know of a format.
+#pragma once
+
+#include "capture/capture.h"
+#include "session/files/piece_file.h"
+
+#include <span>
+
+namespace session {
+
+struct ExportWanted {
+    capture::Snapshot channels; ///< in the order of the file
+    std::optional<capture::TimeSpan> range; ///< all if not set
+};
+
+/// Why signals do not fit a format. Nothing is written then.
+enum class ExportProblem : std::uint8_t {
+    None,
+    NoFastSamples, ///< in the range, at which all fast signals have one
+    DifferentRates, ///< of signals that have to share one
+    TooManySignals,
+    TooLong,
+};
+
+struct ExportOutcome {
+    FileResult file;
+    ExportProblem problem = ExportProblem::None;
+    quint64 rows = 0; ///< of samples, in a file that is whole
+};
+
+struct ExportFormat {
+    enum class Holds : std::uint8_t {
+        RowsOfTheFastest, ///< and what a slower signal has at their times
+        EverySample,
+        FastSignals,
+    };
+    const char *name = ""; ///< one word
+    const char *suffix =
+        ""; ///< of the file, without a point; the first row of a suffix is the usual one
+    /// For a choice. This and the next one can be translated, in the context "ExportFormat".
+    const char *title = "";
+    const char *mostText = ""; ///< how much fits, where something is TooLong or are TooManySignals
+    Holds holds = Holds::EverySample;
+    /// Writes the whole file, or none. @param proceed  told 0..1; false cancels
+    ExportOutcome (*write)(const QString &path, const ExportWanted &wanted,
+        const std::function<bool(double)> &proceed) = nullptr;
+};
+
+std::span<const ExportFormat> exportFormats();
+/// The usual one for this name of a file, whatever the case; nullptr if none has its ending.
+const ExportFormat *exportFormatOf(const QString &path);
+const ExportFormat *exportFormatNamed(std::string_view name);
+
+} // namespace session

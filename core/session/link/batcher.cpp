@@ -1,0 +1,139 @@
+#include "session/link/batcher.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace session {
+
+namespace {
+
+std::size_t valuesOf(const capture::SampleBlock &block)
+{
+    std::size_t count = block.fast.size();
+    for (const capture::SlowGroup &group : block.slow)
+        count += group.values.size();
+    return count;
+}
+
+capture::Tick endOf(const capture::SampleBlock &block, capture::Tick step)
+{
+    return block.firstTick + std::max<capture::Tick>(1, capture::Tick{block.count} * step);
+}
+
+} // namespace
+
+void Batcher::add(drive::Event event)
+{
+    if (auto *block = std::get_if<capture::SampleBlock>(&event))
+        return addBlock(std::move(*block));
+    if (const auto *started = std::get_if<drive::StreamStarted>(&event)) {
+        m_streams.clear();
+        if (!started->layout.empty())
+            m_streams[started->layout.id].step = started->layout.fastStep;
+    }
+    if (!behind()) {
+        m_waiting.push_back(std::move(event));
+        return;
+    }
+    if (auto *readings = std::get_if<drive::RegistersRead>(&event))
+        return addReadings(std::move(*readings));
+    if (const auto *status = std::get_if<drive::MotorStatus>(&event)) {
+        const int motor = status->motor;
+        return replace(std::move(event), [motor](const drive::Event &old) {
+            const auto *other = std::get_if<drive::MotorStatus>(&old);
+            return other && other->motor == motor;
+        });
+    }
+    if (std::holds_alternative<drive::LinkCounters>(event)) {
+        return replace(std::move(event), [](const drive::Event &old) {
+            return std::holds_alternative<drive::LinkCounters>(old);
+        });
+    }
+    if (std::holds_alternative<drive::LinkChanged>(event)) {
+        const auto isChange = [](const drive::Event &old) {
+            return std::holds_alternative<drive::LinkChanged>(old);
+        };
+        const auto count = std::count_if(m_waiting.begin(), m_waiting.end(), isChange);
+        if (static_cast<std::size_t>(count) >= m_config.maxLinkChanges)
+            m_waiting.erase(std::find_if(m_waiting.begin(), m_waiting.end(), isChange));
+    }
+    m_waiting.push_back(std::move(event));
+}
+
+void Batcher::addBlock(capture::SampleBlock block)
+{
+    Stream &stream = m_streams[block.stream];
+    const std::size_t values = valuesOf(block);
+    if (behind() && m_waitingValues + values > m_config.maxWaitingValues) {
+        m_dropped += values;
+        stream.dropping = true;
+        return;
+    }
+    if (stream.dropping) {
+        block.lostTicks = std::max(block.lostTicks, block.firstTick - stream.end);
+        stream.dropping = false;
+    }
+    stream.end = endOf(block, stream.step);
+    m_waitingValues += values;
+    m_waiting.push_back(std::move(block));
+}
+
+/// Older readings of the same registers go, so that the newest stand last, behind whatever else was
+/// told meanwhile.
+void Batcher::addReadings(drive::RegistersRead event)
+{
+    std::unordered_set<drive::RegisterId> fresh;
+    for (const drive::Reading &reading : event.readings)
+        fresh.insert(reading.id);
+    for (drive::Event &old : m_waiting) {
+        if (auto *readings = std::get_if<drive::RegistersRead>(&old))
+            std::erase_if(
+                readings->readings, [&](const drive::Reading &r) { return fresh.contains(r.id); });
+    }
+    std::erase_if(m_waiting, [](const drive::Event &old) {
+        const auto *readings = std::get_if<drive::RegistersRead>(&old);
+        return readings && readings->readings.empty();
+    });
+    m_waiting.push_back(std::move(event));
+}
+
+template <class Same>
+void Batcher::replace(drive::Event event, Same same)
+{
+    std::erase_if(m_waiting, same);
+    m_waiting.push_back(std::move(event));
+}
+
+void Batcher::acknowledge() { m_unacknowledged = std::max(0, m_unacknowledged - 1); }
+
+std::optional<TimePoint> Batcher::due() const
+{
+    if (m_waiting.empty() || behind())
+        return std::nullopt;
+    return m_notBefore;
+}
+
+BatchPtr Batcher::take(TimePoint now)
+{
+    if (m_waiting.empty() || behind() || now < m_notBefore)
+        return nullptr;
+    // A timer fires late by up to a millisecond: were that added each time, the pace would fall behind that of a screen.
+    const Duration late = now - m_notBefore;
+    m_notBefore = now + m_config.period - (late <= m_config.period / 4 ? late : Duration::zero());
+    return hand();
+}
+
+BatchPtr Batcher::takeAll() { return m_waiting.empty() ? nullptr : hand(); }
+
+BatchPtr Batcher::hand()
+{
+    auto batch = std::make_shared<Batch>();
+    batch->events = std::move(m_waiting);
+    batch->droppedForDisplay = m_dropped;
+    m_waiting.clear();
+    m_waitingValues = 0;
+    ++m_unacknowledged;
+    return batch;
+}
+
+} // namespace session

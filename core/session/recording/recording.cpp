@@ -1,0 +1,73 @@
+#include "session/recording/recording.h"
+
+#include "session/recording/recording_worker.h"
+
+namespace session {
+
+Recording::Recording(
+    std::shared_ptr<RecordingTap> tap, RecordingLimits limits, MakeSink makeSink, QObject *parent)
+    : QObject(parent)
+    , m_worker(new RecordingWorker(std::move(tap), limits, std::move(makeSink)))
+{
+    qRegisterMetaType<RecordingProgress>("session::RecordingProgress");
+    qRegisterMetaType<RecordingResult>("session::RecordingResult");
+    m_thread.setObjectName(QStringLiteral("recorder"));
+    m_worker->moveToThread(&m_thread);
+    connect(&m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
+    connect(m_worker, &RecordingWorker::started, this, &Recording::started);
+    connect(m_worker, &RecordingWorker::progressed, this, &Recording::progressed);
+    connect(m_worker, &RecordingWorker::finished, this, [this](const RecordingResult &result) {
+        m_running = false;
+        Q_EMIT finished(result);
+    });
+    m_thread.start();
+}
+
+Recording::~Recording()
+{
+    stop();
+    RecordingWorker *worker = m_worker;
+    QThread *thread = &m_thread;
+    QMetaObject::invokeMethod(
+        worker, [thread] { thread->quit(); }, Qt::QueuedConnection);
+    m_thread.wait();
+}
+
+void Recording::start(const QString &path, RecordingTap::Content content, const QString &program,
+    const QString &source)
+{
+    if (m_running)
+        return;
+    m_running = true;
+    m_ending = false;
+    record::Begin begin;
+    begin.program = program.toStdString();
+    begin.source = source.toStdString();
+    RecordingWorker *worker = m_worker;
+    QMetaObject::invokeMethod(
+        worker, [worker, path, content, begin] { worker->start(path, content, begin); },
+        Qt::QueuedConnection);
+}
+
+void Recording::stop()
+{
+    if (!m_running)
+        return;
+    m_ending = true;
+    RecordingWorker *worker = m_worker;
+    QMetaObject::invokeMethod(
+        worker, [worker] { worker->stop(); }, Qt::QueuedConnection);
+}
+
+bool Recording::add(record::Nanos at, record::Entry entry)
+{
+    if (!m_running || m_ending)
+        return false;
+    RecordingWorker *worker = m_worker;
+    QMetaObject::invokeMethod(
+        worker, [worker, at, what = std::move(entry)] { worker->add(at, what); },
+        Qt::QueuedConnection);
+    return true;
+}
+
+} // namespace session

@@ -1,0 +1,180 @@
+#include "session/recording/recording_reader.h"
+
+#include "record/restore.h"
+
+#include <QFile>
+
+#include <map>
+#include <utility>
+
+namespace session {
+
+namespace {
+
+constexpr qint64 kPiece = 1 << 20;
+
+std::size_t memoryOf(const std::string &text) { return sizeof(std::string) + text.size(); }
+
+std::size_t memoryOf(const record::Happening &happening)
+{
+    std::size_t bytes = sizeof happening + memoryOf(happening.name);
+    for (const auto &[key, value] : happening.fields)
+        bytes += memoryOf(key) + memoryOf(value);
+    return bytes;
+}
+
+std::size_t memoryOf(const record::RegisterSnapshot &snapshot)
+{
+    return memoryOf(snapshot.title) + memoryOf(snapshot.json);
+}
+
+std::size_t memoryOf(const record::Note &note)
+{
+    constexpr std::size_t kNode = 64; // of the map
+    return kNode + sizeof note + memoryOf(note.text);
+}
+
+/// What is kept of the entries besides samples, within a bound of memory.
+class Keeper {
+public:
+    explicit Keeper(RecordingReport &report)
+        : m_report(report)
+    {
+    }
+
+    void take(const record::Item &item)
+    {
+        if (const auto *begin = std::get_if<record::Begin>(&item.entry)) {
+            m_report.begin = *begin;
+        } else if (const auto *block = std::get_if<capture::SampleBlock>(&item.entry)) {
+            m_report.samples += record::samplesOf(*block);
+        } else if (const auto *link = std::get_if<record::LinkBytes>(&item.entry)) {
+            m_report.linkBytes += link->bytes.size();
+        } else if (const auto *happening = std::get_if<record::Happening>(&item.entry)) {
+            if (hasRoom(memoryOf(*happening)))
+                m_report.happenings.push_back({item.at, *happening});
+        } else if (const auto *snapshot = std::get_if<record::RegisterSnapshot>(&item.entry)) {
+            if (hasRoom(memoryOf(*snapshot)))
+                m_report.snapshots.push_back({item.at, *snapshot});
+        } else if (const auto *words = std::get_if<record::Note>(&item.entry)) {
+            take(*words);
+        } else if (const auto *lost = std::get_if<record::Lost>(&item.entry)) {
+            m_report.lost.samples += lost->samples;
+            m_report.lost.linkBytes += lost->linkBytes;
+            m_report.lost.others += lost->others;
+        }
+    }
+    void finish()
+    {
+        for (auto &[from, words] : m_notes)
+            m_report.notes.push_back(std::move(words));
+    }
+
+private:
+    /// The last one said of each time counts.
+    void take(const record::Note &words)
+    {
+        if (const auto before = m_notes.find(words.from); before != m_notes.end()) {
+            m_kept -= memoryOf(before->second);
+            m_notes.erase(before);
+        }
+        if (!record::isTakenBack(words) && hasRoom(memoryOf(words)))
+            m_notes[words.from] = words;
+    }
+    bool hasRoom(std::size_t bytes)
+    {
+        if (bytes > RecordingReport::kMostKeptBytes - m_kept) {
+            ++m_report.leftOut;
+            return false;
+        }
+        m_kept += bytes;
+        return true;
+    }
+
+    RecordingReport &m_report;
+    std::map<record::Nanos, record::Note> m_notes;
+    std::size_t m_kept = 0;
+};
+
+} // namespace
+
+Result<RecordingReport, QString> readRecording(const QString &path,
+    const std::function<void(record::Item &&)> &take, const std::function<bool(double)> &proceed)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return fail(file.errorString());
+    record::Decoder decoder;
+    RecordingReport report;
+    Keeper keeper(report);
+    const auto drain = [&] {
+        while (auto step = decoder.next()) {
+            if (auto *item = std::get_if<record::Item>(&*step)) {
+                keeper.take(*item);
+                take(std::move(*item));
+                continue;
+            }
+            ++report.damagedPlaces;
+            if (report.damage.size() < RecordingReport::kMostDamage)
+                report.damage.push_back(std::get<record::Damage>(*step));
+        }
+    };
+    const double size = static_cast<double>(std::max<qint64>(1, file.size()));
+    while (true) {
+        const QByteArray piece = file.read(kPiece);
+        if (file.error() != QFileDevice::NoError)
+            return fail(file.errorString());
+        if (piece.isEmpty())
+            break;
+        decoder.feed({reinterpret_cast<const std::uint8_t *>(piece.constData()),
+            static_cast<std::size_t>(piece.size())});
+        drain();
+        if (proceed && !proceed(static_cast<double>(file.pos()) / size))
+            return fail(QStringLiteral("cancelled"));
+    }
+    decoder.finish();
+    drain();
+    if (!decoder.isRecording())
+        return fail(
+            QStringLiteral("it is no recording of Rotorscope: no sound block in its %1 bytes")
+                .arg(file.size()));
+    keeper.finish();
+    report.blocks = decoder.blocks();
+    report.bytes = file.pos();
+    report.ending = decoder.ending();
+    return report;
+}
+
+Result<RecordingReport, QString> readRecording(
+    const QString &path, capture::Capture &capture, const std::function<bool(double)> &proceed)
+{
+    record::Restorer restorer(capture);
+    return readRecording(
+        path, [&restorer](record::Item &&item) { restorer.take(item.entry); }, proceed);
+}
+
+QString damageText(const record::Damage &damage)
+{
+    using Kind = record::Damage::Kind;
+    const auto number = [](std::uint64_t value) { return QString::number(value); };
+    const QString last = number(damage.offset + std::max<std::uint64_t>(1, damage.bytes) - 1);
+    switch (damage.kind) {
+    case Kind::Missing:
+        return QStringLiteral("at byte %1 %2 blocks are missing")
+            .arg(number(damage.offset), number(damage.blocks));
+    case Kind::CutShort:
+        return QStringLiteral("it ends within a block, at byte %1").arg(damage.offset);
+    case Kind::Undescribed:
+        return QStringLiteral("bytes %1 to %2 are samples whose description is missing")
+            .arg(number(damage.offset), last);
+    case Kind::Unreadable:
+        break;
+    }
+    const QString place =
+        QStringLiteral("bytes %1 to %2 are unreadable").arg(number(damage.offset), last);
+    return damage.blocks == 0
+        ? place
+        : QStringLiteral("%1, %2 blocks are missing").arg(place, number(damage.blocks));
+}
+
+} // namespace session

@@ -1,0 +1,89 @@
+// RecordingTap: takes what a session does for a recording, before anything is dropped for display. It stands in the
+// session's thread and never waits: entries go to the recorder by a queued signal, and while more than the bound wait
+// there, because the disk is slow, further ones are dropped, counted, and told as Lost.
+//
+// Two wrappers feed it: tapped() puts them around a session's transport and drive, so that the session itself knows
+// nothing of recordings.
+#pragma once
+
+#include "record/drive_entries.h"
+#include "session/link/session.h"
+
+#include <QMetaType>
+#include <QObject>
+
+#include <atomic>
+#include <memory>
+
+namespace session {
+
+/// Entries of one moment; immutable, so that they may cross threads.
+struct Told {
+    unsigned recording = 0; ///< number of the recording they are for
+    record::Nanos at = 0;
+    std::vector<record::Entry> entries;
+    std::size_t bytes = 0; ///< about what they hold in memory
+};
+using ToldPtr = std::shared_ptr<const Told>;
+
+class RecordingTap : public QObject {
+    Q_OBJECT
+public:
+    enum class Content : std::uint8_t { Samples, SamplesAndLink };
+
+    explicit RecordingTap(std::size_t mostWaiting = std::size_t{64} << 20)
+        : m_mostWaiting(mostWaiting)
+    {
+    }
+
+    // In any thread.
+    /// From now on entries go to this recording; what holds already is told first, with the next thing that happens.
+    void switchOn(unsigned recording, Content content);
+    void switchOff();
+    void release(std::size_t bytes)
+    {
+        m_waiting -= bytes;
+    } ///< so much has been written or thrown away
+    std::size_t waiting() const { return m_waiting; } ///< bytes
+    /// UTC of the session's 0 s.
+    std::int64_t startSeconds() const { return m_startSeconds; }
+    void setStartSeconds(std::int64_t seconds) { m_startSeconds = seconds; }
+
+    // In the session's thread.
+    void takeEvent(const drive::Event &event, TimePoint now);
+    void takeWish(const drive::Wish &wish, TimePoint now);
+    void takeStop(TimePoint now);
+    void takeLink(record::LinkBytes::Direction direction, ByteView bytes, TimePoint now);
+
+Q_SIGNALS:
+    void told(const session::ToldPtr &told); ///< connect it queued
+
+private:
+    bool isOn();
+    void tell(std::vector<record::Entry> entries, TimePoint now);
+    void send(std::vector<record::Entry> entries, std::size_t bytes, TimePoint now);
+    void drop(const std::vector<record::Entry> &entries);
+    void addUntold(std::vector<record::Entry> &entries);
+
+    const std::size_t m_mostWaiting;
+    std::atomic<unsigned> m_recording = 0; ///< 0: off
+    std::atomic<Content> m_content = Content::Samples;
+    std::atomic<std::size_t> m_waiting = 0;
+    std::atomic<std::int64_t> m_startSeconds = 0;
+
+    // Of the session's thread:
+    record::DriveEntries m_entries;
+    unsigned m_toldState = 0; ///< the recording that knows what held when it began
+    record::Lost m_lost; ///< not told yet
+    std::vector<record::Entry> m_untold; ///< descriptions that got lost; what follows needs them
+    std::int64_t m_streamEnd = 0; ///< tick behind the last block handed on
+    std::uint32_t m_step = 1;
+    bool m_dropping = false;
+};
+
+/// Parts whose transports and drives tell the tap what they do. The tap's UTC is set from their clock.
+Parts tapped(const Parts &parts, const std::shared_ptr<RecordingTap> &tap);
+
+} // namespace session
+
+Q_DECLARE_METATYPE(session::ToldPtr)

@@ -1,0 +1,169 @@
+// Auto under a Stop: whatever language is being tried, the STOP goes out in each of them, and what is found is stopped.
+// How Auto finds each kind of board is tried in tst_legacy_drive.
+#include "support/legacy_bench.h"
+
+#include "drive/protocol_table.h"
+#include "drive/stop_sequence.h"
+
+#include <QTest>
+
+using namespace drive;
+using support::boardOf;
+using namespace std::chrono_literals;
+
+namespace {
+
+const Bytes kLegacyStop{0x23, 0x01, 0x02, 0x26};
+
+Bytes mcpStop() { return ByteWriter().u16((unsigned(mcp::CommandId::StopMotor) << 3) | 1U).take(); }
+
+/// A board whose motor runs, met by nobody now.
+struct Running : support::LinkPair {
+    explicit Running(const char *profile, std::optional<Protocol> spoken = {})
+        : LinkPair(boardOf(profile))
+    {
+        connect();
+        ready = runUntilIdentified();
+        drive->arm();
+        submit(UserLimits{3000.0, 0.0});
+        submit(ExpertMode{1});
+        submit(Command{MotorAction::Start, 1});
+        ready = ready && runUntilState(MotorState::Running);
+        drive = makeDrive({Protocol::Auto, 115200, {}, spoken});
+        status.clear();
+        stops.clear();
+        events.clear();
+    }
+    void press()
+    {
+        drive->stop(now);
+        exchange();
+    }
+    int told(StopWord word) const
+    {
+        return static_cast<int>(std::count_if(stops.begin(), stops.end(),
+            [&](const StopProgress &stop) { return stop.word == word; }));
+    }
+    bool ready = false;
+};
+
+} // namespace
+
+class TestAutoDrive : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aStopGoesOutInEveryLanguageInTurn();
+    void whateverIsBeingTriedTheBoardIsStoppedSoon_data();
+    void whateverIsBeingTriedTheBoardIsStoppedSoon();
+    void betweenTwoRoundsAStopGoesOutAtOnce();
+    void whatWasSpokenBeforeIsTriedFirst();
+    void whatIsSpokenIsTold();
+};
+
+void TestAutoDrive::aStopGoesOutInEveryLanguageInTurn()
+{
+    Running line("mcsdk-6.4");
+    QVERIFY(line.ready);
+    line.toBoard.cut = line.toDrive.cut = true;
+    std::vector<std::pair<TimePoint, char>> sent;
+    line.loses = [&](const Bytes &bytes) {
+        if (bytes == mcpStop())
+            sent.emplace_back(line.now, 'n');
+        if (bytes == kLegacyStop)
+            sent.emplace_back(line.now, 'o');
+        return false;
+    };
+    line.connect();
+    line.runFor(50ms);
+    const TimePoint asked = line.now;
+    line.press();
+    line.runFor(490ms);
+    QCOMPARE(line.told(StopWord::NotConfirmed), 0);
+    line.runFor(20ms);
+    QCOMPARE(line.told(StopWord::NotConfirmed), 1);
+    line.press(); // hides nothing, and prolongs the blind time
+    line.runFor(1490ms);
+    QVERIFY2(sent.size() >= 16, std::to_string(sent.size()).c_str());
+    for (std::size_t i = 1; i < sent.size(); ++i) {
+        QVERIFY(sent[i].second != sent[i - 1].second || sent[i].first - asked < 700ms);
+        QVERIFY(sent[i].first - sent[i - 1].first <= 200ms);
+    }
+    line.runFor(10s);
+    QCOMPARE(line.told(StopWord::Requested), 1);
+    QCOMPARE(line.told(StopWord::NotConfirmed), 1);
+    QVERIFY(line.drive->stopOpen());
+    line.toBoard.cut = line.toDrive.cut = false;
+    QVERIFY(line.runUntil([&] { return !line.drive->stopOpen(); }, 20s)); // it is not forgotten
+    QCOMPARE(line.told(StopWord::DriveIdle), 1);
+}
+
+void TestAutoDrive::whateverIsBeingTriedTheBoardIsStoppedSoon_data()
+{
+    QTest::addColumn<QByteArray>("profile");
+    QTest::addColumn<int>("after_ms");
+    for (const char *profile : {"mcsdk-6.4", "legacy", "powerpc"})
+        for (const int after : {1, 50, 400, 1100, 1300, 1500, 1900, 2500})
+            QTest::addRow("%s, %d ms after connecting", profile, after)
+                << QByteArray(profile) << after;
+}
+
+void TestAutoDrive::whateverIsBeingTriedTheBoardIsStoppedSoon()
+{
+    QFETCH(QByteArray, profile);
+    QFETCH(int, after_ms);
+    Running line(profile.constData());
+    QVERIFY(line.ready);
+    line.toBoard.cut = line.toDrive.cut = true;
+    line.connect();
+    line.runFor(std::chrono::milliseconds(after_ms));
+    line.press();
+    line.runFor(400ms);
+    line.toBoard.cut = line.toDrive.cut = false;
+    const TimePoint back = line.now;
+    QVERIFY(line.runUntil([&] { return line.told(StopWord::DriveIdle) > 0; }, 20s));
+    const Duration took = line.now - back;
+    // 400 ms of it firmware stays in its state STOP.
+    QVERIFY2(took <= 700ms, std::to_string(toSeconds(took)).c_str());
+    QVERIFY(line.runUntil([&] { return !line.drive->stopOpen(); }, 1s));
+}
+
+void TestAutoDrive::betweenTwoRoundsAStopGoesOutAtOnce()
+{
+    Running line("legacy");
+    QVERIFY(line.ready);
+    line.toBoard.cut = line.toDrive.cut = true;
+    line.connect();
+    QVERIFY(line.runUntil([&] { return line.link == LinkState::Lost; }, 20s));
+    line.requests.clear();
+    line.press();
+    line.runFor(250ms);
+    QVERIFY(std::count(line.requests.begin(), line.requests.end(), kLegacyStop) >= 1);
+    QCOMPARE(line.told(StopWord::Requested), 1);
+}
+
+void TestAutoDrive::whatWasSpokenBeforeIsTriedFirst()
+{
+    Running line("legacy", Protocol::Legacy);
+    QVERIFY(line.ready);
+    line.requests.clear();
+    line.connect();
+    line.press();
+    QVERIFY(!line.requests.empty() || line.runUntil([&] { return !line.requests.empty(); }, 1ms));
+    QCOMPARE(line.requests.front(), kLegacyStop); // the first frame at all
+    QVERIFY(line.runUntil([&] { return !line.drive->stopOpen(); }, 500ms));
+}
+
+void TestAutoDrive::whatIsSpokenIsTold()
+{
+    Running line("powerpc");
+    QVERIFY(line.ready);
+    QVERIFY(!line.drive->memory().spoken);
+    line.connect();
+    QVERIFY(line.runUntil([&] { return line.drive->memory().spoken.has_value(); }, 5s));
+    QVERIFY(line.drive->memory().spoken == Protocol::Legacy);
+    line.drive->disconnect(line.now);
+    QVERIFY(line.drive->memory().spoken == Protocol::Legacy);
+}
+
+QTEST_APPLESS_MAIN(TestAutoDrive)
+#include "tst_auto_drive.moc"

@@ -1,0 +1,329 @@
+// What every drive does, whatever it speaks: the same few sentences for all protocols of the table, and for a toy that shows
+// what a new one has to bring. Against simulated boards, on virtual time.
+#include "core/drive/toy_drive.h"
+#include "drive/motion_limits.h"
+#include "drive/protocol_table.h"
+#include "drive/values.h"
+#include "simulation/simulated_board.h"
+
+#include <QtTest>
+
+#include <deque>
+#include <functional>
+#include <map>
+
+using namespace drive;
+using namespace std::chrono_literals;
+
+namespace {
+
+struct Spoken {
+    std::function<std::unique_ptr<Drive>()> drive;
+    std::function<std::unique_ptr<simulation::Device>()> board;
+    std::uint32_t baud = 0; ///< 0: bytes take no time
+};
+
+const std::map<std::string, Spoken> &protocols()
+{
+    static const auto all = [] {
+        std::map<std::string, Spoken> made{
+            {"toy",
+                {[] { return std::make_unique<support::toy::ToyDrive>(); },
+                    [] { return std::make_unique<support::toy::Board>(); }}},
+        };
+        for (const ProtocolRow &row : protocolTable())
+            if (row.choice.protocol != Protocol::Auto)
+                made[std::string(row.choice.word)] = {
+                    [&row] {
+                        return makeDrive({row.choice.protocol, row.baud});
+                    },
+                    [&row] {
+                        simulation::BoardOptions options;
+                        if (!row.board.empty())
+                            options.profile = row.board;
+                        options.baud = row.baud != 0 ? row.baud : options.baud;
+                        return simulation::makeBoard(options);
+                    },
+                    row.baud};
+        return made;
+    }();
+    return all;
+}
+
+/// A parameter that the board has and that can be written.
+std::string gainOf(const catalog::Catalog &catalog)
+{
+    return catalog.find("SPEED_KP") != nullptr ? "SPEED_KP" : "CL_VEL_PID_KP";
+}
+
+/// A drive and a board, joined by a line that may be cut.
+class Bench {
+public:
+    explicit Bench(const Spoken &spoken)
+        : drive(spoken.drive())
+        , m_board(spoken.board())
+        , m_baud(spoken.baud)
+    {
+    }
+
+    bool runUntil(const std::function<bool()> &condition, Duration limit = 30s)
+    {
+        const TimePoint end = now + limit;
+        for (;;) {
+            pump();
+            if (condition())
+                return true;
+            if (now >= end)
+                return false;
+            TimePoint next = std::min(m_board->nextWake(), now + 1ms);
+            for (const auto &due : {drive->nextTimeout(),
+                     m_line.empty() ? std::nullopt : std::optional(m_line.front().at)})
+                if (due)
+                    next = std::min(next, *due);
+            now = std::max(next, now + 10us);
+        }
+    }
+    bool meet()
+    {
+        drive->connect(now);
+        return runUntil([this] { return identified && status; });
+    }
+    /// Armed, and with what a person adds where a board does not tell its limits.
+    bool arm()
+    {
+        drive->arm();
+        if (!gapsIn(identified->limits.front()).empty())
+            return ask(UserLimits{1500.0, 0.0}).outcome == Outcome::Ok
+                && ask(ExpertMode{1}).outcome == Outcome::Ok && drive->armed();
+        return drive->armed();
+    }
+    template <class What>
+    Ended ask(What what)
+    {
+        const WishId id = ++m_lastWish;
+        drive->submit({id, std::move(what)}, now);
+        return runUntil([&] { return ended.contains(id); }, 10s)
+            ? ended.at(id)
+            : Ended{id, Outcome::Unknown, "never", {}};
+    }
+    bool start()
+    {
+        return ask(SpeedRamp{1, 900, 100ms}).outcome == Outcome::Ok
+            && ask(Command{MotorAction::Start, 1}).outcome == Outcome::Ok
+            && runUntil([this] { return status->state == MotorState::Running; });
+    }
+    RegisterId gain() const
+    {
+        return identified->catalog->resolve(gainOf(*identified->catalog)).value_or(0);
+    }
+    bool said(StopWord word) const
+    {
+        return std::find(words.begin(), words.end(), word) != words.end();
+    }
+
+    TimePoint now{1s};
+    std::unique_ptr<Drive> drive;
+    bool cut = false; ///< nothing gets through
+    LinkState link = LinkState::Closed;
+    std::optional<Identified> identified;
+    std::optional<MotorStatus> status;
+    std::map<WishId, Ended> ended;
+    std::map<RegisterId, Reading> values;
+    std::vector<StopWord> words;
+
+private:
+    struct Leaving {
+        TimePoint at, end;
+        Bytes bytes;
+    };
+    void pump()
+    {
+        m_board->advance(now);
+        const Bytes heard = m_board->takeOutput();
+        if (!heard.empty() && !cut)
+            drive->receive(heard, now);
+        drive->handleTimeout(now);
+        for (Output &output : drive->takeOutput()) {
+            if (output.dropsEarlier)
+                m_line.clear();
+            const TimePoint at = std::max(now, m_free + output.gapBefore);
+            m_free = at + wireTime(output.bytes.size(), m_baud);
+            m_line.push_back({at, m_free, std::move(output.bytes)});
+        }
+        while (!m_line.empty() && m_line.front().at <= now) {
+            if (!cut)
+                m_board->receive(m_line.front().bytes, m_line.front().at);
+            m_line.pop_front();
+            m_told = false;
+        }
+        if (m_line.empty() && now >= m_free && !std::exchange(m_told, true))
+            drive->handleSent(now);
+        for (Event &event : drive->takeEvents())
+            std::visit([this](auto &what) { take(what); }, event);
+    }
+    static Duration wireTime(std::size_t bytes, std::uint32_t baud)
+    {
+        return baud == 0 ? Duration{} : ::wireTime(bytes, baud);
+    }
+    void take(LinkChanged &change) { link = change.state; }
+    void take(Identified &event) { identified = std::move(event); }
+    void take(MotorStatus &event) { status = std::move(event); }
+    void take(Ended &event) { ended[event.id] = std::move(event); }
+    void take(StopProgress &event) { words.push_back(event.word); }
+    void take(RegistersRead &event)
+    {
+        for (Reading &reading : event.readings)
+            values[reading.id] = std::move(reading);
+    }
+    template <class Other>
+    void take(Other &)
+    {
+    }
+
+    std::unique_ptr<simulation::Device> m_board;
+    std::uint32_t m_baud;
+    std::deque<Leaving> m_line;
+    TimePoint m_free{};
+    bool m_told = true;
+    WishId m_lastWish = 0;
+};
+
+} // namespace
+
+class TestDriveConformance : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void itIsMetAndDescribed_data() { rows(); }
+    void itIsMetAndDescribed()
+    {
+        Bench bench(spoken());
+        QVERIFY(bench.meet());
+        QVERIFY(bench.link == LinkState::Connected);
+        QVERIFY(bench.status->state == MotorState::Idle);
+        QVERIFY(!bench.identified->identity.protocol.empty());
+        QVERIFY(bench.identified->catalog->find(gainOf(*bench.identified->catalog)) != nullptr);
+        QVERIFY(!bench.drive->armed());
+    }
+    void nothingActsUnarmed_data() { rows(); }
+    void nothingActsUnarmed()
+    {
+        Bench bench(spoken());
+        QVERIFY(bench.meet());
+        const RegisterId id = bench.gain();
+        QVERIFY(bench.ask(Write{{{id, std::int64_t{1}}}}).outcome == Outcome::NotSent);
+        QVERIFY(bench.ask(SpeedRamp{1, 100, 100ms}).outcome == Outcome::NotSent);
+        QVERIFY(bench.ask(Command{MotorAction::Start, 1}).outcome == Outcome::NotSent);
+        QVERIFY(bench.status->state == MotorState::Idle);
+    }
+    void aWriteHasItsLedger_data() { rows(); }
+    void aWriteHasItsLedger()
+    {
+        Bench bench(spoken());
+        QVERIFY(bench.meet() && bench.arm());
+        const RegisterId id = bench.gain();
+        QVERIFY(bench.ask(Read{{id}}).outcome == Outcome::Ok);
+        const Value before = bench.values.at(id).value;
+        const Value wanted = std::holds_alternative<double>(before)
+            ? Value(*asNumber(before) * 0.5)
+            : Value(static_cast<std::int64_t>(*asNumber(before)) + 1);
+        const Ended end = bench.ask(Write{{{id, wanted}}});
+        QCOMPARE(end.reason, std::string());
+        QVERIFY(end.outcome == Outcome::Ok);
+        const WriteResult &result = end.writes.front();
+        QVERIFY(result.before == before);
+        QVERIFY(sameValue(wanted, result.readBack.value()));
+        QVERIFY(result.verified == true);
+    }
+    void whatIsNotThereIsRefused_data() { rows(); }
+    void whatIsNotThereIsRefused()
+    {
+        Bench bench(spoken());
+        QVERIFY(bench.meet() && bench.arm());
+        constexpr RegisterId kNone = 0x7FF9;
+        const Ended end = bench.ask(Write{{{kNone, std::int64_t{1}}}});
+        QVERIFY(end.outcome == Outcome::Refused);
+        QVERIFY(!end.reason.empty());
+        QVERIFY(bench.ask(Command{MotorAction::Start, 9}).outcome == Outcome::Refused);
+    }
+    void noSpeedBeyondTheLimitLeaves_data() { rows(); }
+    void noSpeedBeyondTheLimitLeaves()
+    {
+        Bench bench(spoken());
+        QVERIFY(bench.meet() && bench.arm());
+        QVERIFY(bench.ask(UserLimits{800.0, 0.0}).outcome == Outcome::Ok);
+        const Ended end = bench.ask(SpeedRamp{1, 801, 100ms});
+        QVERIFY(end.outcome == Outcome::Refused);
+        QVERIFY(end.reason.find("your own limit") != std::string::npos);
+        QVERIFY(bench.ask(SpeedRamp{1, 800, 100ms}).outcome == Outcome::Ok);
+    }
+    void aMotorRunsAndIsStopped_data() { rows(); }
+    void aMotorRunsAndIsStopped()
+    {
+        Bench bench(spoken());
+        QVERIFY(bench.meet() && bench.arm());
+        QVERIFY(bench.start());
+        bench.drive->stop(bench.now);
+        QVERIFY(!bench.drive->armed());
+        QVERIFY(bench.drive->stopOpen());
+        QVERIFY(bench.runUntil(
+            [&] { return bench.said(StopWord::Standstill) || bench.said(StopWord::MayCoast); }));
+        QVERIFY(bench.said(StopWord::Requested) && bench.said(StopWord::Accepted));
+        QVERIFY(bench.said(StopWord::DriveIdle) && !bench.said(StopWord::NotConfirmed));
+        QVERIFY(!bench.drive->stopOpen());
+        QVERIFY(bench.ask(Command{MotorAction::Start, 1}).outcome == Outcome::NotSent);
+    }
+    void aStopThatNobodyHearsIsAlarmed_data() { rows(); }
+    void aStopThatNobodyHearsIsAlarmed()
+    {
+        Bench bench(spoken());
+        QVERIFY(bench.meet() && bench.arm());
+        QVERIFY(bench.start());
+        bench.cut = true;
+        bench.drive->stop(bench.now);
+        QVERIFY(bench.runUntil([&] { return bench.said(StopWord::NotConfirmed); }, 1s));
+        bench.cut = false;
+        QVERIFY(bench.runUntil([&] { return bench.said(StopWord::DriveIdle); }));
+    }
+    void aLostLinkEndsWishesAndComesBack_data() { rows(); }
+    void aLostLinkEndsWishesAndComesBack()
+    {
+        Bench bench(spoken());
+        QVERIFY(bench.meet() && bench.arm());
+        const RegisterId id = bench.gain();
+        bench.cut = true;
+        QVERIFY(bench.ask(Read{{id}}).outcome != Outcome::Ok);
+        QVERIFY(bench.runUntil([&] { return bench.link == LinkState::Lost; }));
+        QVERIFY(!bench.drive->armed());
+        bench.identified.reset();
+        bench.cut = false;
+        QVERIFY(bench.runUntil([&] { return bench.identified.has_value(); }));
+        QVERIFY(bench.link == LinkState::Connected);
+        QVERIFY(!bench.drive->armed());
+        QVERIFY(bench.ask(Read{{id}}).outcome == Outcome::Ok);
+    }
+    void disconnectingClosesIt_data() { rows(); }
+    void disconnectingClosesIt()
+    {
+        Bench bench(spoken());
+        QVERIFY(bench.meet() && bench.arm());
+        bench.drive->disconnect(bench.now);
+        QVERIFY(bench.runUntil([&] { return bench.link == LinkState::Closed; }, 2s));
+        QVERIFY(!bench.drive->armed());
+    }
+
+private:
+    static void rows()
+    {
+        QTest::addColumn<std::string>("protocol");
+        for (const auto &[name, protocol] : protocols())
+            QTest::newRow(name.c_str()) << name;
+    }
+    static const Spoken &spoken()
+    {
+        QFETCH(std::string, protocol);
+        return protocols().at(protocol);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestDriveConformance)
+#include "tst_drive_conformance.moc"

@@ -1,0 +1,296 @@
+// Measurements in the real window: choosing them, what they say and draw, statistics over records. The numbers are
+// core's own business; here one of each kind shows that the right samples are asked.
+#include "support/scope_window.h"
+#include "widgets/measuring/measure_table.h"
+#include "widgets/measuring/measure_text.h"
+#include "widgets/scope/scope_overlay.h"
+#include "widgets/scope/trigger/trigger_control.h"
+
+#include <QAbstractItemModelTester>
+#include <QClipboard>
+#include <QComboBox>
+#include <QTreeView>
+
+#include <cmath>
+
+using scope::Quantity;
+using widgets::MeasureTable;
+
+class TestMeasurePanel : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init()
+    {
+        QLocale::setDefault(QLocale::c());
+        m_rig = std::make_unique<facts::ScopeWindow>();
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        // I_A: a square of 10 A, 100 ms a turn. I_B: goes from 0 to 200 A at 1 s and stays.
+        m_rig->record(4000, [](int signal, int tick) {
+            return signal == 0 ? (tick % 100 < 50 ? 10 : -10) : (tick < 1000 ? 0 : 100);
+        });
+        view().setRunning(false);
+        view().setVisibleRange(0.0, 4.0);
+        m_rig->draw();
+        QTest::keyClick(&m_rig->window, Qt::Key_9, Qt::ControlModifier);
+    }
+    void cleanup() { m_rig.reset(); }
+
+    void aMeasureIsChosenAndRead();
+    void theCursorsBoundIt();
+    void whatCannotBeMeasuredIsSaidInWords();
+    void theChosenRowIsDrawn();
+    void recordsAreCounted();
+    void everyRecordOfABatchIsCounted();
+    void recordsAreCountedWhileTheNextFills();
+    void betweenCursorsRecordsAreCountedThereToo();
+    void phaseNeedsASecondTrace();
+    void tooManySamplesAreNotRead();
+    void longPicturesAreMeasuredInTurns();
+    void theTableIsAModelAndACopy();
+    void everyQuantityHasAName();
+
+private:
+    widgets::ScopeView &view() { return m_rig->scope(); }
+    QTreeView *list() { return m_rig->find<QTreeView>("measureList"); }
+    void choose(const char *box, int value)
+    {
+        auto *combo = m_rig->find<QComboBox>(box);
+        combo->setCurrentIndex(combo->findData(value));
+        QVERIFY(combo->currentIndex() >= 0);
+    }
+    void add(catalog::RegisterId reg, Quantity quantity)
+    {
+        choose("measureTrace", int(m_rig->id(reg)));
+        choose("measureQuantity", int(quantity));
+        QTest::mouseClick(m_rig->find<QWidget>("addMeasure"), Qt::LeftButton);
+    }
+    QString cell(int row, int column)
+    {
+        return list()->model()->index(row, column).data().toString();
+    }
+
+    /// Records of so many seconds from each upward edge on.
+    widgets::TriggerControl &triggerOn(double length)
+    {
+        auto *trigger = m_rig->window.findChild<widgets::TriggerControl *>();
+        widgets::TriggerSetup setup = trigger->trigger().setup();
+        setup.mode = scope::Mode::Normal;
+        setup.level = 0.0;
+        setup.hysteresis = 1.0;
+        setup.length = length;
+        setup.preTrigger = 0.0;
+        trigger->setSetup(setup);
+        return *trigger;
+    }
+    static int complete(const widgets::TriggerControl &trigger)
+    {
+        int count = 0;
+        for (const scope::Record &record : trigger.trigger().history().records())
+            count += record.state == scope::Record::State::Complete ? 1 : 0;
+        return count;
+    }
+
+    std::unique_ptr<facts::ScopeWindow> m_rig;
+};
+
+void TestMeasurePanel::aMeasureIsChosenAndRead()
+{
+    add(facts::kCurrentA, Quantity::PeakToPeak);
+    QCOMPARE(cell(0, MeasureTable::SignalColumn), QStringLiteral("I_A"));
+    QCOMPARE(cell(0, MeasureTable::ValueColumn), QStringLiteral("20.0\u00a0A"));
+    add(facts::kCurrentA, Quantity::Frequency);
+    QCOMPARE(cell(1, MeasureTable::ValueColumn), QStringLiteral("10.0000\u00a0Hz"));
+    add(facts::kCurrentA, Quantity::Duty);
+    QCOMPARE(cell(2, MeasureTable::ValueColumn), QStringLiteral("50.00\u00a0%"));
+    add(facts::kCurrentA, Quantity::Duty); // once is enough
+    QCOMPARE(list()->model()->rowCount(), 3);
+    QTest::mouseClick(m_rig->find<QWidget>("removeMeasure"), Qt::LeftButton);
+    QCOMPARE(list()->model()->rowCount(), 2);
+    list()->setFocus();
+    QTest::keyClick(list(), Qt::Key_Delete);
+    QCOMPARE(list()->model()->rowCount(), 1);
+}
+
+void TestMeasurePanel::theCursorsBoundIt()
+{
+    add(facts::kCurrentA, Quantity::Max);
+    auto *range = m_rig->find<QComboBox>("measureRange");
+    range->setCurrentIndex(1);
+    Q_EMIT range->activated(1);
+    QVERIFY(view().cursors().visible()); // they have to be seen
+    view().cursors().move(widgets::CursorEnd::A, 0.099); // either order
+    view().cursors().move(widgets::CursorEnd::B, 0.051);
+    Q_EMIT m_rig->workbench.heartbeat({});
+    QCOMPARE(cell(0, MeasureTable::ValueColumn), QStringLiteral("\u221210.0\u00a0A"));
+}
+
+void TestMeasurePanel::whatCannotBeMeasuredIsSaidInWords()
+{
+    add(facts::kCurrentB, Quantity::Frequency);
+    QCOMPARE(cell(0, MeasureTable::ValueColumn), QStringLiteral("no full period"));
+    m_rig->record(1000, [](int, int tick) { return tick - 4000; });
+    view().setVisibleRange(4.0, 5.0); // it still rises where it should have settled
+    add(facts::kCurrentB, Quantity::Settling);
+    QCOMPARE(cell(1, MeasureTable::ValueColumn), QStringLiteral("not settled"));
+    view().setVisibleRange(10.0, 20.0);
+    Q_EMIT m_rig->workbench.heartbeat({});
+    QCOMPARE(cell(0, MeasureTable::ValueColumn), QStringLiteral("no samples"));
+}
+
+void TestMeasurePanel::theChosenRowIsDrawn()
+{
+    auto *overlay = m_rig->window.findChild<widgets::ScopeOverlay *>();
+    add(facts::kCurrentA, Quantity::Max);
+    QVERIFY(!overlay->measure().empty());
+    QCOMPARE(overlay->measure().channel, m_rig->id(facts::kCurrentA));
+    QCOMPARE(overlay->measure().levels.front().level, 10.0);
+    QVERIFY(overlay->measure().text.contains(QStringLiteral("10.0")));
+    QTest::mouseClick(m_rig->find<QWidget>("removeMeasure"), Qt::LeftButton);
+    QVERIFY(overlay->measure().empty());
+    add(facts::kCurrentA, Quantity::Max);
+    m_rig->find<QWidget>("measureDock")->hide();
+    QVERIFY(overlay->measure().empty());
+}
+
+void TestMeasurePanel::recordsAreCounted()
+{
+    add(facts::kCurrentA, Quantity::Mean);
+    auto *trigger = m_rig->window.findChild<widgets::TriggerControl *>();
+    widgets::TriggerSetup setup = trigger->trigger().setup();
+    setup.mode = scope::Mode::Normal;
+    setup.level = 0.0;
+    setup.hysteresis = 1.0;
+    setup.length = 0.04;
+    setup.preTrigger = 0.0;
+    trigger->setSetup(setup);
+    for (int i = 0; i < 10; ++i) // one record in each batch: the high half of the square
+        m_rig->record(100, [](int, int tick) { return tick % 100 < 50 ? 10 : -10; });
+    QVERIFY(cell(0, MeasureTable::CountColumn).toInt() >= 8);
+    QCOMPARE(cell(0, MeasureTable::MeanColumn), QStringLiteral("10.0\u00a0A"));
+    QCOMPARE(cell(0, MeasureTable::SigmaColumn), QStringLiteral("0.0\u00a0A"));
+    const QString counted = cell(0, MeasureTable::CountColumn);
+    Q_EMIT m_rig->workbench.heartbeat({}); // the same record again
+    QCOMPARE(cell(0, MeasureTable::CountColumn), counted);
+    QTest::mouseClick(m_rig->find<QWidget>("clearStatistics"), Qt::LeftButton);
+    QCOMPARE(cell(0, MeasureTable::CountColumn), QStringLiteral("0"));
+}
+
+void TestMeasurePanel::everyRecordOfABatchIsCounted()
+{
+    add(facts::kCurrentA, Quantity::Max);
+    add(facts::kCurrentA, Quantity::Mean);
+    const widgets::TriggerControl &trigger = triggerOn(0.005);
+    for (int batch = 0; batch < 4; ++batch) // ten records in each
+        m_rig->record(100, [](int, int tick) { return tick % 10 < 5 ? tick / 100 : -10; });
+    QVERIFY(complete(trigger) >= 38);
+    QCOMPARE(cell(0, MeasureTable::CountColumn).toInt(), complete(trigger));
+    QCOMPARE(cell(1, MeasureTable::CountColumn).toInt(), complete(trigger));
+    QCOMPARE(
+        cell(0, MeasureTable::MinColumn), QStringLiteral("40.0\u00a0A")); // each its own samples
+    QCOMPARE(cell(0, MeasureTable::MaxColumn), QStringLiteral("43.0\u00a0A"));
+}
+
+void TestMeasurePanel::recordsAreCountedWhileTheNextFills()
+{
+    add(facts::kCurrentA, Quantity::Mean);
+    const widgets::TriggerControl &trigger = triggerOn(0.25);
+    for (int batch = 0; batch < 20; ++batch) // the next edge comes in the batch that ends a record
+        m_rig->record(100, [](int, int tick) { return tick % 20 < 10 ? 10 : -10; });
+    QVERIFY(complete(trigger) >= 6);
+    QCOMPARE(cell(0, MeasureTable::CountColumn).toInt(), complete(trigger));
+}
+
+void TestMeasurePanel::betweenCursorsRecordsAreCountedThereToo()
+{
+    add(facts::kCurrentA, Quantity::Max);
+    const widgets::TriggerControl &trigger = triggerOn(0.05);
+    const auto ramps = [](int, int tick) { return tick % 100 < 50 ? tick % 100 + 1 : -10; };
+    m_rig->record(100, ramps);
+    m_rig->record(100, ramps);
+    auto *range = m_rig->find<QComboBox>("measureRange");
+    range->setCurrentIndex(1);
+    Q_EMIT range->activated(1);
+    const double zero = capture::toSeconds(trigger.shown()->trigger);
+    view().cursors().move(widgets::CursorEnd::A, zero + 0.0105);
+    view().cursors().move(widgets::CursorEnd::B, zero + 0.0205);
+    QTest::mouseClick(m_rig->find<QWidget>("clearStatistics"), Qt::LeftButton);
+    m_rig->record(1000, ramps); // several in one batch, of which one is shown
+    QVERIFY(cell(0, MeasureTable::CountColumn).toInt() >= 9);
+    QCOMPARE(cell(0, MeasureTable::MinColumn), cell(0, MeasureTable::MaxColumn));
+    QCOMPARE(cell(0, MeasureTable::SigmaColumn), QStringLiteral("0.0\u00a0A"));
+}
+
+void TestMeasurePanel::phaseNeedsASecondTrace()
+{
+    auto *against = m_rig->find<QWidget>("measureAgainst");
+    QVERIFY(!against->isVisible());
+    choose("measureQuantity", int(Quantity::Phase));
+    QVERIFY(against->isVisible());
+    choose("measureAgainst", int(m_rig->id(facts::kCurrentB)));
+    add(facts::kCurrentA, Quantity::Phase);
+    QCOMPARE(cell(0, MeasureTable::SignalColumn), QStringLiteral("I_A to I_B"));
+    QCOMPARE(cell(0, MeasureTable::ValueColumn), QStringLiteral("no full period"));
+    choose("measureAgainst", int(m_rig->id(facts::kCurrentA)));
+    add(facts::kCurrentA, Quantity::Phase);
+    QCOMPARE(cell(1, MeasureTable::ValueColumn), QStringLiteral("0.00\u00a0\u00b0"));
+}
+
+void TestMeasurePanel::tooManySamplesAreNotRead()
+{
+    m_rig->record(int(MeasureTable::kMostSamples), [](int, int) { return 1; });
+    view().setVisibleRange(0.0, 1e5);
+    add(facts::kCurrentA, Quantity::Rms);
+    QCOMPARE(cell(0, MeasureTable::ValueColumn), QStringLiteral("too many samples: zoom in"));
+    add(facts::kCurrentA, Quantity::Max); // the envelope knows it
+    QCOMPARE(cell(1, MeasureTable::ValueColumn), QStringLiteral("10.0\u00a0A"));
+}
+
+void TestMeasurePanel::longPicturesAreMeasuredInTurns()
+{
+    constexpr int kMany = int(MeasureTable::kSamplesAtOnce);
+    m_rig->record(kMany, [](int, int) { return 1; });
+    m_rig->record(kMany, [](int, int) { return 3; });
+    view().setVisibleRange(4.0, 4.0 + kMany / 1000.0);
+    add(facts::kCurrentA, Quantity::Mean);
+    add(facts::kCurrentA, Quantity::Rms);
+    const auto values = [&] {
+        return QStringList{cell(0, MeasureTable::ValueColumn), cell(1, MeasureTable::ValueColumn)};
+    };
+    const QString one = QStringLiteral("1.0\u00a0A");
+    const QString three = QStringLiteral("3.0\u00a0A");
+    QCOMPARE(values(), (QStringList{one, one}));
+    view().setVisibleRange(4.0 + kMany / 1000.0, 4.0 + 2 * kMany / 1000.0);
+    Q_EMIT m_rig->workbench.heartbeat({});
+    QCOMPARE(values().count(three), 1);
+    Q_EMIT m_rig->workbench.heartbeat({});
+    QCOMPARE(values(), (QStringList{three, three}));
+}
+
+void TestMeasurePanel::theTableIsAModelAndACopy()
+{
+    QAbstractItemModelTester tester(
+        list()->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
+    add(facts::kCurrentA, Quantity::Max);
+    QTest::mouseClick(m_rig->find<QWidget>("copyMeasures"), Qt::LeftButton);
+    const QString text = QApplication::clipboard()->text();
+    QCOMPARE(text.count(QLatin1Char('\n')), 2);
+    QVERIFY(text.contains(QStringLiteral("I_A\tMaximum\t10.0\u00a0A\t")));
+    for (int i = 0; i < 40; ++i)
+        add(facts::kCurrentA, widgets::allQuantities()[i % 19]);
+    QVERIFY(list()->model()->rowCount() <= MeasureTable::kMost);
+}
+
+void TestMeasurePanel::everyQuantityHasAName()
+{
+    QSet<QString> names;
+    for (const Quantity quantity : widgets::allQuantities()) {
+        names.insert(widgets::quantityText(quantity));
+        QVERIFY(!widgets::quantityHelp(quantity).isEmpty());
+    }
+    QCOMPARE(names.size(), widgets::allQuantities().size());
+    for (int why = 0; why <= int(scope::WhyNot::OtherFrequency); ++why)
+        QVERIFY(!widgets::whyNotText(static_cast<scope::WhyNot>(why)).isEmpty());
+}
+
+QTEST_MAIN(TestMeasurePanel)
+#include "tst_measure_panel.moc"

@@ -1,0 +1,165 @@
+// What a recording costs, as the real window says it: before a set that does not fit starts, and beside what is measured.
+#include "support/scope_window.h"
+#include "widgets/scope/signals/channel_strip.h"
+#include "widgets/scope/signals/signal_selection.h"
+
+#include <QLabel>
+#include <QSignalSpy>
+#include <QToolButton>
+
+#include <cmath>
+
+class TestChannelStrip : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init()
+    {
+        QLocale::setDefault(QLocale::c());
+        m_rig = std::make_unique<facts::ScopeWindow>();
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        QCoreApplication::processEvents();
+    }
+    void cleanup() { m_rig.reset(); }
+
+    void aSetThatFitsIsRecordedWithoutANotice();
+    void aSetThatDoesNotFitIsSaidBeforeItStarts();
+    void theNoticeComesAgainWithTheNextConnection();
+    void theTipSaysWhatFits();
+    void theMeasuredRateStandsBesideThePlan();
+    void readSignalsSayHowOftenAndHowWellTheyAreTimed();
+
+private:
+    QString banner() { return m_rig->find<QLabel>("bannerText")->text(); }
+    QLabel &budget() { return *m_rig->find<QLabel>("linkBudget"); }
+    /// A board behind a link of so many bytes a second.
+    void connectBehind(double bytesPerSecond)
+    {
+        drive::Identified board = facts::identified();
+        board.streaming.linkBytesPerSecond = bytesPerSecond;
+        facts::feed(m_rig->device(), {board});
+        QCoreApplication::processEvents();
+    }
+
+    std::unique_ptr<facts::ScopeWindow> m_rig;
+};
+
+void TestChannelStrip::aSetThatFitsIsRecordedWithoutANotice()
+{
+    auto *selection = m_rig->window.findChild<widgets::SignalSelection *>();
+    QSignalSpy notices(&selection->plan(), &widgets::SignalPlan::noticed);
+    connectBehind(184320.0); // once more
+    QVERIFY(notices.isEmpty());
+    QVERIFY(!selection->plan().planned().rateLowered);
+    QVERIFY(budget().text().contains(QStringLiteral("of 184 kB/s")));
+}
+
+void TestChannelStrip::aSetThatDoesNotFitIsSaidBeforeItStarts()
+{
+    QStringList order;
+    auto *selection = m_rig->window.findChild<widgets::SignalSelection *>();
+    connect(&selection->plan(), &widgets::SignalPlan::noticed, this, [&](const QString &sentence) {
+        order.append(QStringLiteral("notice"));
+        QCOMPARE(banner(), sentence); // where a person sees it
+        QVERIFY2(
+            sentence.contains(QStringLiteral("the link carries 11.5 kB/s")), qPrintable(sentence));
+    });
+    connect(&m_rig->device(), &widgets::Device::wishMade, this, [&](const drive::Wish &wish) {
+        if (std::holds_alternative<drive::Stream>(wish.what))
+            order.append(QStringLiteral("stream"));
+    });
+    connectBehind(11520.0);
+    QCOMPARE(order.value(0), QStringLiteral("notice"));
+    QVERIFY(order.contains(QStringLiteral("stream")));
+    QVERIFY(selection->plan().planned().rateLowered);
+    QVERIFY(budget().text().contains(QStringLiteral("rate lowered")));
+}
+
+void TestChannelStrip::theNoticeComesAgainWithTheNextConnection()
+{
+    auto *selection = m_rig->window.findChild<widgets::SignalSelection *>();
+    QSignalSpy notices(&selection->plan(), &widgets::SignalPlan::noticed);
+    connectBehind(11520.0);
+    QCOMPARE(notices.size(), 1);
+    selection->plan().setRoute(
+        facts::kCurrentA, widgets::Route::Fast); // the same plan, the same board
+    QCoreApplication::processEvents();
+    QCOMPARE(notices.size(), 1);
+    connectBehind(11520.0);
+    QCOMPARE(notices.size(), 2);
+    QVERIFY(selection->plan().planned().rateLowered);
+}
+
+void TestChannelStrip::theTipSaysWhatFits()
+{
+    QVERIFY(budget().toolTip().contains(QStringLiteral("4 HF signal"))); // the board takes no more
+    connectBehind(92160.0);
+    QVERIFY(budget().toolTip().contains(QStringLiteral("2 HF signal")));
+    QVERIFY(budget().toolTip().contains(QStringLiteral("one packet every")));
+    QCOMPARE(budget().accessibleDescription(),
+        QString(budget().toolTip()).replace(QLatin1Char('\n'), QLatin1Char(' ')));
+}
+
+void TestChannelStrip::theMeasuredRateStandsBesideThePlan()
+{
+    using widgets::Milliseconds;
+    const auto carry = [&](std::uint64_t bytes) {
+        drive::LinkCounters counters;
+        counters.bytesIn = bytes;
+        facts::feed(m_rig->device(), {counters});
+    };
+    carry(1000);
+    Q_EMIT m_rig->workbench.heartbeat(Milliseconds(10'000));
+    QVERIFY(!budget().text().contains(QStringLiteral("measured")));
+    carry(124'000);
+    Q_EMIT m_rig->workbench.heartbeat(Milliseconds(12'000));
+    QVERIFY2(budget().text().contains(QStringLiteral("measured 61.5 kB/s")),
+        qPrintable(budget().text()));
+    carry(500); // another link counts anew
+    Q_EMIT m_rig->workbench.heartbeat(Milliseconds(14'000));
+    QVERIFY(!budget().text().contains(QStringLiteral("measured")));
+}
+
+void TestChannelStrip::readSignalsSayHowOftenAndHowWellTheyAreTimed()
+{
+    using namespace std::chrono_literals;
+    drive::Identified board = facts::identified(); // one that records nothing by itself
+    board.streaming = {.linkBytesPerSecond = 11520.0, .readsPerSecond = 1000.0};
+    facts::feed(m_rig->device(), {board});
+    QCoreApplication::processEvents();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the chips of before
+    auto *selection = m_rig->window.findChild<widgets::SignalSelection *>();
+    const auto &polled = selection->plan().planned().polled;
+    QVERIFY(polled.size() >= 2);
+    const auto planned = QString::number(std::lround(1000.0 / double(polled.size())));
+    QVERIFY2(budget().text().contains(
+                 QStringLiteral("each signal read up to %1 times a second").arg(planned)),
+        qPrintable(budget().text()));
+    QVERIFY(!budget().text().contains(QStringLiteral("reached")));
+
+    auto *strip = m_rig->find<widgets::ChannelStrip>("channelStrip");
+    strip->measure(widgets::Milliseconds(100'000));
+    for (int i = 0; i <= 30; ++i) // the first every 40 ms, the second half as often
+        for (const std::size_t which : {std::size_t{0}, std::size_t{1}})
+            if (which == 0 || i % 2 == 0)
+                facts::feed(m_rig->device(),
+                    {drive::RegistersRead{{{polled[which], drive::ReadStatus::Ok, std::int64_t{i},
+                        TimePoint(10s + i * 40ms), 3500us}}}});
+    strip->measure(widgets::Milliseconds(101'500));
+    QVERIFY2(budget().text().endsWith(QStringLiteral("reached 13")), qPrintable(budget().text()));
+    const auto tagOf = [&](std::size_t which) {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        return m_rig->window
+            .findChild<QWidget *>(QStringLiteral("chip_") + selection->nameOf(polled[which]))
+            ->findChild<QToolButton *>();
+    };
+    QVERIFY2(tagOf(0)->text().contains(QStringLiteral("25/s")), qPrintable(tagOf(0)->text()));
+    QVERIFY(tagOf(0)->toolTip().contains(QStringLiteral("3.5 ms")));
+    QVERIFY(tagOf(1)->text().contains(QStringLiteral("13/s"))
+        || tagOf(1)->text().contains(QStringLiteral("12/s")));
+
+    strip->measure(widgets::Milliseconds(103'000)); // nothing more came: nothing is claimed
+    QVERIFY(!tagOf(0)->text().contains(QStringLiteral("/s")));
+}
+
+QTEST_MAIN(TestChannelStrip)
+#include "tst_channel_strip.moc"

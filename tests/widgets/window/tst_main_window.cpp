@@ -1,0 +1,397 @@
+#include "support/window_rig.h"
+#include "widgets/base/banner.h"
+#include "widgets/base/flow_layout.h"
+#include "widgets/base/form.h"
+#include "widgets/base/lamp.h"
+#include "widgets/control/big_numbers.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/window/connect_bar.h"
+#include "widgets/window/first_steps.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+
+using drive::LinkReason;
+using drive::LinkState;
+using widgets::Lamp;
+
+class TestMainWindow : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_rig = std::make_unique<facts::WindowRig>();
+        // The session is left out: what it would be asked is seen here, what it would say is fed by hand.
+        device().disconnect(SIGNAL(openWished(session::Endpoint)));
+        device().disconnect(SIGNAL(closeWished()));
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        QTest::mouseClick(m_rig->find<QPushButton>("connect"), Qt::LeftButton);
+        facts::connectBoard(device());
+    }
+    void cleanup()
+    {
+        device().portChanged(session::PortState::Closed, {});
+        m_rig.reset();
+    }
+
+    void toolsAreMadeWhenTheyAreOpenedOrABoardIsToCome()
+    {
+        facts::NoPorts ports;
+        facts::AnsweredPrompt files;
+        widgets::Workbench workbench;
+        widgets::MainWindow window(workbench, ports, files, facts::WindowRig::quietSettings());
+        const auto made = [&window] { return window.findChildren<widgets::Form *>().size(); };
+        const auto docks = window.findChildren<QDockWidget *>();
+        QCOMPARE(made(), qsizetype{0});
+        window.findChild<QAction *>(QStringLiteral("rampDockOpen"))->trigger();
+        QCOMPARE(made(), qsizetype{1});
+        workbench.device().disconnect(SIGNAL(openWished(session::Endpoint)), &workbench);
+        Q_EMIT workbench.device().openWished({});
+        QCOMPARE(made(), docks.size() - 2); // all but registers and control are tools
+        window.finishTools();
+        QCOMPARE(made(), docks.size() - 2);
+    }
+
+    void theOtherToolsAreMadeAfterTheFirstPicture()
+    {
+        facts::NoPorts ports;
+        facts::AnsweredPrompt files;
+        widgets::Workbench workbench;
+        widgets::MainWindow window(workbench, ports, files, facts::WindowRig::quietSettings());
+        window.show();
+        const auto docks = window.findChildren<QDockWidget *>().size();
+        QTRY_COMPARE(window.findChildren<widgets::Form *>().size(), docks - 2);
+    }
+
+    void portsAreAskedForAfterTheFirstPictureOrWhenTheirListOpens()
+    {
+        struct OnePort : session::PortSource {
+            mutable int asked = 0;
+            QList<session::SystemPort> ports() const override
+            {
+                ++asked;
+                return {{QStringLiteral("/dev/ttyACM0"), {}, {}, {}, 0x0483, 0x374b}};
+            }
+        } ports;
+        facts::AnsweredPrompt files;
+        widgets::Workbench workbench;
+        widgets::Settings settings = facts::WindowRig::quietSettings();
+        settings.port = QStringLiteral("/dev/ttyACM0");
+        const QString name = QStringLiteral("/dev/ttyACM0 (ST-LINK)");
+        {
+            widgets::MainWindow window(workbench, ports, files, settings);
+            auto *port = window.findChild<QComboBox *>(QStringLiteral("port"));
+            QCOMPARE(ports.asked, 0);
+            QCOMPARE(port->currentText(), settings.port); // chosen already
+            QCOMPARE(window.connectBar()->path(), settings.port);
+            QVERIFY(port->count() > 0); // the simulated boards
+            window.show();
+            QTRY_COMPARE(port->currentText(), name);
+            QCOMPARE(ports.asked, 1);
+            QCOMPARE(window.connectBar()->path(), settings.port);
+        }
+        widgets::MainWindow window(workbench, ports, files, settings);
+        auto *port = window.findChild<QComboBox *>(QStringLiteral("port"));
+        port->showPopup();
+        QCOMPARE(ports.asked, 2);
+        QCOMPARE(port->currentText(), name);
+        port->hidePopup();
+    }
+
+    void aToolThatWasOpenIsThereAtOnce()
+    {
+        widgets::Settings settings = facts::WindowRig::quietSettings();
+        m_rig->find<QAction>("motorDockOpen")->trigger();
+        settings.layout = m_rig->window.settings().layout;
+        facts::NoPorts ports;
+        facts::AnsweredPrompt files;
+        widgets::Workbench workbench;
+        widgets::MainWindow window(workbench, ports, files, settings);
+        QCOMPARE(window.findChildren<widgets::Form *>().size(), qsizetype{1});
+        window.show();
+        QVERIFY(window.findChild<widgets::Form *>()->isVisible());
+    }
+
+    void anOpenPortIsNotYetABoard()
+    {
+        feed({LinkState::Connecting, LinkReason::None});
+        QVERIFY(lamp("portLamp")->light() == Lamp::Light::On);
+        QVERIFY(lamp("boardLamp")->light() == Lamp::Light::Waiting);
+        feed({LinkState::Connected, LinkReason::None});
+        QVERIFY(lamp("boardLamp")->light() == Lamp::Light::On);
+        QCOMPARE(lamp("boardLamp")->text(), QStringLiteral("board answering"));
+    }
+
+    void theCardSaysNothingOfABoardThatDoesNotAnswer()
+    {
+        m_rig->find<widgets::FirstSteps>("firstSteps")->restart();
+        feed({LinkState::Connected, LinkReason::None});
+        auto *card = m_rig->find<QWidget>("firstSteps");
+        QVERIFY(card->isVisible());
+        feed({LinkState::Lost, LinkReason::Silence});
+        QVERIFY(!card->isVisible());
+        feed({LinkState::Connected, LinkReason::None});
+        QVERIFY(card->isVisible());
+    }
+
+    void theCardLeavesItsPlaceToAnOpenTool()
+    {
+        m_rig->find<widgets::FirstSteps>("firstSteps")->restart();
+        auto *card = m_rig->find<QWidget>("firstSteps");
+        auto *gains = m_rig->find<QDockWidget>("gainsDock");
+        auto *ramps = m_rig->find<QDockWidget>("rampDock");
+        m_rig->find<QAction>("gainsDockOpen")->trigger();
+        QTRY_VERIFY(!card->isVisible());
+        m_rig->find<QAction>("rampDockOpen")->trigger(); // now a tab in front of the other
+        QTRY_VERIFY(!ramps->visibleRegion().isEmpty());
+        QVERIFY(!card->isVisible());
+        ramps->close();
+        QTRY_VERIFY(!gains->visibleRegion().isEmpty());
+        QVERIFY(!card->isVisible());
+        gains->close();
+        QTRY_VERIFY(card->isVisible());
+        m_rig->find<QAction>("gainsDockOpen")->trigger(); // still open when the window goes
+    }
+
+    void aSecondLineOfSignalsTakesItsPlaceAndCoversNothing()
+    {
+        auto *flow = new widgets::FlowLayout(5);
+        QWidget page, chips;
+        chips.setLayout(flow);
+        for (int i = 0; i < 4; ++i) {
+            auto *chip = new QWidget;
+            chip->setFixedSize(100, 20);
+            flow->addWidget(chip);
+        }
+        auto *above = new QWidget;
+        above->setMinimumHeight(50);
+        auto *column = new QVBoxLayout(&page);
+        column->setContentsMargins(0, 0, 0, 0);
+        column->setSpacing(0);
+        column->addWidget(above);
+        column->addWidget(&chips);
+        page.resize(500, 70);
+        page.show();
+        QTRY_COMPARE(page.minimumSizeHint().height(), 70);
+        page.resize(250, 70);
+        QTRY_COMPARE(page.minimumSizeHint().height(), 95); // a top-level window grows by itself
+        QTRY_VERIFY(page.height() >= 95);
+        QVERIFY(chips.y() >= 50);
+        page.resize(500, 95);
+        QTRY_COMPARE(page.minimumSizeHint().height(), 70);
+    }
+
+    void aSilentBoardHatchesTheScopeUntilItAnswers()
+    {
+        auto *scope = m_rig->find<widgets::ScopeView>("scope");
+        auto *mark = m_rig->find<QWidget>("staleMark");
+        QVERIFY(!mark->isVisible());
+        feed({LinkState::Suspect, LinkReason::None});
+        QCOMPARE(scope->stale(), QStringLiteral("Not live: board silent"));
+        QVERIFY(mark->isVisible());
+        QCOMPARE(mark->size(), scope->size());
+        feed({LinkState::Lost, LinkReason::Silence});
+        QCOMPARE(scope->stale(), QStringLiteral("Not live: link lost"));
+        feed({LinkState::Connected, LinkReason::None});
+        QVERIFY(!mark->isVisible());
+        device().portChanged(
+            session::PortState::Closed, {}); // by a person: the picture is a recording
+        QVERIFY(!mark->isVisible());
+    }
+
+    void aLostLinkStaysToldUntilTheBoardAnswers()
+    {
+        feed({LinkState::Lost, LinkReason::Silence});
+        QVERIFY(banner()->isVisible());
+        QVERIFY(banner()->kind() == widgets::Banner::Kind::Bad);
+        QVERIFY(banner()->text().startsWith(
+            QStringLiteral("Link lost. The motor may still be turning (this drive has no "
+                           "communication time-out).")));
+        feed({LinkState::Connecting, LinkReason::None});
+        QVERIFY(banner()->isVisible());
+        feed({LinkState::Connected, LinkReason::None});
+        QVERIFY(!banner()->isVisible());
+    }
+
+    void aBoardThatWasNeverMetIsNotSaidToTurnAMotor()
+    {
+        m_rig->find<QPushButton>("connect")->click();
+        device().portChanged(session::PortState::Closed, {});
+        m_rig->find<QPushButton>("connect")->click();
+        device().portChanged(session::PortState::Open, {});
+        feed({LinkState::Lost, LinkReason::NoAnswer});
+        QVERIFY(banner()->text().contains(QStringLiteral("no board answers")));
+        QVERIFY(!banner()->text().contains(QStringLiteral("turning")));
+    }
+
+    void whatWentOnWithoutTheWindowIsTold()
+    {
+        using Cause = session::Interruption::Cause;
+        const auto tell = [this](const session::Interruption &what) {
+            Q_EMIT device().interrupted(what);
+            return banner()->text();
+        };
+        const QString stopped =
+            tell({Cause::Interface, std::chrono::milliseconds(8240), true, true});
+        QVERIFY2(stopped.contains(QStringLiteral("8.2 s")), qPrintable(stopped));
+        QVERIFY2(
+            stopped.contains(QStringLiteral("All motors were told to stop")), qPrintable(stopped));
+        const QString disarmed = tell({Cause::Gap, std::chrono::hours(1), true, false});
+        QVERIFY2(disarmed.contains(QStringLiteral("disarmed")), qPrintable(disarmed));
+        QVERIFY(!disarmed.contains(QStringLiteral("told to stop")));
+        QVERIFY(tell({Cause::Hold, {}, false, true}).contains(QStringLiteral("jog")));
+        QVERIFY(tell({Cause::LateArming, {}, false, false}).contains(QStringLiteral("Not armed")));
+    }
+
+    void theWatchdogOfADriveIsShown()
+    {
+        auto *shown = m_rig->find<QLabel>("statusWatchdog");
+        QCOMPARE(shown->text(), QStringLiteral("Drive watchdog: none"));
+        drive::Identified board = facts::identified();
+        board.identity.watchdog = std::chrono::milliseconds(500);
+        facts::feed(device(), {board});
+        QCOMPARE(shown->text(), QStringLiteral("Drive watchdog: 500 ms"));
+        QVERIFY(
+            shown->toolTip().contains(QStringLiteral("fed by a live window, only while armed")));
+        feed({LinkState::Lost, LinkReason::Silence});
+        QVERIFY(banner()->text().contains(QStringLiteral("stop it by itself after 500 ms")));
+        QVERIFY(!banner()->text().contains(QStringLiteral("no communication time-out")));
+        board.identity.watchdog.reset();
+        facts::feed(device(), {board});
+        QCOMPARE(shown->text(), QStringLiteral("Drive watchdog: none"));
+    }
+
+    void nothingOfABoardOutlivesItsConnectionInTheStatus()
+    {
+        drive::Identified board = facts::identified();
+        facts::feed(device(), {board});
+        const auto text = [this](const char *name) { return m_rig->find<QLabel>(name)->text(); };
+        QVERIFY(!text("sizes").isEmpty());
+        QVERIFY(!text("statusWatchdog").isEmpty());
+        QVERIFY(!text("statusLost").isEmpty());
+        QCOMPARE(m_rig->find<QAction>("scopeRun")->text(), QStringLiteral("Live"));
+        device().portChanged(session::PortState::Closed, {});
+        for (const char *name :
+            {"sizes", "statusMotor", "statusFaults", "statusLost", "statusBad", "statusWatchdog"})
+            QVERIFY2(text(name).isEmpty(), name);
+        QCOMPARE(m_rig->find<QAction>("scopeRun")->text(), QStringLiteral("Run"));
+    }
+
+    void everyReasonIsASentence()
+    {
+        for (int reason = 1; reason <= int(LinkReason::OldProtocol); ++reason) {
+            feed({LinkState::Lost, static_cast<LinkReason>(reason)});
+            QVERIFY(banner()->isVisible());
+            QVERIFY(banner()->text().endsWith(QLatin1Char('.')));
+        }
+    }
+
+    void aSuspectLinkShowsNoValueAsCurrent()
+    {
+        facts::feed(
+            device(), {drive::RegistersRead{{facts::reading(facts::kSpeed, std::int64_t{1500})}}});
+        QVERIFY(m_rig->workbench.registers().shownValue(facts::kSpeed));
+        feed({LinkState::Suspect, LinkReason::None});
+        QVERIFY(!m_rig->workbench.registers().shownValue(facts::kSpeed));
+        QVERIFY(!m_rig->find<QPushButton>("start")->isEnabled());
+    }
+
+    void disconnectingFromATurningMotorAsks()
+    {
+        QSignalSpy closes(&device(), &widgets::Device::closeWished);
+        QSignalSpy stops(&device(), &widgets::Device::stopWished);
+        facts::feed(device(), {facts::status(drive::MotorState::Running)});
+        QTest::keyClick(&m_rig->window, Qt::Key_D, Qt::ControlModifier);
+        QCOMPARE(closes.size(), 0);
+        auto *question = m_rig->find<QMessageBox>("disconnectQuestion");
+        QVERIFY(question);
+        for (QAbstractButton *button : question->buttons())
+            if (question->buttonRole(button) == QMessageBox::AcceptRole)
+                QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(stops.size(), 1);
+        QCOMPARE(closes.size(), 0); // not before there is evidence
+        facts::feed(device(), {facts::status(drive::MotorState::Idle)});
+        QCOMPARE(closes.size(), 1);
+    }
+
+    void disconnectingFromAnIdleMotorDoesNotAsk()
+    {
+        QSignalSpy closes(&device(), &widgets::Device::closeWished);
+        QTest::keyClick(&m_rig->window, Qt::Key_D, Qt::ControlModifier);
+        QCOMPARE(closes.size(), 1);
+    }
+
+    void theWheelChangesNoChoiceWithoutFocus()
+    {
+        auto *baud = m_rig->find<QComboBox>("fastRate");
+        QVERIFY(baud->count() > 2);
+        const int before = baud->currentIndex();
+        m_rig->window.setFocus();
+        QWheelEvent wheel(QPointF(5, 5), baud->mapToGlobal(QPointF(5, 5)), {}, QPoint(0, -120),
+            Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(baud, &wheel);
+        QCOMPARE(baud->currentIndex(), before);
+    }
+
+    void whatIsVisibleIsPolledAndNothingElse()
+    {
+        auto &watch = m_rig->workbench.watchList();
+        QTRY_VERIFY(!watch.registers().empty());
+        const auto &asked = watch.registers();
+        QVERIFY(std::find(asked.begin(), asked.end(), facts::kSpeed)
+            != asked.end()); // the control panel's
+        QVERIFY(
+            std::find(asked.begin(), asked.end(), facts::kAngle) == asked.end()); // cannot be read
+        QVERIFY(std::find(asked.begin(), asked.end(), facts::kFlags)
+            == asked.end()); // its group is closed
+    }
+
+    void largeNumbersTakeThePlaceOfThePicture()
+    {
+        facts::connectBoard(device());
+        auto *numbers = m_rig->find<widgets::BigNumbers>("bigNumbers");
+        QVERIFY(numbers->watchedRegisters().empty()); // what is not seen is not polled
+        QTest::keyClick(&m_rig->window, Qt::Key_F9);
+        QVERIFY(numbers->isVisible() && !m_rig->window.scope()->isVisible());
+        QVERIFY(m_rig->find<QWidget>("stopMotors")->isVisible());
+        QCOMPARE(numbers->watchedRegisters().size(), 2U); // all that this board has
+        QCOMPARE(numbers->valueText("SPEED_MEAS"), QStringLiteral("\u2013"));
+        facts::feed(
+            device(), {drive::RegistersRead{{facts::reading(facts::kSpeed, std::int64_t{1234})}}});
+        QCOMPARE(numbers->valueText("SPEED_MEAS"), QStringLiteral("1234\u202frpm"));
+        QVERIFY(numbers->accessibleDescription().contains(QStringLiteral("1234")));
+        facts::feed(
+            device(), {drive::LinkChanged{drive::LinkState::Suspect, drive::LinkReason::None}});
+        QCOMPARE(numbers->valueText("SPEED_MEAS"), QStringLiteral("\u2013"));
+        QTest::keyClick(&m_rig->window, Qt::Key_F9);
+        QVERIFY(!numbers->isVisible() && m_rig->window.scope()->isVisible());
+    }
+
+    void onesOwnLimitsAreKeptBetweenRuns()
+    {
+        device().setUserLimits({1200.0, 1.5});
+        const widgets::Settings settings = m_rig->window.settings();
+        QCOMPARE(settings.maxSpeedRpm, 1200.0);
+        facts::WindowRig later(settings);
+        QVERIFY(later.workbench.device().userLimits() == (drive::UserLimits{1200.0, 1.5}));
+    }
+
+private:
+    widgets::Device &device() { return m_rig->workbench.device(); }
+    widgets::Banner *banner() { return m_rig->find<widgets::Banner>("banner"); }
+    Lamp *lamp(const char *name) { return m_rig->find<Lamp>(name); }
+    void feed(drive::LinkChanged link) { facts::feed(device(), {link}); }
+
+    std::unique_ptr<facts::WindowRig> m_rig;
+};
+
+QTEST_MAIN(TestMainWindow)
+#include "tst_main_window.moc"

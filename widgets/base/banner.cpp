@@ -1,0 +1,103 @@
+#include "widgets/base/banner.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace widgets {
+namespace {
+
+struct Colors {
+    QColor back, text;
+};
+
+Colors colorsOf(Banner::Kind kind, bool dark)
+{
+    switch (kind) {
+    case Banner::Kind::Note:
+        return dark ? Colors{QColor(0x1f, 0x3a, 0x52), QColor(0xdc, 0xec, 0xfa)}
+                    : Colors{QColor(0xdd, 0xec, 0xf9), QColor(0x10, 0x33, 0x50)};
+    case Banner::Kind::Warning:
+        return dark ? Colors{QColor(0x54, 0x40, 0x10), QColor(0xff, 0xee, 0xc4)}
+                    : Colors{QColor(0xff, 0xee, 0xc4), QColor(0x4a, 0x35, 0x00)};
+    case Banner::Kind::Bad:
+        break;
+    }
+    return {QColor(0xb7, 0x1c, 0x1c), QColor(Qt::white)};
+}
+
+} // namespace
+
+Banner::Banner(QWidget *parent)
+    : QFrame(parent)
+    , m_mark(new QLabel(this))
+    , m_text(new QLabel(this))
+    , m_close(new QToolButton(this))
+{
+    setObjectName(QStringLiteral("banner"));
+    setAutoFillBackground(true);
+    m_mark->setTextFormat(Qt::PlainText);
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setWordWrap(true);
+    m_text->setObjectName(QStringLiteral("bannerText"));
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_text->setFocusPolicy(Qt::NoFocus);
+    m_close->setText(QStringLiteral("\u00d7"));
+    m_close->setAutoRaise(true);
+    m_close->setAccessibleName(tr("Close this message"));
+    connect(m_close, &QToolButton::clicked, this, &Banner::clear);
+
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(12, 5, 6, 5);
+    layout->setSpacing(8);
+    layout->addWidget(m_mark);
+    layout->addWidget(m_text, 1);
+    layout->addWidget(m_close);
+    hide();
+}
+
+void Banner::say(Kind kind, const QString &sentence)
+{
+    if (sentence.isEmpty())
+        return;
+    m_kind = kind;
+    m_mark->setText(kind == Kind::Note ? QStringLiteral("\u2139") : QStringLiteral("\u26a0"));
+    m_text->setText(sentence);
+    setAccessibleName(sentence);
+    m_text->setFocusPolicy(Qt::ClickFocus); // so that it can be copied
+    recolor();
+    show();
+}
+
+void Banner::clear()
+{
+    m_text->clear();
+    m_text->setFocusPolicy(Qt::NoFocus); // nothing there, and so no name
+    hide();
+}
+
+QString Banner::text() const { return m_text->text(); }
+
+void Banner::changeEvent(QEvent *event)
+{
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::ApplicationPaletteChange && m_close)
+        recolor();
+}
+
+void Banner::recolor()
+{
+    const bool dark =
+        parentWidget() && parentWidget()->palette().color(QPalette::Window).lightness() < 128;
+    const Colors colors = colorsOf(m_kind, dark);
+    QPalette mine = palette();
+    mine.setColor(QPalette::Window, colors.back);
+    mine.setColor(QPalette::WindowText, colors.text);
+    mine.setColor(QPalette::Text, colors.text);
+    mine.setColor(QPalette::ButtonText, colors.text);
+    mine.setColor(QPalette::Button, colors.back);
+    setPalette(mine);
+}
+
+} // namespace widgets

@@ -1,0 +1,243 @@
+#include "widgets/measuring/measure_panel.h"
+
+#include "base/wide_registers.h"
+#include "widgets/base/table_text.h"
+#include "widgets/base/wheel_guard.h"
+#include "widgets/measuring/measure_table.h"
+#include "widgets/measuring/measure_text.h"
+#include "widgets/measuring/trace_box.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/scope/trigger/trigger_control.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QPushButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+
+namespace widgets {
+
+namespace {
+constexpr int kSideWidth = 230;
+constexpr std::array kListColumns{
+    100, 104, 88, 88, 74, 82, 82, 64}; // px, as in MeasureTable::Column
+enum Range { Picture, BetweenCursors };
+} // namespace
+
+MeasurePanel::MeasurePanel(
+    ScopeView &scope, const capture::Capture &capture, TriggerControl &trigger, QWidget *parent)
+    : Form(parent)
+    , m_scope(scope)
+    , m_capture(capture)
+    , m_trigger(trigger)
+    , m_table(new MeasureTable(scope, capture, this))
+    , m_list(new QTreeView(this))
+    , m_trace(new QComboBox(this))
+    , m_quantity(new QComboBox(this))
+    , m_against(new QComboBox(this))
+    , m_range(new QComboBox(this))
+{
+    setObjectName(QStringLiteral("measurePanel"));
+    m_list->setObjectName(QStringLiteral("measureList"));
+    m_list->setAccessibleName(tr("Measurements"));
+    m_list->setModel(m_table);
+    m_list->setRootIsDecorated(false);
+    m_list->setUniformRowHeights(true);
+    m_list->setAlternatingRowColors(true);
+    m_list->setAllColumnsShowFocus(true);
+    m_list->header()->setStretchLastSection(false);
+    for (int column = 0; column < MeasureTable::kColumns; ++column)
+        m_list->setColumnWidth(column, // the heading whole, in every language
+            std::max(kListColumns[static_cast<std::size_t>(column)],
+                m_list->header()->sectionSizeHint(column)));
+    m_list->installEventFilter(this);
+    auto *side = new QWidget(this);
+    side->setFixedWidth(kSideWidth);
+    makeSide(side);
+    auto *layout = new QHBoxLayout(this);
+    layout->addWidget(side);
+    layout->addWidget(m_list, 1);
+
+    connect(&scope, &ScopeView::channelsChanged, this, &MeasurePanel::fillTraces);
+    connect(&trigger.trigger(), &Trigger::recordCompleted, this, &MeasurePanel::recordCompleted);
+    connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
+        &MeasurePanel::drawChosen);
+    fillTraces();
+}
+
+void MeasurePanel::makeSide(QWidget *side)
+{
+    const auto named = [](QComboBox *box, const char *name) {
+        box->setObjectName(QLatin1String(name));
+        new WheelGuard(box);
+    };
+    named(m_trace, "measureTrace");
+    named(m_quantity, "measureQuantity");
+    named(m_against, "measureAgainst");
+    named(m_range, "measureRange");
+    for (const scope::Quantity quantity : allQuantities()) {
+        m_quantity->addItem(quantityText(quantity), static_cast<int>(quantity));
+        m_quantity->setItemData(m_quantity->count() - 1, quantityHelp(quantity), Qt::ToolTipRole);
+    }
+    m_range->addItems({tr("the picture"), tr("between the cursors")});
+    auto *add = new QPushButton(tr("&Add"), side);
+    add->setObjectName(QStringLiteral("addMeasure"));
+    auto *remove = new QPushButton(tr("&Remove"), side);
+    remove->setObjectName(QStringLiteral("removeMeasure"));
+    auto *again = new QPushButton(tr("&Clear statistics"), side);
+    again->setObjectName(QStringLiteral("clearStatistics"));
+    auto *copyIt = new QPushButton(tr("C&opy"), side);
+    copyIt->setObjectName(QStringLiteral("copyMeasures"));
+
+    auto *form = new QFormLayout;
+    form->addRow(tr("&Trace"), m_trace);
+    form->addRow(tr("&Measure"), m_quantity);
+    form->addRow(tr("A&gainst"), m_against);
+    form->addRow(tr("&In"), m_range);
+    auto *first = new QHBoxLayout;
+    first->addWidget(add);
+    first->addWidget(remove);
+    auto *second = new QHBoxLayout;
+    second->addWidget(again);
+    second->addWidget(copyIt);
+    auto *layout = new QVBoxLayout(side);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addLayout(form);
+    layout->addLayout(first);
+    layout->addLayout(second);
+    layout->addStretch(1);
+
+    const auto showAgainst = [this, form] {
+        const bool phase = m_quantity->currentData().toInt() == int(scope::Quantity::Phase);
+        m_against->setVisible(phase);
+        form->labelForField(m_against)->setVisible(phase);
+    };
+    connect(m_quantity, &QComboBox::currentIndexChanged, this, showAgainst);
+    showAgainst();
+    connect(m_range, &QComboBox::activated, this, [this](int range) {
+        if (range == BetweenCursors && !m_scope.cursors().visible())
+            m_scope.toggleCursors();
+        measure();
+    });
+    connect(add, &QPushButton::clicked, this, &MeasurePanel::addChosen);
+    connect(remove, &QPushButton::clicked, this, &MeasurePanel::removeChosen);
+    connect(again, &QPushButton::clicked, m_table, &MeasureTable::clearStatistics);
+    connect(copyIt, &QPushButton::clicked, this,
+        [this] { QApplication::clipboard()->setText(tableText(*m_table)); });
+}
+
+void MeasurePanel::fillTraces()
+{
+    fillTraceBox(*m_trace, m_scope, m_capture);
+    fillTraceBox(*m_against, m_scope, m_capture, static_cast<int>(m_scope.channels().size()));
+}
+
+void MeasurePanel::addChosen()
+{
+    const auto info = m_capture.info(m_trace->currentData().toUInt());
+    if (!info)
+        return;
+    MeasureTable::Wanted wanted{info->registerId, info->kind,
+        static_cast<scope::Quantity>(m_quantity->currentData().toInt()), {}};
+    if (wanted.quantity == scope::Quantity::Phase) {
+        if (const auto second = m_capture.info(m_against->currentData().toUInt()))
+            wanted.against = second->registerId;
+    }
+    if (!m_table->add(wanted))
+        return;
+    measure();
+    m_list->setCurrentIndex(m_table->index(m_table->rowCount() - 1, 0));
+    // Names may be long; what numbers there will be is not known yet.
+    for (const int column : {MeasureTable::SignalColumn, MeasureTable::QuantityColumn}) {
+        const QModelIndex added = m_table->index(m_table->rowCount() - 1, column);
+        m_list->setColumnWidth(
+            column, std::max(m_list->columnWidth(column), m_list->sizeHintForIndex(added).width()));
+    }
+}
+
+void MeasurePanel::removeChosen()
+{
+    m_table->remove(m_list->currentIndex().row());
+    drawChosen();
+}
+
+void MeasurePanel::refresh(Milliseconds) { measure(); }
+
+void MeasurePanel::focusFirst()
+{
+    m_trace->setFocus(Qt::ShortcutFocusReason);
+    measure();
+}
+
+/// Counts it as it would be measured in the picture: between cursors, where they stand from the trigger.
+void MeasurePanel::recordCompleted(const scope::Record &record)
+{
+    const scope::Record *shown = m_trigger.shown();
+    capture::Nanos from = record.from;
+    capture::Nanos to = record.to;
+    if (betweenCursors()) {
+        const capture::TimeSpan range = measuredRange();
+        const capture::Nanos shift = shown ? record.trigger - shown->trigger : 0;
+        from = capture::toNanos(range.from) + shift;
+        to = capture::toNanos(range.to) + shift;
+    }
+    clearWideRegisters();
+    m_table->count(from, to, record.trigger);
+    if (shown && shown->id == record.id)
+        measure();
+}
+
+bool MeasurePanel::betweenCursors() const
+{
+    return m_range->currentIndex() == BetweenCursors && m_scope.cursors().visible();
+}
+
+capture::TimeSpan MeasurePanel::measuredRange() const
+{
+    const ScopeView::TimeRange seen = m_scope.visibleRange();
+    if (!betweenCursors())
+        return {seen.from, seen.to};
+    const CursorPair &cursors = m_scope.cursors().pair();
+    return {std::min(cursors.a, cursors.b), std::max(cursors.a, cursors.b)};
+}
+
+void MeasurePanel::measure()
+{
+    const capture::TimeSpan range = measuredRange();
+    clearWideRegisters();
+    m_table->measure(range.from, range.to);
+    drawChosen();
+}
+
+/// What the chosen row measured is drawn over its trace, while the table can be seen.
+void MeasurePanel::drawChosen()
+{
+    m_scope.setMeasureMarks(
+        isVisible() ? m_table->marks(m_list->currentIndex().row()) : MeasureMarks());
+}
+
+void MeasurePanel::hideEvent(QHideEvent *event)
+{
+    Form::hideEvent(event);
+    m_scope.setMeasureMarks({});
+}
+
+bool MeasurePanel::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_list && event->type() == QEvent::KeyPress
+        && static_cast<QKeyEvent *>(event)->key() == Qt::Key_Delete) {
+        removeChosen();
+        return true;
+    }
+    return Form::eventFilter(watched, event);
+}
+
+} // namespace widgets

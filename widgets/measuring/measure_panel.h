@@ -1,0 +1,57 @@
+// The automatic measurements as a tool: choose a trace and a measure, see its value and its statistics; the chosen row
+// is drawn over its trace. Measures a few times a second while it can be seen, and every record of the trigger.
+#pragma once
+
+#include "capture/capture.h"
+#include "scope/record.h"
+#include "widgets/base/form.h"
+
+#include <optional>
+
+class QComboBox;
+class QTreeView;
+
+namespace widgets {
+
+class MeasureTable;
+class ScopeView;
+class TriggerControl;
+
+class MeasurePanel : public Form {
+    Q_OBJECT
+public:
+    /// All outlive it.
+    MeasurePanel(ScopeView &scope, const capture::Capture &capture, TriggerControl &trigger,
+        QWidget *parent = nullptr);
+
+    void refresh(Milliseconds now) override;
+    double heightShare() const override { return 0.3; } // the traces are what is looked at
+    void focusFirst() override;
+
+protected:
+    void hideEvent(QHideEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void makeSide(QWidget *side);
+    void fillTraces();
+    void addChosen();
+    void removeChosen();
+    void recordCompleted(const scope::Record &record);
+    void measure();
+    bool betweenCursors() const;
+    capture::TimeSpan measuredRange() const;
+    void drawChosen();
+
+    ScopeView &m_scope;
+    const capture::Capture &m_capture;
+    TriggerControl &m_trigger;
+    MeasureTable *m_table;
+    QTreeView *m_list;
+    QComboBox *m_trace;
+    QComboBox *m_quantity;
+    QComboBox *m_against;
+    QComboBox *m_range;
+};
+
+} // namespace widgets

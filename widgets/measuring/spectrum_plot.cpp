@@ -1,0 +1,334 @@
+#include "widgets/measuring/spectrum_plot.h"
+
+#include "widgets/base/axis_ticks.h"
+#include "widgets/base/plot_look.h"
+#include "widgets/base/trace_colors.h"
+#include "widgets/scope/drawing/axis_ticker.h"
+
+#include <QLabel>
+#include <QScopedValueRollback>
+#include <QVBoxLayout>
+#include <qcustomplot.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace widgets {
+
+namespace {
+constexpr int kTraceSlot = 0;
+constexpr int kPeakSlot = 1;
+constexpr int kMostNumbers = 10;
+constexpr double kFloor = 1e-12; ///< of the unit; below it a level says nothing
+constexpr double kDecibelSpan = 100.0;
+constexpr double kKeyZoom = 1.5;
+constexpr double kKeyPan = 0.1;
+constexpr double kLeastBins = 8.0; ///< that the axis shows
+constexpr double kRoom = 1.12; ///< above the highest line, for the numbers of the peaks
+} // namespace
+
+SpectrumPlot::SpectrumPlot(QWidget *parent)
+    : KeyedPlot(parent)
+    , m_plot(new QCustomPlot(this))
+    , m_trace(m_plot->addGraph())
+    , m_dots(m_plot->addGraph())
+    , m_mark(new QCPItemStraightLine(m_plot))
+    , m_why(new QLabel(this))
+{
+    setObjectName(QStringLiteral("spectrumPlot"));
+    setAccessibleName(tr("Spectrum"));
+    setFocusPolicy(Qt::StrongFocus);
+    setToolTip(tr("Wheel or + and \u2212: zoom. Drag or arrows: move. F: everything."));
+    m_plot->setFocusPolicy(Qt::NoFocus);
+    m_plot->installEventFilter(this);
+    m_plot->xAxis->setTicker(QSharedPointer<AxisTicker>::create(AxisTicker::Labels::Values));
+    m_plot->yAxis->setTicker(QSharedPointer<AxisTicker>::create(AxisTicker::Labels::Values));
+    m_plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+    m_plot->axisRect()->setRangeDrag(Qt::Horizontal);
+    m_plot->axisRect()->setRangeZoom(Qt::Horizontal);
+    m_trace->setAntialiased(false);
+    m_dots->setLineStyle(QCPGraph::lsNone);
+    m_mark->setVisible(false);
+    for (int i = 0; i < kMostNumbers; ++i) {
+        auto *number = new QCPItemText(m_plot);
+        number->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
+        number->setText(QString::number(i + 1));
+        number->setVisible(false);
+        m_numbers.append(number);
+    }
+    m_why->setObjectName(QStringLiteral("spectrumWhy"));
+    m_why->setTextFormat(Qt::PlainText);
+    m_why->setAlignment(Qt::AlignCenter);
+    m_why->setWordWrap(true);
+    m_why->setAttribute(Qt::WA_TransparentForMouseEvents);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_plot);
+    setMinimumSize(220, 120);
+    connect(m_plot->xAxis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), this,
+        &SpectrumPlot::bound);
+    applyPalette();
+}
+
+void SpectrumPlot::applyPalette()
+{
+    const QPalette colors = palette();
+    const bool dark = isDark(colors);
+    const QColor text = colors.color(QPalette::Text);
+    dressPlot(*m_plot, *this);
+    m_trace->setPen(QPen(traceColor(kTraceSlot, dark), 0));
+    const QColor peak = traceColor(kPeakSlot, dark);
+    m_dots->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, peak, 6));
+    m_mark->setPen(QPen(text, 0, Qt::DashLine));
+    for (QCPItemText *number : std::as_const(m_numbers)) {
+        number->setColor(text);
+        number->setFont(font());
+    }
+    draw();
+}
+
+void SpectrumPlot::changeEvent(QEvent *event)
+{
+    KeyedPlot::changeEvent(event);
+    const auto type = event->type();
+    if (type == QEvent::PaletteChange || type == QEvent::FontChange)
+        applyPalette();
+    else if (type == QEvent::LocaleChange)
+        draw();
+}
+
+void SpectrumPlot::resizeEvent(QResizeEvent *event)
+{
+    KeyedPlot::resizeEvent(event);
+    m_why->setGeometry(rect().adjusted(20, 0, -20, 0));
+    draw();
+}
+
+bool SpectrumPlot::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::MouseButtonPress)
+        setFocus(Qt::MouseFocusReason);
+    if (event->type() == QEvent::MouseButtonDblClick)
+        fit();
+    return KeyedPlot::eventFilter(watched, event);
+}
+
+bool SpectrumPlot::takeKey(int key)
+{
+    switch (key) {
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: // the same key without Shift on many keyboards
+    case Qt::Key_Up:
+        zoom(kKeyZoom);
+        return true;
+    case Qt::Key_Minus:
+    case Qt::Key_Down:
+        zoom(1.0 / kKeyZoom);
+        return true;
+    case Qt::Key_Left:
+        pan(-kKeyPan);
+        return true;
+    case Qt::Key_Right:
+        pan(kKeyPan);
+        return true;
+    case Qt::Key_F:
+        fit();
+        return true;
+    default:
+        return false;
+    }
+}
+
+double SpectrumPlot::highest() const
+{
+    const scope::Spectrum &spectrum = m_picture.spectrum;
+    return spectrum.meanSquares.empty()
+        ? 0.0
+        : spectrum.frequency(static_cast<double>(spectrum.meanSquares.size() - 1));
+}
+
+double SpectrumPlot::from() const { return m_from; }
+
+double SpectrumPlot::to() const { return m_to > 0.0 ? std::min(m_to, highest()) : highest(); }
+
+int SpectrumPlot::points() const { return m_trace->dataCount(); }
+
+double SpectrumPlot::shownX(double hertz) const
+{
+    return m_picture.orders.valid() ? m_picture.orders.order(hertz) : hertz;
+}
+
+double SpectrumPlot::levelOf(double amplitude) const
+{
+    return m_picture.decibels ? 20.0 * std::log10(std::max(amplitude, kFloor)) : amplitude;
+}
+
+double SpectrumPlot::level(std::size_t bin) const
+{
+    return levelOf(m_picture.spectrum.amplitude(bin));
+}
+
+void SpectrumPlot::showSpectrum(Picture picture)
+{
+    m_why->hide();
+    m_picture = std::move(picture);
+    if (m_from >= highest())
+        m_from = m_to = 0.0;
+    const QString unit = m_picture.unit.isEmpty() ? QStringLiteral("1") : m_picture.unit;
+    m_plot->xAxis->setLabel(m_picture.orders.valid()
+            ? tr("Order", "a multiple of the electrical frequency")
+            : QStringLiteral("Hz"));
+    m_plot->yAxis->setLabel(m_picture.decibels
+            ? tr("dB over 1 %1", "level above one of the unit").arg(unit)
+            : m_picture.unit);
+    draw();
+}
+
+void SpectrumPlot::showNothing(const QString &why)
+{
+    m_picture = {};
+    m_why->setText(why);
+    m_why->show();
+    m_why->raise();
+    setAccessibleDescription(why);
+    draw();
+}
+
+void SpectrumPlot::mark(int peak)
+{
+    m_marked = peak;
+    drawPeaks();
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void SpectrumPlot::fit()
+{
+    m_from = m_to = 0.0;
+    draw();
+}
+
+void SpectrumPlot::zoom(double factor)
+{
+    const double middle = (from() + to()) / 2;
+    const double half = (to() - from()) / 2 / factor;
+    setLimits(middle - half, middle + half);
+}
+
+void SpectrumPlot::pan(double share)
+{
+    const double shift = share * (to() - from());
+    setLimits(from() + shift, to() + shift);
+}
+
+/// The mouse moved the axis.
+void SpectrumPlot::bound(const QCPRange &range)
+{
+    if (m_setting || m_picture.spectrum.meanSquares.empty())
+        return;
+    const double scale = m_picture.orders.valid() ? m_picture.orders.electricalHz : 1.0;
+    setLimits(range.lower * scale, range.upper * scale);
+}
+
+/// As near to it as there are frequencies; the width stays where only the place is wrong.
+void SpectrumPlot::setLimits(double least, double most)
+{
+    const double end = highest();
+    const double width =
+        std::clamp(most - least, std::min(end, kLeastBins * m_picture.spectrum.binHz), end);
+    m_from = std::clamp((least + most - width) / 2, 0.0, end - width);
+    m_to = m_from + width;
+    draw();
+}
+
+/// Bins as they are, or the highest and the lowest of each pixel column where there are more of them.
+void SpectrumPlot::draw()
+{
+    const QScopedValueRollback setting(m_setting, true);
+    const scope::Spectrum &spectrum = m_picture.spectrum;
+    QVector<double> places;
+    QVector<double> levels;
+    double most = m_picture.decibels ? 20.0 * std::log10(kFloor) : 0.0;
+    if (!spectrum.meanSquares.empty()) {
+        const std::size_t last = spectrum.meanSquares.size() - 1;
+        const auto binAt = [&](double hertz) {
+            return std::clamp(std::round(hertz / spectrum.binHz), 0.0, static_cast<double>(last));
+        };
+        const auto first = static_cast<std::size_t>(std::max(0.0, binAt(from()) - 1));
+        const auto stop = std::min(last, static_cast<std::size_t>(binAt(to())) + 1) + 1;
+        const auto columns = static_cast<std::size_t>(std::max(100, m_plot->axisRect()->width()));
+        const std::size_t each = std::max<std::size_t>(1, (stop - first) / columns);
+        for (std::size_t bin = first; bin < stop; bin += each) {
+            // Which bins are to be drawn is decided by their squares: of the levels only two a column are computed.
+            const auto begin = spectrum.meanSquares.begin() + static_cast<std::ptrdiff_t>(bin);
+            const auto end = spectrum.meanSquares.begin()
+                + static_cast<std::ptrdiff_t>(std::min(stop, bin + each));
+            const auto [least, greatest] = std::minmax_element(begin, end);
+            const double high = level(bin + static_cast<std::size_t>(greatest - begin));
+            const double low = level(bin + static_cast<std::size_t>(least - begin));
+            const double place = shownX(spectrum.frequency(static_cast<double>(bin)));
+            places.append(place);
+            levels.append(high);
+            if (each > 1) {
+                places.append(place);
+                levels.append(low);
+            }
+            most = std::max(most, high);
+        }
+    }
+    m_trace->setData(places, levels, true);
+    m_plot->xAxis->setRange(shownX(from()), std::max(shownX(to()), shownX(from()) + 1e-9));
+    if (m_picture.decibels) {
+        const double top = 10.0 * std::ceil((most + 6.0) / 10.0);
+        m_plot->yAxis->setRange(top - kDecibelSpan, top);
+    } else {
+        const double wanted = most > 0.0 ? most * kRoom : 1.0;
+        const double step = tickStep(wanted, 8); // in steps, so that it stands still
+        m_plot->yAxis->setRange(0.0, step * std::ceil(wanted / step));
+    }
+    const auto ticks = [](QCPAxis *axis, int pixels, int each) {
+        axis->ticker().dynamicCast<AxisTicker>()->setMost(std::max(2, pixels / each), pixels);
+    };
+    ticks(m_plot->xAxis, m_plot->axisRect()->width(), 80);
+    ticks(m_plot->yAxis, m_plot->axisRect()->height(), 30);
+    drawPeaks();
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void SpectrumPlot::drawPeaks()
+{
+    QVector<double> places;
+    QVector<double> levels;
+    for (const scope::SpectrumPeak &peak : m_picture.peaks) {
+        places.append(shownX(peak.hertz));
+        levels.append(levelOf(peak.amplitude));
+    }
+    m_dots->setData(places, levels);
+    std::vector<QPointF>
+        written; // pixels; of two that would lie on each other the smaller peak's is left out
+    for (int i = 0; i < int(m_numbers.size()); ++i) {
+        QCPItemText *number = m_numbers[i];
+        bool visible = i < int(places.size());
+        if (visible) {
+            number->position->setCoords(places[i], levels[i]);
+            const QPointF at(
+                m_plot->xAxis->coordToPixel(places[i]), m_plot->yAxis->coordToPixel(levels[i]));
+            const QFontMetrics metrics(number->font());
+            visible = std::none_of(written.begin(), written.end(), [&](const QPointF &other) {
+                return std::abs(other.x() - at.x())
+                    < metrics.horizontalAdvance(QStringLiteral("00"))
+                    && std::abs(other.y() - at.y()) < metrics.height();
+            });
+            if (visible)
+                written.push_back(at);
+        }
+        number->setVisible(visible);
+    }
+    const bool marked = m_marked >= 0 && m_marked < int(places.size());
+    m_mark->setVisible(marked);
+    if (marked) {
+        m_mark->point1->setCoords(places[m_marked], 0.0);
+        m_mark->point2->setCoords(places[m_marked], 1.0);
+    }
+}
+
+} // namespace widgets

@@ -1,0 +1,71 @@
+// A spectrum as a picture over frequency or order: one stroke a pixel column, so that no line of it is lost and drawing
+// does not grow with the bins. The wheel, dragging and keys move the frequency axis; the amplitudes fit themselves.
+#pragma once
+
+#include "scope/spectrum.h"
+#include "widgets/measuring/keyed_plot.h"
+
+#include <QString>
+
+class QCPGraph;
+class QCPItemStraightLine;
+class QCPItemText;
+class QCPRange;
+class QCustomPlot;
+class QLabel;
+
+namespace widgets {
+
+class SpectrumPlot : public KeyedPlot {
+    Q_OBJECT
+public:
+    explicit SpectrumPlot(QWidget *parent = nullptr);
+
+    struct Picture {
+        scope::Spectrum spectrum; ///< no bins: nothing to show
+        std::vector<scope::SpectrumPeak> peaks;
+        QString unit; ///< of an amplitude
+        scope::OrderAxis orders; ///< valid: the axis counts orders
+        bool decibels = false;
+    };
+    void showSpectrum(Picture picture);
+    void showNothing(const QString &why);
+    void mark(int peak); ///< one of the peaks, by a line; -1: none
+    void fit(); ///< everything up to half the sample rate
+    double from() const; ///< hertz, what the axis shows
+    double to() const;
+    int points() const; ///< of the trace as it is drawn
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    bool takeKey(int key) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void applyPalette();
+    void bound(const QCPRange &range);
+    void zoom(double factor);
+    void pan(double share);
+    void draw();
+    double level(std::size_t bin) const;
+    double levelOf(double amplitude) const;
+    double shownX(double hertz) const;
+    double highest() const; ///< hertz
+    void drawPeaks();
+    void setLimits(double least, double most);
+
+    QCustomPlot *m_plot;
+    QCPGraph *m_trace;
+    QCPGraph *m_dots;
+    QCPItemStraightLine *m_mark;
+    QList<QCPItemText *> m_numbers;
+    QLabel *m_why;
+    Picture m_picture;
+    int m_marked = -1;
+    double m_from = 0.0; ///< hertz; `to` 0: everything
+    double m_to = 0.0;
+    bool m_setting = false;
+};
+
+} // namespace widgets

@@ -1,0 +1,113 @@
+// The ranges of the plots: time, and values that fit what is visible.
+#include "widgets/base/axis_ticks.h"
+#include "widgets/scope/drawing/axis_ticker.h"
+#include "widgets/scope/plot_stack.h"
+
+#include <algorithm>
+
+namespace widgets {
+
+namespace {
+constexpr double kMargin = 0.08; ///< of the span, above and below
+
+/// A range that shows [low, high] with some room, and at least `least` of the unit.
+QCPRange roomy(double low, double high, double least)
+{
+    if (!(high > low) && !(least > 0))
+        least = std::max(std::abs(high) * 0.2, 1e-3);
+    if (high - low < least) {
+        const double middle = low + (high - low) / 2;
+        low = middle - least / 2;
+        high = middle + least / 2;
+    }
+    const double span = high - low;
+    return {low - span * kMargin, high + span * kMargin};
+}
+} // namespace
+
+void PlotStack::setTimeRange(double from, double to)
+{
+    for (const auto &plot : m_plots)
+        plot->timeAxis()->setRange(from, to);
+}
+
+void PlotStack::setTimeOrigin(double seconds)
+{
+    m_origin = seconds;
+    for (const auto &plot : m_plots)
+        plot->timeAxis()->ticker().dynamicCast<AxisTicker>()->setOrigin(seconds);
+}
+
+capture::MinMax PlotStack::extremes(const ScopePlot &plot, const QCPAxis *axis) const
+{
+    const QCPRange range = plot.timeAxis()->range();
+    capture::MinMax all;
+    for (const Trace &trace : plot.traces) {
+        if (trace.valueAxis != axis)
+            continue;
+        all.include(m_capture.extremes(trace.channel, range.lower, range.upper));
+        // A value that only holds into the window is visible too.
+        if (const auto held = m_capture.valueAt(trace.channel, range.lower))
+            all.include({static_cast<float>(*held), static_cast<float>(*held)});
+    }
+    return all;
+}
+
+double PlotStack::leastSpanOf(const ScopePlot &plot, const ValueAxis &axis) const
+{
+    double least = 0.0;
+    for (const Trace &trace : plot.traces) {
+        if (trace.valueAxis != axis.axis)
+            continue;
+        least = std::max(least, leastSpan(axis.unit, trace.info.digit()));
+    }
+    return least;
+}
+
+void PlotStack::growAxes()
+{
+    for (const auto &plot : m_plots) {
+        for (ValueAxis &axis : plot->axes) {
+            if (!axis.automatic)
+                continue;
+            const capture::MinMax shown = extremes(*plot, axis.axis);
+            if (shown.empty())
+                continue;
+            const double low = double(shown.min);
+            const double high = double(shown.max);
+            QCPRange range = axis.axis->range();
+            if (!axis.fitted || low < range.lower || high > range.upper) {
+                const QCPRange wanted = roomy(low, high, leastSpanOf(*plot, axis));
+                if (axis.fitted)
+                    range.expand(wanted);
+                else
+                    range = wanted;
+                axis.axis->setRange(range);
+                axis.fitted = true;
+            }
+        }
+    }
+}
+
+void PlotStack::fitAxis(ValueAxis &axis)
+{
+    for (const auto &plot : m_plots) {
+        const capture::MinMax shown = extremes(*plot, axis.axis);
+        if (!shown.empty()) {
+            axis.axis->setRange(
+                roomy(double(shown.min), double(shown.max), leastSpanOf(*plot, axis)));
+            axis.fitted = true;
+        }
+    }
+    axis.automatic = true;
+}
+
+void PlotStack::fitValues()
+{
+    for (const auto &plot : m_plots) {
+        for (ValueAxis &axis : plot->axes)
+            fitAxis(axis);
+    }
+}
+
+} // namespace widgets

@@ -1,0 +1,25 @@
+// Traces that are bands, many of them over each other, as one picture: every pixel is written once, whatever lies over
+// it, so that the cost is that of the picture and not of what it covers. Knows no axes and no samples.
+#pragma once
+
+#include "widgets/scope/drawing/trace_image.h"
+
+#include <span>
+
+namespace widgets {
+
+struct Band {
+    QRgb color; ///< opaque
+    const PixelColumns *columns;
+};
+
+/// What becomes of pixels that no band covers.
+enum class Uncovered : std::uint8_t { Clear, Keep };
+
+/// Paints bands so that none hides another: where several cover a pixel it has the colour of the one in whose slanting
+/// stripe it lies, or of the first of them if that one is not there. Beyond 16 bands the last ones hide the others.
+/// @param image  Format_ARGB32_Premultiplied, as wide as the columns
+/// @param stripeWidth  pixels, at least 1
+void paintBands(QImage &image, std::span<const Band> bands, int stripeWidth, Uncovered uncovered);
+
+} // namespace widgets

@@ -1,0 +1,100 @@
+// What traces are drawn with: pixels of an image on the screen, shapes in a picture that has no pixels (SVG, PDF, a
+// printer). Knows no axes and no samples; everything is in the units of the picture's width and height.
+#pragma once
+
+#include "widgets/scope/drawing/trace_bands.h"
+
+#include <QPainterPath>
+#include <QSize>
+
+class QPainter;
+
+namespace widgets {
+
+class TraceInk {
+public:
+    TraceInk() = default;
+    TraceInk(const TraceInk &) = delete;
+    TraceInk &operator=(const TraceInk &) = delete;
+    virtual ~TraceInk() = default;
+
+    /// @param color  premultiplied, as in the image
+    virtual void columns(const PixelColumns &columns, QRgb color) = 0;
+    /// All bands of the picture, so that none hides another. Once, before lines and boxes.
+    virtual void bands(std::span<const Band> bands, int stripeWidth) = 0;
+    virtual void box(int left, int top, int width, int height, QRgb color) = 0;
+};
+
+class ImageInk : public TraceInk {
+public:
+    /// @param uncovered  whether the bands clear what they do not cover
+    ImageInk(QImage &image, Uncovered uncovered)
+        : m_image(image)
+        , m_uncovered(uncovered)
+    {
+    }
+    void columns(const PixelColumns &columns, QRgb color) override
+    {
+        fillColumns(m_image, columns, color);
+    }
+    void bands(std::span<const Band> bands, int stripeWidth) override
+    {
+        paintBands(m_image, bands, stripeWidth, m_uncovered);
+    }
+    void box(int left, int top, int width, int height, QRgb color) override
+    {
+        fillBox(m_image, left, top, width, height, color);
+    }
+
+private:
+    QImage &m_image;
+    Uncovered m_uncovered;
+};
+
+/// Draws with another ink, in dashes: `on` of each `on` + `off` columns of the picture.
+class DashedInk : public TraceInk {
+public:
+    DashedInk(TraceInk &ink, int on, int off)
+        : m_ink(ink)
+        , m_on(on)
+        , m_off(off)
+    {
+    }
+    void columns(const PixelColumns &columns, QRgb color) override
+    {
+        m_ink.columns(columns.dashed(m_on, m_off), color);
+    }
+    void bands(std::span<const Band> bands, int stripeWidth) override;
+    void box(int left, int top, int width, int height, QRgb color) override;
+
+private:
+    TraceInk &m_ink;
+    int m_on;
+    int m_off;
+};
+
+/// One shape for each run of columns and each trace of steps, cut at the picture's edges: not every writer of vector
+/// files can cut. Bands that share their place have upright stripes.
+class ShapeInk : public TraceInk {
+public:
+    ShapeInk(QPainter &painter, QSize size)
+        : m_painter(painter)
+        , m_size(size)
+    {
+    }
+    ~ShapeInk() override { flush(); }
+    void columns(const PixelColumns &columns, QRgb color) override;
+    void bands(std::span<const Band> bands, int stripeWidth) override;
+    void box(int left, int top, int width, int height, QRgb color) override;
+    void flush(); ///< draws the boxes that were gathered
+
+private:
+    void fill(const QPainterPath &path, QRgb color);
+
+    QPainter &m_painter;
+    QSize m_size;
+    QPainterPath m_boxes;
+    QRgb m_color = 0;
+};
+
+} // namespace widgets

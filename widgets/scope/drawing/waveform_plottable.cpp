@@ -1,0 +1,462 @@
+#include "widgets/scope/drawing/waveform_plottable.h"
+
+#include "base/wide_registers.h"
+#include "scope/unit.h"
+#include "widgets/base/axis_ticks.h"
+#include "widgets/base/trace_colors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace widgets {
+
+namespace {
+/// Below this many samples a pixel column single samples can be told apart and are drawn as steps.
+constexpr std::uint64_t kSamplesAColumn = 2;
+/// Steps this wide, in pixels, get a dot at the sample.
+constexpr double kDotSpacing = 8.0;
+/// Columns taller than this, in pixels, are part of a band rather than of a line.
+constexpr int kBandHeight = 8;
+constexpr int kBandShare = 16; ///< of the picture that is a band at least, as one part in so many
+constexpr int kStripeWidth = 3;
+constexpr int kLongDash = 10; ///< pixels, of reference A
+constexpr int kShortDash = 3; ///< of reference B
+constexpr double kMarkPlace = 0.01; ///< of a reference's letter, as a share of the width
+constexpr double kMarkNext = 0.03; ///< B is beside A
+/// An angle that passes its end in more than one of so many columns is a band.
+constexpr int kTurnShare = 4;
+constexpr std::size_t kSlices = 16; ///< of a column, to find where it does
+/// Columns a pixel in a picture without pixels.
+constexpr int kShapeColumns = 4;
+constexpr int kLabelGround = 215; ///< opacity: the trace below must not make a number hard to read
+
+/// Where a value lies, in rows from the top of the picture.
+struct Rows {
+    double top;
+    double perUnit;
+    int of(double value) const
+    {
+        // Rounds down without a call, which std::floor() is on processors without SSE4.
+        const double row = std::clamp((top - value) * perUnit, -4.0, 31000.0);
+        return static_cast<int>(row + 4.0) - 4;
+    }
+};
+} // namespace
+
+struct WaveformPlottable::View {
+    double from;
+    double to;
+    int width; ///< device pixels
+    int height;
+    int thickness; ///< of a line, device pixels
+    double perSecond() const { return width / (to - from); }
+    Rows rows(const QCPAxis &axis) const
+    {
+        const QCPRange range = axis.range();
+        return {range.upper, height / range.size()};
+    }
+};
+
+WaveformPlottable::WaveformPlottable(const ScopePlot &plot, const capture::Capture &capture)
+    : QCPAbstractPlottable(plot.timeAxis(), plot.axes.front().axis)
+    , m_scopePlot(plot)
+    , m_capture(capture)
+{
+}
+
+double WaveformPlottable::selectTest(const QPointF &, bool, QVariant *) const { return -1; }
+
+QCPRange WaveformPlottable::getKeyRange(bool &found, QCP::SignDomain) const
+{
+    QCPRange range;
+    found = false;
+    for (const Trace &trace : m_scopePlot.traces) {
+        if (const auto span = m_capture.timeSpan(trace.channel)) {
+            if (found)
+                range.expand({span->from, span->to});
+            else
+                range = {span->from, span->to};
+            found = true;
+        }
+    }
+    return range;
+}
+
+QCPRange WaveformPlottable::getValueRange(
+    bool &found, QCP::SignDomain, const QCPRange &inKeyRange) const
+{
+    capture::MinMax all;
+    for (const Trace &trace : m_scopePlot.traces)
+        all.include(m_capture.extremes(trace.channel, inKeyRange.lower, inKeyRange.upper));
+    found = !all.empty();
+    return found ? QCPRange(double(all.min), double(all.max)) : QCPRange();
+}
+
+void WaveformPlottable::draw(QCPPainter *painter)
+{
+    const QRect rect = m_scopePlot.rect->rect();
+    if (rect.isEmpty() || m_scopePlot.traces.empty())
+        return;
+    shadeGaps(painter);
+    if (painter->modes().testFlag(QCPPainter::pmVectorized)) {
+        drawShapes(painter);
+        drawMarks(painter);
+        drawLastValues(painter);
+        return;
+    }
+    const double ratio = painter->device()->devicePixelRatioF();
+    const QSize size(qRound(rect.width() * ratio), qRound(rect.height() * ratio));
+    if (m_image.size() != size)
+        m_image = QImage(size, QImage::Format_ARGB32_Premultiplied);
+    m_image.setDevicePixelRatio(ratio);
+    const bool ghosts = !m_scopePlot.ghosts.empty();
+    if (ghosts)
+        m_image.fill(Qt::transparent);
+    clearWideRegisters();
+    const View view = viewOf(size, std::max(1, qRound(ratio)));
+    ImageInk ink(m_image, ghosts ? Uncovered::Keep : Uncovered::Clear);
+    drawGhosts(view, ink);
+    drawTraces(view, ink);
+    painter->drawImage(rect.topLeft(), m_image);
+    drawMarks(painter);
+    drawLastValues(painter);
+}
+
+WaveformPlottable::View WaveformPlottable::viewOf(QSize size, int thickness) const
+{
+    const QCPRange range = keyAxis()->range();
+    return {range.lower, range.upper, size.width(), size.height(), thickness};
+}
+
+void WaveformPlottable::drawShapes(QCPPainter *painter) const
+{
+    const QRect rect = m_scopePlot.rect->rect();
+    const QSize size = rect.size() * kShapeColumns;
+    painter->save();
+    painter->setAntialiasing(false);
+    painter->translate(rect.topLeft());
+    painter->scale(1.0 / kShapeColumns, 1.0 / kShapeColumns);
+    {
+        const View view = viewOf(size, kShapeColumns);
+        ShapeInk ink(*painter, size);
+        drawGhosts(view, ink);
+        drawTraces(view, ink);
+    }
+    painter->restore();
+}
+
+void WaveformPlottable::shadeGaps(QCPPainter *painter) const
+{
+    const QCPRange range = keyAxis()->range();
+    const double pixel = range.size() / std::max(1, m_scopePlot.rect->width());
+    // A slow value is unknown for longer than the loss itself: where fast signals are shown, theirs are the gaps.
+    using Kind = capture::ChannelInfo::Kind;
+    Kind kind = Kind::Polled;
+    for (const Trace &trace : m_scopePlot.traces)
+        kind = std::min(kind, trace.info.kind);
+    std::vector<capture::TimeSpan> gaps;
+    for (const Trace &trace : m_scopePlot.traces) {
+        const capture::Channel *channel = m_capture.channel(trace.channel);
+        if (!channel || trace.info.kind != kind || kind == Kind::Polled)
+            continue;
+        const auto own = channel->gaps(range.lower, range.upper, pixel);
+        gaps.insert(gaps.end(), own.begin(), own.end());
+    }
+    std::sort(
+        gaps.begin(), gaps.end(), [](const auto &a, const auto &b) { return a.from < b.from; });
+    const QColor shade = m_scopePlot.dark ? QColor(255, 255, 255, 22) : QColor(0, 0, 0, 18);
+    const QRectF area = m_scopePlot.rect->rect();
+    double shadedTo = range.lower;
+    for (const capture::TimeSpan &gap : gaps) {
+        // Signals of one stream share their gaps: each place is shaded once.
+        const double from = std::max(gap.from, shadedTo);
+        const double to = std::min(gap.to, range.upper);
+        if (to > from) {
+            const double left = keyAxis()->coordToPixel(from);
+            const double width = std::max(1.0, keyAxis()->coordToPixel(to) - left);
+            painter->fillRect(QRectF(left, area.top(), width, area.height()), shade);
+            shadedTo = to;
+        }
+    }
+}
+
+/// Bands first, in stripes where they overlap; lines over them, so that no band hides one.
+void WaveformPlottable::drawTraces(const View &view, TraceInk &ink) const
+{
+    struct Dense {
+        QRgb color;
+        PixelColumns bands;
+        PixelColumns lines;
+    };
+    std::vector<Dense> dense;
+    std::vector<std::pair<const Trace *, const capture::Channel *>> sparse;
+    for (const Trace &trace : m_scopePlot.traces) {
+        const capture::Channel *channel = m_capture.channel(trace.channel);
+        if (!channel || channel->empty() || !(view.to > view.from))
+            continue;
+        const std::uint64_t count = channel->countIn(view.from, view.to);
+        if (count <= kSamplesAColumn * std::uint64_t(view.width)) {
+            sparse.emplace_back(&trace, channel);
+            continue;
+        }
+        Strokes strokes = strokesOf(view, trace, *channel);
+        PixelColumns bands = std::move(strokes.columns);
+        const int height = kBandHeight * view.thickness;
+        // A few peaks make no band: they stay whole, and leave the others' stripes as they are.
+        const bool peaks = bands.tallerThan(height) < view.width / kBandShare;
+        PixelColumns lines =
+            peaks ? std::exchange(bands, PixelColumns(view.width)) : bands.takeThin(height);
+        const QRgb color = traceColor(trace.colorSlot, m_scopePlot.dark).rgba();
+        dense.push_back({color, std::move(bands), std::move(lines)});
+        if (strokes.beyond.width() > 0)
+            dense.push_back({color, PixelColumns(), std::move(strokes.beyond)});
+    }
+    std::vector<Band> bands;
+    for (const Dense &trace : dense) {
+        if (!trace.bands.empty())
+            bands.push_back({trace.color, &trace.bands});
+    }
+    ink.bands(bands, kStripeWidth * view.thickness);
+    for (const Dense &trace : dense)
+        ink.columns(trace.lines, trace.color);
+    for (const auto &[trace, channel] : sparse)
+        drawSteps(
+            view, *trace, *channel, traceColor(trace->colorSlot, m_scopePlot.dark).rgba(), ink);
+}
+
+/// The same traces of another time, paler and behind, older ones first; references dashed, so that they are not told by
+/// their colour alone.
+void WaveformPlottable::drawGhosts(const View &view, TraceInk &ink) const
+{
+    const auto &ghosts = m_scopePlot.ghosts;
+    for (auto ghost = ghosts.rbegin(); ghost != ghosts.rend(); ++ghost) {
+        if (ghost->mark == 0) {
+            drawGhost(*ghost, view, ink);
+            continue;
+        }
+        const int on = (ghost->mark == 'A' ? kLongDash : kShortDash) * view.thickness;
+        DashedInk dashed(ink, on, on / 2 + view.thickness);
+        drawGhost(*ghost, view, dashed);
+    }
+}
+
+void WaveformPlottable::drawGhost(const Ghost &ghost, const View &view, TraceInk &ink) const
+{
+    View then = view;
+    then.from += ghost.shift;
+    then.to += ghost.shift;
+    for (const Trace &trace : m_scopePlot.traces) {
+        const capture::Channel *channel = channelOf(ghost, trace);
+        if (!channel || channel->empty() || !(then.to > then.from))
+            continue;
+        QColor color = traceColor(trace.colorSlot, m_scopePlot.dark);
+        color.setAlpha(ghost.alpha);
+        const QRgb paint = qPremultiply(color.rgba());
+        if (channel->countIn(then.from, then.to) <= kSamplesAColumn * std::uint64_t(view.width)) {
+            drawSteps(then, trace, *channel, paint, ink);
+            continue;
+        }
+        const Strokes strokes = strokesOf(then, trace, *channel);
+        ink.columns(strokes.columns, paint);
+        if (strokes.beyond.width() > 0)
+            ink.columns(strokes.beyond, paint);
+    }
+}
+
+/// The letter of each reference at the left end of its traces.
+void WaveformPlottable::drawMarks(QCPPainter *painter) const
+{
+    const QRectF area = m_scopePlot.rect->rect();
+    const QCPRange range = keyAxis()->range();
+    const QFontMetricsF metrics(painter->font());
+    for (const Ghost &ghost : m_scopePlot.ghosts) {
+        const double share = kMarkPlace + (ghost.mark == 'B' ? kMarkNext : 0.0);
+        for (const Trace &trace : m_scopePlot.traces) {
+            const capture::Channel *channel = ghost.mark != 0 ? channelOf(ghost, trace) : nullptr;
+            if (!channel)
+                continue;
+            const auto value = channel->valueAt(range.lower + ghost.shift + share * range.size());
+            const double y = value ? trace.valueAxis->coordToPixel(*value) : area.bottom() + 1;
+            if (y < area.top() || y > area.bottom())
+                continue;
+            const QPointF place(
+                area.left() + share * area.width(), std::max(y - 2, area.top() + metrics.ascent()));
+            painter->setPen(traceColor(trace.colorSlot, m_scopePlot.dark));
+            painter->drawText(place, QString(QLatin1Char(ghost.mark)));
+        }
+    }
+}
+
+/// What a ghost has of a trace's register; nullptr: nothing.
+const capture::Channel *WaveformPlottable::channelOf(const Ghost &ghost, const Trace &trace) const
+{
+    if (!ghost.kept)
+        return m_capture.channel(trace.channel);
+    for (const capture::Channel &channel : *ghost.kept) {
+        const capture::ChannelInfo &info = channel.info();
+        if (info.registerId == trace.info.registerId && info.kind == trace.info.kind)
+            return &channel;
+    }
+    return nullptr;
+}
+
+WaveformPlottable::Strokes WaveformPlottable::strokesOf(
+    const View &view, const Trace &trace, const capture::Channel &channel) const
+{
+    const Rows rows = view.rows(*trace.valueAxis);
+    const auto extremes = channel.columns(view.from, view.to, std::size_t(view.width));
+    Strokes strokes{PixelColumns(view.width), PixelColumns()};
+    const bool held = trace.info.kind != capture::ChannelInfo::Kind::Fast;
+    for (int x = 0; x < view.width; ++x) {
+        const capture::MinMax &column = extremes[std::size_t(x)];
+        if (!column.empty()) {
+            strokes.columns.set(x, rows.of(double(column.max)), rows.of(double(column.min)));
+        } else if (held) {
+            // Irregular values: a column between two of them shows the one that still holds.
+            if (const auto value = channel.valueAt(view.from + (x + 0.5) / view.perSecond()))
+                strokes.columns.set(x, rows.of(*value), rows.of(*value));
+        }
+    }
+    const double turn = scope::turnOf(trace.info.unit);
+    if (turn > 0.0)
+        splitTurns(view, trace, channel, extremes, strokes);
+    if (strokes.beyond.width() > 0)
+        strokes.columns.joinTurning(strokes.beyond, static_cast<int>(turn / 2 * rows.perUnit));
+    else
+        strokes.columns.joinNeighbours();
+    strokes.columns.thicken(view.thickness);
+    strokes.beyond.thicken(view.thickness);
+    return strokes;
+}
+
+/// Where an angle passes its end, the two ends of that column instead of all between them. Only where the picture is within one turn: what goes
+/// beyond it counts turns, and jumps where it jumps.
+void WaveformPlottable::splitTurns(const View &view, const Trace &trace,
+    const capture::Channel &channel, const std::vector<capture::MinMax> &extremes,
+    Strokes &strokes) const
+{
+    const double turn = scope::turnOf(trace.info.unit);
+    capture::MinMax all;
+    int turns = 0;
+    for (const capture::MinMax &column : extremes) {
+        all.include(column);
+        turns += double(column.max) - double(column.min) > turn / 2 ? 1 : 0;
+    }
+    const double span = double(all.max) - double(all.min);
+    constexpr double kInexact = 1.001;
+    if (all.empty() || span <= turn / 2 || span > turn * kInexact
+        || turns > view.width / kTurnShare)
+        return;
+    const Rows rows = view.rows(*trace.valueAxis);
+    const float middle = all.min + (all.max - all.min) / 2;
+    strokes.beyond = PixelColumns(view.width);
+    for (int x = 0; x < view.width; ++x) {
+        const capture::MinMax &column = extremes[std::size_t(x)];
+        if (column.empty() || double(column.max) - double(column.min) <= turn / 2)
+            continue;
+        capture::MinMax high{column.max, column.max};
+        capture::MinMax low{column.min, column.min};
+        const double from = view.from + x / view.perSecond();
+        const double to = view.from + (x + 1) / view.perSecond();
+        for (const capture::MinMax &slice : channel.columns(from, to, kSlices)) {
+            if (!slice.empty() && slice.min >= middle)
+                high.include(slice);
+            else if (!slice.empty() && slice.max < middle)
+                low.include(slice);
+        }
+        strokes.columns.set(x, rows.of(double(high.max)), rows.of(double(high.min)));
+        strokes.beyond.set(x, rows.of(double(low.max)), rows.of(double(low.min)));
+    }
+}
+
+void WaveformPlottable::drawSteps(const View &view, const Trace &trace,
+    const capture::Channel &channel, QRgb color, TraceInk &ink) const
+{
+    const Rows rows = view.rows(*trace.valueAxis);
+    const int line = view.thickness;
+    const auto samples = channel.samples(
+        view.from, view.to, std::size_t(kSamplesAColumn) * std::size_t(view.width) + 1);
+    const auto xOf = [&](double time) {
+        const double x = (time - view.from) * view.perSecond();
+        return static_cast<int>(std::floor(std::clamp(x, -10.0, view.width + 10.0)));
+    };
+    const double halfTurn = scope::turnOf(trace.info.unit) / 2;
+    int lastRow = 0;
+    double lastValue = 0.0;
+    bool joined = false; // to the sample before it, which may be left of the picture
+    for (const capture::Sample &sample : samples) {
+        const int left = xOf(sample.time);
+        const int right = xOf(sample.holdUntil);
+        const int row = rows.of(sample.value);
+        ink.box(left, row - line / 2, std::max(line, right - left), line, color);
+        const bool turned = halfTurn > 0.0 && std::abs(sample.value - lastValue) > halfTurn;
+        if (joined && !sample.first && !turned)
+            ink.box(left, std::min(row, lastRow) - line / 2, line, std::abs(row - lastRow) + line,
+                color);
+        lastRow = row;
+        lastValue = sample.value;
+        joined = true;
+        if ((sample.holdUntil - sample.time) * view.perSecond() >= kDotSpacing * line)
+            ink.box(left - line, row - line - line / 2, 3 * line, 3 * line, color);
+    }
+}
+
+/// The last visible value of each trace at the right edge, in its colour, moved apart where they would overlap.
+void WaveformPlottable::drawLastValues(QCPPainter *painter) const
+{
+    struct Label {
+        double y;
+        QString text;
+        QColor color;
+    };
+    const QCPRange range = keyAxis()->range();
+    const QRectF area = m_scopePlot.rect->rect();
+    const QFontMetricsF metrics(painter->font());
+    std::vector<Label> labels;
+    for (const Trace &trace : m_scopePlot.traces) {
+        const auto value = m_capture.valueAt(trace.channel, range.upper - range.size() * 1e-6);
+        const auto last = m_capture.timeSpan(trace.channel);
+        const bool ended = last && last->to < range.upper && last->to > range.lower;
+        const auto shown = value ? value
+            : ended              ? m_capture.lastValue(trace.channel)
+                                 : std::nullopt;
+        if (!shown)
+            continue;
+        const double step = readingStep(trace);
+        const double y = trace.valueAxis->coordToPixel(*shown);
+        labels.push_back({std::clamp(y, area.top() + metrics.height() + 1, area.bottom()),
+            valueLabel(*shown, step, mParentPlot->locale()),
+            traceColor(trace.colorSlot, m_scopePlot.dark)});
+    }
+    std::sort(
+        labels.begin(), labels.end(), [](const Label &a, const Label &b) { return a.y > b.y; });
+    double below = area.bottom() + metrics.height();
+    for (Label &label : labels) {
+        label.y = std::min(label.y, below - metrics.height());
+        below = label.y;
+    }
+    // Those pushed out at the top come back down; what then has no room is not written.
+    double above = area.top() + 1;
+    for (auto label = labels.rbegin(); label != labels.rend(); ++label) {
+        label->y = std::max(label->y, above + metrics.height());
+        above = label->y;
+    }
+    for (const Label &label : labels) {
+        if (label.y > area.bottom() + 1)
+            continue;
+        const double left = area.right() - metrics.horizontalAdvance(label.text) - 4;
+        // Above the trace's end, so that it stays visible.
+        const QRectF box(
+            left, label.y - metrics.height() - 1, area.right() - left, metrics.height());
+        QColor ground = mParentPlot->palette().color(QPalette::Base);
+        ground.setAlpha(kLabelGround);
+        painter->fillRect(box, ground);
+        painter->setPen(label.color);
+        painter->drawText(box, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, label.text);
+    }
+}
+
+void WaveformPlottable::drawLegendIcon(QCPPainter *, const QRectF &) const { }
+
+} // namespace widgets

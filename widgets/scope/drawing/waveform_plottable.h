@@ -1,0 +1,52 @@
+// Draws all traces of one plot from the capture: extremes per pixel column when there are many samples, steps and
+// dots when there are few, nothing where nothing is known. Cost follows the pixels, not the samples.
+// Includes the slow header: only for the scope's own files.
+#pragma once
+
+#include "widgets/scope/drawing/trace_ink.h"
+#include "widgets/scope/scope_plot.h"
+
+namespace widgets {
+
+class WaveformPlottable : public QCPAbstractPlottable {
+public:
+    /// @param plot  outlives the plottable; its axis rect has a time axis and a value axis already
+    WaveformPlottable(const ScopePlot &plot, const capture::Capture &capture);
+
+    double selectTest(const QPointF &pos, bool onlySelectable, QVariant *details) const override;
+    QCPRange getKeyRange(bool &found, QCP::SignDomain domain) const override;
+    QCPRange getValueRange(
+        bool &found, QCP::SignDomain domain, const QCPRange &inKeyRange) const override;
+
+protected:
+    void draw(QCPPainter *painter) override;
+    void drawLegendIcon(QCPPainter *painter, const QRectF &rect) const override;
+
+private:
+    struct View; ///< the picture's size and time range, for one redraw
+    void shadeGaps(QCPPainter *painter) const;
+    void drawGhosts(const View &view, TraceInk &ink) const;
+    void drawGhost(const Ghost &ghost, const View &view, TraceInk &ink) const;
+    void drawMarks(QCPPainter *painter) const;
+    void drawTraces(const View &view, TraceInk &ink) const;
+    void drawShapes(QCPPainter *painter) const;
+    View viewOf(QSize size, int thickness) const;
+    const capture::Channel *channelOf(const Ghost &ghost, const Trace &trace) const;
+    /// A trace as pixels; of an angle the pieces beyond its end beside them, so that no stroke joins the two.
+    struct Strokes {
+        PixelColumns columns;
+        PixelColumns beyond;
+    };
+    Strokes strokesOf(const View &view, const Trace &trace, const capture::Channel &channel) const;
+    void splitTurns(const View &view, const Trace &trace, const capture::Channel &channel,
+        const std::vector<capture::MinMax> &extremes, Strokes &strokes) const;
+    void drawSteps(const View &view, const Trace &trace, const capture::Channel &channel,
+        QRgb color, TraceInk &ink) const;
+    void drawLastValues(QCPPainter *painter) const;
+
+    const ScopePlot &m_scopePlot;
+    const capture::Capture &m_capture;
+    QImage m_image; ///< kept between redraws: allocating it anew costs more than clearing it
+};
+
+} // namespace widgets

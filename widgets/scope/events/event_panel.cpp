@@ -1,0 +1,211 @@
+#include "widgets/scope/events/event_panel.h"
+
+#include "widgets/scope/scope_view.h"
+
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSortFilterProxyModel>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace widgets {
+
+namespace {
+constexpr int kTimeWidth = 120;
+constexpr int kKindWidth = 110;
+
+/// Markers only.
+class MarkerFilter : public QSortFilterProxyModel {
+public:
+    using QSortFilterProxyModel::QSortFilterProxyModel;
+
+protected:
+    bool filterAcceptsRow(int row, const QModelIndex &parent) const override
+    {
+        const QModelIndex index = sourceModel()->index(row, 0, parent);
+        return index.data(EventLog::KindRole).toInt() == static_cast<int>(EventKind::Marker);
+    }
+};
+} // namespace
+
+EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
+    : Form(parent)
+    , m_scope(scope)
+    , m_markers(new MarkerFilter(this))
+    , m_list(new QTreeView(this))
+    , m_onlyMarkers(new QCheckBox(tr("&Markers only"), this))
+{
+    setObjectName(QStringLiteral("eventPanel"));
+    m_list->setObjectName(QStringLiteral("eventList"));
+    m_list->setAccessibleName(tr("Events and markers"));
+    m_list->setRootIsDecorated(false);
+    m_list->setUniformRowHeights(true);
+    m_list->setAllColumnsShowFocus(true);
+    m_list->setAlternatingRowColors(true);
+    m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    showKinds(false);
+    m_list->header()->resizeSection(EventLog::TimeColumn, kTimeWidth);
+    m_list->header()->resizeSection(EventLog::KindColumn, kKindWidth);
+    m_list->setToolTip(
+        tr("Enter shows an event on the scope, F2 edits a marker's note, Delete removes a marker"));
+    m_list->installEventFilter(this);
+    m_onlyMarkers->setObjectName(QStringLiteral("onlyMarkers"));
+
+    auto *add = new QPushButton(tr("&Set a marker"), this);
+    add->setObjectName(QStringLiteral("addMarker"));
+    auto *remove = new QPushButton(tr("&Delete markers"), this);
+    remove->setObjectName(QStringLiteral("deleteMarker"));
+    auto *copyIt = new QPushButton(tr("&Copy"), this);
+    copyIt->setObjectName(QStringLiteral("copyEvents"));
+    auto *side = new QVBoxLayout;
+    side->addWidget(m_onlyMarkers);
+    side->addWidget(add);
+    side->addWidget(remove);
+    side->addWidget(copyIt);
+    side->addStretch(1);
+    auto *layout = new QHBoxLayout(this);
+    layout->addWidget(m_list, 1);
+    layout->addLayout(side);
+
+    connect(m_onlyMarkers, &QCheckBox::toggled, this, &EventPanel::showKinds);
+    connect(add, &QPushButton::clicked, &scope, [&scope] { scope.setMarker(); });
+    connect(remove, &QPushButton::clicked, this, &EventPanel::removeChosen);
+    connect(copyIt, &QPushButton::clicked, this, &EventPanel::copyChosen);
+    connect(m_list, &QTreeView::doubleClicked, this, &EventPanel::jump);
+    // Like a log: what is new is seen as long as nobody scrolls away from the end.
+    m_scroll.setSingleShot(true);
+    m_scroll.setInterval(0);
+    connect(&m_scroll, &QTimer::timeout, this, &EventPanel::scrollToEnd);
+    connect(&scope.events(), &QAbstractItemModel::rowsInserted, this, &EventPanel::follow);
+    connect(&scope.events(), &QAbstractItemModel::modelReset, this, &EventPanel::follow);
+}
+
+/// All, or markers only. What filters looks at every row for each that comes, so it stands between for markers only.
+void EventPanel::showKinds(bool onlyMarkers)
+{
+    const QItemSelectionModel *before = m_list->selectionModel();
+    m_markers->setSourceModel(onlyMarkers ? &m_scope.events() : nullptr);
+    if (onlyMarkers)
+        m_list->setModel(m_markers);
+    else
+        m_list->setModel(&m_scope.events());
+    delete before; // which a view leaves behind
+}
+
+/// Once for all that come together: to know where the end is, a list looks at all of its rows.
+void EventPanel::follow()
+{
+    const QScrollBar *bar = m_list->verticalScrollBar();
+    if (bar->value() == bar->maximum())
+        m_scroll.start();
+}
+
+void EventPanel::scrollToEnd()
+{
+    m_behind = !m_list->isVisible(); // nobody sees where a hidden one stands
+    if (!m_behind)
+        m_list->scrollToBottom();
+}
+
+void EventPanel::showEvent(QShowEvent *event)
+{
+    Form::showEvent(event);
+    if (m_behind)
+        m_scroll.start();
+}
+
+void EventPanel::focusFirst()
+{
+    m_list->setFocus(Qt::ShortcutFocusReason);
+    if (!m_list->currentIndex().isValid() && m_list->model()->rowCount() > 0)
+        m_list->setCurrentIndex(
+            m_list->model()->index(m_list->model()->rowCount() - 1, EventLog::TextColumn));
+}
+
+void EventPanel::choose(quint32 id)
+{
+    for (int row = 0; row < m_list->model()->rowCount(); ++row) {
+        const QModelIndex index = m_list->model()->index(row, EventLog::TextColumn);
+        if (index.data(EventLog::IdRole).toUInt() == id)
+            m_list->setCurrentIndex(index);
+    }
+}
+
+void EventPanel::editNote(quint32 marker)
+{
+    choose(marker);
+    m_list->setFocus(Qt::OtherFocusReason);
+    m_list->edit(m_list->currentIndex());
+}
+
+void EventPanel::jump(const QModelIndex &index)
+{
+    if (index.isValid())
+        m_scope.centerOn(index.data(EventLog::SecondsRole).toDouble());
+}
+
+void EventPanel::removeChosen()
+{
+    QList<quint32> ids;
+    for (const QModelIndex &index : m_list->selectionModel()->selectedRows())
+        ids.append(index.data(EventLog::IdRole).toUInt());
+    for (const quint32 id : ids)
+        m_scope.events().removeMarker(id);
+}
+
+/// The chosen lines, or all, with tabs between columns.
+void EventPanel::copyChosen()
+{
+    QModelIndexList rows = m_list->selectionModel()->selectedRows();
+    std::sort(rows.begin(), rows.end());
+    if (rows.size() < 2) {
+        rows.clear();
+        for (int row = 0; row < m_list->model()->rowCount(); ++row)
+            rows.append(m_list->model()->index(row, 0));
+    }
+    QString text;
+    for (const QModelIndex &row : rows) {
+        QStringList cells;
+        for (int column = 0; column < EventLog::kColumns; ++column)
+            cells.append(row.siblingAtColumn(column).data().toString());
+        text += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
+    }
+    QApplication::clipboard()->setText(text);
+}
+
+bool EventPanel::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_list && event->type() == QEvent::ShortcutOverride
+        && static_cast<QKeyEvent *>(event)->key() == Qt::Key_F2) {
+        event->accept(); // the note, not a register's value
+        return true;
+    }
+    if (watched != m_list || event->type() != QEvent::KeyPress)
+        return Form::eventFilter(watched, event);
+    switch (static_cast<QKeyEvent *>(event)->key()) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        jump(m_list->currentIndex());
+        return true;
+    case Qt::Key_Delete:
+        removeChosen();
+        return true;
+    case Qt::Key_F2: // whatever column is the current one
+        m_list->setCurrentIndex(m_list->currentIndex().siblingAtColumn(EventLog::TextColumn));
+        return false;
+    default:
+        return false;
+    }
+}
+
+} // namespace widgets

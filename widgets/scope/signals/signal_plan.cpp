@@ -1,0 +1,250 @@
+#include "widgets/scope/signals/signal_plan.h"
+
+#include "widgets/base/messages.h"
+#include "widgets/base/value_text.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace widgets {
+namespace {
+
+using Kind = capture::ChannelInfo::Kind;
+
+Kind kindOf(Route route)
+{
+    return route == Route::Fast ? Kind::Fast : route == Route::Slow ? Kind::Slow : Kind::Polled;
+}
+
+} // namespace
+
+SignalPlan::SignalPlan(Device &device, capture::Capture &capture, QObject *parent)
+    : QObject(parent)
+    , m_device(device)
+    , m_capture(capture)
+{
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(0); // several drops in one turn of the loop make one stream
+    connect(&m_soon, &QTimer::timeout, this, &SignalPlan::replan);
+    connect(&device, &Device::openWished, this, &SignalPlan::opened);
+    connect(&device, &Device::wishEnded, this, [this](const drive::Ended &ended) {
+        if (ended.id == 0 || ended.id != m_streamWish)
+            return;
+        m_streamWish = 0;
+        if (ended.outcome != drive::Outcome::Ok && m_device.answering())
+            Q_EMIT failed(failureText(tr("Recording signals"), ended));
+        if (m_streamStale)
+            replanSoon();
+    });
+}
+
+const WantedSignal *SignalPlan::find(catalog::RegisterId id) const
+{
+    const auto found =
+        std::find_if(m_wanted.begin(), m_wanted.end(), [id](const auto &s) { return s.id == id; });
+    return found == m_wanted.end() ? nullptr : &*found;
+}
+
+std::optional<capture::ChannelId> SignalPlan::channelOf(catalog::RegisterId id) const
+{
+    for (const PlannedSignal &planned : m_plan.signalList) {
+        if (planned.id != id)
+            continue;
+        const auto channel = m_capture.find(id, kindOf(planned.route));
+        // A drive whose samples are wider than a fast column records them as slow ones, however fast they come.
+        return channel || planned.route != Route::Fast ? channel : m_capture.find(id, Kind::Slow);
+    }
+    return {};
+}
+
+void SignalPlan::addDefaults()
+{
+    const auto catalog = m_device.catalog();
+    if (!catalog)
+        return;
+    const bool simulated = m_device.endpoint().kind == session::Endpoint::Kind::Simulator;
+    // Which speed sensor a real board has is not known before it is asked; its measured speed always exists.
+    const std::pair<const char *, int> defaults[] = {{"I_A", 0}, {"I_B", 0}, {"I_Q_MEAS", 0},
+        {simulated ? "STOPLL_ROT_SPEED" : "SPEED_MEAS", 1}};
+    for (const auto &[name, plot] : defaults) {
+        const catalog::RegisterInfo *info = catalog->find(name);
+        if (info)
+            add(info->perMotor ? catalog->withMotor(*info, m_device.motor()) : info->id, plot);
+    }
+}
+
+void SignalPlan::add(quint32 id, int plot)
+{
+    const auto catalog = m_device.catalog();
+    const catalog::RegisterInfo *info = catalog ? catalog->find(id) : nullptr;
+    const bool number =
+        info && info->type != catalog::ValueType::Text && info->type != catalog::ValueType::Raw;
+    if (!number || m_fromFile || find(id))
+        return;
+    const Route route = info->streaming == catalog::Streaming::Polled ? Route::Polled : Route::Fast;
+    m_wanted.push_back({id, route, plot});
+    replanSoon();
+}
+
+void SignalPlan::setPlot(quint32 id, int plot)
+{
+    for (WantedSignal &signal : m_wanted)
+        if (signal.id == id)
+            signal.plot = plot;
+}
+
+void SignalPlan::remove(quint32 id)
+{
+    if (std::erase_if(m_wanted, [id](const WantedSignal &signal) { return signal.id == id; }) == 0)
+        return;
+    m_capture.endPolled(id);
+    replanSoon();
+}
+
+void SignalPlan::setRoute(quint32 id, Route route)
+{
+    for (WantedSignal &signal : m_wanted)
+        if (signal.id == id)
+            signal.route = route;
+    replanSoon();
+}
+
+void SignalPlan::setFastEvery(unsigned ticks)
+{
+    if (ticks == m_fastEvery)
+        return;
+    m_fastEvery = ticks;
+    replanSoon();
+}
+
+void SignalPlan::begin(const capture::StreamLayout &layout)
+{
+    m_capture.begin(layout);
+    Q_EMIT changed();
+}
+
+void SignalPlan::adopt(capture::Capture file)
+{
+    Q_EMIT forgetting();
+    m_capture.adopt(std::move(file));
+    m_fromFile = true;
+    Q_EMIT forgot();
+    Q_EMIT changed();
+    Q_EMIT renewed();
+}
+
+void SignalPlan::clear()
+{
+    Q_EMIT forgetting();
+    m_fromFile = m_replaying;
+    m_capture.clear();
+    Q_EMIT forgot();
+    Q_EMIT changed();
+    Q_EMIT renewed();
+}
+
+/// A board's samples do not follow a file's, nor a replay's a board's.
+void SignalPlan::opened(const session::Endpoint &endpoint)
+{
+    m_replaying = endpoint.kind == session::Endpoint::Kind::Trace;
+    if (!m_fromFile && !m_replaying)
+        return;
+    clear();
+    Q_EMIT begunAnew();
+}
+
+void SignalPlan::boardChanged()
+{
+    const auto catalog = m_device.catalog();
+    if (!catalog || m_replaying) // a recording streams what it streams
+        return;
+    std::erase_if(
+        m_wanted, [&](const WantedSignal &signal) { return catalog->find(signal.id) == nullptr; });
+    m_streamWish = 0;
+    m_newBoard = true;
+    for (const auto &[id, factor] : std::exchange(m_polledFactors, {}))
+        if (catalog->readScale(id).factor != factor)
+            m_capture.endPolledForGood(id); // the same unit by another scale
+    if (m_wanted.empty())
+        addDefaults();
+    replan();
+}
+
+void SignalPlan::replanSoon() { m_soon.start(); }
+
+void SignalPlan::replan()
+{
+    const auto catalog = m_device.catalog();
+    if (!catalog || m_replaying)
+        return;
+    const std::vector<catalog::RegisterId> polledBefore = m_plan.polled;
+    const ChannelPlan before = std::exchange(m_newBoard, false) ? ChannelPlan() : m_plan;
+    m_plan = planChannels(m_wanted, *catalog, m_device.streamLimits(), m_fastEvery);
+    for (const catalog::RegisterId id : polledBefore)
+        if (std::find(m_plan.polled.begin(), m_plan.polled.end(), id) == m_plan.polled.end())
+            m_capture.endPolled(id);
+    tellWhatDoesNotFit(before);
+    sendStream();
+    Q_EMIT changed();
+}
+
+/// Nothing that would lose samples starts without a word.
+void SignalPlan::tellWhatDoesNotFit(const ChannelPlan &before)
+{
+    const drive::StreamLimits limits = m_device.streamLimits();
+    const auto kilo = [](double bytes) { return numberText(bytes / 1000.0, 1); };
+    if (m_plan.rateLowered
+        && (!before.rateLowered || before.stream.fastEvery != m_plan.stream.fastEvery))
+        Q_EMIT noticed(tr("These signals would need %1 kB/s, the link carries %2 kB/s: they are "
+                          "recorded at %3 Hz.")
+                           .arg(kilo(m_plan.fullRateBytes), kilo(limits.linkBytesPerSecond),
+                               numberText(m_plan.fastHz, 0)));
+    const auto crowdedOut = [](const ChannelPlan &plan) {
+        return std::count_if(
+            plan.signalList.begin(), plan.signalList.end(), [](const PlannedSignal &signal) {
+                return signal.detour == Detour::TooManySignals || signal.detour == Detour::LinkFull;
+            });
+    };
+    if (crowdedOut(m_plan) > crowdedOut(before))
+        Q_EMIT noticed(tr("%n signal(s) do not fit into the recording and are read one by one.",
+            nullptr, static_cast<int>(crowdedOut(m_plan))));
+}
+
+void SignalPlan::sendStream()
+{
+    m_streamStale = m_streamWish != 0;
+    const bool empty = m_plan.stream.fast.empty() && m_plan.stream.slow.empty();
+    if (m_streamStale || !m_device.answering() || (empty && !m_streamed))
+        return;
+    m_streamed = !empty;
+    m_streamWish = m_device.submit(m_plan.stream);
+}
+
+void SignalPlan::take(const std::vector<drive::Reading> &readings)
+{
+    const auto catalog = m_device.catalog();
+    if (!catalog || (m_plan.polled.empty() && !m_replaying))
+        return;
+    const auto asked = [this](catalog::RegisterId id) {
+        return m_replaying
+            || std::find(m_plan.polled.begin(), m_plan.polled.end(), id) != m_plan.polled.end();
+    };
+    // A recording does not say for what a value was read.
+    using Asked = capture::Capture::Asked;
+    const Asked why = m_replaying ? Asked::Aside : Asked::AsSignal;
+    bool isNew = false;
+    for (const drive::Reading &reading : readings) {
+        if (reading.status != drive::ReadStatus::Ok || !asked(reading.id))
+            continue;
+        const catalog::Scale scale = catalog->readScale(reading.id);
+        const bool known = m_capture.find(reading.id, Kind::Polled).has_value();
+        m_polledFactors[reading.id] = scale.factor;
+        m_capture.appendPolled(reading.id, catalog->nameOf(reading.id), scale.unit,
+            toSeconds(reading.at.time_since_epoch()), rawNumber(reading.value) * scale.factor, why);
+        isNew = isNew || !known;
+    }
+    if (isNew)
+        Q_EMIT changed();
+}
+
+} // namespace widgets

@@ -1,0 +1,234 @@
+#include "widgets/scope/signals/signal_selection.h"
+
+#include "widgets/base/device_text.h"
+#include "widgets/scope/scope_view.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace widgets {
+namespace {
+
+using Kind = capture::ChannelInfo::Kind;
+
+constexpr qsizetype kMostFromFile = 32; ///< signals that are shown of a file
+constexpr int kMostPlotsFromFile = 4;
+
+} // namespace
+
+SignalSelection::SignalSelection(
+    Device &device, capture::Capture &capture, SignalPlan &plan, ScopeView &scope, QObject *parent)
+    : QObject(parent)
+    , m_device(device)
+    , m_capture(capture)
+    , m_plan(plan)
+    , m_scope(scope)
+{
+    connect(&plan, &SignalPlan::changed, this, &SignalSelection::follow);
+    connect(&plan, &SignalPlan::forgetting, this, &SignalSelection::takeOffScope);
+    connect(&plan, &SignalPlan::forgot, this, [this] { m_offered.clear(); });
+    connect(&plan, &SignalPlan::begunAnew, &scope, [&scope] { scope.setFollowing(true); });
+    connect(&scope, &ScopeView::colorsChanged, this, &SignalSelection::changed);
+    connect(&scope, &ScopeView::registerDropped, this,
+        [this](quint32 id, int plot) { add(id, plot < 0 ? m_scope.plotCount() : plot); });
+    connect(&scope, &ScopeView::removeRequested, this, [this](quint32 channel) {
+        if (m_plan.showsFile())
+            showOfFile(channel, false);
+        else if (const auto info = m_capture.info(channel))
+            remove(info->registerId);
+    });
+    connect(&scope, &ScopeView::channelMoved, this, &SignalSelection::rememberPlots);
+}
+
+QString SignalSelection::nameOf(catalog::RegisterId id) const
+{
+    const auto catalog = m_device.catalog();
+    return catalog ? deviceText(catalog->nameOf(id)) : QString();
+}
+
+QColor SignalSelection::colorOf(catalog::RegisterId id) const
+{
+    const auto channel = m_plan.channelOf(id);
+    return channel && m_scope.plotOf(*channel) >= 0 ? m_scope.colorOf(*channel) : QColor();
+}
+
+void SignalSelection::fillColors(QMenu &menu, catalog::RegisterId id)
+{
+    if (const auto catalog = m_device.catalog())
+        m_scope.fillColors(menu, QString::fromStdString(catalog->nameOf(id)));
+}
+
+int SignalSelection::plotFor(catalog::RegisterId id) const
+{
+    const auto catalog = m_device.catalog();
+    int last = 0;
+    for (const WantedSignal &signal : m_plan.wanted()) {
+        if (catalog && catalog->readScale(signal.id).unit == catalog->readScale(id).unit)
+            return signal.plot;
+        last = std::max(last, signal.plot + 1);
+    }
+    const auto shown = m_scope.channels(); // what is computed has its plots, too
+    for (const capture::ChannelId channel : shown) {
+        const auto info = m_capture.info(channel);
+        if (info && !info->isBoards())
+            last = std::max(last, m_scope.plotOf(channel) + 1);
+    }
+    return last;
+}
+
+void SignalSelection::add(quint32 id, int plot)
+{
+    const WantedSignal *wanted = m_plan.find(id);
+    if (m_plan.showsFile()) {
+        if (const auto channel = m_capture.find(id))
+            showOfFile(*channel, true);
+    } else if (!wanted) {
+        m_plan.add(id, plot >= 0 ? plot : plotFor(id));
+    } else if (plot >= 0 && wanted->plot != plot) { // dropped onto another plot: it moves there
+        if (const auto channel = m_plan.channelOf(id))
+            m_scope.moveChannel(*channel, plot);
+        else
+            m_plan.setPlot(id, plot);
+    }
+}
+
+void SignalSelection::remove(quint32 id)
+{
+    if (const auto channel = m_plan.channelOf(id))
+        m_scope.removeChannel(*channel);
+    m_plan.remove(id);
+}
+
+void SignalSelection::takeOffScope()
+{
+    const auto shown = m_scope.channels();
+    // The first one last: a trigger on it would go to the next, with a level of its own.
+    std::for_each(shown.rbegin(), shown.rend(),
+        [this](capture::ChannelId channel) { m_scope.removeChannel(channel); });
+}
+
+bool SignalSelection::isFullOfFile() const { return m_scope.channels().size() >= kMostFromFile; }
+
+int SignalSelection::showFile(capture::Capture file)
+{
+    m_unfilled = true;
+    m_plan.adopt(std::move(file));
+    m_scope.fitAll();
+    return m_left;
+}
+
+void SignalSelection::follow()
+{
+    if (std::exchange(m_unfilled, false))
+        fill();
+    else if (!m_plan.showsFile())
+        syncScope();
+    else if (m_plan.replaying())
+        showReplayed();
+    Q_EMIT changed();
+}
+
+/// What was only read now and then, for the tables of the window, would bury what somebody wanted to see.
+void SignalSelection::fill()
+{
+    const std::vector<capture::ChannelInfo> all = m_capture.channels();
+    const bool streamed = std::any_of(
+        all.begin(), all.end(), [](const auto &info) { return info.kind != Kind::Polled; });
+    m_left = 0;
+    for (const capture::ChannelInfo &info : all) {
+        if (streamed && info.kind == Kind::Polled)
+            continue;
+        if (isFullOfFile())
+            ++m_left;
+        else
+            showOfFile(info.id, true);
+    }
+}
+
+/// A plot for each unit, as long as there is room.
+void SignalSelection::showOfFile(capture::ChannelId id, bool shown)
+{
+    const auto info = m_capture.info(id);
+    if (!m_plan.showsFile() || !info || (m_scope.plotOf(id) >= 0) == shown)
+        return;
+    if (!shown) {
+        m_scope.removeChannel(id);
+        return;
+    }
+    if (isFullOfFile()) {
+        Q_EMIT noticed(
+            tr("The scope shows up to %1 signals of a file: take one off to see another.")
+                .arg(QString::number(kMostFromFile)));
+        return;
+    }
+    const QList<capture::ChannelId> there = m_scope.channels();
+    int plot = there.isEmpty() ? 0 : std::min(m_scope.plotCount(), kMostPlotsFromFile - 1);
+    for (const capture::ChannelId other : there)
+        if (m_capture.info(other)->unit == info->unit)
+            plot = m_scope.plotOf(other);
+    m_scope.addChannel(id, plot);
+}
+
+/// What a replay streams is shown once; whoever takes it away has taken it away.
+void SignalSelection::showReplayed()
+{
+    for (const capture::ChannelId id : m_capture.streaming())
+        if (m_offered.insert(id).second)
+            showOfFile(id, true);
+}
+
+void SignalSelection::syncScope()
+{
+    std::vector<capture::ChannelId> shown;
+    std::vector<const WantedSignal *> ordered; // so that the plots come in their order
+    for (const WantedSignal &signal : m_plan.wanted())
+        ordered.push_back(&signal);
+    std::stable_sort(ordered.begin(), ordered.end(),
+        [](const auto *one, const auto *other) { return one->plot < other->plot; });
+    for (const WantedSignal *signal : ordered) {
+        const auto channel = m_plan.channelOf(signal->id);
+        if (!channel)
+            continue;
+        shown.push_back(*channel);
+        if (m_scope.plotOf(*channel) < 0)
+            m_scope.addChannel(*channel, shownPlotOf(*signal));
+    }
+    const auto there = m_scope.channels();
+    for (const capture::ChannelId channel : there) {
+        const auto info = m_capture.info(channel);
+        const bool anothers = info && !info->isBoards(); // such as what is computed
+        if (!anothers && std::find(shown.begin(), shown.end(), channel) == shown.end())
+            m_scope.removeChannel(channel);
+    }
+    rememberPlots();
+}
+
+/// Beside a signal that is to be in the same plot; else in that plot if no other signal has it, or in a new one.
+int SignalSelection::shownPlotOf(const WantedSignal &signal) const
+{
+    bool taken = false;
+    for (const WantedSignal &other : m_plan.wanted()) {
+        const auto channel = m_plan.channelOf(other.id);
+        const int plot = channel ? m_scope.plotOf(*channel) : -1;
+        if (plot >= 0 && other.plot == signal.plot)
+            return plot;
+        taken = taken || plot == signal.plot;
+    }
+    return taken ? m_scope.plotCount() : signal.plot;
+}
+
+/// Plots vanish with their last trace: where the signals are is known once all of them are shown.
+void SignalSelection::rememberPlots()
+{
+    std::vector<int> plots;
+    for (const WantedSignal &signal : m_plan.wanted()) {
+        const auto channel = m_plan.channelOf(signal.id);
+        plots.push_back(channel ? m_scope.plotOf(*channel) : -1);
+    }
+    if (std::find(plots.begin(), plots.end(), -1) != plots.end())
+        return;
+    for (std::size_t i = 0; i < plots.size(); ++i)
+        m_plan.setPlot(m_plan.wanted()[i].id, plots[i]);
+}
+
+} // namespace widgets

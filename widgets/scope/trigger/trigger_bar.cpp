@@ -1,0 +1,385 @@
+#include "widgets/scope/trigger/trigger_bar.h"
+
+#include "widgets/base/flow_layout.h"
+#include "widgets/base/snug_combo_box.h"
+#include "widgets/base/value_edit.h"
+#include "widgets/base/wheel_guard.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/scope/trigger/trigger_control.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+
+namespace widgets {
+
+namespace {
+constexpr int kLevelWidth = 76;
+constexpr int kLeastLevelWidth = 56;
+constexpr int kDetailWidth = 120;
+constexpr int kMostLetters = 12; ///< of a trace's name in the bar; whole in the list
+constexpr double kLongestTime = 60.0; ///< seconds
+constexpr double kShortestRecord = 1e-5;
+constexpr QLatin1String kBeforeAge(" \xb7 ");
+
+/// The state's word with a sign of its own, so that its colour is never the only one.
+QString stateSign(scope::AcquisitionState state)
+{
+    switch (state) {
+    case scope::AcquisitionState::Stop:
+        return QStringLiteral("\u25a0 ");
+    case scope::AcquisitionState::Armed:
+        return QStringLiteral("\u25cb ");
+    case scope::AcquisitionState::Triggered:
+        return QStringLiteral("\u25cf ");
+    case scope::AcquisitionState::Auto:
+    case scope::AcquisitionState::Roll:
+        break;
+    }
+    return QStringLiteral("\u25b6 ");
+}
+} // namespace
+
+TriggerBar::TriggerBar(TriggerControl &control, ScopeView &scope, QWidget *parent)
+    : QWidget(parent)
+    , m_control(control)
+    , m_scope(scope)
+    , m_mode(new SnugComboBox(kMostLetters, this))
+    , m_type(new SnugComboBox(kMostLetters, this))
+    , m_source(new SnugComboBox(kMostLetters, this))
+    , m_way(new QComboBox(this))
+    , m_level(new ValueEdit(this))
+    , m_single(new QToolButton(this))
+    , m_force(new QToolButton(this))
+    , m_more(new QToolButton(this))
+    , m_state(new QLabel(this))
+{
+    setObjectName(QStringLiteral("triggerBar"));
+    makeBar();
+    connect(&control, &TriggerControl::changed, this, &TriggerBar::follow);
+    connect(&control, &TriggerControl::stateChanged, this, &TriggerBar::showState);
+    connect(&scope, &ScopeView::channelsChanged, this, &TriggerBar::fillSources);
+    follow();
+}
+
+void TriggerBar::makeBar()
+{
+    const auto choice = [this](QComboBox *box, const char *name, const QString &says) {
+        box->setObjectName(QLatin1String(name));
+        box->setAccessibleName(says);
+        box->setToolTip(says);
+        new WheelGuard(box);
+    };
+    choice(m_mode, "triggerMode",
+        tr("Roll: the newest samples. Auto: records, also without a trigger. "
+           "Normal: keeps the last record. Single: one record"));
+    choice(m_type, "triggerType", tr("What the trigger waits for"));
+    choice(m_source, "triggerSource", tr("The trace that is watched"));
+    choice(m_way, "triggerWay", {});
+    m_way->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_mode->setAccessibleName(tr("Mode of the trigger"));
+    using scope::Mode;
+    for (const Mode mode : {Mode::Roll, Mode::Auto, Mode::Normal, Mode::Single})
+        m_mode->addItem(modeText(mode), static_cast<int>(mode));
+    for (int type = 0; type < kTriggerTypes; ++type)
+        m_type->addItem(typeText(static_cast<TriggerType>(type)), type);
+    m_level->setObjectName(QStringLiteral("triggerLevel"));
+    m_level->setMinimumWidth(kLeastLevelWidth);
+    m_level->setMaximumWidth(kLevelWidth);
+    const auto button = [](QToolButton *tool, const char *name, const QString &text,
+                            const QString &says) {
+        tool->setObjectName(QLatin1String(name));
+        tool->setText(text);
+        tool->setAccessibleName(says);
+        tool->setToolTip(says);
+        tool->setFocusPolicy(Qt::TabFocus);
+    };
+    button(m_single, "triggerSingle", tr("Single"), tr("Takes one record, then stops (S)"));
+    button(m_force, "triggerForce", tr("Force"), tr("A trigger now (T)"));
+    button(m_more, "triggerMore", QStringLiteral("\u22ef"), tr("All settings of the trigger"));
+    m_state->setObjectName(QStringLiteral("triggerState"));
+    m_state->setTextFormat(Qt::PlainText);
+
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(8, 0, 8, 4);
+    layout->setSpacing(4);
+    auto *fields = new QWidget(this); // two lines where the words are long and the screen is small
+    auto *flow = new FlowLayout(4, fields);
+    for (QWidget *widget : std::initializer_list<QWidget *>{
+             m_mode, m_single, m_force, m_type, m_source, m_way, m_level, m_more})
+        flow->addWidget(widget);
+    layout->addWidget(fields, 1);
+    m_state->setMinimumHeight(m_mode->sizeHint().height()); // beside the first line
+    layout->addWidget(m_state, 0, Qt::AlignTop);
+
+    connect(m_mode, &QComboBox::activated, this, [this](int index) {
+        m_control.setMode(static_cast<Mode>(m_mode->itemData(index).toInt()));
+    });
+    connect(m_type, &QComboBox::activated, this, [this](int index) {
+        change([this, index](TriggerSetup &setup) {
+            setup.type = static_cast<TriggerType>(m_type->itemData(index).toInt());
+            setup.way = TriggerWay::First;
+            if (fieldsOf(setup.type).upper && setup.upper <= setup.level)
+                setup.upper = setup.level + std::max(std::abs(setup.level), 1.0);
+        });
+    });
+    connect(m_source, &QComboBox::activated, this,
+        [this](int index) { m_control.trigger().setSource(m_source->itemData(index).toUInt()); });
+    connect(m_way, &QComboBox::activated, this, [this](int index) {
+        change([index](TriggerSetup &setup) { setup.way = static_cast<TriggerWay>(index); });
+    });
+    connect(m_level, &ValueEdit::committed, this,
+        [this](double value) { change([value](TriggerSetup &setup) { setup.level = value; }); });
+    connect(m_single, &QToolButton::clicked, &m_control, &TriggerControl::single);
+    connect(m_force, &QToolButton::clicked, &m_control.trigger(), &Trigger::force);
+    connect(m_more, &QToolButton::clicked, this, &TriggerBar::openDetails);
+}
+
+QWidget *TriggerBar::makeDetails()
+{
+    auto *details = new QFrame(this, Qt::Popup);
+    details->setObjectName(QStringLiteral("triggerDetails"));
+    details->setFrameShape(QFrame::StyledPanel);
+    m_form = new QFormLayout(details);
+    const auto number = [this, details](const char *name, const QString &label, bool time,
+                            double least, double most, double TriggerSetup::*field) {
+        auto *edit = new ValueEdit(details);
+        edit->setObjectName(QLatin1String(name));
+        edit->setFixedWidth(kDetailWidth);
+        edit->setBounds(least, most);
+        if (time)
+            edit->setTime();
+        m_form->addRow(label, edit);
+        connect(edit, &ValueEdit::committed, this, [this, field](double value) {
+            change([field, value](TriggerSetup &setup) { setup.*field = value; });
+        });
+        return edit;
+    };
+    m_upper = number("triggerUpper", tr("&Upper level"), false, -1e12, 1e12, &TriggerSetup::upper);
+    m_hysteresis =
+        number("triggerHysteresis", tr("&Hysteresis"), false, 0.0, 1e12, &TriggerSetup::hysteresis);
+    m_inside = new QComboBox(details);
+    m_inside->setObjectName(QStringLiteral("triggerInside"));
+    m_inside->addItems({tr("between these times"), tr("all but between them")});
+    new WheelGuard(m_inside);
+    m_form->addRow(tr("&Duration"), m_inside);
+    m_least =
+        number("triggerLeast", tr("At &least"), true, 0.0, kLongestTime, &TriggerSetup::least);
+    m_most = number("triggerMost", tr("At &most"), true, 0.0, kLongestTime, &TriggerSetup::most);
+    m_time = number("triggerTime", tr("&Pause"), true, 0.0, kLongestTime, &TriggerSetup::time);
+    m_count = new QSpinBox(details);
+    m_count->setObjectName(QStringLiteral("triggerCount"));
+    m_count->setRange(1, 1'000'000);
+    m_count->setKeyboardTracking(false);
+    new WheelGuard(m_count);
+    m_form->addRow(tr("&Edges"), m_count);
+    m_preTrigger = new ValueEdit(details);
+    m_preTrigger->setObjectName(QStringLiteral("triggerPre"));
+    m_preTrigger->setFixedWidth(kDetailWidth);
+    m_preTrigger->setPlain(QStringLiteral("%"), 0.1);
+    m_preTrigger->setBounds(0.0, 100.0);
+    m_form->addRow(tr("Be&fore the trigger"), m_preTrigger);
+    m_holdOff =
+        number("triggerHoldOff", tr("Hold-&off"), true, 0.0, kLongestTime, &TriggerSetup::holdOff);
+    m_length = number("triggerLength", tr("Length of a &record"), true, kShortestRecord,
+        kLongestTime, &TriggerSetup::length);
+    m_middle = new QPushButton(tr("Level to the &50 % of the trace"), details);
+    m_middle->setObjectName(QStringLiteral("triggerMiddle"));
+    m_form->addRow(m_middle);
+    m_problem = new QLabel(details);
+    m_problem->setObjectName(QStringLiteral("triggerProblem"));
+    m_problem->setTextFormat(Qt::PlainText);
+    m_problem->setWordWrap(true);
+    m_form->addRow(m_problem);
+
+    connect(m_inside, &QComboBox::activated, this, [this](int index) {
+        change([index](TriggerSetup &setup) { setup.outside = index == 1; });
+    });
+    connect(m_count, &QSpinBox::valueChanged, this,
+        [this](int value) { change([value](TriggerSetup &setup) { setup.count = value; }); });
+    connect(m_preTrigger, &ValueEdit::committed, this, [this](double value) {
+        change([value](TriggerSetup &setup) { setup.preTrigger = value / 100.0; });
+    });
+    connect(m_middle, &QPushButton::clicked, &m_control.trigger(), &Trigger::levelToMiddle);
+    return details;
+}
+
+void TriggerBar::change(const std::function<void(TriggerSetup &)> &edit)
+{
+    TriggerSetup setup = m_control.trigger().setup();
+    edit(setup);
+    m_control.setSetup(setup);
+}
+
+void TriggerBar::openDetails()
+{
+    m_details->adjustSize();
+    const QPoint below = m_more->mapToGlobal(QPoint(0, m_more->height() + 2));
+    m_details->move(below);
+    m_details->show();
+    m_hysteresis->setFocus(Qt::PopupFocusReason);
+}
+
+void TriggerBar::fillSources()
+{
+    QString made;
+    for (const capture::ChannelId id : m_scope.channels())
+        made += QString::number(id) + QLatin1Char(' ');
+    const auto source = m_control.trigger().source();
+    if (made != m_sourcesShown) {
+        m_sourcesShown = made;
+        m_source->clear();
+        for (const capture::ChannelId id : m_scope.channels())
+            m_source->addItem(m_scope.nameOf(id), id);
+    }
+    m_source->setCurrentIndex(source ? m_source->findData(source->id) : -1);
+}
+
+void TriggerBar::fillWays()
+{
+    const QList<WayText> ways = wayTexts(m_control.trigger().setup().type);
+    const auto same = [this](const WayText &way, int index) {
+        return m_way->itemText(index) == way.sign
+            && m_way->itemData(index, Qt::ToolTipRole).toString() == way.word;
+    };
+    bool made = m_way->count() == ways.size();
+    for (int i = 0; made && i < ways.size(); ++i)
+        made = same(ways[i], i);
+    if (!made) {
+        m_way->clear();
+        for (int i = 0; i < ways.size(); ++i) {
+            m_way->addItem(ways[i].sign);
+            m_way->setItemData(i, ways[i].word, Qt::ToolTipRole);
+            m_way->setItemData(i, ways[i].word, Qt::AccessibleTextRole);
+        }
+    }
+    const int chosen = static_cast<int>(m_control.trigger().setup().way);
+    m_way->setCurrentIndex(chosen);
+    const QString word = chosen < ways.size() ? ways[chosen].word : QString();
+    m_way->setToolTip(word);
+    m_way->setAccessibleName(tr("Which way: %1").arg(word));
+}
+
+void TriggerBar::follow()
+{
+    const TriggerSetup &setup = m_control.trigger().setup();
+    const TriggerFields fields = fieldsOf(setup.type);
+    const bool on = setup.mode != scope::Mode::Roll;
+    m_mode->setCurrentIndex(m_mode->findData(static_cast<int>(setup.mode)));
+    m_type->setCurrentIndex(m_type->findData(static_cast<int>(setup.type)));
+    fillSources();
+    fillWays();
+    const auto source = m_control.trigger().source();
+    const QString unit = source ? QString::fromStdString(source->unit) : QString();
+    const double step = source && source->kind != capture::ChannelInfo::Kind::Polled
+        ? std::abs(source->factor)
+        : 0.001;
+    m_level->setPlain(unit, step);
+    m_level->setValue(setup.level);
+    m_level->setAccessibleName(levelName(setup.type));
+    m_level->setToolTip(
+        tr("%1; also the arrow at the right edge of the plot").arg(levelName(setup.type)));
+
+    const auto shown = [](QWidget *widget, bool visible) { widget->setVisible(visible); };
+    const bool awaits = m_control.trigger().awaitsSamples();
+    m_mode->setEnabled(awaits || on); // back to Roll
+    m_single->setEnabled(awaits);
+    m_force->setEnabled(awaits);
+    shown(m_type, on);
+    shown(m_force, on);
+    shown(m_more, on);
+    shown(m_source, on && fields.source);
+    shown(m_way, on && fields.ways);
+    shown(m_level, on && fields.source);
+    if (on && !m_details)
+        m_details = makeDetails(); // the button that opens them is shown from here on
+    if (m_details)
+        followDetails(unit, step);
+    showState();
+}
+
+void TriggerBar::followDetails(const QString &unit, double step)
+{
+    const TriggerSetup &setup = m_control.trigger().setup();
+    const TriggerFields fields = fieldsOf(setup.type);
+    for (ValueEdit *edit : {m_upper, m_hysteresis})
+        edit->setPlain(unit, step);
+    m_upper->setValue(setup.upper);
+    m_hysteresis->setValue(setup.hysteresis);
+    m_inside->setCurrentIndex(setup.outside ? 1 : 0);
+    m_least->setValue(setup.least);
+    m_most->setValue(setup.most);
+    m_time->setValue(setup.time);
+    const QSignalBlocker quiet(m_count);
+    m_count->setValue(setup.count);
+    m_preTrigger->setValue(setup.preTrigger * 100.0);
+    m_holdOff->setValue(setup.holdOff);
+    m_length->setValue(setup.length);
+
+    const auto row = [this](QWidget *field, bool visible) {
+        m_form->labelForField(field)->setVisible(visible);
+        field->setVisible(visible);
+    };
+    row(m_upper, fields.upper);
+    row(m_hysteresis, fields.hysteresis && fields.source);
+    row(m_inside, fields.durations);
+    row(m_least, fields.durations);
+    row(m_most, fields.durations);
+    row(m_time, fields.time);
+    row(m_count, fields.count);
+    m_middle->setVisible(fields.source);
+    m_problem->setText(
+        m_control.trigger().error() ? conditionErrorText(*m_control.trigger().error()) : QString());
+    m_problem->setVisible(m_control.trigger().error().has_value());
+    m_details->adjustSize();
+}
+
+/// In pixels: with a state that changes many times a second the fields beside it are not to move.
+int TriggerBar::widestState() const
+{
+    using State = scope::AcquisitionState;
+    int widest = 0;
+    for (const State state : {State::Stop, State::Armed, State::Triggered, State::Auto}) {
+        const QString text = stateSign(state) + stateText(state) + kBeforeAge + ageText(0.0);
+        widest = std::max(widest, m_state->fontMetrics().horizontalAdvance(text));
+    }
+    return widest;
+}
+
+void TriggerBar::showState()
+{
+    const scope::AcquisitionState state = m_control.trigger().state();
+    const bool roll = m_control.trigger().setup().mode == scope::Mode::Roll;
+    const bool awaits = m_control.trigger().awaitsSamples();
+    QString text = awaits ? stateSign(state) + stateText(state) : tr("File: replay it to trigger");
+    if (awaits && m_control.trigger().error() && !roll)
+        text = QStringLiteral("\u26a0 ") + conditionErrorText(*m_control.trigger().error());
+    if (const scope::Record *record = m_control.shown(); record && !roll) {
+        const double age = m_control.trigger().now() - capture::toSeconds(record->trigger);
+        text += kBeforeAge + ageText(age);
+    }
+    m_state->setMinimumWidth(roll || !awaits ? 0 : widestState());
+    m_state->setText(text);
+    m_state->setToolTip(awaits
+            ? tr("State of the trigger, and how old the shown record is")
+            : tr("The trigger waits for samples, and a file has none to come. A replay of it "
+                 "(Ctrl+Shift+R) has."));
+    m_state->setAccessibleName(text);
+}
+
+void TriggerBar::refreshAge()
+{
+    if (m_control.shown())
+        showState();
+}
+
+} // namespace widgets

@@ -1,0 +1,240 @@
+#include "widgets/scope/trigger/trigger_setup.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace widgets {
+
+namespace {
+struct Trigger {
+    Q_DECLARE_TR_FUNCTIONS(Trigger)
+};
+
+scope::Nanos nanos(double seconds) { return capture::toNanos(seconds); }
+
+scope::Slope slopeOf(TriggerWay way)
+{
+    return way == TriggerWay::First ? scope::Slope::Rising
+        : way == TriggerWay::Second ? scope::Slope::Falling
+                                    : scope::Slope::Either;
+}
+
+scope::DurationTest durationsOf(const TriggerSetup &setup)
+{
+    using Where = scope::DurationTest::Where;
+    return {nanos(setup.least), nanos(setup.most), setup.outside ? Where::Outside : Where::Inside};
+}
+} // namespace
+
+TriggerFields fieldsOf(TriggerType type)
+{
+    switch (type) {
+    case TriggerType::Edge:
+        return {};
+    case TriggerType::Level:
+        return {.hysteresis = false};
+    case TriggerType::Window:
+        return {.upper = true};
+    case TriggerType::Pulse:
+        return {.durations = true};
+    case TriggerType::Slew:
+        return {.upper = true, .durations = true};
+    case TriggerType::Dropout:
+        return {.time = true};
+    case TriggerType::NthEdge:
+        return {.time = true, .count = true};
+    case TriggerType::StateChange:
+    case TriggerType::Fault:
+    case TriggerType::RegisterWrite:
+        break;
+    }
+    return {.source = false, .ways = false, .hysteresis = false};
+}
+
+QString typeText(TriggerType type)
+{
+    switch (type) {
+    case TriggerType::Edge:
+        return Trigger::tr("Edge");
+    case TriggerType::Level:
+        return Trigger::tr("Level");
+    case TriggerType::Window:
+        return Trigger::tr("Window");
+    case TriggerType::Pulse:
+        return Trigger::tr("Pulse width");
+    case TriggerType::Slew:
+        return Trigger::tr("Slew");
+    case TriggerType::Dropout:
+        return Trigger::tr("Dropout");
+    case TriggerType::NthEdge:
+        return Trigger::tr("N-th edge");
+    case TriggerType::StateChange:
+        return Trigger::tr("State change");
+    case TriggerType::Fault:
+        return Trigger::tr("Fault");
+    case TriggerType::RegisterWrite:
+        return Trigger::tr("Register write");
+    }
+    return {};
+}
+
+QList<WayText> wayTexts(TriggerType type)
+{
+    const WayText rising{QStringLiteral("\u2197"), Trigger::tr("rising")};
+    const WayText falling{QStringLiteral("\u2198"), Trigger::tr("falling")};
+    const WayText either{QStringLiteral("\u2195"), Trigger::tr("either way")};
+    switch (type) {
+    case TriggerType::Edge:
+    case TriggerType::Dropout:
+    case TriggerType::NthEdge:
+    case TriggerType::Slew:
+        return {rising, falling, either};
+    case TriggerType::Level:
+        return {{QStringLiteral("\u2265"), Trigger::tr("at or above")},
+            {QStringLiteral("\u2264"), Trigger::tr("at or below")}};
+    case TriggerType::Window:
+        return {{QStringLiteral("\u21a6"), Trigger::tr("leaves the window")},
+            {QStringLiteral("\u21a4"), Trigger::tr("enters the window")}};
+    case TriggerType::Pulse:
+        return {{QStringLiteral("+"), Trigger::tr("positive pulse")},
+            {QStringLiteral("\u2212"), Trigger::tr("negative pulse")}};
+    case TriggerType::StateChange:
+    case TriggerType::Fault:
+    case TriggerType::RegisterWrite:
+        break;
+    }
+    return {};
+}
+
+QString levelName(TriggerType type)
+{
+    return fieldsOf(type).upper ? Trigger::tr("Lower level") : Trigger::tr("Level");
+}
+
+QString modeText(scope::Mode mode)
+{
+    switch (mode) {
+    case scope::Mode::Auto:
+        return Trigger::tr("Auto", "mode of the trigger");
+    case scope::Mode::Normal:
+        return Trigger::tr("Normal", "mode of the trigger");
+    case scope::Mode::Single:
+        return Trigger::tr("Single", "mode of the trigger");
+    case scope::Mode::Roll:
+        return Trigger::tr("Roll", "mode of the trigger");
+    }
+    return {};
+}
+
+QString stateText(scope::AcquisitionState state)
+{
+    switch (state) {
+    case scope::AcquisitionState::Stop:
+        return Trigger::tr("Stop", "state of the trigger");
+    case scope::AcquisitionState::Armed:
+        return Trigger::tr("Armed", "state of the trigger");
+    case scope::AcquisitionState::Triggered:
+        return Trigger::tr("Trig'd", "state of the trigger");
+    case scope::AcquisitionState::Auto:
+        return Trigger::tr("Auto", "state of the trigger");
+    case scope::AcquisitionState::Roll:
+        return Trigger::tr("Roll", "state of the trigger");
+    }
+    return {};
+}
+
+QString ageText(double seconds)
+{
+    const QLocale locale;
+    if (seconds < 0.95)
+        return Trigger::tr("%1 s ago").arg(locale.toString(std::max(seconds, 0.0), 'f', 1));
+    if (seconds < 120.0)
+        return Trigger::tr("%1 s ago")
+            .arg(locale.toString(std::floor(std::max(seconds, 1.0)), 'f', 0));
+    return Trigger::tr("%1 min ago").arg(locale.toString(std::floor(seconds / 60.0), 'f', 0));
+}
+
+QString conditionErrorText(scope::ConditionError error)
+{
+    switch (error) {
+    case scope::ConditionError::NotFinite:
+        return Trigger::tr("A level or a time is no number.");
+    case scope::ConditionError::NegativeHysteresis:
+        return Trigger::tr("The hysteresis is below zero.");
+    case scope::ConditionError::LevelsSwapped:
+        return Trigger::tr("The upper level has to be above the lower one.");
+    case scope::ConditionError::NoTime:
+        return Trigger::tr("These times leave nothing to wait for.");
+    case scope::ConditionError::NoCount:
+        return Trigger::tr("The count has to be at least 1.");
+    }
+    return {};
+}
+
+scope::TriggerCondition conditionOf(
+    const TriggerSetup &setup, const std::optional<capture::ChannelInfo> &source)
+{
+    using namespace scope;
+    const bool first = setup.way == TriggerWay::First;
+    const EdgeTrigger edge{slopeOf(setup.way), setup.level, setup.hysteresis};
+    TriggerCondition condition;
+    switch (setup.type) {
+    case TriggerType::Edge:
+        condition.what = edge;
+        break;
+    case TriggerType::Level:
+        condition.what = LevelTrigger{
+            first ? LevelTrigger::Side::AtOrAbove : LevelTrigger::Side::AtOrBelow, setup.level};
+        break;
+    case TriggerType::Window:
+        condition.what =
+            WindowTrigger{first ? WindowTrigger::When::Leaves : WindowTrigger::When::Enters,
+                setup.level, setup.upper, setup.hysteresis};
+        break;
+    case TriggerType::Pulse:
+        condition.what = PulseTrigger{
+            first ? PulseTrigger::Polarity::Positive : PulseTrigger::Polarity::Negative,
+            setup.level, setup.hysteresis, durationsOf(setup)};
+        break;
+    case TriggerType::Slew:
+        condition.what = SlewTrigger{
+            slopeOf(setup.way), setup.level, setup.upper, setup.hysteresis, durationsOf(setup)};
+        break;
+    case TriggerType::Dropout:
+        condition.what = DropoutTrigger{edge, nanos(setup.time)};
+        break;
+    case TriggerType::NthEdge:
+        condition.what = NthEdgeTrigger{
+            edge, static_cast<std::uint32_t>(std::max(setup.count, 0)), nanos(setup.time)};
+        break;
+    case TriggerType::StateChange:
+        condition.what = EventTrigger{EventTrigger::Kind::StateChange, {}};
+        break;
+    case TriggerType::Fault:
+        condition.what = EventTrigger{EventTrigger::Kind::Fault, {}};
+        break;
+    case TriggerType::RegisterWrite:
+        condition.what = EventTrigger{EventTrigger::Kind::RegisterWrite, {}};
+        break;
+    }
+    if (source)
+        condition.between = betweenSamples(*source);
+    return condition;
+}
+
+scope::AcquisitionSettings settingsOf(
+    const TriggerSetup &setup, const std::optional<capture::ChannelInfo> &source)
+{
+    scope::AcquisitionSettings settings;
+    settings.condition = conditionOf(setup, source);
+    settings.mode = setup.mode;
+    settings.length = nanos(setup.length);
+    settings.preTrigger = setup.preTrigger;
+    settings.holdOff = nanos(setup.holdOff);
+    return settings;
+}
+
+} // namespace widgets
