@@ -118,7 +118,7 @@ void Client::leaveUrgent(TimePoint now)
         if (now >= *m_unanswered + kAnswerTime + m_config.patience)
             recover(now); // urgent requests that come one after the other hide no silence
     }
-    if (m_state == State::Settling && !std::exchange(m_owed, true))
+    if (m_state == State::Settling && std::exchange(m_owed, kShortestAnswer) == 0)
         m_deadline = now + kAnswerTime + m_config.patience;
 }
 
@@ -140,8 +140,9 @@ void Client::receive(ByteView bytes, TimePoint now)
     const bool quiet =
         (m_state == State::Connecting || m_state == State::Recovering) && m_step == Step::Silence;
     if (quiet || m_state == State::Settling) {
-        m_deadline = now + kSettle;
-        m_owed = false;
+        m_owed -= std::min(m_owed, bytes.size());
+        if (m_owed == 0)
+            m_deadline = now + kSettle;
         ++m_stats.bad;
         if (now >= m_noisyUntil)
             restless(now);
@@ -149,6 +150,9 @@ void Client::receive(ByteView bytes, TimePoint now)
     }
     while (!bytes.empty())
         take(m_framer.next(bytes, m_frame), now);
+    // Behind all that has come: none of it answers what leaves now.
+    if (m_urgent && (m_state == State::Ready || m_state == State::Settling))
+        leaveUrgent(now);
 }
 
 void Client::take(Framer::Step step, TimePoint now)
@@ -205,8 +209,6 @@ void Client::takeReply(const Reply &reply, TimePoint now)
     } else {
         m_events.emplace_back(Answer{reply, m_asked, true});
     }
-    if (m_urgent)
-        leaveUrgent(now);
 }
 
 void Client::endRequest(NoAnswer end)
@@ -238,7 +240,7 @@ void Client::silence(TimePoint now)
 
 void Client::rest(Duration howLong, TimePoint now)
 {
-    m_owed = false;
+    m_owed = 0;
     m_deadline = now + howLong;
     m_noisyUntil = now + kNoisyAtMost;
 }
@@ -363,7 +365,7 @@ void Client::handleTimeout(TimePoint now)
     case State::Waiting:
         return answerTimeOver(now);
     case State::Settling:
-        if (m_owed)
+        if (m_owed > 0)
             return answerTimeOver(now);
         m_state = State::Ready;
         return;

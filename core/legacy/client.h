@@ -4,7 +4,7 @@
 // Replies carry neither a number nor the motor, so an answer that comes late could be taken for another's. Therefore
 // nothing is asked while an answer may still be on its way: what has a wrong check, a wrong length or a wrong kind is
 // followed by silence (kSettle), a lost answer by the recovery below. Only what is urgent goes out regardless: then
-// something has to come back before that silence counts, and no answer is believed until it is over.
+// as much as an answer has to come back before that silence counts, and no answer is believed until it is over.
 //
 // Recovery, because firmware 5.4.3 holds a broken frame for ever: silence; then single bytes 0xFF, which fill a hanging
 // frame up until the board refuses it, or are passed over where none hangs; then GET_BOARD_INFO. Twice, then the link
@@ -30,6 +30,7 @@ public:
     static constexpr Duration kAnswerTime = std::chrono::seconds(1);
     static constexpr Duration kSettle = std::chrono::milliseconds(50);
     static constexpr Duration kFillPause = std::chrono::milliseconds(5); ///< after each 0xFF
+    static constexpr std::size_t kShortestAnswer = 3; ///< bytes
     static constexpr int kFillBytes = 131; ///< one more than the longest frame has
     /// A line that does not come to rest within this is given up: whatever babbles there answers nobody.
     static constexpr Duration kNoisyAtMost = kAnswerTime;
@@ -138,7 +139,8 @@ private:
     Frame m_frame;
     std::optional<Request> m_request; ///< waiting for its answer
     bool m_urgentOpen = false; ///< that request is the urgent one
-    bool m_owed = false; ///< settling: something urgent left, and nothing has come back since
+    /// Settling: something urgent left, and fewer bytes than an answer has have come back since. How many are missing.
+    std::size_t m_owed = 0;
     std::optional<Request> m_urgent; ///< waiting to leave
     TimePoint m_urgentBy;
     TimePoint m_asked; ///< when the request was handed out, or had left

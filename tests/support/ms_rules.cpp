@@ -10,6 +10,8 @@ namespace judge {
 namespace {
 
 constexpr std::size_t kMostViolations = 20; ///< the first is what counts
+constexpr std::uint64_t kKeptMoments =
+    1000; ///< for which what waits to leave remembers that it was asked for
 
 std::string hexOf(ByteView bytes)
 {
@@ -247,7 +249,8 @@ void MsRules::forgetActs()
             one.voided = m_moment;
             one.voidedAt = m_now;
         }
-    std::erase_if(m_acts, [this](const Pending &one) { return *one.voided + 100 < m_moment; });
+    std::erase_if(
+        m_acts, [this](const Pending &one) { return *one.voided + kKeptMoments < m_moment; });
 }
 
 void MsRules::asked(std::uint64_t wish, TimePoint at)
@@ -272,8 +275,8 @@ void MsRules::saidEnded(std::uint64_t wish, TimePoint at)
             one.voided = m_moment;
             one.voidedAt = m_now;
         }
-    std::erase_if(
-        m_acts, [this](const Pending &one) { return one.voided && *one.voided + 100 < m_moment; });
+    std::erase_if(m_acts,
+        [this](const Pending &one) { return one.voided && *one.voided + kKeptMoments < m_moment; });
 }
 
 void MsRules::settle(TimePoint now)

@@ -219,7 +219,6 @@ private:
     {
         return m_packetBegan < m_disarmed;
     } ///< when arming or a Stop ended it
-    Act *actFor(const Sent &sent);
     bool restedLately(int motor, double rpm, TimePoint at) const;
     void violate(const char *rule, const std::string &what);
 
@@ -249,6 +248,9 @@ private:
             std::nullopt; ///< since when it asks for nothing any more
         TimePoint voidedAt{};
     };
+    std::vector<Pending>::iterator pendingFor(const Sent &sent);
+    Act *actFor(const Sent &sent);
+
     std::vector<Pending> m_acts;
     std::map<int, TimePoint> m_stopSent; ///< by motor
     std::optional<TimePoint> m_leave, m_confirmed, m_held;

@@ -52,13 +52,18 @@ void MsRules::onlyMotorsThatAreThere(const Sent &sent)
 /// Arming is an act of a person, in this connection, with no Stop since.
 void MsRules::nothingActsUnarmed(const Sent &sent)
 {
-    if (acts(sent.kind) && !m_armed && !wasUnderWay())
+    // The window's word may still be on its way to the thread that serves the line: what was asked for before leaves.
+    const auto asked = pendingFor(sent);
+    const bool onItsWay = m_now < m_disarmedAt + m_line.grace && asked != m_acts.end()
+        && asked->act.at < m_disarmedAt;
+    if (acts(sent.kind) && !m_armed && !wasUnderWay() && !onItsWay)
         violate("armed",
             std::string(nameOf(sent.kind)) + " left, and nobody has armed since "
                 + (m_stop ? "the Stop" : "the connection or the last Stop"));
 }
 
-Act *MsRules::actFor(const Sent &sent)
+/// What was asked for and has not been used up, and what leaves could be of.
+std::vector<MsRules::Pending>::iterator MsRules::pendingFor(const Sent &sent)
 {
     const auto fits = [&](const Pending &one) {
         const Act &act = one.act;
@@ -108,7 +113,12 @@ Act *MsRules::actFor(const Sent &sent)
             return false;
         }
     };
-    const auto at = std::find_if(m_acts.begin(), m_acts.end(), fits);
+    return std::find_if(m_acts.begin(), m_acts.end(), fits);
+}
+
+Act *MsRules::actFor(const Sent &sent)
+{
+    const auto at = pendingFor(sent);
     if (at == m_acts.end())
         return nullptr;
     at->used.insert(sent.kind);

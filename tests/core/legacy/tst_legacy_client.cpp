@@ -105,6 +105,8 @@ private Q_SLOTS:
     void aRefusalWithoutACodeIsARefusal();
     void aStopGoesAheadOfAnOpenRequest();
     void theAnswerToAStopEndsTheWait();
+    void theEndOfAnotherAnswerIsNotThatToAStop();
+    void whatCameBeforeAStopLeftIsNotItsAnswer();
     void aStopGoesOutWithoutABoard();
     void aRestartIsTold();
 };
@@ -360,6 +362,44 @@ void TestLegacyClient::theAnswerToAStopEndsTheWait()
     QCOMPARE(pair.sent, (Bytes{0x23, 0x01, 0x02, 0x26}));
     QVERIFY(pair.client.canSend());
     QCOMPARE(pair.client.stats().recoveries, std::uint64_t{0});
+}
+
+void TestLegacyClient::theEndOfAnotherAnswerIsNotThatToAStop()
+{
+    Pair pair;
+    QVERIFY(pair.connect());
+    pair.board.mute(10s);
+    pair.ask(kSpeed, 10ms);
+    pair.client.sendUrgent({1, legacy::Execute{0x02}}, pair.now);
+    const TimePoint asked = pair.now;
+    pair.sent.clear();
+    while (pair.sent.empty() && pair.now < asked + 1s)
+        pair.runFor(1ms);
+    const TimePoint left = pair.now;
+    pair.client.receive(Bytes{0xF4}, pair.now); // the last byte of an answer that was torn
+    while (pair.now < left + Client::kAnswerTime - 10ms) {
+        pair.runFor(1ms);
+        QVERIFY(!pair.client.canSend());
+    }
+}
+
+void TestLegacyClient::whatCameBeforeAStopLeftIsNotItsAnswer()
+{
+    Pair pair;
+    QVERIFY(pair.connect());
+    pair.board.mute(10s);
+    pair.ask(kSpeed, 10ms);
+    pair.client.sendUrgent({1, legacy::Execute{0x02}}, pair.now);
+    pair.sent.clear();
+    // The answer that it waits for, and more, at once.
+    pair.client.receive(Bytes{0xF0, 0x04, 0, 0, 0, 0x50, 0x45, 0x4F, 0x5F, 0x4F}, pair.now);
+    const TimePoint left = pair.now;
+    pair.pump();
+    QCOMPARE(pair.sent, (Bytes{0x23, 0x01, 0x02, 0x26}));
+    while (pair.now < left + Client::kAnswerTime - 10ms) {
+        pair.runFor(1ms);
+        QVERIFY(!pair.client.canSend());
+    }
 }
 
 void TestLegacyClient::aStopGoesOutWithoutABoard()
