@@ -181,15 +181,23 @@ void EventRecorder::status(int motor)
 {
     const drive::MotorStatus now = m_device.status(motor);
     const auto known = m_status.find(motor);
-    const drive::MotorStatus before =
-        known == m_status.end() ? drive::MotorStatus() : known->second;
+    const bool met = known != m_status.end();
+    const drive::MotorStatus before = met ? known->second : drive::MotorStatus();
     m_status[motor] = now;
     m_clock.stamped(now.at, m_now());
     const double seconds = toSeconds(now.at.time_since_epoch());
-    for (const std::string &fault : now.faultsNow) {
-        const auto &old = before.faultsNow;
-        if (std::find(old.begin(), old.end(), fault) != old.end())
-            continue;
+    // One that was over before the board was asked again is among the past ones only. Those of before the connection are
+    // no event of it.
+    const auto has = [](const std::vector<std::string> &faults, const std::string &fault) {
+        return std::find(faults.begin(), faults.end(), fault) != faults.end();
+    };
+    std::vector<std::string> fresh = now.faultsNow;
+    std::erase_if(fresh, [&](const std::string &fault) { return has(before.faultsNow, fault); });
+    for (const std::string &fault : now.faultsPast)
+        if (met && !has(before.faultsPast, fault)
+            && !has(before.faultsNow, fault) && !has(now.faultsNow, fault))
+            fresh.push_back(fault);
+    for (const std::string &fault : fresh) {
         note(EventKind::Fault, seconds, named(motor, deviceText(fault)));
         Q_EMIT stateChanged(seconds, EventKind::Fault, 0);
     }
@@ -214,7 +222,10 @@ void EventRecorder::link()
         || before == LinkState::Recovering;
     switch (link.state) {
     case LinkState::Connected:
-        m_status.clear(); // what it tells next is told anew
+        // What it tells next is told anew, but not behind a moment of silence.
+        if (link.reason == drive::LinkReason::BoardReset
+            || (before != LinkState::Suspect && before != LinkState::Recovering))
+            m_status.clear();
         note(EventKind::Recovery, now(),
             link.reason == drive::LinkReason::BoardReset ? linkReasonText(link.reason) : word);
         break;
@@ -224,7 +235,10 @@ void EventRecorder::link()
         note(EventKind::Loss, now(), word);
         break;
     case LinkState::Closed:
-        if (wasThere)
+        if (const session::PortError &error = m_device.portError();
+            wasThere && error.problem != session::PortProblem::None)
+            note(EventKind::Loss, now(), portProblemText(error, m_device.endpoint().path));
+        else if (wasThere)
             note(EventKind::Command, now(), tr("Disconnected"));
         m_asked.clear();
         break;

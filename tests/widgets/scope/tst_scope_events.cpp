@@ -40,6 +40,7 @@ private Q_SLOTS:
     void aCommandIsNotedAndHowItEnded();
     void aWriteTellsOldAndNewValue();
     void statesAndFaultsHaveTheirOwnTime();
+    void aFaultThatIsOverWhenTheBoardIsAskedIsNoted();
     void lostSamplesAreNotedWhereTheyAreMissing();
     void soAreThoseOfABoardWithSlowSignalsOnly();
     void aLinkThatGoesAndComesBackIsNoted();
@@ -144,6 +145,45 @@ void TestScopeEvents::statesAndFaultsHaveTheirOwnTime()
             QStringLiteral("2.5 FAULT_NOW")}));
 }
 
+void TestScopeEvents::aFaultThatIsOverWhenTheBoardIsAskedIsNoted()
+{
+    const auto faultsIn = [this](double from, double to) {
+        QStringList seen;
+        const auto range = log().in(from, to);
+        for (std::size_t i = range.first; i < range.last; ++i)
+            if (log().events()[i].kind == EventKind::Fault)
+                seen.append(log().events()[i].text);
+        return seen;
+    };
+    QSignalSpy told(&m_rig->workbench.eventRecorder(), &widgets::EventRecorder::stateChanged);
+    facts::feed(m_rig->device(),
+        {drive::LinkChanged{drive::LinkState::Connected, drive::LinkReason::BoardReset}});
+    drive::MotorStatus status = facts::status(drive::MotorState::Running);
+    status.faultsPast = {"UNDER_VOLT"}; // from before the connection
+    status.at = TimePoint(1500ms);
+    facts::feed(m_rig->device(), {status});
+    QCOMPARE(faultsIn(1.4, 1.6), QStringList());
+    status.state = drive::MotorState::FaultOver;
+    status.faultsPast = {"UNDER_VOLT", "SPEED_FDBK"};
+    status.at = TimePoint(2500ms);
+    told.clear();
+    facts::feed(m_rig->device(), {status});
+    QCOMPARE(faultsIn(2.4, 2.6), QStringList{QStringLiteral("SPEED_FDBK")});
+    QVERIFY(told.size() >= 1); // the trigger's
+    QVERIFY(told[0][1].value<EventKind>() == EventKind::Fault);
+    status.at = TimePoint(2700ms);
+    facts::feed(m_rig->device(), {status}); // the same again is no event
+    QCOMPARE(faultsIn(2.6, 2.8), QStringList());
+    status.faultsNow = {"OVER_VOLT"};
+    status.at = TimePoint(3000ms);
+    facts::feed(m_rig->device(), {status});
+    status.faultsNow = {}; // was told when it began
+    status.faultsPast.push_back("OVER_VOLT");
+    status.at = TimePoint(3100ms);
+    facts::feed(m_rig->device(), {status});
+    QCOMPARE(faultsIn(2.9, 3.2), QStringList{QStringLiteral("OVER_VOLT")});
+}
+
 void TestScopeEvents::lostSamplesAreNotedWhereTheyAreMissing()
 {
     m_rig->lose(250);
@@ -185,8 +225,12 @@ void TestScopeEvents::aLinkThatGoesAndComesBackIsNoted()
 {
     using drive::LinkReason;
     using drive::LinkState;
+    const drive::MotorStatus idle = facts::status(drive::MotorState::Idle);
+    facts::feed(m_rig->device(), {idle});
+    m_before = lastId();
     facts::feed(m_rig->device(), {drive::LinkChanged{LinkState::Suspect, LinkReason::None}});
     facts::feed(m_rig->device(), {drive::LinkChanged{LinkState::Connected, LinkReason::None}});
+    facts::feed(m_rig->device(), {idle}); // did not change
     QCOMPARE(noted(),
         (QStringList{
             QStringLiteral("Loss board silent"), QStringLiteral("Recovery board answering")}));
@@ -194,6 +238,11 @@ void TestScopeEvents::aLinkThatGoesAndComesBackIsNoted()
         m_rig->device(), {drive::LinkChanged{LinkState::Connected, LinkReason::BoardReset}});
     QVERIFY(noted().last().startsWith(QStringLiteral("Recovery ")));
     QCOMPARE(noted().size(), 3);
+    facts::feed(m_rig->device(), {idle}); // of a board that began anew
+    QCOMPARE(noted().size(), 4);
+    m_rig->device().portChanged(
+        session::PortState::Closed, {session::PortProblem::Unplugged, QStringLiteral("gone")});
+    QVERIFY2(noted().last().startsWith(QStringLiteral("Loss ")), qPrintable(noted().last()));
 }
 
 void TestScopeEvents::aStopIsNoted()
