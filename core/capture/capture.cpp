@@ -371,12 +371,15 @@ std::optional<ChannelId> Capture::find(catalog::RegisterId id) const
 
 std::optional<ChannelId> Capture::find(catalog::RegisterId id, Kind kind) const
 {
-    for (auto entry = m_entries.rbegin(); entry != m_entries.rend(); ++entry) {
-        const ChannelInfo &info = entry->channel->info();
-        if (info.registerId == id && info.kind == kind)
-            return info.id;
+    const Entry *best = nullptr;
+    for (const Entry &entry : m_entries) {
+        const ChannelInfo &info = entry.channel->info();
+        // Values that are read aside touch no channel: they go into the last one that was made.
+        if (info.registerId == id && info.kind == kind
+            && (!best || kind == Kind::Polled || entry.touched >= best->touched))
+            best = &entry;
     }
-    return std::nullopt;
+    return best ? std::optional(best->channel->info().id) : std::nullopt;
 }
 
 std::vector<ChannelId> Capture::streaming() const

@@ -336,6 +336,14 @@ void TestCapture::anotherScaleMakesAnotherChannel()
     QCOMPARE(capture.channels().size(), std::size_t(2));
     QCOMPARE(capture.valueAt(capture.channels()[0].id, 0.0), std::optional(50.0));
     QCOMPARE(capture.lastValue(*capture.find(7)), std::optional(25.0));
+    // The first board again: its channel goes on, and it is the one that is found.
+    capture.begin(layout(3, {7}));
+    capture.append(block(3, 20, {300}));
+    QCOMPARE(capture.channels().size(), std::size_t(2));
+    const auto found = capture.find(7, capture.channels()[0].kind);
+    QVERIFY(found);
+    QCOMPARE(*found, capture.channels()[0].id);
+    QCOMPARE(capture.lastValue(*found), std::optional(150.0));
 }
 
 void TestCapture::aRealSignalHasNoDigit()
