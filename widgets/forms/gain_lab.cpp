@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace widgets {
 namespace {
@@ -377,6 +378,7 @@ void GainLab::recompute()
     motor::PerGain<std::optional<int>> divisors;
     for (std::size_t i = 0; i < divisors.size(); ++i)
         divisors[i] = m_held[i].exponent;
+    const std::vector<motor::PlannedGain> before = std::move(m_plan.gains);
     m_plan =
         bandwidth > 0.0 ? motor::planGains(plant(), {bandwidth, damping}, divisors) : GainPlan();
     m_table->showPlan(m_plan, m_held);
@@ -388,6 +390,12 @@ void GainLab::recompute()
             ? tr("Makes edits of the new numbers, numerator and divisor together. Nothing is "
                  "written before Apply.")
             : plainToolTip(why));
+    const bool same = std::equal(before.begin(), before.end(), m_plan.gains.begin(),
+        m_plan.gains.end(), [](const motor::PlannedGain &a, const motor::PlannedGain &b) {
+            return a.id == b.id && a.quantised.gain == b.quantised.gain;
+        });
+    if (!same)
+        Q_EMIT planChanged();
 }
 
 void GainLab::showFindings()

@@ -34,12 +34,14 @@ public:
     void refreshPresent();
 
     const motor::GainPlan &plan() const { return m_plan; }
+    bool previewPossible() const { return obstacle().isEmpty(); }
     std::vector<catalog::RegisterId> registers() const;
     void focusFirst();
     void tell(const QString &sentence); ///< what came of a preview; goes with the next change
 
 Q_SIGNALS:
     void previewWished();
+    void planChanged(); ///< other gains than before
     void inertiaTyped(double inertia_kgm2);
 
 private:

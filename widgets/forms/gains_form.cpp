@@ -13,6 +13,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace widgets {
 
@@ -48,6 +50,7 @@ GainsForm::GainsForm(Device &device, RegisterModel &model, RegisterEdits &edits,
     connect(m_table, &GainTable::entryRefused, this,
         [this](const QString &sentence) { m_editBar->tell(sentence, false); });
     connect(m_lab, &GainLab::previewWished, this, &GainsForm::preview);
+    connect(m_lab, &GainLab::planChanged, this, &GainsForm::followPlan);
     connect(m_lab, &GainLab::inertiaTyped, this, [this](double inertia_kgm2) {
         if (m_motorName.isEmpty())
             return;
@@ -55,7 +58,7 @@ GainsForm::GainsForm(Device &device, RegisterModel &model, RegisterEdits &edits,
         Q_EMIT inertiaRemembered(m_motorName, inertia_kgm2);
     });
     connect(&model, &QAbstractItemModel::modelReset, this, &GainsForm::boardChanged);
-    connect(&edits, &RegisterEdits::changed, m_lab, &GainLab::refreshPresent);
+    connect(&edits, &RegisterEdits::changed, this, &GainsForm::editsChanged);
     boardChanged();
 }
 
@@ -149,13 +152,49 @@ QStringList GainsForm::othersPending() const
     return names;
 }
 
+/// Whether the last preview still stands among the edits, as it was made.
+bool GainsForm::previewWaits() const
+{
+    const auto pending = m_model.pending();
+    return !m_previewed.empty()
+        && std::all_of(m_previewed.begin(), m_previewed.end(), [&](const auto &made) {
+               return std::any_of(pending.begin(), pending.end(), [&](const auto &write) {
+                   return write.id == made.id && write.value == made.value;
+               });
+           });
+}
+
+/// The form shows other gains now: what waits to be written is never of an older one.
+void GainsForm::followPlan()
+{
+    if (m_edits.underWay() || !previewWaits())
+        return;
+    if (m_lab->previewPossible())
+        return preview();
+    for (const drive::RegisterWrite &made : std::exchange(m_previewed, {}))
+        if (const auto held = m_model.known(made.id))
+            m_model.setPending(made.id, *held);
+    m_lab->tell(tr("The form has changed: the edits of its preview were taken back."));
+}
+
+void GainsForm::editsChanged()
+{
+    if (!m_previewed.empty() && !m_edits.underWay() && !previewWaits()) {
+        m_previewed.clear(); // written, taken back, or edited by hand
+        m_lab->tell({});
+    }
+    m_lab->refreshPresent();
+}
+
 void GainsForm::preview()
 {
+    m_previewed.clear();
     if (m_edits.underWay())
         return m_lab->tell(tr("A write is under way: preview again when it has ended."));
     const QStringList others = othersPending();
     const motor::GainPlan plan = m_lab->plan(); // each edit lets the lab look again
     int changes = 0;
+    std::set<catalog::RegisterId> planned;
     for (const motor::PlannedGain &gain : plan.gains) {
         const std::string name = gainRegister(gain.id);
         const auto numerator = m_model.idOf(name), divisor = m_model.idOf(name + "_DIV");
@@ -172,9 +211,13 @@ void GainsForm::preview()
                     m_model.setPending(id, *held);
             return m_lab->tell(tr("%1 cannot be edited now.").arg(QString::fromStdString(name)));
         }
+        planned.insert({*numerator, *divisor});
         changes += m_model.known(*numerator) != digits;
         changes += m_model.known(*divisor) != exponent;
     }
+    for (const drive::RegisterWrite &write : m_model.pending())
+        if (planned.count(write.id) > 0)
+            m_previewed.push_back(write);
     QString told = changes > 0
         ? tr("%n edit(s) wait: Apply writes them as one step.", nullptr, changes)
         : tr("The board has these gains already.");

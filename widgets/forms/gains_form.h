@@ -41,6 +41,9 @@ private:
     void boardChanged();
     void showBoard(const drive::MotorFacts &facts);
     void preview();
+    bool previewWaits() const;
+    void followPlan();
+    void editsChanged();
     /// Registers that are edited and that the plan has nothing to do with, by name.
     QStringList othersPending() const;
 
@@ -50,6 +53,7 @@ private:
     Inertias m_inertias;
     QString m_motorName; ///< made fit to be shown
     std::vector<catalog::RegisterId> m_factRegisters; ///< not read yet
+    std::vector<drive::RegisterWrite> m_previewed; ///< edits that the last preview made
     QTabWidget *m_pages;
     QLabel *m_board;
     GainTable *m_table;

@@ -92,6 +92,41 @@ private Q_SLOTS:
         bench.typeInto("labBandwidth", QStringLiteral("5000"));
     }
 
+    void whatWaitsToBeWrittenFollowsTheForm()
+    {
+        GainBench bench;
+        typeMotor(bench, "0.35", "0.6", "0.6");
+        bench.typeInto("labBandwidth", QStringLiteral("1000"));
+        bench.button("labPreview")->click();
+        const auto first = wantedOf(bench, "I_Q_KP");
+        bench.typeInto("labBandwidth", QStringLiteral("2500"));
+        auto *table = bench.form.findChild<QTableWidget *>(QStringLiteral("labGains"));
+        const auto second = wantedOf(bench, "I_Q_KP");
+        QVERIFY(second != first);
+        QVERIFY(table->item(0, 2)->text().startsWith(QString::number(second)));
+        auto *told = bench.form.findChild<QLabel *>(QStringLiteral("labTold"));
+        QVERIFY(told);
+        QVERIFY(told->text().contains(QStringLiteral("wait")));
+        QVERIFY(bench.apply());
+        QCOMPARE(std::get<std::int64_t>(*bench.model.known(bench.id("I_Q_KP"))), second);
+        QCOMPARE(told->text(), QString()); // nothing waits any more
+
+        // A form that has no answer takes its edits back.
+        bench.typeInto("labBandwidth", QStringLiteral("3000"));
+        bench.button("labPreview")->click();
+        QVERIFY(bench.edits.pendingCount() > 0);
+        bench.typeInto("labBandwidth", QString());
+        QCOMPARE(bench.edits.pendingCount(), 0);
+        QVERIFY(told->text().contains(QStringLiteral("taken back")));
+
+        // What a person has edited by hand since is theirs.
+        bench.typeInto("labBandwidth", QStringLiteral("3000"));
+        bench.button("labPreview")->click();
+        QVERIFY(bench.type("I_Q_KP", QStringLiteral("77")));
+        bench.typeInto("labBandwidth", QStringLiteral("2000"));
+        QCOMPARE(wantedOf(bench, "I_Q_KP"), 77);
+    }
+
     void theMotorComesFromTheBoard()
     {
         GainBench bench;
