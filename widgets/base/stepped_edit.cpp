@@ -4,6 +4,8 @@
 #include <QToolTip>
 #include <QWheelEvent>
 
+#include <utility>
+
 namespace widgets {
 
 SteppedEdit::SteppedEdit(QWidget *parent)
@@ -35,6 +37,19 @@ void SteppedEdit::wheelEvent(QWheelEvent *event)
         return event->ignore();
     stepBy(event->angleDelta().y() > 0 ? 1 : -1);
     event->accept();
+}
+
+void SteppedEdit::focusInEvent(QFocusEvent *event)
+{
+    m_clickedInto = event->reason() == Qt::MouseFocusReason;
+    QLineEdit::focusInEvent(event);
+}
+
+void SteppedEdit::mouseReleaseEvent(QMouseEvent *event)
+{
+    QLineEdit::mouseReleaseEvent(event);
+    if (std::exchange(m_clickedInto, false) && !hasSelectedText())
+        selectAll();
 }
 
 void SteppedEdit::showProblem()

@@ -1,6 +1,6 @@
 // SteppedEdit: what the fields for one number have in common. Arrow keys step the number, Page Up and Down by ten steps,
 // the wheel only while the field has the focus; while the text is no good the field is red, with the reason as tool tip and
-// for screen readers. What the text means, and how it steps, is the business of the class made from this one.
+// for screen readers. A click into it selects all, as Tab does: what is typed then takes the number's place. What the text means, and how it steps, is the business of the class made from this one.
 #pragma once
 
 #include <QColor>
@@ -25,6 +25,11 @@ protected:
 
     void keyPressEvent(QKeyEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+
+private:
+    bool m_clickedInto = false;
 };
 
 } // namespace widgets

@@ -5,6 +5,7 @@
 #include "widgets/base/value_text.h"
 
 #include <QKeyEvent>
+#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,14 @@ SetpointEdit::SetpointEdit(QWidget *parent)
 {
     setText(QStringLiteral("0"));
     connect(this, &QLineEdit::textChanged, this, &SetpointEdit::echoChanged);
+    connect(this, &QLineEdit::textEdited, this, &SetpointEdit::showProblem);
+    connect(this, &SetpointEdit::echoChanged, this, [this] {
+        if (problem().isEmpty())
+            showProblem();
+    });
 }
+
+QString SetpointEdit::problem() const { return text().isEmpty() || value() ? QString() : echo(); }
 
 void SetpointEdit::setLimits(double limit, double step, const QString &unit)
 {
@@ -90,9 +98,12 @@ void SetpointEdit::keyPressEvent(QKeyEvent *event)
     if (!enter
         || (event->modifiers() & Qt::ControlModifier)) // Ctrl+Enter starts the motor: not ours
         return SteppedEdit::keyPressEvent(event);
-    if (const auto sent = sentValue(); sent && !event->isAutoRepeat())
-        Q_EMIT committed(*sent);
     event->accept();
+    const auto sent = sentValue();
+    if (!sent)
+        QToolTip::showText(mapToGlobal(QPoint(0, height())), echo().toHtmlEscaped(), this);
+    else if (!event->isAutoRepeat())
+        Q_EMIT committed(*sent);
 }
 
 void SetpointEdit::stepBy(int steps)

@@ -31,6 +31,7 @@ public:
     void setValue(double value);
     /// The understood value, or what is wrong with the text; one short sentence.
     QString echo() const;
+    QString problem() const override; ///< of what was typed
 
 Q_SIGNALS:
     void committed(double value); ///< sentValue(), on Enter

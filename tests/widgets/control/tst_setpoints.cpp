@@ -107,6 +107,37 @@ class TestSetpoints : public QObject {
 private Q_SLOTS:
     void cleanup() { QLocale::setDefault(QLocale::c()); }
 
+    void aClickIntoAFieldSelectsAndARefusedNumberIsRed()
+    {
+        QWidget window;
+        widgets::SetpointEdit first(&window), edit(&window);
+        edit.move(0, 60);
+        edit.setLimits(4000.0, 6.0, QStringLiteral("rpm"));
+        edit.setValue(1500.0);
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        first.setFocus();
+        std::vector<double> committed;
+        connect(&edit, &widgets::SetpointEdit::committed, this,
+            [&](double value) { committed.push_back(value); });
+        QTest::mouseClick(&edit, Qt::LeftButton);
+        QTest::keyClicks(&edit, QStringLiteral("2600"));
+        QCOMPARE(edit.text(), QStringLiteral("2600"));
+        QTest::mouseClick(&edit, Qt::LeftButton); // in the field already: the cursor only
+        QVERIFY(!edit.hasSelectedText());
+        QTest::keyClick(&edit, Qt::Key_Return);
+        QCOMPARE(committed, std::vector<double>{2598.0});
+        edit.selectAll();
+        QTest::keyClicks(&edit, QStringLiteral("26001500"));
+        QCOMPARE(edit.palette().color(QPalette::Base), widgets::kRefusedColor);
+        QCOMPARE(edit.accessibleDescription(), edit.echo());
+        QTest::keyClick(&edit, Qt::Key_Return);
+        QCOMPARE(committed.size(), std::size_t{1});
+        edit.setLimits(30000000.0, 6.0, QStringLiteral("rpm")); // now it is good
+        QVERIFY(edit.palette().color(QPalette::Base) != widgets::kRefusedColor);
+    }
+
     void whateverIsTypedWhatLeavesIsInsideAndEchoed()
     {
         const int rounds = qEnvironmentVariableIntValue("ROTORSCOPE_LONG") != 0 ? 20000 : 600;
