@@ -169,6 +169,8 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     layout->addWidget(m_motor);
 
     connect(m_connect, &QPushButton::clicked, this, &ConnectBar::connectOrDisconnect);
+    for (const QComboBox *typed : {m_port, m_baud})
+        connect(typed->lineEdit(), &QLineEdit::returnPressed, m_connect, &QPushButton::click);
     connect(
         m_motor, &QComboBox::activated, this, [this](int index) { m_device.setMotor(index + 1); });
     connect(&device, &Device::linkStateChanged, this, &ConnectBar::updateLink);

@@ -11,6 +11,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QThread>
@@ -147,6 +148,17 @@ private Q_SLOTS:
             m_rig->find<QLabel>("bannerText")->text().contains(QStringLiteral("There is no port")));
         QTRY_COMPARE_WITH_TIMEOUT(
             m_rig->find<QPushButton>("connect")->text(), QStringLiteral("Connect"), kPatience);
+    }
+
+    void enterInThePortFieldConnects()
+    {
+        QLineEdit *typed = m_rig->find<QComboBox>("port")->lineEdit();
+        typed->setFocus();
+        typed->selectAll();
+        QTest::keyClicks(typed, m_path);
+        QTest::keyClick(typed, Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(device().portOpen(), kPatience);
+        QCOMPARE(device().endpoint().path, m_path);
     }
 
     void whatIsNotABaudRateIsRefusedBeforeAnythingIsOpened()
