@@ -225,9 +225,9 @@
 <context>
     <name>Confirmation</name>
     <message>
-        <source>Type %1 to go on:</source>
+        <source>Type &quot;%1&quot; to go on:</source>
         <comment>a word</comment>
-        <translation>Zum Fortfahren %1 eingeben:</translation>
+        <translation>Zum Fortfahren „%1“ eingeben:</translation>
     </message>
 </context>
 <context>
@@ -3516,6 +3516,10 @@
         <source>The gains of this drive are in the units that stand beside them.</source>
         <translation>Die Verstärkungen dieses Antriebs haben die Einheiten, die neben ihnen stehen.</translation>
     </message>
+    <message>
+        <source>The form has changed: the edits of its preview were taken back.</source>
+        <translation>Das Formular hat sich geändert: Die Änderungen seiner Vorschau wurden zurückgenommen.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::Jog</name>
@@ -4456,6 +4460,11 @@
     <message>
         <source>Nothing was sent: the board stopped answering for a moment, and the motor is not as it was asked about. Press again.</source>
         <translation>Nichts wurde gesendet: Das Board hat einen Moment nicht geantwortet, und der Motor ist nicht mehr so, wie gefragt wurde. Drücken Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Do not ask about steps up to %1 again until disarmed</source>
+        <comment>set-point with unit</comment>
+        <translation>Bis die Freigabe aufgehoben wird, nach Sprüngen bis %1 nicht mehr fragen</translation>
     </message>
 </context>
 <context>

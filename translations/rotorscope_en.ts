@@ -225,7 +225,7 @@
 <context>
     <name>Confirmation</name>
     <message>
-        <source>Type %1 to go on:</source>
+        <source>Type &quot;%1&quot; to go on:</source>
         <comment>a word</comment>
         <translation type="unfinished"></translation>
     </message>
@@ -3516,6 +3516,10 @@
         <source>The gains of this drive are in the units that stand beside them.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The form has changed: the edits of its preview were taken back.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::Jog</name>
@@ -4455,6 +4459,11 @@
     </message>
     <message>
         <source>Nothing was sent: the board stopped answering for a moment, and the motor is not as it was asked about. Press again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not ask about steps up to %1 again until disarmed</source>
+        <comment>set-point with unit</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -16,11 +16,16 @@ struct Judge {
     const MotionScene &scene;
     std::vector<MotionCaution> found;
 
-    void step(std::optional<double> from, double to, double limit)
+    /// @param agreed  both set-points lie within it, and then no step between them surprises
+    void step(std::optional<double> from, double to, double limit, bool agreed)
     {
         const double greatest = kGreatestQuietStep * limit * (1.0 + 1e-9);
-        if (!from || !(std::abs(to - *from) <= greatest))
+        if (!from || !(agreed || std::abs(to - *from) <= greatest))
             found.push_back(MotionCaution::Step);
+    }
+    static bool within(double most, std::optional<double> from, double to)
+    {
+        return from && std::abs(*from) <= most && std::abs(to) <= most;
     }
     /// `to` has the sign of the speed or the torque that is asked for.
     void reversal(double to)
@@ -52,13 +57,15 @@ struct Judge {
     }
     void operator()(const SpeedRamp &ramp)
     {
-        step(scene.speedReferenceRpm, ramp.rpm, scene.bounds.rpm);
+        step(scene.speedReferenceRpm, ramp.rpm, scene.bounds.rpm,
+            within(scene.agreedRpm, scene.speedReferenceRpm, ramp.rpm));
         reversal(ramp.rpm);
         mode(false);
     }
     void operator()(const TorqueRamp &ramp)
     {
-        step(scene.iqReferenceAmps, ramp.amps, scene.bounds.amps);
+        step(scene.iqReferenceAmps, ramp.amps, scene.bounds.amps,
+            within(scene.agreedAmps, scene.iqReferenceAmps, ramp.amps));
         reversal(ramp.amps);
         noLimit(ramp.amps != 0.0);
         mode(true);
@@ -72,7 +79,9 @@ struct Judge {
             from ? std::hypot(reference.iqAmps - *scene.iqReferenceAmps,
                 reference.idAmps - *scene.idReferenceAmps)
                  : 0.0,
-            scene.bounds.amps);
+            scene.bounds.amps,
+            from && std::hypot(*scene.iqReferenceAmps, *scene.idReferenceAmps) <= scene.agreedAmps
+                && std::hypot(reference.iqAmps, reference.idAmps) <= scene.agreedAmps);
         reversal(reference.iqAmps);
         noLimit(reference.iqAmps != 0.0);
         mode(true);

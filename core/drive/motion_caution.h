@@ -26,6 +26,8 @@ struct MotionScene {
     bool startedBefore = false;
     MotionBounds bounds;
     double ownSpeedLimitRpm = 0.0; ///< a person's; 0: none
+    /// Steps between set-points up to these were agreed to until it is disarmed; 0: none.
+    double agreedRpm = 0.0, agreedAmps = 0.0;
     std::optional<double> speedRpm; ///< measured
     std::optional<double> speedReferenceRpm, iqReferenceAmps, idReferenceAmps;
     std::optional<bool> torqueMode; ///< false: it controls the speed

@@ -1,6 +1,8 @@
 #include "widgets/base/confirmation.h"
 
+#include <QCheckBox>
 #include <QCoreApplication>
+#include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -15,25 +17,38 @@ struct ConfirmationText {
     Q_DECLARE_TR_FUNCTIONS(Confirmation)
 };
 
-/// A key that was held before the question came must not answer it.
+/// A key that was held before the question came must not answer it; Enter behind the word that had to be typed does.
 class HeldKeys : public QObject {
 public:
-    using QObject::QObject;
-    bool eventFilter(QObject *, QEvent *event) override
+    HeldKeys(QPushButton *yes, QObject *parent)
+        : QObject(parent)
+        , m_yes(yes)
+    {
+    }
+    bool eventFilter(QObject *watched, QEvent *event) override
     {
         if (event->type() != QEvent::KeyPress)
             return false;
         const auto *key = static_cast<QKeyEvent *>(event);
-        return key->isAutoRepeat()
-            && (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter
-                || key->key() == Qt::Key_Space);
+        const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
+        if (key->isAutoRepeat())
+            return enter || key->key() == Qt::Key_Space;
+        if (!enter || qobject_cast<QLineEdit *>(watched) == nullptr)
+            return false;
+        if (m_yes->isEnabled()) // the word was typed: that is no Enter by mistake
+            m_yes->click();
+        return true;
     }
+
+private:
+    QPushButton *m_yes;
 };
 
 /// A line that enables `yes` once it holds the word.
 QLineEdit *addTypedLine(QMessageBox *box, QPushButton *yes, const QString &word)
 {
-    auto *label = new QLabel(ConfirmationText::tr("Type %1 to go on:", "a word").arg(word), box);
+    auto *label =
+        new QLabel(ConfirmationText::tr("Type \"%1\" to go on:", "a word").arg(word), box);
     label->setTextFormat(Qt::PlainText);
     auto *edit = new QLineEdit(box);
     edit->setObjectName(QStringLiteral("confirmationTyped"));
@@ -42,10 +57,15 @@ QLineEdit *addTypedLine(QMessageBox *box, QPushButton *yes, const QString &word)
     yes->setEnabled(false);
     QObject::connect(edit, &QLineEdit::textChanged, yes,
         [yes, word](const QString &text) { yes->setEnabled(text.trimmed() == word); });
-    if (auto *grid = qobject_cast<QGridLayout *>(box->layout())) {
-        const int above = grid->rowCount();
-        grid->addWidget(label, above, 0, 1, grid->columnCount());
-        grid->addWidget(edit, above + 1, 0, 1, grid->columnCount());
+    // Above the buttons, which the box keeps in its last row.
+    auto *grid = qobject_cast<QGridLayout *>(box->layout());
+    auto *buttons = box->findChild<QDialogButtonBox *>();
+    if (grid && buttons) {
+        const int row = grid->rowCount();
+        grid->removeWidget(buttons);
+        grid->addWidget(label, row, 0, 1, grid->columnCount());
+        grid->addWidget(edit, row + 1, 0, 1, grid->columnCount());
+        grid->addWidget(buttons, row + 2, 0, 1, grid->columnCount());
     }
     return edit;
 }
@@ -67,14 +87,23 @@ QDialog *askToConfirm(
     yes->setAutoDefault(false); // Enter does not press it, wherever the focus is
     box->setDefaultButton(cancel);
     box->setEscapeButton(cancel);
+    if (!question.offer.isEmpty()) {
+        box->setCheckBox(new QCheckBox(question.offer));
+        box->checkBox()->setObjectName(QStringLiteral("confirmationOffer"));
+    }
     QWidget *first = cancel;
     if (!question.typed.isEmpty())
         first = addTypedLine(box, yes, question.typed);
-    auto *held = new HeldKeys(box);
+    auto *held = new HeldKeys(yes, box);
     for (QWidget *widget : std::initializer_list<QWidget *>{box, yes, cancel, first})
         widget->installEventFilter(held);
     QObject::connect(box, &QDialog::finished, box,
-        [box, yes, answer = std::move(answer)] { answer(box->clickedButton() == yes); });
+        [box, yes, onOffer = question.onOffer, answer = std::move(answer)] {
+            const bool agreed = box->clickedButton() == yes;
+            if (agreed && box->checkBox() && box->checkBox()->isChecked())
+                onOffer();
+            answer(agreed);
+        });
     box->open();
     first->setFocus();
     return box;

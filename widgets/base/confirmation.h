@@ -1,5 +1,5 @@
 // The one dialog that asks before something that can move or harm a motor. Cancel is the default: neither Enter nor Esc
-// says yes, and Esc stops the motors first, as everywhere.
+// says yes (but for Enter behind a word that had to be typed), and Esc stops the motors first, as everywhere.
 #pragma once
 
 #include <QStringList>
@@ -19,6 +19,8 @@ struct Confirmation {
     const char *yesName = "confirmationYes"; ///< of the button
     QString yes; ///< its text, a verb
     QString typed; ///< has to be typed before yes can be pressed; empty: nothing
+    QString offer; ///< may be ticked along with yes; empty: nothing
+    std::function<void()> onOffer; ///< it was, before the answer
 };
 
 /// Opens it on top of `parent`; exactly one answer follows, also when the dialog is closed some other way.

@@ -57,6 +57,7 @@ MotionGate::MotionGate(Device &device, RegisterModel &registers, QObject *parent
     connect(&device, &Device::identityChanged, this, [this] {
         m_started.clear();
         m_agreed.clear();
+        m_agreedSteps.clear();
         withdraw();
     });
     connect(&device, &Device::motorChanged, this, &MotionGate::withdraw);
@@ -67,8 +68,10 @@ MotionGate::MotionGate(Device &device, RegisterModel &registers, QObject *parent
         withdraw();
     });
     connect(&device, &Device::armedStateChanged, this, [this](bool armed) {
-        if (!armed)
-            withdraw();
+        if (armed)
+            return;
+        m_agreedSteps.clear();
+        withdraw();
     });
     connect(&device, &Device::linkStateChanged, this, &MotionGate::linkChanged);
     m_patience.setSingleShot(true);
@@ -142,7 +145,7 @@ bool MotionGate::needsExpert(const std::vector<drive::WishContent> &acts)
 
 void MotionGate::ask()
 {
-    MotionQuestion question{motorOf(m_asked.front()), m_action, {}};
+    MotionQuestion question{motorOf(m_asked.front()), m_action, {}, offerFor(m_asked)};
     drive::MotionScene scene = sceneOf(question.motor);
     drive::StartTarget target = startTarget(question.motor);
     for (const drive::WishContent &act : m_asked) {
@@ -194,6 +197,53 @@ void MotionGate::confirm()
         return send();
     m_agreed.insert(motorOf(m_asked.front()));
     m_asked.clear();
+}
+
+/// The greatest set-points that the acts go to or come from; 0 where nothing of the kind is known.
+MotionGate::Agreed MotionGate::stepsOf(const std::vector<drive::WishContent> &acts) const
+{
+    Agreed most;
+    for (const drive::WishContent &act : acts) {
+        const drive::MotionScene scene = sceneOf(motorOf(act));
+        if (const auto *speed = std::get_if<drive::SpeedRamp>(&act))
+            most.rpm = std::max(std::abs(static_cast<double>(speed->rpm)),
+                std::abs(scene.speedReferenceRpm.value_or(0.0)));
+        else if (const auto *torque = std::get_if<drive::TorqueRamp>(&act))
+            most.amps =
+                std::max(std::abs(torque->amps), std::abs(scene.iqReferenceAmps.value_or(0.0)));
+        else if (const auto *current = std::get_if<drive::CurrentReference>(&act))
+            most.amps = std::max(std::hypot(current->iqAmps, current->idAmps),
+                std::hypot(
+                    scene.iqReferenceAmps.value_or(0.0), scene.idReferenceAmps.value_or(0.0)));
+    }
+    return most;
+}
+
+/// Only where the length of the step is all that is in question.
+QString MotionGate::offerFor(const std::vector<drive::WishContent> &acts) const
+{
+    for (const drive::WishContent &act : acts)
+        for (const drive::MotionCaution caution : drive::cautionsOf(act, sceneOf(motorOf(act))))
+            if (caution != drive::MotionCaution::Step)
+                return {};
+    const Agreed most = stepsOf(acts);
+    if (m_agreeOnly || (most.rpm > 0.0) == (most.amps > 0.0))
+        return {};
+    const QString text = most.rpm > 0.0
+        ? numberText(most.rpm, 0) + QChar(0x202f) + tr("rpm")
+        : numberText(most.amps, kAmpDecimals) + QStringLiteral("\u202fA");
+    return tr("Do not ask about steps up to %1 again until disarmed", "set-point with unit")
+        .arg(text);
+}
+
+void MotionGate::agreeToSteps()
+{
+    if (!asking())
+        return;
+    Agreed &agreed = m_agreedSteps[motorOf(m_asked.front())];
+    const Agreed most = stepsOf(m_asked);
+    agreed.rpm = std::max(agreed.rpm, most.rpm);
+    agreed.amps = std::max(agreed.amps, most.amps);
 }
 
 void MotionGate::decline()
@@ -271,6 +321,10 @@ drive::MotionScene MotionGate::sceneOf(int motor) const
     scene.state = status.state;
     scene.startedBefore = m_started.contains(motor);
     scene.bounds = m_device.bounds(motor);
+    if (const auto agreed = m_agreedSteps.find(motor); agreed != m_agreedSteps.end()) {
+        scene.agreedRpm = agreed->second.rpm;
+        scene.agreedAmps = agreed->second.amps;
+    }
     scene.ownSpeedLimitRpm = m_device.userLimits().maxSpeedRpm;
     scene.speedRpm = status.speedRpm;
     scene.speedReferenceRpm = reading("SPEED_REF", motor);

@@ -15,6 +15,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include <map>
 #include <set>
 
 namespace widgets {
@@ -24,6 +25,7 @@ struct MotionQuestion {
     int motor = 1;
     QString action; ///< e.g. "Start"
     QStringList lines; ///< motor, old and new value with unit, and why it is asked
+    QString offer; ///< not to be asked again about the like of it; empty: there is none
 };
 
 class MotionGate : public QObject {
@@ -59,6 +61,8 @@ public:
 
 public Q_SLOTS:
     void confirm();
+    /// Before confirm(): steps up to the set-points of this question are not asked about again, until it is disarmed.
+    void agreeToSteps();
     void decline();
 
 Q_SIGNALS:
@@ -92,6 +96,13 @@ private:
     RegisterModel &m_registers;
     /// Motors since the board was met. Agreed: to jogging alone, a start by its own button is asked about all the same.
     std::set<int> m_started, m_agreed;
+    /// Magnitudes of set-points, by motor: steps up to them were agreed to.
+    struct Agreed {
+        double rpm = 0.0, amps = 0.0;
+    };
+    std::map<int, Agreed> m_agreedSteps;
+    Agreed stepsOf(const std::vector<drive::WishContent> &acts) const;
+    QString offerFor(const std::vector<drive::WishContent> &acts) const;
     QMap<drive::WishId, Open> m_open; ///< sent and not ended
     QString m_action;
     std::vector<drive::WishContent> m_asked; ///< waits for an answer

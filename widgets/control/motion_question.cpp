@@ -54,6 +54,11 @@ void showMotionQuestions(MotionGate &gate, Device &device, QWidget *parent)
             question.lines = asked.lines;
             question.yesName = "motionConfirm";
             question.yes = asked.action;
+            question.offer = asked.offer;
+            question.onOffer = [gate = QPointer(&gate)] {
+                if (gate)
+                    gate->agreeToSteps();
+            };
             QDialog *dialog = askToConfirm(parent, question, [gate = QPointer(&gate)](bool yes) {
                 if (gate)
                     yes ? gate->confirm() : gate->decline();

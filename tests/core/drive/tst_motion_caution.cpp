@@ -53,6 +53,7 @@ private Q_SLOTS:
     void onlyTheFirstStartIsAskedAbout();
     void stopsAndEndsAreNeverAskedAbout();
     void aStepOfMoreThanAFifthOfTheLimit();
+    void aStepWithinWhatWasAgreedIsNotAskedAbout();
     void whatIsNotKnownCountsAsAStep();
     void turningTheOtherWay();
     void anotherModeWhileDriven();
@@ -88,6 +89,26 @@ void TestMotionCaution::aStepOfMoreThanAFifthOfTheLimit()
     QVERIFY(cautionsOf(speed(1401), own) == Cautions{MotionCaution::Step});
     QVERIFY(cautionsOf(TorqueRamp{1, 2.0, 0ms}, torque()).empty());
     QVERIFY(cautionsOf(TorqueRamp{1, 2.01, 0ms}, torque()) == Cautions{MotionCaution::Step});
+}
+
+void TestMotionCaution::aStepWithinWhatWasAgreedIsNotAskedAbout()
+{
+    MotionScene scene = running();
+    scene.agreedRpm = 2500.0;
+    QVERIFY(cautionsOf(speed(2500), scene).empty());
+    QVERIFY(cautionsOf(speed(2501), scene) == Cautions{MotionCaution::Step});
+    QVERIFY(cautionsOf(speed(-1000), scene)
+        == Cautions{MotionCaution::Reversal}); // another question than the length of a step
+    scene.speedReferenceRpm = 2600.0; // from outside of it
+    QVERIFY(cautionsOf(speed(1000), scene) == Cautions{MotionCaution::Step});
+    scene.speedReferenceRpm.reset();
+    QVERIFY(cautionsOf(speed(1000), scene) == Cautions{MotionCaution::Step});
+
+    scene = torque();
+    scene.agreedAmps = 4.0;
+    QVERIFY(cautionsOf(TorqueRamp{1, 4.0, 500ms}, scene).empty());
+    QVERIFY(cautionsOf(CurrentReference{1, 3.0, -2.0}, scene).empty());
+    QVERIFY(cautionsOf(CurrentReference{1, 3.5, -2.5}, scene) == Cautions{MotionCaution::Step});
 }
 
 void TestMotionCaution::whatIsNotKnownCountsAsAStep()

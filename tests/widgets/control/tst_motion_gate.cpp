@@ -8,6 +8,7 @@
 #include "widgets/control/motion_question.h"
 #include "widgets/control/setpoint_edit.h"
 
+#include <QCheckBox>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -113,6 +114,47 @@ private Q_SLOTS:
         QCOMPARE(bench.asked.size(), 3U); // but for a Stop, after which it is a first one again
         bench.sayYes();
         QCOMPARE(bench.sent, 2);
+    }
+
+    void stepsUpToWhatWasAgreedAreNotAskedAboutUntilDisarmed()
+    {
+        GateBench bench;
+        QVERIFY(bench.run());
+        bench.gate.want(QStringLiteral("Ramp"), bench.speed(2200));
+        QCOMPARE(bench.asked.size(), 1U);
+        QVERIFY2(bench.asked[0].offer.contains(QStringLiteral("2200")),
+            qPrintable(bench.asked[0].offer));
+        bench.gate.agreeToSteps();
+        bench.sayYes();
+        QCOMPARE(bench.sent, 1);
+        bench.link.runFor(4s);
+        bench.look();
+        bench.gate.want(QStringLiteral("Ramp"), bench.speed(1000));
+        QCOMPARE(bench.asked.size(), 1U); // not asked
+        QCOMPARE(bench.sent, 2);
+        bench.link.runFor(4s);
+        bench.look();
+        bench.gate.want(QStringLiteral("Ramp"), bench.speed(2300));
+        QCOMPARE(bench.asked.size(), 2U); // more than that
+        bench.gate.decline();
+        bench.device.armedChanged(false);
+        bench.link.drive->disarm();
+        bench.arm();
+        bench.gate.want(QStringLiteral("Ramp"), bench.speed(2200));
+        QCOMPARE(bench.asked.size(), 3U);
+        bench.gate.decline();
+        QCOMPARE(bench.sent, 2);
+    }
+
+    void onlyTheLengthOfAStepIsOffered()
+    {
+        GateBench bench;
+        bench.arm();
+        bench.look();
+        bench.gate.want(QStringLiteral("Start"), bench.start());
+        QCOMPARE(bench.asked.size(), 1U);
+        QCOMPARE(bench.asked[0].offer, QString());
+        bench.gate.decline();
     }
 
     void afterAStopAStartIsAskedAboutAndSaysWhereItGoes()
@@ -381,20 +423,49 @@ private Q_SLOTS:
         auto *edit = dialog->findChild<QLineEdit *>(QStringLiteral("confirmationTyped"));
         auto *button = dialog->findChild<QPushButton *>(QStringLiteral("confirmationYes"));
         QVERIFY(!button->isEnabled());
+        QVERIFY(edit->y() < button->mapTo(dialog, QPoint()).y()); // above the buttons
         QTest::keyClicks(edit, QStringLiteral("motor 1"));
         QVERIFY(!button->isEnabled());
-        edit->setText(QStringLiteral("MOTOR 1"));
-        QVERIFY(button->isEnabled());
-        QTest::keyClick(edit, Qt::Key_Return); // the default is Cancel
+        QTest::keyClick(edit, Qt::Key_Return); // not the word, and not a no either
+        QVERIFY(dialog->isVisible());
+        QTest::keyClick(button, Qt::Key_Return); // elsewhere the default is Cancel
         QTRY_VERIFY(!dialog);
         QCOMPARE(no, 1);
-        dialog = open();
-        dialog->findChild<QLineEdit *>(QStringLiteral("confirmationTyped"))
-            ->setText(QStringLiteral("MOTOR 1"));
-        dialog->findChild<QPushButton *>(QStringLiteral("confirmationYes"))->click();
-        QTRY_VERIFY(!dialog);
-        QCOMPARE(yes, 1);
+        for (const bool byEnter : {false, true}) {
+            dialog = open();
+            edit = dialog->findChild<QLineEdit *>(QStringLiteral("confirmationTyped"));
+            edit->setText(QStringLiteral("MOTOR 1"));
+            if (byEnter)
+                QTest::keyClick(edit, Qt::Key_Return);
+            else
+                dialog->findChild<QPushButton *>(QStringLiteral("confirmationYes"))->click();
+            QTRY_VERIFY(!dialog);
+        }
+        QCOMPARE(yes, 2);
         QCOMPARE(no, 1);
+    }
+
+    void anOfferIsTakenWithAYesAlone()
+    {
+        QWidget parent;
+        parent.show();
+        int offers = 0;
+        widgets::Confirmation question;
+        question.yes = QStringLiteral("Go on");
+        question.offer = QStringLiteral("Do not ask again");
+        question.onOffer = [&] { ++offers; };
+        for (const bool yes : {false, true}) {
+            QPointer<QDialog> dialog = widgets::askToConfirm(&parent, question, [](bool) {});
+            auto *box = dialog->findChild<QCheckBox *>(QStringLiteral("confirmationOffer"));
+            QVERIFY(box && !box->isChecked());
+            QTest::mouseClick(box, Qt::LeftButton);
+            if (yes)
+                dialog->findChild<QPushButton *>(QStringLiteral("confirmationYes"))->click();
+            else
+                dialog->reject();
+            QTRY_VERIFY(!dialog);
+            QCOMPARE(offers, yes ? 1 : 0);
+        }
     }
 
 private:
