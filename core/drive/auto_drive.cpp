@@ -2,6 +2,8 @@
 
 #include "drive/stop_sequence.h"
 
+#include <algorithm>
+#include <deque>
 #include <utility>
 
 namespace drive {
@@ -21,6 +23,20 @@ bool tells(const Event &event, StopWord word)
         || (record != nullptr && record->stop == word);
 }
 
+/// What a board speaks that let a candidate fail for this reason.
+std::optional<Protocol> provenBy(LinkReason reason)
+{
+    switch (reason) {
+    case LinkReason::NoAgreement:
+    case LinkReason::OtherProtocol:
+        return Protocol::Mcp;
+    case LinkReason::OldProtocol:
+        return Protocol::Legacy;
+    default:
+        return std::nullopt;
+    }
+}
+
 class AutoDrive final : public Drive {
 public:
     explicit AutoDrive(std::vector<Candidate> candidates)
@@ -38,8 +54,9 @@ public:
         m_silent = false;
         m_stop.end();
         m_turnEnds.reset();
-        m_hasty = true;
-        tryCandidate(0, now);
+        m_proven.reset();
+        planRound(true);
+        tryNext(now);
     }
     void disconnect(TimePoint now) override
     {
@@ -64,8 +81,8 @@ public:
             return takeTurn(now);
         if (m_tryAgainAt && now >= *m_tryAgainAt) {
             m_tryAgainAt.reset();
-            m_hasty = false;
-            return tryCandidate(0, now);
+            planRound(false);
+            return tryNext(now);
         }
         m_drive->handleTimeout(now);
         sift(now);
@@ -105,7 +122,8 @@ public:
         m_turnEnds = now + kTurn;
         if (m_tryAgainAt) { // nobody is talking now
             m_tryAgainAt.reset();
-            startCandidate(0, now);
+            planRound(false);
+            startCandidate(takeNext(), now);
         } else {
             m_drive->stop(now);
         }
@@ -146,21 +164,28 @@ public:
 
 private:
     std::unique_ptr<Drive> make(std::size_t which, bool hasty) const;
+    void planRound(bool first);
+    std::size_t takeNext();
+    void tryNext(TimePoint now) { tryCandidate(takeNext(), now); }
     void tryCandidate(std::size_t which, TimePoint now);
     void startCandidate(std::size_t which, TimePoint now);
     void settle();
     void letGo(TimePoint now);
     void takeTurn(TimePoint now);
     void sift(TimePoint now);
-    bool siftLink(const LinkChanged &change); ///< whether the candidate has failed
-    void afterFailure(TimePoint now);
+    std::optional<LinkReason> siftLink(const LinkChanged &change); ///< why the candidate has failed
+    void takeProof(LinkReason reason);
+    void afterFailure(LinkReason reason, TimePoint now);
 
     std::vector<Candidate> m_candidates;
     std::unique_ptr<Drive> m_drive;
     std::size_t m_which = 0;
     bool m_open = false;
     bool m_settled = false; ///< the candidate's board has answered
-    bool m_hasty = true; ///< the first round
+    std::deque<std::size_t> m_plan; ///< who is still to come in this round
+    std::optional<std::size_t> m_proven; ///< whose board it is
+    bool m_followed = false; ///< in this round a proof has led to somebody else
+    bool m_hasty = true; ///< the candidate comes once more in this round
     bool m_silent = false; ///< a round has failed: what is tried again is no news
     std::optional<LinkReason> m_toldConnecting; ///< with what was tried
     StopSequence m_stop; ///< asked for before anybody had answered: its times and its alarm
@@ -174,6 +199,27 @@ private:
     TimePoint m_now;
     std::vector<Event> m_events;
 };
+
+void AutoDrive::planRound(bool first)
+{
+    m_plan.clear();
+    m_followed = false;
+    if (m_proven)
+        return m_plan.push_back(*m_proven);
+    for (std::size_t i = 0; i < m_candidates.size(); ++i)
+        m_plan.push_back(i);
+    for (std::size_t i = 0; first && i + 1 < m_candidates.size(); ++i)
+        if (m_candidates[i].hurries)
+            m_plan.push_back(i);
+}
+
+std::size_t AutoDrive::takeNext()
+{
+    const std::size_t which = m_plan.front();
+    m_plan.pop_front();
+    m_hasty = std::find(m_plan.begin(), m_plan.end(), which) != m_plan.end();
+    return which;
+}
 
 void AutoDrive::tryCandidate(std::size_t which, TimePoint now)
 {
@@ -226,24 +272,26 @@ void AutoDrive::letGo(TimePoint now)
 void AutoDrive::takeTurn(TimePoint now)
 {
     m_turnEnds.reset();
+    if (m_proven == m_which)
+        return;
     if (m_stop.blind(now))
         m_turnEnds = now + kTurn;
     letGo(now);
     tryCandidate((m_which + 1) % m_candidates.size(), now);
 }
 
-bool AutoDrive::siftLink(const LinkChanged &change)
+std::optional<LinkReason> AutoDrive::siftLink(const LinkChanged &change)
 {
     switch (change.state) {
     case LinkState::Lost:
         if (m_reason == LinkReason::None || m_reason == LinkReason::NoAnswer)
             m_reason = change.reason;
-        return true;
+        return change.reason;
     case LinkState::Connecting:
         if (const LinkReason asking = m_candidates[m_which].asking;
             !m_silent && !m_turnEnds && std::exchange(m_toldConnecting, asking) != asking)
             m_events.emplace_back(LinkChanged{change.state, asking});
-        return false;
+        return std::nullopt;
     case LinkState::Connected:
         settle();
         m_stop.end(); // the candidate has its own
@@ -256,7 +304,7 @@ bool AutoDrive::siftLink(const LinkChanged &change)
     m_toldConnecting.reset();
     m_silent = false;
     m_events.emplace_back(change);
-    return false;
+    return std::nullopt;
 }
 
 /// Hands the events on; a candidate that has found nobody makes room for the next one.
@@ -269,11 +317,12 @@ void AutoDrive::sift(TimePoint now)
         m_events.emplace_back(recordOf(progress, m_stopAsked));
         m_events.emplace_back(progress);
     }
-    bool failed = false;
+    std::optional<LinkReason> failed;
     for (Event &event : m_drive->takeEvents()) {
         const auto *change = std::get_if<LinkChanged>(&event);
         if (change != nullptr && m_open && !m_settled) {
-            failed = siftLink(*change) || failed;
+            if (const auto why = siftLink(*change))
+                failed = why;
             continue;
         }
         if (auto *found = std::get_if<Identified>(&event)) {
@@ -286,20 +335,44 @@ void AutoDrive::sift(TimePoint now)
         if (!toldAlready)
             m_events.push_back(std::move(event));
     }
-    if (failed && !m_turnEnds)
-        afterFailure(now);
+    if (failed && (!m_turnEnds || provenBy(*failed)))
+        afterFailure(*failed, now);
 }
 
-void AutoDrive::afterFailure(TimePoint now)
+/// One that is led elsewhere twice in a round, by noise or by two boards, is proved nothing.
+void AutoDrive::takeProof(LinkReason reason)
 {
-    if (m_which + 1 < m_candidates.size())
-        return tryCandidate(m_which + 1, now);
+    const auto protocol = provenBy(reason);
+    const auto proven = std::find_if(m_candidates.begin(), m_candidates.end(),
+        [&](const Candidate &one) { return one.protocol == protocol; });
+    if (proven == m_candidates.end()) {
+        if (m_proven == m_which)
+            m_proven.reset(); // nothing proves it any more: the next round asks for all
+        return;
+    }
+    const auto which = static_cast<std::size_t>(proven - m_candidates.begin());
+    if (which == m_which) {
+        m_plan.clear();
+        m_proven = which;
+    } else if (!std::exchange(m_followed, true)) {
+        m_plan.assign(1, which);
+        m_proven = which;
+    } else {
+        m_proven.reset();
+    }
+}
+
+void AutoDrive::afterFailure(LinkReason reason, TimePoint now)
+{
+    takeProof(reason);
+    if (!m_plan.empty())
+        return tryNext(now);
     // Nobody answered in any language: told once a round, and tried again.
     m_silent = true;
-    const LinkReason reason = std::exchange(m_reason, LinkReason::None);
-    if (m_toldLost != reason)
-        m_events.emplace_back(LinkChanged{LinkState::Lost, reason});
-    m_toldLost = reason;
+    const LinkReason told = std::exchange(m_reason, LinkReason::None);
+    if (m_toldLost != told)
+        m_events.emplace_back(LinkChanged{LinkState::Lost, told});
+    m_toldLost = told;
     letGo(now);
     m_tryAgainAt = now + kTryAgainAfter;
 }

@@ -4,7 +4,12 @@
 // Order and why: first ASPEP, because the four bytes of its BEACON mean nothing to a board of the older protocol (a length
 // that is too long, or a motor and a code that no board has) and a board of the newer one is left as it was. Then the
 // older protocol, which begins with reads alone. In the first round the BEACONs end after a second: a board that is there
-// and free answers the first, and only one that was left within a request needs the many of the later rounds. Nothing that could move a motor is sent until the board is known.
+// and free answers the first. One that was left within a request needs many, and one that boots when the port opens may
+// be silent for seconds: therefore ASPEP is tried once more behind the others before anybody is told that nobody answers.
+// Nothing that could move a motor is sent until the board is known.
+//
+// A board that refuses in the frames of another protocol has proved which one it speaks: that is tried next, and nothing
+// else as long as its answers go on to prove it.
 //
 // A stop that is asked for before somebody has answered goes out in every language: while it is sent blind, the
 // candidates take turns, each with its own way of a stop without a link; then each stops what it finds.
@@ -25,6 +30,8 @@ struct Candidate {
     LinkReason asking = LinkReason::None; ///< told while it is tried
     std::string evidence; ///< why it was taken, if its identity does not say itself
     Protocol protocol = Protocol::Auto; ///< LineMemory::spoken once its board has answered
+    bool hurries =
+        false; ///< in the first round it is tried in haste, and once more behind the others
 };
 
 /// @param candidates  at least one; in the order in which they are tried

@@ -49,7 +49,7 @@ std::unique_ptr<Drive> makeAuto(const LineOptions &options, Search)
             candidates.push_back({[options, make = row.make](bool hasty) {
                                       return make(options, hasty ? Search::Hasty : Search::Patient);
                                   },
-                row.asking, std::string(row.evidence), row.choice.protocol});
+                row.asking, std::string(row.evidence), row.choice.protocol, row.hurries});
     std::stable_partition(candidates.begin(), candidates.end(),
         [&](const Candidate &one) { return options.spoken == one.protocol; });
     return makeAutoDrive(std::move(candidates));
@@ -64,7 +64,7 @@ std::span<const ProtocolRow> protocolTable()
     static constexpr std::array kRows{
         ProtocolRow{{Auto, "auto", "", "", true}, 0, "", makeAuto},
         ProtocolRow{{Mcp, "mcp", "MCP over ASPEP", "STM32 motor control SDK 6", true}, 1843200, "",
-            makeMcp, LinkReason::AskingNewer, "it answered a BEACON"},
+            makeMcp, LinkReason::AskingNewer, "it answered a BEACON", true},
         ProtocolRow{{Legacy, "legacy", "MCP legacy", "STM32 motor control SDK 3 to 5", true},
             115200, "legacy", makeOlder<Dialect::Stm32>, LinkReason::AskingOlder},
         ProtocolRow{{PowerPc, "powerpc", "MCP PowerPC", "PowerPC boards", true}, 115200, "powerpc",

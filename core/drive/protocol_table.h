@@ -39,6 +39,7 @@ struct ProtocolRow {
     // Of those that Protocol::Auto asks for.
     LinkReason asking = LinkReason::None; ///< told meanwhile; None: it is not asked for
     std::string_view evidence = {}; ///< of one that has answered, where the drive itself tells none
+    bool hurries = false; ///< Search::Hasty ends it sooner
 };
 
 /// In the order in which they are offered and asked for.

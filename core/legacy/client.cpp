@@ -10,9 +10,8 @@ namespace legacy {
 
 namespace {
 
-constexpr std::size_t kFirstBytes = 4;
 /// How a board of the newer protocol refuses what it takes for a damaged header.
-constexpr std::array<std::uint8_t, kFirstBytes> kNewerRefusal{0x0F, 0x04, 0x04, 0xC0};
+constexpr std::array<std::uint8_t, 4> kNewerRefusal{0x0F, 0x04, 0x04, 0xC0};
 
 bool isWidth(std::size_t size) { return size == 1 || size == 2 || size == 4; }
 
@@ -51,7 +50,7 @@ void Client::connect(TimePoint now)
 {
     close();
     m_heard = false;
-    m_firstBytes.clear();
+    m_refused = 0;
     m_gentle = true;
     m_round = 0;
     silence(now);
@@ -133,9 +132,8 @@ void Client::receive(ByteView bytes, TimePoint now)
     m_suspected = m_suspected && m_state != State::Ready;
     if (!m_connected) {
         m_heard = true;
-        for (const std::uint8_t byte : bytes)
-            if (m_firstBytes.size() < kFirstBytes)
-                m_firstBytes.push_back(byte);
+        if (hearsRefusal(bytes))
+            return giveUp(now);
     }
     const bool quiet =
         (m_state == State::Connecting || m_state == State::Recovering) && m_step == Step::Silence;
@@ -153,6 +151,19 @@ void Client::receive(ByteView bytes, TimePoint now)
     // Behind all that has come: none of it answers what leaves now.
     if (m_urgent && (m_state == State::Ready || m_state == State::Settling))
         leaveUrgent(now);
+}
+
+/// Whether a board of the newer protocol has refused what was sent, also where its first bytes were lost.
+bool Client::hearsRefusal(ByteView bytes)
+{
+    for (const std::uint8_t byte : bytes) {
+        m_refused = byte == kNewerRefusal[m_refused] ? m_refused + 1
+            : byte == kNewerRefusal[0]               ? 1
+                                                     : 0;
+        if (m_refused == kNewerRefusal.size())
+            return true;
+    }
+    return false;
 }
 
 void Client::take(Framer::Step step, TimePoint now)
@@ -292,9 +303,9 @@ void Client::askFailed(TimePoint now)
 
 void Client::giveUp(TimePoint)
 {
-    const bool other = std::equal(
-        m_firstBytes.begin(), m_firstBytes.end(), kNewerRefusal.begin(), kNewerRefusal.end());
-    Lost lost{m_heard, other, !m_connected};
+    const bool other = m_refused == kNewerRefusal.size();
+    const Lost lost{m_heard, other, !m_connected};
+    m_refused = 0;
     m_state = State::Closed;
     m_connected = false;
     m_events.emplace_back(lost);

@@ -83,7 +83,8 @@ public:
     {
     }
 
-    /// Asks who is there: silence, then GET_BOARD_INFO. Ends with Connected or Lost.
+    /// Asks who is there: silence, then GET_BOARD_INFO. Ends with Connected or Lost, at once where a board of the newer
+    /// protocol refuses.
     void connect(TimePoint now);
     void close();
 
@@ -113,6 +114,7 @@ private:
     enum class Step : std::uint8_t { Silence, Fill, Ask };
 
     void put(Bytes frame, TimePoint now);
+    bool hearsRefusal(ByteView bytes);
     void take(Framer::Step step, TimePoint now);
     void takeReply(const Reply &reply, TimePoint now);
     void takeWhileRecovering(const Reply &reply, TimePoint now);
@@ -153,7 +155,7 @@ private:
     bool m_connected = false, m_motorDriven = false, m_suspected = false;
     bool m_strayFrames = false; ///< the board sends more than one answer at times: pause after each
     bool m_heard = false;
-    Bytes m_firstBytes; ///< of this attempt to connect
+    std::size_t m_refused = 0; ///< bytes of the newer protocol's refusal, while connecting
     Stats m_stats;
     std::vector<Output> m_output;
     std::vector<Event> m_events;

@@ -58,6 +58,9 @@ private Q_SLOTS:
     void betweenTwoRoundsAStopGoesOutAtOnce();
     void whatWasSpokenBeforeIsTriedFirst();
     void whatIsSpokenIsTold();
+    void aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall_data();
+    void aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall();
+    void whatRefusesAsTheNewerProtocolIsAskedInNothingElse();
 };
 
 void TestAutoDrive::aStopGoesOutInEveryLanguageInTurn()
@@ -163,6 +166,67 @@ void TestAutoDrive::whatIsSpokenIsTold()
     QVERIFY(line.drive->memory().spoken == Protocol::Legacy);
     line.drive->disconnect(line.now);
     QVERIFY(line.drive->memory().spoken == Protocol::Legacy);
+}
+
+void TestAutoDrive::aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall_data()
+{
+    QTest::addColumn<int>("baud");
+    QTest::addColumn<bool>("deaf");
+    for (const int baud : {115200, 1843200})
+        for (const bool deaf : {false, true})
+            QTest::addRow("%d baud%s", baud, deaf ? ", deaf meanwhile" : "") << baud << deaf;
+}
+
+/// Reset by the port's lines, booting, held by a debugger. Somebody who connects once hears of no failure before.
+void TestAutoDrive::aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall()
+{
+    QFETCH(int, baud);
+    QFETCH(bool, deaf);
+    support::Random random(deaf ? 7 : 8);
+    for (int i = 0; i < 25; ++i) {
+        const std::chrono::milliseconds silence(200 + random.below(3101));
+        simulation::BoardOptions options;
+        options.baud = static_cast<std::uint32_t>(baud);
+        options.hfHz = 1000.0;
+        support::LinkPair line(options, static_cast<std::uint64_t>(i) + 1);
+        line.drive = makeDrive({Protocol::Auto, options.baud, {}});
+        bool failed = false;
+        line.onEvent = [&](const Event &event) {
+            const auto *link = std::get_if<LinkChanged>(&event);
+            failed = failed || (link != nullptr && link->state == LinkState::Lost);
+        };
+        line.board->mute(silence);
+        line.toBoard.cut = deaf;
+        line.connect();
+        line.runFor(silence);
+        line.toBoard.cut = false;
+        const std::string place = std::to_string(silence.count()) + " ms";
+        QVERIFY2(line.runUntilIdentified(4s), place.c_str());
+        QVERIFY2(!failed, place.c_str());
+    }
+}
+
+void TestAutoDrive::whatRefusesAsTheNewerProtocolIsAskedInNothingElse()
+{
+    simulation::BoardOptions options;
+    options.baud = 115200;
+    options.hfHz = 1000.0;
+    support::LinkPair line(options);
+    line.drive = makeDrive({Protocol::Auto, 115200, {}});
+    line.board->mute(2300ms);
+    line.connect();
+    line.runFor(2300ms);
+    Bytes heard;
+    line.loses = [&](const Bytes &bytes) {
+        const auto isBeacon = [](std::uint8_t first) { return (first & 0xFU) == 5; };
+        heard.push_back(bytes.front());
+        return bytes.size() == 4 && isBeacon(bytes.front()); // it never agrees
+    };
+    QVERIFY(line.runUntil([&] { return line.link == LinkState::Lost; }, 8s));
+    const auto older = [&] { return std::count(heard.begin(), heard.end(), 0xFF); };
+    QVERIFY2(older() <= 8, std::to_string(older()).c_str());
+    line.loses = nullptr;
+    QVERIFY(line.runUntilIdentified(3s));
 }
 
 QTEST_APPLESS_MAIN(TestAutoDrive)
