@@ -36,7 +36,11 @@ Outcome<motor::RevUpStage> stageOf(double rpm, double digits, double ms, const Q
     const auto whole = [](double value, double least, double most) {
         return value >= least && value <= most && value == std::nearbyint(value);
     };
-    if (!whole(rpm, -32767, 32767) || !whole(digits, -32768, 32767) || !whole(ms, 0, 65535))
+    constexpr double kMostRpm = 32767;
+    if (rpm > kMostRpm || rpm < -kMostRpm)
+        return usage(QStringLiteral("The speed of \"%1\" is larger than a stage holds, %2 rpm.")
+                         .arg(word, QString::number(kMostRpm)));
+    if (!whole(rpm, -kMostRpm, kMostRpm) || !whole(digits, -32768, 32767) || !whole(ms, 0, 65535))
         return badStage(word);
     return motor::RevUpStage{static_cast<std::int32_t>(rpm), static_cast<std::int16_t>(digits),
         static_cast<std::uint16_t>(ms)};
@@ -133,6 +137,16 @@ void print(Output &out, const RevUp &stages, const drive::MotorFacts &facts)
     out.line(QStringLiteral("Total: %1 s").arg(QString::number(duration_s)));
 }
 
+void printRounding(Output &out, const RevUp &wanted)
+{
+    const RevUp kept = motor::keptByFirmware(wanted);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (kept[i].speed_rpm != wanted[i].speed_rpm)
+            out.line(QStringLiteral("Note: stage %1: %2 rpm became %3; boards keep steps of 6 rpm")
+                         .arg(QString::number(i + 1), QString::number(wanted[i].speed_rpm),
+                             QString::number(kept[i].speed_rpm)));
+}
+
 Outcome<int> writeStages(
     Desk &desk, drive::RegisterId id, const RevUp &stages, const drive::MotorFacts &facts)
 {
@@ -142,11 +156,13 @@ Outcome<int> writeStages(
             return failure(kRefused,
                 QStringLiteral("Stage %1 is beyond the limit of %2; nothing was written.")
                     .arg(QString::number(finding.stage + 1), QString::number(finding.limit)));
-    const RevUp all = motor::completed(stages);
+    const RevUp all = motor::keptByFirmware(motor::completed(stages));
     const drive::Write write{{{id, motor::bytesOf(all)}}, drive::Reach::Parameters};
     const auto written = writeAndReport(desk, write, Digits::Shown, QStringLiteral("The writing"));
-    if (written && !desk.out.json())
+    if (written && !desk.out.json()) {
+        printRounding(desk.out, stages);
         print(desk.out, all, facts); // bytes alone say little
+    }
     return written;
 }
 

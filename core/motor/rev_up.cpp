@@ -138,6 +138,13 @@ RevUpStage fittedStage(const RevUpStage &old, double speed_rpm, double digits, d
     return stage;
 }
 
+RevUp keptByFirmware(RevUp stages)
+{
+    for (RevUpStage &stage : stages)
+        stage.speed_rpm = static_cast<std::int32_t>(quantisedSpeed_rpm(stage.speed_rpm));
+    return stages;
+}
+
 RevUp usualRevUp(double nominalCurrent_a, double maxSpeed_rpm, double ampsPerDigit)
 {
     if (!(nominalCurrent_a > 0.0) || !(maxSpeed_rpm > 0.0) || !(ampsPerDigit > 0.0))

@@ -62,6 +62,9 @@ RevUpBounds revUpBounds(double maxSpeed_rpm, double maxCurrent_a, double ampsPer
 RevUpStage fittedStage(const RevUpStage &old, double speed_rpm, double digits, double duration_ms,
     const RevUpBounds &bounds);
 
+/// What the firmware keeps of it: each speed cut to whole steps of 0.1 Hz.
+RevUp keptByFirmware(RevUp stages);
+
 /// ST's start values: 2 s of half the nominal current at rest, then 3 s to 30 % of the highest speed.
 RevUp usualRevUp(double nominalCurrent_a, double maxSpeed_rpm, double ampsPerDigit);
 

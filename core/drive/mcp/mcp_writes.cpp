@@ -3,6 +3,8 @@
 #include "drive/mcp/mcp_limits.h"
 #include "drive/mcp/mcp_values.h"
 #include "mcp/protocol.h"
+#include "motor/ramp.h"
+#include "motor/rev_up.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +37,14 @@ std::string refuseLength(const RegisterWrite &write, const Value &before)
     return "takes " + std::to_string(old->size()) + " bytes";
 }
 
+/// A SPEED_RAMP as the board keeps it.
+Bytes keptSpeedRamp(ByteView written)
+{
+    ByteReader reader(written);
+    const double rpm = motor::quantisedSpeed_rpm(reader.s32());
+    return ByteWriter().s32(static_cast<std::int32_t>(rpm)).u16(reader.u16()).take();
+}
+
 /// Of what follows the id in a SET.
 std::size_t sizeOf(const mcp::Value &value, RegisterId id)
 {
@@ -54,15 +64,24 @@ std::optional<ReadStatus> McpProtocol::refuseRead(const McpBoard &board, Registe
     return std::nullopt;
 }
 
-/// TORQUE_RAMP reads back shorter than it is written.
+/// What reads back otherwise than it was written: TORQUE_RAMP is shorter, speeds are kept in 0.1 Hz.
 bool McpWriteTask::same(const RegisterWrite &write, const Value &read) const
 {
-    const auto *bytes = std::get_if<Bytes>(&write.value);
-    const bool torqueRamp = (write.id & ~RegisterId{7}) == mcp::reg::kTorqueRamp.bits;
-    if (torqueRamp && bytes != nullptr && bytes->size() == 6
-        && read == Value(Bytes{(*bytes)[0], (*bytes)[1], (*bytes)[4], (*bytes)[5]}))
+    if (sameValue(write.value, read))
         return true;
-    return sameValue(write.value, read);
+    const auto *bytes = std::get_if<Bytes>(&write.value);
+    const RegisterId bare = write.id & ~RegisterId{7};
+    constexpr std::size_t kRampSize = 6;
+    if (bytes == nullptr)
+        return false;
+    if (bare == mcp::reg::kTorqueRamp.bits && bytes->size() == kRampSize)
+        return read == Value(Bytes{(*bytes)[0], (*bytes)[1], (*bytes)[4], (*bytes)[5]});
+    if (bare == mcp::reg::kSpeedRamp.bits && bytes->size() == kRampSize)
+        return read == Value(keptSpeedRamp(*bytes));
+    if (bare == mcp::reg::kRevupData.bits)
+        if (const auto stages = motor::revUpOfBytes(*bytes))
+            return read == Value(motor::bytesOf(motor::keptByFirmware(*stages)));
+    return false;
 }
 
 /// Why it must not be written; empty if it may, like that.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace simulation {
 
@@ -79,9 +80,19 @@ Bytes nothing(At &)
 
 // Writing -------------------------------------------------------------------------------------------------------------
 
+/// Firmware keeps 16 bits of 0.1 Hz, made in 32 bits: what is cut off or overflows is read back so.
+std::int32_t keptSpeed_rpm(std::int32_t rpm)
+{
+    constexpr std::int32_t kStepsPerHz = 10, kRpmPerHz = 60;
+    const auto product = static_cast<std::int32_t>(static_cast<std::uint32_t>(rpm) * kStepsPerHz);
+    return static_cast<std::int16_t>(product / kRpmPerHz) * (kRpmPerHz / kStepsPerHz);
+}
+
 Status setSpeedRamp(RegisterContext &at, const StaleBytes &value, int)
 {
-    at.firmware.rampSpeed({static_cast<std::int16_t>(value.s32(0)), value.u16(4)});
+    constexpr std::int32_t kMost = std::numeric_limits<std::int16_t>::max();
+    const std::int32_t rpm = std::clamp(keptSpeed_rpm(value.s32(0)), -kMost, kMost);
+    at.firmware.rampSpeed({static_cast<std::int16_t>(rpm), value.u16(4)});
     return Status::Ok;
 }
 
@@ -111,8 +122,7 @@ Status setRevUpStages(RegisterContext &at, const StaleBytes &value, int size)
         return Status::BadRawFormat;
     for (std::size_t i = 0; i < stages; ++i) {
         const StaleBytes stage = value.from(i * kRevUpStageBytes);
-        const std::int32_t rpm = static_cast<std::int16_t>(stage.s32(0)); // cut to 16 bits
-        at.firmware.setRevUpStage(i, {rpm, stage.s16(4), stage.u16(6)});
+        at.firmware.setRevUpStage(i, {keptSpeed_rpm(stage.s32(0)), stage.s16(4), stage.u16(6)});
     }
     return Status::Ok;
 }

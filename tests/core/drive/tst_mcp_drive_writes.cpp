@@ -23,6 +23,7 @@ private Q_SLOTS:
     void valuesThatDoNotFitNeverLeave();
     void setPointsBeyondTheLimitsAreRefused();
     void rampRegistersReadBackInTheirOwnForm();
+    void speedsThatTheBoardRoundsAreWrittenAllTheSame();
     void theNewestWaitingWriteWins();
     void aLostAnswerIsSettledByReadingBack();
     void whatWasNotCarriedOutIsWrittenAgainOnce();
@@ -283,6 +284,37 @@ void TestMcpDriveWrites::rampRegistersReadBackInTheirOwnForm()
     QVERIFY(session.outcome(write) == Outcome::Ok);
     QVERIFY(session.ended[write].front().writes[0].readBack
         == Value(ByteWriter().s16(-50).u16(200).take()));
+}
+
+/// It keeps whole steps of 0.1 Hz, 6 rpm, cut towards zero.
+void TestMcpDriveWrites::speedsThatTheBoardRoundsAreWrittenAllTheSame()
+{
+    Session session;
+    const auto speedRamp = [](std::int32_t rpm) { return ByteWriter().s32(rpm).u16(500).take(); };
+    const auto stages = [](std::int32_t rpm) {
+        ByteWriter bytes;
+        for (std::int32_t i = 0; i < 5; ++i)
+            bytes.s32(i % 2 == 0 ? rpm : -rpm).s16(300).u16(200);
+        return bytes.take();
+    };
+    const auto wish = session.submit(Write{{{session.id("SPEED_RAMP"), speedRamp(1000)},
+        {session.id("REVUP_DATA"), stages(1000)}, {session.id("SPEED_RAMP"), speedRamp(-1003)},
+        {session.id("REVUP_DATA"), stages(5)}, {session.id("REVUP_DATA"), stages(996)}}});
+    QVERIFY(session.runUntilEnded(wish));
+    QVERIFY(session.ended[wish].front().outcome == Outcome::Ok);
+    const WishId one = session.submit(Write{
+        {{session.id("SPEED_RAMP"), speedRamp(1000)}, {session.id("REVUP_DATA"), stages(-1001)}}});
+    QVERIFY(session.runUntilEnded(one));
+    const auto &writes = session.ended[one].front().writes;
+    QVERIFY(writes[0].readBack == Value(speedRamp(996)));
+    QVERIFY(writes[1].readBack == Value(stages(-996)));
+    QVERIFY(allVerified(session.ended[one].front()));
+    // A later write of the same list makes another value of the first: that is not the board's rounding.
+    const WishId two = session.submit(Write{
+        {{session.id("REVUP_DATA"), stages(1000)}, {session.id("REVUP_DATA"), stages(1002)}}});
+    QVERIFY(session.runUntilEnded(two));
+    QVERIFY(session.ended[two].front().writes[0].verified == false);
+    QVERIFY(session.ended[two].front().writes[1].verified == true);
 }
 
 void TestMcpDriveWrites::theNewestWaitingWriteWins()
