@@ -189,7 +189,7 @@ void Controller::onNack(TimePoint now)
 {
     ++m_stats.nacks;
     if (blind())
-        return;
+        return damage();
     m_replyDue.reset(); // an answer of a kind: the Performer is done with what was sent
     damage();
     if (m_state == State::Connected)
@@ -243,11 +243,11 @@ void Controller::onTorn(TimePoint now)
 {
     ++m_stats.torn;
     m_tornTold = true;
+    damage();
     if (hurried()) {
         m_framer.resynchronise();
         return;
     }
-    damage();
     if (m_state == State::Connected)
         recover(now);
     if (m_framer.missing() > kShortTail)
@@ -430,6 +430,7 @@ Bytes Controller::bodyOf(ByteView payload) const
 
 void Controller::awaitReply(TimePoint from)
 {
+    m_askedAt = from;
     m_replyDue = from + responseTimeout() + kUnsentGrace;
     m_sentPending = true;
 }
@@ -439,6 +440,7 @@ void Controller::handleSent(TimePoint now)
     if (!m_sentPending || !m_output.empty())
         return;
     m_sentPending = false;
+    m_askedAt = now;
     if (m_replyDue)
         m_replyDue = now + responseTimeout();
 }

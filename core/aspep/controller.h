@@ -165,6 +165,7 @@ private:
         Stage stage = Stage::Patience;
         State before = State::Idle; ///< where to go on if the dialogue leads nowhere
         TimePoint until; ///< when the stage ends by itself
+        TimePoint begun{}; ///< the dialogue
     };
 
     // controller.cpp: what goes out, what comes in, what time brings
@@ -212,6 +213,7 @@ private:
 
     // controller_urgent.cpp
     void startUrgentDialogue(TimePoint now);
+    bool offered(TimePoint now) const;
     void sendBlind(TimePoint now);
     void onUrgentDue(TimePoint now);
     void endBlind(TimePoint now);
@@ -234,6 +236,7 @@ private:
     std::uint16_t m_number = 0; ///< of the last Ping
 
     std::optional<TimePoint> m_replyDue; ///< until then nothing else may be sent
+    TimePoint m_askedAt; ///< when the last packet left
     TimePoint m_payloadAt; ///< no payload of the last request has left before
     bool m_sentPending = false; ///< m_replyDue is an estimate until handleSent()
     bool m_requestOpen = false; ///< its end has not been told yet

@@ -15,6 +15,8 @@ namespace {
 
 constexpr Duration kPatience = 50ms; ///< for the reply that is due when the stop comes
 constexpr Duration kDialogue = 20ms; ///< for the echoes; then without them
+/// A packet of the dialogue that has just left has its time, but all of them have no more than this.
+constexpr Duration kWholeDialogue = 2 * kDialogue;
 constexpr Duration kBlindGap = 2ms; ///< the Performer listens again only after its next 1 ms task
 /// Ends the usual payload that a board still waits for; the longest, 256 bytes, with the third repetition.
 constexpr int kFillBeacons = 20;
@@ -50,7 +52,12 @@ void Controller::onUrgentDue(TimePoint now)
     } else if (m_urgent->stage == Urgent::Stage::Patience) {
         startUrgentDialogue(now);
     } else if (m_urgent->stage == Urgent::Stage::Dialogue) {
-        sendBlind(now);
+        const TimePoint answered =
+            std::min(m_askedAt + kDialogue, m_urgent->begun + kWholeDialogue);
+        if (m_replyDue && now < answered)
+            m_urgent->until = answered;
+        else
+            sendBlind(now);
     }
 }
 
@@ -58,15 +65,19 @@ void Controller::startUrgentDialogue(TimePoint now)
 {
     endRequest(std::nullopt);
     m_urgent->stage = Urgent::Stage::Dialogue;
+    m_urgent->begun = now;
     m_urgent->until = now + kDialogue;
+    m_rounds = 0;
+    m_echoesLeft = m_attempts = 1;
+    if (offered(now))
+        return;
     if (!m_framer.inStep() || m_state == State::Idle)
         m_framer.resynchronise();
     if (m_state == State::Idle || m_state == State::Connected) { // else the outage has begun before
         m_dialogueStart = now;
         m_outageStart = m_lastValid;
     }
-    m_attempts = m_rounds = 0;
-    m_echoesLeft = 1;
+    m_attempts = 0;
     if (m_everAgreed)
         m_state = State::Recovering;
     else if (m_state == State::Idle)
@@ -75,6 +86,13 @@ void Controller::startUrgentDialogue(TimePoint now)
     offer(now);
     m_output.back().gapBefore = kBlindGap;
     m_output.back().dropsEarlier = true;
+}
+
+/// Whether the dialogue has just begun, with a Beacon whose echo can still come: another would make the board miss both.
+bool Controller::offered(TimePoint now) const
+{
+    return m_step == Step::Offering && m_framer.inStep() && m_replyDue && m_output.empty()
+        && now - m_askedAt < kDialogue;
 }
 
 void Controller::sendBlind(TimePoint now)
