@@ -122,8 +122,11 @@ void Controller::receive(ByteView bytes, TimePoint now)
     const std::size_t wanted = std::min(kHeaderSize - m_firstHeard.size(), bytes.size());
     m_firstHeard.insert(m_firstHeard.end(), bytes.begin(), bytes.begin() + wanted);
     Packet packet;
+    bool proved = false; // that the stream is in step again
     for (;;) {
+        const bool lost = !m_framer.inStep();
         const Framer::Step step = m_framer.next(bytes, packet);
+        proved = m_framer.inStep() && (proved || lost);
         if (step == Framer::Step::NeedBytes)
             break;
         if (step == Framer::Step::Packet)
@@ -138,8 +141,8 @@ void Controller::receive(ByteView bytes, TimePoint now)
             break;
         }
     }
-    if (m_step == Step::Draining && m_framer.inStep() && !m_framer.midPacket())
-        rest(now, {}); // the packet that seemed torn is whole
+    if (m_step == Step::Draining && m_framer.inStep() && (proved || !m_framer.midPacket()))
+        rest(now, {}); // the packet that seemed torn is whole, or the stream goes on
     m_stats.discardedBytes = m_framer.discardedBytes();
 }
 

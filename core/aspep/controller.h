@@ -15,7 +15,8 @@
 // Rules of the wire that live here (firmware 6.0 to 6.4.2): never a second packet before the reply
 // to the first; a pause between the header and the payload of a request; the maxima are offered
 // first because boards only ever shrink; connected only after a Ping; resynchronisation by dialogue
-// (exact Beacon echo), never by scanning.
+// (exact Beacon echo). Where two packets of the stream in a row prove that the line is in step, the
+// dialogue need not wait for silence, and the stream goes on meanwhile; it is not left out.
 #pragma once
 
 #include "aspep/framer.h"

@@ -38,11 +38,40 @@ bool crcFits(ByteView payload, std::uint8_t low, std::uint8_t high)
 Framer::Step Framer::next(ByteView &bytes, Packet &packet)
 {
     if (!m_inStep) {
-        m_discarded += bytes.size();
-        scan(bytes);
+        hunt(bytes);
         bytes = {};
-        return Step::NeedBytes;
     }
+    while (m_inStep && m_provedAt < m_proved.size()) {
+        ByteView proved = ByteView(m_proved).subspan(m_provedAt);
+        const Step step = parse(proved, packet);
+        m_provedAt = m_proved.size() - proved.size();
+        if (step == Step::NeedBytes)
+            break;
+        if (!m_inStep) { // what came behind the packets that were proved
+            const Bytes rest(proved.begin(), proved.end());
+            m_proved.clear();
+            m_provedAt = 0;
+            hunt(rest);
+        }
+        return step;
+    }
+    return m_inStep ? parse(bytes, packet) : Step::NeedBytes;
+}
+
+void Framer::hunt(ByteView bytes)
+{
+    m_discarded += bytes.size();
+    if (!m_hunt.proves(bytes, m_limits.response, m_limits.dataCrc ? kCrcSize : 0))
+        return scan(bytes);
+    m_proved = m_hunt.take();
+    m_provedAt = 0;
+    m_discarded -= m_proved.size() - m_hunt.reused();
+    m_scanSize = m_scanSkip = 0;
+    m_inStep = true;
+}
+
+Framer::Step Framer::parse(ByteView &bytes, Packet &packet)
+{
     if (!m_inPayload) {
         const std::size_t part = std::min(kHeaderSize - m_headerSize, bytes.size());
         std::copy_n(
@@ -54,6 +83,7 @@ Framer::Step Framer::next(ByteView &bytes, Packet &packet)
         if (const Step step = startPacket(); step != Step::Packet)
             return step;
         if (!m_inPayload) {
+            m_hunt.passed();
             packet.header = m_header;
             packet.payload.clear();
             return Step::Packet;
@@ -100,6 +130,7 @@ Framer::Step Framer::finishPayload(Packet &packet)
         }
         m_payload.resize(length);
     }
+    m_hunt.learn(std::get<Data>(m_header), m_payload);
     packet.header = m_header;
     std::swap(packet.payload, m_payload); // its buffer is the next one's
     m_payload.clear();
@@ -112,8 +143,10 @@ Framer::Step Framer::bad(Step what)
     m_headerSize = 0;
     m_discarded += kHeaderSize;
     m_scanSize = m_scanSkip = 0;
-    if (what != Step::BadPayloadCrc)
+    const bool header = what != Step::BadPayloadCrc;
+    if (header)
         scan(m_headerBytes);
+    m_hunt.begin(header ? ByteView(m_headerBytes) : ByteView());
     return what;
 }
 
@@ -161,6 +194,9 @@ void Framer::resynchronise()
     m_inPayload = false;
     m_headerSize = 0;
     m_payload.clear();
+    m_hunt.end();
+    m_proved.clear();
+    m_provedAt = 0;
 }
 
 std::size_t Framer::missing() const

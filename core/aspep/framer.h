@@ -1,9 +1,11 @@
 // Bytes from a Performer to packets. In step until something is bad; then it says what was bad and
 // discards all that follows, until the owner has brought the line to rest and calls
-// resynchronise(). It never searches for a header: a header's CRC-4 lets one noisy word in sixteen
-// pass, and a false length swallows what follows it.
+// resynchronise(), or two packets of the stream in a row prove where packets begin (hunt.h). It
+// never believes a header alone: its CRC-4 lets one noisy word in sixteen pass, and a false length
+// swallows what follows it.
 #pragma once
 
+#include "aspep/hunt.h"
 #include "aspep/packet.h"
 
 #include <cstdint>
@@ -49,6 +51,8 @@ public:
     std::uint64_t discardedBytes() const { return m_discarded; }
 
 private:
+    Step parse(ByteView &bytes, Packet &packet);
+    void hunt(ByteView bytes);
     Step startPacket();
     Step finishPayload(Packet &packet);
     Step bad(Step what);
@@ -66,6 +70,9 @@ private:
     Bytes m_payload;
     std::size_t m_payloadSize = 0; ///< with its CRC
     std::uint64_t m_discarded = 0;
+    Hunt m_hunt;
+    Bytes m_proved; ///< what it gave back, to be parsed before what comes
+    std::size_t m_provedAt = 0; ///< so far
     HeaderBytes m_scanWindow{};
     std::size_t m_scanSize = 0; ///< bytes in the window
     std::size_t m_scanSkip = 0; ///< bytes to the end of what looked like a packet

@@ -1,4 +1,4 @@
-// The framer: packets from any split of the stream, and nothing after the first bad byte.
+// The framer: packets from any split of the stream, and after the first bad byte nothing that is not proved.
 #include "aspep/framer.h"
 #include "base/crc.h"
 #include "support/virtual_link.h"
@@ -20,6 +20,8 @@ private Q_SLOTS:
     void itKnowsWhatIsMissing();
     void itKnowsWhatAScannerWouldWaitFor();
     void everyFlippedHeaderBitIsSeen();
+    void twoPacketsOfAStreamInARowProveWhereTheyBegin();
+    void oneAloneOrAnotherLookProvesNothing();
 };
 
 namespace {
@@ -168,6 +170,71 @@ void TestFramer::everyFlippedHeaderBitIsSeen()
             QVERIFY(read.packets.empty() && read.end != Step::NeedBytes);
         }
     }
+}
+
+namespace {
+
+/// A packet of a stream: a timestamp, values, mark and id.
+Bytes ofStream(std::uint32_t number, std::uint8_t mark = 7)
+{
+    ByteWriter payload;
+    payload.u32(number * 255);
+    for (unsigned i = 0; i < 30; ++i)
+        payload.u16(static_cast<std::uint16_t>(number * 1000 + i * 37));
+    payload.u8(mark).u8(0);
+    return packet(false, payload.take());
+}
+
+} // namespace
+
+void TestFramer::twoPacketsOfAStreamInARowProveWhereTheyBegin()
+{
+    constexpr std::uint32_t kPackets = 12, kSpoilt = 4;
+    const std::size_t size = ofStream(0).size(), from = kSpoilt * (size + 5);
+    Bytes whole;
+    std::vector<Bytes> sent;
+    for (std::uint32_t i = 0; i < kPackets; ++i) {
+        const Bytes one = ofStream(i);
+        whole = whole + one + packet(true, hex("00")); // and an answer behind each
+        sent.emplace_back(one.begin() + 4, one.end());
+    }
+    std::size_t cheap = 0;
+    for (std::size_t at = from; at < from + size; ++at) {
+        Bytes bytes = whole;
+        bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(at));
+        Framer framer;
+        std::vector<Bytes> good;
+        for (std::size_t i = 0; i < bytes.size(); i += 16) {
+            const ByteView part =
+                ByteView(bytes).subspan(i, std::min<std::size_t>(16, bytes.size() - i));
+            for (const Packet &one : feed(framer, part).packets)
+                if (std::find(sent.begin(), sent.end(), one.payload) != sent.end())
+                    good.push_back(one.payload);
+        }
+        QVERIFY(std::is_sorted(good.begin(), good.end(), [&](const Bytes &a, const Bytes &b) {
+            return std::find(sent.begin(), sent.end(), a) < std::find(sent.begin(), sent.end(), b);
+        }));
+        QVERIFY(std::adjacent_find(good.begin(), good.end()) == good.end()); // none twice
+        cheap += good.size() == kPackets - 1 ? 1 : 0;
+    }
+    // The rest are headers whose CRC is right by chance, and lengths that swallow what follows.
+    QVERIFY2(cheap * 10 >= size * 9, std::to_string(cheap).c_str());
+}
+
+void TestFramer::oneAloneOrAnotherLookProvesNothing()
+{
+    const Bytes begun = ofStream(0) + ofStream(1) + hex("FF FF FF FF");
+    for (const Bytes &behind : {ofStream(2) + kBoard, ofStream(2) + ofStream(3, 8),
+             ofStream(2, 8) + ofStream(3, 8), ofStream(2) + hex("01") + ofStream(3)}) {
+        Framer framer;
+        QCOMPARE(feed(framer, begun).packets.size(), std::size_t{2});
+        QVERIFY(feed(framer, behind).packets.empty());
+        QVERIFY(!framer.inStep());
+    }
+    Framer framer; // nothing was learnt
+    QCOMPARE(feed(framer, hex("FF FF FF FF") + ofStream(2) + ofStream(3)).packets.size(),
+        std::size_t{0});
+    QVERIFY(!framer.inStep());
 }
 
 QTEST_APPLESS_MAIN(TestFramer)

@@ -92,6 +92,7 @@ private Q_SLOTS:
     void eachConfigurationHasAnotherMark();
     void ticksMapToTheSessionsTime();
     void aRecoveryShowsAsAGapOnly();
+    void aLostByteCostsLittle();
     void aLineThatIsTooSlowShowsGaps();
     void linkTwoUsesItsOwnRegister();
 };
@@ -303,6 +304,36 @@ void TestMcpDriveStream::aRecoveryShowsAsAGapOnly()
     QCOMPARE(judge.streams, 1U); // the same stream before and after
     QVERIFY(judge.lost > 0);
     QVERIFY2(judge.wrong.empty(), judge.wrong.c_str());
+}
+
+/// Two packets of the stream in a row prove where they begin: the link is mended while the samples go on.
+void TestMcpDriveStream::aLostByteCostsLittle()
+{
+    constexpr double kHfHz = 20000.0;
+    constexpr int kPlaces = 101;
+    std::vector<double> costs;
+    Session session;
+    QVERIFY(session.runAt(1500));
+    session.runFor(1s);
+    Judge judge(session);
+    session.submit(Stream{{session.id("STOPLL_ROT_SPEED"), session.id("V_Q"),
+                              session.id("HALL_SPEED"), session.id("ENCODER_SPEED")},
+        1, {}, 1}); // most of what the line carries
+    session.runFor(500ms);
+    for (int i = 0; i < kPlaces; ++i) {
+        const capture::Tick before = judge.lost;
+        session.toDrive.once = support::LineFaults::Once::Drop;
+        session.toDrive.onceAt = session.toDrive.passed + 100 + static_cast<std::uint64_t>(37 * i);
+        session.runFor(600ms);
+        costs.push_back(static_cast<double>(judge.lost - before) / kHfHz);
+    }
+    QVERIFY(session.link == LinkState::Connected);
+    QVERIFY2(judge.wrong.empty(), judge.wrong.c_str());
+    QCOMPARE(judge.streams, 1U);
+    std::sort(costs.begin(), costs.end());
+    const std::string told = "median " + std::to_string(costs[kPlaces / 2]) + " s, worst "
+        + std::to_string(costs.back()) + " s";
+    QVERIFY2(costs[kPlaces / 2] > 0.0 && costs[kPlaces / 2] <= 0.030, told.c_str());
 }
 
 void TestMcpDriveStream::aLineThatIsTooSlowShowsGaps()
