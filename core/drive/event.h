@@ -60,6 +60,8 @@ struct Identity {
     std::optional<std::chrono::milliseconds> watchdog;
     bool knownFirmware = true; ///< false: registers are shown raw and nothing is written
     std::string evidence = {}; ///< by what the protocol was recognised, in words; from core
+    /// One a motor: the register that its main sensor's speed is streamed from; empty: none, it is polled.
+    std::vector<std::string> speedSignals = {};
 };
 
 /// What bounds a set-point of one motor. Zero: the board did not say.
@@ -69,6 +71,7 @@ struct MotorLimits {
     double nominalCurrentAmps = 0.0;
     double polePairs = 0.0;
     double torquePerAmp = 0.0; ///< N m for each A of Iq
+    double speedStepRpm = 6.0; ///< what a set-point of speed resolves; firmware of ST keeps 0.1 Hz
 };
 
 /// What can be streamed, and what the link can carry.

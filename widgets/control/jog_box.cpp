@@ -1,6 +1,5 @@
 #include "widgets/control/jog_box.h"
 
-#include "motor/ramp.h"
 #include "widgets/control/command_box.h"
 #include "widgets/control/setpoint_edit.h"
 
@@ -215,9 +214,10 @@ JogButton *JogBox::makeButton(const QString &text, const char *name, int sign)
 void JogBox::updateLimit()
 {
     const double most = m_jog.greatestRpm();
-    m_speed->setLimits(most > 0.0 ? most : kFallbackRpm, motor::kSpeedStep_rpm, tr("rpm"));
+    const double step = m_device.limits(m_device.motor()).speedStepRpm;
+    m_speed->setLimits(most > 0.0 ? most : kFallbackRpm, step, tr("rpm"));
     if (most > 0.0 && !std::exchange(m_speedGiven, true))
-        m_speed->setValue(std::floor(most / 2.0 / motor::kSpeedStep_rpm) * motor::kSpeedStep_rpm);
+        m_speed->setValue(std::floor(most / 2.0 / step) * step);
     follow();
 }
 

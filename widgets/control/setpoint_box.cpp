@@ -2,7 +2,6 @@
 
 #include "drive/control_mode.h"
 #include "drive/set_point_check.h"
-#include "motor/ramp.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/control/command_box.h"
@@ -162,7 +161,7 @@ void SetpointBox::updateLimits()
     const drive::MotionBounds bounds = m_device.bounds(m_device.motor());
     m_speed->setLimits(
         bounds.rpm > 0.0 ? std::min(bounds.rpm, drive::kGreatestWireRpm) : drive::kGreatestWireRpm,
-        motor::kSpeedStep_rpm, tr("rpm"));
+        m_device.limits(m_device.motor()).speedStepRpm, tr("rpm"));
     for (SetpointEdit *edit : {m_torque, m_iq, m_id})
         edit->setLimits(
             bounds.amps > 0.0 ? bounds.amps : drive::kHighestAmps, kAmpStep, QStringLiteral("A"));

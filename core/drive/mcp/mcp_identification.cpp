@@ -15,7 +15,8 @@ namespace {
 constexpr int kMaxMotors = 7; // what three bits can number
 constexpr int kMostRounds = 8; // of reading a structure until it is there, and the same twice
 constexpr std::uint32_t kOldestKnown = 0x060000, kNewestKnown = 0x0604FF;
-constexpr std::uint8_t kSensorEncoder = 3, kSensorHall = 4, kSensorHso = 5, kSensorZest = 6;
+constexpr std::uint8_t kSensorPll = 1, kSensorCordic = 2, kSensorEncoder = 3, kSensorHall = 4,
+                       kSensorHso = 5, kSensorZest = 6;
 
 RegisterId idOf(mcp::RegisterId id, int motor)
 {
@@ -35,6 +36,21 @@ bool decidesSomething(const Reading &reading)
     if (text != nullptr)
         return reading.id == mcp::reg::kFwName.bits && watchdogIn(*text);
     return std::holds_alternative<Bytes>(reading.value);
+}
+
+/// The speed of the sensor that closes the loops, where it can be streamed.
+std::string speedSignalOf(const MotorDescription &motor, const catalog::Catalog &catalog)
+{
+    if (!motor.firmware || motor.firmware->sixStep)
+        return {};
+    const std::uint8_t sensor = motor.firmware->primarySensor;
+    const std::string name = sensor == kSensorPll ? "STOPLL_ROT_SPEED"
+        : sensor == kSensorCordic                 ? "STOCORDIC_ROT_SPEED"
+        : sensor == kSensorEncoder                ? "ENCODER_SPEED"
+        : sensor == kSensorHall                   ? "HALL_SPEED"
+                                                  : "";
+    const catalog::RegisterInfo *info = name.empty() ? nullptr : catalog.find(name);
+    return info && info->streaming != catalog::Streaming::Polled ? name : std::string();
 }
 
 } // namespace
@@ -225,6 +241,9 @@ void Identification::finish()
     m_identity.firmware = text(mcp::reg::kFwName, 0);
     m_identity.controlBoard = text(mcp::reg::kCtrlStageName, 0);
     m_board.watchdog = m_identity.watchdog = watchdogIn(m_identity.firmware);
+    m_identity.speedSignals.clear();
+    for (const MotorDescription &motor : motors)
+        m_identity.speedSignals.push_back(speedSignalOf(motor, *m_board.catalog));
     m_identity.motors = m_board.motors;
     m_identity.knownFirmware = m_board.knownFirmware;
     m_phase = Phase::Done;

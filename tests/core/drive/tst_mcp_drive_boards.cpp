@@ -79,6 +79,7 @@ private Q_SLOTS:
     void aMotorThatCannotBeIsNoBoard();
     void sensorSpeedsReadRightOnEveryVersion_data();
     void sensorSpeedsReadRightOnEveryVersion();
+    void theMainSensorsSpeedIsToldWhereItIsStreamed();
     void twoMotorsAreTwo();
     void bothMotorsOfAStreamShareItsTicks();
     void sixStepHasNoScopeAndNoTorque();
@@ -201,6 +202,31 @@ void TestMcpDriveBoards::sensorSpeedsReadRightOnEveryVersion()
     QVERIFY(std::abs(session.identified->catalog->readScale(session.id("I_A")).factor
                 - 60.175056458 / 32768.0)
         < 1e-8);
+}
+
+void TestMcpDriveBoards::theMainSensorsSpeedIsToldWhereItIsStreamed()
+{
+    for (const simulation::Preset &preset : simulation::presets()) {
+        simulation::BoardOptions options = board("mcsdk-6.4");
+        options.motor = preset.name;
+        Session session(true, options);
+        QVERIFY(session.ready);
+        const auto &named = session.identified->identity.speedSignals;
+        QCOMPARE(named.size(), std::size_t{1});
+        const simulation::SpeedSensor sensor = simulation::buildOf(options).mainSensor;
+        QCOMPARE(named[0],
+            std::string(sensor == simulation::SpeedSensor::Encoder      ? "ENCODER_SPEED"
+                    : sensor == simulation::SpeedSensor::Hall           ? "HALL_SPEED"
+                    : sensor == simulation::SpeedSensor::ObserverCordic ? "STOCORDIC_ROT_SPEED"
+                                                                        : "STOPLL_ROT_SPEED"));
+        // It is there, and the board streams it.
+        const WishId stream = session.submit(Stream{{session.id(named[0].c_str())}, 1, {}, 1});
+        QVERIFY(session.runUntilEnded(stream));
+        QVERIFY(session.outcome(stream) == Outcome::Ok);
+    }
+    Session sixStep(true, board("six-step"));
+    QVERIFY(sixStep.ready);
+    QCOMPARE(sixStep.identified->identity.speedSignals, std::vector<std::string>{""});
 }
 
 void TestMcpDriveBoards::twoMotorsAreTwo()

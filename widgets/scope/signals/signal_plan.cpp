@@ -62,10 +62,15 @@ void SignalPlan::addDefaults()
     const auto catalog = m_device.catalog();
     if (!catalog)
         return;
-    const bool simulated = m_device.endpoint().kind == session::Endpoint::Kind::Simulator;
-    // Which speed sensor a real board has is not known before it is asked; its measured speed always exists.
-    const std::pair<const char *, int> defaults[] = {{"I_A", 0}, {"I_B", 0}, {"I_Q_MEAS", 0},
-        {simulated ? "STOPLL_ROT_SPEED" : "SPEED_MEAS", 1}};
+    const auto motor = static_cast<std::size_t>(m_device.motor() - 1);
+    const auto &identified = m_device.identified();
+    std::string speed = identified && motor < identified->identity.speedSignals.size()
+        ? identified->identity.speedSignals[motor]
+        : std::string();
+    if (speed.empty())
+        speed = "SPEED_MEAS";
+    const std::pair<std::string, int> defaults[] = {
+        {"I_A", 0}, {"I_B", 0}, {"I_Q_MEAS", 0}, {speed, 1}};
     for (const auto &[name, plot] : defaults) {
         const catalog::RegisterInfo *info = catalog->find(name);
         if (info)
