@@ -51,6 +51,9 @@ void EditBar::refresh()
     m_apply->setText(count > 0 ? tr("Apply %n edit(s)", nullptr, count) : tr("Apply"));
     for (const auto &[button, action] :
         {std::pair(m_apply, m_applyAction), std::pair(m_revert, m_revertAction)}) {
+        // Else the next field would get the focus, and take the undo key for its own text.
+        if (button->hasFocus() && !action->isEnabled() && parentWidget() != nullptr)
+            parentWidget()->setFocus(Qt::OtherFocusReason);
         button->setEnabled(action->isEnabled());
         button->setToolTip(action->toolTip());
     }

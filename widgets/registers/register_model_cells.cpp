@@ -54,8 +54,10 @@ QVariant RegisterModel::cell(const Row &row, int column, int role) const
     case IdRole:
         return quint32(row.id);
     case SearchRole: {
-        QStringList words{QString::fromStdString(row.info->name),
-            QString::fromStdString(row.info->help), registerHelpText(*row.info)};
+        const QString name = QString::fromStdString(row.info->name);
+        QStringList words{name, QString(name).remove(QLatin1Char('_')),
+            QString::fromStdString(row.info->help), registerHelpText(*row.info),
+            QString::fromStdString(row.info->group), registerGroupText(row.info->group)};
         for (const std::string &alias : row.info->aliases)
             words.append(QString::fromStdString(alias));
         return words.join(QLatin1Char('\n'));

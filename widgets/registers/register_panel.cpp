@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QSortFilterProxyModel>
 #include <QVBoxLayout>
@@ -350,13 +351,44 @@ void RegisterPanel::showMenu(const QPoint &at)
 
 void RegisterPanel::search(const QString &text)
 {
-    m_proxy->setFilterFixedString(text.trimmed());
-    if (text.trimmed().isEmpty())
+    // Every word has to be there, in whatever order.
+    const QStringList words =
+        text.split(QRegularExpression(QStringLiteral("\\s+")), Qt::SkipEmptyParts);
+    QString pattern;
+    for (const QString &word : words)
+        pattern += QStringLiteral("(?=.*%1)").arg(QRegularExpression::escape(word));
+    m_proxy->setFilterRegularExpression(QRegularExpression(pattern,
+        QRegularExpression::CaseInsensitiveOption
+            | QRegularExpression::DotMatchesEverythingOption));
+    if (words.isEmpty()) {
         expandDefaults();
-    else
+    } else {
         m_tree->expandAll();
+        if (const QModelIndex best = bestHit(words.join(QLatin1Char('_'))); best.isValid())
+            m_tree->setCurrentIndex(best);
+    }
     updateDetails();
     m_settled.start();
+}
+
+/// The register of that name, else the first whose name begins with it, else the first; so that Down goes to it.
+QModelIndex RegisterPanel::bestHit(const QString &name) const
+{
+    QModelIndex beginning, first;
+    for (int group = 0; group < m_proxy->rowCount(); ++group) {
+        const QModelIndex parent = m_proxy->index(group, 0);
+        for (int row = 0; row < m_proxy->rowCount(parent); ++row) {
+            const QModelIndex hit = m_proxy->index(row, 0, parent);
+            const QString its = hit.data().toString();
+            if (its.compare(name, Qt::CaseInsensitive) == 0)
+                return hit;
+            if (!beginning.isValid() && its.startsWith(name, Qt::CaseInsensitive))
+                beginning = hit;
+            if (!first.isValid())
+                first = hit;
+        }
+    }
+    return beginning.isValid() ? beginning : first;
 }
 
 void RegisterPanel::expandDefaults()

@@ -64,6 +64,7 @@ private:
     void chooseSelected();
     void showMenu(const QPoint &at);
     void search(const QString &text);
+    QModelIndex bestHit(const QString &name) const;
     void expandDefaults();
 
     RegisterModel &m_model;

@@ -165,6 +165,33 @@ private Q_SLOTS:
         }
     }
 
+    void theSearchTakesWordsGroupsAndGoesToTheBestHit()
+    {
+        EditBench bench;
+        bench.panel.show();
+        auto *search = bench.panel.findChild<QLineEdit *>(QStringLiteral("registerSearch"));
+        auto *tree = bench.panel.findChild<QTreeView *>();
+        const auto current = [tree] {
+            return tree->currentIndex().siblingAtColumn(0).data().toString();
+        };
+        const auto found = [&](const char *name) {
+            const auto *proxy = qobject_cast<const QAbstractProxyModel *>(tree->model());
+            return proxy->mapFromSource(cellOf(bench, name, RegisterModel::ValueColumn)).isValid();
+        };
+        search->setText(QStringLiteral("id meas"));
+        QVERIFY(found("I_D_MEAS"));
+        QVERIFY(!found("I_Q_MEAS"));
+        search->setText(QStringLiteral("speed loop")); // a group
+        QVERIFY(found("SPEED_KP"));
+        QVERIFY(!found("I_Q_KP"));
+        search->setText(QStringLiteral("speed_kp")); // SPEED_KP_DIV has it, too
+        QCOMPARE(current(), QStringLiteral("SPEED_KP"));
+        search->setText(QStringLiteral("I_Q_K"));
+        QVERIFY2(current().startsWith(QStringLiteral("I_Q_K")), qPrintable(current()));
+        QTest::keyClick(search, Qt::Key_Down);
+        QVERIFY(tree->currentIndex().siblingAtColumn(0).data(RegisterModel::IdRole).isValid());
+    }
+
     void aRegisterIsPinnedByAKey()
     {
         EditBench bench;

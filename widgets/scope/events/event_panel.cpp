@@ -61,7 +61,7 @@ EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
     m_list->installEventFilter(this);
     m_onlyMarkers->setObjectName(QStringLiteral("onlyMarkers"));
 
-    auto *add = new QPushButton(tr("&Set a marker"), this);
+    auto *add = new QPushButton(tr("Set a mar&ker"), this);
     add->setObjectName(QStringLiteral("addMarker"));
     auto *remove = new QPushButton(tr("&Delete markers"), this);
     remove->setObjectName(QStringLiteral("deleteMarker"));
