@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QKeyEvent>
+#include <QLineEdit>
 
 namespace widgets {
 namespace {
@@ -40,6 +41,13 @@ bool ShortcutGuard::eventFilter(QObject *watched, QEvent *event)
         event->accept();
         return true;
     }
+    // A field without a change of its own leaves undo and redo to what was written.
+    if (const auto *field = qobject_cast<QLineEdit *>(watched))
+        if ((key->matches(QKeySequence::Undo) && !field->isUndoAvailable())
+            || (key->matches(QKeySequence::Redo) && !field->isRedoAvailable())) {
+            event->ignore();
+            return true;
+        }
     return false;
 }
 

@@ -1,6 +1,6 @@
 // ShortcutGuard: keeps the scope's single keys from taking a key that a focused control needs: the Space bar still
 // ticks a box, also one in a list, opens a list of choices or presses an ordinary button. Motor buttons refuse it, so
-// there it stays the scope's.
+// there it stays the scope's. The other way round, a field takes undo and redo only if it has something to undo.
 #pragma once
 
 #include <QObject>

@@ -4,6 +4,7 @@
 #include "support/window_rig.h"
 #include "widgets/forms/gain_label.h"
 #include "widgets/forms/gain_texts.h"
+#include "widgets/window/shortcut_guard.h"
 
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
@@ -125,6 +126,39 @@ private Q_SLOTS:
         QVERIFY(bench.type("I_Q_KP", QStringLiteral("77")));
         bench.typeInto("labBandwidth", QStringLiteral("2000"));
         QCOMPARE(wantedOf(bench, "I_Q_KP"), 77);
+    }
+
+    void undoAfterApplyIsThatOfTheWrite()
+    {
+        GainBench bench;
+        const widgets::ShortcutGuard guard; // as in the window
+        bench.form.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&bench.form));
+        QAction undo;
+        undo.setShortcut(QKeySequence::Undo);
+        int undone = 0;
+        connect(&undo, &QAction::triggered, this, [&] { ++undone; });
+        bench.form.addAction(&undo);
+        typeMotor(bench, "0.35", "0.6", "0.6"); // fields with texts of their own to undo
+        bench.typeInto("labBandwidth", QStringLiteral("2200"));
+        bench.button("labPreview")->click();
+        bench.button("applyEdits")->setFocus();
+        QVERIFY(bench.button("applyEdits")->hasFocus());
+        bench.button("applyEdits")->click();
+        QVERIFY(bench.settle());
+        QVERIFY(!bench.button("applyEdits")->isEnabled());
+        QWidget *focused = QApplication::focusWidget();
+        QVERIFY(focused);
+        QVERIFY2(qobject_cast<QLineEdit *>(focused) == nullptr, qPrintable(focused->objectName()));
+        QTest::keySequence(focused, QKeySequence::Undo);
+        QCOMPARE(undone, 1);
+        // A field that nobody typed into has nothing to undo.
+        bench.field("labPolePairs")->setFocus();
+        QTest::keySequence(bench.field("labPolePairs"), QKeySequence::Undo);
+        QCOMPARE(undone, 2);
+        bench.typeInto("labPolePairs", QStringLiteral("5"));
+        QTest::keySequence(bench.field("labPolePairs"), QKeySequence::Undo);
+        QCOMPARE(undone, 2);
     }
 
     void theMotorComesFromTheBoard()
