@@ -2895,16 +2895,16 @@
         <translation>Enter zeigt ein Ereignis im Oszilloskop, F2 ändert die Notiz einer Markierung, Entf löscht eine Markierung</translation>
     </message>
     <message>
-        <source>&amp;Set a marker</source>
-        <translation>Markierung &amp;setzen</translation>
-    </message>
-    <message>
         <source>&amp;Delete markers</source>
         <translation>Markierungen &amp;löschen</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
         <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Set a mar&amp;ker</source>
+        <translation>Mar&amp;kierung setzen</translation>
     </message>
 </context>
 <context>

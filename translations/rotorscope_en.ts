@@ -2895,15 +2895,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Set a marker</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Delete markers</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>&amp;Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set a mar&amp;ker</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace widgets {
 namespace {
 
@@ -29,8 +31,8 @@ Colors colorsOf(Banner::Kind kind, bool dark)
 
 } // namespace
 
-Banner::Banner(QWidget *parent)
-    : QFrame(parent)
+Banner::Banner(QWidget *over)
+    : QFrame(over)
     , m_mark(new QLabel(this))
     , m_text(new QLabel(this))
     , m_close(new QToolButton(this))
@@ -54,7 +56,23 @@ Banner::Banner(QWidget *parent)
     layout->addWidget(m_mark);
     layout->addWidget(m_text, 1);
     layout->addWidget(m_close);
+    over->installEventFilter(this);
     hide();
+}
+
+void Banner::place()
+{
+    const int width = parentWidget()->width();
+    setGeometry(
+        0, 0, width, std::min(layout()->totalHeightForWidth(width), parentWidget()->height()));
+    raise();
+}
+
+bool Banner::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Resize && isVisible())
+        place();
+    return QFrame::eventFilter(watched, event);
 }
 
 void Banner::say(Kind kind, const QString &sentence)
@@ -67,6 +85,7 @@ void Banner::say(Kind kind, const QString &sentence)
     setAccessibleName(sentence);
     m_text->setFocusPolicy(Qt::ClickFocus); // so that it can be copied
     recolor();
+    place();
     show();
 }
 

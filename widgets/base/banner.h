@@ -1,4 +1,5 @@
-// Banner: one sentence above the work, without stopping anything. It stays until its cause is gone or it is closed.
+// Banner: one sentence over the upper edge of the work, without stopping or moving anything: it covers a strip of the
+// widget that it lies on. It stays until its cause is gone or it is closed.
 #pragma once
 
 #include <QFrame>
@@ -13,7 +14,7 @@ class Banner : public QFrame {
 public:
     enum class Kind : std::uint8_t { Note, Warning, Bad };
 
-    explicit Banner(QWidget *parent = nullptr);
+    explicit Banner(QWidget *over);
 
     /// Replaces what was said.
     void say(Kind kind, const QString &sentence);
@@ -23,9 +24,11 @@ public:
 
 protected:
     void changeEvent(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     void recolor();
+    void place();
 
     QLabel *m_mark;
     QLabel *m_text;

@@ -119,6 +119,9 @@ ControlPanel::ControlPanel(
     top->addWidget(m_commands);
     top->addWidget(m_words);
     top->addWidget(line(this));
+    QSizePolicy kept = m_words->sizePolicy(); // what is below does not move when they come
+    kept.setRetainSizeWhenHidden(true);
+    m_words->setSizePolicy(kept);
     m_words->hide();
     // What the motor does is read also where a message and the words of a stop leave no room for all that can be wished.
     auto *read = new QWidget(this);

@@ -70,12 +70,18 @@ StateBox::StateBox(Device &device, QWidget *parent)
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(4);
-    grid->addWidget(m_state, 0, 0, 1, 2);
+    grid->addWidget(m_state, 0, 0);
+    grid->addWidget(m_causes, 0, 1); // where the row is high enough for it
     grid->addWidget(m_strip, 1, 0, 1, 2);
-    grid->addWidget(m_faultsNow, 2, 0);
-    grid->addWidget(m_causes, 2, 1, 2, 1, Qt::AlignTop);
-    grid->addWidget(m_faultsPast, 3, 0);
+    grid->addWidget(m_faultsNow, 2, 0, 1, 2);
+    grid->addWidget(m_faultsPast, 3, 0, 1, 2);
     grid->setColumnStretch(0, 1);
+    // What is below must not move when a fault comes or goes: a hand may be on its way to it.
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_causes, m_strip}) {
+        QSizePolicy policy = widget->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        widget->setSizePolicy(policy);
+    }
 
     connect(&device, &Device::linkStateChanged, this, &StateBox::follow);
     connect(&device, &Device::statusChanged, this, &StateBox::follow);
@@ -139,6 +145,8 @@ void StateBox::showFaults(const drive::MotorStatus &status, bool believed)
             : QStringLiteral("\u2716 ") + tr("Present: %1").arg(joined(status.faultsNow)));
     m_faultsNow->setEnabled(believed);
     const std::vector<std::string> over = faultsOver(status);
+    // One row, whichever there are; two only where there are both.
+    m_faultsNow->setVisible(!believed || !status.faultsNow.empty() || over.empty());
     m_faultsPast->setVisible(believed && !over.empty());
     m_faultsPast->setText(tr("To acknowledge: %1").arg(joined(over)));
     m_causes->setVisible(believed && (!status.faultsNow.empty() || !over.empty()));

@@ -26,6 +26,9 @@ FirstSteps::FirstSteps(Device &device, QWidget *parent)
     m_title->setTextFormat(Qt::PlainText);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setWordWrap(true);
+    // Two lines, also where a step says less: the scope's controls below stay where they are.
+    m_text->setMinimumHeight(2 * m_text->fontMetrics().lineSpacing());
+    m_text->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_first->setObjectName(QStringLiteral("firstStepsFirst"));
     m_second->setObjectName(QStringLiteral("firstStepsSecond"));
     m_close->setObjectName(QStringLiteral("firstStepsHide"));

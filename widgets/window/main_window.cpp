@@ -191,7 +191,8 @@ QWidget *MainWindow::makeTop()
     m_frame = new QWidget(top);
     m_frame->setFixedHeight(3);
     m_frame->setAutoFillBackground(true);
-    m_banner = new Banner(top);
+    // Over the plots: what one is about to click stays where it is.
+    m_banner = new Banner(m_scope->findChild<QWidget *>(QStringLiteral("scopePlot")));
 
     auto *layout = new QVBoxLayout(top);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -199,7 +200,6 @@ QWidget *MainWindow::makeTop()
     layout->addWidget(bar);
     layout->addWidget(strip);
     layout->addWidget(m_frame);
-    layout->addWidget(m_banner);
     makeMenus(*bar);
     updateFrame();
     return top;
