@@ -34,7 +34,8 @@ public:
     }
     std::vector<judge::Motor> truth() const override
     {
-        const bool driven = m_state == State::On || m_state == State::Enabled;
+        // A fault switches the power stage off, whatever was asked for before.
+        const bool driven = !m_fault && (m_state == State::On || m_state == State::Enabled);
         return {{driven, !driven, 0.0}};
     }
 
