@@ -31,8 +31,9 @@ Colors colorsOf(Banner::Kind kind, bool dark)
 
 } // namespace
 
-Banner::Banner(QWidget *over)
-    : QFrame(over)
+Banner::Banner(QWidget *over, QWidget *window)
+    : QFrame(window)
+    , m_over(over)
     , m_mark(new QLabel(this))
     , m_text(new QLabel(this))
     , m_close(new QToolButton(this))
@@ -56,21 +57,20 @@ Banner::Banner(QWidget *over)
     layout->addWidget(m_mark);
     layout->addWidget(m_text, 1);
     layout->addWidget(m_close);
-    over->installEventFilter(this);
     hide();
 }
 
 void Banner::place()
 {
-    const int width = parentWidget()->width();
-    setGeometry(
-        0, 0, width, std::min(layout()->totalHeightForWidth(width), parentWidget()->height()));
+    const int width = m_over->width();
+    const int height = std::min(layout()->totalHeightForWidth(width), m_over->height());
+    setGeometry(QRect(m_over->mapTo(parentWidget(), QPoint()), QSize(width, height)));
     raise();
 }
 
 bool Banner::eventFilter(QObject *watched, QEvent *event)
 {
-    if (event->type() == QEvent::Resize && isVisible())
+    if ((event->type() == QEvent::Resize || event->type() == QEvent::Move) && isVisible())
         place();
     return QFrame::eventFilter(watched, event);
 }
@@ -85,6 +85,9 @@ void Banner::say(Kind kind, const QString &sentence)
     setAccessibleName(sentence);
     m_text->setFocusPolicy(Qt::ClickFocus); // so that it can be copied
     recolor();
+    // Whatever moves it along; where it stands in the window may have changed since.
+    for (QWidget *widget = m_over; widget != parentWidget(); widget = widget->parentWidget())
+        widget->installEventFilter(this);
     place();
     show();
 }

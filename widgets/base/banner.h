@@ -14,7 +14,8 @@ class Banner : public QFrame {
 public:
     enum class Kind : std::uint8_t { Note, Warning, Bad };
 
-    explicit Banner(QWidget *over);
+    /// @param over  whose upper edge it covers; somewhere inside `window`, so that pictures of it do not show this
+    Banner(QWidget *over, QWidget *window);
 
     /// Replaces what was said.
     void say(Kind kind, const QString &sentence);
@@ -30,6 +31,7 @@ private:
     void recolor();
     void place();
 
+    QWidget *m_over;
     QLabel *m_mark;
     QLabel *m_text;
     QToolButton *m_close;

@@ -192,7 +192,7 @@ QWidget *MainWindow::makeTop()
     m_frame->setFixedHeight(3);
     m_frame->setAutoFillBackground(true);
     // Over the plots: what one is about to click stays where it is.
-    m_banner = new Banner(m_scope->findChild<QWidget *>(QStringLiteral("scopePlot")));
+    m_banner = new Banner(m_scope->findChild<QWidget *>(QStringLiteral("scopePlot")), this);
 
     auto *layout = new QVBoxLayout(top);
     layout->setContentsMargins(0, 0, 0, 0);

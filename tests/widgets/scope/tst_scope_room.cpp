@@ -68,7 +68,7 @@ private Q_SLOTS:
         m_rig->find<QAction>("measureDockOpen")->trigger();
         m_rig->draw();
         QTRY_VERIFY(folded());
-        QVERIFY(fold->text().contains(QStringLiteral("2 Signale")));
+        QVERIFY(fold->text().contains(QStringLiteral("3 Signale")));
         for (int plot = 0; plot < m_rig->scope().plotCount(); ++plot)
             QTRY_VERIFY(m_rig->scope().plotRect(plot).height() >= 75);
         QTest::mouseClick(fold, Qt::LeftButton); // a person has the last word

@@ -1,11 +1,13 @@
 // Nothing that one could be about to click changes its place while messages, faults, stops and recordings come and go.
 #include "support/window_rig.h"
 #include "widgets/base/banner.h"
+#include "widgets/scope/scope_view.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTemporaryDir>
@@ -47,17 +49,28 @@ private Q_SLOTS:
                                "room. ")
                     .repeated(4));
             QVERIFY(banner->isVisible());
-            const QRect picture(QPoint(), m_rig->find<QWidget>("scopePlot")->size());
+            const auto *plot = m_rig->find<QWidget>("scopePlot");
+            const QRect picture(plot->mapTo(&m_rig->window, QPoint()), plot->size());
             QVERIFY(picture.contains(banner->geometry()));
             const auto *text = m_rig->find<QLabel>("bannerText");
             QVERIFY(text->height() >= text->heightForWidth(text->width()));
             QCOMPARE(moved(), QString());
             m_rig->window.resize(1100, 700); // it goes along
             settle();
-            QCOMPARE(banner->width(), m_rig->find<QWidget>("scopePlot")->width());
+            QCOMPARE(banner->width(), plot->width());
+            QCOMPARE(banner->pos(), plot->mapTo(&m_rig->window, QPoint()));
+            auto *dock = m_rig->find<QDockWidget>("registerDock");
+            dock->hide(); // the picture is elsewhere now
+            settle();
+            QCOMPARE(banner->pos(), plot->mapTo(&m_rig->window, QPoint()));
+            dock->show();
+            settle();
             m_rig->window.resize(1280, 720);
             settle();
+            QVERIFY(banner->isVisible());
+            const QImage with = m_rig->window.scope()->grab().toImage();
             banner->clear();
+            QVERIFY(with == m_rig->window.scope()->grab().toImage()); // no picture has it
             QCOMPARE(moved(), QString());
         }
     }
