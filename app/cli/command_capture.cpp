@@ -62,6 +62,10 @@ public:
         , m_recorder(desk.arguments.capture.seconds)
     {
     }
+    /// Whichever way it ended, the conversation goes on: the farewell has events, too.
+    ~CaptureRun() { m_desk.talk.listen({}); }
+    CaptureRun(const CaptureRun &) = delete;
+    CaptureRun &operator=(const CaptureRun &) = delete;
 
     Outcome<int> run();
 

@@ -118,7 +118,7 @@ private:
     static constexpr int kMostActs = 64;
     static constexpr Duration kToIdentify = 1500ms;
     static constexpr TimePoint kLatest{5s}; ///< then the acts end
-    static constexpr Duration kToSettle = 30s, kToClose = 700ms;
+    static constexpr Duration kToSettle = 60s, kToClose = 700ms;
     static constexpr std::size_t kMostOutput = 16384; ///< bytes of one turn
     static constexpr std::size_t kMostEvents = 2000; ///< of one turn
     static constexpr int kStepsAtOneInstant = 1000;
