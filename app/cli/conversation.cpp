@@ -21,6 +21,7 @@ namespace {
 
 constexpr auto kConnectWithin = 15s; ///< the drive gives up earlier by itself
 constexpr auto kEndWithin = 30s; ///< of any wish; the drive ends each by itself
+constexpr int kMostTries = 4; ///< of what could not leave in time
 constexpr auto kIdleWithin = 2s; ///< after a stop
 constexpr auto kStopsLeave = std::chrono::duration_cast<Conversation::Milliseconds>(
     drive::StopSequence::kBlindTime + 500ms); ///< the last that is sent blind has left
@@ -81,22 +82,34 @@ void Conversation::close()
     (void)waitUntil([this] { return m_session.closed(); }, kFarewell);
 }
 
-Outcome<drive::Ended> Conversation::ask(decltype(drive::Wish::what) what)
+Outcome<drive::Ended> Conversation::ask(const decltype(drive::Wish::what) &what)
 {
-    m_ended.reset();
-    m_session.submit(
-        {.id = ++m_lastWish, .what = std::move(what), .source = drive::Source::CommandLine});
-    const auto waited = waitUntil([this] { return m_ended.has_value(); }, kEndWithin);
-    if (!waited)
-        return tl::make_unexpected(waited.error());
-    if (*waited == Waited::TimeOver)
-        return failure(kNoConnection, sentenceOf(drive::LinkReason::Silence, m_arguments));
-    return *m_ended;
+    // On a computer that stalls a wish may grow old before it leaves. Nothing of it has left then, and who typed it waits.
+    const auto tooLate = [](const drive::Ended &ended) {
+        const auto wasLate = [](const drive::WriteResult &write) {
+            return write.outcome == drive::Outcome::NotSent && write.reason == drive::kTooLate;
+        };
+        return ended.outcome == drive::Outcome::NotSent
+            && (ended.writes.empty()
+                    ? ended.reason == drive::kTooLate
+                    : std::all_of(ended.writes.begin(), ended.writes.end(), wasLate));
+    };
+    for (int tries = 1;; ++tries) {
+        m_ended.reset();
+        m_session.submit({.id = ++m_lastWish, .what = what, .source = drive::Source::CommandLine});
+        const auto waited = waitUntil([this] { return m_ended.has_value(); }, kEndWithin);
+        if (!waited)
+            return tl::make_unexpected(waited.error());
+        if (*waited == Waited::TimeOver)
+            return failure(kNoConnection, sentenceOf(drive::LinkReason::Silence, m_arguments));
+        if (tries == kMostTries || !tooLate(*m_ended))
+            return *m_ended;
+    }
 }
 
-Conversation::Asked Conversation::askToTheEnd(decltype(drive::Wish::what) what)
+Conversation::Asked Conversation::askToTheEnd(const decltype(drive::Wish::what) &what)
 {
-    const auto ended = ask(std::move(what));
+    const auto ended = ask(what);
     if (ended)
         return {*ended, m_broken};
     close(); // ends the wish, and tells how far it came
@@ -104,9 +117,9 @@ Conversation::Asked Conversation::askToTheEnd(decltype(drive::Wish::what) what)
 }
 
 Outcome<drive::Ended> Conversation::command(
-    decltype(drive::Wish::what) wish, const QString &what, const QString &advice)
+    const decltype(drive::Wish::what) &wish, const QString &what, const QString &advice)
 {
-    auto ended = ask(std::move(wish));
+    auto ended = ask(wish);
     if (!ended || ended->outcome == drive::Outcome::Ok)
         return ended;
     const QString reason = plainText(ended->reason);

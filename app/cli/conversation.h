@@ -36,17 +36,18 @@ public:
     /// Ends streaming and closes the port, within half a second. A motor goes on as it is.
     void close();
 
-    /// Asks for something and waits for its end. Not armed: what writes or moves ends NotSent.
-    Outcome<drive::Ended> ask(decltype(drive::Wish::what) what);
+    /// Asks for something and waits for its end. Not armed: what writes or moves ends NotSent. What could not leave in
+    /// time is asked for again, a few times: nothing of it has left.
+    Outcome<drive::Ended> ask(const decltype(drive::Wish::what) &what);
     /// ask() for what changes something: whatever ends it, also what is known until then. At least one is there.
     struct Asked {
         std::optional<drive::Ended> ended;
         std::optional<Failure> broken; ///< the connection is closed then
     };
-    Asked askToTheEnd(decltype(drive::Wish::what) what);
+    Asked askToTheEnd(const decltype(drive::Wish::what) &what);
     /// ask() for what must succeed: any other outcome is a failure that begins with `what`. `advice` ends the sentence
     /// about a refusal.
-    Outcome<drive::Ended> command(decltype(drive::Wish::what) wish, const QString &what,
+    Outcome<drive::Ended> command(const decltype(drive::Wish::what) &wish, const QString &what,
         const QString &advice = QStringLiteral(
             "look at the board's state and faults with rotorscope-cli info"));
     /// Readings in the order of the ids; a register that never answered is NotSupported at no time.
