@@ -194,8 +194,8 @@ void EventRecorder::status(int motor)
     std::vector<std::string> fresh = now.faultsNow;
     std::erase_if(fresh, [&](const std::string &fault) { return has(before.faultsNow, fault); });
     for (const std::string &fault : now.faultsPast)
-        if (met && !has(before.faultsPast, fault)
-            && !has(before.faultsNow, fault) && !has(now.faultsNow, fault))
+        if (met && !has(before.faultsPast, fault) && !has(before.faultsNow, fault)
+            && !has(now.faultsNow, fault))
             fresh.push_back(fault);
     for (const std::string &fault : fresh) {
         note(EventKind::Fault, seconds, named(motor, deviceText(fault)));
