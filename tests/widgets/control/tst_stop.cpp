@@ -167,7 +167,7 @@ private Q_SLOTS:
         device().portChanged(session::PortState::Closed, {});
         device().open({}); // the simulated board; the session has not heard of it yet
         QTest::keyClick(&m_rig->window, Qt::Key_Escape);
-        QTRY_VERIFY(words.size() >= 1);
+        QTRY_VERIFY(!words.empty());
     }
 
     void aPortThatGoesWithAnOpenStopIsAlarmedAtOnce()

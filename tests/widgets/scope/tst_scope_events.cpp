@@ -169,7 +169,7 @@ void TestScopeEvents::aFaultThatIsOverWhenTheBoardIsAskedIsNoted()
     told.clear();
     facts::feed(m_rig->device(), {status});
     QCOMPARE(faultsIn(2.4, 2.6), QStringList{QStringLiteral("SPEED_FDBK")});
-    QVERIFY(told.size() >= 1); // the trigger's
+    QVERIFY(!told.empty()); // the trigger's
     QVERIFY(told[0][1].value<EventKind>() == EventKind::Fault);
     status.at = TimePoint(2700ms);
     facts::feed(m_rig->device(), {status}); // the same again is no event
