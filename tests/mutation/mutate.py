@@ -115,7 +115,7 @@ def try_one(mutant, build, jobs):
     try:
         path.write_text("\n".join(lines))
         for test in PATH[file]:
-            if not list((ROOT / "tests").glob(f"*/{test}.cpp")):
+            if not list((ROOT / "tests").rglob(f"{test}.cpp")):
                 continue
             code, _ = judged(build, jobs, test)
             if code is None:
@@ -150,7 +150,7 @@ def main():
         mutants = sorted(random.Random(given.seed).sample(mutants, given.sample))
     # A test that fails without any mutant would kill them all.
     for test in {test for mutant in mutants for test in PATH[mutant[0]]}:
-        if list((ROOT / "tests").glob(f"*/{test}.cpp")) and judged(given.build, given.jobs, test)[0] != 0:
+        if list((ROOT / "tests").rglob(f"{test}.cpp")) and judged(given.build, given.jobs, test)[0] != 0:
             print(f"{test} fails, or does not build, as the source is now: nothing can be judged")
             return 1
     known, tried, survivors, unexplained = excused(), 0, 0, 0

@@ -21,6 +21,14 @@ struct CliRun {
     QJsonArray list() const { return QJsonDocument::fromJson(out.toUtf8()).array(); }
     QJsonObject object() const { return QJsonDocument::fromJson(out.toUtf8()).object(); }
     bool oneLineOfError() const { return err.count(QLatin1Char('\n')) == 1; }
+    /// The line or one of the programs stood still, and nothing of the command got through.
+    bool stalled() const
+    {
+        return status == 1
+            && (err.contains(QLatin1String("was not sent: no answer"))
+                || err.contains(QLatin1String("was not sent: too late"))
+                || err.contains(QLatin1String("stood still")));
+    }
 };
 
 inline CliRun resultOf(QProcess &process)
@@ -82,11 +90,17 @@ public:
     QString port() const { return m_folder.filePath(QStringLiteral("port")); }
     QString file(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
 
-    /// A command in one string, then words that may hold spaces.
+    /// A command in one string, then words that may hold spaces. The program never repeats what moves a motor; what it
+    /// says the board did not get, because this machine stalled, is typed again here.
     CliRun cli(const char *line, const QStringList &more = {}) const
     {
-        return runCli(QStringList{QStringLiteral("--port"), port()}
-            + QString::fromUtf8(line).split(QLatin1Char(' '), Qt::SkipEmptyParts) + more);
+        constexpr int kTries = 5;
+        const QStringList words = QStringList{QStringLiteral("--port"), port()}
+            + QString::fromUtf8(line).split(QLatin1Char(' '), Qt::SkipEmptyParts) + more;
+        CliRun run = runCli(words);
+        for (int tries = 1; tries < kTries && run.stalled(); ++tries)
+            run = runCli(words);
+        return run;
     }
 
 private:
