@@ -3576,6 +3576,73 @@
     </message>
 </context>
 <context>
+    <name>widgets::Leaving</name>
+    <message>
+        <source>Stop motors</source>
+        <translation>Motoren stoppen</translation>
+    </message>
+    <message>
+        <source>Rotorscope has told every motor to stop, but there is no evidence that they did. A motor may still be turning.</source>
+        <translation>Rotorscope hat jedem Motor den Stopp gesagt, aber nichts belegt, dass sie stehen. Vielleicht dreht sich noch ein Motor.</translation>
+    </message>
+    <message>
+        <source>No port is open that could carry a stop. A motor may still be turning, and nothing tells how fast.</source>
+        <translation>Kein Anschluss ist offen, der einen Stopp übertragen könnte. Vielleicht dreht sich noch ein Motor, und nichts sagt, wie schnell.</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Bleiben</translation>
+    </message>
+    <message>
+        <source>Leave running?</source>
+        <translation>Laufen lassen?</translation>
+    </message>
+    <message>
+        <source>Leave the motors as they are?</source>
+        <translation>Die Motoren lassen, wie sie sind?</translation>
+    </message>
+    <message>
+        <source>They may go on turning, and nothing will watch them.</source>
+        <translation>Sie drehen vielleicht weiter, und nichts überwacht sie.</translation>
+    </message>
+    <message>
+        <source>Leave running</source>
+        <translation>Laufen lassen</translation>
+    </message>
+    <message>
+        <source>Stopping the motors before the port is closed…</source>
+        <translation>Die Motoren werden gestoppt, bevor der Anschluss geschlossen wird …</translation>
+    </message>
+    <message>
+        <source>Disconnect all the same…</source>
+        <translation>Trotzdem trennen …</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>A motor is not idle.</source>
+        <translation>Ein Motor ist nicht in Ruhe.</translation>
+    </message>
+    <message>
+        <source>Without a connection nothing watches it, and this program cannot stop it.</source>
+        <translation>Ohne Verbindung überwacht ihn nichts, und dieses Programm kann ihn nicht stoppen.</translation>
+    </message>
+    <message>
+        <source>Stop motors, then disconnect</source>
+        <translation>Motoren stoppen, dann trennen</translation>
+    </message>
+    <message>
+        <source>Stay connected</source>
+        <translation>Verbunden bleiben</translation>
+    </message>
+</context>
+<context>
     <name>widgets::LimitsDialog</name>
     <message>
         <source>Own limits</source>
@@ -3789,14 +3856,6 @@
         <translation>Die Motoren werden gestoppt, bevor Rotorscope endet…</translation>
     </message>
     <message>
-        <source>Stop motors</source>
-        <translation>Motoren stoppen</translation>
-    </message>
-    <message>
-        <source>Try again</source>
-        <translation>Noch einmal versuchen</translation>
-    </message>
-    <message>
         <source>End Rotorscope all the same…</source>
         <translation>Rotorscope trotzdem beenden…</translation>
     </message>
@@ -3817,26 +3876,6 @@
         <translation>Ohne ihn schließen</translation>
     </message>
     <message>
-        <source>Leave running?</source>
-        <translation>Laufen lassen?</translation>
-    </message>
-    <message>
-        <source>Leave the motors as they are?</source>
-        <translation>Die Motoren lassen, wie sie sind?</translation>
-    </message>
-    <message>
-        <source>They may go on turning, and nothing will watch them.</source>
-        <translation>Sie drehen vielleicht weiter, und nichts überwacht sie.</translation>
-    </message>
-    <message>
-        <source>Stay</source>
-        <translation>Bleiben</translation>
-    </message>
-    <message>
-        <source>Leave running</source>
-        <translation>Laufen lassen</translation>
-    </message>
-    <message>
         <source>Exported to %1.</source>
         <translation>Exportiert nach %1.</translation>
     </message>
@@ -3849,26 +3888,6 @@
         <source>Held</source>
         <comment>the scope&apos;s picture stands still</comment>
         <translation>Halt</translation>
-    </message>
-    <message>
-        <source>Disconnect</source>
-        <translation>Trennen</translation>
-    </message>
-    <message>
-        <source>A motor is not idle.</source>
-        <translation>Ein Motor ist nicht in Ruhe.</translation>
-    </message>
-    <message>
-        <source>Without a connection nothing watches it, and this program cannot stop it.</source>
-        <translation>Ohne Verbindung überwacht ihn nichts, und dieses Programm kann ihn nicht stoppen.</translation>
-    </message>
-    <message>
-        <source>Stop motors, then disconnect</source>
-        <translation>Motoren stoppen, dann trennen</translation>
-    </message>
-    <message>
-        <source>Stay connected</source>
-        <translation>Verbunden bleiben</translation>
     </message>
     <message>
         <source>Not live: %1</source>
@@ -4019,26 +4038,6 @@
         <translation>Mathematik</translation>
     </message>
     <message>
-        <source>Replace what was recorded?</source>
-        <translation>Aufgezeichnetes ersetzen?</translation>
-    </message>
-    <message>
-        <source>The scope holds samples of the last connection that were not exported. A file that is opened takes their place.</source>
-        <translation>Das Oszilloskop hält Messwerte der letzten Verbindung, die nicht exportiert wurden. Eine Datei, die geöffnet wird, tritt an ihre Stelle.</translation>
-    </message>
-    <message>
-        <source>What was recorded to a disk stays there. The scope&apos;s own samples cannot be brought back.</source>
-        <translation>Was auf einen Datenträger aufgezeichnet wurde, bleibt dort. Die Messwerte des Oszilloskops selbst sind nicht wiederzubringen.</translation>
-    </message>
-    <message>
-        <source>&amp;Export first…</source>
-        <translation>Erst &amp;exportieren…</translation>
-    </message>
-    <message>
-        <source>&amp;Replace</source>
-        <translation>E&amp;rsetzen</translation>
-    </message>
-    <message>
         <source>%1, read one by one</source>
         <comment>a signal</comment>
         <translation>%1, einzeln gelesen</translation>
@@ -4076,22 +4075,6 @@
         <translation>&amp;Platz für Messwerte…</translation>
     </message>
     <message>
-        <source>Leave the markers unsaved?</source>
-        <translation>Die Markierungen nicht speichern?</translation>
-    </message>
-    <message>
-        <source>Markers of this recording were changed and are in no file.</source>
-        <translation>Markierungen dieser Aufzeichnung wurden geändert und stehen in keiner Datei.</translation>
-    </message>
-    <message>
-        <source>&amp;Save first…</source>
-        <translation>Erst &amp;speichern…</translation>
-    </message>
-    <message>
-        <source>&amp;Leave unsaved</source>
-        <translation>&amp;Nicht speichern</translation>
-    </message>
-    <message>
         <source>Replay</source>
         <comment>the scope shows it</comment>
         <translation>Wiedergabe</translation>
@@ -4102,52 +4085,12 @@
         <translation>Datei</translation>
     </message>
     <message>
-        <source>Markers that are in no file go with them.</source>
-        <translation>Markierungen, die in keiner Datei stehen, gehen mit ihnen verloren.</translation>
-    </message>
-    <message>
-        <source>Save the &amp;markers</source>
-        <translation>&amp;Markierungen speichern</translation>
-    </message>
-    <message>
-        <source>&amp;Save first</source>
-        <translation>Erst &amp;speichern</translation>
-    </message>
-    <message>
-        <source>Markers are in no file, and there is no recording that could take them. They can be saved as a list of times and words (CSV).</source>
-        <translation>Markierungen stehen in keiner Datei, und keine Aufzeichnung kann sie aufnehmen. Sie können als Liste mit Zeiten und Worten (CSV) gespeichert werden.</translation>
-    </message>
-    <message>
-        <source>The recording %1 does not hold all markers as they are now.</source>
-        <translation>Die Aufzeichnung %1 enthält nicht alle Markierungen so, wie sie jetzt sind.</translation>
-    </message>
-    <message>
-        <source>The recording that runs does not hold all markers: some were set before it began.</source>
-        <translation>Die laufende Aufzeichnung enthält nicht alle Markierungen: einige wurden gesetzt, bevor sie begann.</translation>
-    </message>
-    <message>
         <source>Stopping the motors before something else is opened…</source>
         <translation>Die Motoren werden gestoppt, bevor etwas anderes geöffnet wird …</translation>
     </message>
     <message>
         <source>Open it all the same…</source>
         <translation>Trotzdem öffnen …</translation>
-    </message>
-    <message>
-        <source>Rotorscope has told every motor to stop, but there is no evidence that they did. A motor may still be turning.</source>
-        <translation>Rotorscope hat jedem Motor den Stopp gesagt, aber nichts belegt, dass sie stehen. Vielleicht dreht sich noch ein Motor.</translation>
-    </message>
-    <message>
-        <source>No port is open that could carry a stop. A motor may still be turning, and nothing tells how fast.</source>
-        <translation>Kein Anschluss ist offen, der einen Stopp übertragen könnte. Vielleicht dreht sich noch ein Motor, und nichts sagt, wie schnell.</translation>
-    </message>
-    <message>
-        <source>Stopping the motors before the port is closed…</source>
-        <translation>Die Motoren werden gestoppt, bevor der Anschluss geschlossen wird …</translation>
-    </message>
-    <message>
-        <source>Disconnect all the same…</source>
-        <translation>Trotzdem trennen …</translation>
     </message>
 </context>
 <context>
@@ -5777,6 +5720,69 @@
     <message>
         <source>No register has &quot;%1&quot; in its name or its help.</source>
         <translation>Kein Register hat „%1“ im Namen oder in der Hilfe.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Replacing</name>
+    <message>
+        <source>Replace what was recorded?</source>
+        <translation>Aufgezeichnetes ersetzen?</translation>
+    </message>
+    <message>
+        <source>The scope holds samples of the last connection that were not exported. A file that is opened takes their place.</source>
+        <translation>Das Oszilloskop hält Messwerte der letzten Verbindung, die nicht exportiert wurden. Eine Datei, die geöffnet wird, tritt an ihre Stelle.</translation>
+    </message>
+    <message>
+        <source>What was recorded to a disk stays there. The scope&apos;s own samples cannot be brought back.</source>
+        <translation>Was auf einen Datenträger aufgezeichnet wurde, bleibt dort. Die Messwerte des Oszilloskops selbst sind nicht wiederzubringen.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>E&amp;rsetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Export first…</source>
+        <translation>Erst &amp;exportieren…</translation>
+    </message>
+    <message>
+        <source>Markers that are in no file go with them.</source>
+        <translation>Markierungen, die in keiner Datei stehen, gehen mit ihnen verloren.</translation>
+    </message>
+    <message>
+        <source>Save the &amp;markers</source>
+        <translation>&amp;Markierungen speichern</translation>
+    </message>
+    <message>
+        <source>Leave the markers unsaved?</source>
+        <translation>Die Markierungen nicht speichern?</translation>
+    </message>
+    <message>
+        <source>&amp;Leave unsaved</source>
+        <translation>&amp;Nicht speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Save first…</source>
+        <translation>Erst &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Save first</source>
+        <translation>Erst &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Markers of this recording were changed and are in no file.</source>
+        <translation>Markierungen dieser Aufzeichnung wurden geändert und stehen in keiner Datei.</translation>
+    </message>
+    <message>
+        <source>The recording %1 does not hold all markers as they are now.</source>
+        <translation>Die Aufzeichnung %1 enthält nicht alle Markierungen so, wie sie jetzt sind.</translation>
+    </message>
+    <message>
+        <source>The recording that runs does not hold all markers: some were set before it began.</source>
+        <translation>Die laufende Aufzeichnung enthält nicht alle Markierungen: einige wurden gesetzt, bevor sie begann.</translation>
+    </message>
+    <message>
+        <source>Markers are in no file, and there is no recording that could take them. They can be saved as a list of times and words (CSV).</source>
+        <translation>Markierungen stehen in keiner Datei, und keine Aufzeichnung kann sie aufnehmen. Sie können als Liste mit Zeiten und Worten (CSV) gespeichert werden.</translation>
     </message>
 </context>
 <context>

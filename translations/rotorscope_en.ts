@@ -3576,6 +3576,73 @@
     </message>
 </context>
 <context>
+    <name>widgets::Leaving</name>
+    <message>
+        <source>Stop motors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotorscope has told every motor to stop, but there is no evidence that they did. A motor may still be turning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No port is open that could carry a stop. A motor may still be turning, and nothing tells how fast.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave running?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave the motors as they are?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They may go on turning, and nothing will watch them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping the motors before the port is closed…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnect all the same…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A motor is not idle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without a connection nothing watches it, and this program cannot stop it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop motors, then disconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stay connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::LimitsDialog</name>
     <message>
         <source>Own limits</source>
@@ -3789,35 +3856,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stop motors</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Try again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>End Rotorscope all the same…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Leave running?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Leave the motors as they are?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>They may go on turning, and nothing will watch them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stay</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Leave running</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3832,26 +3871,6 @@
     <message>
         <source>Held</source>
         <comment>the scope&apos;s picture stands still</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Disconnect</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A motor is not idle.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Without a connection nothing watches it, and this program cannot stop it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop motors, then disconnect</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stay connected</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3996,26 +4015,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Replace what was recorded?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The scope holds samples of the last connection that were not exported. A file that is opened takes their place.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What was recorded to a disk stays there. The scope&apos;s own samples cannot be brought back.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Export first…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Replace</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1, read one by one</source>
         <comment>a signal</comment>
         <translation type="unfinished"></translation>
@@ -4053,22 +4052,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Leave the markers unsaved?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Markers of this recording were changed and are in no file.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Save first…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Leave unsaved</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Replay</source>
         <comment>the scope shows it</comment>
         <translation type="unfinished"></translation>
@@ -4076,30 +4059,6 @@
     <message>
         <source>File</source>
         <comment>the scope shows it</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Markers that are in no file go with them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Save the &amp;markers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Save first</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Markers are in no file, and there is no recording that could take them. They can be saved as a list of times and words (CSV).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The recording %1 does not hold all markers as they are now.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The recording that runs does not hold all markers: some were set before it began.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -4131,22 +4090,6 @@
     </message>
     <message>
         <source>Open it all the same…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rotorscope has told every motor to stop, but there is no evidence that they did. A motor may still be turning.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No port is open that could carry a stop. A motor may still be turning, and nothing tells how fast.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stopping the motors before the port is closed…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Disconnect all the same…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5776,6 +5719,69 @@
     </message>
     <message>
         <source>No register has &quot;%1&quot; in its name or its help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Replacing</name>
+    <message>
+        <source>Replace what was recorded?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scope holds samples of the last connection that were not exported. A file that is opened takes their place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was recorded to a disk stays there. The scope&apos;s own samples cannot be brought back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Export first…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Markers that are in no file go with them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the &amp;markers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave the markers unsaved?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Leave unsaved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save first…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Markers of this recording were changed and are in no file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording %1 does not hold all markers as they are now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording that runs does not hold all markers: some were set before it began.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Markers are in no file, and there is no recording that could take them. They can be saved as a list of times and words (CSV).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

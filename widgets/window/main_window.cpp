@@ -34,8 +34,8 @@
 #include "widgets/window/application.h"
 #include "widgets/window/connect_bar.h"
 #include "widgets/window/first_steps.h"
+#include "widgets/window/leaving.h"
 #include "widgets/window/shortcut_guard.h"
-#include "widgets/window/shutdown.h"
 #include "widgets/window/status_strip.h"
 #include "widgets/window/tab_order.h"
 
@@ -105,8 +105,8 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     , m_trigger(new TriggerControl(workbench.trigger(), *m_scope, workbench.capture(), this))
     , m_connectBar(new ConnectBar(m_device, ports, this))
     , m_alarm(new StopAlarm(this))
-    , m_shutdown(new Shutdown(
-          m_device, [&workbench] { return workbench.sessionTime(); }, this))
+    , m_leaving(new Leaving(
+          m_device, [&workbench] { return workbench.sessionTime(); }, m_questions, this))
 {
     setObjectName(QStringLiteral("mainWindow"));
     setWindowTitle(QStringLiteral("Rotorscope"));
@@ -433,18 +433,18 @@ void MainWindow::connectParts()
     connect(&m_device, &Device::armedStateChanged, this, &MainWindow::updateFrame);
     connect(&m_device, &Device::stopAdvanced, this, &MainWindow::stopAdvanced);
     connect(&m_device, &Device::stopsWanted, this, [this](const QStringList &ports) {
-        if (!m_shutdown->underWay())
+        if (!m_leaving->underWay())
             m_alarm->showWanted(ports);
     });
     connect(m_alarm, &StopAlarm::takenBack, &m_device, &Device::forgetStop);
     connect(&m_device, &Device::stopImpossible, this, [this] {
-        if (m_told == Told::Loss && m_shutdown->mayTurn() && !m_alarm->isVisible()
-            && !m_shutdown->underWay())
+        if (m_told == Told::Loss && m_leaving->mayTurn() && !m_alarm->isVisible()
+            && !m_leaving->underWay())
             m_alarm->raiseNotSent();
     });
-    connect(m_connectBar, &ConnectBar::disconnectWanted, this, &MainWindow::disconnectFromBoard);
-    connect(m_shutdown, &Shutdown::confirmed, this, [this] { m_leaving.go(); });
-    connect(m_shutdown, &Shutdown::notConfirmed, this, &MainWindow::askToLeave);
+    connect(m_connectBar, &ConnectBar::disconnectWanted, this,
+        [this] { m_leaving->beforeDisconnecting([this] { m_connectBar->disconnectNow(); }); });
+    connect(m_leaving, &Leaving::said, this, &MainWindow::warn);
 }
 
 void MainWindow::linkChanged()
@@ -538,7 +538,7 @@ void MainWindow::updateFrame()
 
 void MainWindow::stopAdvanced(const drive::StopProgress &progress)
 {
-    if (progress.word == drive::StopWord::NotConfirmed && !m_shutdown->underWay())
+    if (progress.word == drive::StopWord::NotConfirmed && !m_leaving->underWay())
         m_alarm->raiseAlarm(progress.motor);
     else
         m_alarm->take(progress);

@@ -6,6 +6,7 @@
 #include "widgets/base/banner.h"
 #include "widgets/scope/signals/signal_selection.h"
 #include "widgets/snapshots/recorded_snapshots.h"
+#include "widgets/window/leaving.h"
 #include "widgets/window/settings.h"
 #include "widgets/window/workbench.h"
 
@@ -34,6 +35,7 @@ class MarkerFile;
 class MathChannels;
 class RampForm;
 class RecordControl;
+class Replacing;
 struct ExportOrder;
 struct OpenedRecording;
 class RegisterPanel;
@@ -41,7 +43,6 @@ class ScopeTools;
 class ScopeView;
 class TriggerControl;
 class SampleRoom;
-class Shutdown;
 class SnapshotActions;
 class SnapshotPanel;
 class StatusStrip;
@@ -97,10 +98,6 @@ private:
     void askForCsv();
     void askForRecording();
     void askForReplay();
-    void replaceRecorded(std::function<void()> goOn);
-    void askForMarkers(std::function<void()> goOn);
-    QString markersText() const;
-    void clearRecorded();
     void tellReleased();
     void fillFileSignals();
     static QString leftText(int signalsLeft);
@@ -146,17 +143,7 @@ private:
     void portChanged();
     void tellLink();
     LinkMessage linkMessage() const;
-    /// Something for which the connection is left.
-    struct Leaving {
-        QString stopping; ///< what is told while the motors are stopped
-        QString allTheSame; ///< the words of who does it without evidence
-        std::function<void()> go;
-    };
-    void leaveThen(Leaving leaving); ///< at once, or after the motors were stopped, or asked for
-    Leaving disconnection();
-    Leaving another(std::function<void()> go);
-    void disconnectFromBoard();
-    void askToDisconnect();
+    Leaving::Act another(std::function<void()> go);
     void askForLimits();
     void askForCurrentScale();
     void showBigNumbers(bool shown);
@@ -164,8 +151,6 @@ private:
     void updateFrame();
     FileJob *exportUnderWay() const;
     void askAboutExport(FileJob &job);
-    void askToLeave();
-    void confirmLeaving();
     QAction *addAction(QMenu *menu, const QString &text, const QKeySequence &keys = {});
 
     Workbench &m_workbench;
@@ -195,13 +180,13 @@ private:
     RecordControl *m_record = nullptr;
     SampleRoom *m_room = nullptr;
     MarkerFile *m_markers = nullptr;
-    std::uint64_t m_exportedRevision = 0; ///< of the capture, when all of it was exported
     bool m_toldReleased = false;
     bool m_leaveMarkers = false; ///< the window closes without them
     bool m_closeAfterExport = false;
     StopAlarm *m_alarm;
-    Shutdown *m_shutdown;
-    Leaving m_leaving; ///< what it goes before
+    QuestionBoxes m_questions{*this};
+    Leaving *m_leaving;
+    Replacing *m_replacing = nullptr;
     QWidget *m_frame = nullptr; ///< a red line while a real board is armed
     QWidget *m_scopeBar = nullptr;
     QAction *m_run = nullptr;

@@ -17,15 +17,22 @@
 #include "widgets/snapshots/snapshot_panel.h"
 #include "widgets/snapshots/snapshot_recorder.h"
 #include "widgets/window/connect_bar.h"
+#include "widgets/window/leaving.h"
 #include "widgets/window/main_window.h"
+#include "widgets/window/replacing.h"
 
 #include <QAction>
 #include <QClipboard>
+#include <QCloseEvent>
 #include <QDir>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QImage>
 #include <QMenu>
+#include <QPointer>
+
+#include <algorithm>
+#include <utility>
 
 namespace widgets {
 
@@ -57,11 +64,13 @@ void MainWindow::makeRecording()
         [this] { return m_workbench.eventRecorder().now(); }, this);
     m_markers = new MarkerFile(m_workbench.events(), m_files, *m_record, this);
     connect(m_markers, &MarkerFile::said, this, &MainWindow::say);
+    m_replacing = new Replacing({m_workbench, *m_markers, *m_record, m_questions}, this);
+    connect(m_replacing, &Replacing::exportWanted, this, &MainWindow::exportCsv);
     // Those of a connection stay for the next one.
     m_connectBar->setBeforeOpening([this](std::function<void()> goOn) {
-        leaveThen(another([this, goOn = std::move(goOn)] {
+        m_leaving->before(another([this, goOn = std::move(goOn)] {
             if (m_workbench.signalPlan().showsFile())
-                askForMarkers(goOn);
+                m_replacing->beforeMarkersGo(goOn);
             else
                 goOn();
         }));
@@ -106,15 +115,15 @@ void MainWindow::askForRecording()
     question.title = tr("Open a recording");
     question.folder = m_record->folder().isEmpty() ? QDir::homePath() : m_record->folder();
     question.filter = tr("Recordings (*.pcapng)");
-    leaveThen(another([this, question] {
-        replaceRecorded([this, question] {
+    m_leaving->before(another([this, question] {
+        m_replacing->before([this, question] {
             m_files.askOpen(this, question, [this](const QString &path) { openRecording(path); });
         });
     }));
 }
 
 /// What takes the place of a connection that is over, perhaps with a motor that turns.
-MainWindow::Leaving MainWindow::another(std::function<void()> go)
+Leaving::Act MainWindow::another(std::function<void()> go)
 {
     return {tr("Stopping the motors before something else is opened\u2026"),
         tr("Open it all the same\u2026"), std::move(go)};
@@ -132,8 +141,8 @@ void MainWindow::askForReplay()
     question.title = tr("Replay a recording");
     question.folder = m_record->folder().isEmpty() ? QDir::homePath() : m_record->folder();
     question.filter = tr("Recordings (*.pcapng)");
-    leaveThen(another([this, question] {
-        replaceRecorded([this, question] {
+    m_leaving->before(another([this, question] {
+        m_replacing->before([this, question] {
             m_files.askOpen(this, question, [this](const QString &path) {
                 if (!session::isRecordingFile(path))
                     say(Banner::Kind::Warning,
@@ -158,8 +167,8 @@ void MainWindow::askForCsv()
     question.folder =
         m_settings.exportFolder.isEmpty() ? QDir::homePath() : m_settings.exportFolder;
     question.filter = tr("CSV files (*.csv *.txt)");
-    leaveThen(another([this, question] {
-        replaceRecorded([this, question] {
+    m_leaving->before(another([this, question] {
+        m_replacing->before([this, question] {
             m_files.askOpen(this, question, [this](const QString &path) {
                 importCsv(
                     path, this,
@@ -185,9 +194,10 @@ void MainWindow::showImported(const QString &path, capture::Capture &imported)
     if (m_connectBar->connecting()) // meanwhile: what lives goes first
         return;
     if (m_markers->changedSinceLeft()) { // while it was read
-        askForMarkers([this, path, kept = std::make_shared<capture::Capture>(std::move(imported))] {
-            showImported(path, *kept);
-        });
+        m_replacing->beforeMarkersGo(
+            [this, path, kept = std::make_shared<capture::Capture>(std::move(imported))] {
+                showImported(path, *kept);
+            });
         return;
     }
     const QString released = releasedText(imported);
@@ -206,7 +216,7 @@ void MainWindow::runExport(const ExportOrder &order)
     const auto done = [this, order, revision = m_workbench.capture().revision()](
                           const ExportResult &result) {
         if (result.allInIt)
-            m_exportedRevision = revision;
+            m_replacing->exported(revision);
         if (!result.ok()) {
             m_closeAfterExport = false; // somebody has to read why
             say(Banner::Kind::Warning, exportErrorText(order, result));
@@ -296,9 +306,10 @@ void MainWindow::showRecording(OpenedRecording &opened)
     if (m_connectBar->connecting()) // meanwhile: what lives goes first
         return;
     if (m_markers->changedSinceLeft()) { // while it was read
-        askForMarkers([this, kept = std::make_shared<OpenedRecording>(std::move(opened))] {
-            showRecording(*kept);
-        });
+        m_replacing->beforeMarkersGo(
+            [this, kept = std::make_shared<OpenedRecording>(std::move(opened))] {
+                showRecording(*kept);
+            });
         return;
     }
     bool whole = true;
@@ -310,6 +321,62 @@ void MainWindow::showRecording(OpenedRecording &opened)
     if (m_snapshotPanel)
         m_snapshotPanel->offerRecorded(m_recordedSnapshots);
     say(whole ? Banner::Kind::Note : Banner::Kind::Warning, sentence);
+}
+
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    if (m_leaving->mayTurn()) {
+        event->ignore();
+        m_leaving->before({tr("Stopping the motors before Rotorscope ends\u2026"),
+            tr("End Rotorscope all the same\u2026"), [this] { close(); }});
+        return;
+    }
+    if (m_markers->changed() && !m_leaveMarkers) {
+        event->ignore();
+        m_replacing->beforeMarkersGo([this] {
+            m_leaveMarkers = true;
+            close();
+            m_leaveMarkers = false;
+        });
+        return;
+    }
+    if (FileJob *job = exportUnderWay()) {
+        event->ignore();
+        askAboutExport(*job);
+        return;
+    }
+    m_device.close();
+    event->accept();
+    Q_EMIT closed();
+}
+
+FileJob *MainWindow::exportUnderWay() const
+{
+    const auto jobs =
+        findChildren<FileJob *>(QLatin1String(kExportJob), Qt::FindDirectChildrenOnly);
+    const auto found =
+        std::find_if(jobs.begin(), jobs.end(), [](const FileJob *job) { return job->underWay(); });
+    return found == jobs.end() ? nullptr : *found;
+}
+
+/// Closing ends it, and with it the file that is not whole yet.
+void MainWindow::askAboutExport(FileJob &job)
+{
+    const auto cancel = [this, job = QPointer(&job)] {
+        m_closeAfterExport = false;
+        if (job)
+            job->cancel();
+        close();
+    };
+    m_questions.ask({.name = "exportQuestion",
+        .title = tr("Export"),
+        .text = tr("An export is under way."),
+        .more = tr("Without it there is no file."),
+        .answers = {{Answer::Kind::Go, tr("Close when it is written"),
+                        [this] { m_closeAfterExport = true; }},
+            {Answer::Kind::Force, tr("Close without it"), cancel},
+            {Answer::Kind::Stay, {}, [this] { m_closeAfterExport = false; }}}});
+    connect(&job, &FileJob::over, this, [this] { m_questions.withdraw("exportQuestion"); });
 }
 
 } // namespace widgets

@@ -13,6 +13,7 @@
 #include "widgets/window/connect_bar.h"
 #include "widgets/window/first_steps.h"
 #include "widgets/window/main_window.h"
+#include "widgets/window/replacing.h"
 
 #include <QActionGroup>
 #include <QDockWidget>
@@ -78,7 +79,7 @@ void MainWindow::makeMenus(QMenuBar &bar)
     connect(room, &QAction::triggered, this, &MainWindow::askForRoom);
     QAction *clear = addAction(scope, tr("&Clear what was recorded"));
     clear->setObjectName(QStringLiteral("clearRecorded"));
-    connect(clear, &QAction::triggered, this, &MainWindow::clearRecorded);
+    connect(clear, &QAction::triggered, m_replacing, &Replacing::clear);
 
     fillToolsMenu(bar.addMenu(tr("&Tools")));
 

@@ -1,0 +1,44 @@
+// Leaving: what goes before a connection is left, by closing, disconnecting or opening something else. Where a motor may
+// turn it is stopped first; where there is no evidence that it stands a person is asked, twice before it is left running.
+#pragma once
+
+#include "widgets/base/question.h"
+#include "widgets/window/shutdown.h"
+
+namespace widgets {
+
+class Leaving : public QObject {
+    Q_OBJECT
+public:
+    /// Something for which the connection is left.
+    struct Act {
+        QString stopping; ///< what is told while the motors are stopped
+        QString allTheSame; ///< the words of who does it without evidence
+        std::function<void()> go;
+    };
+
+    /// Both outlive it. @param clock  that of the session, which stamps what boards tell
+    Leaving(Device &device, std::function<TimePoint()> clock, QuestionPrompt &prompt,
+        QObject *parent = nullptr);
+
+    bool mayTurn() const { return m_shutdown.mayTurn(); } ///< a motor
+    bool underWay() const { return m_shutdown.underWay(); }
+    void before(Act act); ///< at once, or after the motors were stopped, or asked for
+    /// A motor that is seen to turn may be meant to: that is asked first.
+    void beforeDisconnecting(const std::function<void()> &disconnect);
+
+Q_SIGNALS:
+    void said(const QString &sentence);
+
+private:
+    void ask();
+    void confirm();
+    void go();
+
+    Device &m_device;
+    QuestionPrompt &m_prompt;
+    Shutdown m_shutdown;
+    Act m_act; ///< what it goes before
+};
+
+} // namespace widgets

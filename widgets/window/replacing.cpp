@@ -1,0 +1,114 @@
+#include "widgets/window/replacing.h"
+
+#include "widgets/base/device_text.h"
+#include "widgets/base/replaying.h"
+#include "widgets/files/marker_file.h"
+#include "widgets/files/record_control.h"
+#include "widgets/window/workbench.h"
+
+#include <QFileInfo>
+
+namespace widgets {
+
+using Kind = Answer::Kind;
+
+Replacing::Replacing(const Parts &parts, QObject *parent)
+    : QObject(parent)
+    , m_parts(parts)
+{
+}
+
+void Replacing::before(std::function<void()> goOn)
+{
+    const capture::Capture &capture = m_parts.workbench.capture();
+    const bool kept = m_parts.workbench.signalPlan().showsFile() || !capture.timeSpan()
+        || capture.revision() == m_exported || m_parts.record.holds(capture);
+    if (kept) {
+        beforeMarkersGo(std::move(goOn));
+        return;
+    }
+    Question question{.name = "replaceQuestion",
+        .title = tr("Replace what was recorded?"),
+        .text = tr("The scope holds samples of the last connection that were not exported. A file "
+                   "that is opened takes their place."),
+        .more = tr("What was recorded to a disk stays there. The scope's own samples cannot be "
+                   "brought back."),
+        .answers = {{Kind::Lose, tr("&Replace"),
+                        [this, goOn = std::move(goOn)] {
+                            m_parts.markers.leave();
+                            goOn();
+                        },
+                        "replaceYes"},
+            {},
+            {Kind::Go, tr("&Export first\u2026"), [this] { Q_EMIT exportWanted(); },
+                "replaceSave"}},
+        .usual = 1};
+    if (m_parts.markers.changed()) {
+        question.more += QLatin1Char(' ') + tr("Markers that are in no file go with them.");
+        question.answers.append({Kind::Go, tr("Save the &markers"),
+            [this] { m_parts.markers.saveThen({}); }, "replaceSaveMarkers"});
+    }
+    m_parts.prompt.ask(question);
+}
+
+void Replacing::beforeMarkersGo(std::function<void()> goOn)
+{
+    if (!m_parts.markers.changed()) {
+        goOn();
+        return;
+    }
+    if (m_parts.prompt.asks("markersQuestion"))
+        return;
+    const bool asks = m_parts.markers.place() == MarkerFile::Place::Opened
+        || m_parts.markers.place() == MarkerFile::Place::List;
+    m_parts.prompt.ask({.name = "markersQuestion",
+        .title = tr("Leave the markers unsaved?"),
+        .text = markersText(),
+        .more = {},
+        .answers = {{Kind::Lose, tr("&Leave unsaved"),
+                        [this, goOn] {
+                            m_parts.markers.leave();
+                            goOn();
+                        },
+                        "leaveMarkers"},
+            {},
+            {Kind::Go, asks ? tr("&Save first\u2026") : tr("&Save first"),
+                [this, goOn] { m_parts.markers.saveThen(goOn); }, "saveMarkersFirst"}},
+        .usual = 1});
+}
+
+/// Which markers are in no file, and where they can go.
+QString Replacing::markersText() const
+{
+    switch (m_parts.markers.place()) {
+    case MarkerFile::Place::Opened:
+        return tr("Markers of this recording were changed and are in no file.");
+    case MarkerFile::Place::Recorded:
+        return tr("The recording %1 does not hold all markers as they are now.")
+            .arg(deviceText(QFileInfo(m_parts.markers.path()).fileName()));
+    case MarkerFile::Place::Running:
+        return tr(
+            "The recording that runs does not hold all markers: some were set before it began.");
+    case MarkerFile::Place::List:
+        break;
+    }
+    return tr("Markers are in no file, and there is no recording that could take them. They can be "
+              "saved as a list of times and words (CSV).");
+}
+
+void Replacing::clear()
+{
+    SignalPlan &plan = m_parts.workbench.signalPlan();
+    const auto clear = [this, &plan] {
+        const bool file = plan.showsFile();
+        plan.clear();
+        if (file && !plan.showsFile()) // a replay goes on
+            m_parts.workbench.events().clear();
+    };
+    if (plan.showsFile() && !replaying(m_parts.workbench.device()))
+        beforeMarkersGo(clear);
+    else
+        clear();
+}
+
+} // namespace widgets
