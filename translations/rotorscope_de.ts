@@ -1131,11 +1131,6 @@
         <translation>Fehler liegt an</translation>
     </message>
     <message>
-        <source>Fault over</source>
-        <comment>state of a motor; acknowledge to go on</comment>
-        <translation>Fehler vorbei</translation>
-    </message>
-    <message>
         <source>stop requested</source>
         <translation>Stopp angefordert</translation>
     </message>
@@ -1357,6 +1352,15 @@
     <message>
         <source>speed not measurable: the rotor may coast</source>
         <translation>Drehzahl nicht messbar: der Rotor läuft vielleicht aus</translation>
+    </message>
+    <message>
+        <source>Fault latched</source>
+        <comment>state of a motor; acknowledge to go on</comment>
+        <translation>Fehler gespeichert</translation>
+    </message>
+    <message>
+        <source>no board found</source>
+        <translation>kein Board gefunden</translation>
     </message>
 </context>
 <context>

@@ -1131,11 +1131,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fault over</source>
-        <comment>state of a motor; acknowledge to go on</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>stop requested</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1356,6 +1351,15 @@
     </message>
     <message>
         <source>speed not measurable: the rotor may coast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fault latched</source>
+        <comment>state of a motor; acknowledge to go on</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no board found</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

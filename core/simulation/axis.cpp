@@ -12,6 +12,10 @@ MotorTruth truthOf(const Axis &axis)
     truth.idle = state == MotorState::Idle || state == MotorState::FaultNow
         || state == MotorState::FaultOver;
     truth.driven = !truth.idle && state != MotorState::Stop;
+    truth.state = state;
+    truth.faults = axis.firmware.faultFlags();
+    truth.measuredRpm = axis.firmware.speed_rpm();
+    truth.referenceRpm = axis.firmware.speedReference_rpm();
     truth.rpm = axis.plant.speed_radps() * 30.0 / std::numbers::pi;
     truth.maxRpm = stage.maxSpeed_rpm;
     truth.ampsPerDigit = stage.ampsPerDigit();

@@ -8,6 +8,7 @@
 #include "session/link/session.h"
 #include "simulation/mcb/mcb_board.h"
 #include "simulation/simulated_board.h"
+#include "support/board_history.h"
 #include "support/judge_speaks.h"
 #include "support/judged_drive.h"
 #include "support/ms_rules.h"
@@ -48,8 +49,21 @@ public:
     std::atomic<bool> cut = false; ///< nothing gets through
     std::atomic<bool> reset = false; ///< power cycle, once
     std::atomic<int> fault = -1; ///< fault bits to be present from now on
+    std::atomic<bool> shortFault = false; ///< an overcurrent that is over at once, once
     std::atomic<int> freeze_ms = 0; ///< the session's thread, once
-    void jump(Duration time) { m_offset += time.count(); }
+    void jump(Duration time)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_troubled = now();
+        m_offset += time.count();
+        m_troubled = now();
+    }
+    /// The window's thread stood still until now.
+    void stoodStill()
+    {
+        const std::lock_guard lock(m_mutex);
+        m_troubled = now();
+    }
 
     void act(judge::Act::Kind kind)
     {
@@ -85,6 +99,41 @@ public:
         return m_judge.counts();
     }
 
+    /// What the board did in the time before now, for a judge of what a screen says.
+    BoardHistory::Span lately(int motor, Duration time)
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_history.span(motor, now() - time, now());
+    }
+    std::vector<BoardHistory::Fault> faults()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_history.faults();
+    }
+    /// How long nothing has come from the board that the session could have heard.
+    Duration silence()
+    {
+        const std::lock_guard lock(m_mutex);
+        return now() - m_heardAt;
+    }
+    bool everHeard()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_heardAt != TimePoint{};
+    }
+    /// Since the port was closed because somebody wanted it, not because the cable was gone.
+    Duration sinceClosed()
+    {
+        const std::lock_guard lock(m_mutex);
+        return now() - m_closedAt;
+    }
+    /// Since a thread stood still or the clock jumped: before that nobody could have known anything.
+    Duration sinceTrouble()
+    {
+        const std::lock_guard lock(m_mutex);
+        return now() - m_troubled;
+    }
+
     /// Ones for a session: the clock, the judged line, the product's own drives.
     session::Parts parts();
 
@@ -92,6 +141,8 @@ public:
 
 private:
     class Line;
+    static constexpr std::uint16_t kOvercurrent = 0x0040;
+    static constexpr Duration kShort = 5ms;
 
     judge::Line lineOf() const
     {
@@ -143,6 +194,9 @@ private:
     judge::MsRules m_judge; ///< behind the mutex
     std::unique_ptr<simulation::SimulatedBoard> m_board; ///< of the session's thread
     TimePoint m_boardTime{1s}, m_last{};
+    std::optional<TimePoint> m_shortFaultEnds; ///< on the board's clock
+    BoardHistory m_history; ///< behind the mutex, as the three
+    TimePoint m_heardAt{}, m_troubled{}, m_closedAt{};
 };
 
 /// The cable. Made anew with each opening of the port.
@@ -175,6 +229,7 @@ public:
         if (!std::exchange(m_open, false))
             return;
         const std::lock_guard lock(m_world.m_mutex);
+        m_world.m_closedAt = m_world.now();
         if (!m_world.m_virtual) // else the drive's disconnect() has told already
             m_world.m_judge.closes(m_world.now());
         judge::Act act;
@@ -217,12 +272,18 @@ public:
         {
             const std::lock_guard lock(m_world.m_mutex);
             std::vector<judge::Motor> truth;
+            std::vector<simulation::MotorTruth> motors;
             for (int motor = 1; motor <= m_world.m_options.motors; ++motor) {
-                const simulation::MotorTruth is = m_world.m_board->truth(motor);
+                motors.push_back(m_world.m_board->truth(motor));
+                const simulation::MotorTruth &is = motors.back();
                 truth.push_back({is.driven, is.idle, is.rpm});
             }
-            if (!m_world.cut)
+            m_world.m_history.add(now, std::move(motors));
+            if (!m_world.cut) {
                 m_world.m_judge.heard(out, now);
+                if (!out.empty())
+                    m_world.m_heardAt = now;
+            }
             m_world.m_judge.look(now, truth);
         }
         if (!out.empty() && !m_world.cut)
@@ -251,10 +312,19 @@ private:
             m_world.m_board->reset();
         if (const int fault = m_world.fault.exchange(-1); fault >= 0)
             m_world.m_board->setFaults(static_cast<std::uint16_t>(fault));
+        if (m_world.shortFault.exchange(false)) {
+            m_world.m_board->setFaults(kOvercurrent);
+            m_world.m_shortFaultEnds = m_world.m_boardTime + kShort;
+        }
+        if (m_world.m_shortFaultEnds && m_world.m_boardTime >= *m_world.m_shortFaultEnds) {
+            m_world.m_shortFaultEnds.reset();
+            m_world.m_board->setFaults(0);
+        }
         if (const int ms = m_world.freeze_ms.exchange(0); ms > 0) {
             QElapsedTimer clock;
             clock.start();
             while (clock.elapsed() < ms) { } // nobody is there meanwhile
+            m_world.stoodStill();
         }
     }
 

@@ -125,8 +125,10 @@ void MsRules::judge(const Sent &sent, const std::string &)
         ++m_counts.starts;
         m_startedOnce = true;
     }
-    if (sent.kind == Kind::SetPoint)
+    if (sent.kind == Kind::SetPoint) {
         ++m_counts.setPoints;
+        m_counts.rpm = sent.rpm;
+    }
     if (sent.kind == Kind::Stop)
         m_stopSent[sent.motor] = m_now;
     if (sent.kind == Kind::Stop && m_stop) {

@@ -176,6 +176,7 @@ public:
 
     struct Counts {
         int acts = 0, arms = 0, starts = 0, stops = 0, setPoints = 0, packets = 0;
+        std::optional<double> rpm; ///< of the last set-point that is a speed
     };
     const Counts &counts() const { return m_counts; } ///< of what left, and of acts
 

@@ -33,6 +33,15 @@ QString linkStateText(drive::LinkState state)
     return {};
 }
 
+QString linkStateText(const drive::LinkChanged &link)
+{
+    using drive::LinkReason;
+    const bool met = link.reason == LinkReason::None || link.reason == LinkReason::Silence
+        || link.reason == LinkReason::RecoveryFailed || link.reason == LinkReason::BoardReset;
+    return link.state == drive::LinkState::Lost && !met ? Messages::tr("no board found")
+                                                        : linkStateText(link.state);
+}
+
 QString linkReasonText(drive::LinkReason reason)
 {
     using drive::LinkReason;
@@ -185,7 +194,8 @@ QString motorStateText(drive::MotorState state)
     case MotorState::FaultNow:
         return Messages::tr("Fault present", "state of a motor");
     case MotorState::FaultOver:
-        return Messages::tr("Fault over", "state of a motor; acknowledge to go on");
+        // Not every board tells whether its cause is still there.
+        return Messages::tr("Fault latched", "state of a motor; acknowledge to go on");
     }
     return {};
 }

@@ -105,7 +105,7 @@ void BigNumbers::paintState(QPainter &painter, const QRect &place) const
 {
     const drive::MotorStatus status = m_device.status(m_device.motor());
     const bool believed = m_device.answering();
-    QString text = believed ? motorStateText(status.state) : linkStateText(m_device.link().state);
+    QString text = believed ? motorStateText(status.state) : linkStateText(m_device.link());
     if (const QString name = deviceText(status.stateName); believed && !name.isEmpty())
         text = QStringLiteral("%1 \u2013 %2").arg(name, text);
     if (const auto &board = m_device.identified(); board && board->identity.motors > 1)

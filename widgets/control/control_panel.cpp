@@ -19,6 +19,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace widgets {
 namespace {
 
@@ -226,9 +228,14 @@ void ControlPanel::refresh(Milliseconds now)
 void ControlPanel::follow()
 {
     using drive::MotorState;
-    const MotorState state = m_device.status(m_device.motor()).state;
-    if (m_words->ended() && (state == MotorState::Starting || state == MotorState::Running))
-        m_words->hide(); // they told of a motor that stood, and this one turns
+    const int motor = m_device.motor();
+    const MotorState state = m_device.status(motor).state;
+    const auto turns = [](MotorState any) {
+        return any == MotorState::Starting || any == MotorState::Running;
+    };
+    const auto before = std::exchange(m_followed, {motor, state});
+    if (m_words->rested() && turns(state) && before.first == motor && !turns(before.second))
+        m_words->hide(); // they told of a motor that stood, and now it is started
     m_commands->follow();
     m_setpoints->follow();
     m_jog->follow();

@@ -68,6 +68,8 @@ private:
     QToolButton *m_changeScale;
     StopWords *m_words;
     Milliseconds m_now{};
+    std::pair<int, drive::MotorState>
+        m_followed{}; ///< the motor that was shown last, and its state
 };
 
 } // namespace widgets

@@ -115,7 +115,7 @@ void StateBox::showState(const drive::MotorStatus &status, bool believed)
 {
     m_strip->show(status, believed);
     m_strip->setVisible(m_strip->sizeHint().height() > 0);
-    QString text = believed ? motorStateText(status.state) : linkStateText(m_device.link().state);
+    QString text = believed ? motorStateText(status.state) : linkStateText(m_device.link());
     const auto &board = m_device.identified();
     if (believed && board && board->identity.motors > 1)
         text = tr("Motor %1: %2", "number, state").arg(QString::number(m_device.motor()), text);

@@ -28,6 +28,7 @@ StopWords::StopWords(QWidget *parent)
     : QWidget(parent)
     , m_grid(new QGridLayout(this))
 {
+    setObjectName(QStringLiteral("stopWords"));
     m_grid->setContentsMargins(0, 0, 0, 0);
     m_grid->setVerticalSpacing(1);
     m_grid->setColumnStretch(0, 1);
@@ -123,10 +124,12 @@ void StopWords::refresh(Milliseconds now)
     }
 }
 
-bool StopWords::ended() const
+bool StopWords::rested() const
 {
-    return std::all_of(m_motors.begin(), m_motors.end(),
-        [](const auto &one) { return one.second.lines.back().since.has_value(); });
+    return std::all_of(m_motors.begin(), m_motors.end(), [](const auto &one) {
+        const auto &lines = one.second.lines;
+        return lines[2].since.has_value() || lines[3].since.has_value();
+    });
 }
 
 QString StopWords::text() const

@@ -26,7 +26,7 @@ public:
     void take(const drive::StopProgress &progress, Milliseconds now);
     void refresh(Milliseconds now); ///< the ages go on
     void clear();
-    bool ended() const; ///< every motor has reached the last word
+    bool rested() const; ///< every motor was idle, or more than that
     QString text() const; ///< all words that were reached, for tests and screen readers
 
 private:

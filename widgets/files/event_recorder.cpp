@@ -217,7 +217,7 @@ void EventRecorder::link()
     const LinkState before = std::exchange(m_link, link.state);
     if (before == link.state && link.reason != drive::LinkReason::BoardReset)
         return;
-    const QString word = linkStateText(link.state);
+    const QString word = linkStateText(link);
     const bool wasThere = before == LinkState::Connected || before == LinkState::Suspect
         || before == LinkState::Recovering;
     switch (link.state) {

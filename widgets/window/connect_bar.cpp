@@ -319,7 +319,8 @@ void ConnectBar::updateLink()
         : state == LinkState::Lost                   ? Lamp::Light::Bad
         : state == LinkState::Closed                 ? Lamp::Light::Off
                                                      : Lamp::Light::Waiting;
-    m_boardLamp->show(light, state == LinkState::Closed ? tr("no board") : linkStateText(state));
+    m_boardLamp->show(
+        light, state == LinkState::Closed ? tr("no board") : linkStateText(m_device.link()));
     m_connect->setText(connecting() ? tr("Disconnect") : tr("Connect"));
     m_connect->setToolTip(connecting() ? tr("Closes the port (Ctrl+D)")
                                        : tr("Opens the port and looks for a board (Ctrl+D)"));
@@ -328,15 +329,16 @@ void ConnectBar::updateLink()
     m_port->setEnabled(!connecting());
     m_baud->setEnabled(!connecting());
     m_protocol->setEnabled(!connecting());
+    updateNames();
 }
 
-void ConnectBar::updateIdentity()
+/// Which board it is; nobody knows which one is at a port that is closed.
+void ConnectBar::updateNames()
 {
     const auto &identified = m_device.identified();
-    if (!identified) {
+    if (!identified || m_device.link().state == drive::LinkState::Closed) {
         m_firmware->clear();
         m_board->clear();
-        m_motor->hide();
         return;
     }
     const drive::Identity &identity = identified->identity;
@@ -355,6 +357,17 @@ void ConnectBar::updateIdentity()
     boards.removeDuplicates();
     m_board->setText(boards.join(QStringLiteral(" + ")));
     m_board->setToolTip(boards.join(QStringLiteral(" + ")).toHtmlEscaped());
+}
+
+void ConnectBar::updateIdentity()
+{
+    updateNames();
+    const auto &identified = m_device.identified();
+    if (!identified) {
+        m_motor->hide();
+        return;
+    }
+    const drive::Identity &identity = identified->identity;
     m_motor->clear();
     for (int motor = 1; motor <= identity.motors; ++motor) {
         const auto i = static_cast<std::size_t>(motor - 1);

@@ -52,6 +52,7 @@ Q_SIGNALS:
 private:
     void fillPorts(const QList<session::PortChoice> &choices);
     void updateLink();
+    void updateNames();
     void updateIdentity();
 
     Device &m_device;

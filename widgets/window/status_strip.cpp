@@ -85,7 +85,7 @@ void StatusStrip::showHeld(const QString &text)
 void StatusStrip::updateLink()
 {
     const session::Endpoint &endpoint = m_device.endpoint();
-    QString text = linkStateText(m_device.link().state);
+    QString text = linkStateText(m_device.link());
     if (m_device.portOpen()) {
         const QString where = endpoint.kind == session::Endpoint::Kind::Simulator
             ? tr("simulated board")

@@ -175,6 +175,8 @@ MotorTruth LegacyBoard::truth(int motor) const
     MotorTruth truth;
     truth.idle = state == kIdle || state == kFaultNow || state == kFaultOver;
     truth.driven = !truth.idle;
+    truth.state = static_cast<MotorState>(state);
+    truth.faults = m_server.faults();
     return truth;
 }
 

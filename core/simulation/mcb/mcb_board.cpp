@@ -105,6 +105,23 @@ MotorTruth McbBoard::truth(int motor) const
     truth.idle = !truth.driven
         && (state == Servo::State::SwitchOnDisabled || state == Servo::State::Ready
             || state == Servo::State::Fault);
+    switch (state) { // what the servo's master may say of it
+    case Servo::State::SwitchOnDisabled:
+    case Servo::State::Ready:
+        truth.state = MotorState::Idle;
+        break;
+    case Servo::State::SwitchedOn:
+        truth.state = MotorState::Start;
+        break;
+    case Servo::State::Enabled:
+        truth.state = MotorState::Run;
+        break;
+    case Servo::State::QuickStop:
+        truth.state = MotorState::Stop;
+        break;
+    case Servo::State::Fault:
+        break; // present or over, as the firmware has it
+    }
     return truth;
 }
 

@@ -579,6 +579,18 @@ private Q_SLOTS:
         QVERIFY(words->isVisible());
     }
 
+    void wordsOfRestGoWhenTheMotorIsStartedBeforeTheLastOfThem()
+    {
+        facts::connectBoard(*m_device);
+        auto *words = m_panel->findChild<widgets::StopWords *>();
+        for (const auto word : {drive::StopWord::Requested, drive::StopWord::DriveIdle})
+            facts::feed(*m_device, {drive::StopProgress{1, word, {}}});
+        facts::feed(*m_device, {facts::status(drive::MotorState::Idle)});
+        QVERIFY(words->isVisible());
+        facts::feed(*m_device, {facts::status(drive::MotorState::Starting)});
+        QVERIFY(!words->isVisible());
+    }
+
     void whatNothingMeasuresIsNoStandstillAndGoesWithItsBoard()
     {
         facts::connectBoard(*m_device);
@@ -586,13 +598,13 @@ private Q_SLOTS:
         for (const auto word : {drive::StopWord::Requested, drive::StopWord::Accepted,
                  drive::StopWord::DriveIdle, drive::StopWord::MayCoast})
             facts::feed(*m_device, {drive::StopProgress{1, word, {}}});
-        QVERIFY(words->ended());
+        QVERIFY(words->rested());
         QVERIFY(words->isVisible());
         QVERIFY(
             words->text().contains(QStringLiteral("speed not measurable: the rotor may coast")));
         QVERIFY(!words->text().contains(QStringLiteral("standstill")));
         facts::feed(*m_device, {drive::StopProgress{2, drive::StopWord::Requested, {}}});
-        QVERIFY(!words->ended());
+        QVERIFY(!words->rested());
         m_device->open({}); // another board: what is told of this one would be told of that one
         QVERIFY(!words->isVisible());
         QVERIFY(words->text().isEmpty());
@@ -600,7 +612,7 @@ private Q_SLOTS:
         for (const auto word :
             {drive::StopWord::Requested, drive::StopWord::DriveIdle, drive::StopWord::Standstill})
             facts::feed(*m_device, {drive::StopProgress{1, word, {}}});
-        QVERIFY(words->ended());
+        QVERIFY(words->rested());
         QVERIFY(!words->text().contains(QStringLiteral("Motor 2")));
     }
 

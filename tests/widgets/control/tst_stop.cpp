@@ -225,9 +225,9 @@ private Q_SLOTS:
         for (const StopWord word :
             {StopWord::Requested, StopWord::Accepted, StopWord::DriveIdle, StopWord::Standstill})
             facts::feed(device(), {drive::StopProgress{1, word, {}}});
-        QVERIFY(words->ended());
+        QVERIFY(words->rested());
         facts::feed(device(), {drive::StopProgress{2, StopWord::Requested, {}}}); // becomes known
-        QVERIFY(!words->ended());
+        QVERIFY(!words->rested());
         const QStringList lines = words->text().split(QLatin1Char('\n'));
         QCOMPARE(lines.size(), 7); // two names, four words, and one
         QCOMPARE(lines[0], QStringLiteral("Motor 1"));

@@ -207,6 +207,21 @@ private Q_SLOTS:
         QVERIFY(!mark->isVisible());
     }
 
+    void onlyABoardThatAnsweredCanBeLostAndNoneIsNamedAtAClosedPort()
+    {
+        const auto lamp = [this] { return m_rig->find<QWidget>("boardLamp")->accessibleName(); };
+        QVERIFY(!m_rig->find<QLabel>("firmware")->text().isEmpty());
+        feed({LinkState::Lost, LinkReason::Silence});
+        QVERIFY(lamp().contains(QStringLiteral("link lost")));
+        device().portChanged(session::PortState::Closed, {});
+        feed({LinkState::Closed, LinkReason::None});
+        QVERIFY(lamp().contains(QStringLiteral("no board")));
+        QVERIFY(m_rig->find<QLabel>("firmware")->text().isEmpty());
+        QVERIFY(m_rig->find<QLabel>("boardName")->text().isEmpty());
+        feed({LinkState::Lost, LinkReason::NoAnswer});
+        QVERIFY(lamp().contains(QStringLiteral("no board found")));
+    }
+
     void aLostLinkStaysToldUntilTheBoardAnswers()
     {
         feed({LinkState::Lost, LinkReason::Silence});

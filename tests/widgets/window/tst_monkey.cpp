@@ -1,10 +1,12 @@
 // A monkey at the real window: sessions of random input (keys, clicks, wheel, drags, typing, questions answered either way,
 // writes, undo, restores, ports unplugged, boards reset, threads frozen, clocks that jump), one and two motors, four
-// protocols, with the judge of the wire beside it. Acts are input events; what leaves must follow from them.
+// protocols, with two judges beside it: of the wire, and of what the screen says. Acts are input events; what leaves must follow from
+// them, and what is shown must be true.
 // ROTORSCOPE_LONG=1 runs 1,000 sessions; a failure names its seed and its last acts; ROTORSCOPE_SEED=n runs that one, n-m
 // those from n to m.
 #include "support/judged_line.h"
 #include "support/link_pair.h"
+#include "support/screen_judge.h"
 #include "support/window_rig.h"
 
 #include <QAbstractButton>
@@ -19,6 +21,8 @@
 #include <QTimer>
 #include <QWheelEvent>
 
+#include <deque>
+
 using judge::Act;
 using support::JudgedWorld;
 using support::Random;
@@ -31,13 +35,14 @@ struct Kind {
     const char *word, *profile;
     int motors;
     std::uint32_t baud;
+    double stepRpm; ///< in which it keeps set-points; 0: any
 };
-constexpr Kind kKinds[] = {{drive::Protocol::Mcp, "mcp", "mcsdk-6.4", 1, 1843200},
-    {drive::Protocol::Mcp, "mcp", "mcsdk-6.4", 2, 1843200},
-    {drive::Protocol::Legacy, "legacy", "legacy", 1, 115200},
-    {drive::Protocol::Mcp, "mcp", "mcsdk-6.2", 1, 1843200},
-    {drive::Protocol::PowerPc, "powerpc", "powerpc", 2, 115200},
-    {drive::Protocol::Mcb, "mcb", "mcsdk-6.4", 1, 1843200}};
+constexpr Kind kKinds[] = {{drive::Protocol::Mcp, "mcp", "mcsdk-6.4", 1, 1843200, 6.0},
+    {drive::Protocol::Mcp, "mcp", "mcsdk-6.4", 2, 1843200, 6.0},
+    {drive::Protocol::Legacy, "legacy", "legacy", 1, 115200, 6.0},
+    {drive::Protocol::Mcp, "mcp", "mcsdk-6.2", 1, 1843200, 6.0},
+    {drive::Protocol::PowerPc, "powerpc", "powerpc", 2, 115200, 6.0},
+    {drive::Protocol::Mcb, "mcb", "mcsdk-6.4", 1, 1843200, 0.0}};
 
 simulation::BoardOptions boardOf(const Kind &kind, std::uint64_t seed)
 {
@@ -76,6 +81,7 @@ public:
         , m_kind(kKinds[seed % std::size(kKinds)])
         , m_world(boardOf(m_kind, seed), m_kind.protocol)
         , m_rig(settingsOf(m_kind), session::makeDiskSink, m_world.parts())
+        , m_screen(m_rig.window, m_world, m_kind.motors)
     {
         m_rig.files.answer = m_folder.filePath(QStringLiteral("file"));
         m_rig.window.resize(1280, 800);
@@ -91,18 +97,25 @@ public:
     std::string run(int acts)
     {
         rest(50);
+        m_world.cut = m_random.chance(0.05); // nobody answers at first
         click("connect");
+        if (m_world.cut) {
+            rest(9000); // until it is told
+            look();
+            m_world.cut = false;
+        }
         for (int i = 0; i < 100 && !device().identified(); ++i)
             rest(20);
-        for (int i = 0; i < acts && m_world.verdict().empty(); ++i) {
+        for (int i = 0; i < acts && verdict().empty(); ++i) {
             if (i < 5 && m_random.chance(0.7))
                 goOnPurpose(); // a person comes to turn a motor
             else
                 act();
-            rest(static_cast<int>(m_random.below(50)));
+            rest(static_cast<int>(m_random.chance(0.04) ? 1000 : m_random.below(50)));
+            look();
         }
         leave();
-        return m_world.verdict();
+        return verdict();
     }
 
     std::string story() const
@@ -114,8 +127,25 @@ public:
         return text;
     }
     judge::MsRules::Counts counts() { return m_world.counts(); }
+    int statements() const { return m_screen.statements(); }
 
 private:
+    std::string verdict() { return m_untrue.empty() ? m_world.verdict() : m_untrue; }
+    /// The second judge.
+    void look()
+    {
+        const std::string untrue = m_screen.look();
+        if (!untrue.empty())
+            finds(untrue);
+    }
+    void finds(const std::string &untrue)
+    {
+        if (m_untrue.empty() && !untrue.empty())
+            qWarning().noquote() << "the judge: untrue:" << QString::fromStdString(untrue);
+        if (m_untrue.empty())
+            m_untrue = untrue;
+    }
+
     widgets::Device &device() { return m_rig.workbench.device(); }
 
     /// What the window says to a person is told to the judge.
@@ -307,10 +337,31 @@ private:
         note("set-point " + std::to_string(rpm));
         m_world.act(Act::Kind::Input);
         QTest::keyClicks(edit, QString::number(rpm));
+        const auto *label = m_rig.find<QLabel>("speedEcho");
+        m_echoes.push_back(label != nullptr ? label->text() : QString());
+        const int before = m_world.counts().setPoints;
         key(edit, Qt::Key_Return);
         rest(20);
         if (m_random.chance(0.6))
             answerYes();
+        rest(100);
+        const auto counts = m_world.counts();
+        if (counts.setPoints == before + 1 && counts.rpm)
+            finds(setPointAsSaid(*counts.rpm));
+    }
+    /// One of the last fields said so: a question may still have been open about the one before.
+    std::string setPointAsSaid(double rpm)
+    {
+        constexpr std::size_t kOpen = 4;
+        while (m_echoes.size() > kOpen)
+            m_echoes.pop_front();
+        std::string untrue;
+        for (const QString &echo : m_echoes) {
+            untrue = support::ScreenJudge::setPointAsSaid(echo, rpm, m_kind.stepRpm);
+            if (untrue.empty())
+                break;
+        }
+        return untrue;
     }
     void answerYes()
     {
@@ -419,7 +470,11 @@ private:
     }
     void lineTrouble()
     {
-        switch (m_random.below(6)) {
+        switch (m_random.below(7)) {
+        case 5:
+            note("short fault");
+            m_world.shortFault = true;
+            return;
         case 0:
             note("unplug");
             m_world.plugged = false;
@@ -461,6 +516,7 @@ private:
         QElapsedTimer clock;
         clock.start();
         while (clock.elapsed() < ms) { }
+        m_world.stoodStill();
     }
     /// Holds a jog button for a while.
     void jog()
@@ -523,8 +579,11 @@ private:
     QTemporaryDir m_folder;
     JudgedWorld m_world; // outlives the window, whose session ends last
     facts::WindowRig m_rig;
+    support::ScreenJudge m_screen;
+    std::string m_untrue; ///< what the screen said first that was not so
     QTimer m_popups;
     std::vector<std::string> m_story;
+    std::deque<QString> m_echoes; ///< what stood below the field of the speed when it was sent
     bool m_armed = false;
     bool m_restores = false; ///< what was pressed last is about what a file holds
 };
@@ -544,7 +603,7 @@ void TestMonkey::whateverIsPressedTheRulesHold()
     const int only = seeds.first().toInt();
     const int first = only > 0 ? only : 1;
     const int last = only > 0 ? seeds.last().toInt() : isLong ? 1000 : 40;
-    int armed = 0, started = 0, stopped = 0, acts = 0;
+    int armed = 0, started = 0, stopped = 0, acts = 0, statements = 0;
     std::vector<std::string> failed;
     for (int seed = first; seed <= last; ++seed) {
         Monkey monkey(static_cast<std::uint64_t>(seed));
@@ -554,6 +613,7 @@ void TestMonkey::whateverIsPressedTheRulesHold()
         started += counts.starts > 0 ? 1 : 0;
         stopped += counts.stops > 0 ? 1 : 0;
         acts += counts.acts;
+        statements += monkey.statements();
         if (seed % 100 == 0)
             qInfo() << "up to seed" << seed;
         if (wrong.empty())
@@ -563,7 +623,7 @@ void TestMonkey::whateverIsPressedTheRulesHold()
     }
     const int sessions = last - first + 1;
     qInfo() << sessions << "sessions," << acts << "acts, armed" << armed << "started" << started
-            << "stopped" << stopped << "failed" << failed.size();
+            << "stopped" << stopped << "statements" << statements << "failed" << failed.size();
     QVERIFY2(failed.empty(), failed.empty() ? "" : failed.front().c_str());
     if (sessions >= 40)
         QVERIFY(2 * armed > sessions && 2 * started > sessions);

@@ -1,0 +1,353 @@
+// The judge of the screen: whether what the window says is what the board is. It reads what a person reads, texts and
+// accessible names of the real window in English, and compares it with the simulated board's truth; it never looks into
+// the models behind. A statement may be as old as the link allows (kOld); what nothing was heard about for longer has to
+// be marked as not known.
+//
+// Each rule is a function; what it finds names the widget, its text and the truth.
+#pragma once
+
+#include "support/judged_line.h"
+
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QWidget>
+
+#include <map>
+
+namespace support {
+
+class ScreenJudge {
+public:
+    static constexpr Duration kOld =
+        1500ms; ///< a state is polled every 250 ms, and doubted after 600 ms of silence
+    static constexpr Duration kRead =
+        2500ms; ///< a value: polled four times a second, read again after a silence
+    static constexpr Duration kAwake = 400ms; ///< after a thread stood still
+    static constexpr Duration kLongestTrouble = 6s; ///< clocks jump so far
+    static constexpr Duration kListed = 2500ms; ///< until a fault is in the list of events
+
+    ScreenJudge(const QWidget &window, JudgedWorld &world, int motors)
+        : m_window(window)
+        , m_world(world)
+        , m_motors(motors)
+    {
+    }
+
+    /// Compares what is on the screen now. @return the first false statement; empty if there is none
+    std::string look()
+    {
+        const Duration calm = m_world.sinceTrouble();
+        m_more = calm < kOld ? kLongestTrouble : 0s;
+        const bool heard = m_world.silence() < kOld;
+        if (!heard || calm < kOld || !said("boardLamp").contains(QLatin1String("answering")))
+            m_unwell = m_world.now();
+        m_found.clear();
+        if (calm < kAwake)
+            return m_found;
+        nothingIsKnownOfASilentBoard(heard);
+        if (heard) {
+            theStateIs();
+            theStatusLineSaysTheSame();
+            theFaultsAre();
+            theSpeedIs(
+                "SPEED_MEAS", &BoardHistory::Span::leastRpm, &BoardHistory::Span::greatestRpm);
+            theSpeedIs("SPEED_REF", &BoardHistory::Span::leastReference,
+                &BoardHistory::Span::greatestReference);
+            theLimitIs();
+            theStopWordsAreOver();
+        }
+        aBoardIsNamedThatAnswered();
+        eachEventHappened();
+        eachFaultIsListed();
+        m_looks += 1;
+        return m_found;
+    }
+
+    /// What is sent is what the field said would be sent.
+    /// @param echo  what stood below the field when it was agreed to
+    /// @param rpm  of the set-point that left then
+    /// @param step  of the board's set-points in rpm; 0: it takes any
+    static std::string setPointAsSaid(const QString &echo, double rpm, double step)
+    {
+        static const QRegularExpression steps(QStringLiteral("\\(steps of ([0-9.]+)"));
+        if (const auto match = steps.match(echo);
+            match.hasMatch() && match.captured(1).toDouble() != step)
+            return "\"" + echo.toStdString() + "\", and the board has steps of "
+                + std::to_string(step);
+        static const QRegularExpression said(
+            QStringLiteral("(?:Understood: |becomes )(-?[0-9.]+)"));
+        const auto match = said.match(echo);
+        if (!match.hasMatch() || std::abs(match.captured(1).toDouble() - rpm) < 1.0)
+            return {};
+        return "\"" + echo.toStdString() + "\", and " + std::to_string(rpm) + " rpm left";
+    }
+
+    int looks() const { return m_looks; }
+    int statements() const { return m_statements; } ///< that were compared
+
+private:
+    using Motor = simulation::MotorState;
+
+    template <class T>
+    const T *find(const char *name) const
+    {
+        return m_window.findChild<T *>(QLatin1String(name));
+    }
+    /// The text of a label, or of the label within; what is greyed or hidden says nothing.
+    QString said(const char *name) const
+    {
+        const auto *widget = find<QWidget>(name);
+        if (widget == nullptr || !widget->isVisible() || !widget->isEnabled())
+            return {};
+        if (const auto *label = qobject_cast<const QLabel *>(widget))
+            return label->text();
+        const auto labels = widget->findChildren<QLabel *>();
+        return labels.isEmpty() ? QString() : labels.last()->text();
+    }
+    int chosenMotor() const
+    {
+        const auto *box = find<QComboBox>("motor");
+        return m_motors > 1 && box != nullptr && box->currentIndex() >= 0 ? box->currentIndex() + 1
+                                                                          : 1;
+    }
+    BoardHistory::Span lately(int motor, Duration time) const
+    {
+        return m_world.lately(motor, time + m_more);
+    }
+    void finds(const char *name, const QString &text, const std::string &truth)
+    {
+        if (m_found.empty())
+            m_found = std::string(name) + " says \"" + text.toStdString() + "\", " + truth;
+    }
+
+    static std::optional<std::set<Motor>> statesOf(const QString &word)
+    {
+        static const std::map<QString, std::set<Motor>> words{
+            {QStringLiteral("Idle"), {Motor::Idle}},
+            {QStringLiteral("Starting"),
+                {Motor::Alignment, Motor::Start, Motor::ChargeBootCap, Motor::OffsetCalib,
+                    Motor::SwitchOver}},
+            {QStringLiteral("Running"), {Motor::Run}}, {QStringLiteral("Stopping"), {Motor::Stop}},
+            {QStringLiteral("Fault present"), {Motor::FaultNow}},
+            {QStringLiteral("Fault latched"), {Motor::FaultNow, Motor::FaultOver}}};
+        const auto found = words.find(word);
+        return found == words.end() ? std::nullopt : std::optional(found->second);
+    }
+    static std::string namesOf(const std::set<Motor> &states)
+    {
+        std::string text = "the board was in state";
+        for (const Motor state : states)
+            text += " " + std::to_string(static_cast<int>(state));
+        return text;
+    }
+    void stateIs(const char *name, int motor, QString word)
+    {
+        static const QRegularExpression ofMotor(QStringLiteral("^Motor (\\d): (.*)$"));
+        static const QRegularExpression detail(QStringLiteral(" \\(.*\\)$"));
+        if (const auto match = ofMotor.match(word); match.hasMatch()) {
+            motor = match.captured(1).toInt();
+            word = match.captured(2);
+        }
+        const auto states = statesOf(word.remove(detail));
+        const auto truth = lately(motor, kOld);
+        if (!states || !truth.known)
+            return;
+        ++m_statements;
+        const bool was = std::any_of(states->begin(), states->end(),
+            [&](Motor state) { return truth.states.contains(state); });
+        if (!was)
+            finds(name, word, namesOf(truth.states));
+    }
+
+    void nothingIsKnownOfASilentBoard(bool heard)
+    {
+        if (heard)
+            return;
+        ++m_statements;
+        const std::string truth = "and nothing was heard of the board";
+        if (const QString text = said("motorState");
+            statesOf(text.section(QLatin1String(": "), -1)))
+            finds("motorState", text, truth);
+        if (const QString text = said("boardLamp"); text.contains(QLatin1String("answering")))
+            finds("boardLamp", text, truth);
+        if (const QString text = said("faultsNow"); text.startsWith(QLatin1String("No fault")))
+            finds("faultsNow", text, truth);
+        if (const QString text = said("statusMotor"); text.startsWith(QLatin1String("Motor")))
+            finds("statusMotor", text, truth);
+        if (m_world.silence() > kRead)
+            for (const char *name : {"SPEED_MEAS", "SPEED_REF"})
+                if (const QString text = said(name); number(text))
+                    finds(name, text, truth);
+    }
+    void theStateIs() { stateIs("motorState", chosenMotor(), said("motorState")); }
+    void theStatusLineSaysTheSame() { stateIs("statusMotor", chosenMotor(), said("statusMotor")); }
+
+    void theFaultsAre()
+    {
+        const auto truth = lately(chosenMotor(), kOld);
+        if (!truth.known)
+            return;
+        const QString now = said("faultsNow"), past = said("faultsPast");
+        m_statements += !now.isEmpty() + !past.isEmpty();
+        if (now.startsWith(QLatin1String("No fault")) && !truth.nonePresent)
+            finds("faultsNow", now, "a fault is present");
+        if (now.contains(QLatin1String("Present:")) && !truth.faultPresent)
+            finds("faultsNow", now, "none is present");
+        if (past.contains(QLatin1String("acknowledge")) && !truth.faultKept)
+            finds("faultsPast", past, "none is kept");
+    }
+
+    static std::optional<double> number(const QString &text)
+    {
+        static const QRegularExpression first(QStringLiteral("^[-\u2212]?[0-9]+(\\.[0-9]+)?"));
+        const auto match = first.match(text);
+        if (!match.hasMatch())
+            return {};
+        return match.captured(0).replace(QChar(0x2212), QLatin1Char('-')).toDouble();
+    }
+    void theSpeedIs(
+        const char *name, double BoardHistory::Span::*least, double BoardHistory::Span::*greatest)
+    {
+        constexpr double kStep = 12.0; // two digits of the firmware
+        const QString text = said(name);
+        const auto shown = number(text);
+        const auto truth = lately(chosenMotor(), kRead);
+        if (!shown || !truth.known || !text.contains(QLatin1String("rpm")))
+            return;
+        ++m_statements;
+        if (*shown < truth.*least - kStep || *shown > truth.*greatest + kStep)
+            finds(name, text,
+                "it was " + std::to_string(truth.*least) + " to "
+                    + std::to_string(truth.*greatest));
+    }
+
+    void theLimitIs()
+    {
+        static const QRegularExpression limit(QStringLiteral("^Limits: ([0-9]+)"));
+        const QString text = said("limits");
+        const auto match = limit.match(text);
+        const double tells = lately(chosenMotor(), kRead).maxRpm;
+        if (!match.hasMatch() || !(tells > 0.0))
+            return;
+        ++m_statements;
+        if (match.captured(1).toDouble() > tells + 6.0)
+            finds("limits", text, "the board allows " + std::to_string(tells) + " rpm");
+    }
+
+    /// Words that a motor stands are gone when it turns again.
+    void theStopWordsAreOver()
+    {
+        const auto *words = find<QWidget>("stopWords");
+        const auto truth = lately(1, kOld);
+        if (words == nullptr || !words->isVisible() || !truth.known || m_motors > 1)
+            return;
+        for (const QLabel *label : words->findChildren<QLabel *>()) {
+            const bool rest = label->text().startsWith(QChar(0x25cf))
+                && (label->text().contains(QLatin1String("drive idle"))
+                    || label->text().contains(QLatin1String("standstill")));
+            if (!rest || !label->isVisible())
+                continue;
+            ++m_statements;
+            if (!truth.rested)
+                finds("stopWords", label->text(), "the motor is driven");
+        }
+    }
+
+    void aBoardIsNamedThatAnswered()
+    {
+        const QString lamp = said("boardLamp"), name = said("firmware");
+        m_statements += 2;
+        if (lamp.contains(QLatin1String("link lost")) && !m_world.everHeard())
+            finds("boardLamp", lamp, "there never was a link");
+        if (lamp.contains(QLatin1String("no board")) && !name.isEmpty())
+            finds("firmware", name, "beside \"no board\"");
+    }
+
+    /// What the list tells that came by itself.
+    void eachEventHappened()
+    {
+        const auto *list = find<QAbstractItemView>("eventList");
+        if (list == nullptr)
+            return;
+        const QAbstractItemModel *model = list->model();
+        if (model->rowCount() < m_events)
+            m_events = model->rowCount(); // it was emptied
+        for (; m_events < model->rowCount(); ++m_events) {
+            const QString kind = model->index(m_events, 1).data().toString();
+            const QString text = model->index(m_events, 2).data().toString();
+            ++m_statements;
+            if (kind == QLatin1String("Command") && text == QLatin1String("Disconnected")
+                && m_world.sinceClosed() > kListed)
+                finds("eventList", text, "nobody closed the port");
+            if (kind == QLatin1String("Recovery"))
+                m_metAt = m_world.now();
+            if (kind == QLatin1String("State") && m_motors == 1 && m_metAt + kListed < m_world.now()
+                && m_unwell + kListed < m_world.now()
+                && m_world.lately(1, BoardHistory::kKept).states.size() == 1)
+                finds("eventList", text, "the state has not changed");
+        }
+    }
+
+    /// A fault that came while the board was answering is in the list soon; none is there that the board did not have.
+    void eachFaultIsListed()
+    {
+        const auto *list = find<QAbstractItemView>("eventList");
+        if (list == nullptr)
+            return;
+        const QAbstractItemModel *model = list->model();
+        int rows = 0;
+        QString newest;
+        for (int row = 0; row < model->rowCount(); ++row) {
+            const QString text = model->index(row, 2).data().toString();
+            if (model->index(row, 1).data().toString() == QLatin1String("Fault")
+                && !text.contains(QLatin1String("not confirmed"))) {
+                ++rows;
+                newest = text;
+            }
+        }
+        const TimePoint now = m_world.now();
+        for (; m_rows < rows; ++m_rows) {
+            ++m_statements;
+            m_listed.push_back(now);
+            bool had = false;
+            for (int motor = 1; motor <= m_motors; ++motor) {
+                const auto truth = m_world.lately(motor, BoardHistory::kKept);
+                had = had || truth.faultPresent || truth.faultKept;
+            }
+            if (!had)
+                finds("eventList", newest, "the board had no fault");
+        }
+        m_rows = rows; // fewer: the list was emptied
+        const auto faults = m_world.faults();
+        for (; m_judged < faults.size() && faults[m_judged].at + kListed < now; ++m_judged) {
+            const TimePoint at = faults[m_judged].at;
+            if (m_unwell + kOld > at)
+                continue; // the board was not heard all the time
+            ++m_statements;
+            const bool listed = std::any_of(
+                m_listed.begin(), m_listed.end(), [at](TimePoint seen) { return seen >= at; });
+            if (!listed)
+                finds("eventList", QStringLiteral("%1 faults").arg(rows),
+                    "a fault of motor " + std::to_string(faults[m_judged].motor)
+                        + " is not among them");
+        }
+    }
+
+    const QWidget &m_window;
+    JudgedWorld &m_world;
+    int m_motors;
+    std::string m_found;
+    Duration m_more{}; ///< that a statement may be older, because nobody could know better
+    TimePoint m_unwell{};
+    TimePoint m_metAt{}; ///< when the list told last that the board answers
+    int m_events = 0; ///< rows that were looked at
+    int m_rows = 0; ///< of faults that the list had
+    std::vector<TimePoint> m_listed; ///< when each row of a fault was seen first
+    std::size_t m_judged = 0; ///< of the board's faults
+    int m_looks = 0, m_statements = 0;
+};
+
+} // namespace support
