@@ -66,6 +66,9 @@ public:
         return m_found;
     }
 
+    /// Somebody pressed what closes the port, or the wait for one.
+    void closes() { m_closed = m_world.now(); }
+
     /// What is sent is what the field said would be sent.
     /// @param echo  what stood below the field when it was agreed to
     /// @param rpm  of the set-point that left then
@@ -280,7 +283,7 @@ private:
             const QString text = model->index(m_events, 2).data().toString();
             ++m_statements;
             if (kind == QLatin1String("Command") && text == QLatin1String("Disconnected")
-                && m_world.sinceClosed() > kListed)
+                && m_world.sinceClosed() > kListed && m_closed + kListed < m_world.now())
                 finds("eventList", text, "nobody closed the port");
             if (kind == QLatin1String("Recovery"))
                 m_metAt = m_world.now();
@@ -342,6 +345,7 @@ private:
     std::string m_found;
     Duration m_more{}; ///< that a statement may be older, because nobody could know better
     TimePoint m_unwell{};
+    TimePoint m_closed{};
     TimePoint m_metAt{}; ///< when the list told last that the board answers
     int m_events = 0; ///< rows that were looked at
     int m_rows = 0; ///< of faults that the list had

@@ -216,6 +216,8 @@ void Device::take(const drive::Event &event)
         Overloaded{
             [this](const drive::LinkChanged &link) {
                 m_link = link;
+                if (!answering() || link.reason == drive::LinkReason::BoardReset)
+                    m_told.clear();
                 if (forgetsExperts(link))
                     m_expert.clear();
                 if (link.state == drive::LinkState::Lost || link.state == drive::LinkState::Closed
@@ -233,6 +235,7 @@ void Device::take(const drive::Event &event)
             [this](const drive::Ended &ended) { takeEnd(ended); },
             [this](const drive::MotorStatus &status) {
                 m_status[status.motor] = status;
+                m_told.insert(status.motor);
                 Q_EMIT statusChanged(status.motor);
             },
             [this](const drive::StreamStarted &started) { Q_EMIT streamStarted(started.layout); },
@@ -256,6 +259,7 @@ void Device::forgetBoard()
     m_link = {};
     m_identified.reset();
     m_status.clear();
+    m_told.clear();
     m_expert.clear();
     m_expertWished.clear();
     m_cyclicSetPoints = false;

@@ -43,6 +43,8 @@ public:
 
     int motor() const { return m_motor; } ///< the one the panels act on, from 1
     drive::MotorStatus status(int motor) const; ///< Unknown if nothing was heard
+    /// The board answers, and has told its state since it last did not: what is shown of it can be believed.
+    bool statusIsNow(int motor) const { return answering() && m_told.contains(motor); }
     bool allIdle() const; ///< true if no motor is known to be anywhere but idle or in a fault
     bool armed() const { return m_armed; }
     /// Set-points travel with every exchange.
@@ -128,6 +130,7 @@ private:
     drive::LinkChanged m_link;
     std::optional<drive::Identified> m_identified;
     std::map<int, drive::MotorStatus> m_status;
+    std::set<int> m_told; ///< motors whose state is not of before a silence
     drive::UserLimits m_userLimits;
     std::set<int> m_expert;
     std::map<drive::WishId, int> m_expertWished; ///< motor by wish, not ended

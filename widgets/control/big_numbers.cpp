@@ -104,7 +104,7 @@ void BigNumbers::hideEvent(QHideEvent *event)
 void BigNumbers::paintState(QPainter &painter, const QRect &place) const
 {
     const drive::MotorStatus status = m_device.status(m_device.motor());
-    const bool believed = m_device.answering();
+    const bool believed = m_device.statusIsNow(m_device.motor());
     QString text = believed ? motorStateText(status.state) : linkStateText(m_device.link());
     if (const QString name = deviceText(status.stateName); believed && !name.isEmpty())
         text = QStringLiteral("%1 \u2013 %2").arg(name, text);

@@ -69,7 +69,7 @@ void FaultHelp::update()
             html += sectionOf(name);
     };
     const QString motor = QString::number(m_device.motor());
-    if (!m_device.answering())
+    if (!m_device.statusIsNow(m_device.motor()))
         html = QStringLiteral("<p>%1</p>").arg(tr("Faults are not known").toHtmlEscaped());
     else if (status.faultsNow.empty() && status.faultsPast.empty())
         html = QStringLiteral("<p>%1</p>").arg(tr("Motor %1 has no fault.").arg(motor));

@@ -106,7 +106,7 @@ void StateBox::changeEvent(QEvent *event)
 void StateBox::follow()
 {
     const drive::MotorStatus status = m_device.status(m_device.motor());
-    const bool believed = m_device.answering();
+    const bool believed = m_device.statusIsNow(m_device.motor());
     showState(status, believed);
     showFaults(status, believed);
 }

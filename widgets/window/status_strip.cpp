@@ -132,7 +132,7 @@ void StatusStrip::updateWatchdog()
 
 void StatusStrip::updateMotor()
 {
-    if (!m_device.answering()) {
+    if (!m_device.statusIsNow(m_device.motor())) {
         m_motor->clear();
         m_faults->clear();
         return;

@@ -579,6 +579,24 @@ private Q_SLOTS:
         QVERIFY(words->isVisible());
     }
 
+    void aStateOfBeforeASilenceIsNotTakenForThePresent()
+    {
+        facts::connectBoard(*m_device);
+        facts::feed(*m_device, {facts::status(drive::MotorState::Running)});
+        const auto *state = m_panel->findChild<QLabel *>(QStringLiteral("motorState"));
+        QCOMPARE(state->text(), QStringLiteral("Running"));
+        using drive::LinkReason;
+        using drive::LinkState;
+        facts::feed(*m_device, {drive::LinkChanged{LinkState::Recovering, LinkReason::None}});
+        facts::feed(*m_device, {drive::LinkChanged{LinkState::Connected, LinkReason::None}});
+        QCOMPARE(
+            state->text(), QStringLiteral("board answering")); // and has not told its state yet
+        QVERIFY(!state->isEnabled());
+        facts::feed(*m_device, {facts::status(drive::MotorState::Idle)});
+        QCOMPARE(state->text(), QStringLiteral("Idle"));
+        QVERIFY(state->isEnabled());
+    }
+
     void wordsOfRestGoWhenTheMotorIsStartedBeforeTheLastOfThem()
     {
         facts::connectBoard(*m_device);

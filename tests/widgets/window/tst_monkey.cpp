@@ -214,6 +214,8 @@ private:
         const bool stops = widget->objectName() == QLatin1String("stop")
             || widget->objectName() == QLatin1String("stopMotors")
             || widget->objectName() == QLatin1String("faultHelpStop");
+        if (widget->objectName() == QLatin1String("connect"))
+            m_screen.closes();
         m_restores = widget->objectName() == QLatin1String("snapshotRestore")
             || (m_restores && widget->objectName() == QLatin1String("writeAnyway"));
         m_world.act(m_restores ? Act::Kind::Restore : inputOn(widget));
@@ -240,6 +242,8 @@ private:
     {
         note("key " + std::to_string(which));
         noteArming();
+        if (which == Qt::Key_D && modifiers == Qt::ControlModifier)
+            m_screen.closes();
         m_world.act(which == Qt::Key_Escape ? Act::Kind::Stop : inputOn(widget));
         if (which != Qt::Key_Escape)
             confirmBy(widget);
