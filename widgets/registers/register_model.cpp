@@ -12,7 +12,7 @@ namespace widgets {
 namespace {
 
 constexpr Milliseconds kPollPeriod{100}; ///< of what is on screen
-constexpr Milliseconds kLongestInterval{2000};
+constexpr Milliseconds kLongestInterval{800}; ///< a longer one is no period: nobody asked meanwhile
 
 QString fromCore(const std::string &text)
 {
@@ -99,7 +99,7 @@ void RegisterModel::take(const std::vector<drive::Reading> &readings, Millisecon
         switch (reading.status) {
         case drive::ReadStatus::Ok:
             if (row.known == Known::Value)
-                row.interval = std::min(now - row.at, kLongestInterval);
+                row.interval = now - row.at <= kLongestInterval ? now - row.at : Milliseconds{};
             row.known = Known::Value;
             row.value = reading.value;
             row.at = now;

@@ -377,6 +377,7 @@ void ConnectBar::updateIdentity()
                 ? tr("Motor %1").arg(QString::number(motor))
                 : tr("Motor %1: %2", "number, name").arg(QString::number(motor), name));
     }
+    m_motor->setCurrentIndex(m_device.motor() - 1); // told anew, it is still the chosen one
     m_motor->setVisible(identity.motors > 1);
 }
 

@@ -99,6 +99,17 @@ private Q_SLOTS:
         QVERIFY(stale(facts::kSpeed));
     }
 
+    void timeInWhichNobodyAskedIsNoPeriod()
+    {
+        m_model->take({facts::reading(facts::kSpeed, std::int64_t{1})}, 0ms);
+        m_model->refresh(400ms);
+        m_model->take({facts::reading(facts::kSpeed, std::int64_t{2})}, 9000ms);
+        m_model->refresh(9300ms);
+        QVERIFY(!stale(facts::kSpeed));
+        m_model->refresh(9400ms);
+        QVERIFY(stale(facts::kSpeed));
+    }
+
     void aSilentLinkMakesEverythingStaleAtOnce()
     {
         m_model->take({facts::reading(facts::kSpeed, std::int64_t{1500})}, 0ms);

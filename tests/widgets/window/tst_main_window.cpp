@@ -222,6 +222,20 @@ private Q_SLOTS:
         QVERIFY(lamp().contains(QStringLiteral("no board found")));
     }
 
+    void theChosenMotorStaysShownWhenItsBoardIsToldAnew()
+    {
+        drive::Identified two = facts::identified();
+        two.identity.motors = 2;
+        two.limits.push_back(two.limits.front());
+        facts::feed(device(), {two});
+        auto *motor = m_rig->find<QComboBox>("motor");
+        QTest::keyClick(motor, Qt::Key_Down);
+        QCOMPARE(device().motor(), 2);
+        facts::feed(device(), {two}); // with a scale that has become known
+        QCOMPARE(device().motor(), 2);
+        QCOMPARE(motor->currentIndex(), 1);
+    }
+
     void aLostLinkStaysToldUntilTheBoardAnswers()
     {
         feed({LinkState::Lost, LinkReason::Silence});
