@@ -3062,6 +3062,49 @@
     </message>
 </context>
 <context>
+    <name>widgets::Exporting</name>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
+    </message>
+    <message>
+        <source>Exported to %1.</source>
+        <translation>Exportiert nach %1.</translation>
+    </message>
+    <message>
+        <source>The motion log is in %1.</source>
+        <translation>Das Bewegungsprotokoll liegt in %1.</translation>
+    </message>
+    <message>
+        <source>The motion log %1 could not be written (%2).</source>
+        <translation>Das Bewegungsprotokoll %1 konnte nicht geschrieben werden (%2).</translation>
+    </message>
+    <message>
+        <source>The picture of the scope is in the clipboard.</source>
+        <translation>Das Bild des Oszilloskops ist in der Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>An export is under way.</source>
+        <translation>Ein Export läuft.</translation>
+    </message>
+    <message>
+        <source>Without it there is no file.</source>
+        <translation>Ohne ihn gibt es keine Datei.</translation>
+    </message>
+    <message>
+        <source>Close when it is written</source>
+        <translation>Schließen, wenn er geschrieben ist</translation>
+    </message>
+    <message>
+        <source>Close without it</source>
+        <translation>Ohne ihn schließen</translation>
+    </message>
+</context>
+<context>
     <name>widgets::FaultHelp</name>
     <message>
         <source>Faults and their causes</source>
@@ -3675,57 +3718,14 @@
     </message>
 </context>
 <context>
+    <name>widgets::LinkNews</name>
+    <message>
+        <source>This firmware is not known: registers are shown raw and nothing is written.</source>
+        <translation>Diese Firmware ist nicht bekannt: Register werden roh gezeigt, und nichts wird geschrieben.</translation>
+    </message>
+</context>
+<context>
     <name>widgets::MainWindow</name>
-    <message>
-        <source>Run</source>
-        <comment>the scope&apos;s picture moves</comment>
-        <translation>Laufen</translation>
-    </message>
-    <message>
-        <source>Lets the picture run or holds it; recording goes on (Space)</source>
-        <translation>Lässt das Bild laufen oder hält es an; die Aufzeichnung läuft weiter (Leertaste)</translation>
-    </message>
-    <message>
-        <source>Follow</source>
-        <translation>Folgen</translation>
-    </message>
-    <message>
-        <source>Keeps the newest samples in view (End)</source>
-        <translation>Behält die neuesten Werte im Bild (Ende)</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <comment>show all samples</comment>
-        <translation>Alles</translation>
-    </message>
-    <message>
-        <source>Shows everything (F)</source>
-        <translation>Zeigt alles (F)</translation>
-    </message>
-    <message>
-        <source>Fit values</source>
-        <translation>Werte einpassen</translation>
-    </message>
-    <message>
-        <source>Fits the value axes only (Shift+F)</source>
-        <translation>Passt nur die Werteachsen ein (Umschalt+F)</translation>
-    </message>
-    <message>
-        <source>Zoom in</source>
-        <translation>Vergrößern</translation>
-    </message>
-    <message>
-        <source>Shows half the time (+)</source>
-        <translation>Zeigt die halbe Zeit (+)</translation>
-    </message>
-    <message>
-        <source>Zoom out</source>
-        <translation>Verkleinern</translation>
-    </message>
-    <message>
-        <source>Shows twice the time (−)</source>
-        <translation>Zeigt die doppelte Zeit (−)</translation>
-    </message>
     <message>
         <source>Registers</source>
         <translation>Register</translation>
@@ -3843,10 +3843,6 @@
         <translation>Die &amp;Rampe anhalten</translation>
     </message>
     <message>
-        <source>This firmware is not known: registers are shown raw and nothing is written.</source>
-        <translation>Diese Firmware ist nicht bekannt: Register werden roh gezeigt, und nichts wird geschrieben.</translation>
-    </message>
-    <message>
         <source>%1 – Rotorscope</source>
         <comment>what is connected</comment>
         <translation>%1 – Rotorscope</translation>
@@ -3864,36 +3860,6 @@
         <translation>Rotorscope trotzdem beenden…</translation>
     </message>
     <message>
-        <source>An export is under way.</source>
-        <translation>Ein Export läuft.</translation>
-    </message>
-    <message>
-        <source>Without it there is no file.</source>
-        <translation>Ohne ihn gibt es keine Datei.</translation>
-    </message>
-    <message>
-        <source>Close when it is written</source>
-        <translation>Schließen, wenn er geschrieben ist</translation>
-    </message>
-    <message>
-        <source>Close without it</source>
-        <translation>Ohne ihn schließen</translation>
-    </message>
-    <message>
-        <source>Exported to %1.</source>
-        <translation>Exportiert nach %1.</translation>
-    </message>
-    <message>
-        <source>Live</source>
-        <comment>the scope&apos;s picture moves</comment>
-        <translation>Live</translation>
-    </message>
-    <message>
-        <source>Held</source>
-        <comment>the scope&apos;s picture stands still</comment>
-        <translation>Halt</translation>
-    </message>
-    <message>
         <source>Not live: %1</source>
         <comment>state of the link, e.g. board silent</comment>
         <translation>Nicht aktuell: %1</translation>
@@ -3907,64 +3873,12 @@
         <translation>&amp;Werkzeuge</translation>
     </message>
     <message>
-        <source>Events</source>
-        <translation>Ereignisse</translation>
-    </message>
-    <message>
-        <source>Motor and drive</source>
-        <translation>Motor und Antrieb</translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
     </message>
     <message>
-        <source>The motion log is in %1.</source>
-        <translation>Das Bewegungsprotokoll liegt in %1.</translation>
-    </message>
-    <message>
-        <source>The motion log %1 could not be written (%2).</source>
-        <translation>Das Bewegungsprotokoll %1 konnte nicht geschrieben werden (%2).</translation>
-    </message>
-    <message>
-        <source>Motion log</source>
-        <translation>Bewegungsprotokoll</translation>
-    </message>
-    <message>
-        <source>Rev-up</source>
-        <translation>Anlauf</translation>
-    </message>
-    <message>
-        <source>Snapshots</source>
-        <translation>Schnappschüsse</translation>
-    </message>
-    <message>
-        <source>Records</source>
-        <translation>Aufnahmen</translation>
-    </message>
-    <message>
-        <source>Gains</source>
-        <translation>Verstärkungen</translation>
-    </message>
-    <message>
-        <source>Ramps</source>
-        <translation>Rampen</translation>
-    </message>
-    <message>
         <source>Large &amp;numbers</source>
         <translation>Große &amp;Zahlen</translation>
-    </message>
-    <message>
-        <source>Measurements</source>
-        <translation>Messungen</translation>
-    </message>
-    <message>
-        <source>Spectrum</source>
-        <translation>Spektrum</translation>
-    </message>
-    <message>
-        <source>Record to disk</source>
-        <translation>Auf Platte aufzeichnen</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
@@ -3979,10 +3893,6 @@
         <translation>Schreibt Abtastwerte oder ein Bild in eine Datei (Strg+Umschalt+E)</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
         <source>&amp;Open a recording…</source>
         <translation>Aufzeichnung ö&amp;ffnen …</translation>
     </message>
@@ -3995,64 +3905,8 @@
         <translation>Bild &amp;kopieren</translation>
     </message>
     <message>
-        <source>Disconnect first (Ctrl+D): a recording takes the place of what the scope shows.</source>
-        <translation>Zuerst trennen (Strg+D): Eine Aufzeichnung tritt an die Stelle dessen, was das Oszilloskop zeigt.</translation>
-    </message>
-    <message>
-        <source>Open a recording</source>
-        <translation>Aufzeichnung öffnen</translation>
-    </message>
-    <message>
-        <source>Recordings (*.pcapng)</source>
-        <translation>Aufzeichnungen (*.pcapng)</translation>
-    </message>
-    <message>
-        <source>Disconnect first (Ctrl+D): what is imported takes the place of what the scope shows.</source>
-        <translation>Zuerst trennen (Strg+D): Was importiert wird, tritt an die Stelle dessen, was das Oszilloskop zeigt.</translation>
-    </message>
-    <message>
-        <source>Import CSV</source>
-        <translation>CSV importieren</translation>
-    </message>
-    <message>
-        <source>CSV files (*.csv *.txt)</source>
-        <translation>CSV-Dateien (*.csv *.txt)</translation>
-    </message>
-    <message>
-        <source>Imported %1.</source>
-        <translation>%1 ist importiert.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n signal(s) of it are not shown: see Scope, Signals of the file.</source>
-        <translation>
-            <numerusform>%n Signal daraus wird nicht gezeigt: siehe Oszilloskop, Signale der Datei.</numerusform>
-            <numerusform>%n Signale daraus werden nicht gezeigt: siehe Oszilloskop, Signale der Datei.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Exporting %1</source>
-        <translation>%1 wird exportiert</translation>
-    </message>
-    <message>
-        <source>The picture of the scope is in the clipboard.</source>
-        <translation>Das Bild des Oszilloskops ist in der Zwischenablage.</translation>
-    </message>
-    <message>
-        <source>Math</source>
-        <translation>Mathematik</translation>
-    </message>
-    <message>
-        <source>%1, read one by one</source>
-        <comment>a signal</comment>
-        <translation>%1, einzeln gelesen</translation>
-    </message>
-    <message>
         <source>Signals of the &amp;file</source>
         <translation>Signale der &amp;Datei</translation>
-    </message>
-    <message>
-        <source>XY</source>
-        <translation>XY</translation>
     </message>
     <message>
         <source>Replay of %1</source>
@@ -4063,38 +3917,8 @@
         <translation>Aufzeichnung &amp;wiedergeben…</translation>
     </message>
     <message>
-        <source>Disconnect first (Ctrl+D): a replay takes the place of a board.</source>
-        <translation>Erst trennen (Strg+D): Eine Wiedergabe tritt an die Stelle eines Boards.</translation>
-    </message>
-    <message>
-        <source>Replay a recording</source>
-        <translation>Aufzeichnung wiedergeben</translation>
-    </message>
-    <message>
-        <source>%1 is no recording of Rotorscope.</source>
-        <translation>%1 ist keine Aufzeichnung von Rotorscope.</translation>
-    </message>
-    <message>
         <source>R&amp;oom for samples…</source>
         <translation>&amp;Platz für Messwerte…</translation>
-    </message>
-    <message>
-        <source>Replay</source>
-        <comment>the scope shows it</comment>
-        <translation>Wiedergabe</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <comment>the scope shows it</comment>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Stopping the motors before something else is opened…</source>
-        <translation>Die Motoren werden gestoppt, bevor etwas anderes geöffnet wird …</translation>
-    </message>
-    <message>
-        <source>Open it all the same…</source>
-        <translation>Trotzdem öffnen …</translation>
     </message>
 </context>
 <context>
@@ -4830,6 +4654,64 @@
     <message>
         <source>In the file</source>
         <translation>In der Datei</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Opening</name>
+    <message numerus="yes">
+        <source>%n signal(s) of it are not shown: see Scope, Signals of the file.</source>
+        <translation>
+            <numerusform>%n Signal daraus wird nicht gezeigt: siehe Oszilloskop, Signale der Datei.</numerusform>
+            <numerusform>%n Signale daraus werden nicht gezeigt: siehe Oszilloskop, Signale der Datei.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stopping the motors before something else is opened…</source>
+        <translation>Die Motoren werden gestoppt, bevor etwas anderes geöffnet wird …</translation>
+    </message>
+    <message>
+        <source>Open it all the same…</source>
+        <translation>Trotzdem öffnen …</translation>
+    </message>
+    <message>
+        <source>Disconnect first (Ctrl+D): a recording takes the place of what the scope shows.</source>
+        <translation>Zuerst trennen (Strg+D): Eine Aufzeichnung tritt an die Stelle dessen, was das Oszilloskop zeigt.</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.pcapng)</source>
+        <translation>Aufzeichnungen (*.pcapng)</translation>
+    </message>
+    <message>
+        <source>Disconnect first (Ctrl+D): a replay takes the place of a board.</source>
+        <translation>Erst trennen (Strg+D): Eine Wiedergabe tritt an die Stelle eines Boards.</translation>
+    </message>
+    <message>
+        <source>Replay a recording</source>
+        <translation>Aufzeichnung wiedergeben</translation>
+    </message>
+    <message>
+        <source>Disconnect first (Ctrl+D): what is imported takes the place of what the scope shows.</source>
+        <translation>Zuerst trennen (Strg+D): Was importiert wird, tritt an die Stelle dessen, was das Oszilloskop zeigt.</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>CSV importieren</translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv *.txt)</source>
+        <translation>CSV-Dateien (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>%1 is no recording of Rotorscope.</source>
+        <translation>%1 ist keine Aufzeichnung von Rotorscope.</translation>
+    </message>
+    <message>
+        <source>Imported %1.</source>
+        <translation>%1 ist importiert.</translation>
     </message>
 </context>
 <context>
@@ -6328,6 +6210,87 @@ mN·m</translation>
     </message>
 </context>
 <context>
+    <name>widgets::ScopePage</name>
+    <message>
+        <source>Run</source>
+        <comment>the scope&apos;s picture moves</comment>
+        <translation>Laufen</translation>
+    </message>
+    <message>
+        <source>Lets the picture run or holds it; recording goes on (Space)</source>
+        <translation>Lässt das Bild laufen oder hält es an; die Aufzeichnung läuft weiter (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>Keeps the newest samples in view (End)</source>
+        <translation>Behält die neuesten Werte im Bild (Ende)</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <comment>show all samples</comment>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Shows everything (F)</source>
+        <translation>Zeigt alles (F)</translation>
+    </message>
+    <message>
+        <source>Fit values</source>
+        <translation>Werte einpassen</translation>
+    </message>
+    <message>
+        <source>Fits the value axes only (Shift+F)</source>
+        <translation>Passt nur die Werteachsen ein (Umschalt+F)</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Shows half the time (+)</source>
+        <translation>Zeigt die halbe Zeit (+)</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Shows twice the time (−)</source>
+        <translation>Zeigt die doppelte Zeit (−)</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <comment>the scope shows it</comment>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <comment>the scope&apos;s picture moves</comment>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <comment>the scope shows it</comment>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <comment>the scope&apos;s picture stands still</comment>
+        <translation>Halt</translation>
+    </message>
+    <message>
+        <source>Record to disk</source>
+        <translation>Auf Platte aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+</context>
+<context>
     <name>widgets::ScopeTools</name>
     <message>
         <source>Cursors</source>
@@ -6616,6 +6579,11 @@ mN·m</translation>
     <message>
         <source>The scope shows up to %1 signals of a file: take one off to see another.</source>
         <translation>Das Oszilloskop zeigt bis zu %1 Signale einer Datei: Nehmen Sie eines weg, um ein anderes zu sehen.</translation>
+    </message>
+    <message>
+        <source>%1, read one by one</source>
+        <comment>a signal</comment>
+        <translation>%1, einzeln gelesen</translation>
     </message>
 </context>
 <context>
@@ -7374,6 +7342,61 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>Motor %1</source>
         <translation>Motor %1</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Tools</name>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Records</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Math</source>
+        <translation>Mathematik</translation>
+    </message>
+    <message>
+        <source>XY</source>
+        <translation>XY</translation>
+    </message>
+    <message>
+        <source>Snapshots</source>
+        <translation>Schnappschüsse</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>Verstärkungen</translation>
+    </message>
+    <message>
+        <source>Rev-up</source>
+        <translation>Anlauf</translation>
+    </message>
+    <message>
+        <source>Ramps</source>
+        <translation>Rampen</translation>
+    </message>
+    <message>
+        <source>Motor and drive</source>
+        <translation>Motor und Antrieb</translation>
+    </message>
+    <message>
+        <source>Motion log</source>
+        <translation>Bewegungsprotokoll</translation>
+    </message>
+    <message>
+        <source>Exported to %1.</source>
+        <translation>Exportiert nach %1.</translation>
     </message>
 </context>
 <context>

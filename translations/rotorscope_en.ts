@@ -3062,6 +3062,49 @@
     </message>
 </context>
 <context>
+    <name>widgets::Exporting</name>
+    <message>
+        <source>Exporting %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exported to %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motion log is in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motion log %1 could not be written (%2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture of the scope is in the clipboard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An export is under way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without it there is no file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close when it is written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::FaultHelp</name>
     <message>
         <source>Faults and their causes</source>
@@ -3675,57 +3718,14 @@
     </message>
 </context>
 <context>
+    <name>widgets::LinkNews</name>
+    <message>
+        <source>This firmware is not known: registers are shown raw and nothing is written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::MainWindow</name>
-    <message>
-        <source>Run</source>
-        <comment>the scope&apos;s picture moves</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lets the picture run or holds it; recording goes on (Space)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Follow</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keeps the newest samples in view (End)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <comment>show all samples</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Shows everything (F)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fit values</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fits the value axes only (Shift+F)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Zoom in</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Shows half the time (+)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Zoom out</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Shows twice the time (−)</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Registers</source>
         <translation type="unfinished"></translation>
@@ -3843,10 +3843,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This firmware is not known: registers are shown raw and nothing is written.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 – Rotorscope</source>
         <comment>what is connected</comment>
         <translation type="unfinished"></translation>
@@ -3864,20 +3860,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Exported to %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Live</source>
-        <comment>the scope&apos;s picture moves</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Held</source>
-        <comment>the scope&apos;s picture stands still</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Not live: %1</source>
         <comment>state of the link, e.g. board silent</comment>
         <translation type="unfinished"></translation>
@@ -3891,63 +3873,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Events</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Motor and drive</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The motion log is in %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The motion log %1 could not be written (%2).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Motion log</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rev-up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Snapshots</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Records</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gains</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ramps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Large &amp;numbers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Measurements</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Spectrum</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Record to disk</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3963,10 +3893,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Open a recording…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3979,56 +3905,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Disconnect first (Ctrl+D): a recording takes the place of what the scope shows.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open a recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Recordings (*.pcapng)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Disconnect first (Ctrl+D): what is imported takes the place of what the scope shows.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Import CSV</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>CSV files (*.csv *.txt)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Imported %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Exporting %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The picture of the scope is in the clipboard.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Math</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, read one by one</source>
-        <comment>a signal</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Signals of the &amp;file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>XY</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4040,60 +3917,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Disconnect first (Ctrl+D): a replay takes the place of a board.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Replay a recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 is no recording of Rotorscope.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>R&amp;oom for samples…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Replay</source>
-        <comment>the scope shows it</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>File</source>
-        <comment>the scope shows it</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n signal(s) of it are not shown: see Scope, Signals of the file.</source>
-        <translation>
-            <numerusform>%n signal of it is not shown: see Scope, Signals of the file.</numerusform>
-            <numerusform>%n signals of it are not shown: see Scope, Signals of the file.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>An export is under way.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Without it there is no file.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Close when it is written</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Close without it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stopping the motors before something else is opened…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open it all the same…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4829,6 +4653,64 @@
     </message>
     <message>
         <source>In the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Opening</name>
+    <message numerus="yes">
+        <source>%n signal(s) of it are not shown: see Scope, Signals of the file.</source>
+        <translation>
+            <numerusform>%n signal of it is not shown: see Scope, Signals of the file.</numerusform>
+            <numerusform>%n signals of it are not shown: see Scope, Signals of the file.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stopping the motors before something else is opened…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open it all the same…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnect first (Ctrl+D): a recording takes the place of what the scope shows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings (*.pcapng)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnect first (Ctrl+D): a replay takes the place of a board.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnect first (Ctrl+D): what is imported takes the place of what the scope shows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv *.txt)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no recording of Rotorscope.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Imported %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6322,6 +6204,87 @@ mN·m</source>
     </message>
 </context>
 <context>
+    <name>widgets::ScopePage</name>
+    <message>
+        <source>Run</source>
+        <comment>the scope&apos;s picture moves</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lets the picture run or holds it; recording goes on (Space)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the newest samples in view (End)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <comment>show all samples</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows everything (F)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fits the value axes only (Shift+F)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows half the time (+)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows twice the time (−)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <comment>the scope shows it</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <comment>the scope&apos;s picture moves</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <comment>the scope shows it</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <comment>the scope&apos;s picture stands still</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record to disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::ScopeTools</name>
     <message>
         <source>Cursors</source>
@@ -6609,6 +6572,11 @@ mN·m</source>
     <name>widgets::SignalSelection</name>
     <message>
         <source>The scope shows up to %1 signals of a file: take one off to see another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, read one by one</source>
+        <comment>a signal</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7366,6 +7334,61 @@ A program on a PC is no replacement for a switch that removes the power.</source
     </message>
     <message>
         <source>Motor %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Tools</name>
+    <message>
+        <source>Events</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Records</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Math</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>XY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snapshots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rev-up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ramps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor and drive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exported to %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

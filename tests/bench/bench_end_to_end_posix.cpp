@@ -5,6 +5,7 @@
 #include "bench/paired.h"
 #include "support/window_rig.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/scope/signals/signal_selection.h"
 
 #include <qcustomplot.h>
 

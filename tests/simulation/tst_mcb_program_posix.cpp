@@ -1,5 +1,5 @@
 // rotorscope-sim mcb as a program: a session of the vectors through its pseudo-terminal, and the words it obeys.
-#include "support/mcb_vectors.h"
+#include "support/mcb/vectors.h"
 
 #include <QProcess>
 #include <QTemporaryDir>

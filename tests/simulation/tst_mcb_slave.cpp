@@ -1,7 +1,7 @@
 // The MCB slave: every session of the vectors byte for byte, then the rules that they do not touch. Virtual time.
 #include "simulation/mcb/mcb_slave.h"
 
-#include "support/mcb_vectors.h"
+#include "support/mcb/vectors.h"
 
 #include <QtTest>
 

@@ -1,9 +1,10 @@
 // The real window with its workbench, on ports and file answers of the test's own.
 #pragma once
 
+#include "support/answered_files.h"
 #include "support/window_facts.h"
-#include "widgets/base/file_prompt.h"
 #include "widgets/window/application.h"
+#include "widgets/window/exporting.h"
 #include "widgets/window/main_window.h"
 #include "widgets/window/workbench.h"
 
@@ -19,25 +20,6 @@ namespace facts {
 class NoPorts : public session::PortSource {
 public:
     QList<session::SystemPort> ports() const override { return {}; }
-};
-
-/// Answers every question for a file name with `answer`; an empty one gives up.
-class AnsweredPrompt : public widgets::FilePrompt {
-public:
-    QString answer;
-    widgets::SaveQuestion asked;
-
-    void askSave(QWidget *, const widgets::SaveQuestion &question, Answer done) override
-    {
-        asked = question;
-        if (!answer.isEmpty())
-            done(answer);
-    }
-    void askOpen(QWidget *, const widgets::OpenQuestion &, Answer done) override
-    {
-        if (!answer.isEmpty())
-            done(answer);
-    }
 };
 
 struct WindowRig {

@@ -1,11 +1,7 @@
 #include "widgets/window/main_window.h"
 
-#include "session/files/whole_file.h"
 #include "widgets/base/banner.h"
 #include "widgets/base/device_text.h"
-#include "widgets/base/file_prompt.h"
-#include "widgets/base/flow_layout.h"
-#include "widgets/base/lamp.h"
 #include "widgets/base/messages.h"
 #include "widgets/base/replaying.h"
 #include "widgets/control/big_numbers.h"
@@ -16,38 +12,42 @@
 #include "widgets/control/motion_question.h"
 #include "widgets/control/motor_button.h"
 #include "widgets/control/stop_alarm.h"
-#include "widgets/files/event_recorder.h"
-#include "widgets/files/export_dialog.h"
+#include "widgets/files/marker_file.h"
 #include "widgets/files/record_control.h"
-#include "widgets/files/replay_bar.h"
 #include "widgets/files/sample_room.h"
-#include "widgets/forms/ramp_form.h"
-#include "widgets/measuring/math_channels.h"
+#include "widgets/files/sample_room_dialog.h"
 #include "widgets/registers/register_panel.h"
-#include "widgets/scope/cursor_panel.h"
-#include "widgets/scope/scope_tools.h"
 #include "widgets/scope/scope_view.h"
-#include "widgets/scope/signals/channel_strip.h"
-#include "widgets/scope/trigger/trigger_bar.h"
+#include "widgets/scope/signals/signal_selection.h"
 #include "widgets/scope/trigger/trigger_control.h"
-#include "widgets/snapshots/snapshot_panel.h"
 #include "widgets/window/application.h"
 #include "widgets/window/connect_bar.h"
+#include "widgets/window/exporting.h"
 #include "widgets/window/first_steps.h"
 #include "widgets/window/leaving.h"
+#include "widgets/window/link_news.h"
+#include "widgets/window/opening.h"
+#include "widgets/window/replacing.h"
+#include "widgets/window/scope_page.h"
 #include "widgets/window/shortcut_guard.h"
 #include "widgets/window/status_strip.h"
 #include "widgets/window/tab_order.h"
+#include "widgets/window/tools.h"
 
+#include <QAction>
+#include <QChildEvent>
+#include <QCloseEvent>
 #include <QDockWidget>
-#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenuBar>
-#include <QPainter>
 #include <QStackedWidget>
-#include <QToolButton>
+#include <QTabBar>
+#include <QTimer>
 #include <QVBoxLayout>
+
+#include <chrono>
+#include <utility>
 
 namespace widgets {
 namespace {
@@ -55,39 +55,8 @@ namespace {
 constexpr int kRegisterWidth = 304;
 constexpr int kRegisterMinimum = 240;
 constexpr int kControlWidth = 268;
-constexpr int kCrowdedHeight =
-    480; ///< of plots and what is around them, when cursors are read as well
 constexpr int kLayoutVersion = 1;
-
-/// A green disc while the picture runs, a red square while it is held: told apart by shape, too.
-QIcon runIcon(bool running, bool live, const QPalette &palette)
-{
-    const Lamp::Light moving = live ? Lamp::Light::On : Lamp::Light::Off;
-    QPixmap pixmap(32, 32);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(Lamp::colorOf(running ? moving : Lamp::Light::Bad, palette));
-    if (running)
-        painter.drawEllipse(QRectF(5, 5, 22, 22));
-    else
-        painter.drawRect(QRectF(6, 6, 20, 20));
-    return QIcon(pixmap);
-}
-
-/// What is switched on has to be told from what is not in both themes; the style's sunken look is too faint for that.
-QString scopeBarStyle(const QPalette &palette)
-{
-    return QStringLiteral("QToolButton { padding: 3px 9px; border: 1px solid %1; border-radius: "
-                          "4px; background: %2; }"
-                          "QToolButton:hover { background: %3; }"
-                          "QToolButton:checked { background: %4; border-color: %5; }"
-                          "QToolButton:focus { border-color: %5; }")
-        .arg(palette.color(QPalette::Mid).name(), palette.color(QPalette::Button).name(),
-            palette.color(QPalette::Base).name(), palette.color(QPalette::Mid).name(),
-            palette.color(QPalette::Highlight).name());
-}
+constexpr std::chrono::milliseconds kSettled(100); ///< after the first picture, before the tools
 
 } // namespace
 
@@ -101,7 +70,6 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     , m_scope(new ScopeView(workbench.capture(), workbench.events(), this))
     , m_selection(new SignalSelection(
           m_device, workbench.capture(), workbench.signalPlan(), *m_scope, this))
-    , m_math(workbench.math())
     , m_trigger(new TriggerControl(workbench.trigger(), *m_scope, workbench.capture(), this))
     , m_connectBar(new ConnectBar(m_device, ports, this))
     , m_alarm(new StopAlarm(this))
@@ -115,9 +83,10 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     m_device.setUserLimits({settings.maxSpeedRpm, settings.maxCurrentAmps});
     m_connectBar->setEndpoint(settings.port, settings.baud);
     m_connectBar->setProtocol(settings.protocol);
+    m_scope->setChosenColors(settings.traceColors); // before anything is drawn
 
-    makeScopeActions();
-    makeRecording();
+    makeFlows();
+    makeFileActions();
     setCentralWidget(makeCentre());
     makeDocks();
     makeTools();
@@ -131,20 +100,12 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
         restoreGeometry(settings.geometry);
     if (!settings.layout.isEmpty())
         restoreState(settings.layout, kLayoutVersion);
-    for (Tool &tool : m_tools) {
-        if (!tool.dock->isHidden())
-            formOf(tool);
-    }
+    m_tools->docks().makeOpen();
     if (!settings.firstStepsDone)
         m_firstSteps->restart();
 }
 
-MainWindow::~MainWindow()
-{
-    // An open tool tells that it goes, when the members that would hear it are gone already.
-    for (const Tool &tool : m_tools)
-        tool.dock->disconnect(this);
-}
+MainWindow::~MainWindow() = default;
 
 Settings MainWindow::settings() const
 {
@@ -159,15 +120,60 @@ Settings MainWindow::settings() const
     now.maxCurrentAmps = m_device.userLimits().maxCurrentAmps;
     now.pinned = m_workbench.registers().pinned();
     now.registerColumns = m_registerPanel->columns();
-    if (m_snapshotPanel)
-        now.snapshotFolder = m_snapshotPanel->folder();
-    if (m_ramps)
-        now.ramps = m_ramps->presets();
     now.samplesOnDiskGB = m_room->wanted();
     now.recordFolder = m_record->folder();
-    now.formulas = m_math.formulas();
+    now.exportFolder = m_exporting->folder();
     now.traceColors = m_scope->chosenColors();
+    m_tools->keep(now);
     return now;
+}
+
+void MainWindow::makeFlows()
+{
+    m_record = new RecordControl({m_workbench.recording(), m_device, m_workbench.events(), m_files,
+                                     [this] { return m_workbench.eventRecorder().now(); }},
+        m_settings.recordFolder, this);
+    m_markers = new MarkerFile(m_workbench.events(), m_files, *m_record, this);
+    connect(&m_workbench, &Workbench::noteReplayed, m_markers, &MarkerFile::replayed);
+    m_replacing = new Replacing({m_workbench, *m_markers, *m_record, m_questions}, this);
+    m_exporting = new Exporting({m_workbench, *m_scope, m_files, *m_replacing, m_questions, this},
+        m_settings.exportFolder, this);
+    m_opening = new Opening(
+        {m_workbench, *m_selection, *m_markers, *m_leaving, *m_replacing, m_files,
+            [this] { return m_connectBar->connecting(); }, [this] { return m_record->folder(); },
+            [this] { return m_exporting->folder(); }, this},
+        this);
+    m_connectBar->setBeforeOpening(
+        [this](std::function<void()> goOn) { m_opening->beforeConnecting(std::move(goOn)); });
+    m_room = new SampleRoom(m_workbench.capture(), *m_workbench.archive(), this);
+    m_room->setWanted(m_settings.samplesOnDiskGB);
+    m_scales = new CurrentScales(m_device, m_settings.currentScales, this);
+}
+
+void MainWindow::makeFileActions()
+{
+    const auto make = [this](const QString &text, const char *name, const QKeySequence &keys,
+                          auto *flow, auto slot) {
+        auto *action = new QAction(text, this);
+        action->setObjectName(QLatin1String(name));
+        action->setShortcut(keys);
+        QMainWindow::addAction(action);
+        connect(action, &QAction::triggered, flow, slot);
+        return action;
+    };
+    m_openActions = {make(tr("&Open a recording\u2026"), "openRecording", Qt::CTRL | Qt::Key_O,
+                         m_opening, &Opening::askForRecording),
+        make(tr("Re&play a recording\u2026"), "replayRecording", Qt::CTRL | Qt::SHIFT | Qt::Key_R,
+            m_opening, &Opening::askForReplay),
+        make(tr("&Import CSV\u2026"), "importCsv", Qt::CTRL | Qt::SHIFT | Qt::Key_O, m_opening,
+            &Opening::askForCsv)};
+    QAction *save = make(tr("&Export\u2026"), "export", Qt::CTRL | Qt::SHIFT | Qt::Key_E,
+        m_exporting, &Exporting::ask);
+    save->setIconText(tr("Export\u2026"));
+    save->setToolTip(tr("Writes samples or a picture to a file (Ctrl+Shift+E)"));
+    m_exportActions = {save,
+        make(tr("&Copy the picture"), "copyPicture", Qt::CTRL | Qt::SHIFT | Qt::Key_C, m_exporting,
+            &Exporting::copyPicture)};
 }
 
 QWidget *MainWindow::makeTop()
@@ -192,7 +198,9 @@ QWidget *MainWindow::makeTop()
     m_frame->setFixedHeight(3);
     m_frame->setAutoFillBackground(true);
     // Over the plots: what one is about to click stays where it is.
-    m_banner = new Banner(m_scope->findChild<QWidget *>(QStringLiteral("scopePlot")), this);
+    auto *banner = new Banner(m_scope->findChild<QWidget *>(QStringLiteral("scopePlot")), this);
+    m_news = new LinkNews(
+        m_device, [this] { return m_connectBar->connecting(); }, *banner, this);
 
     auto *layout = new QVBoxLayout(top);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -205,158 +213,22 @@ QWidget *MainWindow::makeTop()
     return top;
 }
 
-void MainWindow::makeScopeActions()
-{
-    const auto make = [this](const QString &text, const QKeySequence &keys, auto slot) {
-        auto *action = new QAction(text, this);
-        action->setShortcut(keys);
-        QMainWindow::addAction(action);
-        connect(action, &QAction::triggered, m_scope, slot);
-        return action;
-    };
-    m_run = make(tr("Run", "the scope's picture moves"), Qt::Key_Space, &ScopeView::setRunning);
-    m_run->setObjectName(QStringLiteral("scopeRun"));
-    m_run->setCheckable(true);
-    m_run->setChecked(m_scope->running());
-    m_run->setToolTip(tr("Lets the picture run or holds it; recording goes on (Space)"));
-    m_follow = make(tr("Follow"), Qt::Key_End, &ScopeView::setFollowing);
-    m_follow->setCheckable(true);
-    m_follow->setChecked(m_scope->following());
-    m_follow->setToolTip(tr("Keeps the newest samples in view (End)"));
-    m_fit = make(tr("Fit", "show all samples"), Qt::Key_F, &ScopeView::fitAll);
-    m_fit->setToolTip(tr("Shows everything (F)"));
-    m_fitValues = make(tr("Fit values"), Qt::SHIFT | Qt::Key_F, &ScopeView::fitValues);
-    m_fitValues->setToolTip(tr("Fits the value axes only (Shift+F)"));
-    m_zoomIn = make(tr("Zoom in"), Qt::Key_Plus, [this] { m_scope->zoom(2.0); });
-    m_zoomIn->setToolTip(tr("Shows half the time (+)"));
-    m_zoomOut = make(tr("Zoom out"), Qt::Key_Minus, [this] { m_scope->zoom(0.5); });
-    m_zoomOut->setToolTip(tr("Shows twice the time (\u2212)"));
-    // The bar has little room, and less in other languages; menus and screen readers get the words.
-    m_fitValues->setIconText(QStringLiteral("\u2195"));
-    m_zoomIn->setIconText(QStringLiteral("+"));
-    m_zoomOut->setIconText(QStringLiteral("\u2212"));
-    connect(m_scope, &ScopeView::runningChanged, this, &MainWindow::showRunning);
-    connect(
-        m_selection, &SignalSelection::changed, this, [this] { showRunning(m_scope->running()); });
-    showRunning(m_scope->running());
-    connect(m_scope, &ScopeView::followingChanged, m_follow, &QAction::setChecked);
-    m_scopeTools = new ScopeTools(*m_scope, *m_trigger, *this);
-}
-
-/// Where the samples of the picture come from.
-QString MainWindow::sourceText() const
-{
-    if (m_device.answering())
-        return replaying(m_device) ? tr("Replay", "the scope shows it")
-                                   : tr("Live", "the scope's picture moves");
-    return m_workbench.signalPlan().showsFile() ? tr("File", "the scope shows it")
-                                                : tr("Run", "the scope's picture moves");
-}
-
-void MainWindow::showRunning(bool running)
-{
-    m_run->setChecked(running);
-    m_run->setText(!running ? tr("Held", "the scope's picture stands still") : sourceText());
-    m_run->setIcon(runIcon(running, m_device.answering(), palette()));
-}
-
-void MainWindow::changeEvent(QEvent *event)
-{
-    QMainWindow::changeEvent(event);
-    if (event->type() != QEvent::PaletteChange || !m_scopeBar)
-        return;
-    showRunning(m_scope->running());
-    m_scopeBar->setStyleSheet(scopeBarStyle(palette()));
-    updateFrame();
-}
-
-QWidget *MainWindow::makeScopeBar()
-{
-    auto *bar = new QWidget(this);
-    m_scopeBar = bar;
-    bar->setStyleSheet(scopeBarStyle(palette()));
-    auto *layout = new QHBoxLayout(bar);
-    layout->setContentsMargins(8, 4, 8, 4);
-    layout->setSpacing(4);
-    auto *buttons = new QWidget(bar); // two lines where the words are long and the screen is small
-    auto *flow = new FlowLayout(4, buttons);
-    for (QAction *action :
-        {m_run, m_follow, m_fit, m_fitValues, m_zoomIn, m_zoomOut, m_scopeTools->cursors()}) {
-        auto *button = new QToolButton(bar);
-        button->setDefaultAction(action);
-        button->setToolButtonStyle(
-            action == m_run ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonTextOnly);
-        button->setFocusPolicy(Qt::TabFocus);
-        button->setMinimumHeight(26);
-        button->setAccessibleName(action->text());
-        connect(action, &QAction::changed, button,
-            [button, action] { button->setAccessibleName(action->text()); });
-        flow->addWidget(button);
-    }
-    layout->addWidget(buttons, 1);
-    auto *record = new QToolButton(bar);
-    record->setDefaultAction(m_record->toggle());
-    record->setFocusPolicy(Qt::TabFocus);
-    record->setMinimumHeight(26);
-    record->setAccessibleName(tr("Record to disk"));
-    layout->addWidget(record, 0, Qt::AlignTop);
-    auto *save = new QToolButton(bar);
-    m_export = new QAction(tr("&Export\u2026"), this);
-    m_export->setIconText(tr("Export\u2026"));
-    m_export->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_E);
-    m_export->setToolTip(tr("Writes samples or a picture to a file (Ctrl+Shift+E)"));
-    QMainWindow::addAction(m_export);
-    connect(m_export, &QAction::triggered, this, &MainWindow::exportCsv);
-    save->setDefaultAction(m_export);
-    save->setFocusPolicy(Qt::TabFocus);
-    save->setMinimumHeight(26);
-    save->setAccessibleName(tr("Export"));
-    layout->addWidget(save, 0, Qt::AlignTop);
-    return bar;
-}
-
 QWidget *MainWindow::makeCentre()
 {
     auto *centre = new QWidget(this);
     m_firstSteps = new FirstSteps(m_device, centre);
-    auto *picture = new QWidget(centre);
-    auto *layout = new QVBoxLayout(picture);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(makeScopeBar());
-    layout->addWidget(m_record->line());
-    layout->addWidget(new ReplayBar(m_device, m_workbench.replay(), centre));
-    auto *trigger = new TriggerBar(*m_trigger, *m_scope, centre);
-    layout->addWidget(trigger);
-    connect(&m_workbench, &Workbench::heartbeat, trigger, &TriggerBar::refreshAge);
-    layout->addWidget(m_scope, 1);
-    // Made when cursors are first shown.
-    connect(
-        &m_scope->cursors(), &Cursors::changed, picture,
-        [this, picture, layout, place = layout->count()] {
-            auto *panel = new CursorPanel(*m_scope, m_workbench.capture(), picture);
-            layout->insertWidget(place, panel);
-            panel->tabAfterScope();
-        },
-        Qt::SingleShotConnection);
-    auto *strip = new ChannelStrip(*m_selection, m_device, centre);
-    layout->addWidget(strip);
-    connect(&m_workbench, &Workbench::heartbeat, strip, &ChannelStrip::measure);
-    strip->foldWhen([this, picture] {
-        return m_scope->cursors().visible() && picture->height() < kCrowdedHeight;
-    });
-    connect(&m_scope->cursors(), &Cursors::changed, strip, &ChannelStrip::room);
-    connect(m_scope, &ScopeView::drawn, strip, &ChannelStrip::room);
+    m_page = new ScopePage({m_workbench, *m_scope, *m_selection, *m_trigger, *m_record,
+                               m_exportActions.front(), *this},
+        centre);
     m_bigNumbers = new BigNumbers(m_device, m_workbench.registers(), centre);
     m_pages = new QStackedWidget(centre);
-    m_pages->addWidget(picture);
+    m_pages->addWidget(m_page);
     m_pages->addWidget(m_bigNumbers);
     auto *pages = new QVBoxLayout(centre);
     pages->setContentsMargins(0, 0, 0, 0);
     pages->setSpacing(0);
     pages->addWidget(m_firstSteps);
     pages->addWidget(m_pages, 1);
-    m_scope->setMinimumSize(320, 160);
     return centre;
 }
 
@@ -386,24 +258,30 @@ void MainWindow::makeDocks()
         Qt::Horizontal);
 }
 
+void MainWindow::makeTools()
+{
+    // The control panel keeps its height: state and commands stay in view while something is tuned.
+    setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    m_tools =
+        std::make_unique<Tools>(Tools::Parts{m_workbench, *m_scope, *m_trigger, m_page->strip(),
+                                    m_registerPanel->actions(), *m_opening, m_files, *this},
+            m_settings);
+    connect(&m_tools->docks(), &ToolDocks::opened, m_firstSteps, &FirstSteps::setCrowded);
+    // A form is to see a board come: it does not ask what came before it.
+    connect(&m_device, &Device::openWished, this, &MainWindow::finishTools);
+}
+
+void MainWindow::finishTools() { m_tools->docks().makeAll(); }
+
 void MainWindow::connectParts()
 {
-    const auto note = [this](const QString &sentence) {
-        m_told = Told::Other;
-        m_banner->say(Banner::Kind::Warning, sentence);
-    };
-    connect(m_connectBar, &ConnectBar::refused, this, note);
-    connect(&m_device, &Device::interrupted, this,
-        [note](const session::Interruption &what) { note(interruptionText(what)); });
-    connect(&m_workbench.motion(), &MotionGate::failed, this, note);
+    connectFlows();
+    connectAlarm();
+    connectWatchList();
     showMotionQuestions(m_workbench.motion(), m_device, this);
     connect(m_control, &ControlPanel::limitsWanted, this, &MainWindow::askForLimits);
-    m_scales = new CurrentScales(m_device, m_settings.currentScales, this);
-    connect(m_scales, &CurrentScales::told, this, note);
     connect(m_control, &ControlPanel::currentScaleWanted, this, &MainWindow::askForCurrentScale);
-    connect(&m_workbench.signalPlan(), &SignalPlan::failed, this, note);
-    connect(&m_workbench.signalPlan(), &SignalPlan::noticed, this, note);
-    connect(m_selection, &SignalSelection::noticed, this, note);
     connect(m_registerPanel, &RegisterPanel::registersChosen, m_selection,
         [this](const QList<quint32> &ids) {
             for (const quint32 id : ids)
@@ -411,26 +289,58 @@ void MainWindow::connectParts()
         });
     connect(m_firstSteps, &FirstSteps::simulatorWanted, m_connectBar, &ConnectBar::openSimulator);
     connect(m_firstSteps, &FirstSteps::boardWanted, m_connectBar, &ConnectBar::focusPort);
-    connect(m_firstSteps, &FirstSteps::exportWanted, this, &MainWindow::exportCsv);
+    connect(m_firstSteps, &FirstSteps::exportWanted, m_exporting, &Exporting::ask);
     connect(
         m_firstSteps, &FirstSteps::finished, this, [this] { m_settings.firstStepsDone = true; });
 
-    WatchList &watch = m_workbench.watchList();
-    watch.addSource([this] { return m_control->watchedRegisters(); });
-    watch.addSource([this] { return m_bigNumbers->watchedRegisters(); });
-    watch.addSource([this] { return m_registerPanel->visibleRegisters(); });
-    connect(m_bigNumbers, &BigNumbers::watchedRegistersChanged, &watch, &WatchList::changed);
-    connect(m_control, &ControlPanel::watchedRegistersChanged, &watch, &WatchList::changed);
-    connect(m_registerPanel, &RegisterPanel::visibleRegistersChanged, &watch, &WatchList::changed);
-
     connect(&m_workbench, &Workbench::heartbeat, m_control, &ControlPanel::refresh);
     connect(&m_workbench, &Workbench::heartbeat, m_status, &StatusStrip::refresh);
+    connect(&m_workbench, &Workbench::heartbeat, m_room, &SampleRoom::refresh);
+    connect(&m_workbench, &Workbench::heartbeat, this, &MainWindow::tellReleased);
     connect(m_room, &SampleRoom::refreshed, m_status, &StatusStrip::showHeld);
     connect(&m_workbench, &Workbench::advanced, m_scope, &ScopeView::captureChanged);
-    connect(&m_workbench, &Workbench::heartbeat, this, &MainWindow::tellReleased);
-    connect(&m_device, &Device::linkStateChanged, this, &MainWindow::linkChanged);
-    connect(&m_device, &Device::portStateChanged, this, &MainWindow::portChanged);
+    connect(&m_device, &Device::linkStateChanged, this, [this] {
+        m_news->linkChanged();
+        linkChanged();
+    });
+    connect(&m_device, &Device::portStateChanged, this, [this] {
+        m_news->portChanged();
+        linkChanged();
+    });
     connect(&m_device, &Device::armedStateChanged, this, &MainWindow::updateFrame);
+}
+
+void MainWindow::connectFlows()
+{
+    const auto tell = &LinkNews::warn;
+    connect(m_connectBar, &ConnectBar::refused, m_news, tell);
+    connect(&m_workbench.motion(), &MotionGate::failed, m_news, tell);
+    connect(m_scales, &CurrentScales::told, m_news, tell);
+    connect(&m_workbench.signalPlan(), &SignalPlan::failed, m_news, tell);
+    connect(&m_workbench.signalPlan(), &SignalPlan::noticed, m_news, tell);
+    connect(m_selection, &SignalSelection::noticed, m_news, tell);
+    connect(m_leaving, &Leaving::said, m_news, tell);
+    connect(&m_device, &Device::interrupted, m_news,
+        [this](const session::Interruption &what) { warn(interruptionText(what)); });
+    connect(m_record, &RecordControl::said, m_news, &LinkNews::say);
+    connect(m_markers, &MarkerFile::said, m_news, &LinkNews::say);
+    connect(m_room, &SampleRoom::said, m_news, &LinkNews::say);
+    connect(m_exporting, &Exporting::said, m_news, &LinkNews::say);
+    connect(m_opening, &Opening::said, m_news, &LinkNews::say);
+    connect(m_tools.get(), &Tools::said, m_news, &LinkNews::say);
+    connect(m_replacing, &Replacing::exportWanted, m_exporting, &Exporting::ask);
+    connect(m_exporting, &Exporting::closeWanted, this, &QWidget::close);
+    connect(m_exporting, &Exporting::exported, m_firstSteps, [this] {
+        if (m_firstSteps->step() == FirstSteps::Step::Save)
+            m_firstSteps->finish();
+    });
+    connect(m_opening, &Opening::replayWanted, m_connectBar, &ConnectBar::openReplay);
+    connect(m_connectBar, &ConnectBar::disconnectWanted, m_leaving,
+        [this] { m_leaving->beforeDisconnecting([this] { m_connectBar->disconnectNow(); }); });
+}
+
+void MainWindow::connectAlarm()
+{
     connect(&m_device, &Device::stopAdvanced, this, &MainWindow::stopAdvanced);
     connect(&m_device, &Device::stopsWanted, this, [this](const QStringList &ports) {
         if (!m_leaving->underWay())
@@ -438,82 +348,44 @@ void MainWindow::connectParts()
     });
     connect(m_alarm, &StopAlarm::takenBack, &m_device, &Device::forgetStop);
     connect(&m_device, &Device::stopImpossible, this, [this] {
-        if (m_told == Told::Loss && m_leaving->mayTurn() && !m_alarm->isVisible()
+        if (m_news->tellsLoss() && m_leaving->mayTurn() && !m_alarm->isVisible()
             && !m_leaving->underWay())
             m_alarm->raiseNotSent();
     });
-    connect(m_connectBar, &ConnectBar::disconnectWanted, this,
-        [this] { m_leaving->beforeDisconnecting([this] { m_connectBar->disconnectNow(); }); });
-    connect(m_leaving, &Leaving::said, this, &MainWindow::warn);
 }
+
+void MainWindow::connectWatchList()
+{
+    WatchList &watch = m_workbench.watchList();
+    watch.addSource([this] { return m_control->watchedRegisters(); });
+    watch.addSource([this] { return m_bigNumbers->watchedRegisters(); });
+    watch.addSource([this] { return m_registerPanel->visibleRegisters(); });
+    connect(m_bigNumbers, &BigNumbers::watchedRegistersChanged, &watch, &WatchList::changed);
+    connect(m_control, &ControlPanel::watchedRegistersChanged, &watch, &WatchList::changed);
+    connect(m_registerPanel, &RegisterPanel::visibleRegistersChanged, &watch, &WatchList::changed);
+}
+
+void MainWindow::warn(const QString &sentence) { m_news->warn(sentence); }
 
 void MainWindow::linkChanged()
 {
-    tellLink();
     updateFrame();
     // What is shown of a board that does not answer must not be taken for the present.
-    const bool expected = m_device.portOpen() || m_told == Told::Loss;
+    const bool expected = m_device.portOpen() || m_news->tellsLoss();
     const bool stale = m_device.identified() && !m_device.answering() && expected;
     m_scope->setStale(stale ? tr("Not live: %1", "state of the link, e.g. board silent")
                                   .arg(linkStateText(m_device.link().state))
                             : QString());
-    showRunning(m_scope->running()); // its lamp is lit while samples can come
+    m_page->showSource(); // its lamp is lit while samples can come
 }
 
-/// What was done before a connection is no news beside what comes now.
-void MainWindow::portChanged()
+/// Once: the room is bounded, and what was let go is only where it was recorded.
+void MainWindow::tellReleased()
 {
-    if (m_device.portOpen() && m_told == Told::Done) {
-        m_banner->clear();
-        m_told = Told::Other;
-    }
-    linkChanged();
-}
-
-void MainWindow::tellLink()
-{
-    const LinkMessage message = linkMessage();
-    // Contact that was lost stays told until there is contact again, not until the next attempt.
-    const bool stillLost = m_told == Told::Loss && m_device.identified() && !m_device.answering()
-        && m_connectBar->connecting();
-    const bool notOfTheLink = m_told == Told::Other || m_told == Told::Done;
-    if (!message.sentence.isEmpty())
-        m_banner->say(message.kind, message.sentence);
-    else if (stillLost || notOfTheLink)
-        return;
-    else
-        m_banner->clear();
-    m_told = message.told;
-}
-
-MainWindow::LinkMessage MainWindow::linkMessage() const
-{
-    using drive::LinkState;
-    const session::PortError error = m_device.portError();
-    const drive::LinkChanged link = m_device.link();
-    const bool known = m_device.identified().has_value();
-    if (!m_device.portOpen() && error.problem != session::PortProblem::None) {
-        const bool lost = error.problem == session::PortProblem::Unplugged
-            || error.problem == session::PortProblem::TakenOver;
-        return {Banner::Kind::Bad, portProblemText(error, m_device.endpoint().path),
-            lost ? Told::Loss : Told::Link};
-    }
-    if (link.state == LinkState::Lost && known)
-        return {Banner::Kind::Bad,
-            linkLostText(m_device.identified()->identity.watchdog) + QLatin1Char(' ')
-                + linkReasonText(link.reason),
-            Told::Loss};
-    if (link.state == LinkState::Lost)
-        return {Banner::Kind::Bad, linkReasonText(link.reason), Told::Link};
-    if (link.state == LinkState::Connecting && link.reason != drive::LinkReason::None)
-        return {Banner::Kind::Note, linkReasonText(link.reason), Told::Link};
-    if (link.reason == drive::LinkReason::BoardReset && link.state == LinkState::Connected)
-        return {Banner::Kind::Warning, linkReasonText(link.reason), Told::Link};
-    if (known && m_device.answering() && !m_device.identified()->identity.knownFirmware)
-        return {Banner::Kind::Note,
-            tr("This firmware is not known: registers are shown raw and nothing is written."),
-            Told::Link};
-    return {};
+    const bool released = m_workbench.capture().released() > 0;
+    if (released && !m_workbench.signalPlan().showsFile() && !m_toldReleased)
+        warn(m_room->fullText());
+    m_toldReleased = released;
 }
 
 void MainWindow::updateFrame()
@@ -544,8 +416,6 @@ void MainWindow::stopAdvanced(const drive::StopProgress &progress)
         m_alarm->take(progress);
 }
 
-void MainWindow::warn(const QString &sentence) { say(Banner::Kind::Warning, sentence); }
-
 void MainWindow::askForLimits()
 {
     auto *dialog = new LimitsDialog(m_device.userLimits(), this);
@@ -561,45 +431,63 @@ void MainWindow::askForCurrentScale()
     dialog->open();
 }
 
-/// The numbers take the place of the picture; everything around it stays.
-void MainWindow::showBigNumbers(bool shown) { m_pages->setCurrentIndex(shown ? 1 : 0); }
-
-void MainWindow::exportCsv()
+void MainWindow::askForRoom()
 {
-    auto *dialog =
-        new ExportDialog(m_workbench.capture(), *m_scope, m_files, m_settings.exportFolder, this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    // What was asked of this session's motors says nothing about a file's samples.
-    dialog->setMotionLog([this] {
-        return !m_workbench.signalPlan().showsFile() && m_workbench.motionLog().rowCount() > 0;
-    });
-    connect(dialog, &ExportDialog::wanted, this, &MainWindow::runExport);
-    if (m_scope->running()) { // what is on the screen now is what is meant
-        m_scope->setRunning(false);
-        connect(dialog, &QDialog::finished, m_scope, [this] { m_scope->setRunning(true); });
-    }
+    auto *dialog = new SampleRoomDialog(*m_room, this);
+    connect(dialog, &SampleRoomDialog::chosen, m_room, &SampleRoom::setWanted);
     dialog->open();
 }
 
-void MainWindow::exported(const QString &path, const QString &motionLog)
+/// Motors first, then markers, then a file that is being written; each asks, and closes again when it is answered.
+void MainWindow::closeEvent(QCloseEvent *event)
 {
-    const QFileInfo file(path);
-    m_settings.exportFolder = file.path();
-    QString sentence = tr("Exported to %1.").arg(deviceText(file.filePath()));
-    Banner::Kind kind = Banner::Kind::Note;
-    if (!motionLog.isEmpty()) {
-        const QString wrong = session::writeWholeFile(motionLog, m_workbench.motionLog().text());
-        const QString name = deviceText(QFileInfo(motionLog).fileName());
-        if (!wrong.isEmpty())
-            kind = Banner::Kind::Warning;
-        sentence += QLatin1Char(' ')
-            + (wrong.isEmpty()
-                    ? tr("The motion log is in %1.").arg(name)
-                    : tr("The motion log %1 could not be written (%2).").arg(name, wrong));
+    event->ignore();
+    if (m_leaving->mayTurn()) {
+        m_leaving->before({tr("Stopping the motors before Rotorscope ends\u2026"),
+            tr("End Rotorscope all the same\u2026"), [this] { close(); }});
+        return;
     }
-    say(kind, sentence);
-    if (m_firstSteps->step() == FirstSteps::Step::Save)
-        m_firstSteps->finish();
+    if (m_markers->changed() && !m_leaveMarkers) {
+        m_replacing->beforeMarkersGo([this] {
+            m_leaveMarkers = true;
+            close();
+            m_leaveMarkers = false;
+        });
+        return;
+    }
+    if (!m_exporting->mayClose())
+        return;
+    m_device.close();
+    event->accept();
+    Q_EMIT closed();
+}
+
+void MainWindow::changeEvent(QEvent *event)
+{
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_frame)
+        updateFrame();
+}
+
+void MainWindow::paintEvent(QPaintEvent *event)
+{
+    QMainWindow::paintEvent(event);
+    if (std::exchange(m_painted, true))
+        return;
+    QTimer::singleShot(kSettled, this, [this] {
+        m_connectBar->refreshPorts();
+        Q_EMIT settled();
+        m_tools->docks().makeInTurns();
+    });
+}
+
+/// Qt makes the tabs of docks when it needs them, and gives them no name.
+void MainWindow::childEvent(QChildEvent *event)
+{
+    QMainWindow::childEvent(event);
+    auto *tabs = qobject_cast<QTabBar *>(event->child());
+    if (event->type() == QEvent::ChildPolished && tabs)
+        tabs->setAccessibleName(tr("Tools"));
 }
 
 } // namespace widgets

@@ -8,16 +8,19 @@
 #include "widgets/registers/register_panel.h"
 #include "widgets/scope/scope_tools.h"
 #include "widgets/scope/scope_view.h"
-#include "widgets/snapshots/snapshot_actions.h"
+#include "widgets/scope/signals/signal_selection.h"
 #include "widgets/window/about_dialog.h"
 #include "widgets/window/connect_bar.h"
 #include "widgets/window/first_steps.h"
 #include "widgets/window/main_window.h"
 #include "widgets/window/replacing.h"
+#include "widgets/window/scope_page.h"
+#include "widgets/window/tools.h"
 
 #include <QActionGroup>
 #include <QDockWidget>
 #include <QMenuBar>
+#include <QStackedWidget>
 
 namespace widgets {
 
@@ -31,57 +34,14 @@ QAction *MainWindow::addAction(QMenu *menu, const QString &text, const QKeySeque
 
 void MainWindow::makeMenus(QMenuBar &bar)
 {
-    QMenu *file = bar.addMenu(tr("&File"));
-    file->addActions({m_open, m_replayFile, m_import});
-    file->addSeparator();
-    file->addActions({m_record->toggle(), m_record->withLink(), m_markers->save()});
-    file->setToolTipsVisible(true);
-    file->addSeparator();
-    file->addActions({m_export, m_copyPicture});
-    file->addSeparator();
-    connect(addAction(file, tr("&Quit"), Qt::CTRL | Qt::Key_Q), &QAction::triggered, this,
-        &QWidget::close);
-
+    fillFileMenu(bar.addMenu(tr("&File")));
     fillEditMenu(bar.addMenu(tr("&Edit")));
     fillViewMenu(bar.addMenu(tr("&View")));
-
-    QMenu *device = bar.addMenu(tr("&Device"));
-    connect(addAction(device, tr("&Connect or disconnect"), Qt::CTRL | Qt::Key_D),
-        &QAction::triggered, m_connectBar, &ConnectBar::connectOrDisconnect);
-    connect(addAction(device, tr("&Refresh the list of ports"), Qt::Key_F5), &QAction::triggered,
-        m_connectBar, &ConnectBar::refreshPorts);
-    device->addSeparator();
-    device->addActions(m_snapshots->actions());
-    device->setToolTipsVisible(true);
-    for (QAction *action : m_snapshots->actions())
-        QMainWindow::addAction(action);
-
+    fillDeviceMenu(bar.addMenu(tr("&Device")));
     fillMotorMenu(bar.addMenu(tr("&Motor")));
-
-    QMenu *scope = bar.addMenu(tr("&Scope"));
-    scope->addActions({m_run, m_follow});
-    scope->addSeparator();
-    scope->addActions({m_fit, m_fitValues, m_zoomIn, m_zoomOut});
-    connect(addAction(scope, tr("&Earlier"), Qt::CTRL | Qt::Key_Left), &QAction::triggered, m_scope,
-        [this] { m_scope->pan(-0.25); });
-    connect(addAction(scope, tr("&Later"), Qt::CTRL | Qt::Key_Right), &QAction::triggered, m_scope,
-        [this] { m_scope->pan(0.25); });
-    for (const QList<QAction *> &group : m_scopeTools->groups()) {
-        scope->addSeparator();
-        scope->addActions(group);
-    }
-    scope->addSeparator();
-    m_fileSignals = scope->addMenu(tr("Signals of the &file"));
-    m_fileSignals->setObjectName(QStringLiteral("fileSignals"));
-    connect(scope, &QMenu::aboutToShow, this, &MainWindow::fillFileSignals);
-    QAction *room = addAction(scope, tr("R&oom for samples\u2026"));
-    room->setObjectName(QStringLiteral("sampleRoom"));
-    connect(room, &QAction::triggered, this, &MainWindow::askForRoom);
-    QAction *clear = addAction(scope, tr("&Clear what was recorded"));
-    clear->setObjectName(QStringLiteral("clearRecorded"));
-    connect(clear, &QAction::triggered, m_replacing, &Replacing::clear);
-
-    fillToolsMenu(bar.addMenu(tr("&Tools")));
+    fillScopeMenu(bar.addMenu(tr("&Scope")));
+    bar.addMenu(tr("&Tools"))->addActions(m_tools->docks().actions());
+    QMainWindow::addActions(m_tools->docks().actions());
 
     QMenu *help = bar.addMenu(tr("&Help"));
     connect(addAction(help, tr("&First steps")), &QAction::triggered, m_firstSteps,
@@ -92,6 +52,57 @@ void MainWindow::makeMenus(QMenuBar &bar)
         [this] { showAbout(this); });
 }
 
+void MainWindow::fillFileMenu(QMenu *menu)
+{
+    menu->addActions(m_openActions);
+    menu->addSeparator();
+    menu->addActions({m_record->toggle(), m_record->withLink(), m_markers->save()});
+    menu->setToolTipsVisible(true);
+    menu->addSeparator();
+    menu->addActions(m_exportActions);
+    menu->addSeparator();
+    connect(addAction(menu, tr("&Quit"), Qt::CTRL | Qt::Key_Q), &QAction::triggered, this,
+        &QWidget::close);
+}
+
+void MainWindow::fillDeviceMenu(QMenu *menu)
+{
+    connect(addAction(menu, tr("&Connect or disconnect"), Qt::CTRL | Qt::Key_D),
+        &QAction::triggered, m_connectBar, &ConnectBar::connectOrDisconnect);
+    connect(addAction(menu, tr("&Refresh the list of ports"), Qt::Key_F5), &QAction::triggered,
+        m_connectBar, &ConnectBar::refreshPorts);
+    menu->addSeparator();
+    menu->addActions(m_tools->snapshotActions());
+    menu->setToolTipsVisible(true);
+    QMainWindow::addActions(m_tools->snapshotActions());
+}
+
+void MainWindow::fillScopeMenu(QMenu *menu)
+{
+    menu->addActions(m_page->moving());
+    menu->addSeparator();
+    menu->addActions(m_page->fitting());
+    connect(addAction(menu, tr("&Earlier"), Qt::CTRL | Qt::Key_Left), &QAction::triggered, m_scope,
+        [this] { m_scope->pan(-0.25); });
+    connect(addAction(menu, tr("&Later"), Qt::CTRL | Qt::Key_Right), &QAction::triggered, m_scope,
+        [this] { m_scope->pan(0.25); });
+    for (const QList<QAction *> &group : m_page->tools().groups()) {
+        menu->addSeparator();
+        menu->addActions(group);
+    }
+    menu->addSeparator();
+    QMenu *ofFile = menu->addMenu(tr("Signals of the &file"));
+    ofFile->setObjectName(QStringLiteral("fileSignals"));
+    connect(menu, &QMenu::aboutToShow, m_selection,
+        [this, ofFile] { m_selection->fillFileSignals(*ofFile); });
+    QAction *room = addAction(menu, tr("R&oom for samples\u2026"));
+    room->setObjectName(QStringLiteral("sampleRoom"));
+    connect(room, &QAction::triggered, this, &MainWindow::askForRoom);
+    QAction *clear = addAction(menu, tr("&Clear what was recorded"));
+    clear->setObjectName(QStringLiteral("clearRecorded"));
+    connect(clear, &QAction::triggered, m_replacing, &Replacing::clear);
+}
+
 void MainWindow::fillEditMenu(QMenu *menu)
 {
     const RegisterPanel::Actions &actions = m_registerPanel->actions();
@@ -100,8 +111,7 @@ void MainWindow::fillEditMenu(QMenu *menu)
     for (const QList<QAction *> &group : groups) {
         menu->addActions(group);
         menu->addSeparator();
-        for (QAction *action : group)
-            QMainWindow::addAction(action);
+        QMainWindow::addActions(group);
     }
     menu->setToolTipsVisible(true);
 }
@@ -116,12 +126,26 @@ void MainWindow::fillViewMenu(QMenu *menu)
         });
     menu->addMenu(m_registerPanel->columnsMenu());
     menu->addSeparator();
-    QMenu *themes = menu->addMenu(tr("&Theme"));
+    fillThemes(menu->addMenu(tr("&Theme")));
+    QAction *numbers = addAction(menu, tr("Large &numbers"), Qt::Key_F9);
+    numbers->setObjectName(QStringLiteral("largeNumbers"));
+    numbers->setCheckable(true);
+    // They take the place of the picture; everything around it stays.
+    connect(numbers, &QAction::triggered, m_pages,
+        [this](bool shown) { m_pages->setCurrentIndex(shown ? 1 : 0); });
+    QAction *full = addAction(menu, tr("F&ull screen"), Qt::Key_F11);
+    full->setCheckable(true);
+    connect(
+        full, &QAction::triggered, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
+}
+
+void MainWindow::fillThemes(QMenu *menu)
+{
     auto *group = new QActionGroup(this);
     const std::pair<Theme, QString> choices[] = {{Theme::System, tr("Like the &system")},
         {Theme::Light, tr("&Light")}, {Theme::Dark, tr("&Dark")}};
     for (const auto &[theme, text] : choices) {
-        QAction *action = themes->addAction(text);
+        QAction *action = menu->addAction(text);
         action->setCheckable(true);
         action->setChecked(theme == m_settings.theme);
         group->addAction(action);
@@ -130,14 +154,6 @@ void MainWindow::fillViewMenu(QMenu *menu)
             applyTheme(chosen);
         });
     }
-    QAction *numbers = addAction(menu, tr("Large &numbers"), Qt::Key_F9);
-    numbers->setObjectName(QStringLiteral("largeNumbers"));
-    numbers->setCheckable(true);
-    connect(numbers, &QAction::triggered, this, &MainWindow::showBigNumbers);
-    QAction *full = addAction(menu, tr("F&ull screen"), Qt::Key_F11);
-    full->setCheckable(true);
-    connect(
-        full, &QAction::triggered, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
 }
 
 void MainWindow::fillMotorMenu(QMenu *menu)

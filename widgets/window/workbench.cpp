@@ -1,6 +1,7 @@
 #include "widgets/window/workbench.h"
 
 #include "widgets/base/replaying.h"
+#include "widgets/files/open_recording.h"
 
 #include <QCoreApplication>
 #include <QInputEvent>
@@ -29,6 +30,7 @@ Workbench::Workbench(session::MakeSink makeSink, session::Parts parts, QObject *
     connectSession();
     connectModels();
     connectTrigger();
+    connectReplay();
     m_edits.keepBeforeWriting(m_snapshots);
     connect(&m_heart, &QTimer::timeout, this, [this] {
         m_registers.refresh(now());
@@ -158,6 +160,18 @@ void Workbench::connectTrigger()
         });
     connect(&m_recorder, &EventRecorder::written, this,
         [this](double seconds, quint32 id) { m_trigger.event(Kind::RegisterWrite, seconds, id); });
+}
+
+void Workbench::connectReplay()
+{
+    connect(m_replay.get(), &session::Replay::happened, this,
+        [this, writes = ReplayedWrites()](const session::ReplayedEntry &entry) mutable {
+            addReplayed(m_events, entry);
+            if (const auto seconds = writes.take(entry))
+                m_trigger.event(scope::EventTrigger::Kind::RegisterWrite, *seconds, 0);
+            if (std::holds_alternative<record::Note>(entry.entry))
+                Q_EMIT noteReplayed(entry.seconds);
+        });
 }
 
 } // namespace widgets

@@ -23,6 +23,7 @@
 #include "widgets/scope/signals/signal_plan.h"
 #include "widgets/scope/trigger/trigger.h"
 #include "widgets/snapshots/snapshot_auto.h"
+#include "widgets/snapshots/snapshot_recorder.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -69,6 +70,7 @@ public:
 Q_SIGNALS:
     void samplesStored(const capture::SampleBlock &block); ///< in the capture
     void advanced(); ///< there may be new samples; what is computed from them is there, too
+    void noteReplayed(double seconds); ///< in the events
     void heartbeat(widgets::Milliseconds now); ///< some times a second: ages, rates
 
 protected:
@@ -80,6 +82,7 @@ private:
     void connectTrigger();
     void connectSession();
     void connectModels();
+    void connectReplay();
 
     session::Parts m_parts; ///< one clock for the session and for what it is asked
     InputAge m_inputAge;
@@ -104,6 +107,8 @@ private:
     std::shared_ptr<session::Replay> m_replay = std::make_shared<session::Replay>();
     std::shared_ptr<session::RecordingTap> m_tap;
     session::Recording m_recording;
+    SnapshotRecorder m_snapshotRecorder{
+        m_device, m_recording, m_snapshots, [this] { return m_recorder.now(); }};
     session::SessionThread m_thread; // last: ends first, while the device it tells still exists
 };
 

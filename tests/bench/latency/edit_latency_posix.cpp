@@ -6,6 +6,7 @@
 #include "bench/latency/time_row.h"
 #include "support/window_rig.h"
 #include "widgets/registers/register_panel.h"
+#include "widgets/scope/signals/signal_selection.h"
 #include "widgets/window/connect_bar.h"
 
 #include <QAbstractProxyModel>

@@ -3,6 +3,7 @@
 // memory grew by, and how long the GUI thread was away between two beats of a timer; docs/performance.md reads it.
 #include "support/window_rig.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/scope/signals/signal_selection.h"
 
 #include <QApplication>
 #include <QFile>

@@ -2,7 +2,7 @@
 // motors are read before anything is believed or done.
 #include "drive/task.h"
 #include "support/link_pair.h"
-#include "support/mcb_pair.h"
+#include "support/mcb/pair.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 // The drive of MCB against the simulated drive with its motor: identification, registers, commands, set-points, streams,
 // the stop, and what happens when wire and slave are not as they should be. Virtual time.
-#include "support/mcb_pair.h"
+#include "support/mcb/pair.h"
 
 #include "capture/capture.h"
 

@@ -1,5 +1,5 @@
 // What an MCB drive does with requests while its servo is not ready for them.
-#include "support/mcb_pair.h"
+#include "support/mcb/pair.h"
 
 #include <QtTest>
 

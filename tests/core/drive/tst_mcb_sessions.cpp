@@ -2,7 +2,7 @@
 // nothing is written to a drive that was not identified, no sample is stored under a name that is not its own, and a
 // set-point that travels with the frames does not outlive a stop, a reset or the link.
 // All 10,000 with ROTORSCOPE_LONG=1; ROTORSCOPE_SEED=n runs that one.
-#include "support/mcb_pair.h"
+#include "support/mcb/pair.h"
 
 #include <QtTest>
 

@@ -1,6 +1,6 @@
 // Set-points that travel with every exchange: they move nothing by being mapped, are confirmed by what is read back, go to
 // rest with a stop and with a fault, and are never repeated to a drive that was reset or met again.
-#include "support/mcb_pair.h"
+#include "support/mcb/pair.h"
 
 #include <QtTest>
 

@@ -5,7 +5,7 @@
 #include "legacy/request.h"
 #include "support/legacy_bench.h"
 #include "support/link_pair.h"
-#include "support/mcb_pair.h"
+#include "support/mcb/pair.h"
 
 #include <QTest>
 

@@ -10,7 +10,7 @@
 #include "mcb/dictionary.h"
 #include "snapshots/restore.h"
 #include "support/legacy_bench.h"
-#include "support/mcb_pair.h"
+#include "support/mcb/pair.h"
 
 #include <QFile>
 #include <QTest>

@@ -2,7 +2,7 @@
 #include "base/crc.h"
 #include "mcb/error_code.h"
 #include "mcb/fragments.h"
-#include "support/mcb_vectors.h"
+#include "support/mcb/vectors.h"
 
 #include <QtTest>
 

@@ -42,7 +42,7 @@ class TestMotionLog : public QObject {
     {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // a dialog of before
         rig.files.answer = path;
-        rig.window.exportCsv();
+        rig.window.findChild<widgets::Exporting *>()->ask();
         QTest::mouseClick(rig.find<QPushButton>("exportSave"), Qt::LeftButton);
         QTRY_VERIFY(!rig.window.findChild<widgets::FileJob *>());
     }
@@ -187,3 +187,4 @@ private Q_SLOTS:
 
 QTEST_MAIN(TestMotionLog)
 #include "tst_motion_log.moc"
+#include "widgets/scope/signals/signal_selection.h"

@@ -6,6 +6,7 @@
 #include "widgets/files/export_order.h"
 #include "widgets/files/file_job.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/scope/signals/signal_selection.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -118,7 +119,7 @@ private Q_SLOTS:
         m_rig->window.selection()->showFile(std::move(capture));
         const QTemporaryDir folder;
         m_rig->files.answer = folder.filePath(QStringLiteral("x.csv"));
-        m_rig->window.exportCsv();
+        m_rig->window.findChild<widgets::Exporting *>()->ask();
         m_rig->find<QComboBox>("exportRange")->setCurrentIndex(kEverything);
         m_rig->find<QComboBox>("exportRates")->setCurrentIndex(1);
         QTest::mouseClick(m_rig->find<QPushButton>("exportSave"), Qt::LeftButton);
@@ -186,7 +187,7 @@ private Q_SLOTS:
             if (later)
                 rig.workbench.capture().appendPolled(77, "TEMPERATURE", "\u00b0C", 60.0, 25.0);
             rig.files.answer = m_folder.filePath(QStringLiteral("live%1.csv").arg(later));
-            rig.window.exportCsv();
+            rig.window.findChild<widgets::Exporting *>()->ask();
             rig.find<QComboBox>("exportRange")->setCurrentIndex(kEverything);
             QTest::mouseClick(rig.find<QPushButton>("exportSave"), Qt::LeftButton);
             QTRY_VERIFY(
@@ -232,7 +233,7 @@ private Q_SLOTS:
         QVERIFY(rig.scope().running() && rig.scope().following());
         const double seen = rig.scope().visibleRange().to;
         rig.files.answer = m_folder.filePath(QStringLiteral("held.csv"));
-        rig.window.exportCsv();
+        rig.window.findChild<widgets::Exporting *>()->ask();
         rig.record(9000, [](int, int tick) { return tick % 100; }); // meanwhile
         rig.draw();
         QTest::mouseClick(rig.find<QPushButton>("exportSave"), Qt::LeftButton);
@@ -245,7 +246,7 @@ private Q_SLOTS:
     {
         for (const ChannelId id : scope()->channels())
             m_rig->window.selection()->showOfFile(id, false);
-        m_rig->window.exportCsv();
+        m_rig->window.findChild<widgets::Exporting *>()->ask();
         auto *range = m_rig->find<QComboBox>("exportRange");
         range->setCurrentIndex(kVisible);
         QVERIFY(m_rig->find<QLabel>("exportSummary")
@@ -462,15 +463,13 @@ private Q_SLOTS:
     {
         QFETCH(int, role);
         std::atomic<bool> written = false;
-        auto *job = new widgets::FileJob(
-            QStringLiteral("Exporting"),
+        m_rig->window.findChild<widgets::Exporting *>()->write(QStringLiteral("Exporting"),
             [&](const widgets::FileJob::Proceed &proceed) -> widgets::FileJob::Finish {
                 while (proceed(0.5) && !written)
                     QThread::yieldCurrentThread();
                 return {};
-            },
-            &m_rig->window);
-        job->setObjectName(QLatin1String(widgets::MainWindow::kExportJob));
+            });
+        auto *job = m_rig->window.findChild<widgets::FileJob *>();
         QSignalSpy over(job, &widgets::FileJob::over);
         QVERIFY(!m_rig->window.close());
         auto *box = m_rig->find<QMessageBox>("exportQuestion");
@@ -486,7 +485,7 @@ private Q_SLOTS:
     void anExportThatIsWaitedForClosesTheWindow()
     {
         m_rig->files.answer = m_folder.filePath(QStringLiteral("waited.csv"));
-        m_rig->window.exportCsv();
+        m_rig->window.findChild<widgets::Exporting *>()->ask();
         m_rig->find<QComboBox>("exportRange")->setCurrentIndex(kEverything);
         QTest::mouseClick(m_rig->find<QPushButton>("exportSave"), Qt::LeftButton);
         QVERIFY(!m_rig->window.close()); // its end is told by the event loop
@@ -541,7 +540,7 @@ private:
     {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // a dialog of before
         m_rig->files.answer = path;
-        m_rig->window.exportCsv();
+        m_rig->window.findChild<widgets::Exporting *>()->ask();
         auto *choice = m_rig->find<QComboBox>("exportFormat");
         choice->setCurrentIndex(choice->findData(QString::fromLatin1(format)));
         m_rig->find<QComboBox>("exportRange")->setCurrentIndex(range);

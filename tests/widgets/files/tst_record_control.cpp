@@ -363,7 +363,7 @@ private Q_SLOTS:
         connectToBoard();
         disconnectFromBoard();
         m_rig->files.answer = m_folder.filePath(QStringLiteral("all.csv"));
-        m_rig->window.exportCsv();
+        m_rig->window.findChild<widgets::Exporting *>()->ask();
         m_rig->find<QComboBox>("exportRange")->setCurrentIndex(1);
         QTest::mouseClick(m_rig->find<QPushButton>("exportSave"), Qt::LeftButton);
         QTRY_VERIFY(banner()->text().contains(QStringLiteral("all.csv")));

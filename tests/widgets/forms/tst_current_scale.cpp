@@ -3,6 +3,7 @@
 #include "support/window_rig.h"
 #include "widgets/base/banner.h"
 #include "widgets/control/control_panel.h"
+#include "widgets/scope/signals/signal_selection.h"
 #include "widgets/window/connect_bar.h"
 
 #include <QComboBox>

@@ -395,3 +395,4 @@ void TestSpectrumPanel::aHiddenPanelComputesNothing()
 
 QTEST_MAIN(TestSpectrumPanel)
 #include "tst_spectrum_panel.moc"
+#include "widgets/scope/signals/signal_selection.h"

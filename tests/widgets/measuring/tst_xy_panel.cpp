@@ -1,6 +1,7 @@
 // XY pictures in the real window: which signals go over which, what is drawn around them, and that it follows the scope.
 #include "support/scope_window.h"
 #include "widgets/measuring/xy_panel.h"
+#include "widgets/scope/signals/signal_selection.h"
 #include "widgets/scope/trigger/trigger_control.h"
 
 #include <QCheckBox>

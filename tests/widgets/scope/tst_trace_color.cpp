@@ -162,3 +162,4 @@ private:
 
 QTEST_MAIN(TestTraceColor)
 #include "tst_trace_color.moc"
+#include "widgets/scope/signals/signal_selection.h"

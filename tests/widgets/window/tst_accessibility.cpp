@@ -2,6 +2,7 @@
 #include "widgets/base/theme.h"
 #include "widgets/control/stop_alarm.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/scope/signals/signal_selection.h"
 #include "widgets/window/about_dialog.h"
 
 #include <QAbstractButton>
@@ -44,7 +45,7 @@ private Q_SLOTS:
     {
         widgets::showAbout(&m_rig->window);
         widgets::showKeys(&m_rig->window);
-        m_rig->window.exportCsv();
+        m_rig->window.findChild<widgets::Exporting *>()->ask();
         m_rig->find<widgets::StopAlarm>("stopAlarm")->raiseAlarm(1);
         int checked = 0;
         for (QWidget *widget : m_rig->window.findChildren<QWidget *>()) {

@@ -5,6 +5,7 @@
 #include "widgets/control/control_panel.h"
 #include "widgets/control/setpoint_edit.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/scope/signals/signal_selection.h"
 #include "widgets/window/connect_bar.h"
 
 #include <QCheckBox>
@@ -209,7 +210,7 @@ void TestBoardsSession::writeCsv()
     QTRY_VERIFY(!device().portOpen());
     QTemporaryDir folder;
     m_rig->files.answer = folder.filePath(QStringLiteral("capture.csv"));
-    m_rig->window.exportCsv();
+    m_rig->window.findChild<widgets::Exporting *>()->ask();
     QTest::mouseClick(m_rig->find<QPushButton>("exportSave"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(m_rig->files.answer), 20000);
     QFile file(m_rig->files.answer);

@@ -7,6 +7,7 @@
 #include "widgets/control/stop_words.h"
 #include "widgets/registers/register_panel.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/scope/signals/signal_selection.h"
 #include "widgets/window/connect_bar.h"
 
 #include <QCheckBox>
@@ -188,7 +189,7 @@ private Q_SLOTS:
         QTRY_VERIFY(!device().portOpen());
         QTemporaryDir folder;
         m_rig->files.answer = folder.filePath(QStringLiteral("capture.csv"));
-        m_rig->window.exportCsv();
+        m_rig->window.findChild<widgets::Exporting *>()->ask();
         m_rig->find<QComboBox>("exportRange")->setCurrentIndex(1);
         QTest::mouseClick(m_rig->find<QPushButton>("exportSave"), Qt::LeftButton);
         QVERIFY(m_rig->files.asked.suggestedName.endsWith(QStringLiteral("_motor_capture.csv")));

@@ -3,6 +3,8 @@
 #include "widgets/base/device_text.h"
 #include "widgets/scope/scope_view.h"
 
+#include <QMenu>
+
 #include <algorithm>
 #include <utility>
 
@@ -167,6 +169,30 @@ void SignalSelection::showOfFile(capture::ChannelId id, bool shown)
         if (m_capture.info(other)->unit == info->unit)
             plot = m_scope.plotOf(other);
     m_scope.addChannel(id, plot);
+}
+
+void SignalSelection::fillFileSignals(QMenu &menu)
+{
+    menu.clear();
+    menu.setEnabled(m_plan.showsFile());
+    if (!m_plan.showsFile())
+        return;
+    std::vector<capture::ChannelInfo> all = m_capture.channels();
+    std::stable_sort(all.begin(), all.end(), [](const auto &one, const auto &other) {
+        return one.kind != Kind::Polled && other.kind == Kind::Polled;
+    });
+    for (const capture::ChannelInfo &info : all) {
+        QString text = deviceText(info.name);
+        if (!info.unit.empty())
+            text += QStringLiteral(" [%1]").arg(deviceText(info.unit));
+        if (info.kind == Kind::Polled)
+            text = tr("%1, read one by one", "a signal").arg(text);
+        QAction *action = menu.addAction(text.replace(QLatin1Char('&'), QLatin1String("&&")));
+        action->setCheckable(true);
+        action->setChecked(m_scope.plotOf(info.id) >= 0);
+        connect(action, &QAction::triggered, this,
+            [this, id = info.id](bool on) { showOfFile(id, on); });
+    }
 }
 
 /// What a replay streams is shown once; whoever takes it away has taken it away.

@@ -32,6 +32,8 @@ public:
     int showFile(capture::Capture file);
     /// Shows or hides one of the file's signals.
     void showOfFile(capture::ChannelId id, bool shown);
+    /// A file's signals, those that were streamed first; the ticked ones are shown.
+    void fillFileSignals(QMenu &menu);
 
 public Q_SLOTS:
     /// `plot` as in ScopeView::addChannel(); -1: a plot that already has its unit, or a new one.

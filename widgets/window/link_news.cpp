@@ -1,0 +1,82 @@
+#include "widgets/window/link_news.h"
+
+#include "widgets/base/device.h"
+#include "widgets/base/messages.h"
+
+#include <utility>
+
+namespace widgets {
+
+LinkNews::LinkNews(
+    const Device &device, std::function<bool()> connecting, Banner &banner, QObject *parent)
+    : QObject(parent)
+    , m_device(device)
+    , m_connecting(std::move(connecting))
+    , m_banner(banner)
+{
+}
+
+void LinkNews::say(Banner::Kind kind, const QString &sentence)
+{
+    m_told = kind == Banner::Kind::Note ? Told::Done : Told::Other;
+    m_banner.say(kind, sentence);
+}
+
+void LinkNews::warn(const QString &sentence) { say(Banner::Kind::Warning, sentence); }
+
+void LinkNews::portChanged()
+{
+    if (m_device.portOpen() && m_told == Told::Done) {
+        m_banner.clear();
+        m_told = Told::Other;
+    }
+    linkChanged();
+}
+
+void LinkNews::linkChanged()
+{
+    const Message now = message();
+    // Contact that was lost stays told until there is contact again, not until the next attempt.
+    const bool stillLost =
+        tellsLoss() && m_device.identified() && !m_device.answering() && m_connecting();
+    const bool notOfTheLink = m_told == Told::Other || m_told == Told::Done;
+    if (!now.sentence.isEmpty())
+        m_banner.say(now.kind, now.sentence);
+    else if (stillLost || notOfTheLink)
+        return;
+    else
+        m_banner.clear();
+    m_told = now.told;
+}
+
+LinkNews::Message LinkNews::message() const
+{
+    using drive::LinkState;
+    const session::PortError error = m_device.portError();
+    const drive::LinkChanged link = m_device.link();
+    const bool known = m_device.identified().has_value();
+    if (!m_device.portOpen() && error.problem != session::PortProblem::None) {
+        const bool lost = error.problem == session::PortProblem::Unplugged
+            || error.problem == session::PortProblem::TakenOver;
+        return {Banner::Kind::Bad, portProblemText(error, m_device.endpoint().path),
+            lost ? Told::Loss : Told::Link};
+    }
+    if (link.state == LinkState::Lost && known)
+        return {Banner::Kind::Bad,
+            linkLostText(m_device.identified()->identity.watchdog) + QLatin1Char(' ')
+                + linkReasonText(link.reason),
+            Told::Loss};
+    if (link.state == LinkState::Lost)
+        return {Banner::Kind::Bad, linkReasonText(link.reason), Told::Link};
+    if (link.state == LinkState::Connecting && link.reason != drive::LinkReason::None)
+        return {Banner::Kind::Note, linkReasonText(link.reason), Told::Link};
+    if (link.reason == drive::LinkReason::BoardReset && link.state == LinkState::Connected)
+        return {Banner::Kind::Warning, linkReasonText(link.reason), Told::Link};
+    if (known && m_device.answering() && !m_device.identified()->identity.knownFirmware)
+        return {Banner::Kind::Note,
+            tr("This firmware is not known: registers are shown raw and nothing is written."),
+            Told::Link};
+    return {};
+}
+
+} // namespace widgets

@@ -1,0 +1,51 @@
+// LinkNews: which sentence the banner shows: what was done, what went wrong, or what the link does, and which of them gives
+// way to which.
+#pragma once
+
+#include "widgets/base/banner.h"
+
+#include <QObject>
+
+#include <functional>
+
+namespace widgets {
+
+class Device;
+
+class LinkNews : public QObject {
+    Q_OBJECT
+public:
+    /// @param connecting  a connection is open or looked for
+    LinkNews(const Device &device, std::function<bool()> connecting, Banner &banner,
+        QObject *parent = nullptr);
+
+    /// Contact was lost: told until there is contact again.
+    bool tellsLoss() const { return m_told == Told::Loss; }
+
+public Q_SLOTS:
+    void say(widgets::Banner::Kind kind, const QString &sentence);
+    void warn(const QString &sentence);
+    void linkChanged();
+    void portChanged(); ///< what was done before a connection is no news beside what comes now
+
+private:
+    enum class Told : std::uint8_t {
+        Other,
+        Done, ///< goes when the next connection or replay begins
+        Link, ///< goes when the link changes
+        Loss, ///< stays until the board answers again
+    };
+    struct Message {
+        Banner::Kind kind = Banner::Kind::Note;
+        QString sentence; ///< empty: nothing to say
+        Told told = Told::Other;
+    };
+    Message message() const;
+
+    const Device &m_device;
+    std::function<bool()> m_connecting;
+    Banner &m_banner;
+    Told m_told = Told::Other;
+};
+
+} // namespace widgets

@@ -1,0 +1,174 @@
+#include "widgets/window/opening.h"
+
+#include "session/transports/recording_transport.h"
+#include "widgets/base/device_text.h"
+#include "widgets/base/file_prompt.h"
+#include "widgets/files/import_csv.h"
+#include "widgets/files/marker_file.h"
+#include "widgets/files/open_recording.h"
+#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/window/leaving.h"
+#include "widgets/window/replacing.h"
+#include "widgets/window/workbench.h"
+
+#include <QDir>
+
+#include <utility>
+
+namespace widgets {
+namespace {
+
+QString orHome(const QString &folder) { return folder.isEmpty() ? QDir::homePath() : folder; }
+
+/// Of a file's signals, that the scope has no room for so many.
+QString leftText(int signalsLeft)
+{
+    return signalsLeft == 0 ? QString()
+                            : QLatin1Char(' ')
+            + Opening::tr("%n signal(s) of it are not shown: see Scope, Signals of the file.",
+                nullptr, signalsLeft);
+}
+
+} // namespace
+
+Opening::Opening(Parts parts, QObject *parent)
+    : QObject(parent)
+    , m_parts(std::move(parts))
+{
+}
+
+void Opening::warn(const QString &sentence) { Q_EMIT said(Banner::Kind::Warning, sentence); }
+
+/// What takes the place of a connection that is over, perhaps with a motor that turns.
+void Opening::leaveThen(std::function<void()> go)
+{
+    m_parts.leaving.before({tr("Stopping the motors before something else is opened\u2026"),
+        tr("Open it all the same\u2026"), std::move(go)});
+}
+
+/// Markers of a connection stay for the next one.
+void Opening::beforeConnecting(std::function<void()> goOn)
+{
+    leaveThen([this, goOn = std::move(goOn)] {
+        if (m_parts.workbench.signalPlan().showsFile())
+            m_parts.replacing.beforeMarkersGo(goOn);
+        else
+            goOn();
+    });
+}
+
+void Opening::ask(const OpenQuestion &question, Opened open)
+{
+    leaveThen([this, question, open = std::move(open)] {
+        m_parts.replacing.before(
+            [this, question, open] { m_parts.files.askOpen(m_parts.window, question, open); });
+    });
+}
+
+void Opening::askForRecording()
+{
+    if (m_parts.connecting())
+        return warn(
+            tr("Disconnect first (Ctrl+D): a recording takes the place of what the scope shows."));
+    OpenQuestion question;
+    question.title = tr("Open a recording");
+    question.folder = orHome(m_parts.recordFolder());
+    question.filter = tr("Recordings (*.pcapng)");
+    ask(question, [this](const QString &path) { open(path); });
+}
+
+/// The scope's trigger, its measurements and another recording see no difference to a board.
+void Opening::askForReplay()
+{
+    if (m_parts.connecting())
+        return warn(tr("Disconnect first (Ctrl+D): a replay takes the place of a board."));
+    OpenQuestion question;
+    question.title = tr("Replay a recording");
+    question.folder = orHome(m_parts.recordFolder());
+    question.filter = tr("Recordings (*.pcapng)");
+    ask(question, [this](const QString &path) { replay(path); });
+}
+
+void Opening::askForCsv()
+{
+    if (m_parts.connecting())
+        return warn(
+            tr("Disconnect first (Ctrl+D): what is imported takes the place of what the scope "
+               "shows."));
+    OpenQuestion question;
+    question.title = tr("Import CSV");
+    question.folder = orHome(m_parts.exportFolder());
+    question.filter = tr("CSV files (*.csv *.txt)");
+    ask(question, [this](const QString &path) { import(path); });
+}
+
+void Opening::open(const QString &path)
+{
+    openRecording(
+        path, m_parts.window, [this](OpenedRecording &opened) { show(opened); },
+        [this](const QString &sentence) { warn(sentence); }, forFiles());
+}
+
+void Opening::replay(const QString &path)
+{
+    if (session::isRecordingFile(path))
+        Q_EMIT replayWanted(path);
+    else
+        warn(tr("%1 is no recording of Rotorscope.").arg(deviceText(path)));
+}
+
+void Opening::import(const QString &path)
+{
+    importCsv(
+        path, m_parts.window,
+        [this, path](capture::Capture &imported) { showImported(path, imported); },
+        [this](const QString &sentence) { warn(sentence); }, forFiles());
+}
+
+/// A file has time to wait for the disk.
+capture::Capture::Config Opening::forFiles() const
+{
+    return {.maxBytes = kMostMemoryOfFile, .archive = m_parts.workbench.archive(), .patient = true};
+}
+
+void Opening::show(OpenedRecording &opened)
+{
+    if (m_parts.connecting()) // meanwhile: what lives goes first
+        return;
+    if (m_parts.markers.changedSinceLeft()) { // while it was read
+        m_parts.replacing.beforeMarkersGo(
+            [this, kept = std::make_shared<OpenedRecording>(std::move(opened))] { show(*kept); });
+        return;
+    }
+    bool whole = true;
+    QString sentence = openedText(opened, whole);
+    sentence += leftText(m_parts.selection.showFile(std::move(opened.capture)));
+    fillEvents(m_parts.workbench.events(), opened.report);
+    m_parts.markers.opened(opened.path, opened.report.bytes);
+    m_snapshots = {opened.path, std::move(opened.report.snapshots)};
+    Q_EMIT snapshotsChanged();
+    Q_EMIT said(whole ? Banner::Kind::Note : Banner::Kind::Warning, sentence);
+}
+
+void Opening::showImported(const QString &path, capture::Capture &imported)
+{
+    if (m_parts.connecting()) // meanwhile: what lives goes first
+        return;
+    if (m_parts.markers.changedSinceLeft()) { // while it was read
+        m_parts.replacing.beforeMarkersGo(
+            [this, path, kept = std::make_shared<capture::Capture>(std::move(imported))] {
+                showImported(path, *kept);
+            });
+        return;
+    }
+    const QString released = releasedText(imported);
+    const int left = m_parts.selection.showFile(std::move(imported));
+    m_parts.workbench.events().clear();
+    const QString sentence = tr("Imported %1.").arg(deviceText(path)) + leftText(left);
+    if (released.isEmpty())
+        Q_EMIT said(Banner::Kind::Note, sentence);
+    else
+        warn(sentence + QLatin1Char(' ') + released);
+}
+
+} // namespace widgets

@@ -1,0 +1,71 @@
+// Opening: what takes the place of a connection and of what it recorded: a recording, a replay, a CSV file, another port. It
+// leaves what is there first, asks about what is in no file, reads, and shows what it read.
+#pragma once
+
+#include "capture/capture.h"
+#include "widgets/base/banner.h"
+#include "widgets/snapshots/recorded_snapshots.h"
+
+#include <QObject>
+
+#include <functional>
+
+namespace widgets {
+
+class FilePrompt;
+class Leaving;
+class MarkerFile;
+class Replacing;
+class SignalSelection;
+class Workbench;
+struct OpenedRecording;
+struct OpenQuestion;
+
+class Opening : public QObject {
+    Q_OBJECT
+public:
+    /// All outlive it.
+    struct Parts {
+        Workbench &workbench;
+        SignalSelection &selection;
+        MarkerFile &markers;
+        Leaving &leaving;
+        Replacing &replacing;
+        FilePrompt &files;
+        std::function<bool()> connecting; ///< a connection is open or looked for
+        std::function<QString()> recordFolder, exportFolder; ///< of the last files
+        QWidget *window; ///< dialogs are over it; tests do without
+    };
+    explicit Opening(Parts parts, QObject *parent = nullptr);
+
+    /// Of the recording that was opened last.
+    const RecordedSnapshots &snapshots() const { return m_snapshots; }
+    void beforeConnecting(std::function<void()> goOn); ///< to a port
+
+public Q_SLOTS:
+    void askForRecording(); ///< Ctrl+O
+    void askForReplay(); ///< as if its board were there
+    void askForCsv();
+
+Q_SIGNALS:
+    void said(widgets::Banner::Kind kind, const QString &sentence);
+    void replayWanted(const QString &path);
+    void snapshotsChanged();
+
+private:
+    using Opened = std::function<void(const QString &path)>;
+    void ask(const OpenQuestion &question, Opened open);
+    void leaveThen(std::function<void()> go);
+    void open(const QString &path);
+    void replay(const QString &path);
+    void import(const QString &path);
+    void show(OpenedRecording &opened);
+    void showImported(const QString &path, capture::Capture &imported);
+    capture::Capture::Config forFiles() const;
+    void warn(const QString &sentence);
+
+    Parts m_parts;
+    RecordedSnapshots m_snapshots;
+};
+
+} // namespace widgets

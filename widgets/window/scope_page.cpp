@@ -1,0 +1,210 @@
+#include "widgets/window/scope_page.h"
+
+#include "widgets/base/flow_layout.h"
+#include "widgets/base/lamp.h"
+#include "widgets/base/replaying.h"
+#include "widgets/files/record_control.h"
+#include "widgets/files/replay_bar.h"
+#include "widgets/scope/cursor_panel.h"
+#include "widgets/scope/scope_tools.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/scope/signals/channel_strip.h"
+#include "widgets/scope/trigger/trigger_bar.h"
+#include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/window/workbench.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace widgets {
+namespace {
+
+/// Height of plots and what is around them, below which there is little room when cursors are read as well.
+constexpr int kCrowdedHeight = 480;
+constexpr int kButtonHeight = 26;
+
+/// A green disc while the picture runs, a red square while it is held: told apart by shape, too.
+QIcon runIcon(bool running, bool live, const QPalette &palette)
+{
+    const Lamp::Light moving = live ? Lamp::Light::On : Lamp::Light::Off;
+    QPixmap pixmap(32, 32);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(Lamp::colorOf(running ? moving : Lamp::Light::Bad, palette));
+    if (running)
+        painter.drawEllipse(QRectF(5, 5, 22, 22));
+    else
+        painter.drawRect(QRectF(6, 6, 20, 20));
+    return QIcon(pixmap);
+}
+
+/// What is switched on has to be told from what is not in both themes; the style's sunken look is too faint for that.
+QString barStyle(const QPalette &palette)
+{
+    return QStringLiteral("QToolButton { padding: 3px 9px; border: 1px solid %1; border-radius: "
+                          "4px; background: %2; }"
+                          "QToolButton:hover { background: %3; }"
+                          "QToolButton:checked { background: %4; border-color: %5; }"
+                          "QToolButton:focus { border-color: %5; }")
+        .arg(palette.color(QPalette::Mid).name(), palette.color(QPalette::Button).name(),
+            palette.color(QPalette::Base).name(), palette.color(QPalette::Mid).name(),
+            palette.color(QPalette::Highlight).name());
+}
+
+} // namespace
+
+ScopePage::ScopePage(const Parts &parts, QWidget *parent)
+    : QWidget(parent)
+    , m_parts(parts)
+{
+    ScopeView &scope = parts.scope;
+    Workbench &workbench = parts.workbench;
+    makeActions();
+    m_tools = new ScopeTools(scope, parts.trigger, parts.window);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_bar = makeBar());
+    layout->addWidget(parts.record.line());
+    layout->addWidget(new ReplayBar(workbench.device(), workbench.replay(), this));
+    auto *trigger = new TriggerBar(parts.trigger, scope, this);
+    layout->addWidget(trigger);
+    connect(&workbench, &Workbench::heartbeat, trigger, &TriggerBar::refreshAge);
+    layout->addWidget(&scope, 1);
+    showCursorsIn(*layout);
+    m_strip = new ChannelStrip(parts.selection, workbench.device(), this);
+    layout->addWidget(m_strip);
+    connect(&workbench, &Workbench::heartbeat, m_strip, &ChannelStrip::measure);
+    m_strip->foldWhen(
+        [this, &scope] { return scope.cursors().visible() && height() < kCrowdedHeight; });
+    connect(&scope.cursors(), &Cursors::changed, m_strip, &ChannelStrip::room);
+    connect(&scope, &ScopeView::drawn, m_strip, &ChannelStrip::room);
+    scope.setMinimumSize(320, 160);
+}
+
+template <class Slot>
+QAction *ScopePage::make(
+    const QString &text, const QKeySequence &keys, const QString &says, Slot slot)
+{
+    auto *action = new QAction(text, this);
+    action->setShortcut(keys);
+    action->setToolTip(says);
+    m_parts.window.addAction(action);
+    connect(action, &QAction::triggered, &m_parts.scope, slot);
+    return action;
+}
+
+void ScopePage::makeActions()
+{
+    ScopeView &scope = m_parts.scope;
+    m_run = make(tr("Run", "the scope's picture moves"), Qt::Key_Space,
+        tr("Lets the picture run or holds it; recording goes on (Space)"), &ScopeView::setRunning);
+    m_run->setObjectName(QStringLiteral("scopeRun"));
+    m_run->setCheckable(true);
+    m_follow = make(tr("Follow"), Qt::Key_End, tr("Keeps the newest samples in view (End)"),
+        &ScopeView::setFollowing);
+    m_follow->setCheckable(true);
+    m_follow->setChecked(scope.following());
+    m_fit = make(
+        tr("Fit", "show all samples"), Qt::Key_F, tr("Shows everything (F)"), &ScopeView::fitAll);
+    m_fitValues = make(tr("Fit values"), Qt::SHIFT | Qt::Key_F,
+        tr("Fits the value axes only (Shift+F)"), &ScopeView::fitValues);
+    m_zoomIn = make(
+        tr("Zoom in"), Qt::Key_Plus, tr("Shows half the time (+)"), [&scope] { scope.zoom(2.0); });
+    m_zoomOut = make(tr("Zoom out"), Qt::Key_Minus, tr("Shows twice the time (\u2212)"),
+        [&scope] { scope.zoom(0.5); });
+    // The bar has little room, and less in other languages; menus and screen readers get the words.
+    m_fitValues->setIconText(QStringLiteral("\u2195"));
+    m_zoomIn->setIconText(QStringLiteral("+"));
+    m_zoomOut->setIconText(QStringLiteral("\u2212"));
+    connect(&scope, &ScopeView::runningChanged, this, &ScopePage::showSource);
+    connect(&m_parts.selection, &SignalSelection::changed, this, &ScopePage::showSource);
+    connect(&scope, &ScopeView::followingChanged, m_follow, &QAction::setChecked);
+    showSource();
+}
+
+QString ScopePage::sourceText() const
+{
+    const Device &device = m_parts.workbench.device();
+    if (device.answering())
+        return replaying(device) ? tr("Replay", "the scope shows it")
+                                 : tr("Live", "the scope's picture moves");
+    return m_parts.workbench.signalPlan().showsFile() ? tr("File", "the scope shows it")
+                                                      : tr("Run", "the scope's picture moves");
+}
+
+void ScopePage::showSource()
+{
+    const bool running = m_parts.scope.running();
+    m_run->setChecked(running);
+    m_run->setText(!running ? tr("Held", "the scope's picture stands still") : sourceText());
+    m_run->setIcon(runIcon(running, m_parts.workbench.device().answering(), palette()));
+}
+
+void ScopePage::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::PaletteChange || !m_bar)
+        return;
+    showSource();
+    m_bar->setStyleSheet(barStyle(palette()));
+}
+
+QWidget *ScopePage::makeBar()
+{
+    auto *bar = new QWidget(this);
+    bar->setStyleSheet(barStyle(palette()));
+    auto *layout = new QHBoxLayout(bar);
+    layout->setContentsMargins(8, 4, 8, 4);
+    layout->setSpacing(4);
+    auto *buttons = new QWidget(bar); // two lines where the words are long and the screen is small
+    auto *flow = new FlowLayout(4, buttons);
+    for (QAction *action :
+        {m_run, m_follow, m_fit, m_fitValues, m_zoomIn, m_zoomOut, m_tools->cursors()}) {
+        auto *button = new QToolButton(bar);
+        button->setDefaultAction(action);
+        button->setToolButtonStyle(
+            action == m_run ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonTextOnly);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setMinimumHeight(kButtonHeight);
+        button->setAccessibleName(action->text());
+        connect(action, &QAction::changed, button,
+            [button, action] { button->setAccessibleName(action->text()); });
+        flow->addWidget(button);
+    }
+    layout->addWidget(buttons, 1);
+    addToBar(*layout, m_parts.record.toggle(), tr("Record to disk"));
+    addToBar(*layout, m_parts.save, tr("Export"));
+    return bar;
+}
+
+void ScopePage::addToBar(QHBoxLayout &layout, QAction *action, const QString &name)
+{
+    auto *button = new QToolButton(layout.parentWidget());
+    button->setDefaultAction(action);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setMinimumHeight(kButtonHeight);
+    button->setAccessibleName(name);
+    layout.addWidget(button, 0, Qt::AlignTop);
+}
+
+/// Made when cursors are first shown.
+void ScopePage::showCursorsIn(QVBoxLayout &layout)
+{
+    connect(
+        &m_parts.scope.cursors(), &Cursors::changed, this,
+        [this, &layout, place = layout.count()] {
+            auto *panel = new CursorPanel(m_parts.scope, m_parts.workbench.capture(), this);
+            layout.insertWidget(place, panel);
+            panel->tabAfterScope();
+        },
+        Qt::SingleShotConnection);
+}
+
+} // namespace widgets

@@ -1,0 +1,133 @@
+#include "widgets/window/tool_docks.h"
+
+#include "widgets/window/workbench.h"
+
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QMainWindow>
+#include <QScrollArea>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace widgets {
+
+ToolDocks::ToolDocks(QMainWindow &window, Workbench &workbench)
+    : m_window(window)
+    , m_workbench(workbench)
+{
+}
+
+QAction *ToolDocks::add(const QString &title, const char *name, const QKeySequence &keys,
+    std::function<Form *()> makeForm)
+{
+    auto *dock = new QDockWidget(title, &m_window);
+    dock->setObjectName(QLatin1String(name));
+    // Not floating: a window of its own would have to carry a stop button of its own.
+    dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+    m_window.addDockWidget(Qt::BottomDockWidgetArea, dock);
+    if (!m_tools.empty())
+        m_window.tabifyDockWidget(m_tools.front().dock, dock);
+    m_tools.push_back({dock, std::move(makeForm)});
+    dock->hide();
+
+    auto *action = new QAction(title, &m_window);
+    action->setShortcut(keys);
+    action->setObjectName(QLatin1String(name) + QStringLiteral("Open"));
+    m_actions.append(action);
+    const std::size_t index = m_tools.size() - 1;
+    connect(action, &QAction::triggered, this, [this, index] { open(index); });
+    connect(dock, &QDockWidget::visibilityChanged, &m_workbench.watchList(), &WatchList::changed);
+    connect(dock, &QDockWidget::visibilityChanged, this, [this, index] {
+        if (!m_tools[index].dock->isHidden())
+            formOf(m_tools[index]);
+        Q_EMIT opened(anyOpen());
+    });
+    return action;
+}
+
+void ToolDocks::open(std::size_t index)
+{
+    const bool first = !anyOpen();
+    Tool &tool = m_tools[index];
+    const Form *form = formOf(tool);
+    tool.dock->show();
+    tool.dock->raise();
+    if (first)
+        m_window.resizeDocks(
+            {tool.dock}, {int(m_window.height() * form->heightShare())}, Qt::Vertical);
+    tool.form->focusFirst();
+}
+
+Form *ToolDocks::formOf(Tool &tool)
+{
+    if (!tool.form)
+        fill(tool);
+    return tool.form;
+}
+
+void ToolDocks::fill(Tool &tool)
+{
+    auto *content = new QWidget(tool.dock);
+    auto *scroll = new QScrollArea(content);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    Form *form = tool.form = tool.make();
+    scroll->setWidget(form);
+    auto *layout = new QVBoxLayout(content);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(scroll, 1);
+    if (QWidget *footer = form->footer()) {
+        auto *below = new QHBoxLayout;
+        below->setContentsMargins(8, 2, 8, 4);
+        below->addWidget(footer);
+        layout->addLayout(below);
+    }
+    tool.dock->setWidget(content);
+    content->show(); // which a dock that is open already leaves to us
+
+    WatchList &watch = m_workbench.watchList();
+    watch.addSource([form] {
+        return form->isVisible() ? form->watchedRegisters() : std::vector<catalog::RegisterId>();
+    });
+    connect(form, &Form::watchedRegistersChanged, &watch, &WatchList::changed);
+    connect(&m_workbench, &Workbench::heartbeat, form, [form](Milliseconds now) {
+        if (form->isVisible())
+            form->refresh(now);
+    });
+    connect(form, &Form::failed, this, &ToolDocks::failed);
+}
+
+void ToolDocks::makeOpen()
+{
+    for (Tool &tool : m_tools)
+        if (!tool.dock->isHidden())
+            formOf(tool);
+}
+
+void ToolDocks::makeAll()
+{
+    for (Tool &tool : m_tools)
+        formOf(tool);
+}
+
+void ToolDocks::makeInTurns()
+{
+    const auto next = std::find_if(
+        m_tools.begin(), m_tools.end(), [](const Tool &tool) { return tool.form == nullptr; });
+    if (next == m_tools.end())
+        return;
+    fill(*next);
+    QTimer::singleShot(0, this, &ToolDocks::makeInTurns);
+}
+
+bool ToolDocks::anyOpen() const
+{
+    return std::any_of(
+        m_tools.begin(), m_tools.end(), [](const Tool &tool) { return !tool.dock->isHidden(); });
+}
+
+} // namespace widgets

@@ -1,0 +1,58 @@
+// ToolDocks: docks below the scope, as tabs of one another, hidden until they are asked for. What is in one is made when it is
+// first seen, or in turns when nothing else is to be done. It knows no tool by name.
+#pragma once
+
+#include "widgets/base/form.h"
+
+#include <QAction>
+#include <QList>
+
+#include <functional>
+#include <vector>
+
+class QDockWidget;
+class QMainWindow;
+
+namespace widgets {
+
+class Workbench;
+
+/// Goes before its window does: an open dock tells that it goes.
+class ToolDocks : public QObject {
+    Q_OBJECT
+public:
+    /// Both outlive it.
+    ToolDocks(QMainWindow &window, Workbench &workbench);
+
+    /// The action opens it; `makeForm` gives the form no parent, and is called once.
+    QAction *add(const QString &title, const char *name, const QKeySequence &keys,
+        std::function<Form *()> makeForm);
+    QList<QAction *> actions() const { return m_actions; }
+    bool anyOpen() const;
+
+public Q_SLOTS:
+    void makeOpen(); ///< the forms of docks that are not hidden
+    void makeAll(); ///< costs nothing a second time
+    void makeInTurns(); ///< one each time that the window has nothing to do
+
+Q_SIGNALS:
+    void opened(bool any); ///< one was opened or closed
+    void failed(const QString &sentence); ///< as Form's
+
+private:
+    struct Tool {
+        QDockWidget *dock = nullptr;
+        std::function<Form *()> make;
+        Form *form = nullptr; ///< until it is made
+    };
+    Form *formOf(Tool &tool);
+    void fill(Tool &tool);
+    void open(std::size_t index);
+
+    QMainWindow &m_window;
+    Workbench &m_workbench;
+    std::vector<Tool> m_tools;
+    QList<QAction *> m_actions;
+};
+
+} // namespace widgets

@@ -1,0 +1,176 @@
+#include "widgets/window/tools.h"
+
+#include "widgets/base/device_text.h"
+#include "widgets/control/motion_log_panel.h"
+#include "widgets/files/record_panel.h"
+#include "widgets/forms/gains_form.h"
+#include "widgets/forms/motor_form.h"
+#include "widgets/forms/ramp_form.h"
+#include "widgets/forms/rev_up_form.h"
+#include "widgets/measuring/math_panel.h"
+#include "widgets/measuring/math_traces.h"
+#include "widgets/measuring/measure_panel.h"
+#include "widgets/measuring/spectrum_panel.h"
+#include "widgets/measuring/xy_panel.h"
+#include "widgets/scope/events/event_panel.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/scope/signals/channel_strip.h"
+#include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/snapshots/snapshot_actions.h"
+#include "widgets/snapshots/snapshot_panel.h"
+#include "widgets/window/opening.h"
+#include "widgets/window/workbench.h"
+
+#include <QMainWindow>
+#include <QMenu>
+
+namespace widgets {
+
+Tools::Tools(const Parts &parts, const Settings &settings)
+    : m_parts(parts)
+    , m_device(parts.workbench.device())
+    , m_settings(settings)
+    , m_docks(parts.window, parts.workbench)
+{
+    addScopeTools();
+    addSnapshots();
+    addForms();
+    connect(&m_docks, &ToolDocks::failed, this,
+        [this](const QString &sentence) { Q_EMIT said(Banner::Kind::Warning, sentence); });
+}
+
+void Tools::keep(Settings &settings) const
+{
+    settings.inertias = m_settings.inertias;
+    if (m_snapshots)
+        settings.snapshotFolder = m_snapshots->folder();
+    if (m_ramps)
+        settings.ramps = m_ramps->presets();
+    settings.formulas = m_parts.workbench.math().formulas();
+}
+
+QList<QAction *> Tools::snapshotActions() const { return m_snapshotActions->actions(); }
+
+int Tools::motor() const
+{
+    return m_parts.workbench.signalPlan().showsFile() ? 0 : m_device.motor();
+}
+
+void Tools::addScopeTools()
+{
+    ScopeView &scope = m_parts.scope;
+    capture::Capture &capture = m_parts.workbench.capture();
+    MathChannels &math = m_parts.workbench.math();
+    const auto ofMotor = [this] { return motor(); };
+    QAction *open = m_docks.add(tr("Events"), "eventDock", Qt::CTRL | Qt::Key_7,
+        [this] { return m_events = new EventPanel(m_parts.scope); });
+    connect(&scope, &ScopeView::noteWanted, this, [this, open](quint32 marker) {
+        open->trigger();
+        m_events->editNote(marker);
+    });
+    m_docks.add(tr("Records"), "recordDock", Qt::CTRL | Qt::Key_8,
+        [this] { return new RecordPanel(m_parts.trigger, m_parts.scope); });
+    m_docks.add(tr("Measurements"), "measureDock", Qt::CTRL | Qt::Key_9,
+        [this, &capture] { return new MeasurePanel(m_parts.scope, capture, m_parts.trigger); });
+    m_docks.add(tr("Spectrum"), "spectrumDock", Qt::CTRL | Qt::Key_0, [this, &capture, ofMotor] {
+        return new SpectrumPanel(m_parts.scope, capture, m_device, ofMotor);
+    });
+    new MathTraces(math, capture, scope, this);
+    math.setFormulas(m_settings.formulas);
+    QAction *openMath = m_docks.add(
+        tr("Math"), "mathDock", Qt::CTRL | Qt::SHIFT | Qt::Key_M, [this, &math, &capture, ofMotor] {
+            return m_math = new MathPanel(math, m_parts.scope, capture, ofMotor);
+        });
+    showComputed(openMath);
+    m_docks.add(tr("XY"), "xyDock", Qt::CTRL | Qt::SHIFT | Qt::Key_X, [this, &capture, ofMotor] {
+        return new XyPanel(m_parts.scope, capture, m_parts.workbench.registers(), ofMotor);
+    });
+}
+
+/// The chips of math channels, and what they do.
+void Tools::showComputed(QAction *openMath)
+{
+    ScopeView &scope = m_parts.scope;
+    MathChannels &math = m_parts.workbench.math();
+    ChannelStrip &strip = m_parts.strip;
+    const auto show = [&scope, &math, &strip] {
+        QList<ChannelStrip::Computed> computed;
+        for (const MathChannels::Entry &entry : math.entries()) {
+            const QColor color = MathTraces::colorOf(scope, entry.channel);
+            if (color.isValid())
+                computed.append({entry.formula.name, entry.formula.text, color,
+                    [&scope, &math, name = entry.formula.name](QMenu &menu) {
+                        for (const MathChannels::Entry &now : math.entries())
+                            if (now.formula.name == name)
+                                scope.fillColors(menu, now.channel);
+                    }});
+        }
+        strip.setComputed(computed);
+    };
+    connect(&math, &MathChannels::changed, &strip, show);
+    connect(&scope, &ScopeView::channelsChanged, &strip, show);
+    connect(&strip, &ChannelStrip::computedRemoved, &math,
+        [&math](const QString &name) { math.setShown(name, false); });
+    connect(&strip, &ChannelStrip::computedChosen, this, [this, openMath](const QString &name) {
+        openMath->trigger();
+        m_math->choose(name);
+    });
+    show(); // those that were kept came before
+}
+
+void Tools::addSnapshots()
+{
+    QAction *open = m_docks.add(tr("Snapshots"), "snapshotsDock", Qt::CTRL | Qt::Key_5, [this] {
+        m_snapshots = new SnapshotPanel(
+            m_device, m_parts.workbench.edits(), m_parts.workbench.snapshots(), m_parts.files);
+        m_snapshots->setFolder(m_settings.snapshotFolder);
+        m_snapshots->offerRecorded(m_parts.opening.snapshots());
+        return m_snapshots;
+    });
+    connect(&m_parts.opening, &Opening::snapshotsChanged, this, [this] {
+        if (m_snapshots)
+            m_snapshots->offerRecorded(m_parts.opening.snapshots());
+    });
+    const auto panel = [this]() -> SnapshotPanel & {
+        m_docks.makeAll();
+        return *m_snapshots;
+    };
+    m_snapshotActions = new SnapshotActions(m_device, m_parts.files, panel, m_parts.window);
+    connect(m_snapshotActions, &SnapshotActions::panelWanted, open, &QAction::trigger);
+    connect(m_snapshotActions, &SnapshotActions::saved, this,
+        [this](const QString &sentence) { Q_EMIT said(Banner::Kind::Note, sentence); });
+}
+
+void Tools::addForms()
+{
+    Workbench &workbench = m_parts.workbench;
+    m_docks.add(tr("Gains"), "gainsDock", Qt::CTRL | Qt::Key_1, [this, &workbench] {
+        auto *gains = new GainsForm(m_device, workbench.registers(), workbench.edits(),
+            m_parts.edits.apply, m_parts.edits.revert, m_settings.inertias);
+        connect(gains, &GainsForm::inertiaRemembered, this,
+            [this](const QString &motor, double inertia) { m_settings.inertias[motor] = inertia; });
+        return gains;
+    });
+    m_docks.add(tr("Rev-up"), "revUpDock", Qt::CTRL | Qt::Key_2, [this, &workbench] {
+        return new RevUpForm({m_device, workbench.registers(), workbench.edits(),
+            workbench.capture(), m_parts.files, m_parts.edits.apply, m_parts.edits.revert});
+    });
+    m_docks.add(tr("Ramps"), "rampDock", Qt::CTRL | Qt::Key_3, [this, &workbench] {
+        m_ramps = new RampForm(m_device, workbench.registers(), workbench.motion());
+        m_ramps->setPresets(m_settings.ramps);
+        return m_ramps;
+    });
+    m_docks.add(tr("Motor and drive"), "motorDock", Qt::CTRL | Qt::Key_4, [this, &workbench] {
+        return new MotorForm(m_device, workbench.registers(), m_parts.files);
+    });
+    m_docks.add(
+        tr("Motion log"), "motionLogDock", Qt::CTRL | Qt::SHIFT | Qt::Key_L, [this, &workbench] {
+            auto *log = new MotionLogPanel(workbench.motionLog(), m_parts.files);
+            connect(log, &MotionLogPanel::saved, this, [this](const QString &path) {
+                Q_EMIT said(Banner::Kind::Note, tr("Exported to %1.").arg(deviceText(path)));
+            });
+            return log;
+        });
+}
+
+} // namespace widgets

@@ -1,0 +1,63 @@
+// Tools: which forms there are below the scope, with their keys, what each of them works on, and what they remember.
+#pragma once
+
+#include "widgets/base/banner.h"
+#include "widgets/registers/register_panel.h"
+#include "widgets/window/settings.h"
+#include "widgets/window/tool_docks.h"
+
+namespace widgets {
+
+class ChannelStrip;
+class EventPanel;
+class FilePrompt;
+class MathPanel;
+class Opening;
+class RampForm;
+class ScopeView;
+class SnapshotActions;
+class SnapshotPanel;
+class TriggerControl;
+
+class Tools : public QObject {
+    Q_OBJECT
+public:
+    /// All outlive it.
+    struct Parts {
+        Workbench &workbench;
+        ScopeView &scope;
+        TriggerControl &trigger;
+        ChannelStrip &strip; ///< shows what is computed, too
+        RegisterPanel::Actions edits;
+        const Opening &opening; ///< whose snapshots can be compared
+        FilePrompt &files;
+        QMainWindow &window;
+    };
+    Tools(const Parts &parts, const Settings &settings);
+
+    ToolDocks &docks() { return m_docks; }
+    QList<QAction *> snapshotActions() const; ///< for the menu of the device
+    void keep(Settings &settings) const; ///< what was set in them
+
+Q_SIGNALS:
+    void said(widgets::Banner::Kind kind, const QString &sentence);
+
+private:
+    void addScopeTools();
+    void addSnapshots();
+    void addForms();
+    void showComputed(QAction *openMath);
+    int motor() const; ///< whose constants apply to what is shown; 0: that of a file
+
+    Parts m_parts;
+    Device &m_device;
+    Settings m_settings; ///< those that forms are made with
+    ToolDocks m_docks;
+    EventPanel *m_events = nullptr; ///< like all of them, when it is made
+    MathPanel *m_math = nullptr;
+    SnapshotPanel *m_snapshots = nullptr;
+    RampForm *m_ramps = nullptr;
+    SnapshotActions *m_snapshotActions = nullptr;
+};
+
+} // namespace widgets
