@@ -34,7 +34,7 @@ PATH = {
     "core/drive/motion_limits.cpp": ["tst_motion_limits"],
     "core/drive/motion_of.cpp": ["tst_motion_record"],
     "core/drive/set_point_check.cpp": ["tst_motion_limits", "tst_what_may_be_written", "tst_mcp_drive_writes"],
-    "core/drive/start_target.cpp": ["tst_motion_limits", "tst_what_may_be_written"],
+    "core/drive/start_target.cpp": ["tst_start_target"],
     "core/drive/write_check.cpp": ["tst_what_may_be_written", "tst_mcp_drive_writes"],
     "core/session/link/dead_man.cpp": ["tst_dead_man"],
     "core/session/link/time_gap.h": ["tst_dead_man"],

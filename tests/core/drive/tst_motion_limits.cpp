@@ -200,6 +200,10 @@ void TestMotionLimits::theLowerLimitWins()
     const WishId beyond = session.submit(SpeedRamp{1, 2000, 0ms});
     QVERIFY(reasonOf(session, beyond).find("your own limit of 1000 rpm") != std::string::npos);
 
+    QVERIFY(ends(UserLimits{1234.56, 1.0}) == Outcome::Ok);
+    const WishId fine = session.submit(SpeedRamp{1, 2000, 0ms});
+    QVERIFY(reasonOf(session, fine).find("your own limit of 1234.56 rpm") != std::string::npos);
+
     QVERIFY(ends(UserLimits{1e6, 1e6}) == Outcome::Ok);
     QVERIFY(ends(SpeedRamp{1, std::int32_t(board.maxSpeedRpm) + 1, 0ms}) == Outcome::Refused);
     QVERIFY(ends(TorqueRamp{1, board.nominalCurrentAmps * 1.01, 0ms}) == Outcome::Refused);

@@ -109,7 +109,7 @@ void TestStopSequence::standstillNeedsThreeSlowReadingsInARow()
     stop.follow(1, Count::Exactly, t);
     stop.stopSent(1, t);
     static_cast<void>(stop.takeProgress());
-    for (const double rpm : {300.0, 300.0, 5.0, -5.0, 20.0, 5.0, 9.0})
+    for (const double rpm : {300.0, 300.0, 5.0, -5.0, 10.0, 5.0, 9.0})
         stop.takeStatus(statusOf(MotorState::Idle, rpm, t + 1ms), t + 1ms);
     QVERIFY((words(stop) == Words{{1, StopWord::DriveIdle}}));
     stop.takeStatus(statusOf(MotorState::Idle, -9.0, t + 2ms), t + 2ms);

@@ -1,0 +1,116 @@
+// Where a START goes: the reference that the board's control follows, under each name that a board may have for it.
+#include "drive/start_target.h"
+
+#include <QTest>
+
+#include <map>
+
+using namespace drive;
+using catalog::RegisterId;
+
+namespace {
+
+constexpr std::uint32_t kMode = 0x10, kSpeed = 0x20, kCurrent = 0x30;
+
+catalog::RegisterInfo reference(
+    std::uint32_t id, const char *name, catalog::SetPoint what, const char *unit)
+{
+    catalog::RegisterInfo info;
+    info.id = id;
+    info.name = name;
+    info.type = catalog::ValueType::S32;
+    info.access = catalog::Access::ReadWrite;
+    info.setPoint = what;
+    info.unit = unit;
+    info.perMotor = true;
+    return info;
+}
+
+std::shared_ptr<const catalog::Catalog> catalogOf(
+    const char *mode, const char *speed, const char *current)
+{
+    std::vector<catalog::RegisterInfo> registers;
+    if (mode != nullptr)
+        registers.push_back(reference(kMode, mode, catalog::SetPoint::None, ""));
+    if (speed != nullptr)
+        registers.push_back(reference(kSpeed, speed, catalog::SetPoint::Speed, "rpm"));
+    if (current != nullptr)
+        registers.push_back(reference(kCurrent, current, catalog::SetPoint::Current, "A"));
+    return std::make_shared<const catalog::Catalog>(
+        std::move(registers), 2, std::vector<catalog::Scales>{{}, {}});
+}
+
+StartTarget targetOf(
+    const catalog::Catalog &catalog, int motor, const std::map<RegisterId, double> &held)
+{
+    return startTarget(catalog, {}, motor, [&](RegisterId id) {
+        const auto found = held.find(id);
+        return found == held.end() ? std::nullopt : std::optional(found->second);
+    });
+}
+
+} // namespace
+
+class TestStartTarget : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theControlModeSaysWhichReferenceCounts()
+    {
+        const auto board = catalogOf("CONTROL_MODE", "SPEED_REF", "I_Q_REF");
+        const auto id = [&](std::uint32_t bare) {
+            return board->withMotor(*board->find(RegisterId{bare}), 2);
+        };
+        QVERIFY((startRegisters(*board, 2) == std::vector{id(kMode), id(kSpeed), id(kCurrent)}));
+        const StartTarget speed =
+            targetOf(*board, 2, {{id(kMode), 3.0}, {id(kSpeed), -1500.0}, {id(kCurrent), 2.0}});
+        QVERIFY(speed.control == ControlMode::Speed);
+        QVERIFY(speed.rpm == -1500.0);
+        QVERIFY(!speed.amps);
+        const StartTarget torque =
+            targetOf(*board, 2, {{id(kMode), 4.0}, {id(kSpeed), -1500.0}, {id(kCurrent), 2.0}});
+        QVERIFY(torque.control == ControlMode::Torque);
+        QVERIFY(torque.amps == 2.0);
+        QVERIFY(!torque.rpm);
+        const StartTarget other =
+            targetOf(*board, 2, {{id(kMode), 7.0}, {id(kSpeed), -1500.0}, {id(kCurrent), 2.0}});
+        QVERIFY(other.control == ControlMode::Other);
+        QVERIFY(!other.rpm && !other.amps);
+    }
+
+    void whatIsNotThereOrNotReadIsNotGuessed()
+    {
+        const auto board = catalogOf("CONTROL_MODE", "SPEED_REF", nullptr);
+        const auto id = [&](std::uint32_t bare) {
+            return board->withMotor(*board->find(RegisterId{bare}), 1);
+        };
+        QVERIFY((startRegisters(*board, 1) == std::vector{id(kMode), id(kSpeed)}));
+        QVERIFY(!targetOf(*board, 1, {{id(kSpeed), 900.0}}).rpm); // the mode was not read
+        QVERIFY(!targetOf(*board, 1, {{id(kMode), 3.0}}).rpm);
+        QVERIFY(targetOf(*board, 1, {{id(kMode), 3.0}}).control == ControlMode::Speed);
+        QVERIFY(!targetOf(*board, 1, {{id(kMode), 4.0}, {id(kSpeed), 900.0}}).amps);
+        const auto none = catalogOf(nullptr, "SPEED_REF", nullptr);
+        QVERIFY(targetOf(*none, 1, {{none->withMotor(*none->find(RegisterId{kSpeed}), 1), 900.0}})
+                    .control
+            == ControlMode::Other);
+    }
+
+    void aServosModeWordCountsInItsOwnNumbers()
+    {
+        const auto board = catalogOf("DRV_OP_CMD", "CL_VEL_SET_POINT_VALUE", "CL_CUR_Q_SET_POINT");
+        const auto id = [&](std::uint32_t bare) {
+            return board->withMotor(*board->find(RegisterId{bare}), 1);
+        };
+        const auto controlOf = [&](double mode) {
+            return targetOf(
+                *board, 1, {{id(kMode), mode}, {id(kSpeed), 600.0}, {id(kCurrent), 1.5}});
+        };
+        QVERIFY(controlOf(0x03).control == ControlMode::Speed); // cyclic velocity
+        QVERIFY(controlOf(0x03).rpm == 600.0);
+        QVERIFY(controlOf(0x02).control == ControlMode::Torque); // cyclic current
+        QVERIFY(controlOf(0x02).amps == 1.5);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestStartTarget)
+#include "tst_start_target.moc"
