@@ -41,6 +41,7 @@ EventRecorder::EventRecorder(Device &device, const capture::Capture &capture, Ev
     connect(&device, &Device::wishEnded, this, &EventRecorder::ended);
     connect(&device, &Device::statusChanged, this, &EventRecorder::status);
     connect(&device, &Device::linkStateChanged, this, &EventRecorder::link);
+    connect(&device, &Device::portStateChanged, this, &EventRecorder::port);
     connect(&device, &Device::streamStarted, this,
         [this](const capture::StreamLayout &layout) { m_tickHz = layout.tickHz; });
     connect(&device, &Device::stopWished, this,
@@ -235,16 +236,25 @@ void EventRecorder::link()
         note(EventKind::Loss, now(), word);
         break;
     case LinkState::Closed:
-        if (const session::PortError &error = m_device.portError();
-            wasThere && error.problem != session::PortProblem::None)
-            note(EventKind::Loss, now(), portProblemText(error, m_device.endpoint().path));
-        else if (wasThere)
-            note(EventKind::Command, now(), tr("Disconnected"));
+        m_closing = wasThere;
         m_asked.clear();
+        if (!m_device.portOpen()) // else its end is still to be told, and why
+            port();
         break;
     case LinkState::Connecting:
         break;
     }
+}
+
+void EventRecorder::port()
+{
+    if (m_device.portOpen() || !std::exchange(m_closing, false))
+        return;
+    if (const session::PortError &error = m_device.portError();
+        error.problem != session::PortProblem::None)
+        note(EventKind::Loss, now(), portProblemText(error, m_device.endpoint().path));
+    else
+        note(EventKind::Command, now(), tr("Disconnected"));
 }
 
 void EventRecorder::stored(const capture::SampleBlock &block)

@@ -51,6 +51,7 @@ private:
     void wrote(const drive::WriteResult &write, double seconds);
     void status(int motor);
     void link();
+    void port();
     QString named(int motor, const QString &text) const;
     bool severalMotors() const;
 
@@ -62,6 +63,7 @@ private:
     std::map<drive::WishId, Asked> m_asked;
     std::map<int, drive::MotorStatus> m_status;
     drive::LinkState m_link = drive::LinkState::Closed;
+    bool m_closing = false; ///< the link is closed, and its port has not told why
     double m_tickHz = 0.0;
 };
 

@@ -240,8 +240,11 @@ void TestScopeEvents::aLinkThatGoesAndComesBackIsNoted()
     QCOMPARE(noted().size(), 3);
     facts::feed(m_rig->device(), {idle}); // of a board that began anew
     QCOMPARE(noted().size(), 4);
+    facts::feed(m_rig->device(), {drive::LinkChanged{LinkState::Closed, LinkReason::None}});
+    QCOMPARE(noted().size(), 4); // why is told next
     m_rig->device().portChanged(
         session::PortState::Closed, {session::PortProblem::Unplugged, QStringLiteral("gone")});
+    QCOMPARE(noted().size(), 5);
     QVERIFY2(noted().last().startsWith(QStringLiteral("Loss ")), qPrintable(noted().last()));
 }
 
