@@ -1,0 +1,300 @@
+// What the window does in several steps, without the window: opening, replacing and exporting, with the test's answers.
+#include "session/recording/recording_file.h"
+#include "support/answered_files.h"
+#include "support/answered_questions.h"
+#include "widgets/files/export_order.h"
+#include "widgets/files/marker_file.h"
+#include "widgets/files/record_control.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/window/exporting.h"
+#include "widgets/window/leaving.h"
+#include "widgets/window/opening.h"
+#include "widgets/window/replacing.h"
+#include "widgets/window/workbench.h"
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QThread>
+#include <QtTest>
+
+#include <atomic>
+
+using widgets::Banner;
+
+namespace {
+
+void writeRecording(const QString &path)
+{
+    QString text;
+    session::RecordingFile file(session::makeDiskSink(path, text), {0, "test", "board"});
+    QVERIFY(file.open());
+    file.add(0, capture::StreamLayout{1, 1000.0, 0.0, 1, {{1, "A", "A", 0.1, 0.0}}, {}});
+    file.add(0, capture::SampleBlock{1, 0, 5000, std::vector<std::int16_t>(5000, 7), {}, 0});
+    QVERIFY(file.end());
+}
+
+struct Flows {
+    widgets::Workbench bench;
+    QWidget host; ///< for actions and the line of the recording
+    widgets::ScopeView scope{bench.capture(), bench.events(), &host};
+    widgets::SignalSelection selection{bench.device(), bench.capture(), bench.signalPlan(), scope};
+    facts::AnsweredPrompt files;
+    facts::AnsweredQuestions questions;
+    bool connecting = false;
+    widgets::RecordControl record{
+        {bench.recording(), bench.device(), bench.events(), files, [] { return 0.0; }}, {}, &host};
+    widgets::MarkerFile markers{bench.events(), files, record, &host};
+    widgets::Leaving leaving{bench.device(), [this] { return bench.sessionTime(); }, questions};
+    widgets::Replacing replacing{{bench, markers, record, questions}};
+    widgets::Exporting exporting{{bench, scope, files, replacing, questions, nullptr}, {}};
+    widgets::Opening opening{
+        {bench, selection, markers, leaving, replacing, files, [this] { return connecting; },
+            [] { return QString(); }, [] { return QString(); }, nullptr}};
+};
+
+} // namespace
+
+class TestFlows : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_flows = std::make_unique<Flows>();
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_said.clear();
+        const auto hear = [this](Banner::Kind kind, const QString &sentence) {
+            m_kind = kind;
+            m_said = sentence;
+        };
+        connect(&m_flows->opening, &widgets::Opening::said, this, hear);
+        connect(&m_flows->exporting, &widgets::Exporting::said, this, hear);
+        m_path = m_folder->filePath(QStringLiteral("a.pcapng"));
+        writeRecording(m_path);
+        m_flows->files.answer = m_path;
+    }
+    void cleanup()
+    {
+        QThreadPool::globalInstance()->waitForDone();
+        QCoreApplication::processEvents(); // what was read is used here
+        m_flows.reset();
+    }
+
+    void aRecordingIsOpened()
+    {
+        QSignalSpy snapshots(&m_flows->opening, &widgets::Opening::snapshotsChanged);
+        m_flows->opening.askForRecording();
+        QTRY_VERIFY(m_said.startsWith(QStringLiteral("Opened ")));
+        QCOMPARE(m_kind, Banner::Kind::Note);
+        QVERIFY(plan().showsFile());
+        QCOMPARE(m_flows->scope.channels().size(), 1);
+        QCOMPARE(snapshots.size(), 1);
+        QCOMPARE(m_flows->opening.snapshots().path, m_path);
+        QVERIFY(m_flows->questions.open.empty());
+    }
+
+    void nothingTakesThePlaceOfAConnection()
+    {
+        m_flows->connecting = true;
+        m_flows->opening.askForRecording();
+        QVERIFY(m_said.startsWith(QStringLiteral("Disconnect first")));
+        m_said.clear();
+        m_flows->opening.askForReplay();
+        QVERIFY(m_said.startsWith(QStringLiteral("Disconnect first")));
+        m_said.clear();
+        m_flows->opening.askForCsv();
+        QVERIFY(m_said.startsWith(QStringLiteral("Disconnect first")));
+        QVERIFY(!plan().showsFile());
+    }
+
+    void aConnectionThatCameMeanwhileStays()
+    {
+        m_flows->opening.askForRecording();
+        m_flows->connecting = true; // while it is read
+        QThreadPool::globalInstance()->waitForDone();
+        QCoreApplication::processEvents();
+        QVERIFY(!plan().showsFile());
+        QVERIFY(m_said.isEmpty());
+    }
+
+    void aReplayIsHandedOn()
+    {
+        QSignalSpy wanted(&m_flows->opening, &widgets::Opening::replayWanted);
+        m_flows->opening.askForReplay();
+        QCOMPARE(wanted.size(), 1);
+        QCOMPARE(wanted.front().front().toString(), m_path);
+        m_flows->files.answer = m_folder->filePath(QStringLiteral("text"));
+        QFile other(m_flows->files.answer);
+        QVERIFY(other.open(QIODevice::WriteOnly) && other.write("no recording") > 0);
+        other.close();
+        m_flows->opening.askForReplay();
+        QCOMPARE(wanted.size(), 1);
+        QVERIFY(m_said.endsWith(QStringLiteral("is no recording of Rotorscope.")));
+    }
+
+    void samplesThatAreInNoFileAreAskedAbout()
+    {
+        sample();
+        m_flows->opening.askForRecording();
+        QVERIFY(m_flows->questions.asks("replaceQuestion"));
+        QVERIFY(m_flows->questions.usual().isEmpty()); // Cancel
+        QVERIFY(m_flows->questions.answer({}));
+        QVERIFY(!plan().showsFile());
+        m_flows->opening.askForRecording();
+        QVERIFY(m_flows->questions.answer(QStringLiteral("&Replace")));
+        QTRY_VERIFY(plan().showsFile());
+    }
+
+    void exportingFirstIsOffered()
+    {
+        QSignalSpy wanted(&m_flows->replacing, &widgets::Replacing::exportWanted);
+        sample();
+        m_flows->opening.askForRecording();
+        QVERIFY(m_flows->questions.answer(QStringLiteral("&Export first\u2026")));
+        QCOMPARE(wanted.size(), 1);
+        QVERIFY(!plan().showsFile());
+    }
+
+    void whatWasExportedIsNotAskedAbout()
+    {
+        sample();
+        exportAll();
+        m_flows->opening.askForRecording();
+        QVERIFY(m_flows->questions.open.empty());
+        QTRY_VERIFY(plan().showsFile());
+    }
+
+    void changedMarkersAreAskedAbout()
+    {
+        m_flows->opening.askForRecording();
+        QTRY_VERIFY(plan().showsFile());
+        m_flows->bench.events().add(widgets::EventKind::Marker, 2.0, QStringLiteral("here"));
+        int gone = 0;
+        m_flows->replacing.beforeMarkersGo([&gone] { ++gone; });
+        QVERIFY(m_flows->questions.asks("markersQuestion"));
+        m_flows->replacing.beforeMarkersGo([&gone] { ++gone; }); // is asked already
+        QCOMPARE(m_flows->questions.open.size(), std::size_t(1));
+        QVERIFY(m_flows->questions.answer({}));
+        QCOMPARE(gone, 0);
+        m_flows->replacing.beforeMarkersGo([&gone] { ++gone; });
+        QVERIFY(m_flows->questions.answer(QStringLiteral("&Leave unsaved")));
+        QCOMPARE(gone, 1);
+    }
+
+    void clearingAsksForMarkersOfAFile()
+    {
+        m_flows->opening.askForRecording();
+        QTRY_VERIFY(plan().showsFile());
+        m_flows->bench.events().add(widgets::EventKind::Marker, 2.0, QStringLiteral("here"));
+        m_flows->replacing.clear();
+        QVERIFY(plan().showsFile());
+        QVERIFY(m_flows->questions.answer(QStringLiteral("&Leave unsaved")));
+        QVERIFY(!plan().showsFile());
+        QVERIFY(m_flows->bench.events().events().empty());
+    }
+
+    void anExportIsTold()
+    {
+        QSignalSpy exported(&m_flows->exporting, &widgets::Exporting::exported);
+        sample();
+        const QString path = exportAll();
+        QCOMPARE(exported.size(), 1);
+        QCOMPARE(m_kind, Banner::Kind::Note);
+        QCOMPARE(m_flows->exporting.folder(), m_folder->path());
+        QVERIFY(QFile::exists(path));
+    }
+
+    void anExportThatFailedIsToldAndNothingIsTakenForKept()
+    {
+        sample();
+        carryOut(m_folder->filePath(QStringLiteral("no such folder/a.csv")));
+        QTRY_COMPARE(m_kind, Banner::Kind::Warning);
+        m_flows->opening.askForRecording();
+        QVERIFY(m_flows->questions.asks("replaceQuestion"));
+    }
+
+    void closingOverAnExportAsks()
+    {
+        QSignalSpy closes(&m_flows->exporting, &widgets::Exporting::closeWanted);
+        QVERIFY(m_flows->exporting.mayClose());
+        std::atomic<bool> written = false;
+        const auto job = [&written](const widgets::FileJob::Proceed &proceed) {
+            while (proceed(0.5) && !written)
+                QThread::yieldCurrentThread();
+            return widgets::FileJob::Finish();
+        };
+        m_flows->exporting.write(QStringLiteral("one"), job);
+        QVERIFY(!m_flows->exporting.mayClose());
+        QCOMPARE(m_flows->questions.usual(), QStringLiteral("Close when it is written"));
+        QVERIFY(m_flows->questions.answer({})); // stays
+        QVERIFY(!m_flows->exporting.mayClose());
+        QVERIFY(m_flows->questions.answer(m_flows->questions.usual()));
+        QCOMPARE(closes.size(), 0);
+        written = true;
+        QTRY_COMPARE(closes.size(), 1);
+        QVERIFY(m_flows->exporting.mayClose());
+
+        written = false;
+        m_flows->exporting.write(QStringLiteral("two"), job);
+        QVERIFY(!m_flows->exporting.mayClose());
+        QVERIFY(m_flows->questions.answer(QStringLiteral("Close without it")));
+        QCOMPARE(closes.size(), 2);
+        QVERIFY(m_flows->exporting.mayClose()); // it is cancelled
+    }
+
+    void aQuestionAboutAnExportGoesWithIt()
+    {
+        std::atomic<bool> written = false;
+        m_flows->exporting.write(
+            QStringLiteral("one"), [&written](const widgets::FileJob::Proceed &proceed) {
+                while (proceed(0.5) && !written)
+                    QThread::yieldCurrentThread();
+                return widgets::FileJob::Finish();
+            });
+        QVERIFY(!m_flows->exporting.mayClose());
+        QVERIFY(m_flows->questions.asks("exportQuestion"));
+        written = true;
+        QTRY_VERIFY(!m_flows->questions.asks("exportQuestion"));
+    }
+
+private:
+    widgets::SignalPlan &plan() { return m_flows->bench.signalPlan(); }
+
+    /// As of a connection that is over.
+    void sample()
+    {
+        capture::Capture &capture = m_flows->bench.capture();
+        capture.begin({1, 1000.0, 0.0, 1, {{1, "A", "A", 0.1, 0.0}}, {}});
+        capture.append({1, 0, 100, std::vector<std::int16_t>(100, 7), {}, 0});
+        QVERIFY(capture.timeSpan());
+    }
+    void carryOut(const QString &path)
+    {
+        widgets::ExportOrder order;
+        order.format = session::exportFormatOf(path);
+        order.path = path;
+        std::vector<capture::ChannelId> ids;
+        for (const auto &info : m_flows->bench.capture().channels())
+            ids.push_back(info.id);
+        order.parts = {{path, m_flows->bench.capture().snapshot(ids)}};
+        m_flows->exporting.carryOut(order);
+    }
+    QString exportAll()
+    {
+        QString path = m_folder->filePath(QStringLiteral("all.csv"));
+        carryOut(path);
+        [this] { QTRY_VERIFY(m_said.startsWith(QStringLiteral("Exported to "))); }();
+        return path;
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QString m_path;
+    std::unique_ptr<Flows> m_flows;
+    QString m_said;
+    Banner::Kind m_kind = Banner::Kind::Note;
+};
+
+QTEST_MAIN(TestFlows)
+#include "tst_flows.moc"
