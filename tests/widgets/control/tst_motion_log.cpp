@@ -5,6 +5,7 @@
 #include "widgets/control/motion_log_panel.h"
 #include "widgets/files/export_dialog.h"
 #include "widgets/files/file_job.h"
+#include "widgets/scope/signals/signal_selection.h"
 
 #include <QAbstractItemModelTester>
 #include <QClipboard>
@@ -187,4 +188,3 @@ private Q_SLOTS:
 
 QTEST_MAIN(TestMotionLog)
 #include "tst_motion_log.moc"
-#include "widgets/scope/signals/signal_selection.h"

@@ -6,6 +6,7 @@
 #include "widgets/measuring/spectrum_panel.h"
 #include "widgets/measuring/spectrum_peaks.h"
 #include "widgets/measuring/spectrum_plot.h"
+#include "widgets/scope/signals/signal_selection.h"
 
 #include <QAbstractItemModelTester>
 #include <QClipboard>
@@ -395,4 +396,3 @@ void TestSpectrumPanel::aHiddenPanelComputesNothing()
 
 QTEST_MAIN(TestSpectrumPanel)
 #include "tst_spectrum_panel.moc"
-#include "widgets/scope/signals/signal_selection.h"

@@ -1,6 +1,7 @@
 // Colours that a person gives traces, through the menus of the real window; they are remembered by the signal's name.
 #include "support/scope_window.h"
 #include "widgets/base/trace_colors.h"
+#include "widgets/scope/signals/signal_selection.h"
 
 #include <QContextMenuEvent>
 #include <QMenu>
@@ -162,4 +163,3 @@ private:
 
 QTEST_MAIN(TestTraceColor)
 #include "tst_trace_color.moc"
-#include "widgets/scope/signals/signal_selection.h"
