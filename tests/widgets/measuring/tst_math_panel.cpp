@@ -4,6 +4,7 @@
 #include "widgets/measuring/math_channels.h"
 #include "widgets/measuring/math_table.h"
 #include "widgets/measuring/ready_formulas.h"
+#include "widgets/scope/signals/signal_selection.h"
 #include "widgets/scope/trigger/trigger_control.h"
 
 #include <QAbstractItemModelTester>
