@@ -5670,6 +5670,22 @@
         <source>Markers are in no file, and there is no recording that could take them. They can be saved as a list of times and words (CSV).</source>
         <translation>Markierungen stehen in keiner Datei, und keine Aufzeichnung kann sie aufnehmen. Sie können als Liste mit Zeiten und Worten (CSV) gespeichert werden.</translation>
     </message>
+    <message>
+        <source>Clear what was recorded?</source>
+        <translation>Aufgezeichnetes löschen?</translation>
+    </message>
+    <message>
+        <source>The scope holds samples that were not exported. They cannot be brought back.</source>
+        <translation>Das Oszilloskop hält Messwerte, die nicht exportiert wurden. Sie lassen sich nicht zurückholen.</translation>
+    </message>
+    <message>
+        <source>What was recorded to a disk stays there, and markers stay.</source>
+        <translation>Was auf einen Datenträger aufgezeichnet wurde, bleibt dort, und Marker bleiben.</translation>
+    </message>
+    <message>
+        <source>&amp;Clear</source>
+        <translation>&amp;Löschen</translation>
+    </message>
 </context>
 <context>
     <name>widgets::ReplayBar</name>
@@ -6532,6 +6548,11 @@ mN·m</translation>
     <message>
         <source>Set-points with every exchange</source>
         <translation>Sollwerte mit jedem Austausch</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>name of a field, what is wrong with its text</comment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

@@ -5670,6 +5670,22 @@
         <source>Markers are in no file, and there is no recording that could take them. They can be saved as a list of times and words (CSV).</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Clear what was recorded?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scope holds samples that were not exported. They cannot be brought back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was recorded to a disk stays there, and markers stay.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Clear</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::ReplayBar</name>
@@ -6525,6 +6541,11 @@ mN·m</source>
     </message>
     <message>
         <source>Set-points with every exchange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>name of a field, what is wrong with its text</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -70,6 +70,19 @@ QString floatText(double value, int digits)
     return std::isfinite(value) ? locale.toString(value, 'g', digits) : QStringLiteral("\u2013");
 }
 
+/// What is only read is measured, and no better than to a thousandth.
+QString measuredText(double value, int digits)
+{
+    constexpr int kMeasured = 4;
+    const double size = std::abs(value);
+    if (!(size < 1e6))
+        return floatText(value, digits);
+    if (size < 1e-3 || digits <= kMeasured)
+        return floatText(value, std::min(digits, kMeasured));
+    return numberText(
+        value, std::max(kMeasured - 1 - static_cast<int>(std::floor(std::log10(size))), 0));
+}
+
 } // namespace
 
 QString booleanText(bool yes) { return yes ? QObject::tr("yes") : QObject::tr("no"); }
@@ -109,8 +122,11 @@ QString shownText(const catalog::RegisterInfo &info, const catalog::Value &value
         return deviceText(*text);
     if (const auto *bytes = std::get_if<Bytes>(&value))
         return QObject::tr("%n byte(s)", nullptr, static_cast<int>(bytes->size()));
-    if (const auto *real = std::get_if<double>(&value))
-        return withUnit(floatText(*real * scale.factor, digits), scale.unit);
+    if (const auto *real = std::get_if<double>(&value)) {
+        const double shown = *real * scale.factor;
+        return withUnit(
+            info.writable() ? floatText(shown, digits) : measuredText(shown, digits), scale.unit);
+    }
     const auto integer = std::get<std::int64_t>(value);
     switch (info.meaning) {
     case catalog::Meaning::Flags:

@@ -6,6 +6,7 @@
 
 #include <QCheckBox>
 #include <QGridLayout>
+#include <QToolTip>
 
 namespace widgets {
 
@@ -14,7 +15,10 @@ void applyAllowed(QWidget *widget, const MotionAllowed &can, const QString &help
     if (!can.yes && widget->hasFocus())
         widget->clearFocus(); // or it would move on by itself, to the next button
     widget->setEnabled(can.yes);
-    widget->setToolTip(plainToolTip(can.yes ? help : can.why));
+    const QString tip = plainToolTip(can.yes ? help : can.why);
+    if (tip != widget->toolTip() && widget->underMouse())
+        QToolTip::hideText(); // which told of before
+    widget->setToolTip(tip);
 }
 
 CommandBox::CommandBox(Device &device, MotionGate &motion, QWidget *parent)

@@ -168,15 +168,25 @@ void SetpointBox::updateLimits()
     follow();
 }
 
+/// Of another field than the first, which is the one above, with its name.
+QString SetpointBox::saidOf(const SetpointEdit *edit) const
+{
+    if (edit == shownEdits().first())
+        return edit->echo();
+    const QLabel *label = edit == m_rampTime ? m_timeLabel : m_secondLabel;
+    const QString name = label->text().section(QStringLiteral(" ["), 0, 0);
+    return tr("%1: %2", "name of a field, what is wrong with its text").arg(name, edit->echo());
+}
+
 QString SetpointBox::echo() const
 {
     // What is wrong, else whatever does not become what was typed.
     QStringList rounded;
     for (const SetpointEdit *edit : shownEdits()) {
         if (!edit->sentValue())
-            return edit->echo();
+            return saidOf(edit);
         if (edit->sentValue() != edit->value())
-            rounded.append(edit->echo());
+            rounded.append(saidOf(edit));
     }
     return rounded.isEmpty() ? shownEdits().first()->echo() : rounded.join(QLatin1Char('\n'));
 }

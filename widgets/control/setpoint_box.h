@@ -48,6 +48,7 @@ private:
     drive::Feature feature() const;
     QList<SetpointEdit *> shownEdits() const;
     QString echo() const;
+    QString saidOf(const SetpointEdit *edit) const;
     bool readable() const; ///< all shown fields hold a number that may be sent
     QString controlText() const;
 

@@ -18,12 +18,17 @@ Replacing::Replacing(const Parts &parts, QObject *parent)
 {
 }
 
-void Replacing::before(std::function<void()> goOn)
+/// Nothing is in the scope that is in no file.
+bool Replacing::samplesAreKept() const
 {
     const capture::Capture &capture = m_parts.workbench.capture();
-    const bool kept = m_parts.workbench.signalPlan().showsFile() || !capture.timeSpan()
+    return m_parts.workbench.signalPlan().showsFile() || !capture.timeSpan()
         || capture.revision() == m_exported || m_parts.record.holds(capture);
-    if (kept) {
+}
+
+void Replacing::before(std::function<void()> goOn)
+{
+    if (samplesAreKept()) {
         beforeMarkersGo(std::move(goOn));
         return;
     }
@@ -107,8 +112,18 @@ void Replacing::clear()
     };
     if (plan.showsFile() && !replaying(m_parts.workbench.device()))
         beforeMarkersGo(clear);
-    else
+    else if (samplesAreKept())
         clear();
+    else
+        m_parts.prompt.ask({.name = "clearQuestion",
+            .title = tr("Clear what was recorded?"),
+            .text =
+                tr("The scope holds samples that were not exported. They cannot be brought back."),
+            .more = tr("What was recorded to a disk stays there, and markers stay."),
+            .answers = {{Kind::Lose, tr("&Clear"), clear, "clearYes"}, {},
+                {Kind::Go, tr("&Export first\u2026"), [this] { Q_EMIT exportWanted(); },
+                    "clearSave"}},
+            .usual = 1});
 }
 
 } // namespace widgets

@@ -28,7 +28,8 @@ public:
     void before(std::function<void()> goOn);
     /// Asks before changed markers go; goes on at once if there are none, and once they are saved.
     void beforeMarkersGo(std::function<void()> goOn);
-    /// What happened in a file goes with it; markers of a connection and of a replay stay.
+    /// Asks before samples go that are in no file. What happened in a file goes with it; markers of a connection and of a
+    /// replay stay.
     void clear();
     void exported(std::uint64_t revision) { m_exported = revision; } ///< all of the capture
 
@@ -36,6 +37,7 @@ Q_SIGNALS:
     void exportWanted(); ///< first
 
 private:
+    bool samplesAreKept() const;
     QString markersText() const;
 
     Parts m_parts;

@@ -172,7 +172,8 @@ private Q_SLOTS:
                 QTest::keyClick(m_panel->speed(), Qt::Key_Return);
                 QVERIFY2(m_wishes.empty(), text);
                 QVERIFY(!button("go")->isEnabled());
-                QCOMPARE(label("speedEcho"), edit("rampTime")->echo()); // and why
+                QCOMPARE(label("speedEcho"), // and why, and which of the two fields
+                    QStringLiteral("Ramp time: ") + edit("rampTime")->echo());
             }
         }
         QLocale::setDefault(QLocale::c());

@@ -289,6 +289,7 @@ private Q_SLOTS:
         connectToBoard();
         disconnectFromBoard();
         m_rig->find<QAction>("clearRecorded")->trigger();
+        QTest::mouseClick(m_rig->find<QPushButton>("clearYes"), Qt::LeftButton);
         QVERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
         QCOMPARE(markers(), QStringList{QStringLiteral("it sticks")});
         // There are no samples to be asked about, but a file takes the place of markers, too.
