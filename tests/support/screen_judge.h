@@ -75,7 +75,7 @@ public:
     /// @param step  of the board's set-points in rpm; 0: it takes any
     static std::string setPointAsSaid(const QString &echo, double rpm, double step)
     {
-        static const QRegularExpression steps(QStringLiteral("\\(steps of ([0-9.]+)"));
+        static const QRegularExpression steps(QStringLiteral("rpm \\(steps of ([0-9.]+)"));
         if (const auto match = steps.match(echo);
             match.hasMatch() && match.captured(1).toDouble() != step)
             return "\"" + echo.toStdString() + "\", and the board has steps of "

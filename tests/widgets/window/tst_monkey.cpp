@@ -244,6 +244,9 @@ private:
         noteArming();
         if (which == Qt::Key_D && modifiers == Qt::ControlModifier)
             m_screen.closes();
+        const auto *button = qobject_cast<const QAbstractButton *>(widget);
+        if (button != nullptr && button->text().contains(QStringLiteral("eave running")))
+            m_world.act(Act::Kind::Leave);
         m_world.act(which == Qt::Key_Escape ? Act::Kind::Stop : inputOn(widget));
         if (which != Qt::Key_Escape)
             confirmBy(widget);
