@@ -125,6 +125,8 @@ void Controller::receive(ByteView bytes, TimePoint now)
     bool proved = false; // that the stream is in step again
     for (;;) {
         const bool lost = !m_framer.inStep();
+        if (!m_framer.midPacket())
+            m_packetBegan = now;
         const Framer::Step step = m_framer.next(bytes, packet);
         proved = m_framer.inStep() && (proved || lost);
         if (step == Framer::Step::NeedBytes)
@@ -169,8 +171,8 @@ void Controller::onData(const Data &data, Bytes &payload, TimePoint now)
             m_events.push_back(Async{std::move(payload)});
         return;
     }
-    // What comes before the payload can have left answers something else: the request before, for the second time.
-    const bool tooSoon = m_sentPending && now < m_payloadAt;
+    // What begins before the payload can have left answers something else: the request before, for the second time.
+    const bool tooSoon = m_packetBegan < m_payloadAt;
     if (m_step != Step::Waiting || tooSoon) {
         ++m_stats.unexpected;
         return;
@@ -444,6 +446,7 @@ void Controller::handleSent(TimePoint now)
         return;
     m_sentPending = false;
     m_askedAt = now;
+    m_payloadAt = std::min(m_payloadAt, now);
     if (m_replyDue)
         m_replyDue = now + responseTimeout();
 }

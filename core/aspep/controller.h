@@ -243,6 +243,7 @@ private:
     bool m_requestOpen = false; ///< its end has not been told yet
     std::optional<Urgent> m_urgent;
 
+    TimePoint m_packetBegan; ///< when the first bytes of the packet under way came
     TimePoint m_lastByte;
     TimePoint m_lastValid;
     bool m_suspect = false;

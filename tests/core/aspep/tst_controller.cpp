@@ -11,6 +11,7 @@ private Q_SLOTS:
     void connectsAsACapturedBoardDid();
     void aRequestIsAHeaderAPauseAndAPayload();
     void aResponseAnswersTheOpenRequestOnly();
+    void anAnswerThatBeganBeforeTheRequestHadLeftIsNone();
     void asyncPacketsAreHandedOnOnceConnected();
     void completeAsyncPacketsBeforeTheAnswerAreSkipped();
     void anAnswerLargerThanTheOfferIsNone();
@@ -109,6 +110,31 @@ void TestController::aResponseAnswersTheOpenRequestOnly()
     link.hear(packet(true, hex("06 00")));
     QCOMPARE(link.count<Controller::Response>(), 1);
     QCOMPARE(link.controller.stats().unexpected, std::uint64_t{2});
+}
+
+/// However late its last byte comes, and whenever the request is told to have left.
+void TestController::anAnswerThatBeganBeforeTheRequestHadLeftIsNone()
+{
+    const Bytes stale = packet(true, hex("02 00"));
+    for (const bool toldEarly : {false, true}) {
+        VirtualLink link;
+        link.connect();
+        link.controller.sendRequest(hex("10 00 49 00"), link.now);
+        static_cast<void>(link.controller.takeOutput());
+        link.now += 1ms;
+        link.hear(Bytes(stale.begin(), stale.begin() + 5));
+        link.now += 1ms; // the payload has left by now
+        if (toldEarly)
+            link.controller.handleSent(link.now);
+        link.hear(Bytes(stale.begin() + 5, stale.end()));
+        QCOMPARE(link.count<Controller::Response>(), 0);
+        QCOMPARE(link.controller.stats().unexpected, std::uint64_t{1});
+        link.controller.handleSent(link.now);
+        link.now += 1ms;
+        link.hear(packet(true, hex("06 00")));
+        QCOMPARE(link.count<Controller::Response>(), 1);
+        QCOMPARE(link.last<Controller::Response>()->payload, hex("06 00"));
+    }
 }
 
 void TestController::asyncPacketsAreHandedOnOnceConnected()
