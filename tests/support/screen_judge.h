@@ -113,8 +113,9 @@ private:
     int chosenMotor() const
     {
         const auto *box = find<QComboBox>("motor");
-        return m_motors > 1 && box != nullptr && box->currentIndex() >= 0 ? box->currentIndex() + 1
-                                                                          : 1;
+        return box != nullptr && box->isVisible() && box->currentIndex() >= 0
+            ? box->currentIndex() + 1
+            : 1;
     }
     BoardHistory::Span lately(int motor, Duration time) const
     {
