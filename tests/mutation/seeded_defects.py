@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Shows that the judge of the wire (tests/support/ms_rules.h) finds what it is there for: each defect below is put into the
-product, one test is built and run, and the rule named with it has to speak (judge_speaks.h). Prints a table.
+"""Shows that the judges of the wire (tests/support/ms_rules.h) and of the screen (tests/support/screen_judge.h) find what
+they are there for: each defect below is put into the product, one test is built and run, and the rule named with it has to
+speak. Prints a table.
 
     tests/mutation/seeded_defects.py --build build/dev [--only NAME] [--jobs N]
 
@@ -43,8 +44,8 @@ DEFECTS = [
     ("speeds beyond the limit", CAMPAIGN, "bounded", [
         ("core/drive/set_point_check.cpp", "    if (std::abs(rpm) > bound)\n", "    if (std::abs(rpm) > 100 * bound)\n")]),
     ("a question follows a Stop without its answer", "tst_legacy_drive_faults", "one in flight", [
-        ("core/legacy/client.cpp", "m_deadline = now + kAnswerTime + m_config.patience;\n}", "m_deadline = now + kSettle;\n}"),
-        ("core/legacy/client.cpp", "        if (m_owed)\n            return answerTimeOver(now);\n", "")]),
+        ("core/legacy/client.cpp", "        m_deadline = now + kAnswerTime + m_config.patience;\n}", "        m_deadline = now + kSettle;\n}"),
+        ("core/legacy/client.cpp", "        if (m_owed > 0)\n            return answerTimeOver(now);\n", "")]),
     ("what the servo was not ready for leaves after the connection", "tst_mcb_sessions", "armed", [
         ("core/drive/mcb/mcb_drive.cpp", "recalled = m_link.recall(now);", "recalled = now == TimePoint{};")]),
     ("heartbeats unarmed", "tst_mcp_drive_watchdog", "heartbeats", [
@@ -82,6 +83,24 @@ DEFECTS = [
         ("core/drive/task_drive.h", "    if (m_wish != nullptr && which(*m_wish) && m_cutAfterAnswer.empty())\n        m_cutAfterAnswer = reason;\n", "")]),
     ("a repetition puts off the first STOP", "tst_mcp_drive_faults seedsThatFailedOnceStayWell", "stop in time", [
         ("core/drive/mcp/mcp_drive.cpp", "        if (m_link.urgentWaits())\n            return TimePoint::max();", "        //")]),
+    # What the judge of the screen finds.
+    ("short faults are in no list", "tst_monkey", "untrue", [
+        ("widgets/files/event_recorder.cpp", "        if (met && !has(before.faultsPast, fault)", "        if (!met && !has(before.faultsPast, fault)")]),
+    ("a state of before a silence is shown as live", "tst_monkey", "untrue", [
+        ("widgets/control/state_box.cpp", "m_device.statusIsNow(m_device.motor());", "m_device.identified().has_value();")]),
+    ("the choice of the motor goes back by itself", "tst_monkey", "untrue", [
+        ("widgets/window/connect_bar.cpp", "    m_motor->setCurrentIndex(m_device.motor() - 1); //", "    //")]),
+    ("words of rest stay beside a motor that turns", "tst_monkey", "untrue", [
+        ("widgets/control/control_panel.cpp", "!turns(before.second))", "turns(before.second))")]),
+    ("a pulled cable is called a disconnection", "tst_monkey", "untrue", [
+        ("widgets/files/event_recorder.cpp", "        error.problem != session::PortProblem::None)\n        note(EventKind::Loss",
+         "        error.problem == session::PortProblem::TakenOver)\n        note(EventKind::Loss")]),
+    ("a port without a board is called a lost link", "tst_monkey", "untrue", [
+        ("widgets/base/messages.cpp", "drive::LinkState::Lost && !met ?", "drive::LinkState::Closed && !met ?")]),
+    ("the last board is named at a closed port", "tst_monkey", "untrue", [
+        ("widgets/window/connect_bar.cpp", "    if (!identified || m_device.link().state == drive::LinkState::Closed) {", "    if (!identified) {")]),
+    ("all boards have the steps of one", "tst_monkey", "untrue", [
+        ("core/drive/mcb/mcb_identification.cpp", "limits.speedStepRpm = 1.0;", "limits.speedStepRpm = 6.0;")]),
     ("a Stop goes down with its link", "tst_mcp_drive_stop", "stop in time", [
         ("core/drive/mcp/mcp_drive.cpp", "        m_stop.stopFailed(m_stopMotor, now);", "        //")]),
 ]

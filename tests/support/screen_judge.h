@@ -72,7 +72,7 @@ public:
     /// What is sent is what the field said would be sent.
     /// @param echo  what stood below the field when it was agreed to
     /// @param rpm  of the set-point that left then
-    /// @param step  of the board's set-points in rpm; 0: it takes any
+    /// @param step  of the board's set-points in rpm
     static std::string setPointAsSaid(const QString &echo, double rpm, double step)
     {
         static const QRegularExpression steps(QStringLiteral("rpm \\(steps of ([0-9.]+)"));

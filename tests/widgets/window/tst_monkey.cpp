@@ -35,14 +35,14 @@ struct Kind {
     const char *word, *profile;
     int motors;
     std::uint32_t baud;
-    double stepRpm; ///< in which it keeps set-points; 0: any
+    double stepRpm; ///< in which it keeps set-points, at least whole numbers
 };
 constexpr Kind kKinds[] = {{drive::Protocol::Mcp, "mcp", "mcsdk-6.4", 1, 1843200, 6.0},
     {drive::Protocol::Mcp, "mcp", "mcsdk-6.4", 2, 1843200, 6.0},
     {drive::Protocol::Legacy, "legacy", "legacy", 1, 115200, 6.0},
     {drive::Protocol::Mcp, "mcp", "mcsdk-6.2", 1, 1843200, 6.0},
     {drive::Protocol::PowerPc, "powerpc", "powerpc", 2, 115200, 6.0},
-    {drive::Protocol::Mcb, "mcb", "mcsdk-6.4", 1, 1843200, 0.0}};
+    {drive::Protocol::Mcb, "mcb", "mcsdk-6.4", 1, 1843200, 1.0}};
 
 simulation::BoardOptions boardOf(const Kind &kind, std::uint64_t seed)
 {
