@@ -127,7 +127,7 @@ public:
         require(m_ids.front() == m_first, "the stream does not continue the hour");
         widgets::ScopeView *scope = m_rig.window.scope();
         scope->setVisibleRange(newest - kHour, newest);
-        scope->setFollowing(true);
+        scope->time().setFollowing(true);
         const quint64 drawn = scope->redraws();
         require(until([&] { return scope->redraws() > drawn + 20; }), "nothing is drawn");
     }

@@ -65,7 +65,7 @@ struct ScopeWindow : WindowRig {
     {
         const QRect area = scope().plotRect(0);
         const QPoint shift = plot().mapTo(&scope(), QPoint(0, 0));
-        return QPoint(qRound(scope().xOf(seconds)), area.top() + int(share * area.height()))
+        return QPoint(qRound(scope().time().xOf(seconds)), area.top() + int(share * area.height()))
             - QPoint(0, shift.y());
     }
     /// Moves the mouse with nothing or the left button pressed; events, so that nobody has to wait.

@@ -2,6 +2,7 @@
 
 #include "widgets/base/wheel_guard.h"
 #include "widgets/files/record_table.h"
+#include "widgets/scope/scope_ghosts.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trigger/trigger_control.h"
 
@@ -50,7 +51,7 @@ RecordPanel::RecordPanel(TriggerControl &control, ScopeView &scope, QWidget *par
     auto *show = new QPushButton(tr("&Show"), this);
     show->setObjectName(QStringLiteral("showRecord"));
     m_persistence->setObjectName(QStringLiteral("persistence"));
-    m_persistence->setRange(0, ScopeView::kMostGhosts);
+    m_persistence->setRange(0, ScopeGhosts::kMost);
     m_persistence->setSpecialValueText(tr("off"));
     m_persistence->setToolTip(tr(
         "So many earlier records stay paler behind the newest one, while the trigger is the same"));
@@ -103,11 +104,13 @@ QWidget *RecordPanel::makeReferences(ScopeView &scope)
         grid->addWidget(keep, row, 0);
         grid->addWidget(drop, row, 1);
         connect(
-            keep, &QPushButton::clicked, &scope, [&scope, which] { scope.keepReference(which); });
+            keep, &QPushButton::clicked, &scope, [&scope, which] { scope.ghosts().keep(which); });
         connect(
-            drop, &QPushButton::clicked, &scope, [&scope, which] { scope.dropReference(which); });
-        const auto enable = [&scope, drop, which] { drop->setEnabled(scope.hasReference(which)); };
-        connect(&scope, &ScopeView::referencesChanged, drop, enable);
+            drop, &QPushButton::clicked, &scope, [&scope, which] { scope.ghosts().drop(which); });
+        const auto enable = [&scope, drop, which] {
+            drop->setEnabled(scope.ghosts().hasReference(which));
+        };
+        connect(&scope.ghosts(), &ScopeGhosts::referencesChanged, drop, enable);
         enable();
     };
     add(Reference::A, 0, "keepReference", "dropReference", tr("Keep as &reference A"),

@@ -6,6 +6,7 @@
 #include "widgets/measuring/measure_table.h"
 #include "widgets/measuring/measure_text.h"
 #include "widgets/measuring/trace_box.h"
+#include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trigger/trigger_control.h"
 
@@ -124,7 +125,7 @@ void MeasurePanel::makeSide(QWidget *side)
     showAgainst();
     connect(m_range, &QComboBox::activated, this, [this](int range) {
         if (range == BetweenCursors && !m_scope.cursors().visible())
-            m_scope.toggleCursors();
+            m_scope.cursorActions().toggle();
         measure();
     });
     connect(add, &QPushButton::clicked, this, &MeasurePanel::addChosen);

@@ -7,6 +7,7 @@
 #include "widgets/measuring/spectrum_peaks.h"
 #include "widgets/measuring/spectrum_plot.h"
 #include "widgets/measuring/trace_box.h"
+#include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QApplication>
@@ -163,7 +164,7 @@ QWidget *SpectrumPanel::makeSide()
         connect(box, &QComboBox::currentIndexChanged, this, &SpectrumPanel::compute);
     connect(m_range, &QComboBox::activated, this, [this](int range) {
         if (range == BetweenCursors && !m_scope.cursors().visible())
-            m_scope.toggleCursors();
+            m_scope.cursorActions().toggle();
         compute();
     });
     connect(m_axis, &QComboBox::currentIndexChanged, this, &SpectrumPanel::showMean);

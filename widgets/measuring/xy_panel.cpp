@@ -6,6 +6,7 @@
 #include "widgets/base/wheel_guard.h"
 #include "widgets/measuring/trace_box.h"
 #include "widgets/registers/register_model.h"
+#include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QCheckBox>
@@ -84,7 +85,7 @@ XyPanel::XyPanel(ScopeView &scope, const capture::Capture &capture, const Regist
         connect(box, &QComboBox::currentIndexChanged, this, &XyPanel::compute);
     connect(m_range, &QComboBox::activated, this, [this](int range) {
         if (range == BetweenCursors && !m_scope.cursors().visible())
-            m_scope.toggleCursors();
+            m_scope.cursorActions().toggle();
         compute();
     });
     connect(m_trail, &QComboBox::currentIndexChanged, this, &XyPanel::showAnswer);

@@ -2,6 +2,7 @@
 
 #include "widgets/base/reading_text.h"
 #include "widgets/base/wheel_guard.h"
+#include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/cursor_table.h"
 #include "widgets/scope/scope_view.h"
 
@@ -137,7 +138,7 @@ QWidget *CursorPanel::makeSide()
     });
     connect(m_remove, &QToolButton::clicked, &cursors, &Cursors::removeCurrent);
     connect(m_copy, &QToolButton::clicked, this, &CursorPanel::copy);
-    connect(m_hide, &QToolButton::clicked, &m_scope, &ScopeView::toggleCursors);
+    connect(m_hide, &QToolButton::clicked, &m_scope.cursorActions(), &CursorActions::toggle);
     return side;
 }
 

@@ -74,7 +74,7 @@ QString CursorTable::asText() const
 CursorTable::Column CursorTable::timeColumn() const
 {
     const CursorPair &pair = m_scope.cursors().pair();
-    const double origin = m_scope.timeOrigin();
+    const double origin = m_scope.time().origin();
     const QLocale locale = m_scope.locale();
     return {0, tr("Time"),
         {exactTime(pair.a - origin, locale), exactTime(pair.b - origin, locale),

@@ -1,9 +1,7 @@
-// The scope as a place to drop registers on: reads the drag, marks where it would land, and says where it did.
 #include "widgets/scope/scope_drop.h"
 
 #include "widgets/base/register_texts.h"
 #include "widgets/scope/plot_stack.h"
-#include "widgets/scope/scope_view.h"
 
 #include <QDropEvent>
 #include <QJsonArray>
@@ -31,61 +29,81 @@ QList<quint32> registersIn(const QMimeData &data)
     return ids;
 }
 
-int ScopeView::dropPlotAt(const QPoint &position) const
+ScopeDrop::ScopeDrop(QWidget &view, QCustomPlot &plot, const PlotStack &stack)
+    : QObject(&view)
+    , m_view(view)
+    , m_plot(plot)
+    , m_stack(stack)
+    , m_mark(new QRubberBand(QRubberBand::Rectangle, &view))
 {
-    if (channels().isEmpty())
+    view.setAcceptDrops(true);
+    view.installEventFilter(this);
+}
+
+int ScopeDrop::plotAt(const QPoint &position) const
+{
+    if (m_stack.channels().empty())
         return 0;
-    if (position.y() >= height() - kNewPlotStrip)
+    if (position.y() >= m_view.height() - kNewPlotStrip)
         return -1;
-    return m_stack->plotAt(m_plot->mapFrom(this, position));
+    return m_stack.plotAt(m_plot.mapFrom(&m_view, position));
 }
 
-void ScopeView::highlightDrop(int plot)
+void ScopeDrop::mark(int plot)
 {
-    QRect mark(0, height() - kNewPlotStrip, width(), kNewPlotStrip);
+    QRect mark(0, m_view.height() - kNewPlotStrip, m_view.width(), kNewPlotStrip);
     if (plot >= 0) {
-        const QRect outer = m_stack->plot(plot).rect->outerRect();
-        mark = QRect(m_plot->mapTo(this, outer.topLeft()), outer.size());
+        const QRect outer = m_stack.plot(plot).rect->outerRect();
+        mark = QRect(m_plot.mapTo(&m_view, outer.topLeft()), outer.size());
     }
-    m_dropMark->setGeometry(mark);
-    m_dropMark->show();
-    m_dropMark->raise();
+    m_mark->setGeometry(mark);
+    m_mark->show();
+    m_mark->raise();
 }
 
-void ScopeView::hideDropMark() { m_dropMark->hide(); }
+void ScopeDrop::hideMark() { m_mark->hide(); }
 
-/// A trace's legend entry was let go there.
-void ScopeView::dropTrace(capture::ChannelId channel, const QPoint &position)
+void ScopeDrop::markTrace(const QPoint &position) { mark(plotAt(position)); }
+
+void ScopeDrop::dropTrace(capture::ChannelId channel, const QPoint &position)
 {
-    hideDropMark();
-    if (!rect().contains(position))
+    hideMark();
+    if (!m_view.rect().contains(position))
         return;
-    const int plot = dropPlotAt(position);
-    moveChannel(channel, plot < 0 ? plotCount() : plot);
+    const int plot = plotAt(position);
+    Q_EMIT traceDropped(channel, plot < 0 ? m_stack.count() : plot);
 }
 
-void ScopeView::dragEnterEvent(QDragEnterEvent *event)
+bool ScopeDrop::eventFilter(QObject *, QEvent *event)
 {
-    if (registersIn(*event->mimeData()).isEmpty())
-        return;
-    highlightDrop(dropPlotAt(event->position().toPoint()));
-    event->acceptProposedAction();
+    switch (event->type()) {
+    case QEvent::DragEnter:
+        if (registersIn(*static_cast<QDropEvent *>(event)->mimeData()).isEmpty())
+            return true; // not accepted
+        [[fallthrough]];
+    case QEvent::DragMove: {
+        auto *drag = static_cast<QDropEvent *>(event);
+        mark(plotAt(drag->position().toPoint()));
+        drag->acceptProposedAction();
+        return true;
+    }
+    case QEvent::DragLeave:
+        hideMark();
+        return true;
+    case QEvent::Drop:
+        static_cast<QDropEvent *>(event)->acceptProposedAction();
+        drop(*static_cast<QDropEvent *>(event));
+        return true;
+    default:
+        return false;
+    }
 }
 
-void ScopeView::dragMoveEvent(QDragMoveEvent *event)
+void ScopeDrop::drop(const QDropEvent &event)
 {
-    highlightDrop(dropPlotAt(event->position().toPoint()));
-    event->acceptProposedAction();
-}
-
-void ScopeView::dragLeaveEvent(QDragLeaveEvent *) { hideDropMark(); }
-
-void ScopeView::dropEvent(QDropEvent *event)
-{
-    hideDropMark();
-    const int plot = dropPlotAt(event->position().toPoint());
-    const QList<quint32> ids = registersIn(*event->mimeData());
-    event->acceptProposedAction();
+    hideMark();
+    const int plot = plotAt(event.position().toPoint());
+    const QList<quint32> ids = registersIn(*event.mimeData());
     for (const quint32 id : ids)
         Q_EMIT registerDropped(id, plot);
 }

@@ -1,74 +1,66 @@
-// The scope's trigger marks and the traces of other times behind its own: a reference, earlier records.
-#include "widgets/base/device_text.h"
+#include "widgets/scope/scope_ghosts.h"
+
+#include "capture/capture.h"
 #include "widgets/scope/plot_stack.h"
-#include "widgets/scope/scope_overlay.h"
-#include "widgets/scope/scope_view.h"
+
+#include <utility>
 
 namespace widgets {
-
 namespace {
+
 constexpr int kReferenceAlpha = 130; ///< of 255
+
+} // namespace
+
+ScopeGhosts::ScopeGhosts(
+    capture::Capture &capture, PlotStack &stack, std::function<double()> zero, QObject *parent)
+    : QObject(parent)
+    , m_capture(capture)
+    , m_stack(stack)
+    , m_zero(std::move(zero))
+{
 }
 
-QString ScopeView::nameOf(capture::ChannelId channel) const
+void ScopeGhosts::setRecords(std::vector<Ghost> records)
 {
-    const auto info = m_capture.info(channel);
-    return info ? deviceText(info->name) : QString();
-}
-
-void ScopeView::setTriggerMarks(const TriggerMarks &marks)
-{
-    if (marks == m_marks)
+    if (records.empty() && m_records.empty())
         return;
-    m_marks = marks;
-    m_overlay->setMarks(marks);
+    m_records = std::move(records);
+    if (m_records.size() > std::size_t(kMost))
+        m_records.resize(std::size_t(kMost));
+    Q_EMIT redrawWanted();
 }
 
-void ScopeView::setMeasureMarks(const MeasureMarks &marks) { m_overlay->setMeasure(marks); }
-
-void ScopeView::setGhosts(std::vector<Ghost> ghosts)
+void ScopeGhosts::keep(Reference which)
 {
-    if (ghosts.empty() && m_ghosts.empty())
-        return;
-    m_ghosts = std::move(ghosts);
-    if (m_ghosts.size() > std::size_t(kMostGhosts))
-        m_ghosts.resize(std::size_t(kMostGhosts));
-    redraw();
-}
-
-/// The time in the picture that a reference is laid upon.
-double ScopeView::ghostZero() const { return m_marks.position.value_or(m_range.from); }
-
-void ScopeView::keepReference(Reference which)
-{
-    const std::vector<capture::ChannelId> shown = m_stack->channels();
+    const std::vector<capture::ChannelId> shown = m_stack.channels();
     if (shown.empty())
         return;
     const char mark = which == Reference::A ? 'A' : 'B';
     m_references[static_cast<std::size_t>(which)] = {
-        m_capture.snapshot(shown), ghostZero(), kReferenceAlpha, mark};
+        m_capture.snapshot(shown), m_zero(), kReferenceAlpha, mark};
     Q_EMIT referencesChanged();
-    redraw();
+    Q_EMIT redrawWanted();
 }
 
-void ScopeView::dropReference(Reference which)
+void ScopeGhosts::drop(Reference which)
 {
     m_references[static_cast<std::size_t>(which)] = {};
     Q_EMIT referencesChanged();
-    redraw();
+    Q_EMIT redrawWanted();
 }
 
-void ScopeView::placeGhosts()
+void ScopeGhosts::place()
 {
     std::vector<Ghost> all;
     for (const Ghost &reference : m_references) {
         if (!reference.kept)
             continue;
         all.push_back(reference);
-        all.back().shift -= ghostZero();
+        all.back().shift -= m_zero();
     }
-    all.insert(all.end(), m_ghosts.begin(), m_ghosts.end());
-    m_stack->setGhosts(std::move(all));
+    all.insert(all.end(), m_records.begin(), m_records.end());
+    m_stack.setGhosts(std::move(all));
 }
 
 } // namespace widgets

@@ -85,10 +85,10 @@ void ScopeHandles::move(Handle handle, const QPointF &position)
     switch (handle) {
     case Handle::CursorA:
     case Handle::CursorB:
-        m_view.cursors().move(endOf(handle), m_view.timeAt(position.x()));
+        m_view.cursors().move(endOf(handle), m_view.time().timeAt(position.x()));
         return;
     case Handle::TriggerPosition:
-        Q_EMIT m_view.triggerPositionMoved(m_view.timeAt(position.x()));
+        Q_EMIT m_view.triggerPositionMoved(m_view.time().timeAt(position.x()));
         return;
     case Handle::LowerLevel:
     case Handle::UpperLevel:

@@ -1,7 +1,8 @@
-// The scope's keys and its context menu: which wish each one is. What the wishes do is in the other parts of ScopeView.
-#include "widgets/base/trace_colors.h"
-#include "widgets/scope/color_menu.h"
+// The scope's keys and its context menu: which wish each one is. What the wishes do is said elsewhere.
+#include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/plot_stack.h"
+#include "widgets/scope/scope_colors.h"
+#include "widgets/scope/scope_ghosts.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QKeyEvent>
@@ -39,22 +40,22 @@ bool ScopeView::cursorKey(int key, bool shift)
     const int step = shift ? kShiftedNudge : 1;
     switch (key) {
     case Qt::Key_C:
-        toggleCursors();
+        m_cursorActions->toggle();
         return true;
     case Qt::Key_M:
-        setMarker();
+        m_cursorActions->setMarker();
         return true;
     case Qt::Key_1:
-        takeCursor(CursorEnd::A);
+        m_cursorActions->take(CursorEnd::A);
         return true;
     case Qt::Key_2:
-        takeCursor(CursorEnd::B);
+        m_cursorActions->take(CursorEnd::B);
         return true;
     case Qt::Key_Left:
-        nudgeCursor(-step);
+        m_cursorActions->nudge(-step);
         return m_cursors.active().has_value();
     case Qt::Key_Right:
-        nudgeCursor(step);
+        m_cursorActions->nudge(step);
         return m_cursors.active().has_value();
     default:
         return false;
@@ -73,20 +74,20 @@ bool ScopeView::scopeKey(int key, bool shift)
     case Qt::Key_Plus:
     case Qt::Key_Equal: // the same key without Shift on many keyboards
     case Qt::Key_Up:
-        zoom(kKeyZoom);
+        m_time->zoom(kKeyZoom);
         return true;
     case Qt::Key_Minus:
     case Qt::Key_Down:
-        zoom(1.0 / kKeyZoom);
+        m_time->zoom(1.0 / kKeyZoom);
         return true;
     case Qt::Key_Left:
-        pan(-kKeyPan);
+        m_time->pan(-kKeyPan);
         return true;
     case Qt::Key_Right:
-        pan(kKeyPan);
+        m_time->pan(kKeyPan);
         return true;
     case Qt::Key_End:
-        setFollowing(true);
+        m_time->setFollowing(true);
         return true;
     case Qt::Key_G:
         setGridVisible(!gridVisible());
@@ -95,10 +96,10 @@ bool ScopeView::scopeKey(int key, bool shift)
         setOverviewVisible(!overviewVisible());
         return true;
     case Qt::Key_R:
-        shift ? dropReference(Reference::A) : keepReference(Reference::A);
+        shift ? m_ghosts->drop(Reference::A) : m_ghosts->keep(Reference::A);
         return true;
     case Qt::Key_B:
-        shift ? dropReference(Reference::B) : keepReference(Reference::B);
+        shift ? m_ghosts->drop(Reference::B) : m_ghosts->keep(Reference::B);
         return true;
     case Qt::Key_Delete:
         removeSelected();
@@ -129,11 +130,12 @@ void ScopeView::fillContextMenu(QMenu &menu, int plot)
         connect(entry, &QAction::toggled, std::forward<decltype(action)>(action));
     };
     toggle(tr("Run\tSpace"), m_running, [this](bool on) { setRunning(on); });
-    toggle(tr("Follow the newest sample\tEnd"), m_following, [this](bool on) { setFollowing(on); });
+    toggle(tr("Follow the newest sample\tEnd"), m_time->following(),
+        [this](bool on) { m_time->setFollowing(on); });
     toggle(tr("Grid\tG"), gridVisible(), [this](bool on) { setGridVisible(on); });
     toggle(tr("Whole recording below\tO"), overviewVisible(),
         [this](bool on) { setOverviewVisible(on); });
-    toggle(tr("Cursors\tC"), m_cursors.visible(), [this] { toggleCursors(); });
+    toggle(tr("Cursors\tC"), m_cursors.visible(), [this] { m_cursorActions->toggle(); });
     menu.addSeparator();
     menu.addAction(tr("Fit everything\tF"), this, &ScopeView::fitAll);
     menu.addAction(tr("Fit values\tShift+F"), this, &ScopeView::fitValues);
@@ -141,7 +143,7 @@ void ScopeView::fillContextMenu(QMenu &menu, int plot)
         menu.addSeparator();
         QMenu *colors = menu.addMenu(tr("&Colours"));
         for (const capture::ChannelId channel : channels())
-            fillColors(*colors->addMenu(menuText(nameOf(channel))), channel);
+            m_colors->fill(*colors->addMenu(menuText(nameOf(channel))), channel);
     }
     if (plot < 0 || plot >= plotCount() || m_stack->plot(plot).traces.empty())
         return;
@@ -154,18 +156,6 @@ void ScopeView::fillContextMenu(QMenu &menu, int plot)
             Q_EMIT removeRequested(channel);
         });
     }
-}
-
-void ScopeView::fillColors(QMenu &menu, capture::ChannelId channel)
-{
-    if (const Trace *trace = m_stack->trace(channel))
-        fillColors(menu, QString::fromStdString(trace->info.name));
-}
-
-void ScopeView::fillColors(QMenu &menu, const QString &name)
-{
-    fillColorMenu(menu, chosenColor(name), isDark(palette()),
-        [this, name](std::optional<int> slot) { setColor(name, slot); });
 }
 
 } // namespace widgets

@@ -1,7 +1,9 @@
 #include "widgets/scope/scope_mouse.h"
 
 #include "widgets/base/axis_ticks.h"
+#include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/plot_stack.h"
+#include "widgets/scope/scope_drop.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trace_legend.h"
 
@@ -25,11 +27,12 @@ double fractionIn(double position, double start, double length)
 }
 } // namespace
 
-ScopeMouse::ScopeMouse(ScopeView &view, QCustomPlot &plot, PlotStack &stack)
+ScopeMouse::ScopeMouse(ScopeView &view, QCustomPlot &plot, PlotStack &stack, ScopeDrop &drop)
     : QObject(&view)
     , m_view(view)
     , m_plot(plot)
     , m_stack(stack)
+    , m_drop(drop)
     , m_handles(view, stack)
     , m_box(new QRubberBand(QRubberBand::Rectangle, &plot))
 {
@@ -97,7 +100,7 @@ bool ScopeMouse::markTime(const QMouseEvent &event)
     if (event.button() != Qt::LeftButton || at.y() <= last.bottom() || at.x() < last.left()
         || at.x() > last.right())
         return false;
-    m_view.setMarkerAt(m_view.timeAt(at.x()));
+    m_view.cursorActions().setMarkerAt(m_view.time().timeAt(at.x()));
     return true;
 }
 
@@ -136,7 +139,7 @@ void ScopeMouse::pressLeft()
 void ScopeMouse::hover(const QPointF &position)
 {
     if (m_attached) {
-        m_view.cursors().move(*m_attached, m_view.timeAt(position.x()));
+        m_view.cursors().move(*m_attached, m_view.time().timeAt(position.x()));
         return;
     }
     const auto handle = m_handles.at(position);
@@ -165,7 +168,7 @@ bool ScopeMouse::move(const QMouseEvent &event)
         axis->setRange(m_from + shift, m_to + shift);
         m_view.redraw();
     } else if (m_gesture == Gesture::MoveTrace && moved.manhattanLength() > 2 * kClick) {
-        m_view.highlightDrop(m_view.dropPlotAt(m_plot.mapTo(&m_view, event.position().toPoint())));
+        m_drop.markTrace(m_plot.mapTo(&m_view, event.position().toPoint()));
     } else if (m_gesture == Gesture::Box && moved.manhattanLength() > kClick) {
         m_box->setGeometry(QRect(m_start.toPoint(), event.position().toPoint()).normalized());
         m_box->show();
@@ -178,9 +181,9 @@ bool ScopeMouse::release(const QMouseEvent &event)
     const Gesture gesture = std::exchange(m_gesture, Gesture::None);
     const double moved = (event.position() - m_start).manhattanLength();
     if (gesture == Gesture::MoveTrace && moved > 2 * kClick)
-        m_view.dropTrace(*m_trace, m_plot.mapTo(&m_view, event.position().toPoint()));
+        m_drop.dropTrace(*m_trace, m_plot.mapTo(&m_view, event.position().toPoint()));
     else if (gesture == Gesture::MoveTrace)
-        m_view.hideDropMark(); // it was brought back
+        m_drop.hideMark(); // it was brought back
     if (gesture == Gesture::Box) {
         m_box->hide();
         const QRect box = QRect(m_start.toPoint(), event.position().toPoint()).normalized();
@@ -241,11 +244,11 @@ bool ScopeMouse::wheel(const QWheelEvent &event)
         return true;
     }
     if (event.modifiers().testFlag(Qt::ShiftModifier) || angle.y() == 0) {
-        m_view.pan(-0.1 * notches);
+        m_view.time().pan(-0.1 * notches);
         return true;
     }
-    if (m_view.following()) {
-        m_view.zoom(factor); // the newest sample stays at the right edge
+    if (m_view.time().following()) {
+        m_view.time().zoom(factor); // the newest sample stays at the right edge
         return true;
     }
     const QRect area = m_stack.plot(index).rect->rect();

@@ -20,12 +20,13 @@ class QWheelEvent;
 namespace widgets {
 
 class PlotStack;
+class ScopeDrop;
 class ScopeView;
 
 class ScopeMouse : public QObject {
     Q_OBJECT
 public:
-    ScopeMouse(ScopeView &view, QCustomPlot &plot, PlotStack &stack);
+    ScopeMouse(ScopeView &view, QCustomPlot &plot, PlotStack &stack, ScopeDrop &drop);
 
     bool eventFilter(QObject *watched, QEvent *event) override;
 
@@ -55,6 +56,7 @@ private:
     ScopeView &m_view;
     QCustomPlot &m_plot;
     PlotStack &m_stack;
+    ScopeDrop &m_drop;
     ScopeHandles m_handles;
     QRubberBand *m_box;
     std::optional<QPointF> m_position;

@@ -130,7 +130,7 @@ void ScopeOverview::mousePressEvent(QMouseEvent *event)
     const double time = timeAt(event->position().x());
     m_held = partAt(event->position().x());
     if (m_held == Part::None) { // the picture comes to the mouse
-        m_scope.centerOn(time);
+        m_scope.time().centerOn(time);
         m_held = Part::Box;
     }
     m_grip = time - m_scope.visibleRange().from;
@@ -161,10 +161,10 @@ void ScopeOverview::keyPressEvent(QKeyEvent *event)
 {
     switch (event->key()) {
     case Qt::Key_Left:
-        m_scope.pan(-kKeyStep);
+        m_scope.time().pan(-kKeyStep);
         return;
     case Qt::Key_Right:
-        m_scope.pan(kKeyStep);
+        m_scope.time().pan(kKeyStep);
         return;
     default:
         QWidget::keyPressEvent(event);

@@ -1,5 +1,7 @@
 #include "widgets/scope/scope_tools.h"
 
+#include "widgets/scope/cursor_actions.h"
+#include "widgets/scope/scope_ghosts.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trigger/trigger_control.h"
 
@@ -27,20 +29,20 @@ ScopeTools::ScopeTools(ScopeView &scope, TriggerControl &trigger, QWidget &windo
     m_cursors = make(tr("Cursors"), Qt::Key_C,
         tr("Two times, their distance and the values there (C). "
            "1 and 2 give a cursor to the mouse, arrows move it by a sample."),
-        &ScopeView::toggleCursors);
+        [this] { m_scope.cursorActions().toggle(); });
     m_cursors->setCheckable(true);
     QAction *takeA = make(tr("Take cursor &A"), Qt::Key_1, {}, [this] {
-        m_scope.takeCursor(CursorEnd::A);
+        m_scope.cursorActions().take(CursorEnd::A);
         m_scope.setFocus(Qt::ShortcutFocusReason);
     });
     QAction *takeB = make(tr("Take cursor &B"), Qt::Key_2, {}, [this] {
-        m_scope.takeCursor(CursorEnd::B);
+        m_scope.cursorActions().take(CursorEnd::B);
         m_scope.setFocus(Qt::ShortcutFocusReason);
     });
     m_groups.append({m_cursors, takeA, takeB});
     QAction *marker = make(tr("Set a &marker"), Qt::Key_M,
         tr("At the mouse, else at the active cursor, else at the newest sample (M)"),
-        &ScopeView::setMarker);
+        [this] { m_scope.cursorActions().setMarker(); });
     marker->setAutoRepeat(false);
     m_groups.append(QList<QAction *>{marker});
     QAction *overview = make(tr("&Whole recording below"), Qt::Key_O,
@@ -74,13 +76,13 @@ void ScopeTools::makeTrigger(TriggerControl &trigger)
         {Reference::B, Qt::Key_B, tr("Keep as reference &B"), tr("Drop re&ference B")}};
     for (const auto &[which, key, keep, drop] : all) {
         references.append(
-            make(keep, key, {}, [this, which = which] { m_scope.keepReference(which); }));
+            make(keep, key, {}, [this, which = which] { m_scope.ghosts().keep(which); }));
         QAction *away = make(
-            drop, Qt::SHIFT | key, {}, [this, which = which] { m_scope.dropReference(which); });
+            drop, Qt::SHIFT | key, {}, [this, which = which] { m_scope.ghosts().drop(which); });
         const auto enable = [this, away, which = which] {
-            away->setEnabled(m_scope.hasReference(which));
+            away->setEnabled(m_scope.ghosts().hasReference(which));
         };
-        connect(&m_scope, &ScopeView::referencesChanged, away, enable);
+        connect(&m_scope.ghosts(), &ScopeGhosts::referencesChanged, away, enable);
         enable();
         references.append(away);
     }

@@ -1,8 +1,13 @@
 #include "widgets/scope/scope_view.h"
 
+#include "widgets/base/device_text.h"
+#include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/drawing/stale_mark.h"
 #include "widgets/scope/events/event_lane.h"
 #include "widgets/scope/plot_stack.h"
+#include "widgets/scope/scope_colors.h"
+#include "widgets/scope/scope_drop.h"
+#include "widgets/scope/scope_ghosts.h"
 #include "widgets/scope/scope_mouse.h"
 #include "widgets/scope/scope_overlay.h"
 #include "widgets/scope/scope_overview.h"
@@ -10,21 +15,14 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QLabel>
-#include <QRubberBand>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
 namespace widgets {
 
 namespace {
 constexpr int kFrameMs = 16;
-constexpr double kLeastSpan = 1e-6; ///< seconds
-constexpr double kLeastShare = 1e-12; ///< of what is counted from; a double tells 1e-16 apart
-constexpr double kMostSpan = 1e7;
-/// From zero; files may count from 1970.
-constexpr double kFarthest = 4e9;
 } // namespace
 
 ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *parent)
@@ -32,14 +30,22 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
     , m_capture(capture)
     , m_plot(new QCustomPlot(this))
     , m_hint(new QLabel(this))
-    , m_dropMark(new QRubberBand(QRubberBand::Rectangle, this))
     , m_stale(new StaleMark(*this, this))
     , m_events(events)
     , m_lane(new EventLane(*this, m_events, this))
     , m_overview(new ScopeOverview(*this, capture, this))
     , m_stack(std::make_unique<PlotStack>(*m_plot, capture))
+    , m_time(new TimeWindow(*m_stack, this))
     , m_overlay(new ScopeOverlay(*m_plot, *m_stack, capture, m_cursors, m_events))
-    , m_mouse(new ScopeMouse(*this, *m_plot, *m_stack))
+    , m_drop(new ScopeDrop(*this, *m_plot, *m_stack))
+    , m_mouse(new ScopeMouse(*this, *m_plot, *m_stack, *m_drop))
+    , m_cursorActions(new CursorActions({m_cursors, m_events, *m_time, *m_stack, capture, *m_mouse,
+                                            [this](double seconds) { showTime(seconds); }},
+          this))
+    , m_colors(new ScopeColors(*m_stack, *this, this))
+    , m_ghosts(new ScopeGhosts(
+          capture, *m_stack, [this] { return m_marks.position.value_or(visibleRange().from); },
+          this))
 {
     setObjectName(QStringLiteral("scope"));
     m_plot->setObjectName(QStringLiteral("scopePlot"));
@@ -49,7 +55,6 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
     plain.setNumberOptions(QLocale::OmitGroupSeparator); // as on the axes
     setLocale(plain);
     setFocusPolicy(Qt::StrongFocus);
-    setAcceptDrops(true);
     setMinimumSize(200, 120);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -69,17 +74,28 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
     m_frame.setTimerType(Qt::PreciseTimer);
     connect(&m_frame, &QTimer::timeout, this, &ScopeView::drawFrame);
     connect(m_plot, &QCustomPlot::beforeReplot, this, [this] { m_stack->layOut(); });
-    connect(m_mouse, &ScopeMouse::menuRequested, this, &ScopeView::showContextMenu);
-    connect(m_lane, &EventLane::markerWanted, this, &ScopeView::setMarkerAt);
-    connect(m_lane, &EventLane::noteWanted, this, &ScopeView::noteWanted);
+    connectParts();
     m_stack->applyPalette(palette());
     m_stack->setLeastLeft(m_lane->nameWidth());
-    applyRange(m_range);
     updateDescription();
     // The first resize event plots. What QCustomPlot queued when it was made, and the frame that the locale asked for,
     // would do so twice more, and paint the whole view again, right after the first picture.
     QCoreApplication::removePostedEvents(m_plot, QEvent::MetaCall);
     m_frame.stop();
+}
+
+void ScopeView::connectParts()
+{
+    connect(m_mouse, &ScopeMouse::menuRequested, this, &ScopeView::showContextMenu);
+    connect(m_lane, &EventLane::markerWanted, m_cursorActions, &CursorActions::setMarkerAt);
+    connect(m_lane, &EventLane::noteWanted, this, &ScopeView::noteWanted);
+    connect(m_drop, &ScopeDrop::registerDropped, this, &ScopeView::registerDropped);
+    connect(m_drop, &ScopeDrop::traceDropped, this, &ScopeView::moveChannel);
+    connect(m_time, &TimeWindow::originChanged, &m_events, &EventLog::setTimeOrigin);
+    connect(m_time, &TimeWindow::redrawWanted, this, &ScopeView::redraw);
+    connect(m_ghosts, &ScopeGhosts::redrawWanted, this, &ScopeView::redraw);
+    connect(m_colors, &ScopeColors::changed, this, &ScopeView::redraw);
+    connect(m_colors, &ScopeColors::changed, this, &ScopeView::channelsChanged);
 }
 
 ScopeView::~ScopeView()
@@ -126,35 +142,7 @@ int ScopeView::plotOf(capture::ChannelId channel) const { return m_stack->plotOf
 
 QColor ScopeView::colorOf(capture::ChannelId channel) const { return m_stack->colorOf(channel); }
 
-void ScopeView::setColor(const QString &name, std::optional<int> slot)
-{
-    m_stack->setColor(name, slot);
-    redraw();
-    Q_EMIT colorsChanged();
-    Q_EMIT channelsChanged();
-}
-
-std::optional<int> ScopeView::chosenColor(const QString &name) const
-{
-    const auto &chosen = m_stack->chosenColors();
-    const auto found = chosen.constFind(name);
-    return found != chosen.constEnd() ? std::optional(*found) : std::nullopt;
-}
-
-QMap<QString, int> ScopeView::chosenColors() const { return m_stack->chosenColors(); }
-
-void ScopeView::setChosenColors(const QMap<QString, int> &slotsByName)
-{
-    m_stack->setChosenColors(slotsByName);
-}
-
-ScopeView::TimeRange ScopeView::visibleRange() const { return m_range; }
-
-double ScopeView::timeStep() const { return m_stack->timeStep(); }
-
 bool ScopeView::running() const { return m_running; }
-
-bool ScopeView::following() const { return m_following; }
 
 bool ScopeView::gridVisible() const { return m_stack->grid(); }
 
@@ -194,35 +182,22 @@ double ScopeView::readingStepOf(capture::ChannelId channel) const
     return trace ? readingStep(*trace) : 0.0;
 }
 
-double ScopeView::timeAt(double x) const
+QString ScopeView::nameOf(capture::ChannelId channel) const
 {
-    const QRect area = m_stack->plot(0).rect->rect();
-    const double share = (x - area.left()) / std::max(1, area.width());
-    return m_range.from + share * (m_range.to - m_range.from);
+    const auto info = m_capture.info(channel);
+    return info ? deviceText(info->name) : QString();
 }
 
-double ScopeView::xOf(double seconds) const
+void ScopeView::setTriggerMarks(const TriggerMarks &marks)
 {
-    const QRect area = m_stack->plot(0).rect->rect();
-    return area.left() + (seconds - m_range.from) / (m_range.to - m_range.from) * area.width();
-}
-
-std::optional<double> ScopeView::timeUnderMouse() const
-{
-    const auto at = m_mouse->position();
-    return at ? std::optional(timeAt(at->x())) : std::nullopt;
-}
-
-void ScopeView::setTimeOrigin(double seconds)
-{
-    if (seconds == m_origin || !std::isfinite(seconds))
+    if (marks == m_marks)
         return;
-    m_origin = seconds;
-    m_stack->setTimeOrigin(seconds);
-    m_events.setTimeOrigin(seconds);
-    Q_EMIT timeOriginChanged(seconds);
-    redraw();
+    m_marks = marks;
+    m_time->setAnchor(marks.position); // the picture is about what is around it
+    m_overlay->setMarks(marks);
 }
+
+void ScopeView::setMeasureMarks(const MeasureMarks &marks) { m_overlay->setMeasure(marks); }
 
 void ScopeView::captureChanged()
 {
@@ -247,10 +222,10 @@ void ScopeView::drawFrame()
 {
     m_lastFrame.start();
     m_drawnRevision = m_capture.revision();
-    if (m_running && m_following)
-        jumpToNewest();
+    if (m_running && m_time->following())
+        m_time->follow();
     m_stack->growAxes();
-    placeGhosts();
+    m_ghosts->place();
     ++m_redraws;
     m_plot->replot(QCustomPlot::rpQueuedRefresh);
     m_overlay->follow();
@@ -281,17 +256,6 @@ void ScopeView::setRunning(bool running)
     redraw();
 }
 
-void ScopeView::setFollowing(bool following)
-{
-    if (following)
-        jumpToNewest();
-    if (m_following != following) {
-        m_following = following;
-        Q_EMIT followingChanged(following);
-    }
-    redraw();
-}
-
 /// What the shown channels cover; everything recorded if none is shown.
 std::optional<capture::TimeSpan> ScopeView::shownSpan() const
 {
@@ -306,43 +270,12 @@ std::optional<capture::TimeSpan> ScopeView::shownSpan() const
     return m_stack->channels().empty() ? m_capture.timeSpan() : all;
 }
 
-void ScopeView::jumpToNewest()
-{
-    const auto newest = m_stack->newestSample();
-    if (!newest)
-        return;
-    // A young session fills the picture from the left: nothing was ever recorded before zero.
-    const double span = m_range.to - m_range.from;
-    const double to = std::max(*newest, span);
-    applyRange({to - span, to});
-}
+void ScopeView::setVisibleRange(double from, double to) { m_time->set(from, to); }
 
-void ScopeView::applyRange(TimeRange range)
+void ScopeView::showTime(double seconds)
 {
-    if (!std::isfinite(range.from) || !std::isfinite(range.to) || !(range.to > range.from))
-        return;
-    const double center =
-        std::clamp(range.from + (range.to - range.from) / 2, -kFarthest, kFarthest);
-    const double least = std::max(kLeastSpan, std::abs(center) * kLeastShare);
-    const double span = std::clamp(range.to - range.from, least, kMostSpan);
-    const bool resized = span != range.to - range.from || std::abs(center) == kFarthest;
-    if (resized)
-        range = {center - span / 2, center + span / 2};
-    const bool changed = range.from != m_range.from || range.to != m_range.to;
-    m_range = range;
-    m_stack->setTimeRange(range.from, range.to);
-    if (changed)
-        Q_EMIT visibleRangeChanged(range.from, range.to);
-}
-
-void ScopeView::setVisibleRange(double from, double to)
-{
-    if (m_following) {
-        m_following = false;
-        Q_EMIT followingChanged(false);
-    }
-    applyRange({from, to});
-    redraw();
+    if (!m_running || !m_time->following())
+        m_time->show(seconds);
 }
 
 void ScopeView::fitAll()
@@ -350,7 +283,7 @@ void ScopeView::fitAll()
     if (m_marks.position)
         setRunning(false); // the next record would take the picture away at once
     if (const auto span = shownSpan())
-        setVisibleRange(span->from, std::max(span->to, span->from + kLeastSpan));
+        setVisibleRange(span->from, std::max(span->to, span->from + TimeWindow::kLeastSpan));
     fitValues();
 }
 
@@ -358,29 +291,6 @@ void ScopeView::fitValues()
 {
     m_stack->fitValues();
     redraw();
-}
-
-void ScopeView::zoom(double factor)
-{
-    if (!(factor > 0) || !std::isfinite(factor))
-        return;
-    const double span = std::max((m_range.to - m_range.from) / factor, kLeastSpan);
-    // A trigger stays where it is: the picture is about what is around it.
-    const bool around = m_marks.position && inView(*m_marks.position);
-    const double center =
-        around ? *m_marks.position : m_range.from + (m_range.to - m_range.from) / 2;
-    const double share = (center - m_range.from) / (m_range.to - m_range.from);
-    if (m_following)
-        applyRange({m_range.to - span, m_range.to});
-    else
-        applyRange({center - share * span, center + (1.0 - share) * span});
-    redraw();
-}
-
-void ScopeView::pan(double fraction)
-{
-    const double shift = fraction * (m_range.to - m_range.from);
-    setVisibleRange(m_range.from + shift, m_range.to + shift);
 }
 
 void ScopeView::setGridVisible(bool visible)

@@ -17,6 +17,7 @@
 #include "widgets/files/sample_room.h"
 #include "widgets/files/sample_room_dialog.h"
 #include "widgets/registers/register_panel.h"
+#include "widgets/scope/scope_colors.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/signal_selection.h"
 #include "widgets/scope/trigger/trigger_control.h"
@@ -83,7 +84,7 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     m_device.setUserLimits({settings.maxSpeedRpm, settings.maxCurrentAmps});
     m_connectBar->setEndpoint(settings.port, settings.baud);
     m_connectBar->setProtocol(settings.protocol);
-    m_scope->setChosenColors(settings.traceColors); // before anything is drawn
+    m_scope->colors().setChosen(settings.traceColors); // before anything is drawn
 
     makeFlows();
     makeFileActions();
@@ -123,7 +124,7 @@ Settings MainWindow::settings() const
     now.samplesOnDiskGB = m_room->wanted();
     now.recordFolder = m_record->folder();
     now.exportFolder = m_exporting->folder();
-    now.traceColors = m_scope->chosenColors();
+    now.traceColors = m_scope->colors().chosen();
     m_tools->keep(now);
     return now;
 }

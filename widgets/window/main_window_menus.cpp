@@ -83,9 +83,9 @@ void MainWindow::fillScopeMenu(QMenu *menu)
     menu->addSeparator();
     menu->addActions(m_page->fitting());
     connect(addAction(menu, tr("&Earlier"), Qt::CTRL | Qt::Key_Left), &QAction::triggered, m_scope,
-        [this] { m_scope->pan(-0.25); });
+        [this] { m_scope->time().pan(-0.25); });
     connect(addAction(menu, tr("&Later"), Qt::CTRL | Qt::Key_Right), &QAction::triggered, m_scope,
-        [this] { m_scope->pan(0.25); });
+        [this] { m_scope->time().pan(0.25); });
     for (const QList<QAction *> &group : m_page->tools().groups()) {
         menu->addSeparator();
         menu->addActions(group);

@@ -108,24 +108,24 @@ void ScopePage::makeActions()
     m_run->setObjectName(QStringLiteral("scopeRun"));
     m_run->setCheckable(true);
     m_follow = make(tr("Follow"), Qt::Key_End, tr("Keeps the newest samples in view (End)"),
-        &ScopeView::setFollowing);
+        [&scope](bool on) { scope.time().setFollowing(on); });
     m_follow->setCheckable(true);
-    m_follow->setChecked(scope.following());
+    m_follow->setChecked(scope.time().following());
     m_fit = make(
         tr("Fit", "show all samples"), Qt::Key_F, tr("Shows everything (F)"), &ScopeView::fitAll);
     m_fitValues = make(tr("Fit values"), Qt::SHIFT | Qt::Key_F,
         tr("Fits the value axes only (Shift+F)"), &ScopeView::fitValues);
-    m_zoomIn = make(
-        tr("Zoom in"), Qt::Key_Plus, tr("Shows half the time (+)"), [&scope] { scope.zoom(2.0); });
+    m_zoomIn = make(tr("Zoom in"), Qt::Key_Plus, tr("Shows half the time (+)"),
+        [&scope] { scope.time().zoom(2.0); });
     m_zoomOut = make(tr("Zoom out"), Qt::Key_Minus, tr("Shows twice the time (\u2212)"),
-        [&scope] { scope.zoom(0.5); });
+        [&scope] { scope.time().zoom(0.5); });
     // The bar has little room, and less in other languages; menus and screen readers get the words.
     m_fitValues->setIconText(QStringLiteral("\u2195"));
     m_zoomIn->setIconText(QStringLiteral("+"));
     m_zoomOut->setIconText(QStringLiteral("\u2212"));
     connect(&scope, &ScopeView::runningChanged, this, &ScopePage::showSource);
     connect(&m_parts.selection, &SignalSelection::changed, this, &ScopePage::showSource);
-    connect(&scope, &ScopeView::followingChanged, m_follow, &QAction::setChecked);
+    connect(&scope.time(), &TimeWindow::followingChanged, m_follow, &QAction::setChecked);
     showSource();
 }
 

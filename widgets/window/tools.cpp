@@ -13,6 +13,7 @@
 #include "widgets/measuring/spectrum_panel.h"
 #include "widgets/measuring/xy_panel.h"
 #include "widgets/scope/events/event_panel.h"
+#include "widgets/scope/scope_colors.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/channel_strip.h"
 #include "widgets/scope/trigger/trigger_control.h"
@@ -102,7 +103,7 @@ void Tools::showComputed(QAction *openMath)
                     [&scope, &math, name = entry.formula.name](QMenu &menu) {
                         for (const MathChannels::Entry &now : math.entries())
                             if (now.formula.name == name)
-                                scope.fillColors(menu, now.channel);
+                                scope.colors().fill(menu, now.channel);
                     }});
         }
         strip.setComputed(computed);

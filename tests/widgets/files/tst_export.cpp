@@ -230,7 +230,7 @@ private Q_SLOTS:
         facts::ScopeWindow rig;
         rig.record(1000, [](int, int tick) { return tick % 100; });
         rig.draw();
-        QVERIFY(rig.scope().running() && rig.scope().following());
+        QVERIFY(rig.scope().running() && rig.scope().time().following());
         const double seen = rig.scope().visibleRange().to;
         rig.files.answer = m_folder.filePath(QStringLiteral("held.csv"));
         rig.window.findChild<widgets::Exporting *>()->ask();
@@ -360,8 +360,8 @@ private Q_SLOTS:
             999.0F);
         const quint64 before = scope()->redraws();
         for (int i = 0; i < 60; ++i) // as near as it goes
-            scope()->zoom(2.0);
-        scope()->pan(0.5);
+            scope()->time().zoom(2.0);
+        scope()->time().pan(0.5);
         QTRY_VERIFY(scope()->redraws() > before);
         const auto near = scope()->visibleRange();
         QVERIFY(near.from >= 1.7e9 && near.to <= 1.7e9 + 10.0);

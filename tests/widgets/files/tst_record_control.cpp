@@ -7,6 +7,7 @@
 #include "widgets/control/motion_log_model.h"
 #include "widgets/files/open_recording.h"
 #include "widgets/files/record_control.h"
+#include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/window/connect_bar.h"
 
@@ -97,7 +98,7 @@ private Q_SLOTS:
         QVERIFY(eventTexts().contains(QStringLiteral("Recording to a.pcapng")));
         auto &events = scope()->events();
         const double now = capture().timeSpan()->to;
-        scope()->setMarkerAt(now);
+        scope()->cursorActions().setMarkerAt(now);
         const auto marker = std::find_if(events.events().begin(), events.events().end(),
             [](const auto &event) { return event.kind == widgets::EventKind::Marker; });
         QVERIFY(marker != events.events().end());
@@ -252,7 +253,7 @@ private Q_SLOTS:
         makeRig();
         connectToBoard();
         recordAfresh(m_folder.filePath(QStringLiteral("all.pcapng")));
-        scope()->setMarkerAt(capture().timeSpan()->to);
+        scope()->cursorActions().setMarkerAt(capture().timeSpan()->to);
         const quint32 marker = markerId();
         disconnectFromBoard();
         QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Recorded to ")));
@@ -286,7 +287,7 @@ private Q_SLOTS:
         recordAfresh(path);
         connect(&device(), &widgets::Device::portStateChanged, this, [this] {
             if (!device().portOpen())
-                scope()->setMarkerAt(capture().timeSpan()->to);
+                scope()->cursorActions().setMarkerAt(capture().timeSpan()->to);
         });
         disconnectFromBoard();
         QVERIFY(markerId() != 0);
@@ -313,8 +314,8 @@ private Q_SLOTS:
         const QString path = m_folder.filePath(QStringLiteral("deleted.pcapng"));
         recordAfresh(path);
         const double time = capture().timeSpan()->to;
-        scope()->setMarkerAt(time - 0.1);
-        scope()->setMarkerAt(time);
+        scope()->cursorActions().setMarkerAt(time - 0.1);
+        scope()->cursorActions().setMarkerAt(time);
         disconnectFromBoard();
         QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Recorded to ")));
         QCOMPARE(notesIn(path), std::size_t(2));
@@ -340,11 +341,11 @@ private Q_SLOTS:
     {
         makeRig();
         connectToBoard();
-        scope()->setMarkerAt(capture().timeSpan()->to);
+        scope()->cursorActions().setMarkerAt(capture().timeSpan()->to);
         const QString path = m_folder.filePath(QStringLiteral("before.pcapng"));
         recordAfresh(path);
         QVERIFY(action("saveMarkers")->isEnabled());
-        scope()->setMarkerAt(capture().timeSpan()->to); // goes there by itself
+        scope()->cursorActions().setMarkerAt(capture().timeSpan()->to); // goes there by itself
         QVERIFY(!m_rig->window.close());
         auto *question = m_rig->find<QMessageBox>("markersQuestion");
         QVERIFY(question && question->text().contains(QStringLiteral("before it began")));
@@ -364,12 +365,12 @@ private Q_SLOTS:
         makeRig();
         connectToBoard();
         recordAfresh(m_folder.filePath(QStringLiteral("first.pcapng")));
-        scope()->setMarkerAt(capture().timeSpan()->to);
+        scope()->cursorActions().setMarkerAt(capture().timeSpan()->to);
         action("record")->trigger();
         QTRY_VERIFY(banner()->text().contains(QStringLiteral("first.pcapng")));
         const QString second = m_folder.filePath(QStringLiteral("second.pcapng"));
         recordAfresh(second);
-        scope()->setMarkerAt(capture().timeSpan()->to);
+        scope()->cursorActions().setMarkerAt(capture().timeSpan()->to);
         QVERIFY(!action("saveMarkers")->isEnabled());
         disconnectFromBoard();
         QTRY_VERIFY(banner()->text().contains(QStringLiteral("second.pcapng")));
@@ -390,7 +391,7 @@ private Q_SLOTS:
         m_rig->files.answer.clear();
         action("openRecording")->trigger();
         QVERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
-        scope()->setMarkerAt(capture().timeSpan()->to);
+        scope()->cursorActions().setMarkerAt(capture().timeSpan()->to);
         action("openRecording")->trigger();
         auto *question = m_rig->find<QMessageBox>("markersQuestion");
         QVERIFY(question);
@@ -567,7 +568,7 @@ private Q_SLOTS:
         const QString path = m_folder.filePath(QStringLiteral("b.pcapng"));
         record(path);
         QTRY_VERIFY(line()->text().contains(QStringLiteral(" MB, ")));
-        scope()->setMarkerAt(capture().timeSpan()->to);
+        scope()->cursorActions().setMarkerAt(capture().timeSpan()->to);
         QVERIFY(scope()->events().removeMarker(markerId())); // nor is it in the file
         disconnectFromBoard();
         QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Recorded to ")));

@@ -6,6 +6,7 @@
 #include "widgets/base/banner.h"
 #include "widgets/base/messages.h"
 #include "widgets/files/happening_text.h"
+#include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/trigger/trigger_control.h"
 #include "widgets/window/connect_bar.h"
@@ -288,7 +289,7 @@ private Q_SLOTS:
         m_rig->files.answer.clear();
         m_rig->find<QAction>("openRecording")->trigger();
         QVERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
-        scope()->setMarkerAt(capture().timeSpan()->from);
+        scope()->cursorActions().setMarkerAt(capture().timeSpan()->from);
         QVERIFY(save->isEnabled());
         m_rig->find<QAction>("openRecording")->trigger();
         QVERIFY(m_rig->find<QMessageBox>("markersQuestion"));

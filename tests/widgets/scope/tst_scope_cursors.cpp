@@ -1,6 +1,7 @@
 // The scope's cursors in the real window: keys, mouse, read-out, clipboard.
 #include "support/scope_window.h"
 #include "widgets/base/reading_text.h"
+#include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/cursor_table.h"
 
 #include <QAbstractItemModelTester>
@@ -70,10 +71,10 @@ void TestScopeCursors::aTimeHasOneMarker()
         return std::count_if(events.begin(), events.end(),
             [](const auto &event) { return event.kind == widgets::EventKind::Marker; });
     };
-    scope().setMarkerAt(1.0);
-    scope().setMarkerAt(1.0 + 1e-11);
+    scope().cursorActions().setMarkerAt(1.0);
+    scope().cursorActions().setMarkerAt(1.0 + 1e-11);
     QCOMPARE(markers(), 1);
-    scope().setMarkerAt(1.0 + 1e-8);
+    scope().cursorActions().setMarkerAt(1.0 + 1e-8);
     QCOMPARE(markers(), 2);
     cursors().move(CursorEnd::A, 2.0);
     key(Qt::Key_C);
@@ -280,8 +281,8 @@ void TestScopeCursors::zoomAndClearLeaveTheTimesAlone()
 {
     key(Qt::Key_C);
     const auto before = cursors().pair();
-    scope().zoom(4.0);
-    scope().pan(0.3);
+    scope().time().zoom(4.0);
+    scope().time().pan(0.3);
     m_rig->workbench.signalPlan().clear();
     m_rig->draw();
     QCOMPARE(cursors().pair().a, before.a);

@@ -3,6 +3,7 @@
 #include "support/scope_window.h"
 #include "widgets/files/event_recorder.h"
 #include "widgets/files/open_recording.h"
+#include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/events/event_icon.h"
 #include "widgets/scope/events/event_lane.h"
 #include "widgets/scope/events/event_log.h"
@@ -266,7 +267,7 @@ void TestScopeEvents::mSetsAMarkerAtTheMouse()
     QCOMPARE(range.last - range.first, std::size_t{1});
     QCOMPARE(log().events()[range.first].text, QStringLiteral("Marker 1"));
     m_rig->mouseLeaves();
-    scope().toggleCursors();
+    scope().cursorActions().toggle();
     scope().cursors().move(widgets::CursorEnd::A, 1.25);
     scope().cursors().setActive(widgets::CursorEnd::A);
     QTest::keyClick(&scope(), Qt::Key_M);
@@ -278,11 +279,11 @@ void TestScopeEvents::aDoubleClickOnTheTimeAxisOrTheLaneSetsAMarker()
 {
     const QRect area = scope().plotRect(scope().plotCount() - 1);
     const QPoint shift = m_rig->plot().mapTo(&scope(), QPoint(0, 0));
-    const int x = qRound(scope().xOf(2.0));
+    const int x = qRound(scope().time().xOf(2.0));
     QTest::mouseDClick(
         &m_rig->plot(), Qt::LeftButton, {}, QPoint(x, area.bottom() + 10 - shift.y()));
     QCOMPARE(log().in(1.99, 2.01).last - log().in(1.99, 2.01).first, std::size_t{1});
-    QTest::mouseDClick(&lane(), Qt::LeftButton, {}, QPoint(qRound(scope().xOf(3.5)), 5));
+    QTest::mouseDClick(&lane(), Qt::LeftButton, {}, QPoint(qRound(scope().time().xOf(3.5)), 5));
     QCOMPARE(log().in(3.49, 3.51).last - log().in(3.49, 3.51).first, std::size_t{1});
     // On the traces a double click is two clicks.
     QTest::mouseDClick(&m_rig->plot(), Qt::LeftButton, {}, m_rig->at(1.0));
@@ -380,7 +381,7 @@ void TestScopeEvents::theListShowsMarkersOnlyAndCopies()
     QTest::mouseClick(m_rig->find<QWidget>("copyEvents"), Qt::LeftButton);
     QCOMPARE(QApplication::clipboard()->text(),
         QStringLiteral("50.0000\u2009s\tMarker\there\n51.5000\u2009s\tMarker\tthere\n"));
-    scope().setTimeOrigin(50.0);
+    scope().time().setOrigin(50.0);
     QCOMPARE(list->model()->index(1, 0).data().toString(), QStringLiteral("1.5000\u2009s"));
 }
 
@@ -400,7 +401,7 @@ void TestScopeEvents::clearingKeepsNotes()
 {
     const quint32 marker = log().add(EventKind::Marker, 2.0, QStringLiteral("keep"));
     m_rig->workbench.signalPlan().clear();
-    scope().zoom(10.0);
+    scope().time().zoom(10.0);
     QVERIFY(log().find(marker));
     QCOMPARE(log().find(marker)->seconds, 2.0);
 }

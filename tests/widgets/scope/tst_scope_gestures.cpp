@@ -45,12 +45,12 @@ void TestScopeGestures::keysDriveTheView()
     const double right = view.visibleRange().to;
     QTest::keyClick(&view, Qt::Key_Left);
     QVERIFY(view.visibleRange().to < right);
-    QVERIFY(!view.following());
+    QVERIFY(!view.time().following());
     QTest::keyClick(&view, Qt::Key_Right);
     QVERIFY(std::abs(view.visibleRange().to - right) < 1e-6);
     QTest::keyClick(&view, Qt::Key_Left);
     QTest::keyClick(&view, Qt::Key_End);
-    QVERIFY(view.following());
+    QVERIFY(view.time().following());
     QCOMPARE(view.visibleRange().to, 19.999);
     QVERIFY(view.gridVisible());
     QTest::keyClick(&view, Qt::Key_G);
@@ -90,7 +90,7 @@ void TestScopeGestures::draggingPansAndEndsFollowing()
     bench.view.addChannel(bench.id(1));
     bench.record(20'000, 1);
     bench.picture();
-    QSignalSpy spy(&bench.view, &ScopeView::followingChanged);
+    QSignalSpy spy(&bench.view.time(), &widgets::TimeWindow::followingChanged);
     const auto before = bench.view.visibleRange();
     QWidget &plot = plotOf(bench.view);
     const QPoint center = areaOf(bench.view, 0).center();
@@ -101,7 +101,7 @@ void TestScopeGestures::draggingPansAndEndsFollowing()
     const auto after = bench.view.visibleRange();
     QVERIFY(std::abs(before.from - after.from - (before.to - before.from) / 5) < 0.01);
     QCOMPARE(spy.size(), 1);
-    QVERIFY(!bench.view.following());
+    QVERIFY(!bench.view.time().following());
     bench.picture();
     QCOMPARE(bench.view.visibleRange().from, after.from);
 }
@@ -309,7 +309,7 @@ void TestScopeGestures::aLegendEntryIsDraggedToAnotherPlot()
     QCOMPARE(plots(), (QList<int>{0, 1, 1}));
     QCOMPARE(bench.view.plotCount(), 2);
     QTest::mousePress(&plot, Qt::LeftButton, {}, entryOf(0));
-    bench.view.removeSelected(); // a key, while the mouse still holds it
+    QTest::keyClick(&bench.view, Qt::Key_Delete); // while the mouse still holds it
     QTest::mouseRelease(&plot, Qt::LeftButton, {}, below);
     QCOMPARE(plots(), (QList<int>{-1, 0, 0}));
 }

@@ -1,5 +1,6 @@
 // Room for the plots at 1280 x 720, in German: one line for the trigger, and the chips fold while cursors and a tool are open.
 #include "support/scope_window.h"
+#include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/signals/channel_strip.h"
 #include "widgets/scope/trigger/trigger_control.h"
 
@@ -62,7 +63,7 @@ private Q_SLOTS:
     void theChipsFoldWhileCursorsAndAToolAreOpen()
     {
         auto *fold = m_rig->find<QToolButton>("foldChips");
-        m_rig->scope().toggleCursors();
+        m_rig->scope().cursorActions().toggle();
         m_rig->draw();
         QVERIFY(!folded()); // there is room
         m_rig->find<QAction>("measureDockOpen")->trigger();
@@ -74,11 +75,11 @@ private Q_SLOTS:
         QTest::mouseClick(fold, Qt::LeftButton); // a person has the last word
         m_rig->draw();
         QVERIFY(!folded());
-        m_rig->scope().toggleCursors();
-        m_rig->scope().toggleCursors();
+        m_rig->scope().cursorActions().toggle();
+        m_rig->scope().cursorActions().toggle();
         m_rig->draw();
         QVERIFY(folded()); // until it is as new
-        m_rig->scope().toggleCursors();
+        m_rig->scope().cursorActions().toggle();
         QTRY_VERIFY(!folded());
     }
 
@@ -87,11 +88,11 @@ private Q_SLOTS:
         auto *fold = m_rig->find<QToolButton>("foldChips");
         QTest::mouseClick(fold, Qt::LeftButton);
         QVERIFY(folded());
-        m_rig->scope().toggleCursors();
+        m_rig->scope().cursorActions().toggle();
         m_rig->find<QAction>("measureDockOpen")->trigger();
         m_rig->draw();
         QVERIFY(folded());
-        m_rig->scope().toggleCursors();
+        m_rig->scope().cursorActions().toggle();
         m_rig->draw();
         QVERIFY(folded());
         QTest::mouseClick(fold, Qt::LeftButton);
@@ -100,7 +101,7 @@ private Q_SLOTS:
 
     void columnsThatFitNeedNoScrollBar()
     {
-        m_rig->scope().toggleCursors();
+        m_rig->scope().cursorActions().toggle();
         m_rig->draw();
         const auto *table = m_rig->find<QTableView>("cursorTable");
         QTRY_VERIFY(table->isVisible());

@@ -2,6 +2,7 @@
 #include "support/scope_bench.h"
 #include "widgets/base/axis_ticks.h"
 #include "widgets/scope/drawing/axis_ticker.h"
+#include "widgets/scope/scope_ghosts.h"
 
 #include <limits>
 #include <random>
@@ -163,11 +164,11 @@ void TestScopeView::labelsSayWhatADivisionIsWorth()
     bench.record(100, 1);
     bench.view.setVisibleRange(0.0, 1.0);
     bench.picture();
-    const double step = bench.view.timeStep();
+    const double step = bench.view.time().step();
     QVERIFY(step >= 0.1 && step <= 0.5);
     bench.view.setVisibleRange(0.0, 0.001);
     bench.picture();
-    QVERIFY(std::abs(bench.view.timeStep() / step - 0.001) < 1e-9);
+    QVERIFY(std::abs(bench.view.time().step() / step - 0.001) < 1e-9);
 }
 
 void TestScopeView::smallTicksAreRoundNumbersAndFew()
@@ -230,8 +231,8 @@ void TestScopeView::smallTicksStandBetweenTheLinesOfTheGrid()
     shapes.fill(dark ? Qt::black : Qt::white);
     bench.view.drawShapes(shapes);
     const QRect area = bench.view.plotRect(0);
-    const int lines = qRound(1.0 / bench.view.timeStep());
-    const int pieces = piecesOf(bench.view.timeStep());
+    const int lines = qRound(1.0 / bench.view.time().step());
+    const int pieces = piecesOf(bench.view.time().step());
     for (const bool exported : {false, true}) {
         const QImage &image = exported ? shapes : screen;
         const auto marks = [&](int up) {
@@ -323,7 +324,7 @@ void TestScopeView::followingKeepsTheNewestSampleAtTheRightEdge()
 {
     Bench bench({signal(1, "A")});
     bench.view.addChannel(bench.id(1));
-    QVERIFY(bench.view.following());
+    QVERIFY(bench.view.time().following());
     bench.record(20'000, 1);
     bench.picture();
     QCOMPARE(bench.view.visibleRange().to, 19.999);
@@ -331,9 +332,9 @@ void TestScopeView::followingKeepsTheNewestSampleAtTheRightEdge()
     bench.record(500, 1);
     QTRY_COMPARE(bench.view.visibleRange().to, 20.499);
     QVERIFY(std::abs(bench.view.visibleRange().to - bench.view.visibleRange().from - span) < 1e-9);
-    bench.view.zoom(2.0);
+    bench.view.time().zoom(2.0);
     QCOMPARE(bench.view.visibleRange().to, 20.499);
-    QVERIFY(bench.view.following());
+    QVERIFY(bench.view.time().following());
 }
 
 void TestScopeView::aYoungSessionBeginsAtZeroSeconds()
@@ -344,7 +345,7 @@ void TestScopeView::aYoungSessionBeginsAtZeroSeconds()
     bench.picture();
     QCOMPARE(bench.view.visibleRange().from, 0.0);
     QVERIFY(bench.view.visibleRange().to > 1.0);
-    bench.view.zoom(100.0);
+    bench.view.time().zoom(100.0);
     bench.record(10, 1);
     QTRY_COMPARE(bench.view.visibleRange().to, 1.009);
 }
@@ -403,7 +404,8 @@ void TestScopeView::ofEarlierTracesTheNewerOneIsOnTop()
     bench.record(300, [](int, int tick) { return tick < 200 ? 50 : -50; });
     bench.view.fitAll();
     bench.view.setVisibleRange(0.2, 0.3);
-    bench.view.setGhosts({{nullptr, -0.1, 120}, {nullptr, -0.2, 40}}); // both where nothing else is
+    bench.view.ghosts().setRecords(
+        {{nullptr, -0.1, 120}, {nullptr, -0.2, 40}}); // both where nothing else is
     const QImage image = bench.picture();
     QColor newer = bench.view.colorOf(bench.id(1));
     newer.setAlpha(120);
@@ -527,16 +529,16 @@ void TestScopeView::nonsenseRangesChangeNothing()
     bench.view.setVisibleRange(2.0, 1.0);
     bench.view.setVisibleRange(std::nan(""), 1.0);
     bench.view.setVisibleRange(0.0, inf);
-    bench.view.zoom(0.0);
-    bench.view.zoom(std::nan(""));
+    bench.view.time().zoom(0.0);
+    bench.view.time().zoom(std::nan(""));
     QCOMPARE(bench.view.visibleRange().from, 0.0);
     QCOMPARE(bench.view.visibleRange().to, 1.0);
     for (int i = 0; i < 200; ++i)
-        bench.view.zoom(2.0);
+        bench.view.time().zoom(2.0);
     bench.picture();
     QVERIFY(bench.view.visibleRange().to > bench.view.visibleRange().from);
     for (int i = 0; i < 200; ++i)
-        bench.view.zoom(0.5);
+        bench.view.time().zoom(0.5);
     bench.picture();
     QVERIFY(bench.view.visibleRange().to - bench.view.visibleRange().from <= 1e7 + 1);
 }

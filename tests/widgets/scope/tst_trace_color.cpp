@@ -1,6 +1,7 @@
 // Colours that a person gives traces, through the menus of the real window; they are remembered by the signal's name.
 #include "support/scope_window.h"
 #include "widgets/base/trace_colors.h"
+#include "widgets/scope/scope_colors.h"
 #include "widgets/scope/signals/signal_selection.h"
 
 #include <QContextMenuEvent>
@@ -57,7 +58,7 @@ private Q_SLOTS:
     {
         QVERIFY(choose(QStringLiteral("I_A"), 2));
         QMenu menu;
-        m_rig->scope().fillColors(menu, m_rig->id(facts::kCurrentA));
+        m_rig->scope().colors().fill(menu, m_rig->id(facts::kCurrentA));
         QCOMPARE(menu.actions().size(), widgets::kTraceColors + 2);
         for (int slot = 0; slot < widgets::kTraceColors; ++slot) {
             QCOMPARE(menu.actions()[slot]->isChecked(), slot == 2);

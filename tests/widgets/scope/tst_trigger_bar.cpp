@@ -3,6 +3,8 @@
 #include "support/trigger_test.h"
 #include "widgets/base/value_edit.h"
 #include "widgets/files/record_table.h"
+#include "widgets/scope/cursor_actions.h"
+#include "widgets/scope/scope_ghosts.h"
 #include "widgets/scope/signals/signal_selection.h"
 
 #include <QAbstractItemModelTester>
@@ -65,7 +67,7 @@ void TestTriggerBar::rollIsWhatItWasBefore()
 {
     QVERIFY(control().trigger().setup().mode == Mode::Roll);
     QVERIFY(control().trigger().state() == AcquisitionState::Roll);
-    QVERIFY(view().following());
+    QVERIFY(view().time().following());
     QVERIFY(!view().triggerMarks().position);
     square(4000);
     m_rig->draw();
@@ -86,7 +88,7 @@ void TestTriggerBar::normalKeepsARecordAndSetsZeroAtItsTrigger()
     QVERIFY(!control().trigger().history().records().empty());
     const double trigger = capture::toSeconds(control().shown()->trigger);
     QVERIFY(near(std::fmod(trigger + 0.0005, 0.1), 0.0)); // half way between two samples
-    QCOMPARE(view().timeOrigin(), trigger);
+    QCOMPARE(view().time().origin(), trigger);
     QVERIFY(near(span(), 0.05));
     QVERIFY(near(left(), trigger - 0.01)); // 20 % before it
     QVERIFY(near(*view().triggerMarks().position, trigger));
@@ -165,14 +167,14 @@ void TestTriggerBar::zoomingARunningPictureSetsTheRecordsLength()
 {
     normal();
     square(500);
-    const double trigger = view().timeOrigin();
+    const double trigger = view().time().origin();
     QTest::keyClick(&view(), Qt::Key_Plus);
     QVERIFY(control().trigger().setup().length < 0.04);
     QVERIFY(near(span(), control().trigger().setup().length));
     QVERIFY(near((trigger - left()) / span(), 0.2)); // the trigger stays at its place
     square(500);
     QVERIFY(near(span(), control().trigger().setup().length));
-    QVERIFY(view().timeOrigin() > trigger);
+    QVERIFY(view().time().origin() > trigger);
 }
 
 void TestTriggerBar::theLevelIsDragged()
@@ -204,14 +206,14 @@ void TestTriggerBar::thePositionIsDragged()
     square(500);
     QTest::keyClick(&view(), Qt::Key_Space);
     m_rig->draw();
-    const double trigger = view().timeOrigin();
+    const double trigger = view().time().origin();
     const QRect area = view().plotRect(0);
     const QPoint shift = m_rig->plot().mapTo(&view(), QPoint(0, 0));
-    const QPoint flag = QPoint(qRound(view().xOf(trigger)), area.top() + 3) - shift;
+    const QPoint flag = QPoint(qRound(view().time().xOf(trigger)), area.top() + 3) - shift;
     m_rig->drag(flag, flag + QPoint(area.width() * 3 / 10, 0));
     QVERIFY(std::abs(control().trigger().setup().preTrigger - 0.5) < 0.02);
     QVERIFY(std::abs((trigger - left()) / span() - 0.5) < 0.02);
-    QCOMPARE(view().timeOrigin(), trigger);
+    QCOMPARE(view().time().origin(), trigger);
 }
 
 void TestTriggerBar::fieldsAppearWhereTheyMatter()
@@ -333,7 +335,7 @@ void TestTriggerBar::stateChangesAndWritesTrigger()
     facts::feed(m_rig->device(), {status});
     flat(100);
     QCOMPARE(control().trigger().history().records().size(), std::size_t{1});
-    QVERIFY(near(view().timeOrigin(), 2.09));
+    QVERIFY(near(view().time().origin(), 2.09));
     setup([](TriggerSetup &setup) { setup.type = TriggerType::Fault; });
     flat(300);
     QCOMPARE(control().trigger().history().records().size(), std::size_t{1});
@@ -384,22 +386,22 @@ void TestTriggerBar::recordsGoWithTheirSamples()
 {
     normal(0.02);
     square(1000);
-    view().keepReference(widgets::Reference::A);
+    view().ghosts().keep(widgets::Reference::A);
     control().setPersistence(3);
     control().trigger().setPinned(control().trigger().history().records().back().id, true);
-    QVERIFY(view().timeOrigin() > 0.0);
-    QVERIFY(view().ghostCount() > 0);
+    QVERIFY(view().time().origin() > 0.0);
+    QVERIFY(view().ghosts().count() > 0);
     m_rig->workbench.signalPlan().clear();
     QVERIFY(control().trigger().history().records().empty());
     QVERIFY(!control().shown());
-    QCOMPARE(view().timeOrigin(), 0.0);
-    QCOMPARE(view().ghostCount(), 0);
-    QVERIFY(view().hasReference()); // a copy of its own
+    QCOMPARE(view().time().origin(), 0.0);
+    QCOMPARE(view().ghosts().count(), 0);
+    QVERIFY(view().ghosts().hasReference()); // a copy of its own
     QVERIFY(control().trigger().state() == AcquisitionState::Armed);
     square(1000);
     const std::size_t again = control().trigger().history().records().size();
     QVERIFY(again >= 8 && again <= 10); // none from before, none that nothing triggered
-    QVERIFY(view().ghostCount() > 0);
+    QVERIFY(view().ghosts().count() > 0);
 
     capture::Capture file;
     file.begin({7, 1000.0, 0.0, 1, {{900, "F", "A", 1.0, 0.0}}, {}});
@@ -409,8 +411,8 @@ void TestTriggerBar::recordsGoWithTheirSamples()
     m_rig->window.selection()->showFile(std::move(file));
     m_rig->draw();
     QVERIFY(control().trigger().history().records().empty());
-    QCOMPARE(view().timeOrigin(), 0.0);
-    QCOMPARE(view().ghostCount(), 0);
+    QCOMPARE(view().time().origin(), 0.0);
+    QCOMPARE(view().ghosts().count(), 0);
     QTest::keyClick(&view(), Qt::Key_PageUp); // nothing of the board over the file
     QVERIFY(!control().shown());
     QCOMPARE(view().visibleRange().to, 60.0);
@@ -487,8 +489,8 @@ void TestTriggerBar::endGoesBackToRoll()
     square(500);
     QTest::keyClick(&view(), Qt::Key_End);
     QVERIFY(control().trigger().setup().mode == Mode::Roll);
-    QCOMPARE(view().timeOrigin(), 0.0);
-    QVERIFY(view().following());
+    QCOMPARE(view().time().origin(), 0.0);
+    QVERIFY(view().time().following());
     QVERIFY(!view().triggerMarks().position);
     square(4000);
     m_rig->draw();
@@ -502,10 +504,10 @@ void TestTriggerBar::aRecordSeenInRollIsLeftWhenThePictureRuns()
     control().setMode(Mode::Roll);
     for (const Qt::Key goOn : {Qt::Key_Space, Qt::Key_End}) {
         QTest::keyClick(&view(), Qt::Key_PageUp);
-        QVERIFY(control().shown() && view().timeOrigin() > 0.0);
+        QVERIFY(control().shown() && view().time().origin() > 0.0);
         QTest::keyClick(&view(), goOn);
         QVERIFY(!control().shown());
-        QCOMPARE(view().timeOrigin(), 0.0);
+        QCOMPARE(view().time().origin(), 0.0);
     }
 }
 
@@ -531,7 +533,7 @@ void TestTriggerBar::cursorsKeepTheirPlaceFromTheTrigger()
 {
     normal(0.02);
     square(500);
-    view().toggleCursors();
+    view().cursorActions().toggle();
     const auto fromTrigger = [this] {
         const double zero = capture::toSeconds(control().shown()->trigger);
         return std::pair(view().cursors().pair().a - zero, view().cursors().pair().b - zero);
@@ -547,7 +549,7 @@ void TestTriggerBar::cursorsKeepTheirPlaceFromTheTrigger()
     // What the cursors' table says of it is that, and not what the record before had.
     double told = 0.0;
     connect(&view().cursors(), &widgets::Cursors::changed, this,
-        [&] { told = view().cursors().pair().a - view().timeOrigin(); });
+        [&] { told = view().cursors().pair().a - view().time().origin(); });
     QTest::keyClick(&m_rig->window, Qt::Key_PageUp);
     QVERIFY(std::abs(told - before.first) < 1e-9);
     view().cursors().disconnect(this);
@@ -561,25 +563,25 @@ void TestTriggerBar::aReferenceStaysBehind()
     m_rig->draw();
     const QImage before = m_rig->plot().grab().toImage();
     QTest::keyClick(&view(), Qt::Key_R);
-    QVERIFY(view().hasReference());
+    QVERIFY(view().ghosts().hasReference());
     setup([](TriggerSetup &setup) { setup.way = widgets::TriggerWay::Second; });
     square(500); // the other edge: the reference differs from what comes
     m_rig->draw();
     const QImage with = m_rig->plot().grab().toImage();
     QTest::keyClick(&view(), Qt::Key_R, Qt::ShiftModifier);
-    QVERIFY(!view().hasReference());
+    QVERIFY(!view().ghosts().hasReference());
     QTest::keyClick(&view(), Qt::Key_B); // the other one
-    QVERIFY(view().hasReference(widgets::Reference::B));
-    QVERIFY(!view().hasReference(widgets::Reference::A));
+    QVERIFY(view().ghosts().hasReference(widgets::Reference::B));
+    QVERIFY(!view().ghosts().hasReference(widgets::Reference::A));
     QTest::keyClick(&m_rig->window, Qt::Key_8, Qt::ControlModifier);
     QVERIFY(!m_rig->find<QWidget>("dropReference")->isEnabled());
     QTest::mouseClick(m_rig->find<QWidget>("dropReferenceB"), Qt::LeftButton);
-    QVERIFY(!view().hasReference());
+    QVERIFY(!view().ghosts().hasReference());
     QVERIFY(!m_rig->find<QWidget>("dropReferenceB")->isEnabled());
     QTest::mouseClick(m_rig->find<QWidget>("keepReferenceB"), Qt::LeftButton);
-    QVERIFY(view().hasReference(widgets::Reference::B));
+    QVERIFY(view().ghosts().hasReference(widgets::Reference::B));
     QTest::keyClick(&view(), Qt::Key_B, Qt::ShiftModifier);
-    QVERIFY(!view().hasReference());
+    QVERIFY(!view().ghosts().hasReference());
     m_rig->draw();
     const QImage without = m_rig->plot().grab().toImage();
     QVERIFY(with != without);
@@ -595,10 +597,10 @@ void TestTriggerBar::persistenceKeepsEarlierRecords()
     QTest::keyClick(&m_rig->window, Qt::Key_8, Qt::ControlModifier);
     m_rig->find<QSpinBox>("persistence")->setValue(4);
     square(1000);
-    QCOMPARE(view().ghostCount(), 4);
+    QCOMPARE(view().ghosts().count(), 4);
     m_rig->draw();
     m_rig->find<QSpinBox>("persistence")->setValue(0);
-    QCOMPARE(view().ghostCount(), 0);
+    QCOMPARE(view().ghosts().count(), 0);
 }
 
 void TestTriggerBar::persistenceIsClearedAndBeginsAnew()
@@ -609,23 +611,23 @@ void TestTriggerBar::persistenceIsClearedAndBeginsAnew()
     QVERIFY(!clear->isEnabled());
     m_rig->find<QSpinBox>("persistence")->setValue(4);
     square(1000);
-    QCOMPARE(view().ghostCount(), 4);
+    QCOMPARE(view().ghosts().count(), 4);
     QTest::mouseClick(clear, Qt::LeftButton);
-    QCOMPARE(view().ghostCount(), 0);
+    QCOMPARE(view().ghosts().count(), 0);
     square(1000);
-    QCOMPARE(view().ghostCount(), 4);
+    QCOMPARE(view().ghosts().count(), 4);
     // Where an edge the other way was the trigger, the signal stood half a period further.
     setup([](TriggerSetup &setup) { setup.way = widgets::TriggerWay::Second; });
     const auto first = control().shown()->id;
     while (control().shown()->id == first)
         square(10);
-    QCOMPARE(view().ghostCount(), 0);
+    QCOMPARE(view().ghosts().count(), 0);
     square(1000);
-    QCOMPARE(view().ghostCount(), 4);
+    QCOMPARE(view().ghosts().count(), 4);
     // What is only framed in another way stays comparable.
     setup([](TriggerSetup &setup) { setup.preTrigger = 0.7; });
     square(100);
-    QCOMPARE(view().ghostCount(), 4);
+    QCOMPARE(view().ghosts().count(), 4);
 }
 
 void TestTriggerBar::singleKeysActWhereNoTextIsTyped()

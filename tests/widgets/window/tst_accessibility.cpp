@@ -1,6 +1,7 @@
 #include "support/window_rig.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/stop_alarm.h"
+#include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/signal_selection.h"
 #include "widgets/window/about_dialog.h"
@@ -68,7 +69,7 @@ private Q_SLOTS:
     {
         QApplication::setActiveWindow(&m_rig->window);
         m_rig->window.resize(1600, 1000);
-        m_rig->window.scope()->toggleCursors();
+        m_rig->window.scope()->cursorActions().toggle();
         QList<QAction *> tools{nullptr};
         for (QAction *action : m_rig->window.findChildren<QAction *>())
             if (action->objectName().endsWith(QStringLiteral("DockOpen")))
@@ -137,7 +138,7 @@ private Q_SLOTS:
     {
         QApplication::setActiveWindow(&m_rig->window);
         m_rig->window.resize(1600, 1000);
-        m_rig->window.scope()->toggleCursors();
+        m_rig->window.scope()->cursorActions().toggle();
         QCoreApplication::processEvents();
         m_rig->window.scope()->setFocus();
         QCOMPARE(QApplication::focusWidget(), m_rig->window.scope());

@@ -2,6 +2,7 @@
 // makes models change: connecting, editing, refusal, another motor, another board, a cable that is pulled.
 #include "support/window_rig.h"
 #include "widgets/registers/register_panel.h"
+#include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QAbstractItemModelTester>
@@ -67,7 +68,9 @@ struct Bench {
     {
         for (QDockWidget *dock : rig.window.findChildren<QDockWidget *>())
             dock->show();
-        rig.window.scope()->toggleCursors(); // their table is made when they are first shown
+        rig.window.scope()
+            ->cursorActions()
+            .toggle(); // their table is made when they are first shown
         for (QAbstractItemModel *model : modelsOf(rig)) {
             const QString name = QString::fromLatin1(model->metaObject()->className());
             if (!name.startsWith(QStringLiteral("widgets::"))

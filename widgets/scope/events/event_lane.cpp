@@ -59,7 +59,7 @@ std::vector<EventLane::Cluster> EventLane::clusters() const
     double last = -1e9;
     for (std::size_t i = range.first; i < range.last; ++i) {
         const ScopeEvent &event = m_log.events()[i];
-        const double x = m_scope.xOf(event.seconds);
+        const double x = m_scope.time().xOf(event.seconds);
         if (all.empty() || x - last >= kClose) {
             all.push_back({x, {i, i + 1}, event.kind});
             last = x;
@@ -82,7 +82,7 @@ QString EventLane::textOf(const Cluster &cluster) const
         }
         const ScopeEvent &event = m_log.events()[i];
         lines.append(tr("%1  %2: %3", "time, kind of event, what happened")
-                         .arg(exactTime(event.seconds - m_scope.timeOrigin(), m_scope.locale()),
+                         .arg(exactTime(event.seconds - m_scope.time().origin(), m_scope.locale()),
                              eventKindText(event.kind), event.text));
     }
     return lines.join(QLatin1Char('\n'));
@@ -231,7 +231,7 @@ void EventLane::sayIt()
     const EventLog::Range one = m_log.in(chosen->seconds, chosen->seconds);
     const QString text = textOf({0.0, one, chosen->kind});
     setAccessibleDescription(text);
-    const QPoint place(static_cast<int>(m_scope.xOf(chosen->seconds)), height());
+    const QPoint place(static_cast<int>(m_scope.time().xOf(chosen->seconds)), height());
     QToolTip::showText(mapToGlobal(place), plainToolTip(text), this);
 }
 
@@ -254,7 +254,7 @@ void EventLane::mouseDoubleClickEvent(QMouseEvent *event)
     if (!found) {
         const QRect area = lane();
         if (event->position().x() >= area.left() && event->position().x() <= area.right())
-            Q_EMIT markerWanted(m_scope.timeAt(event->position().x()));
+            Q_EMIT markerWanted(m_scope.time().timeAt(event->position().x()));
         return;
     }
     for (std::size_t i = found->range.first; i < found->range.last; ++i) {

@@ -1,5 +1,6 @@
 #include "widgets/scope/events/event_panel.h"
 
+#include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QAbstractItemView>
@@ -78,7 +79,7 @@ EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
     layout->addLayout(side);
 
     connect(m_onlyMarkers, &QCheckBox::toggled, this, &EventPanel::showKinds);
-    connect(add, &QPushButton::clicked, &scope, [&scope] { scope.setMarker(); });
+    connect(add, &QPushButton::clicked, &scope, [&scope] { scope.cursorActions().setMarker(); });
     connect(remove, &QPushButton::clicked, this, &EventPanel::removeChosen);
     connect(copyIt, &QPushButton::clicked, this, &EventPanel::copyChosen);
     connect(m_list, &QTreeView::doubleClicked, this, &EventPanel::jump);
@@ -151,7 +152,7 @@ void EventPanel::editNote(quint32 marker)
 void EventPanel::jump(const QModelIndex &index)
 {
     if (index.isValid())
-        m_scope.centerOn(index.data(EventLog::SecondsRole).toDouble());
+        m_scope.time().centerOn(index.data(EventLog::SecondsRole).toDouble());
 }
 
 void EventPanel::removeChosen()

@@ -1,6 +1,7 @@
 #include "widgets/scope/signals/signal_selection.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/scope/scope_colors.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QMenu>
@@ -29,8 +30,8 @@ SignalSelection::SignalSelection(
     connect(&plan, &SignalPlan::changed, this, &SignalSelection::follow);
     connect(&plan, &SignalPlan::forgetting, this, &SignalSelection::takeOffScope);
     connect(&plan, &SignalPlan::forgot, this, [this] { m_offered.clear(); });
-    connect(&plan, &SignalPlan::begunAnew, &scope, [&scope] { scope.setFollowing(true); });
-    connect(&scope, &ScopeView::colorsChanged, this, &SignalSelection::changed);
+    connect(&plan, &SignalPlan::begunAnew, &scope, [&scope] { scope.time().setFollowing(true); });
+    connect(&scope.colors(), &ScopeColors::changed, this, &SignalSelection::changed);
     connect(&scope, &ScopeView::registerDropped, this,
         [this](quint32 id, int plot) { add(id, plot < 0 ? m_scope.plotCount() : plot); });
     connect(&scope, &ScopeView::removeRequested, this, [this](quint32 channel) {
@@ -57,7 +58,7 @@ QColor SignalSelection::colorOf(catalog::RegisterId id) const
 void SignalSelection::fillColors(QMenu &menu, catalog::RegisterId id)
 {
     if (const auto catalog = m_device.catalog())
-        m_scope.fillColors(menu, QString::fromStdString(catalog->nameOf(id)));
+        m_scope.colors().fill(menu, QString::fromStdString(catalog->nameOf(id)));
 }
 
 int SignalSelection::plotFor(catalog::RegisterId id) const

@@ -1,5 +1,6 @@
 #include "widgets/scope/trigger/trigger_control.h"
 
+#include "widgets/scope/scope_ghosts.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QScopedValueRollback>
@@ -34,15 +35,15 @@ TriggerControl::TriggerControl(
     connect(&trigger, &Trigger::forgotten, this, [this] {
         m_shown.reset();
         showPersistence();
-        m_scope.setTimeOrigin(0.0);
+        m_scope.time().setOrigin(0.0);
         markPicture();
     });
     connect(&scope, &ScopeView::channelsChanged, this, &TriggerControl::findSource);
     connect(&scope, &ScopeView::runningChanged, this, &TriggerControl::runningChanged);
-    connect(&scope, &ScopeView::visibleRangeChanged, this, &TriggerControl::adoptRange);
+    connect(&scope.time(), &TimeWindow::changed, this, &TriggerControl::adoptRange);
     connect(&scope, &ScopeView::triggerLevelMoved, this, &TriggerControl::moveLevel);
     connect(&scope, &ScopeView::triggerPositionMoved, this, &TriggerControl::movePosition);
-    connect(&scope, &ScopeView::followingChanged, this, [this](bool following) {
+    connect(&scope.time(), &TimeWindow::followingChanged, this, [this](bool following) {
         if (following && m_trigger.triggered())
             setMode(scope::Mode::Roll);
         else if (following)
@@ -89,7 +90,7 @@ void TriggerControl::setMode(scope::Mode mode)
         return;
     const QScopedValueRollback showing(m_showing, true);
     if (m_trigger.triggered()) {
-        m_scope.setFollowing(false);
+        m_scope.time().setFollowing(false);
         if (wasRoll) { // until a record comes: the newest stretch of its length
             const double to = m_scope.visibleRange().to;
             m_scope.setVisibleRange(to - m_trigger.setup().length, to);
@@ -98,7 +99,7 @@ void TriggerControl::setMode(scope::Mode mode)
         leaveRecord();
         const double to = m_scope.visibleRange().to;
         m_scope.setVisibleRange(to - m_rollSpan, to);
-        m_scope.setFollowing(true);
+        m_scope.time().setFollowing(true);
     }
     m_scope.setRunning(true);
     markPicture();
@@ -115,7 +116,7 @@ void TriggerControl::runningChanged(bool running)
     m_trigger.setRunning(running);
     if (running && m_trigger.triggered() && m_shown) { // back to where records come
         const QScopedValueRollback showing(m_showing, true);
-        m_scope.setFollowing(false);
+        m_scope.time().setFollowing(false);
     } else if (running && !m_trigger.triggered()) {
         leaveRecord();
     }
@@ -129,7 +130,7 @@ void TriggerControl::leaveRecord()
         return;
     m_shown.reset();
     showPersistence();
-    m_scope.setTimeOrigin(0.0);
+    m_scope.time().setOrigin(0.0);
     markPicture();
     Q_EMIT stateChanged();
 }
@@ -152,7 +153,7 @@ void TriggerControl::show(const scope::Record &record)
     if (!other)
         return;
     const QScopedValueRollback showing(m_showing, true);
-    m_scope.setTimeOrigin(capture::toSeconds(record.trigger));
+    m_scope.time().setOrigin(capture::toSeconds(record.trigger));
     m_scope.setVisibleRange(capture::toSeconds(record.from), capture::toSeconds(record.to));
     if (before && before->id != record.id) // cursors stay where they are from the trigger
         m_scope.cursors().shift(capture::toSeconds(record.trigger - before->trigger));
@@ -251,7 +252,7 @@ void TriggerControl::showPersistence()
         const int fade = (kNewestAlpha - kOldestAlpha) * age / std::max(1, m_persistence - 1);
         ghosts.push_back({nullptr, shift, kNewestAlpha - fade});
     }
-    m_scope.setGhosts(std::move(ghosts));
+    m_scope.ghosts().setRecords(std::move(ghosts));
 }
 
 /// The level's arrow and the position's flag in the picture.
