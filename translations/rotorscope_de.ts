@@ -5090,10 +5090,6 @@
         <translation>Das ist keine Zahl: %1</translation>
     </message>
     <message>
-        <source>No signal or function of this name is there: %1</source>
-        <translation>Kein Signal und keine Funktion heißt so: %1</translation>
-    </message>
-    <message>
         <source>Something is missing at the end.</source>
         <translation>Am Ende fehlt etwas.</translation>
     </message>
@@ -5125,6 +5121,10 @@
     <message>
         <source>What opens here is not closed: %1</source>
         <translation>Was hier aufgeht, wird nicht geschlossen: %1</translation>
+    </message>
+    <message>
+        <source>No signal on the scope and no function is called %1.</source>
+        <translation>Kein Signal auf dem Oszilloskop und keine Funktion heißt %1.</translation>
     </message>
 </context>
 <context>

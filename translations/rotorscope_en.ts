@@ -5090,10 +5090,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No signal or function of this name is there: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Something is missing at the end.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5124,6 +5120,10 @@
     </message>
     <message>
         <source>What opens here is not closed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No signal on the scope and no function is called %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -4,6 +4,7 @@
 #include "session/files/whole_file.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
+#include "widgets/base/lamp.h"
 #include "widgets/base/messages.h"
 #include "widgets/forms/motor_converter.h"
 #include "widgets/forms/motor_messages.h"
@@ -256,9 +257,13 @@ void MotorForm::enableButtons()
     m_close->setEnabled(m_model.hasFile());
 }
 
-void MotorForm::say(const QString &sentence)
+void MotorForm::say(const QString &sentence, bool bad)
 {
-    m_told->setText(sentence);
+    m_told->setText(bad ? QStringLiteral("\u2716 ") + sentence : sentence);
+    QPalette colors = palette();
+    if (bad)
+        colors.setColor(QPalette::WindowText, Lamp::colorOf(Lamp::Light::Bad, palette()));
+    m_told->setPalette(colors);
     m_told->setVisible(!sentence.isEmpty());
 }
 
@@ -277,7 +282,8 @@ void MotorForm::take(const QString &path)
     const auto file = session::readMotorFile(path);
     if (!file) {
         say(tr("%1 was not opened. %2", "file, sentence")
-                .arg(name, motorFileErrorText(file.error())));
+                .arg(name, motorFileErrorText(file.error())),
+            true);
         return;
     }
     m_model.showFile(file->sheet());

@@ -43,7 +43,7 @@ private:
     void showBoard();
     void showWarnings();
     void take(const QString &path);
-    void say(const QString &sentence);
+    void say(const QString &sentence, bool bad = false);
     void copySelected();
     void expandGroups();
     void enableButtons();

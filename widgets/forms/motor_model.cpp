@@ -283,7 +283,7 @@ QVariant MotorModel::data(const QModelIndex &index, int role) const
         }
         return {};
     }
-    const QString *const texts[] = {&row->name, &row->value, &row->raw, &row->file};
+    const QString *const texts[] = {&row->name, &row->value, &row->file, &row->raw};
     if (role == Qt::DisplayRole)
         return *texts[index.column()];
     if (role == Qt::ToolTipRole) {

@@ -15,7 +15,8 @@ namespace widgets {
 class MotorModel : public QAbstractItemModel {
     Q_OBJECT
 public:
-    enum Column { NameColumn, ValueColumn, RawColumn, FileColumn, ColumnCount };
+    /// What is compared stands side by side.
+    enum Column { NameColumn, ValueColumn, FileColumn, RawColumn, ColumnCount };
     enum Role {
         KeyRole = Qt::
             UserRole, ///< of a row, not translated: "rated flux"; of a group: its structure's name
@@ -31,7 +32,7 @@ public:
     bool hasFile() const { return m_file.has_value(); }
     int differences() const; ///< figures that board and file both have, with other values
     int compared() const; ///< figures that both have
-    /// The row as text, for the clipboard: name, value, raw, file.
+    /// The row as text, for the clipboard: name, value, file, raw.
     QString copyText(const QModelIndex &index) const;
 
     QModelIndex index(int row, int column, const QModelIndex &parent = {}) const override;

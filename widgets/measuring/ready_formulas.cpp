@@ -5,6 +5,7 @@
 #include "widgets/measuring/motor_names.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <algorithm>
 
@@ -156,6 +157,14 @@ bool isOpen(const QString &rest)
         && rest.count(QLatin1Char('(')) > rest.count(QLatin1Char(')'));
 }
 
+/// A name in brackets, or what can stand without them.
+QString nameAtBeginningOf(const QString &rest)
+{
+    static const QRegularExpression name(QStringLiteral("^(\\[[^\\]]*\\]|[A-Za-z0-9_@]+)"));
+    const auto match = name.match(rest);
+    return match.hasMatch() ? match.captured(0) : rest;
+}
+
 QString whatIsWrong(scope::FormulaError error, const QString &rest)
 {
     using Error = scope::FormulaError;
@@ -171,7 +180,7 @@ QString whatIsWrong(scope::FormulaError error, const QString &rest)
     case Error::BadNumber:
         return Ready::tr("This is no number: %1").arg(rest);
     case Error::UnknownName:
-        return Ready::tr("No signal or function of this name is there: %1").arg(rest);
+        return Ready::tr("No signal on the scope and no function is called %1.").arg(rest);
     case Error::Syntax:
         return rest.isEmpty() ? Ready::tr("Something is missing at the end.")
                               : Ready::tr("The formula cannot be read from here on: %1").arg(rest);
@@ -194,7 +203,9 @@ QString faultText(const scope::FormulaFault &fault, const QString &formula)
     const QByteArray bytes = formula.toUtf8();
     const auto at = std::min(qsizetype(fault.position), bytes.size());
     const qsizetype character = QString::fromUtf8(bytes.left(at)).size();
-    const QString rest = formula.mid(character);
+    QString rest = formula.mid(character);
+    if (fault.error == scope::FormulaError::UnknownName)
+        rest = nameAtBeginningOf(rest);
     const QString shown =
         deviceText(rest.size() > kShown ? rest.left(kShown) + QStringLiteral("\u2026") : rest);
     const bool open = fault.error == scope::FormulaError::Syntax && isOpen(rest);

@@ -144,6 +144,7 @@ private Q_SLOTS:
                      .data(MotorModel::DiffersRole)
                      .toBool());
         QVERIFY(!text("derived", "kt", MotorModel::FileColumn).isEmpty());
+        QCOMPARE(int(MotorModel::FileColumn), int(MotorModel::ValueColumn) + 1); // side by side
     }
 
     void aDamagedFileLeavesWhatIsShown_data()
@@ -165,6 +166,7 @@ private Q_SLOTS:
         openFile(kGimbal);
         openFile(content.constData());
         QVERIFY2(label("motorTold").contains(place), qPrintable(label("motorTold")));
+        QVERIFY(label("motorTold").startsWith(QStringLiteral("\u2716")));
         QVERIFY(label("motorTold").contains(QStringLiteral("was not opened")));
         QCOMPARE(form().model().differences(), 6);
     }
@@ -194,7 +196,7 @@ private Q_SLOTS:
         tree->setFocus();
         tree->setCurrentIndex(row);
         press(Qt::Key_C, Qt::ControlModifier, tree);
-        QVERIFY(QApplication::clipboard()->text().startsWith(QStringLiteral("Pole pairs\t4\t4")));
+        QVERIFY(QApplication::clipboard()->text().startsWith(QStringLiteral("Pole pairs\t4\t")));
     }
 
     void theConverterBeginsWithTheBoard()

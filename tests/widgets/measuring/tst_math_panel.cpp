@@ -139,6 +139,8 @@ void TestMathPanel::whatIsWrongIsSaidWhereItIs()
     QVERIFY2(verdict().contains(QStringLiteral("character 7")), qPrintable(verdict()));
     QVERIFY2(verdict().contains(QStringLiteral("nothing")), qPrintable(verdict()));
     QVERIFY(refused());
+    write(QStringLiteral("X"), QStringLiteral("2*NO_D*I_A+I_B"));
+    QVERIFY2(verdict().endsWith(QStringLiteral("called NO_D.")), qPrintable(verdict()));
     QTest::keyClick(m_rig->find<QLineEdit>("mathFormula"), Qt::Key_Return);
     QCOMPARE(list()->model()->rowCount(), 0);
     write(QStringLiteral("X"), QStringLiteral("min(I_A, (I_B)"));
