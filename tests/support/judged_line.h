@@ -50,7 +50,6 @@ public:
     std::atomic<bool> reset = false; ///< power cycle, once
     std::atomic<int> fault = -1; ///< fault bits to be present from now on
     std::atomic<bool> shortFault = false; ///< an overcurrent that is over at once, once
-    std::atomic<int> freeze_ms = 0; ///< the session's thread, once
     void jump(Duration time)
     {
         const std::lock_guard lock(m_mutex);
@@ -58,6 +57,13 @@ public:
         m_offset += time.count();
         m_troubled = now();
     }
+    /// The session's thread, once, as soon as it serves the line again.
+    void freeze(int ms)
+    {
+        m_frozen = true;
+        m_freeze_ms = ms;
+    }
+    bool frozen() const { return m_frozen; }
     /// The window's thread stood still until now.
     void stoodStill()
     {
@@ -188,6 +194,8 @@ private:
     simulation::BoardOptions m_options;
     drive::Protocol m_protocol;
     bool m_virtual;
+    std::atomic<bool> m_frozen = false;
+    std::atomic<int> m_freeze_ms = 0;
     session::Clock m_clock;
     std::atomic<Duration::rep> m_offset = 0;
     std::mutex m_mutex;
@@ -320,11 +328,12 @@ private:
             m_world.m_shortFaultEnds.reset();
             m_world.m_board->setFaults(0);
         }
-        if (const int ms = m_world.freeze_ms.exchange(0); ms > 0) {
+        if (const int ms = m_world.m_freeze_ms.exchange(0); ms > 0) {
             QElapsedTimer clock;
             clock.start();
             while (clock.elapsed() < ms) { } // nobody is there meanwhile
             m_world.stoodStill();
+            m_world.m_frozen = false;
         }
     }
 

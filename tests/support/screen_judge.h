@@ -42,10 +42,11 @@ public:
         const Duration calm = m_world.sinceTrouble();
         m_more = calm < kOld ? kLongestTrouble : 0s;
         const bool heard = m_world.silence() < kOld;
-        if (!heard || calm < kOld || !said("boardLamp").contains(QLatin1String("answering")))
+        if (!heard || calm < kOld || m_world.frozen()
+            || !said("boardLamp").contains(QLatin1String("answering")))
             m_unwell = m_world.now();
         m_found.clear();
-        if (calm < kAwake)
+        if (calm < kAwake || m_world.frozen())
             return m_found;
         nothingIsKnownOfASilentBoard(heard);
         if (heard) {
@@ -81,7 +82,7 @@ public:
             return "\"" + echo.toStdString() + "\", and the board has steps of "
                 + std::to_string(step);
         static const QRegularExpression said(
-            QStringLiteral("(?:Understood: |becomes )(-?[0-9.]+)"));
+            QStringLiteral("(?:Understood: |becomes )(-?[0-9.]+).rpm"));
         const auto match = said.match(echo);
         if (!match.hasMatch() || std::abs(match.captured(1).toDouble() - rpm) < 1.0)
             return {};

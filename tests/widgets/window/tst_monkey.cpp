@@ -516,7 +516,7 @@ private:
         const int ms = 100 + int(m_random.below(700));
         if (m_random.chance(0.5)) {
             note("freeze the line's thread for " + std::to_string(ms));
-            m_world.freeze_ms = ms;
+            m_world.freeze(ms);
             return;
         }
         note("freeze the window for " + std::to_string(ms));
