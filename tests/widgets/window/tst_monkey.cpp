@@ -481,6 +481,8 @@ private:
         case 5:
             note("short fault");
             m_world.shortFault = true;
+            if (m_random.chance(0.5))
+                rest(2800); // until it has to be in the list
             return;
         case 0:
             note("unplug");
