@@ -29,7 +29,7 @@ bool Replacing::samplesAreKept() const
 void Replacing::before(std::function<void()> goOn)
 {
     if (samplesAreKept()) {
-        beforeMarkersGo(std::move(goOn));
+        beforeMarkersGo(goOn);
         return;
     }
     Question question{.name = "replaceQuestion",
@@ -56,7 +56,7 @@ void Replacing::before(std::function<void()> goOn)
     m_parts.prompt.ask(question);
 }
 
-void Replacing::beforeMarkersGo(std::function<void()> goOn)
+void Replacing::beforeMarkersGo(const std::function<void()> &goOn)
 {
     if (!m_parts.markers.changed()) {
         goOn();

@@ -27,7 +27,7 @@ public:
     /// Asks before samples of a board or markers go that are in no file; goes on at once if there are none.
     void before(std::function<void()> goOn);
     /// Asks before changed markers go; goes on at once if there are none, and once they are saved.
-    void beforeMarkersGo(std::function<void()> goOn);
+    void beforeMarkersGo(const std::function<void()> &goOn);
     /// Asks before samples go that are in no file. What happened in a file goes with it; markers of a connection and of a
     /// replay stay.
     void clear();

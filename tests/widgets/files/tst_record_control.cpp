@@ -228,26 +228,6 @@ private Q_SLOTS:
         QVERIFY(!m_rig->find<QMessageBox>("replaceQuestion"));
     }
 
-    void clearingAsksWhereOpeningDoes()
-    {
-        makeRig();
-        connectToBoard();
-        disconnectFromBoard();
-        const auto live = capture().channels().front().id;
-        action("clearRecorded")->trigger();
-        auto *question = m_rig->find<QMessageBox>("clearQuestion");
-        QVERIFY(question);
-        QTest::keyClick(question, Qt::Key_Return); // neither Enter nor Esc clears
-        QTRY_VERIFY(!m_rig->find<QMessageBox>("clearQuestion"));
-        QVERIFY(capture().channel(live));
-        action("clearRecorded")->trigger();
-        QTest::mouseClick(m_rig->find<QPushButton>("clearYes"), Qt::LeftButton);
-        QTRY_VERIFY(!capture().timeSpan());
-        QTRY_VERIFY(!m_rig->find<QMessageBox>("clearQuestion"));
-        action("clearRecorded")->trigger(); // there is nothing left to ask about
-        QVERIFY(!m_rig->find<QMessageBox>("clearQuestion"));
-    }
-
     void whatIsAllInTheRecordingIsNotAskedAbout()
     {
         makeRig();

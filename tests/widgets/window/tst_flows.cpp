@@ -183,6 +183,21 @@ private Q_SLOTS:
         QCOMPARE(gone, 1);
     }
 
+    void clearingAsksWhereOpeningDoes()
+    {
+        sample();
+        m_flows->replacing.clear();
+        QVERIFY(m_flows->questions.asks("clearQuestion"));
+        QVERIFY(m_flows->questions.usual().isEmpty()); // neither Enter nor Esc clears
+        QVERIFY(m_flows->questions.answer({}));
+        QVERIFY(m_flows->bench.capture().timeSpan());
+        m_flows->replacing.clear();
+        QVERIFY(m_flows->questions.answer(QStringLiteral("&Clear")));
+        QVERIFY(!m_flows->bench.capture().timeSpan());
+        m_flows->replacing.clear(); // there is nothing left to ask about
+        QVERIFY(m_flows->questions.open.empty());
+    }
+
     void clearingAsksForMarkersOfAFile()
     {
         m_flows->opening.askForRecording();
