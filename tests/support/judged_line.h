@@ -99,6 +99,12 @@ public:
         const std::lock_guard lock(m_mutex);
         return m_judge.verdict();
     }
+    /// What is written from now on is counted anew.
+    void forgetWritten()
+    {
+        const std::lock_guard lock(m_mutex);
+        m_judge.forgetWritten();
+    }
     judge::MsRules::Counts counts()
     {
         const std::lock_guard lock(m_mutex);

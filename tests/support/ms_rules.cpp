@@ -129,6 +129,8 @@ void MsRules::judge(const Sent &sent, const std::string &)
         ++m_counts.setPoints;
         m_counts.rpm = sent.rpm;
     }
+    if (sent.kind == Kind::Write && sent.value)
+        m_counts.written[sent.target] = *sent.value;
     if (sent.kind == Kind::Stop)
         m_stopSent[sent.motor] = m_now;
     if (sent.kind == Kind::Stop && m_stop) {

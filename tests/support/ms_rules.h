@@ -177,8 +177,10 @@ public:
     struct Counts {
         int acts = 0, arms = 0, starts = 0, stops = 0, setPoints = 0, packets = 0;
         std::optional<double> rpm; ///< of the last set-point that is a speed
+        std::map<std::uint32_t, double> written; ///< the last number of each register that is none
     };
     const Counts &counts() const { return m_counts; } ///< of what left, and of acts
+    void forgetWritten() { m_counts.written.clear(); }
 
 private:
     struct OpenStop {

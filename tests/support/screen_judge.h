@@ -89,6 +89,43 @@ public:
         return "\"" + echo.toStdString() + "\", and " + std::to_string(rpm) + " rpm left";
     }
 
+    /// The planned gains that are shown as "NUMERATOR/2^EXPONENT", by register.
+    std::map<QString, int> plannedGains() const
+    {
+        std::map<QString, int> planned;
+        const auto *table = find<QAbstractItemView>("labGains");
+        static const QRegularExpression fraction(QStringLiteral("^([-\u2212]?[0-9]+)(/|$)"));
+        for (int row = 0;
+             table != nullptr && table->isVisible() && row < table->model()->rowCount(); ++row) {
+            const auto match = fraction.match(table->model()->index(row, 2).data().toString());
+            if (match.hasMatch())
+                planned[table->model()->index(row, 0).data().toString()] =
+                    int(*number(match.captured(1)));
+        }
+        return planned;
+    }
+    /// What Apply wrote is what the table of planned gains showed.
+    /// @param written  by the register's number on the wire of MCP
+    std::string gainsAsShown(
+        const std::map<QString, int> &planned, const std::map<std::uint32_t, double> &written) const
+    {
+        static const std::map<QString, std::uint32_t> numbers{{QStringLiteral("SPEED_KP"), 0x90},
+            {QStringLiteral("SPEED_KI"), 0xD0}, {QStringLiteral("I_Q_KP"), 0x190},
+            {QStringLiteral("I_Q_KI"), 0x1D0}, {QStringLiteral("I_D_KP"), 0x290},
+            {QStringLiteral("I_D_KI"), 0x2D0}};
+        for (const auto &[name, value] : planned) {
+            const auto known = numbers.find(name);
+            if (known == numbers.end())
+                continue;
+            const auto found = written.find(known->second | std::uint32_t(chosenMotor()));
+            if (found != written.end()
+                && static_cast<std::int16_t>(found->second) != static_cast<std::int16_t>(value))
+                return "the table showed " + name.toStdString() + " = " + std::to_string(value)
+                    + ", and " + std::to_string(int(found->second)) + " was written";
+        }
+        return {};
+    }
+
     int looks() const { return m_looks; }
     int statements() const { return m_statements; } ///< that were compared
 

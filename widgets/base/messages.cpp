@@ -33,13 +33,17 @@ QString linkStateText(drive::LinkState state)
     return {};
 }
 
-QString linkStateText(const drive::LinkChanged &link)
+bool noBoardFound(const drive::LinkChanged &link)
 {
     using drive::LinkReason;
     const bool met = link.reason == LinkReason::None || link.reason == LinkReason::Silence
         || link.reason == LinkReason::RecoveryFailed || link.reason == LinkReason::BoardReset;
-    return link.state == drive::LinkState::Lost && !met ? Messages::tr("no board found")
-                                                        : linkStateText(link.state);
+    return link.state == drive::LinkState::Lost && !met;
+}
+
+QString linkStateText(const drive::LinkChanged &link)
+{
+    return noBoardFound(link) ? Messages::tr("no board found") : linkStateText(link.state);
 }
 
 QString linkReasonText(drive::LinkReason reason)

@@ -332,11 +332,12 @@ void ConnectBar::updateLink()
     updateNames();
 }
 
-/// Which board it is; nobody knows which one is at a port that is closed.
+/// Which board it is; unknown at a port that is closed or where none answers.
 void ConnectBar::updateNames()
 {
     const auto &identified = m_device.identified();
-    if (!identified || m_device.link().state == drive::LinkState::Closed) {
+    if (!identified || m_device.link().state == drive::LinkState::Closed
+        || noBoardFound(m_device.link())) {
         m_firmware->clear();
         m_board->clear();
         return;

@@ -218,8 +218,11 @@ private Q_SLOTS:
         QVERIFY(lamp().contains(QStringLiteral("no board")));
         QVERIFY(m_rig->find<QLabel>("firmware")->text().isEmpty());
         QVERIFY(m_rig->find<QLabel>("boardName")->text().isEmpty());
+        feed({LinkState::Connected, LinkReason::None});
+        QVERIFY(!m_rig->find<QLabel>("firmware")->text().isEmpty());
         feed({LinkState::Lost, LinkReason::NoAnswer});
         QVERIFY(lamp().contains(QStringLiteral("no board found")));
+        QVERIFY(m_rig->find<QLabel>("firmware")->text().isEmpty());
     }
 
     void theChosenMotorStaysShownWhenItsBoardIsToldAnew()

@@ -11,12 +11,14 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QLineEdit>
 #include <QPointer>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QWheelEvent>
@@ -79,6 +81,7 @@ public:
     explicit Monkey(std::uint64_t seed)
         : m_random(seed)
         , m_kind(kKinds[seed % std::size(kKinds)])
+        , m_habit(static_cast<int>(seed % 5))
         , m_world(boardOf(m_kind, seed), m_kind.protocol)
         , m_rig(settingsOf(m_kind), session::makeDiskSink, m_world.parts())
         , m_screen(m_rig.window, m_world, m_kind.motors)
@@ -128,6 +131,7 @@ public:
     }
     judge::MsRules::Counts counts() { return m_world.counts(); }
     int statements() const { return m_screen.statements(); }
+    int tuned() const { return m_tuned; }
 
 private:
     std::string verdict() { return m_untrue.empty() ? m_world.verdict() : m_untrue; }
@@ -232,11 +236,13 @@ private:
     }
     bool click(const char *name)
     {
-        auto *button = m_rig.find<QAbstractButton>(name);
-        if (button == nullptr || !button->isVisible() || !button->isEnabled())
-            return false;
-        press(button, std::string("click ") + name);
-        return true;
+        // There may be one on each of several pages.
+        for (auto *button : m_rig.window.findChildren<QAbstractButton *>(QLatin1String(name)))
+            if (button->isVisible() && button->isEnabled()) {
+                press(button, std::string("click ") + name);
+                return true;
+            }
+        return false;
     }
     void key(QWidget *widget, Qt::Key which, Qt::KeyboardModifiers modifiers = {})
     {
@@ -264,11 +270,47 @@ private:
             : all[qsizetype(m_random.below(static_cast<std::uint64_t>(all.size())))];
     }
 
+    /// What some people do again and again.
+    void habit()
+    {
+        switch (m_habit) {
+        case 0: // starts at once what was stopped
+            click("stop");
+            rest(400 + int(m_random.below(400)));
+            goOnPurpose();
+            goOnPurpose();
+            rest(300);
+            return;
+        case 1: // has a loose cable
+            note("loose cable");
+            m_world.cut = true;
+            rest(700 + int(m_random.below(1500)));
+            m_world.cut = false;
+            for (int i = 0; i < 30; ++i) {
+                rest(20);
+                look();
+            }
+            return;
+        case 2: // looks from one motor to the other
+            choose();
+            return goOnPurpose();
+        case 3: // waits for the list
+            note("short fault");
+            m_world.shortFault = true;
+            rest(2800);
+            click("acknowledge");
+            return;
+        default:
+            return tune();
+        }
+    }
     void act()
     {
         if (QApplication::activeModalWidget() != nullptr && m_random.chance(0.7))
             return answer();
-        switch (m_random.below(24)) {
+        if (m_random.chance(0.15))
+            return habit();
+        switch (m_random.below(25)) {
         case 0:
         case 1:
         case 2:
@@ -305,6 +347,8 @@ private:
             return freeze();
         case 21:
             return jog();
+        case 24:
+            return tune();
         case 22:
             click(m_random.chance(0.5) ? "acknowledge" : "stopRamp");
             return;
@@ -481,8 +525,6 @@ private:
         case 5:
             note("short fault");
             m_world.shortFault = true;
-            if (m_random.chance(0.5))
-                rest(2800); // until it has to be in the list
             return;
         case 0:
             note("unplug");
@@ -526,6 +568,55 @@ private:
         clock.start();
         while (clock.elapsed() < ms) { }
         m_world.stoodStill();
+    }
+    /// Plans gains, perhaps twice, and writes what is shown.
+    void tune()
+    {
+        auto *open = m_rig.find<QAction>("gainsDockOpen");
+        if (m_kind.protocol != drive::Protocol::Mcp || top() != &m_rig.window || open == nullptr)
+            return;
+        note("tune");
+        m_world.act(Act::Kind::Input);
+        open->trigger();
+        rest(20);
+        auto *pages = m_rig.find<QTabWidget>("gainPages");
+        if (pages == nullptr || !pages->isVisible())
+            return;
+        QTest::mouseClick(pages->tabBar(), Qt::LeftButton, {},
+            pages->tabBar()->tabRect(pages->count() - 1).center());
+        auto *bandwidth = m_rig.find<QLineEdit>("labBandwidth");
+        if (bandwidth == nullptr || !bandwidth->isVisible())
+            return;
+        const auto typeInto = [&](QLineEdit *edit, const QString &text) {
+            edit->setFocus();
+            edit->selectAll();
+            QTest::keyClicks(edit, text);
+        };
+        const auto type = [&] { typeInto(bandwidth, QString::number(300 + m_random.below(1900))); };
+        click("labFromBoard");
+        for (const auto &[name, text] :
+            {std::pair("labRs", "0.35"), std::pair("labLq", "0.6"), std::pair("labLd", "0.6")})
+            if (auto *edit = m_rig.find<QLineEdit>(name); edit != nullptr && edit->text().isEmpty())
+                typeInto(edit, QLatin1String(text));
+        if (auto *arm = m_rig.find<QCheckBox>("arm"); arm != nullptr && !arm->isChecked())
+            click("arm");
+        rest(150); // the board's facts come
+        type();
+        click("labPreview");
+        rest(20);
+        if (m_random.chance(0.5))
+            type();
+        rest(20);
+        const auto planned = m_screen.plannedGains();
+        m_world.forgetWritten();
+        if (!click("applyEdits"))
+            return;
+        if (QApplication::activeModalWidget() != nullptr)
+            answerYes();
+        rest(400);
+        const auto written = m_world.counts().written;
+        m_tuned += written.empty() || planned.empty() ? 0 : 1;
+        finds(m_screen.gainsAsShown(planned, written));
     }
     /// Holds a jog button for a while.
     void jog()
@@ -585,6 +676,7 @@ private:
 
     Random m_random;
     Kind m_kind;
+    int m_habit;
     QTemporaryDir m_folder;
     JudgedWorld m_world; // outlives the window, whose session ends last
     facts::WindowRig m_rig;
@@ -593,6 +685,7 @@ private:
     QTimer m_popups;
     std::vector<std::string> m_story;
     std::deque<QString> m_echoes; ///< what stood below the field of the speed when it was sent
+    int m_tuned = 0; ///< times that gains were written
     bool m_armed = false;
     bool m_restores = false; ///< what was pressed last is about what a file holds
 };
@@ -612,7 +705,7 @@ void TestMonkey::whateverIsPressedTheRulesHold()
     const int only = seeds.first().toInt();
     const int first = only > 0 ? only : 1;
     const int last = only > 0 ? seeds.last().toInt() : isLong ? 1000 : 40;
-    int armed = 0, started = 0, stopped = 0, acts = 0, statements = 0;
+    int armed = 0, started = 0, stopped = 0, acts = 0, statements = 0, tuned = 0;
     std::vector<std::string> failed;
     for (int seed = first; seed <= last; ++seed) {
         Monkey monkey(static_cast<std::uint64_t>(seed));
@@ -623,6 +716,7 @@ void TestMonkey::whateverIsPressedTheRulesHold()
         stopped += counts.stops > 0 ? 1 : 0;
         acts += counts.acts;
         statements += monkey.statements();
+        tuned += monkey.tuned();
         if (seed % 100 == 0)
             qInfo() << "up to seed" << seed;
         if (wrong.empty())
@@ -632,7 +726,8 @@ void TestMonkey::whateverIsPressedTheRulesHold()
     }
     const int sessions = last - first + 1;
     qInfo() << sessions << "sessions," << acts << "acts, armed" << armed << "started" << started
-            << "stopped" << stopped << "statements" << statements << "failed" << failed.size();
+            << "stopped" << stopped << "statements" << statements << "tuned" << tuned << "failed"
+            << failed.size();
     QVERIFY2(failed.empty(), failed.empty() ? "" : failed.front().c_str());
     if (sessions >= 40)
         QVERIFY(2 * armed > sessions && 2 * started > sessions);
