@@ -3128,6 +3128,35 @@
     </message>
 </context>
 <context>
+    <name>widgets::FaultPicture</name>
+    <message>
+        <source>%1, motor %2: %3</source>
+        <comment>time, number, faults</comment>
+        <translation>%1, Motor %2: %3</translation>
+    </message>
+    <message>
+        <source>Recorded fault</source>
+        <translation>Aufgezeichneter Fehler</translation>
+    </message>
+    <message>
+        <source>Recording what follows…</source>
+        <translation>Zeichnet auf, was folgt …</translation>
+    </message>
+    <message>
+        <source>No signal was recorded when this fault came. Drag signals onto the scope: then the next one has a picture.</source>
+        <translation>Als dieser Fehler kam, wurde kein Signal aufgezeichnet. Ziehen Sie Signale auf das Oszilloskop: dann hat der nächste ein Bild.</translation>
+    </message>
+    <message>
+        <source>When it was told (0 s): %1</source>
+        <comment>values of signals</comment>
+        <translation>Als er gemeldet wurde (0 s): %1</translation>
+    </message>
+    <message>
+        <source>Signals around the fault</source>
+        <translation>Signale um den Fehler</translation>
+    </message>
+</context>
+<context>
     <name>widgets::FileJob</name>
     <message>
         <source>Cancel</source>
@@ -3919,6 +3948,10 @@
     <message>
         <source>R&amp;oom for samples…</source>
         <translation>&amp;Platz für Messwerte…</translation>
+    </message>
+    <message>
+        <source>&amp;Faults and their causes…</source>
+        <translation>&amp;Fehler und ihre Ursachen …</translation>
     </message>
 </context>
 <context>

@@ -3128,6 +3128,35 @@
     </message>
 </context>
 <context>
+    <name>widgets::FaultPicture</name>
+    <message>
+        <source>%1, motor %2: %3</source>
+        <comment>time, number, faults</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording what follows…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No signal was recorded when this fault came. Drag signals onto the scope: then the next one has a picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When it was told (0 s): %1</source>
+        <comment>values of signals</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signals around the fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::FileJob</name>
     <message>
         <source>Cancel</source>
@@ -3918,6 +3947,10 @@
     </message>
     <message>
         <source>R&amp;oom for samples…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Faults and their causes…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1,6 +1,7 @@
 // The store against a plain list of samples: whatever it answers must equal what brute force
 // answers.
 #include "capture/capture.h"
+#include "capture/excerpt.h"
 #include "capture/rows.h"
 
 #include <QtTest>
@@ -39,6 +40,7 @@ private Q_SLOTS:
     void theTimeOfASampleLeadsBackToIt_data();
     void theTimeOfASampleLeadsBackToIt();
     void whatWasComputedIsFoundCutAndForgotten();
+    void anExcerptStaysWhenItsSamplesGo();
 };
 
 namespace {
@@ -661,6 +663,36 @@ void TestCapture::whatWasComputedIsFoundCutAndForgotten()
     QCOMPARE(capture.size(*capture.find(7)), std::uint64_t(4));
     const ChannelId other = capture.addImported("N", "A", 3); // never under a board's register
     QVERIFY(!capture.info(other)->isBoards());
+}
+
+void TestCapture::anExcerptStaysWhenItsSamplesGo()
+{
+    Capture capture;
+    capture.begin(layout(1, {7}));
+    capture.append(block(1, 0, {1, 2, 3}));
+    capture.append(block(1, 10, {4, 5, 6})); // behind a gap
+    const ChannelId id = *capture.find(7);
+    const auto timeOf = [&](Index at) { return capture.channel(id)->timeOf(at); };
+    capture.appendPolled(9, "P", "V", toSeconds(timeOf(5)) + 10.0, 1.0); // outside
+    const Nanos from = timeOf(1), to = timeOf(5);
+    std::vector<Nanos> times;
+    for (Index at = 1; at < 5; ++at)
+        times.push_back(timeOf(at));
+    const ChannelInfo info = *capture.info(id);
+    const double digit = info.factor;
+    const Capture excerpt = excerptOf(capture, from, to);
+    capture.clear();
+    const auto channels = excerpt.channels();
+    QCOMPARE(channels.size(), std::size_t(1));
+    QCOMPARE(channels.front().name, info.name);
+    QCOMPARE(channels.front().unit, info.unit);
+    const Channel &copy = *excerpt.channel(channels.front().id);
+    QCOMPARE(copy.size(), std::uint64_t(4));
+    for (Index at = 0; at < 4; ++at) {
+        QCOMPARE(copy.timeOf(copy.begin() + at), times[std::size_t(at)]);
+        QCOMPARE(copy.at(copy.begin() + at), double(at + 2) * digit);
+    }
+    QCOMPARE(copy.gaps(toSeconds(from), toSeconds(to), 0.0).size(), std::size_t(1));
 }
 
 void TestCapture::clearingForgetsEverythingAndTheStreamGoesOn()

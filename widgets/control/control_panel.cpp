@@ -117,6 +117,7 @@ ControlPanel::ControlPanel(
     top->setContentsMargins(kMargin, kGap, kMargin, 0);
     top->setSpacing(kGap);
     top->addWidget(m_state);
+    connect(m_state, &StateBox::causesWanted, this, &ControlPanel::causesWanted);
     top->addWidget(line(this));
     top->addWidget(m_commands);
     top->addWidget(m_words);

@@ -46,6 +46,7 @@ public Q_SLOTS:
 Q_SIGNALS:
     void watchedRegistersChanged();
     void currentScaleWanted(); ///< a person knows the scale of the currents
+    void causesWanted(); ///< of the faults, to be explained
     void limitsWanted(); ///< a person wants to change their own limits
 
 private:

@@ -1,6 +1,7 @@
 #include "widgets/control/fault_help.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/control/fault_picture.h"
 #include "widgets/control/fault_texts.h"
 #include "widgets/control/motor_button.h"
 
@@ -25,9 +26,10 @@ QString sectionOf(const std::string &name)
 
 } // namespace
 
-FaultHelp::FaultHelp(Device &device, QWidget *parent)
+FaultHelp::FaultHelp(Device &device, const FaultRecords &records, QWidget *parent)
     : QDialog(parent)
     , m_device(device)
+    , m_picture(new FaultPicture(records, this))
     , m_text(new QTextBrowser(this))
 {
     setObjectName(QStringLiteral("faultHelp"));
@@ -46,13 +48,25 @@ FaultHelp::FaultHelp(Device &device, QWidget *parent)
     bottom->addStretch(1);
     bottom->addWidget(buttons);
     auto *layout = new QVBoxLayout(this);
-    layout->addWidget(m_text, 1);
+    layout->addWidget(m_picture, 3);
+    layout->addWidget(m_text, 2);
     layout->addLayout(bottom);
-    resize(560, 460);
+    resize(760, records.records().empty() ? 460 : 620);
     connect(&device, &Device::statusChanged, this, &FaultHelp::update);
-    connect(&device, &Device::motorChanged, this, &FaultHelp::update);
+    connect(&device, &Device::motorChanged, this, [this] {
+        update();
+        m_picture->showNewestOf(m_device.motor());
+    });
     connect(&device, &Device::linkStateChanged, this, &FaultHelp::update);
     update();
+}
+
+void FaultHelp::present()
+{
+    m_picture->showNewestOf(m_device.motor());
+    show();
+    raise();
+    activateWindow();
 }
 
 QString FaultHelp::plainText() const { return m_text->toPlainText(); }

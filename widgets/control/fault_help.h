@@ -1,5 +1,5 @@
-// FaultHelp: explains the faults of a motor in a window of its own: what each means, its likely causes and what to try.
-// It stays open while one works, follows the motor, and has a stop button like every window.
+// FaultHelp: explains the faults of a motor in a window of its own: what was recorded around each, what it means, its
+// likely causes and what to try. It stays open while one works, follows the motor, and has a stop button like every window.
 #pragma once
 
 #include "widgets/base/device.h"
@@ -10,10 +10,16 @@ class QTextBrowser;
 
 namespace widgets {
 
+class FaultPicture;
+class FaultRecords;
+
 class FaultHelp : public QDialog {
     Q_OBJECT
 public:
-    explicit FaultHelp(Device &device, QWidget *parent = nullptr);
+    /// Both outlive it.
+    FaultHelp(Device &device, const FaultRecords &records, QWidget *parent = nullptr);
+
+    void present(); ///< in front, with the newest fault of the motor
 
     QString plainText() const; ///< what it says, for tests
 
@@ -21,6 +27,7 @@ private:
     void update();
 
     Device &m_device;
+    FaultPicture *m_picture;
     QTextBrowser *m_text;
     QString m_html; ///< as shown
 };

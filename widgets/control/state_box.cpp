@@ -3,7 +3,6 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/lamp.h"
 #include "widgets/base/messages.h"
-#include "widgets/control/fault_help.h"
 #include "widgets/control/fault_texts.h"
 #include "widgets/control/state_strip.h"
 
@@ -65,7 +64,7 @@ StateBox::StateBox(Device &device, QWidget *parent)
     m_causes->setText(tr("Causes\u2026"));
     m_causes->setToolTip(tr("What these faults mean and what to try"));
     m_causes->setFocusPolicy(Qt::TabFocus);
-    connect(m_causes, &QToolButton::clicked, this, &StateBox::explain);
+    connect(m_causes, &QToolButton::clicked, this, &StateBox::causesWanted);
 
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -150,16 +149,6 @@ void StateBox::showFaults(const drive::MotorStatus &status, bool believed)
     m_faultsPast->setVisible(believed && !over.empty());
     m_faultsPast->setText(tr("To acknowledge: %1").arg(joined(over)));
     m_causes->setVisible(believed && (!status.faultsNow.empty() || !over.empty()));
-}
-
-void StateBox::explain()
-{
-    auto *open = window()->findChild<FaultHelp *>();
-    if (open == nullptr)
-        open = new FaultHelp(m_device, window());
-    open->show();
-    open->raise();
-    open->activateWindow();
 }
 
 } // namespace widgets

@@ -19,6 +19,9 @@ public:
 
     QString stateText() const;
 
+Q_SIGNALS:
+    void causesWanted(); ///< of the faults, to be explained
+
 protected:
     void changeEvent(QEvent *event) override;
 
@@ -26,7 +29,6 @@ private:
     void follow();
     void showState(const drive::MotorStatus &status, bool believed);
     void showFaults(const drive::MotorStatus &status, bool believed);
-    void explain();
 
     Device &m_device;
     QLabel *m_state;

@@ -201,6 +201,8 @@ void EventRecorder::status(int motor)
     for (const std::string &fault : fresh) {
         note(EventKind::Fault, seconds, named(motor, deviceText(fault)));
         Q_EMIT stateChanged(seconds, EventKind::Fault, 0);
+        if (met)
+            Q_EMIT faulted(seconds, motor, deviceText(fault));
     }
     if (now.state == before.state && now.rawState == before.rawState)
         return;

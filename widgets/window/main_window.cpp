@@ -8,6 +8,7 @@
 #include "widgets/control/control_panel.h"
 #include "widgets/control/current_scale_dialog.h"
 #include "widgets/control/current_scales.h"
+#include "widgets/control/fault_help.h"
 #include "widgets/control/limits_dialog.h"
 #include "widgets/control/motion_question.h"
 #include "widgets/control/motor_button.h"
@@ -281,6 +282,7 @@ void MainWindow::connectParts()
     connectAlarm();
     connectWatchList();
     showMotionQuestions(m_workbench.motion(), m_device, this);
+    connect(m_control, &ControlPanel::causesWanted, this, &MainWindow::explainFaults);
     connect(m_control, &ControlPanel::limitsWanted, this, &MainWindow::askForLimits);
     connect(m_control, &ControlPanel::currentScaleWanted, this, &MainWindow::askForCurrentScale);
     connect(m_registerPanel, &RegisterPanel::registersChosen, m_selection,
@@ -415,6 +417,14 @@ void MainWindow::stopAdvanced(const drive::StopProgress &progress)
         m_alarm->raiseAlarm(progress.motor);
     else
         m_alarm->take(progress);
+}
+
+void MainWindow::explainFaults()
+{
+    auto *help = findChild<FaultHelp *>();
+    if (help == nullptr)
+        help = new FaultHelp(m_device, m_workbench.faultRecords(), this);
+    help->present();
 }
 
 void MainWindow::askForLimits()

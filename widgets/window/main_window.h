@@ -94,6 +94,7 @@ private:
     void tellReleased();
     void updateFrame();
     void stopAdvanced(const drive::StopProgress &progress);
+    void explainFaults();
     void askForLimits();
     void askForCurrentScale();
     void askForRoom();

@@ -176,6 +176,9 @@ void MainWindow::fillMotorMenu(QMenu *menu)
     QAction *acknowledge = addAction(menu, tr("&Acknowledge faults"), Qt::CTRL | Qt::Key_Backspace);
     acknowledge->setAutoRepeat(false);
     connect(acknowledge, &QAction::triggered, m_control, &ControlPanel::acknowledge);
+    QAction *causes = menu->addAction(tr("&Faults and their causes\u2026"));
+    causes->setObjectName(QStringLiteral("explainFaults"));
+    connect(causes, &QAction::triggered, this, &MainWindow::explainFaults);
     menu->addSeparator();
     connect(menu->addAction(tr("&Go to the set-point")), &QAction::triggered, m_control,
         &ControlPanel::go);

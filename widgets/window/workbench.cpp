@@ -34,6 +34,7 @@ Workbench::Workbench(session::MakeSink makeSink, session::Parts parts, QObject *
     m_edits.keepBeforeWriting(m_snapshots);
     connect(&m_heart, &QTimer::timeout, this, [this] {
         m_registers.refresh(now());
+        m_faults.advance(m_recorder.now()); // also where nothing comes any more
         Q_EMIT heartbeat(now());
     });
     m_heart.start(kHeartbeatMs);
@@ -115,6 +116,7 @@ void Workbench::advance()
 {
     m_math.advance();
     m_trigger.advance();
+    m_faults.advance(m_recorder.now());
     Q_EMIT advanced();
 }
 
@@ -151,6 +153,8 @@ void Workbench::connectTrigger()
     };
     connect(&m_signalPlan, &SignalPlan::changed, this, tell);
     connect(&m_device, &Device::portStateChanged, this, tell);
+    connect(&m_recorder, &EventRecorder::faulted, &m_faults, &FaultRecords::faulted);
+    connect(&m_signalPlan, &SignalPlan::forgetting, &m_faults, &FaultRecords::finish);
     connect(&m_signalPlan, &SignalPlan::forgot, &m_trigger, &Trigger::forget);
     using Kind = scope::EventTrigger::Kind;
     connect(&m_recorder, &EventRecorder::stateChanged, this,

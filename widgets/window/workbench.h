@@ -20,6 +20,7 @@
 #include "widgets/registers/register_model.h"
 #include "widgets/registers/watch_list.h"
 #include "widgets/scope/events/event_log.h"
+#include "widgets/scope/events/fault_records.h"
 #include "widgets/scope/signals/signal_plan.h"
 #include "widgets/scope/trigger/trigger.h"
 #include "widgets/snapshots/snapshot_auto.h"
@@ -51,6 +52,7 @@ public:
     MathChannels &math() { return m_math; }
     EventLog &events() { return m_events; }
     EventRecorder &eventRecorder() { return m_recorder; }
+    const FaultRecords &faultRecords() const { return m_faults; }
     Trigger &trigger() { return m_trigger; }
     /// Where the capture puts what memory has no room for; for other captures as well.
     const std::shared_ptr<session::DiskArchive> &archive() { return m_archive; }
@@ -100,6 +102,7 @@ private:
     MathChannels m_math{m_capture}; ///< before the trigger, which may watch one of them
     EventLog m_events;
     EventRecorder m_recorder{m_device, m_capture, m_events, [this] { return now(); }};
+    FaultRecords m_faults{m_capture};
     Trigger m_trigger{m_capture, [this] { return m_recorder.now(); }};
     WatchList m_watchList;
     QTimer m_heart;

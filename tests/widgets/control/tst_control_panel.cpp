@@ -10,6 +10,7 @@
 #include "widgets/control/setpoint_edit.h"
 #include "widgets/control/state_strip.h"
 #include "widgets/control/stop_words.h"
+#include "widgets/scope/events/fault_records.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -361,9 +362,16 @@ private Q_SLOTS:
         fault.faultsPast = {"OVER_VOLT", "bit 11"};
         facts::feed(*m_device, {fault});
         QVERIFY(causes->isVisible());
+        QSignalSpy wanted(m_panel.get(), &widgets::ControlPanel::causesWanted);
         causes->click();
-        auto *help = m_panel->findChild<widgets::FaultHelp *>();
-        QVERIFY(help && help->isVisible() && !help->isModal());
+        QCOMPARE(wanted.size(), 1);
+        const capture::Capture capture;
+        const widgets::FaultRecords records(capture);
+        widgets::FaultHelp shown(*m_device, records);
+        auto *help = &shown;
+        help->setAttribute(Qt::WA_DeleteOnClose, false);
+        help->present();
+        QVERIFY(help->isVisible() && !help->isModal());
         QVERIFY(help->findChild<widgets::StopButton *>()->height() >= 48);
         const QString text = help->plainText();
         qsizetype at = 0; // in this order
@@ -374,8 +382,6 @@ private Q_SLOTS:
         }
         facts::feed(*m_device, {facts::status(drive::MotorState::Idle)});
         QVERIFY(!help->plainText().contains(QStringLiteral("START_UP")));
-        causes->click();
-        QCOMPARE(m_panel->findChildren<widgets::FaultHelp *>().size(), 1);
     }
 
     void aFaultThatIsPresentIsNotToldTwice()
@@ -388,8 +394,9 @@ private Q_SLOTS:
         QVERIFY(label("faultsNow").contains(QStringLiteral("OVER_VOLT")));
         QVERIFY(!label("faultsPast").contains(QStringLiteral("OVER_VOLT")));
         QVERIFY(label("faultsPast").contains(QStringLiteral("SPEED_FDBK")));
-        m_panel->findChild<QToolButton *>(QStringLiteral("faultCauses"))->click();
-        const QString text = m_panel->findChild<widgets::FaultHelp *>()->plainText();
+        const capture::Capture capture;
+        const widgets::FaultRecords records(capture);
+        const QString text = widgets::FaultHelp(*m_device, records).plainText();
         QCOMPARE(text.count(QStringLiteral("OVER_VOLT")), 1);
     }
 
