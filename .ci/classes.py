@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""classes.py: says which class is too large, and which one is spread over more files than one can keep in mind.
+"""classes.py [--all] FILE...: says which class is too large, and which one is spread over more files than one can keep in mind.
 
 A class is what a reader has to hold in the head at once. A long one is not made smaller by more files: what it does is given
 to classes with a state of their own. Counted are the lines of its functions in .cpp files; a class inside another one counts
-as part of it.
+as part of it. --all tells each class, the largest first.
 """
 import collections
 import pathlib
@@ -67,6 +67,10 @@ def main():
         if path.suffix == '.cpp' and path.parts[0] != 'tests' and path.is_file():
             for name, lines in functions(path.read_text(encoding='utf-8')):
                 classes['/'.join(path.parts[:2]) + ' ' + name][path.name] += lines
+    if '--all' in sys.argv:
+        for name, files in sorted(classes.items(), key=lambda item: -sum(item[1].values())):
+            print(sum(files.values()), len(files), name)
+        return 0
     found = []
     for name, files in sorted(classes.items()):
         lines = sum(files.values())

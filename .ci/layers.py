@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""layers.py: says where an include goes up, where Qt is where it must not be, and where ARCHITECTURE.md is not true.
+"""layers.py FILE...: says where an include goes up, where Qt is where it must not be, and where ARCHITECTURE.md is not true.
 
 Folders are layers: each may include those of lower rows, and its own. A folder that the list does not name is a finding.
 """
 import pathlib
 import re
-import subprocess
 import sys
 
 ROWS = {
@@ -23,6 +22,7 @@ ROWS = {
                 'window'],
 }
 QT = {'core/session'}  # of core
+NO_NAMESPACE = {'base'}  # of core: its names are for all
 MOST_FILES = 50  # in one folder, its own folders not counted
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]', re.M)
@@ -77,12 +77,32 @@ def table():
     return set(re.findall(r'^\| `((?:core|widgets|app)[\w/]*)`', text, re.M)), text
 
 
+def namespaces(path):
+    """A file of core opens the namespace of its folder, one of widgets that of all widgets."""
+    wanted = {'core': path.parts[1], 'widgets': 'widgets'}.get(path.parts[0])
+    opened = re.findall(r'^namespace (\w+)', path.read_text(encoding='utf-8'), re.M)
+    if wanted and wanted not in NO_NAMESPACE and opened and wanted not in opened:
+        yield f'{path}: in namespace {opened[0]}, not {wanted}'
+
+
+def untrue_names(text, source):
+    """What ARCHITECTURE.md names and the project has not: classes and functions, and paths."""
+    code = '\n'.join(path.read_text(encoding='utf-8') for path in source)
+    words = set(re.findall(r'\w+', code))
+    said = re.findall(r'^    .*$', text, re.M) + re.findall(r'`([^`\n]+)`', text)
+    for name in sorted({name for line in said for name in re.findall(r'[\w./*:-]+', line)}):
+        path = re.match(r'(core|widgets|app|tests|docs|resources)/', name)
+        if any(pathlib.Path().glob(name)) if path else all(part in words for part in name.split('::')
+                                                           if re.search(r'[a-z][A-Z]', part)):
+            continue
+        yield f'ARCHITECTURE.md names {name}, which is not there'
+
+
 def main():
-    listed = subprocess.run(['git', '-c', 'safe.directory=*', 'ls-files', '--cached', '--others', '--exclude-standard', 'core',
-                             'widgets', 'app', 'tests'], capture_output=True, text=True, check=True).stdout.split()
-    files = [path for path in map(pathlib.Path, listed) if path.suffix in ('.cpp', '.h') and path.is_file()]
+    files = [path for path in map(pathlib.Path, sys.argv[1:]) if path.suffix in ('.cpp', '.h') and path.is_file()]
     source = [path for path in files if path.parts[0] != 'tests']
     found = [line for path in source if path.parts[0] != 'app' for line in includes(path)]
+    found += [line for path in source for line in namespaces(path)]
 
     counts = {}
     for path in files:
@@ -97,6 +117,7 @@ def main():
     widgets = {path.parts[1] for path in source if path.parts[0] == 'widgets' and len(path.parts) > 2}
     row = next((line for line in text.splitlines() if line.startswith('| `widgets`')), '')
     found += [f'ARCHITECTURE.md does not name widgets/{room}' for room in sorted(widgets) if f'`{room}`' not in row]
+    found += untrue_names(text, source)
     print('\n'.join(found), end='\n' if found else '')
     return 1 if found else 0
 

@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""seeds.py: breaks each house rule of .ci/lint in a copy of the project, and fails if lint does not say so.
+
+The copy as it is has to be clean; with all the seeds in it each of them has to be named.
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+COPIED = ['.ci', 'app', 'cmake', 'core', 'docs', 'packaging', 'resources', 'tests', 'widgets', 'ARCHITECTURE.md', 'CHANGELOG.md',
+          'CMakeLists.txt', 'CMakePresets.json', 'CONTRIBUTING.md', 'README.md', 'dev']
+
+LINES = '    work();\n'
+
+
+def function(name, lines):
+    """So many lines, from the first one to its closing brace."""
+    return f'void {name}()\n{{\n' + LINES * (lines - 3) + '}\n'
+
+
+# Where, what is put at the end of it, and what lint has to say about it.
+SEEDS = [
+    # Layers.
+    ('core/base/seed_up.h', '#include "drive/drive.h"\n', 'core/base/seed_up.h: goes up, or aside, to core/drive'),
+    ('core/scope/seed_aside.h', '#include "record/entry.h"\n', 'core/scope/seed_aside.h: goes up, or aside, to core/record'),
+    ('core/drive/seed_widgets.h', '#include "widgets/base/theme.h"\n', 'core/drive/seed_widgets.h: goes up to widgets'),
+    ('widgets/base/seed_up.h', '#include "widgets/window/settings.h"\n',
+     'widgets/base/seed_up.h: goes up, or aside, to widgets/window'),
+    ('widgets/control/seed_aside.h', '#include "widgets/files/markers.h"\n',
+     'widgets/control/seed_aside.h: goes up, or aside, to widgets/files'),
+    ('core/drive/seed_qt.h', '#include <QString>\n', 'core/drive/seed_qt.h: Qt is for core/session alone: QString'),
+    ('core/attic/seed.h', '#include "base/result.h"\n', '.ci/layers.py has no row for core/attic'),
+    ('core/drive/seed_space.h', 'namespace capture {\nint seeds();\n}\n',
+     'core/drive/seed_space.h: in namespace capture, not drive'),
+    *[(f'widgets/registers/seed_{number}.h', '#pragma once\n', 'widgets/registers: ') for number in range(51)],
+    # ARCHITECTURE.md and the folders.
+    ('core/cellar/seed.h', '#pragma once\n', 'ARCHITECTURE.md has no row for core/cellar'),
+    ('widgets/cellar/seed.h', '#pragma once\n', 'ARCHITECTURE.md does not name widgets/cellar'),
+    ('ARCHITECTURE.md', '\n| `core/loft` | | | |\n', 'ARCHITECTURE.md has a row for core/loft, which is not there'),
+    ('ARCHITECTURE.md', '\n`SeededClass`, `core/drive/seeded.h`\n', 'ARCHITECTURE.md names SeededClass, which is not there'),
+    ('ARCHITECTURE.md', '', 'ARCHITECTURE.md names core/drive/seeded.h, which is not there'),
+    # Classes.
+    ('widgets/window/seed_long.cpp', function('Long::run', 360), 'widgets/window Long: 710 lines of functions'),
+    ('widgets/window/seed_long_too.cpp', function('Long::runToo', 350), None),
+    *[(f'core/record/seed_sliced_{number}.cpp', function(f'Sliced::run{number}', 5),
+       'core/record Sliced: in seed_sliced_0.cpp, seed_sliced_1.cpp, seed_sliced_2.cpp') for number in range(3)],
+    # Functions that only tests call.
+    ('core/record/seed_lonely.h', 'int seededProbe();\n', 'core/record/seed_lonely.h: only tests call seededProbe'),
+    ('tests/core/record/tst_seed_lonely.cpp', 'int main() { return seededProbe(); }\n', None),
+    ('core/record/seed_dead.h', 'int seededDead();\n', 'core/record/seed_dead.h: nothing calls seededDead'),
+    # Lines.
+    ('widgets/base/seed_word.h', '// as MCB has it\n', 'widgets/base/seed_word.h'),
+    ('tests/core/base/tst_seed_sleep.cpp', 'QTest::qW' 'ait(5);\n', 'tests/core/base/tst_seed_sleep.cpp:1:'),
+    ('tests/core/base/tst_seed_skip.cpp', 'QSK' 'IP("later");\n', 'tests/core/base/tst_seed_skip.cpp:1:'),
+    ('core/base/seed_later.h', '// TO' 'DO\n', 'core/base/seed_later.h:1:'),
+    ('core/base/seed_locale.h', 'inline double read(const char *text) { return strtod(text, nullptr); }\n',
+     'core/base/seed_locale.h:1:'),
+    ('docs/seed.md', 'See /' 'home/me/notes.\n', 'docs/seed.md:1:'),
+    ('widgets/window/seed_arg.cpp', 'text\n    .arg(name(first, 2))\n    .arg(second);\n', 'widgets/window/seed_arg.cpp:2'),
+]
+
+
+def lint(folder):
+    return subprocess.run(['bash', '.ci/lint', '--rules'], cwd=folder, capture_output=True, text=True, check=False)
+
+
+def main():
+    with tempfile.TemporaryDirectory() as place:
+        folder = pathlib.Path(place)
+        for name in COPIED:
+            copy = shutil.copytree if (SOURCE / name).is_dir() else shutil.copy
+            copy(SOURCE / name, folder / name)
+        clean = lint(folder)
+        if clean.returncode or 'lint: clean' not in clean.stdout:
+            print('Not clean before any seed:', clean.stdout, clean.stderr, sep='\n')
+            return 1
+        for name, text, _ in SEEDS:
+            file = folder / name
+            file.parent.mkdir(exist_ok=True)
+            with file.open('a', encoding='utf-8') as grown:
+                grown.write(text)
+        seeded = lint(folder)
+        missed = [said for _, _, said in SEEDS if said and said not in seeded.stdout]
+        if missed or not seeded.returncode:
+            print('Lint did not say:', *missed, 'It said:', seeded.stdout, seeded.stderr, sep='\n')
+            return 1
+        print(f'lint found {len({said for _, _, said in SEEDS if said})} seeds of {len(SEEDS)} files')
+    return 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
