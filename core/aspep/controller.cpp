@@ -123,6 +123,7 @@ void Controller::receive(ByteView bytes, TimePoint now)
     m_firstHeard.insert(m_firstHeard.end(), bytes.begin(), bytes.begin() + wanted);
     Packet packet;
     bool proved = false; // that the stream is in step again
+    bool answered = false; // by the last packet, and nothing has come of it yet
     for (;;) {
         const bool lost = !m_framer.inStep();
         if (!m_framer.midPacket())
@@ -131,10 +132,15 @@ void Controller::receive(ByteView bytes, TimePoint now)
         proved = m_framer.inStep() && (proved || lost);
         if (step == Framer::Step::NeedBytes)
             break;
-        if (step == Framer::Step::Packet)
+        if (step == Framer::Step::Packet) {
             onPacket(packet, now);
-        else
+        } else {
+            if (answered)
+                withdrawResponse();
             onFault(step, now);
+        }
+        answered = step == Framer::Step::Packet && canSend() && !m_events.empty()
+            && std::holds_alternative<Response>(m_events.back());
         if (m_state == State::Idle && !m_urgent)
             break;
         if (hurried() && !m_framer.inStep()) {
@@ -188,6 +194,14 @@ void Controller::onData(const Data &data, Bytes &payload, TimePoint now)
     } else if (m_urgent) {
         onUrgentDue(now);
     }
+}
+
+/// What comes right behind it is no packet: its own end is missing, and something else made up for that.
+void Controller::withdrawResponse()
+{
+    m_events.pop_back();
+    m_requestOpen = true;
+    m_parity = !m_parity;
 }
 
 void Controller::onNack(TimePoint now)
@@ -305,6 +319,8 @@ void Controller::onReplyTimeout(TimePoint now)
     }
     if (m_framer.midPacket() && !m_tornTold && now - m_lastByte >= m_config.hostLatency)
         onTorn(now); // with every word of a dialogue its tail would come nearer, but only a little
+    if (m_step == Step::Probing && m_lastByte > m_askedAt)
+        damage(); // what came may have been the answer, as the end of a packet that lacked some bytes
     if (m_state == State::Connected)
         recover(now);
     else if (m_step != Step::Draining && m_step != Step::Resting)

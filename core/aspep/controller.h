@@ -176,6 +176,7 @@ private:
     void awaitReply(TimePoint from);
     void onPacket(Packet &packet, TimePoint now);
     void onData(const Data &data, Bytes &payload, TimePoint now);
+    void withdrawResponse();
     void onNack(TimePoint now);
     void onFault(Framer::Step what, TimePoint now);
     void onTorn(TimePoint now);

@@ -170,7 +170,8 @@ private:
         }
     }
 
-    /// Answers carry no number and payloads no check word: what has the form of the answer that is due is believed.
+    /// Answers carry no number and payloads no check word. Known is when an answer began, how long it is, which size the
+    /// board's structures have, and what stands right behind it; what passes all that is believed.
     bool cannotBeSeen(const Reading &reading) const
     {
         const bool anotherText = std::holds_alternative<std::string>(reading.value);
@@ -187,9 +188,14 @@ private:
     void judge(const Reading &reading)
     {
         const auto honest = truth().find(reading.id);
-        if (honest == truth().end() || reading.status != ReadStatus::Ok || cannotBeSeen(reading))
+        if (honest == truth().end() || reading.status != ReadStatus::Ok)
             return;
-        if (reading.value != honest->second)
+        const auto *raw = std::get_if<Bytes>(&reading.value);
+        const auto *honestRaw = std::get_if<Bytes>(&honest->second);
+        if (m_pair.identified && raw != nullptr && honestRaw != nullptr
+            && raw->size() != honestRaw->size())
+            return complain("register " + std::to_string(reading.id) + " has an invented size");
+        if (!cannotBeSeen(reading) && reading.value != honest->second)
             complain("register " + std::to_string(reading.id) + " has an invented value");
     }
 
@@ -299,6 +305,7 @@ private slots:
     void namesAreUniqueAndFound();
     void noLieMisleadsTheDrive_data();
     void noLieMisleadsTheDrive();
+    void answersThatBelongElsewhereAreFoundOut();
     void theSameSeedTellsTheSameLies();
     void aLieCanBeToldAlwaysOrSeldom();
 };
@@ -331,6 +338,18 @@ void TestLiars::noLieMisleadsTheDrive()
         Ordeal ordeal(info, static_cast<std::uint64_t>(seed));
         const std::string wrong = ordeal.run();
         QVERIFY2(wrong.empty(), ("seed " + std::to_string(seed) + ": " + wrong).c_str());
+    }
+}
+
+/// By the packet behind them, and by the size that the structure had before.
+void TestLiars::answersThatBelongElsewhereAreFoundOut()
+{
+    for (const auto &[lie, seed] :
+        {std::pair(Lie::ResetsInAnswer, 98), std::pair(Lie::LateAnswer, 52)}) {
+        Ordeal ordeal(
+            simulation::lies()[static_cast<std::size_t>(lie)], static_cast<std::uint64_t>(seed));
+        const std::string wrong = ordeal.run();
+        QVERIFY2(wrong.empty(), (nameOf(lie) + ": " + wrong).c_str());
     }
 }
 

@@ -4,12 +4,16 @@
 
 #include "drive/board_facts.h"
 
+#include <map>
+
 namespace drive {
 
 struct McpBoard : BoardFacts {
     bool hso = false; ///< register family: HSO/ZeST instead of the standard one
     std::uint32_t version = 0; ///< 0xMMmmpp
     std::optional<std::chrono::milliseconds> watchdog; ///< what its name promises
+
+    std::map<RegisterId, std::size_t> structureSizes; ///< as read twice when it was met
 
     std::uint32_t baud = 1843200;
     std::uint8_t linkId = 0; ///< decides which datalog register is ours

@@ -67,6 +67,7 @@ void Identification::restart()
     m_news = false;
     m_stopLosses = 0;
     m_board.forget();
+    m_board.structureSizes.clear();
     m_board.hso = false;
     m_board.version = 0;
     m_board.watchdog.reset();
@@ -208,6 +209,9 @@ void Identification::finish()
     }
     const bool versionKnown = m_board.version >= kOldestKnown && m_board.version <= kNewestKnown;
     m_board.knownFirmware = versionKnown && m_sizesKnown;
+    for (const auto &[id, value] : m_values)
+        if (const auto *bytes = std::get_if<Bytes>(&value))
+            m_board.structureSizes[id] = bytes->size();
     const auto &first = motors.front().firmware;
     m_board.hso = first && !first->sixStep
         && (first->primarySensor == kSensorHso || first->primarySensor == kSensorZest);

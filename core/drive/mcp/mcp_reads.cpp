@@ -12,12 +12,16 @@ namespace {
 
 constexpr std::size_t kIdBytes = 2, kCommandBytes = 2, kStatusBytes = 1;
 
-/// Whether a structure has a size that this register has in a firmware we know. An answer that came too late, and now
-/// stands where another one is due, is mostly found out by that.
-bool sizeFits(RegisterId id, const Value &value)
+/// Whether a structure has the size that this board's has, or one that it has in a firmware we know. An answer that came
+/// too late, and now stands where another one is due, is mostly found out by that.
+bool sizeFits(const McpBoard &board, RegisterId id, const Value &value)
 {
     const auto *raw = std::get_if<Bytes>(&value);
     if (raw == nullptr)
+        return true;
+    if (const auto met = board.structureSizes.find(id); met != board.structureSizes.end())
+        return raw->size() == met->second;
+    if (!board.knownFirmware)
         return true;
     const mcp::RegisterId which = mcp::RegisterId{static_cast<std::uint16_t>(id)}.withMotor(0);
     if (which == mcp::reg::kGlobalConfig)
@@ -81,7 +85,7 @@ std::optional<std::vector<Reading>> McpReads::readings(
         auto value = readValue(values, id, typeOf(*m_board.catalog, id));
         if (!value)
             break;
-        if (m_board.knownFirmware && !sizeFits(id, *value))
+        if (!sizeFits(m_board, id, *value))
             return std::nullopt;
         readings.push_back({id, ReadStatus::Ok, std::move(*value), now});
     }

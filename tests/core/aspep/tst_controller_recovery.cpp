@@ -26,6 +26,8 @@ private Q_SLOTS:
     void aStallWithinAPacketIsWaitedFor();
     void aShortTailIsFilledByTheDialogue();
     void aLongTailIsEndedBySilence();
+    void aPingThatOnlyEndedAPacketIsFollowedByBeacons();
+    void anAnswerWithNoPacketBehindItIsNone();
     void aLateResponseIsNotTakenForTheNext();
     void aLateEchoSendsTheDialogueBack();
     void stallsOfHalfASecondAreSurvived();
@@ -335,6 +337,45 @@ void TestControllerRecovery::aLongTailIsEndedBySilence()
     QVERIFY(link.now - torn >= 500ms && link.now - torn < 700ms);
     answerAll(link);
     QCOMPARE(link.controller.state(), kConnected);
+}
+
+/// Four bytes of an async packet were lost, and the answer to the Ping stood in for them: all looked well, and the line
+/// had been out of step.
+void TestControllerRecovery::aPingThatOnlyEndedAPacketIsFollowedByBeacons()
+{
+    VirtualLink link;
+    link.connect();
+    ask(link);
+    Bytes torn = packet(false, Bytes(16, 0x11));
+    torn.resize(torn.size() - 4);
+    link.hear(torn);
+    QVERIFY(isPing(link.nextSent()));
+    link.now += 1ms;
+    link.hear(pong());
+    QCOMPARE(link.controller.state(), kRecovering);
+    QVERIFY(isPing(link.nextSent()));
+    link.hear(pong());
+    QCOMPARE(link.controller.state(), kRecovering);
+    QCOMPARE(link.nextSent(), kBoard);
+    answerAll(link);
+    QCOMPARE(link.controller.state(), kConnected);
+}
+
+/// The end of the answer was lost, and the packet behind it made up for that.
+void TestControllerRecovery::anAnswerWithNoPacketBehindItIsNone()
+{
+    VirtualLink link;
+    link.connect();
+    ask(link);
+    Bytes torn = packet(true, Bytes(8, 0));
+    torn.resize(torn.size() - 6);
+    link.now += 1ms;
+    link.hear(torn + packet(false, Bytes(32, 0)));
+    QCOMPARE(link.count<Controller::Response>(), 0);
+    QCOMPARE(link.controller.state(), kRecovering);
+    answerAll(link, true);
+    QCOMPARE(link.controller.state(), kConnected);
+    QVERIFY(link.last<Controller::NoResponse>()->executed == true);
 }
 
 void TestControllerRecovery::aLateResponseIsNotTakenForTheNext()
