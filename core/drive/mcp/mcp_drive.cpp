@@ -166,6 +166,9 @@ void McpDrive::on(const Link::Recovered &, TimePoint)
 
 void McpDrive::on(const Link::Response &event, TimePoint now)
 {
+    if (m_task == &m_identification
+        && m_identification.phase() == Identification::Phase::StopDatalog)
+        m_stream.stopSent();
     if (m_task != nullptr)
         takeAnswer(event.payload, now);
     else

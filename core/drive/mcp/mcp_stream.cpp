@@ -56,7 +56,6 @@ void StreamControl::restart(bool boardReset)
     m_sent.clear();
     m_load = 0.0;
     m_stoppedAt.reset();
-    m_stopNeeded = false;
     if (boardReset || !m_decoder || m_tickHz != m_board.streaming.tickHz) {
         m_origin.reset();
         m_seen = {};
@@ -273,8 +272,10 @@ void StreamTask::takeResponse(const ByteView &response, TimePoint now)
         m_control.stopSent();
     if (m_stopping)
         return; // the configuration is next, whatever the board said to the stop
-    if (!ok)
+    if (!ok && std::exchange(m_refusedOnce, true))
         return end(Outcome::Refused, statusWord(response.front()));
+    if (!ok)
+        return; // it may have been damaged on its way
     m_control.agreed(m_stream, m_config, now);
     end(Outcome::Ok);
 }

@@ -26,8 +26,9 @@ public:
     {
     }
 
-    /// Identified: the datalog was stopped just now. `boardReset`: nothing about its counter is known any more.
+    /// Identified. `boardReset`: nothing about its counter is known any more.
     void restart(bool boardReset);
+    void stopSent(); ///< and answered, in whichever way
     void close(); ///< the link is given up: nothing is wanted any more
     void connected()
     {
@@ -60,7 +61,6 @@ private:
     Result<mcp::DatalogConfig, std::string> configure(const Stream &stream);
     void sending(const Stream &stream, const mcp::DatalogConfig &config);
     void agreed(const Stream &stream, const mcp::DatalogConfig &config, TimePoint now);
-    void stopSent();
     capture::StreamLayout layoutOf(const Stream &stream) const;
     bool announce(const capture::SampleBlock &block, TimePoint now);
     void addStats();
@@ -85,7 +85,8 @@ private:
     std::vector<Event> m_events;
 };
 
-/// A stream wish. Sent again, with another mark, if its answer is lost: a configuration moves nothing.
+/// A stream wish. Sent again, with another mark, if its answer is lost, and once if it is refused, for payloads are not
+/// protected: a configuration moves nothing.
 class StreamTask : public WishTask<McpProtocol> {
 public:
     StreamTask(WishId id, const Stream &stream, StreamControl &control);
@@ -100,6 +101,7 @@ private:
     bool m_stopping = false; ///< the stop that comes before a configuration is on its way
     mcp::DatalogConfig m_config;
     int m_losses = 0;
+    bool m_refusedOnce = false;
 };
 
 } // namespace drive

@@ -89,6 +89,8 @@ private Q_SLOTS:
     void whatCannotBeStreamedIsRefusedAndTheOldStreamStays();
     void anEmptyWishStops();
     void theDatalogIsStoppedBeforeTheFirstConfiguration();
+    void aRecoveryBehindTheFirstStopAsksForAnother();
+    void aConfigurationThatWasDamagedOnItsWayIsSentAgain();
     void eachConfigurationHasAnotherMark();
     void ticksMapToTheSessionsTime();
     void aRecoveryShowsAsAGapOnly();
@@ -247,6 +249,50 @@ void TestMcpDriveStream::theDatalogIsStoppedBeforeTheFirstConfiguration()
     QCOMPARE(marks.size(), 2U);
     QCOMPARE(marks[0], 0);
     QVERIFY(marks[1] != 0);
+}
+
+void TestMcpDriveStream::aRecoveryBehindTheFirstStopAsksForAnother()
+{
+    support::LinkPair pair;
+    const auto isDatalog = [](const Bytes &request) {
+        return request.size() >= 5 && request[0] == 0x08 && request[2] == 0x29;
+    };
+    bool stopped = false, lost = false;
+    pair.loses = [&](const Bytes &bytes) {
+        const bool loseIt = stopped && !lost && bytes[0] == 0x10; // the first read behind the stop
+        lost = lost || loseIt;
+        stopped = stopped || isDatalog(bytes);
+        return loseIt;
+    };
+    pair.connect();
+    QVERIFY(pair.runUntilIdentified());
+    QVERIFY(lost);
+    const std::size_t from = pair.requests.size();
+    QVERIFY(pair.runUntilEnded(pair.submit(Stream{{pair.id("I_A")}, 1, {}, 1})));
+    const auto first = std::find_if(
+        pair.requests.begin() + static_cast<std::ptrdiff_t>(from), pair.requests.end(), isDatalog);
+    QVERIFY(first != pair.requests.end());
+    QCOMPARE(first->back(), std::uint8_t{0}); // a stop
+}
+
+void TestMcpDriveStream::aConfigurationThatWasDamagedOnItsWayIsSentAgain()
+{
+    Session session;
+    constexpr std::uint64_t kSizeAt = 4; // of the raw value, behind command and id
+    bool damaged = false;
+    session.loses = [&](const Bytes &bytes) {
+        if (!damaged && bytes.size() > 5 && bytes[0] == 0x08 && bytes[2] == 0x29
+            && bytes.back() != 0) {
+            damaged = true;
+            session.toBoard.onceAt = session.toBoard.passed + kSizeAt;
+            session.toBoard.once = support::LineFaults::Once::Flip;
+        }
+        return false;
+    };
+    const WishId wish = session.submit(Stream{{session.id("I_A")}, 1, {}, 1});
+    QVERIFY(session.runUntilEnded(wish));
+    QVERIFY(damaged);
+    QVERIFY(session.outcome(wish) == Outcome::Ok);
 }
 
 void TestMcpDriveStream::eachConfigurationHasAnotherMark()
