@@ -49,6 +49,9 @@ protected:
         return sameValue(write.value, read);
     }
 
+    /// Why a value that the board took does not read back yet; empty if it would.
+    virtual std::string notShownYet(const RegisterWrite &, const WriteResult &) const { return {}; }
+
     void endItem(Item &item, Outcome outcome, const std::string &reason = {});
     void tell(Reading reading) { m_readings.push_back(std::move(reading)); }
     void finish();
@@ -85,7 +88,11 @@ void WriteTask<P>::judge(Item &item)
         else
             endItem(item, Outcome::Refused, "no answer, and another value is read back");
     }
-    if (result.readBack && result.outcome == Outcome::Ok)
+    if (!result.readBack || result.outcome != Outcome::Ok)
+        return;
+    if (!asWanted)
+        result.reason = notShownYet(item.write, result);
+    if (result.reason.empty())
         result.verified = asWanted;
 }
 

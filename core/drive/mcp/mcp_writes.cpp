@@ -84,6 +84,15 @@ bool McpWriteTask::same(const RegisterWrite &write, const Value &read) const
     return false;
 }
 
+/// A reference for the speed is taken for the next start, and shown from then on.
+std::string McpWriteTask::notShownYet(const RegisterWrite &write, const WriteResult &result) const
+{
+    const bool isReference = (write.id & ~RegisterId{7}) == mcp::reg::kSpeedRef.bits;
+    return isReference && result.before && result.readBack == result.before
+        ? "taken for the next start"
+        : "";
+}
+
 /// Why it must not be written; empty if it may, like that.
 std::string McpWriteTask::check(const Item &item, mcp::Value &encoded) const
 {

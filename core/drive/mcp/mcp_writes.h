@@ -29,6 +29,7 @@ private:
         return item.state == State::Waiting && !item.repeated;
     }
     bool same(const RegisterWrite &write, const Value &read) const override;
+    std::string notShownYet(const RegisterWrite &write, const WriteResult &result) const override;
     std::string check(const Item &item, mcp::Value &encoded) const;
     void judgeWays();
     McpSet nextSet();

@@ -24,6 +24,7 @@ private Q_SLOTS:
     void setPointsBeyondTheLimitsAreRefused();
     void rampRegistersReadBackInTheirOwnForm();
     void speedsThatTheBoardRoundsAreWrittenAllTheSame();
+    void aSpeedForTheNextStartIsNoOtherValue();
     void theNewestWaitingWriteWins();
     void aLostAnswerIsSettledByReadingBack();
     void whatWasNotCarriedOutIsWrittenAgainOnce();
@@ -315,6 +316,21 @@ void TestMcpDriveWrites::speedsThatTheBoardRoundsAreWrittenAllTheSame()
     QVERIFY(session.runUntilEnded(two));
     QVERIFY(session.ended[two].front().writes[0].verified == false);
     QVERIFY(session.ended[two].front().writes[1].verified == true);
+}
+
+/// Firmware keeps it for the next start; until then it shows the old one.
+void TestMcpDriveWrites::aSpeedForTheNextStartIsNoOtherValue()
+{
+    Session session;
+    const auto wish = session.submit(Write{{{session.id("SPEED_REF"), std::int64_t{1002}}}});
+    QVERIFY(session.runUntilEnded(wish));
+    const Ended &ended = session.ended.at(wish).front();
+    QVERIFY(ended.outcome == Outcome::Ok);
+    QVERIFY(ended.writes.front().readBack != ended.writes.front().before
+            ? ended.writes.front().verified == true
+            : !ended.writes.front().verified);
+    QVERIFY(ended.writes.front().readBack == ended.writes.front().before);
+    QVERIFY(!ended.writes.front().reason.empty());
 }
 
 void TestMcpDriveWrites::theNewestWaitingWriteWins()
