@@ -30,6 +30,7 @@ private Q_SLOTS:
     void aKilledSaveLeavesAWholeFile_data();
     void aKilledSaveLeavesAWholeFile();
     void noLocaleChangesAFile();
+    void actsAreLoggedInTheOrderInWhichTheyWereAskedFor();
 };
 
 namespace {
@@ -127,6 +128,14 @@ QByteArray everyFile(const QString &folder)
     return all;
 }
 
+drive::MotionRecord motionAsked(std::int64_t ms, drive::MotionAct act)
+{
+    drive::MotionRecord record;
+    record.act = act;
+    record.asked = record.ended = TimePoint(std::chrono::milliseconds(ms));
+    return record;
+}
+
 int runWriter(const QString &folder)
 {
     std::setlocale(LC_ALL, "");
@@ -185,6 +194,31 @@ void TestKeptFiles::aKilledSaveLeavesAWholeFile()
         QVERIFY(text.has_value());
         QVERIFY2(whole.contains(*text), qPrintable(QStringLiteral("kill %1").arg(kill)));
     }
+}
+
+/// Records are noted more or less late, which must not bring their times into another order.
+void TestKeptFiles::actsAreLoggedInTheOrderInWhichTheyWereAskedFor()
+{
+    const auto at = [](qint64 ms) {
+        return QDateTime::fromMSecsSinceEpoch(1'700'000'000'000 + ms, Qt::UTC);
+    };
+    using drive::MotionAct;
+    const QList<QByteArray> lines = motionLogText(
+        {{motionAsked(100, MotionAct::Start), at(108)}, {motionAsked(90, MotionAct::Arm), at(115)},
+            {motionAsked(500, MotionAct::Stop), at(515)},
+            {motionAsked(500, MotionAct::Stop), at(502)},
+            {motionAsked(600, MotionAct::Stop), at(999'000)}},
+        QStringLiteral("kim"))
+                                        .split('\n');
+    QStringList told;
+    for (const QByteArray &line : lines.mid(1))
+        if (!line.isEmpty())
+            told.append(QString::fromLatin1(
+                line.split(',')[0] + ' ' + line.split(',')[1].right(7) + ' ' + line.split(',')[5]));
+    QCOMPARE(told,
+        (QStringList{QStringLiteral("1 20.092Z ARM"), QStringLiteral("2 20.102Z START"),
+            QStringLiteral("3 20.502Z STOP"), QStringLiteral("4 20.502Z STOP"),
+            QStringLiteral("5 59.000Z STOP")})); // behind a sleep: another clock
 }
 
 void TestKeptFiles::noLocaleChangesAFile()
