@@ -90,6 +90,8 @@ private:
     Failure salvage(Failure why);
     Outcome<int> writeMotionLog() const;
     Outcome<int> write();
+    QString lengthText() const;
+    QString lossAdvice() const;
     Outcome<int> verdict() const;
     /// How often a second each register could be read if the line carried nothing else.
     double possibleRate() const
@@ -104,6 +106,7 @@ private:
     std::vector<catalog::RegisterId> m_polled; ///< where the board records nothing itself
     std::optional<ConversationRecording> m_recording;
     bool m_started = false;
+    drive::LinkCounters m_lineBefore, m_line; ///< at the beginning of the recording, and last
     std::optional<drive::MotorStatus> m_fault; ///< of the motor that this run started
 };
 
@@ -163,7 +166,7 @@ Outcome<drive::Stream> CaptureRun::pollInstead(
         if (reading.status != drive::ReadStatus::Ok)
             return failure(kRefused,
                 QStringLiteral("The board does not give %1; leave it out, or see rotorscope-cli "
-                               "registers for what can be read.")
+                               "registers for what it gives.")
                     .arg(QString::fromStdString(m_desk.catalog().nameOf(reading.id))));
     m_polled = registers;
     m_recorder.poll(std::move(registers), m_desk.board.catalog);
@@ -331,8 +334,11 @@ Outcome<int> CaptureRun::startRecording()
 Outcome<int> CaptureRun::begin(const drive::Stream &stream)
 {
     Conversation &talk = m_desk.talk;
+    m_lineBefore = m_line = talk.lineCounters();
     talk.listen([this](const drive::Event &event) {
         m_recorder.take(event);
+        if (const auto *counters = std::get_if<drive::LinkCounters>(&event))
+            m_line = *counters;
         const auto *status = std::get_if<drive::MotorStatus>(&event);
         if (m_started && status
             && (status->state == MotorState::FaultNow || status->state == MotorState::FaultOver))
@@ -348,9 +354,7 @@ Outcome<int> CaptureRun::begin(const drive::Stream &stream)
     if (!begun)
         return tl::make_unexpected(begun.error());
     if (*begun == Waited::TimeOver)
-        return failure(kDataLost,
-            QStringLiteral(
-                "The board sent no samples; record fewer signals or take a larger --hf-rate."));
+        return failure(kDataLost, QStringLiteral("No samples arrived; %1.").arg(lossAdvice()));
     qCInfo(lcProgress) << "recording";
     return kDone;
 }
@@ -425,6 +429,28 @@ Outcome<int> CaptureRun::writeMotionLog() const
             .arg(file, beside, wrong));
 }
 
+/// How much was recorded, and of how much where that is not all.
+QString CaptureRun::lengthText() const
+{
+    const QString wanted = numberText(m_wanted.seconds);
+    return m_recorder.complete()
+        ? QStringLiteral("%1 s").arg(wanted)
+        : QStringLiteral("%1 of %2 s")
+              .arg(QString::number(m_recorder.recordedSeconds(), 'g', 4), wanted);
+}
+
+/// What lost samples: a line that spoils bytes, or one that is too slow for them.
+QString CaptureRun::lossAdvice() const
+{
+    const auto bad = [](const drive::LinkCounters &counters) {
+        return counters.badPackets + counters.nacks;
+    };
+    return bad(m_line) > bad(m_lineBefore)
+        ? QStringLiteral("bytes were damaged on the line; check cable, ground and shield, or take "
+                         "a smaller --baud")
+        : QStringLiteral("record fewer signals, take a larger --hf-rate or a higher --baud");
+}
+
 Outcome<int> CaptureRun::write()
 {
     std::uint64_t rows = 0;
@@ -438,7 +464,8 @@ Outcome<int> CaptureRun::write()
     if (const auto logged = writeMotionLog(); !logged)
         return logged;
     if (m_desk.out.json()) {
-        QJsonObject line{{QStringLiteral("seconds"), m_wanted.seconds},
+        QJsonObject line{{QStringLiteral("seconds"), m_recorder.recordedSeconds()},
+            {QStringLiteral("wanted_seconds"), m_wanted.seconds},
             {QStringLiteral("lost_ticks"), static_cast<qint64>(m_recorder.lostTicks())},
             {QStringLiteral("complete"), m_recorder.complete()}};
         if (!m_wanted.file.isEmpty()) {
@@ -460,17 +487,16 @@ Outcome<int> CaptureRun::write()
         return kDone;
     }
     if (!m_wanted.file.isEmpty() && m_recorder.polls())
-        m_desk.out.line(
-            QStringLiteral("%1: %2 rows, %3 s, each signal read %4 times a second (%5 at "
-                           "best), times uncertain by up to %6 ms")
-                .arg(m_wanted.file, QString::number(rows), numberText(m_wanted.seconds),
-                    numberText(std::round(m_recorder.valuesPerSecond())),
-                    numberText(std::round(possibleRate())),
-                    QString::number(m_recorder.spreadSeconds() * 1e3, 'f', 1)));
+        m_desk.out.line(QStringLiteral("%1: %2 rows, %3, each signal read %4 times a second (%5 at "
+                                       "best), times uncertain by up to %6 ms")
+                            .arg(m_wanted.file, QString::number(rows), lengthText(),
+                                numberText(std::round(m_recorder.valuesPerSecond())),
+                                numberText(std::round(possibleRate())),
+                                QString::number(m_recorder.spreadSeconds() * 1e3, 'f', 1)));
     else if (!m_wanted.file.isEmpty())
-        m_desk.out.line(QStringLiteral("%1: %2 rows, %3 s, %4 lost")
-                            .arg(m_wanted.file, QString::number(rows), numberText(m_wanted.seconds),
-                                m_recorder.lostText()));
+        m_desk.out.line(
+            QStringLiteral("%1: %2 rows, %3, %4 lost")
+                .arg(m_wanted.file, QString::number(rows), lengthText(), m_recorder.lostText()));
     if (m_recording)
         m_desk.out.line(
             QStringLiteral("%1: %2 samples, %3 bytes")
@@ -491,9 +517,8 @@ Outcome<int> CaptureRun::verdict() const
             QStringLiteral("The samples stopped coming before the time was over; check the link."));
     if (m_recorder.lostTicks() > 0)
         return failure(kDataLost,
-            QStringLiteral("%1 were lost, and the file has gaps; record fewer "
-                           "signals, take a larger --hf-rate or a higher --baud.")
-                .arg(m_recorder.lostText()));
+            QStringLiteral("%1 were lost, and the file has gaps; %2.")
+                .arg(m_recorder.lostText(), lossAdvice()));
     return kDone;
 }
 

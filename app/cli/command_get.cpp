@@ -45,7 +45,7 @@ Outcome<int> runGet(Desk &desk)
     if (!refused.isEmpty())
         return failure(kRefused,
             QStringLiteral("The board does not give %1; leave it out, or see rotorscope-cli "
-                           "registers for what can be read.")
+                           "registers for what it gives.")
                 .arg(refused.join(QStringLiteral(", "))));
     return kDone;
 }

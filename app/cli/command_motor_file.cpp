@@ -13,6 +13,8 @@ namespace {
 using motor::MotorQuantity;
 using motor::MotorWarning;
 
+constexpr int kDigits = 7; ///< boards hold these numbers in 32 bits
+
 QString textOf(std::string_view text)
 {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
@@ -79,7 +81,8 @@ QString textOf(const std::optional<double> &value, std::string_view unit)
 {
     if (!value)
         return QStringLiteral("-");
-    return unit.empty() ? numberText(*value) : numberText(*value) + QLatin1Char(' ') + textOf(unit);
+    const QString number = QString::number(*value, 'g', kDigits);
+    return unit.empty() ? number : number + QLatin1Char(' ') + textOf(unit);
 }
 
 struct Derived {
@@ -112,7 +115,7 @@ void print(Output &out, const drive::MotorFacts &facts, const motor::MotorSheet 
         if (file != nullptr) {
             object[QStringLiteral("file")] = jsonOf(one.there);
             object[QStringLiteral("differs")] = one.differs;
-            line = line.leftJustified(30) + textOf(one.there, unit)
+            line = line.leftJustified(28) + QStringLiteral("  ") + textOf(one.there, unit)
                 + (one.differs ? QStringLiteral("  differs") : QString());
         }
         rows.append(object);

@@ -4,6 +4,8 @@
 #include <QJsonArray>
 #include <QJsonObject>
 
+#include <set>
+
 namespace cli {
 
 namespace {
@@ -51,18 +53,44 @@ QJsonObject jsonOf(const RegisterInfo &info, const QString &unit)
         {QStringLiteral("help"), text(info.help)}};
 }
 
+/// The readable registers that this board does not give, asked for one by one: its build decides what it has.
+Outcome<std::set<catalog::RegisterId>> notGiven(Desk &desk)
+{
+    std::vector<catalog::RegisterId> ids;
+    for (const RegisterInfo &info : desk.catalog().registers())
+        if (info.readable())
+            ids.push_back(desk.catalog().withMotor(info, 1));
+    const auto readings = desk.talk.read(ids);
+    if (!readings)
+        return tl::make_unexpected(readings.error());
+    std::set<catalog::RegisterId> missing;
+    for (const drive::Reading &reading : *readings)
+        if (reading.status != drive::ReadStatus::Ok)
+            missing.insert(reading.id);
+    return missing;
+}
+
 Outcome<int> runRegisters(Desk &desk)
 {
     const catalog::Catalog &catalog = desk.catalog();
+    const auto missing = notGiven(desk);
+    if (!missing)
+        return tl::make_unexpected(missing.error());
     QJsonArray list;
     for (const RegisterInfo &info : catalog.registers()) {
-        const QString unit = text(catalog.readScale(catalog.withMotor(info, 1)).unit);
+        const catalog::RegisterId id = catalog.withMotor(info, 1);
+        const QString unit = text(catalog.readScale(id).unit);
+        const bool given = !missing->contains(id);
         if (desk.out.json()) {
-            list.append(jsonOf(info, unit));
+            QJsonObject object = jsonOf(info, unit);
+            if (info.readable())
+                object.insert(QStringLiteral("given"), given);
+            list.append(object);
             continue;
         }
-        const QString stream =
-            info.streaming == Streaming::Polled ? QString() : QStringLiteral("streams");
+        const QString stream = !given             ? QStringLiteral("not on this board")
+            : info.streaming == Streaming::Polled ? QString()
+                                                  : QStringLiteral("streams");
         desk.out.line(QStringLiteral("%1 %2 %3 %4 %5 %6")
                           .arg(text(info.name).leftJustified(28), idText(info.id),
                               QString::fromLatin1(wordOf(info.type)).leftJustified(4),
@@ -78,7 +106,8 @@ Outcome<int> runRegisters(Desk &desk)
 } // namespace
 
 const Command kRegisters{.name = "registers",
-    .help = "Lists the registers that the board's firmware has.",
+    .help =
+        "Lists the registers of the firmware's version, and marks what this board does not give.",
     .run = runRegisters};
 
 } // namespace cli

@@ -354,6 +354,8 @@ void Conversation::take(const drive::Event &event)
         m_status[status->motor] = *status;
     } else if (const auto *motion = std::get_if<drive::MotionRecord>(&event)) {
         m_motionLog.push_back(session::loggedNow(*motion, QDateTime::currentDateTime()));
+    } else if (const auto *counters = std::get_if<drive::LinkCounters>(&event)) {
+        m_counters = *counters;
     } else if (const auto *progress = std::get_if<drive::StopProgress>(&event)) {
         m_stopWords[progress->motor] = progress->word;
     }

@@ -66,6 +66,7 @@ public:
     Outcome<drive::Identified> scaled(const drive::Identified &board);
     /// What was asked of the motors, so far.
     const std::vector<session::LoggedMotion> &motionLog() const { return m_motionLog; }
+    const drive::LinkCounters &lineCounters() const { return m_counters; } ///< the newest
     /// Stops every motor; waits until the drive is idle (2 s at most), then up to `standstill` until they stand still.
     /// Works after an interrupt, too.
     /// @return  how far it was confirmed; a failure if the drive was not seen idle
@@ -112,6 +113,7 @@ private:
     std::map<int, drive::StopWord> m_stopWords;
     std::map<drive::RegisterId, drive::Reading> m_readings; ///< since the last read()
     std::vector<session::LoggedMotion> m_motionLog;
+    drive::LinkCounters m_counters;
     std::optional<drive::Ended> m_ended;
     drive::WishId m_lastWish = 0;
 

@@ -76,12 +76,19 @@ void Recorder::takeReading(const drive::Reading &reading)
     m_complete = at - *m_firstSeconds >= m_seconds;
     if (m_complete)
         return;
+    m_recorded_s = at - *m_firstSeconds;
     m_spread = std::max(m_spread, toSeconds(reading.spread));
     const catalog::Scale scale = m_catalog->readScale(reading.id);
     m_capture.appendPolled(reading.id, m_catalog->nameOf(reading.id), scale.unit,
         at - *m_firstSeconds, *value * scale.factor);
     if (reading.id == m_polled.front())
         ++m_polledValues;
+}
+
+double Recorder::valuesPerSecond() const
+{
+    const double time_s = recordedSeconds();
+    return time_s > 0.0 ? static_cast<double>(m_polledValues) / time_s : 0.0;
 }
 
 QString Recorder::lostText() const
@@ -117,6 +124,7 @@ void Recorder::takeBlock(SampleBlock block)
             0, std::min(block.firstTick, m_length) - (block.firstTick - block.lostTicks));
     const Tick step = m_layout.fastStep;
     m_complete = endOf(block, step) >= m_length;
+    m_recorded_s = static_cast<double>(endOf(block, step)) / m_layout.tickHz;
     trim(block, step, m_length);
     if (block.count > 0 || !block.slow.empty())
         m_capture.append(block);

@@ -22,7 +22,9 @@ public:
     /// The longest time between a question and its answer: a value was true within so long before its time.
     double spreadSeconds() const { return m_spread; }
     /// How often each of them was read.
-    double valuesPerSecond() const { return static_cast<double>(m_polledValues) / m_seconds; }
+    double valuesPerSecond() const;
+    /// How much of the wanted length has come; all of it once it is complete.
+    double recordedSeconds() const { return m_complete ? m_seconds : m_recorded_s; }
 
     /// Layouts and blocks count, all else is passed over. A later layout is passed over, too.
     void take(const drive::Event &event);
@@ -45,6 +47,7 @@ private:
     void takeReading(const drive::Reading &reading);
 
     double m_seconds;
+    double m_recorded_s = 0.0; ///< so far
     capture::StreamLayout m_layout;
     capture::Capture m_capture;
     std::optional<capture::Tick> m_origin; ///< tick of the first sample

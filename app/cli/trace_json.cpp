@@ -89,7 +89,7 @@ void ItemWriter::operator()(const TraceRequest &item)
     m_json.member("command", whole(item.command));
     m_json.member("command_name", text(item.commandName));
     m_json.member("motor", whole(item.motor));
-    if (!item.registers.empty())
+    if (item.command == static_cast<std::uint16_t>(mcp::CommandId::GetRegister))
         registers(item.registers, "registers", "names");
     if (!item.writes.empty())
         values("writes", item.writes);

@@ -66,7 +66,8 @@ QString lineOf(const Desk &desk, const drive::WriteResult &result, Digits digits
     const bool sent =
         result.outcome == drive::Outcome::Ok || result.outcome == drive::Outcome::Refused;
     if (result.readBack || result.outcome == drive::Outcome::Refused)
-        return line;
+        return sent && result.outcome == drive::Outcome::Ok ? line + reasonText(result.reason)
+                                                            : line;
     return line
         + QStringLiteral(" (%1)").arg(sent ? QStringLiteral("written, not read back")
                                            : QLatin1String(outcomeWord(result.outcome)));
@@ -93,15 +94,20 @@ QString brokenSentence(const std::vector<drive::WriteResult> &writes, const QStr
 Outcome<int> verdict(const Desk &desk, const drive::Ended &ended)
 {
     QStringList failed, other;
+    bool shown = true; // above is what the board has now
     for (const drive::WriteResult &result : ended.writes) {
+        shown = shown && (result.readBack || result.outcome == drive::Outcome::Ok);
         if (result.outcome != drive::Outcome::Ok)
             failed.append(nameOf(desk, result.id) + reasonText(result.reason));
         else if (result.verified == false)
             other.append(nameOf(desk, result.id));
     }
-    const auto sentence = [](const char *begin, const QStringList &names) {
-        return QStringLiteral("%1: %2; the values above are what the board has now.")
-            .arg(QLatin1String(begin), names.join(QStringLiteral(", ")));
+    const auto sentence = [shown](const char *begin, const QStringList &names) {
+        const QString advice = shown
+            ? QStringLiteral("the values above are what the board has now")
+            : QStringLiteral("read them with rotorscope-cli get to see what the board has now");
+        return QStringLiteral("%1: %2; %3.")
+            .arg(QLatin1String(begin), names.join(QStringLiteral(", ")), advice);
     };
     if (!failed.isEmpty())
         return failure(kRefused, sentence("Not written", failed));

@@ -105,8 +105,10 @@ void DatalogLayout::fill(std::size_t bufferSize)
 std::optional<std::size_t> DatalogLayout::blocksIn(std::size_t length, bool cutShort) const
 {
     const std::size_t ends = kDatalogOverhead + (m_slowAtEnd && !cutShort ? m_slowBytes : 0);
-    if (length < ends || (m_fastBytes == 0 && m_blocksAGroup == 0))
+    if (length < ends)
         return std::nullopt;
+    if (m_fastBytes == 0 && m_blocksAGroup == 0) // what a stop sends off holds no block then
+        return length == ends ? std::optional(std::size_t{0}) : std::nullopt;
     const std::size_t body = length - ends;
     const std::size_t group =
         m_blocksAGroup * m_fastBytes + (m_blocksAGroup > 0 ? m_slowBytes : m_fastBytes);

@@ -30,6 +30,8 @@ private Q_SLOTS:
     void captureFromTheStartHoldsTheStartUp();
     void captureThatTheBoardRefusesStartsNoMotor();
     void decodePrintsOneObjectALine();
+    void decodeShowsWhatIsEmpty();
+    void registersMarksWhatTheBoardDoesNotGive();
     void decodeOfWhatIsNoPacketIsExitStatus5_data();
     void decodeOfWhatIsNoPacketIsExitStatus5();
 };
@@ -346,6 +348,64 @@ void TestCli::decodePrintsOneObjectALine()
     QVERIFY(result.lines()[0].contains(QLatin1String("\"type\":\"BEACON\"")));
     QVERIFY(result.lines()[1].contains(QLatin1String("\"type\":\"event\"")));
     QVERIFY(result.lines()[2].contains(QLatin1String("\"type\":\"invalid\"")));
+}
+
+/// An empty request has no CRC, also where payloads have one; a packet that a stop sends off may hold no block; a list of
+/// no registers is a list.
+void TestCli::decodeShowsWhatIsEmpty()
+{
+    using Lines = std::vector<std::pair<const char *, const char *>>;
+    const auto decoded = [](const Lines &lines) {
+        QByteArray text;
+        for (const auto &[direction, bytes] : lines)
+            text += QByteArray("{\"dir\":\"") + direction + "\",\"hex\":\"" + bytes
+                + "\",\"t_ms\":0}\n";
+        return decode(text).lines();
+    };
+    const QStringList withCrc = decoded({
+        {"C>P", "85c701a4"},
+        {"P>C", "85c701a4"},
+        {"C>P", "06100020"},
+        {"P>C", "361000d0"},
+        {"C>P", "09000090"},
+        {"P>C", "1a00002000cafe"},
+        {"C>P", "290000e01000cafe"},
+    });
+    QCOMPARE(withCrc.size(), 7);
+    QVERIFY(withCrc[4].contains(QLatin1String("\"type\":\"REQUEST\",\"length\":0")));
+    QVERIFY(withCrc[6].contains(QLatin1String("\"registers\":[]")));
+    const QStringList stopped = decoded({
+        {"C>P", "05c70114"},
+        {"P>C", "05c70114"},
+        {"C>P", "06100020"},
+        {"P>C", "361000d0"},
+        {"C>P", "f900003008002905090000010000fe01910509"},
+        {"P>C", "1a00002000"},
+        {"C>P", "d900004008002905070000000000000000"},
+        {"P>C", "69000000640000000900"},
+        {"P>C", "1a00002000"},
+        {"C>P", "290000e01000"},
+        {"P>C", "1a00002000"},
+    });
+    QCOMPARE(stopped.size(), 11);
+    QVERIFY2(stopped[7].contains(QLatin1String("\"decoded\":true")), qPrintable(stopped[7]));
+    QVERIFY2(stopped[7].contains(QLatin1String("\"hf_blocks\":0")), qPrintable(stopped[7]));
+}
+
+void TestCli::registersMarksWhatTheBoardDoesNotGive()
+{
+    const Run result = run(words("--port sim registers"));
+    COMPARE_STATUS(result, 0);
+    int marked = 0;
+    for (const QString &line : result.lines()) {
+        const bool missing = line.contains(QLatin1String("not on this board"));
+        marked += missing ? 1 : 0;
+        if (line.startsWith(QLatin1String("ENCODER_SPEED ")))
+            QVERIFY(missing); // its motor has none
+        if (line.startsWith(QLatin1String("I_A ")) || line.startsWith(QLatin1String("SPEED_KP ")))
+            QVERIFY(!missing);
+    }
+    QVERIFY(marked > 10);
 }
 
 void TestCli::decodeOfWhatIsNoPacketIsExitStatus5_data()

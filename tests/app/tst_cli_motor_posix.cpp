@@ -62,12 +62,42 @@ private Q_SLOTS:
             both += value[QLatin1String("file")].isDouble() ? 1 : 0;
         }
         QCOMPARE(both, 8);
+        const CliRun text = board.cli("motor", {path});
+        for (const QString &line : text.out.split(QLatin1Char('\n'))) {
+            if (!line.startsWith(QLatin1String("rs ")) && !line.startsWith(QLatin1String("ld ")))
+                continue;
+            const QStringList columns =
+                line.split(QStringLiteral("  "), Qt::SkipEmptyParts); // name, board, file
+            QVERIFY2(columns.size() == 3, qPrintable(line));
+            QVERIFY2(columns[1].trimmed() == columns[2].trimmed() && columns[1].size() < 14,
+                qPrintable(line));
+        }
         const Simulator again({QStringLiteral("--motor"), path});
         QVERIFY(again.ready());
         const QJsonObject twin = shown(again.cli("--json motor", {path}));
         for (const QJsonValue &value : twin[QLatin1String("values")].toArray())
             QVERIFY2(!value[QLatin1String("differs")].toBool(),
                 qPrintable(value[QLatin1String("name")].toString()));
+    }
+
+    void lostSamplesAreBlamedOnWhatLostThem()
+    {
+        const Simulator board({QStringLiteral("--liar"), QStringLiteral("noise")});
+        QVERIFY(board.ready());
+        const CliRun run = board.cli("capture --hf I_A --seconds 0.5 -o", {board.file("x.csv")});
+        QCOMPARE(run.status, 4);
+        QVERIFY2(run.err.contains(QStringLiteral("damaged on the line")), qPrintable(run.err));
+        QVERIFY(!run.err.contains(QStringLiteral("fewer signals")));
+    }
+
+    void aValueThatWasNotReadBackIsNotSaidToBeThere()
+    {
+        const Simulator board;
+        QVERIFY(board.ready());
+        const CliRun run = board.cli("set REVUP_DATA=0011");
+        QCOMPARE(run.status, 1);
+        QVERIFY2(!run.err.contains(QStringLiteral("values above")), qPrintable(run.err));
+        QVERIFY2(run.err.contains(QStringLiteral("rotorscope-cli get")), qPrintable(run.err));
     }
 
     void aDamagedFileIsOneSentenceWithItsPlace()
