@@ -20,6 +20,7 @@ struct RawRow {
     mcp::Status refusal = mcp::Status::ReadOnly;
     RegisterRow::Exists exists = nullptr;
     RegisterRow::Scope scope = RegisterRow::Scope::Motor;
+    bool refusedAnywhere = false; ///< SET answers `refusal` for the motor bits of others, too
     bool ofCalibration = false; ///< GET answers REGISTER_ACCESS before the first start
     bool looksAtRoom = true; ///< false: GET answers more than was agreed rather than refuse
 };

@@ -211,12 +211,21 @@ RegisterFile::Written RegisterFile::write(
     return {Status::BadDataType, 0};
 }
 
+/// SET of something that has other motor bits: the firmware lists a few registers in both of its places.
+template <class Row>
+bool RegisterFile::refusesElsewhere(const Row &row, RegisterId id) const
+{
+    return row.refusedAnywhere && !m_build.hso() && !m_traits.asPrinted
+        && id.motor() <= m_motors.size();
+}
+
 Status RegisterFile::writeScalar(RegisterId id, std::uint32_t value)
 {
     const RegisterRow *row = findRegister(id, m_traits, m_build);
     RegisterContext *at = row != nullptr ? addressed(id, row->scope) : nullptr;
     if (at == nullptr)
-        return Status::UnknownRegister;
+        return row != nullptr && refusesElsewhere(*row, id) ? row->refusal
+                                                            : Status::UnknownRegister;
     if (row->set != nullptr)
         return row->set(*at, value);
     if (!row->keeps)
@@ -256,7 +265,8 @@ Status RegisterFile::writeRaw(
     const RawRow *row = findRaw(id, m_traits, m_build);
     RegisterContext *at = row != nullptr ? addressed(id, row->scope) : nullptr;
     if (at == nullptr)
-        return Status::UnknownRegister;
+        return row != nullptr && refusesElsewhere(*row, id) ? row->refusal
+                                                            : Status::UnknownRegister;
     return row->set != nullptr ? row->set(*at, value, size) : row->refusal;
 }
 

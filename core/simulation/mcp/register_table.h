@@ -47,6 +47,7 @@ struct RegisterRow {
     bool readable = true; ///< false: `get` is the datalog's alone
     bool logged = false; ///< the datalog takes it
     bool speed = false; ///< 0.1 Hz; GET shows a fraction of the full scale up to 6.3
+    bool refusedAnywhere = false; ///< SET answers `refusal` for the motor bits of others, too
     bool keeps = false; ///< memory: it reads what was written, before that `get` or `initial`
     std::uint32_t initial = 0;
 
@@ -78,6 +79,12 @@ struct RegisterRow {
     {
         RegisterRow row = *this;
         row.refusal = status;
+        return row;
+    }
+    constexpr RegisterRow refusesAnywhere() const
+    {
+        RegisterRow row = *this;
+        row.refusedAnywhere = true;
         return row;
     }
     constexpr RegisterRow unreadable(mcp::Status status) const
@@ -206,6 +213,12 @@ constexpr RegisterRow computed(unsigned element, mcp::RegisterType type, Registe
 constexpr RegisterRow kept(unsigned element, mcp::RegisterType type, std::uint32_t initial = 0)
 {
     return {.id = mcp::registerId(element, type, 0), .keeps = true, .initial = initial};
+}
+
+/// Known to SET alone, which refuses it as read-only.
+constexpr RegisterRow onlyRefused(unsigned element, mcp::RegisterType type)
+{
+    return {.id = mcp::registerId(element, type, 0)};
 }
 
 /// Written, never read.

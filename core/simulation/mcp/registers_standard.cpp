@@ -42,6 +42,8 @@ constexpr bool sixStep(const Build &b) { return b.sixStep(); }
 constexpr bool sixStepOpenLoop(const Build &b) { return b.sixStep() && b.openLoopDebug; }
 constexpr bool ipd(const Build &b) { return b.ipd; }
 constexpr bool currentMonitor(const Build &b) { return b.currentMonitor; }
+constexpr bool noFluxWeakening(const Build &b) { return foc(b) && !b.fluxWeakening; }
+constexpr bool sensorlessFoc(const Build &b) { return foc(b) && b.sensorless(); }
 
 // What is more than a variable ----------------------------------------------------------------------------------------
 
@@ -106,7 +108,8 @@ constexpr Row pfcStub(unsigned element, mcp::RegisterType type = Bits16)
 // The table -----------------------------------------------------------------------------------------------------------
 
 constexpr std::array kBytes{
-    computed(1, Bits8, [](At &at) { return asWire(at.firmware.state()); }), // STATUS
+    computed(1, Bits8, [](At &at) { return asWire(at.firmware.state()); })
+        .refusesAnywhere(), // STATUS
     computed(2, Bits8, [](At &at) { return asWire(at.firmware.controlMode()); })
         .settable(setControlMode),
     computed(
@@ -122,9 +125,15 @@ constexpr std::array kBytes{
     measured<&Commissioning::completed>(20).in(profiler),
     measured<&Signals::positionState>(21).in(position),
     measured<&Signals::alignState>(22).in(position),
-    computed(23, Bits8, [](At &) { return 0U; }).in(hallTuning), // HT_STATE
-    computed(24, Bits8, [](At &) { return 0U; }).in(hallTuning), // HT_PROGRESS
-    computed(25, Bits8, [](At &) { return 0U; }).in(hallTuning), // HT_PLACEMENT: unknown
+    computed(23, Bits8, [](At &) { return 0U; })
+        .in(hallTuning)
+        .refuses(Status::UnknownRegister), // HT_STATE
+    computed(24, Bits8, [](At &) { return 0U; })
+        .in(hallTuning)
+        .refuses(Status::UnknownRegister), // HT_PROGRESS
+    computed(25, Bits8, [](At &) { return 0U; })
+        .in(hallTuning)
+        .refuses(Status::UnknownRegister), // HT_PLACEMENT: unknown
     writeOnly(26, Bits8).in(hallTuning), // HT_MECH_WANTED_DIRECTION
     kept(27, Bits8).in(sixStep), // LOWSIDE_MODULATION; FAST_DEMAG up to 6.2
     kept(28, Bits8).in(sixStep), // QUASI_SYNCH
@@ -148,11 +157,13 @@ constexpr std::array kWords{
     setting<&Tuning::cordicC1>(15).in(cordic), setting<&Tuning::cordicC2>(16).in(cordic),
     setting<&Tuning::pllKi>(17).in(pll), setting<&Tuning::pllKp>(18).in(pll),
     setting<&Tuning::fluxKp>(19).in(fluxWeakening), setting<&Tuning::fluxKi>(20).in(fluxWeakening),
-    setting<&Tuning::fluxBus>(21).in(fluxWeakening), measured<&Signals::busVoltage_v>(22),
-    measured<&Signals::temperature_c>(23), kept(25, Bits16).in(dac).at(Board), // DAC_OUT1
+    setting<&Tuning::fluxBus>(21).in(fluxWeakening),
+    measured<&Signals::busVoltage_v>(22).refusesAnywhere(),
+    measured<&Signals::temperature_c>(23).refusesAnywhere(),
+    kept(25, Bits16).in(dac).at(Board), // DAC_OUT1
     kept(26, Bits16).in(dac).at(Board), // DAC_OUT2
     measured<&Signals::fluxWeakeningBus>(30).in(fluxWeakening),
-    measured<&Signals::iA>(31).in(foc).forDatalog(),
+    onlyRefused(30, Bits16).in(noFluxWeakening), measured<&Signals::iA>(31).in(foc).forDatalog(),
     measured<&Signals::iB>(32).in(foc).forDatalog(),
     measured<&Signals::iAlpha>(33).in(foc).forDatalog(),
     measured<&Signals::iBeta>(34).in(foc).forDatalog(),
@@ -200,8 +211,13 @@ constexpr std::array kWords{
     setting<&Tuning::fluxKpDiv>(101).in(fluxWeakening),
     setting<&Tuning::fluxKiDiv>(102).in(fluxWeakening),
     kept(106, Bits16).in(sixStep).upTo(0x060401), // PULSE_VALUE
+    onlyRefused(106, Bits16).in(sensorlessFoc).from(0x060200).upTo(0x060401),
     setting<&Tuning::openLoopVq>(107).in(focOpenLoop), // FOC_VQREF; FOC_VDREF up to 6.1
     keptByte<108>().in(sixStepOpenLoop).from(0x060300), // OPENLOOP_CURRFACTOR
+    onlyRefused(108, Bits16).in(sensorlessFoc).from(0x060200).upTo(0x0602FF),
+    onlyRefused(109, Bits16).in(sensorlessFoc).from(0x060200).upTo(0x0602FF),
+    onlyRefused(110, Bits16).in(sensorlessFoc).from(0x060200).upTo(0x0602FF),
+    onlyRefused(111, Bits16).in(sensorlessFoc).from(0x060200).upTo(0x0602FF),
     computed(109, Bits16, [](At &) { return 0U; })
         .in(currentMonitor)
         .from(0x060400), // CURR_MONITOR
@@ -215,7 +231,8 @@ constexpr std::array kWords{
 };
 
 constexpr std::array kLongs{
-    computed(0, Bits32, [](At &at) { return at.firmware.faultFlags(); }), // FAULTS_FLAGS
+    computed(0, Bits32, [](At &at) { return at.firmware.faultFlags(); })
+        .refusesAnywhere(), // FAULTS_FLAGS
     computed(1, Bits32, [](At &at) { return asWire(at.firmware.speed_rpm()); }), // SPEED_MEAS
     computed(2, Bits32, [](At &at) { return asWire(at.firmware.speedReference_rpm()); })
         .settable(setSpeedReference), // SPEED_REF
@@ -228,9 +245,12 @@ constexpr std::array kLongs{
     setting<&Tuning::ff2>(9).in(feedForward),
     pfcStub(40, Bits32), // PFC_FAULTS
     measured<&Signals::position_rad>(41).in(position),
-    measured<&Signals::cpuLoad>(88).in(cpuLoad).at(Board).from(0x060200),
-    measured<&Signals::cpuLoadMin>(89).in(cpuLoad).at(Board).from(0x060200),
-    measured<&Signals::cpuLoadMax>(90).in(cpuLoad).at(Board).from(0x060200),
+    measured<&Signals::cpuLoad>(88).in(cpuLoad).at(Board).from(0x060200).refuses(
+        Status::UnknownRegister),
+    measured<&Signals::cpuLoadMin>(89).in(cpuLoad).at(Board).from(0x060200).refuses(
+        Status::UnknownRegister),
+    measured<&Signals::cpuLoadMax>(90).in(cpuLoad).at(Board).from(0x060200).refuses(
+        Status::UnknownRegister),
     measured<&Commissioning::rs_ohm>(91).in(profiler),
     measured<&Commissioning::ls_h>(92).in(profiler),
     measured<&Commissioning::ke_vrmsPerKrpm>(93).in(profiler),
