@@ -272,6 +272,7 @@ private slots:
     void commandsCameWithVersionsAndBuilds();
     void theLoadOfTheProcessorIsShownAndCleared();
     void eachOptionBringsItsRegister();
+    void aSensorAloneHasNoObserverBesideIt();
     void sensorsAreSwitchedWithinTheMarginOnly();
     void profilerBuildsShowWhatTheyWereGiven();
     void theStructuresTellTheMotor();
@@ -560,8 +561,10 @@ void TestRegisters::eachOptionBringsItsRegister()
         {"profiler", "SC_CHECK"}, {"cpu-load", "PERF_CPU_LOAD"}, {"dac", "DAC_OUT1"},
         {"pfc", "PFC_STATUS"}, {"ipd", "IPD_ENABLE"}, {"current-monitor", "CURR_MONITOR"},
         {"zest", "FOC_ZEST_OUTD"}, {"potentiometer", "THROTTLE_POS"}};
-    QCOMPARE(registers.size(), simulation::buildOptions().size());
+    QCOMPARE(registers.size() + 1, simulation::buildOptions().size());
     for (const simulation::BuildOption &option : simulation::buildOptions()) {
+        if (option.member == &Build::sensorAlone)
+            continue; // brings none
         BoardOptions options;
         options.profile = option.fits(Family::Foc) ? "mcsdk-6.4"
             : option.fits(Family::SixStep)         ? "six-step"
@@ -584,6 +587,34 @@ void TestRegisters::eachOptionBringsItsRegister()
             QVERIFY(simulation::buildOf(options) == simulation::buildFor("six-step", ""));
         }
     }
+}
+
+void TestRegisters::aSensorAloneHasNoObserverBesideIt()
+{
+    BoardOptions options;
+    options.motor = "servo24";
+    const auto given = [&](std::string_view name) {
+        const auto list = listed("std", 0x060400);
+        const auto reg = std::find_if(
+            list.begin(), list.end(), [&](const Listed &row) { return row.name == name; });
+        BoardBench bench(options);
+        return bench.connect() && bench.ask(readRequest(reg->id.withMotor(1))).back() == 0;
+    };
+    const auto all = simulation::buildOptions();
+    const auto alone = std::find_if(
+        all.begin(), all.end(), [](const auto &option) { return option.name == "sensor-alone"; });
+    QVERIFY(alone != all.end());
+    for (const bool with : {false, true}) {
+        if (with)
+            options.with.push_back(&*alone);
+        for (const char *observed :
+            {"STOPLL_ROT_SPEED", "STOPLL_C1", "RUC_STAGE_NBR", "REVUP_DATA", "STOPLL_EST_BEMF"})
+            QVERIFY2(given(observed) != with, observed);
+        QVERIFY(given("ENCODER_SPEED"));
+        QVERIFY(given("SPEED_MEAS"));
+    }
+    options.motor = "pm24"; // has nothing else
+    QVERIFY(given("STOPLL_ROT_SPEED"));
 }
 
 void TestRegisters::sensorsAreSwitchedWithinTheMarginOnly()

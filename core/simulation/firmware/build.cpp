@@ -26,6 +26,17 @@ void addSensors(Build &build, const PlantParameters &plant)
         build.fluxWeakening = true;
 }
 
+/// Takes the observers out where something else closes the loops.
+void leaveSensorAlone(Build &build)
+{
+    if (build.sensorless() || build.family != Family::Foc)
+        return;
+    build.observerPll = build.observerCordic = false;
+    if (build.auxiliarySensor == SpeedSensor::ObserverPll
+        || build.auxiliarySensor == SpeedSensor::ObserverCordic)
+        build.auxiliarySensor = SpeedSensor::None;
+}
+
 } // namespace
 
 Build buildFor(std::string_view profile, std::string_view preset)
@@ -69,6 +80,8 @@ std::span<const BuildOption> buildOptions()
     using B = Build;
     static constexpr std::array kOptions{
         BuildOption{"cordic", &B::observerCordic, kFoc, "the observer with CORDIC, STOCORDIC_*"},
+        BuildOption{"sensor-alone", &B::sensorAlone, kFoc,
+            "no observer beside a motor's encoder or Hall sensors: no STOPLL_*, no rev-up"},
         BuildOption{"encoder", &B::encoder, kFoc, "an encoder of 1000 pulses, ENCODER_*"},
         BuildOption{"hall", &B::hall, kFoc, "Hall sensors, HALL_*"},
         BuildOption{"flux-weakening", &B::fluxWeakening, kFoc, "FLUXWK_*"},
@@ -92,6 +105,8 @@ void addOption(Build &build, const BuildOption &option)
     if (!option.fits(build.family))
         return;
     build.*option.member = true;
+    if (option.member == &Build::sensorAlone)
+        return leaveSensorAlone(build);
     if (build.zest)
         build.mainSensor = SpeedSensor::Zest;
     if (build.auxiliarySensor != SpeedSensor::None)

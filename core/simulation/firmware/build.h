@@ -34,6 +34,7 @@ struct Build {
     // What is compiled in; each has registers.
     bool observerPll = true;
     bool observerCordic = false;
+    bool sensorAlone = false; ///< no observer beside an encoder or Hall sensors
     bool encoder = false;
     bool hall = false;
     bool fluxWeakening = false;

@@ -76,6 +76,7 @@ private Q_SLOTS:
     void everyBoardIsIdentifiedStartedAndStopped();
     void everyMotorIsDescribedAndTurns_data();
     void everyMotorIsDescribedAndTurns();
+    void aBoardWithAnEncoderAloneTurnsAndStreams();
     void aMotorThatCannotBeIsNoBoard();
     void sensorSpeedsReadRightOnEveryVersion_data();
     void sensorSpeedsReadRightOnEveryVersion();
@@ -164,6 +165,35 @@ void TestMcpDriveBoards::everyMotorIsDescribedAndTurns()
     session.runFor(1s);
     QVERIFY(session.status.at(1).state == MotorState::Running);
     QVERIFY(session.status.at(1).speedRpm.value_or(0.0) > 0.2 * motor.maxSpeed_rpm);
+}
+
+void TestMcpDriveBoards::aBoardWithAnEncoderAloneTurnsAndStreams()
+{
+    simulation::BoardOptions options = board("mcsdk-6.4");
+    options.motor = "servo24";
+    for (const simulation::BuildOption &option : simulation::buildOptions())
+        if (option.name == "sensor-alone")
+            options.with.push_back(&option);
+    QVERIFY(!options.with.empty());
+    Session session(true, options);
+    QVERIFY(session.ready);
+    QVERIFY(session.identified->identity.knownFirmware);
+    QCOMPARE(session.identified->identity.speedSignals, std::vector<std::string>{"ENCODER_SPEED"});
+    QVERIFY(session.runAt(1500));
+    Recorder recorder(session);
+    const WishId stream = session.submit(Stream{{session.id("ENCODER_SPEED")}, 1, {}, 1});
+    QVERIFY(session.runUntilEnded(stream));
+    QVERIFY(session.outcome(stream) == Outcome::Ok);
+    session.runFor(1s);
+    QVERIFY(std::abs(mean(recorder.samples.at(0)) - 1500.0) < 60.0);
+    // What it does not have is said to be so, and breaks nothing.
+    const RegisterId observer = session.id("STOPLL_ROT_SPEED"), stages = session.id("REVUP_DATA");
+    const WishId read = session.submit(Read{{observer, stages, session.id("SPEED_MEAS")}});
+    QVERIFY(session.runUntilEnded(read));
+    QVERIFY(session.values.at(observer).status == ReadStatus::NotSupported);
+    QVERIFY(session.values.at(stages).status == ReadStatus::NotSupported);
+    QVERIFY(session.values.at(session.id("SPEED_MEAS")).status == ReadStatus::Ok);
+    QCOMPARE(session.counters.recoveries, std::uint64_t(0));
 }
 
 void TestMcpDriveBoards::aMotorThatCannotBeIsNoBoard()
