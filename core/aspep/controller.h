@@ -215,7 +215,7 @@ private:
 
     // controller_urgent.cpp
     void startUrgentDialogue(TimePoint now);
-    bool offered(TimePoint now) const;
+    bool underWay(TimePoint now) const;
     void sendBlind(TimePoint now);
     void onUrgentDue(TimePoint now);
     void endBlind(TimePoint now);

@@ -68,11 +68,19 @@ void Controller::startUrgentDialogue(TimePoint now)
     m_urgent->begun = now;
     m_urgent->until = now + kDialogue;
     m_rounds = 0;
-    m_echoesLeft = m_attempts = 1;
-    if (offered(now))
-        return;
+    m_echoesLeft = 1;
+    if (m_step != Step::Pinging)
+        m_attempts = 1;
     if (!m_framer.inStep() || m_state == State::Idle)
         m_framer.resynchronise();
+    if (underWay(now)) {
+        if (m_step != Step::Draining)
+            return;
+        m_step = Step::Offering;
+        if (m_state != State::Recovering)
+            m_offer = m_config.offer;
+        return;
+    }
     if (m_state == State::Idle || m_state == State::Connected) { // else the outage has begun before
         m_dialogueStart = now;
         m_outageStart = m_lastValid;
@@ -88,16 +96,17 @@ void Controller::startUrgentDialogue(TimePoint now)
     m_output.back().dropsEarlier = true;
 }
 
-/// Whether the dialogue has just begun, with a Beacon whose echo can still come: another would make the board miss both.
-bool Controller::offered(TimePoint now) const
+/// Whether a word of the dialogue has just left whose answer can still come: another would make the board miss both.
+bool Controller::underWay(TimePoint now) const
 {
-    return m_step == Step::Offering && m_framer.inStep() && m_replyDue && m_output.empty()
-        && now - m_askedAt < kDialogue;
+    const bool word = m_step == Step::Offering || m_step == Step::Probing || m_step == Step::Pinging
+        || (m_step == Step::Draining && m_askedAt >= m_drainStart); // the Beacon that ends a stream
+    return word && m_replyDue && m_output.empty() && now - m_askedAt < kDialogue;
 }
 
 void Controller::sendBlind(TimePoint now)
 {
-    const bool echoed = m_step == Step::Pinging;
+    const bool echoed = m_step == Step::Pinging && m_attempts == 1;
     m_urgent->stage = Urgent::Stage::Sent;
     if (!echoed)
         sendPacket(blindOffer(), kBlindGap, now);

@@ -19,6 +19,8 @@ private Q_SLOTS:
     void everyUrgentRequestEndsOnce();
     void noiseDoesNotHoldItUp();
     void aBeaconThatHasJustLeftIsNotSentAgain();
+    void aPingThatHasJustLeftHasItsTime();
+    void theBeaconThatEndsAStreamHasItsTime();
     void theLastBeaconHasItsTimeBeforeItGoesBlind();
     void whatABlindStopHearsIsMendedByABeacon_data();
     void whatABlindStopHearsIsMendedByABeacon();
@@ -281,6 +283,64 @@ void TestControllerUrgent::aBeaconThatHasJustLeftIsNotSentAgain()
     QVERIFY(link.sent().empty());
     link.hear(kBoard);
     QCOMPARE(link.sent(), kBoard);
+    link.hear(kBoard);
+    QVERIFY(isPing(link.sent()));
+    link.hear(kConfigured);
+    QVERIFY(endsWithStop(link.sent()));
+}
+
+/// Of a recovery, or the one that connects: a Beacon right behind it would make the board miss both.
+void TestControllerUrgent::aPingThatHasJustLeftHasItsTime()
+{
+    for (const bool answered : {true, false}) {
+        VirtualLink link;
+        link.connect();
+        link.controller.sendRequest(kGetStatus, link.now);
+        (void)link.sent();
+        QVERIFY(isPing(link.nextSent())); // the answer did not come
+        const TimePoint left = link.now;
+        link.wait(5ms);
+        link.controller.sendUrgent(kStop, link.now);
+        QVERIFY(link.sent().empty());
+        if (answered) {
+            link.hear(kConfigured);
+            QVERIFY(endsWithStop(link.sent()));
+            continue;
+        }
+        const Bytes blind = link.nextSent();
+        QCOMPARE(Bytes(blind.begin(), blind.begin() + 4), kBoard);
+        QVERIFY(endsWithStop(blind));
+        QVERIFY(link.now - left >= 20ms);
+        QVERIFY(link.now - left <= 45ms);
+    }
+    VirtualLink link;
+    link.controller.connect(link.now);
+    (void)link.sent();
+    link.hear(kBoard);
+    (void)link.sent();
+    link.hear(kBoard);
+    QVERIFY(isPing(link.sent()));
+    link.wait(1ms);
+    link.controller.sendUrgent(kStop, link.now);
+    QVERIFY(link.sent().empty());
+    link.hear(kConfigured);
+    QVERIFY(endsWithStop(link.sent()));
+}
+
+void TestControllerUrgent::theBeaconThatEndsAStreamHasItsTime()
+{
+    VirtualLink link;
+    link.connect();
+    Bytes sent;
+    while (sent.empty() && link.now < TimePoint{1s}) {
+        link.hear(Bytes(40, 0x01)); // never pauses, and is no packet
+        link.wait(2ms);
+        sent = link.sent();
+    }
+    QCOMPARE(sent, kBoard);
+    link.wait(1ms);
+    link.controller.sendUrgent(kStop, link.now);
+    QVERIFY(link.sent().empty());
     link.hear(kBoard);
     QVERIFY(isPing(link.sent()));
     link.hear(kConfigured);
