@@ -1,5 +1,6 @@
 #include "widgets/window/tool_docks.h"
 
+#include "widgets/control/motor_button.h"
 #include "widgets/window/workbench.h"
 
 #include <QDockWidget>
@@ -24,8 +25,6 @@ QAction *ToolDocks::add(const QString &title, const char *name, const QKeySequen
 {
     auto *dock = new QDockWidget(title, &m_window);
     dock->setObjectName(QLatin1String(name));
-    // Not floating: a window of its own would have to carry a stop button of its own.
-    dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
     m_window.addDockWidget(Qt::BottomDockWidgetArea, dock);
     if (!m_tools.empty())
         m_window.tabifyDockWidget(m_tools.front().dock, dock);
@@ -76,16 +75,24 @@ void ToolDocks::fill(Tool &tool)
     scroll->setFocusPolicy(Qt::NoFocus);
     Form *form = tool.form = tool.make();
     scroll->setWidget(form);
+    auto *stop = new StopButton(content); // every window that can stay open has one
+    stop->setObjectName(tool.dock->objectName() + QStringLiteral("Stop"));
+    stop->setVisible(tool.dock->isFloating());
+    connect(stop, &StopButton::stopPressed, &m_workbench.device(), &Device::stop);
+    connect(tool.dock, &QDockWidget::topLevelChanged, stop, &QWidget::setVisible);
     auto *layout = new QVBoxLayout(content);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(scroll, 1);
+    auto *below = new QHBoxLayout;
+    below->addWidget(stop);
     if (QWidget *footer = form->footer()) {
-        auto *below = new QHBoxLayout;
         below->setContentsMargins(8, 2, 8, 4);
-        below->addWidget(footer);
-        layout->addLayout(below);
+        below->addWidget(footer, 1);
+    } else {
+        below->addStretch(1);
     }
+    layout->addLayout(below);
     tool.dock->setWidget(content);
     content->show(); // which a dock that is open already leaves to us
 
@@ -122,6 +129,26 @@ void ToolDocks::makeInTurns()
         return;
     fill(*next);
     QTimer::singleShot(0, this, &ToolDocks::makeInTurns);
+}
+
+void ToolDocks::showOnly(const QStringList &names)
+{
+    QDockWidget *last = nullptr;
+    for (Tool &tool : m_tools)
+        if (!names.contains(tool.dock->objectName()))
+            tool.dock->hide();
+    for (const QString &name : names)
+        for (Tool &tool : m_tools) {
+            if (tool.dock->objectName() != name)
+                continue;
+            formOf(tool);
+            tool.dock->setFloating(false);
+            if (last)
+                m_window.splitDockWidget(last, tool.dock, Qt::Horizontal);
+            tool.dock->show();
+            tool.dock->raise();
+            last = tool.dock;
+        }
 }
 
 bool ToolDocks::anyOpen() const

@@ -1,11 +1,13 @@
-// ToolDocks: docks below the scope, as tabs of one another, hidden until they are asked for. What is in one is made when it is
-// first seen, or in turns when nothing else is to be done. It knows no tool by name.
+// ToolDocks: docks below the scope, as tabs of one another, hidden until they are asked for. They can stand side by side, and
+// float: then each has a stop button of its own. What is in one is made when it is first seen, or in turns when nothing else
+// is to be done. It knows no tool by name.
 #pragma once
 
 #include "widgets/base/form.h"
 
 #include <QAction>
 #include <QList>
+#include <QStringList>
 
 #include <functional>
 #include <vector>
@@ -29,6 +31,7 @@ public:
         std::function<Form *()> makeForm);
     QList<QAction *> actions() const { return m_actions; }
     bool anyOpen() const;
+    void showOnly(const QStringList &names); ///< side by side, in this order; closes all others
 
 public Q_SLOTS:
     void makeOpen(); ///< the forms of docks that are not hidden

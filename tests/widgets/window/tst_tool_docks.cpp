@@ -1,0 +1,65 @@
+// A tool in a window of its own: Stop is in it, and Esc works in it.
+#include "support/window_rig.h"
+#include "widgets/control/motor_button.h"
+
+#include <QDockWidget>
+#include <QSignalSpy>
+
+class TestToolDocks : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_rig = std::make_unique<facts::WindowRig>();
+        m_rig->find<QAction>("gainsDockOpen")->trigger();
+        m_dock = m_rig->find<QDockWidget>("gainsDock");
+        m_stop = m_rig->find<widgets::StopButton>("gainsDockStop");
+    }
+    void cleanup() { m_rig.reset(); }
+
+    void aFloatingToolHasAStopButton()
+    {
+        QSignalSpy stops(&m_rig->workbench.device(), &widgets::Device::stopWished);
+        QVERIFY(!m_stop->isVisible()); // the window's own is there
+        m_dock->setFloating(true);
+        QVERIFY(QTest::qWaitForWindowExposed(m_dock));
+        QVERIFY(m_dock->isWindow() && m_stop->isVisible());
+        QTest::mousePress(m_stop, Qt::LeftButton);
+        QCOMPARE(stops.size(), 1);
+        QTest::mouseRelease(m_stop, Qt::LeftButton);
+        m_dock->setFloating(false);
+        QVERIFY(!m_stop->isVisible());
+    }
+
+    void escStopsInIt()
+    {
+        QSignalSpy stops(&m_rig->workbench.device(), &widgets::Device::stopWished);
+        m_dock->setFloating(true);
+        QVERIFY(QTest::qWaitForWindowExposed(m_dock));
+        QTest::keyClick(m_dock->windowHandle(), Qt::Key_Escape);
+        QCOMPARE(stops.size(), 1);
+        QVERIFY(m_dock->isVisible()); // it is no dialog that Esc closes
+    }
+
+    void everyToolCanFloatAndEachHasItsStop()
+    {
+        m_rig->window.finishTools();
+        int tools = 0;
+        for (QDockWidget *dock : m_rig->window.findChildren<QDockWidget *>()) {
+            if (!(dock->features() & QDockWidget::DockWidgetFloatable))
+                continue;
+            ++tools;
+            QVERIFY2(dock->findChild<widgets::StopButton *>(), qPrintable(dock->objectName()));
+        }
+        QVERIFY(tools >= 12);
+    }
+
+private:
+    std::unique_ptr<facts::WindowRig> m_rig;
+    QDockWidget *m_dock = nullptr;
+    widgets::StopButton *m_stop = nullptr;
+};
+
+QTEST_MAIN(TestToolDocks)
+#include "tst_tool_docks.moc"
