@@ -225,9 +225,12 @@ void EventRecorder::link()
         || before == LinkState::Recovering;
     switch (link.state) {
     case LinkState::Connected:
-        // What it tells next is told anew, but not behind a moment of silence.
-        if (link.reason == drive::LinkReason::BoardReset
-            || (before != LinkState::Suspect && before != LinkState::Recovering))
+        // What it tells next is told anew, but not behind a moment of silence. A board that was reset has no past: each
+        // fault that it knows of came since.
+        if (link.reason == drive::LinkReason::BoardReset)
+            for (auto &[motor, status] : m_status)
+                status = {};
+        else if (before != LinkState::Suspect && before != LinkState::Recovering)
             m_status.clear();
         note(EventKind::Recovery, now(),
             link.reason == drive::LinkReason::BoardReset ? linkReasonText(link.reason) : word);
