@@ -124,10 +124,6 @@
         <translation>Frühere und spätere Aufnahmen des Triggers</translation>
     </message>
     <message>
-        <source>Motion log</source>
-        <translation>Bewegungsprotokoll</translation>
-    </message>
-    <message>
         <source>Large numbers</source>
         <translation>Große Zahlen</translation>
     </message>
@@ -150,6 +146,10 @@
     <message>
         <source>Save the markers of an opened recording</source>
         <translation>Markierungen einer geöffneten Aufzeichnung speichern</translation>
+    </message>
+    <message>
+        <source>Notes; motion log</source>
+        <translation>Notizen; Bewegungsprotokoll</translation>
     </message>
 </context>
 <context>
@@ -2180,6 +2180,21 @@
     </message>
 </context>
 <context>
+    <name>WorkspaceFile</name>
+    <message>
+        <source>Line %1 is not JSON: %2.</source>
+        <translation>Zeile %1 ist kein JSON: %2.</translation>
+    </message>
+    <message>
+        <source>This is no workspace: it has no &quot;%1&quot;.</source>
+        <translation>Das ist kein Arbeitsplatz: „%1“ fehlt.</translation>
+    </message>
+    <message>
+        <source>It was written by a later version of Rotorscope (its form is %1).</source>
+        <translation>Eine spätere Version von Rotorscope hat sie geschrieben (Form %1).</translation>
+    </message>
+</context>
+<context>
     <name>WriteQuestion</name>
     <message>
         <source>not known</source>
@@ -3953,6 +3968,34 @@
         <source>&amp;Faults and their causes…</source>
         <translation>&amp;Fehler und ihre Ursachen …</translation>
     </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Z&amp;uletzt verwendet</translation>
+    </message>
+    <message>
+        <source>Open a &amp;workspace…</source>
+        <translation>Arbeits&amp;platz öffnen …</translation>
+    </message>
+    <message>
+        <source>Save the wor&amp;kspace…</source>
+        <translation>Arbeitsplatz speic&amp;hern …</translation>
+    </message>
+    <message>
+        <source>&amp;Arrange for</source>
+        <translation>&amp;Anordnen für</translation>
+    </message>
+    <message>
+        <source>&amp;Tuning</source>
+        <translation>&amp;Abgleich</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>Au&amp;fzeichnung</translation>
+    </message>
+    <message>
+        <source>&amp;Start-up</source>
+        <translation>An&amp;lauf</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MarkerFile</name>
@@ -4687,6 +4730,17 @@
     <message>
         <source>In the file</source>
         <translation>In der Datei</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::NotesPanel</name>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>What is tried, and what came of it. Kept with the workspace.</source>
+        <translation>Was versucht wird und was dabei herauskam. Bleibt beim Arbeitsplatz.</translation>
     </message>
 </context>
 <context>
@@ -6441,10 +6495,6 @@ mN·m</translation>
         <translation>Werte einpassen	Umschalt+F</translation>
     </message>
     <message>
-        <source>Remove %1</source>
-        <translation>%1 entfernen</translation>
-    </message>
-    <message>
         <source>Shows %1</source>
         <translation>Zeigt %1</translation>
     </message>
@@ -6457,8 +6507,12 @@ mN·m</translation>
         <translation>Ganze Aufzeichnung darunter	O</translation>
     </message>
     <message>
-        <source>&amp;Colours</source>
-        <translation>&amp;Farben</translation>
+        <source>&amp;Colour</source>
+        <translation>&amp;Farbe</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
     </message>
 </context>
 <context>
@@ -6626,6 +6680,11 @@ mN·m</translation>
             <numerusform>%n Signal passt nicht in die Aufzeichnung und wird einzeln gelesen.</numerusform>
             <numerusform>%n Signale passen nicht in die Aufzeichnung und werden einzeln gelesen.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>This board does not have %1.</source>
+        <comment>names of signals</comment>
+        <translation>Dieses Board hat %1 nicht.</translation>
     </message>
 </context>
 <context>
@@ -7452,6 +7511,30 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
         <source>Exported to %1.</source>
         <translation>Exportiert nach %1.</translation>
     </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>&amp;Step response</source>
+        <translation>&amp;Sprungantwort</translation>
+    </message>
+    <message>
+        <source>&amp;Trigger on it</source>
+        <translation>Darauf &amp;triggern</translation>
+    </message>
+    <message>
+        <source>&amp;Spectrum</source>
+        <translation>&amp;Spektrum</translation>
+    </message>
+    <message>
+        <source>&amp;XY, upward</source>
+        <translation>&amp;XY, nach oben</translation>
+    </message>
 </context>
 <context>
     <name>widgets::TriggerBar</name>
@@ -7569,6 +7652,39 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>Not understood: a number from %1 to %2</source>
         <translation>Nicht verstanden: eine Zahl von %1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Workspaces</name>
+    <message>
+        <source>Workspaces (*.workspace)</source>
+        <translation>Arbeitsplätze (*.workspace)</translation>
+    </message>
+    <message>
+        <source>Open a workspace</source>
+        <translation>Arbeitsplatz öffnen</translation>
+    </message>
+    <message>
+        <source>Save the workspace</source>
+        <translation>Arbeitsplatz speichern</translation>
+    </message>
+    <message>
+        <source>bench</source>
+        <translation>bank</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: %2</source>
+        <comment>a file, the reason</comment>
+        <translation>%1 wurde nicht geöffnet: %2</translation>
+    </message>
+    <message>
+        <source>%1 was not written: %2</source>
+        <comment>a file, the reason</comment>
+        <translation>%1 wurde nicht geschrieben: %2</translation>
+    </message>
+    <message>
+        <source>The workspace is in %1.</source>
+        <translation>Der Arbeitsplatz ist in %1.</translation>
     </message>
 </context>
 <context>

@@ -124,10 +124,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Motion log</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Large numbers</source>
         <translation type="unfinished"></translation>
     </message>
@@ -149,6 +145,10 @@
     </message>
     <message>
         <source>Show the grid or hide it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notes; motion log</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2180,6 +2180,21 @@
     </message>
 </context>
 <context>
+    <name>WorkspaceFile</name>
+    <message>
+        <source>Line %1 is not JSON: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is no workspace: it has no &quot;%1&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was written by a later version of Rotorscope (its form is %1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>WriteQuestion</name>
     <message>
         <source>not known</source>
@@ -3953,6 +3968,34 @@
         <source>&amp;Faults and their causes…</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a &amp;workspace…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the wor&amp;kspace…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Arrange for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Tuning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Start-up</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::MarkerFile</name>
@@ -4686,6 +4729,17 @@
     </message>
     <message>
         <source>In the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::NotesPanel</name>
+    <message>
+        <source>Notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is tried, and what came of it. Kept with the workspace.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6435,10 +6489,6 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Remove %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Shows %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6451,7 +6501,11 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Colours</source>
+        <source>&amp;Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6620,6 +6674,11 @@ mN·m</source>
             <numerusform>%n signal does not fit into the recording and is read one by one.</numerusform>
             <numerusform>%n signals do not fit into the recording and are read one by one.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>This board does not have %1.</source>
+        <comment>names of signals</comment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7445,6 +7504,30 @@ A program on a PC is no replacement for a switch that removes the power.</source
         <source>Exported to %1.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Step response</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Trigger on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Spectrum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;XY, upward</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::TriggerBar</name>
@@ -7561,6 +7644,39 @@ A program on a PC is no replacement for a switch that removes the power.</source
     <name>widgets::ValueEdit</name>
     <message>
         <source>Not understood: a number from %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Workspaces</name>
+    <message>
+        <source>Workspaces (*.workspace)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a workspace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the workspace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not opened: %2</source>
+        <comment>a file, the reason</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not written: %2</source>
+        <comment>a file, the reason</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The workspace is in %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

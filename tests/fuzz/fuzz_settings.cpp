@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     fuzz::require(std::isfinite(read.maxSpeedRpm) && read.maxSpeedRpm >= 0.0);
     fuzz::require(std::isfinite(read.maxCurrentAmps) && read.maxCurrentAmps >= 0.0);
     fuzz::require(read.ramps.size() <= widgets::kMostRampPresets);
-    fuzz::require(read.formulas.size() <= widgets::kMostMathFormulas);
+    fuzz::require(read.workspace.formulas.size() <= widgets::kMostMathFormulas);
     const QByteArray ours = widgets::toJson(read);
     fuzz::require(widgets::toJson(widgets::settingsFromJson(ours)) == ours);
     return 0;

@@ -3,7 +3,6 @@
 #include "base/wide_registers.h"
 #include "widgets/base/table_text.h"
 #include "widgets/base/wheel_guard.h"
-#include "widgets/measuring/measure_table.h"
 #include "widgets/measuring/measure_text.h"
 #include "widgets/measuring/trace_box.h"
 #include "widgets/scope/cursor_actions.h"
@@ -23,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace widgets {
 
@@ -126,7 +126,7 @@ void MeasurePanel::makeSide(QWidget *side)
     connect(m_range, &QComboBox::activated, this, [this](int range) {
         if (range == BetweenCursors && !m_scope.cursors().visible())
             m_scope.cursorActions().toggle();
-        measure();
+        measureAll();
     });
     connect(add, &QPushButton::clicked, this, &MeasurePanel::addChosen);
     connect(remove, &QPushButton::clicked, this, &MeasurePanel::removeChosen);
@@ -139,6 +139,46 @@ void MeasurePanel::fillTraces()
 {
     fillTraceBox(*m_trace, m_scope, m_capture);
     fillTraceBox(*m_against, m_scope, m_capture, static_cast<int>(m_scope.channels().size()));
+    addWaiting();
+}
+
+QList<NamedMeasure> MeasurePanel::measures() const
+{
+    QList<NamedMeasure> all;
+    for (int row = 0; row < m_table->rowCount(); ++row)
+        all.append(m_table->named(row));
+    return all + m_waiting;
+}
+
+void MeasurePanel::setMeasures(QList<NamedMeasure> measures)
+{
+    while (m_table->rowCount() > 0)
+        m_table->remove(m_table->rowCount() - 1);
+    m_waiting = std::move(measures);
+    addWaiting();
+    drawChosen();
+}
+
+void MeasurePanel::addWaiting()
+{
+    const auto shown = [this](const QString &name) -> std::optional<capture::ChannelInfo> {
+        for (const capture::ChannelId id : m_scope.channels())
+            if (m_scope.nameOf(id) == name)
+                return m_capture.info(id);
+        return {};
+    };
+    for (const NamedMeasure &measure : std::exchange(m_waiting, {})) {
+        const auto first = shown(measure.signal), second = shown(measure.against);
+        if (!first || (!measure.against.isEmpty() && !second)) {
+            m_waiting.append(measure);
+            continue;
+        }
+        MeasureTable::Wanted wanted{first->registerId, first->kind, measure.quantity, {}};
+        if (second)
+            wanted.against = second->registerId;
+        if (m_table->add(wanted))
+            showAdded();
+    }
 }
 
 void MeasurePanel::addChosen()
@@ -152,10 +192,26 @@ void MeasurePanel::addChosen()
         if (const auto second = m_capture.info(m_against->currentData().toUInt()))
             wanted.against = second->registerId;
     }
+    add(wanted);
+}
+
+void MeasurePanel::measure(capture::ChannelId channel, scope::Quantity quantity)
+{
+    if (const auto info = m_capture.info(channel))
+        add({info->registerId, info->kind, quantity, {}});
+}
+
+void MeasurePanel::add(const MeasureTable::Wanted &wanted)
+{
     if (!m_table->add(wanted))
         return;
-    measure();
+    measureAll();
     m_list->setCurrentIndex(m_table->index(m_table->rowCount() - 1, 0));
+    showAdded();
+}
+
+void MeasurePanel::showAdded()
+{
     // Names may be long; what numbers there will be is not known yet.
     for (const int column : {MeasureTable::SignalColumn, MeasureTable::QuantityColumn}) {
         const QModelIndex added = m_table->index(m_table->rowCount() - 1, column);
@@ -170,12 +226,12 @@ void MeasurePanel::removeChosen()
     drawChosen();
 }
 
-void MeasurePanel::refresh(Milliseconds) { measure(); }
+void MeasurePanel::refresh(Milliseconds) { measureAll(); }
 
 void MeasurePanel::focusFirst()
 {
     m_trace->setFocus(Qt::ShortcutFocusReason);
-    measure();
+    measureAll();
 }
 
 /// Counts it as it would be measured in the picture: between cursors, where they stand from the trigger.
@@ -193,7 +249,7 @@ void MeasurePanel::recordCompleted(const scope::Record &record)
     clearWideRegisters();
     m_table->count(from, to, record.trigger);
     if (shown && shown->id == record.id)
-        measure();
+        measureAll();
 }
 
 bool MeasurePanel::betweenCursors() const
@@ -210,7 +266,7 @@ capture::TimeSpan MeasurePanel::measuredRange() const
     return {std::min(cursors.a, cursors.b), std::max(cursors.a, cursors.b)};
 }
 
-void MeasurePanel::measure()
+void MeasurePanel::measureAll()
 {
     const capture::TimeSpan range = measuredRange();
     clearWideRegisters();

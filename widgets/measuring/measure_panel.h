@@ -2,9 +2,9 @@
 // is drawn over its trace. Measures a few times a second while it can be seen, and every record of the trigger.
 #pragma once
 
-#include "capture/capture.h"
 #include "scope/record.h"
 #include "widgets/base/form.h"
+#include "widgets/measuring/measure_table.h"
 
 #include <optional>
 
@@ -13,7 +13,6 @@ class QTreeView;
 
 namespace widgets {
 
-class MeasureTable;
 class ScopeView;
 class TriggerControl;
 
@@ -24,6 +23,10 @@ public:
     MeasurePanel(ScopeView &scope, const capture::Capture &capture, TriggerControl &trigger,
         QWidget *parent = nullptr);
 
+    QList<NamedMeasure> measures() const;
+    /// In the place of those that are there; each as soon as its trace is shown.
+    void setMeasures(QList<NamedMeasure> measures);
+    void measure(capture::ChannelId channel, scope::Quantity quantity); ///< as a new row
     void refresh(Milliseconds now) override;
     double heightShare() const override { return 0.3; } // the traces are what is looked at
     void focusFirst() override;
@@ -36,9 +39,12 @@ private:
     void makeSide(QWidget *side);
     void fillTraces();
     void addChosen();
+    void addWaiting();
+    void showAdded();
     void removeChosen();
     void recordCompleted(const scope::Record &record);
-    void measure();
+    void add(const MeasureTable::Wanted &wanted);
+    void measureAll();
     bool betweenCursors() const;
     capture::TimeSpan measuredRange() const;
     void drawChosen();
@@ -47,6 +53,7 @@ private:
     const capture::Capture &m_capture;
     TriggerControl &m_trigger;
     MeasureTable *m_table;
+    QList<NamedMeasure> m_waiting; ///< for their traces
     QTreeView *m_list;
     QComboBox *m_trace;
     QComboBox *m_quantity;

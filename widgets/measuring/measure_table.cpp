@@ -57,11 +57,11 @@ bool MeasureTable::add(const Wanted &wanted)
         return false;
     Row row;
     row.wanted = wanted;
+    row.named.quantity = wanted.quantity;
     if (const capture::Channel *channel = channelOf(wanted))
-        row.name = deviceText(channel->info().name);
+        row.named.signal = deviceText(channel->info().name);
     if (const capture::Channel *second = secondOf(wanted))
-        row.name = tr("%1 to %2", "a phase between two traces")
-                       .arg(row.name, deviceText(second->info().name));
+        row.named.against = deviceText(second->info().name);
     beginInsertRows({}, rowCount(), rowCount());
     m_next = m_rows.size(); // its turn
     m_rows.push_back(std::move(row));
@@ -77,6 +77,8 @@ void MeasureTable::remove(int row)
     m_rows.erase(m_rows.begin() + row);
     endRemoveRows();
 }
+
+NamedMeasure MeasureTable::named(int row) const { return m_rows[std::size_t(row)].named; }
 
 void MeasureTable::clearStatistics()
 {
@@ -218,7 +220,9 @@ QVariant MeasureTable::data(const QModelIndex &index, int role) const
         return {};
     switch (index.column()) {
     case SignalColumn:
-        return row.name;
+        return row.named.against.isEmpty()
+            ? row.named.signal
+            : tr("%1 to %2", "a phase between two traces").arg(row.named.signal, row.named.against);
     case QuantityColumn:
         return quantityText(row.wanted.quantity);
     case ValueColumn:

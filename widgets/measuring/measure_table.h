@@ -13,6 +13,14 @@ namespace widgets {
 
 class ScopeView;
 
+/// A measurement by the names of its traces, so that it can be kept and asked for again.
+struct NamedMeasure {
+    QString signal;
+    scope::Quantity quantity = scope::Quantity::Mean;
+    QString against; ///< phase only
+    bool operator==(const NamedMeasure &) const = default;
+};
+
 class MeasureTable : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -46,6 +54,7 @@ public:
 
     bool add(const Wanted &wanted); ///< false if it is there already, or there are kMost
     void remove(int row);
+    NamedMeasure named(int row) const;
     void clearStatistics();
     /// Measures in [from, to): everything, or where that is long the next rows in turn.
     void measure(double from, double to);
@@ -62,7 +71,7 @@ public:
 private:
     struct Row {
         Wanted wanted;
-        QString name; ///< of its traces
+        NamedMeasure named;
         scope::Measurement result;
         scope::Statistics statistics;
         bool tooLong = false;

@@ -99,6 +99,20 @@ QString quantityText(Quantity quantity)
     return entry ? Measures::tr(entry->name) : QString();
 }
 
+QString quantityWord(Quantity quantity)
+{
+    const Entry *entry = entryOf(quantity);
+    return entry ? QLatin1String(entry->name) : QString();
+}
+
+std::optional<Quantity> quantityOf(const QString &word)
+{
+    for (const Entry &entry : kEntries)
+        if (word == QLatin1String(entry.name))
+            return entry.quantity;
+    return {};
+}
+
 QString quantityHelp(Quantity quantity)
 {
     const Entry *entry = entryOf(quantity);

@@ -13,6 +13,8 @@ namespace widgets {
 /// In the order of a list to choose from.
 QList<scope::Quantity> allQuantities();
 QString quantityText(scope::Quantity quantity);
+QString quantityWord(scope::Quantity quantity); ///< the same in every language, for files
+std::optional<scope::Quantity> quantityOf(const QString &word);
 QString quantityHelp(scope::Quantity quantity); ///< its definition in one sentence
 QString whyNotText(scope::WhyNot why);
 

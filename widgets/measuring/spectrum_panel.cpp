@@ -208,6 +208,11 @@ void SpectrumPanel::fillAxes()
 
 void SpectrumPanel::refresh(Milliseconds) { compute(); }
 
+void SpectrumPanel::choose(capture::ChannelId channel)
+{
+    m_trace->setCurrentIndex(m_trace->findData(channel));
+}
+
 void SpectrumPanel::focusFirst()
 {
     m_trace->setFocus(Qt::ShortcutFocusReason);

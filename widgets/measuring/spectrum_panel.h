@@ -32,6 +32,7 @@ public:
 
     void refresh(Milliseconds now) override;
     double heightShare() const override { return 0.36; } // the traces are what is looked at
+    void choose(capture::ChannelId channel); ///< of the traces that are shown
     void focusFirst() override;
 
     bool busy() const { return m_busy; } ///< a spectrum is being computed

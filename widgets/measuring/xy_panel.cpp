@@ -132,6 +132,12 @@ void XyPanel::fillTraces()
     compute();
 }
 
+void XyPanel::choose(capture::ChannelId channel)
+{
+    m_kind->setCurrentIndex(static_cast<int>(Kind::Any));
+    m_y->setCurrentIndex(m_y->findData(channel));
+}
+
 XyPanel::Kind XyPanel::kind() const { return static_cast<Kind>(m_kind->currentIndex()); }
 
 bool XyPanel::isVoltage() const

@@ -43,6 +43,8 @@ public:
     watchedRegisters() const override; ///< the bus, where it is drawn
     void refresh(Milliseconds now) override;
     double heightShare() const override { return 0.36; } // the traces are what is looked at
+    /// Two traces over each other, this one upward.
+    void choose(capture::ChannelId channel);
     void focusFirst() override;
 
     /// What is shown is what is chosen.

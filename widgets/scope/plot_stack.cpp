@@ -34,12 +34,12 @@ PlotStack::PlotStack(QCustomPlot &plot, const capture::Capture &capture)
 {
     m_plot.plotLayout()->clear(); // the axis rect every QCustomPlot starts with
     m_plot.plotLayout()->setRowSpacing(0);
-    append();
+    insert(0);
 }
 
 PlotStack::~PlotStack() = default;
 
-ScopePlot &PlotStack::append()
+ScopePlot &PlotStack::insert(int index)
 {
     auto plot = std::make_unique<ScopePlot>();
     plot->rect = new QCPAxisRect(&m_plot, false);
@@ -51,15 +51,16 @@ ScopePlot &PlotStack::append()
     ticker->setOrigin(m_origin);
     time->setTicker(ticker);
     styleAxis(*time);
-    m_plot.plotLayout()->addElement(m_plot.plotLayout()->rowCount(), 0, plot->rect);
+    m_plot.plotLayout()->insertRow(index);
+    m_plot.plotLayout()->addElement(index, 0, plot->rect);
     axisFor(*plot, QString());
     if (!m_plots.empty())
         time->setRange(m_plots.front()->timeAxis()->range());
     plot->waveform = new WaveformPlottable(*plot, m_capture);
     plot->legend = new TraceLegend(*plot, m_capture);
-    m_plots.push_back(std::move(plot));
+    ScopePlot &inserted = **m_plots.insert(m_plots.begin() + index, std::move(plot));
     showTimeLabels();
-    return *m_plots.back();
+    return inserted;
 }
 
 QMargins PlotStack::margins() const
@@ -208,13 +209,14 @@ int PlotStack::slotFor(const capture::ChannelInfo &channel)
     return slot;
 }
 
-void PlotStack::add(const capture::ChannelInfo &channel, int index)
+void PlotStack::add(const capture::ChannelInfo &channel, int index, bool alone)
 {
     if (plotOf(channel.id) >= 0)
         return;
     const bool onlyEmptyOne = count() == 1 && plot(0).traces.empty();
     index = std::clamp(index, 0, onlyEmptyOne ? 0 : count());
-    ScopePlot &target = index == count() ? append() : plot(index);
+    alone = (alone && !onlyEmptyOne) || index == count();
+    ScopePlot &target = alone ? insert(index) : plot(index);
     const int slot = slotFor(channel);
     QCPAxis *axis = axisFor(target, QString::fromStdString(channel.unit)).axis;
     target.traces.push_back({channel.id, channel, axis, slot, false});

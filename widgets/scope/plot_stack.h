@@ -29,7 +29,8 @@ public:
     ValueAxis *valueAxisAt(const QPointF &position); ///< nullptr if it is not over a value axis
 
     /// @param index  of the plot, clipped; count() makes a new one
-    void add(const capture::ChannelInfo &channel, int index);
+    /// @param alone  in a new plot that takes this place
+    void add(const capture::ChannelInfo &channel, int index, bool alone = false);
     void remove(capture::ChannelId channel);
     /// @param index  as in add(); a plot that loses its last trace vanishes
     /// @return  false if it is not shown, or there already
@@ -67,7 +68,7 @@ public:
     double timeStep() const; ///< seconds between two ticks of the time axis
 
 private:
-    ScopePlot &append();
+    ScopePlot &insert(int index);
     void removePlot(std::size_t index);
     void showTimeLabels();
     QMargins margins() const; ///< the least around a plot without a legend

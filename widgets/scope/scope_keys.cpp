@@ -105,7 +105,7 @@ bool ScopeView::scopeKey(int key, bool shift)
         removeSelected();
         return true;
     case Qt::Key_Menu:
-        showContextMenu(mapToGlobal(rect().center()), 0);
+        showContextMenu(mapToGlobal(rect().center()), -1);
         return true;
     default:
         return false;
@@ -139,23 +139,20 @@ void ScopeView::fillContextMenu(QMenu &menu, int plot)
     menu.addSeparator();
     menu.addAction(tr("Fit everything\tF"), this, &ScopeView::fitAll);
     menu.addAction(tr("Fit values\tShift+F"), this, &ScopeView::fitValues);
-    if (!channels().isEmpty()) {
-        menu.addSeparator();
-        QMenu *colors = menu.addMenu(tr("&Colours"));
-        for (const capture::ChannelId channel : channels())
-            m_colors->fill(*colors->addMenu(menuText(nameOf(channel))), channel);
-    }
-    if (plot < 0 || plot >= plotCount() || m_stack->plot(plot).traces.empty())
-        return;
     menu.addSeparator();
-    for (const Trace &trace : m_stack->plot(plot).traces) {
-        const QString name = menuText(QString::fromStdString(trace.info.name));
-        const capture::ChannelId channel = trace.channel;
-        menu.addAction(tr("Remove %1").arg(name), this, [this, channel] {
-            removeChannel(channel);
-            Q_EMIT removeRequested(channel);
-        });
-    }
+    for (const capture::ChannelId channel : channels())
+        if (plot < 0 || plotOf(channel) == plot)
+            fillTraceMenu(*menu.addMenu(menuText(nameOf(channel))), channel);
+}
+
+void ScopeView::fillTraceMenu(QMenu &menu, capture::ChannelId channel)
+{
+    Q_EMIT traceMenuOpening(menu, channel);
+    m_colors->fill(*menu.addMenu(tr("&Colour")), channel);
+    menu.addAction(tr("&Remove"), this, [this, channel] {
+        removeChannel(channel);
+        Q_EMIT removeRequested(channel);
+    });
 }
 
 } // namespace widgets

@@ -56,6 +56,7 @@ bool ScopeMouse::eventFilter(QObject *, QEvent *event)
         return wheel(*static_cast<QWheelEvent *>(event));
     case QEvent::Leave:
         m_position.reset();
+        Q_EMIT hovered({});
         return false;
     default:
         return false;
@@ -64,6 +65,7 @@ bool ScopeMouse::eventFilter(QObject *, QEvent *event)
 
 bool ScopeMouse::press(const QMouseEvent &event)
 {
+    Q_EMIT hovered({});
     m_view.setFocus(Qt::MouseFocusReason);
     m_start = event.position();
     m_plotIndex = m_stack.plotAt(m_start);
@@ -140,9 +142,11 @@ void ScopeMouse::hover(const QPointF &position)
 {
     if (m_attached) {
         m_view.cursors().move(*m_attached, m_view.time().timeAt(position.x()));
+        Q_EMIT hovered({});
         return;
     }
     const auto handle = m_handles.at(position);
+    Q_EMIT hovered(handle ? std::nullopt : std::optional(position));
     if (handle)
         m_plot.setCursor(m_handles.shape(*handle));
     else

@@ -38,6 +38,8 @@ public:
 
 Q_SIGNALS:
     void menuRequested(const QPoint &globalPosition, int plot);
+    /// Over the plots with nothing pressed or taken along; empty: not so any more.
+    void hovered(std::optional<QPointF> position);
 
 private:
     enum class Gesture { None, Pan, MoveAxis, Box, MoveHandle, MoveTrace };

@@ -8,6 +8,7 @@
 #include "widgets/scope/scope_colors.h"
 #include "widgets/scope/scope_drop.h"
 #include "widgets/scope/scope_ghosts.h"
+#include "widgets/scope/scope_hover.h"
 #include "widgets/scope/scope_mouse.h"
 #include "widgets/scope/scope_overlay.h"
 #include "widgets/scope/scope_overview.h"
@@ -87,6 +88,9 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
 void ScopeView::connectParts()
 {
     connect(m_mouse, &ScopeMouse::menuRequested, this, &ScopeView::showContextMenu);
+    auto *hover = new ScopeHover(*this, *m_stack, m_capture, *m_plot);
+    connect(m_mouse, &ScopeMouse::hovered, hover, &ScopeHover::showAt);
+    connect(this, &ScopeView::drawn, hover, &ScopeHover::follow);
     connect(m_lane, &EventLane::markerWanted, m_cursorActions, &CursorActions::setMarkerAt);
     connect(m_lane, &EventLane::noteWanted, this, &ScopeView::noteWanted);
     connect(m_drop, &ScopeDrop::registerDropped, this, &ScopeView::registerDropped);
@@ -104,12 +108,12 @@ ScopeView::~ScopeView()
     delete m_plot; // before the stack whose plots its plottables refer to
 }
 
-void ScopeView::addChannel(capture::ChannelId channel, int plot)
+void ScopeView::addChannel(capture::ChannelId channel, int plot, bool alone)
 {
     const auto info = m_capture.info(channel);
     if (!info)
         return;
-    m_stack->add(*info, plot);
+    m_stack->add(*info, plot, alone);
     updateDescription();
     redraw();
 }

@@ -41,7 +41,8 @@ public:
 
     /// Shows a channel of the capture; `plot` is clipped to [0, plotCount()], plotCount() makes a new one.
     /// A channel whose unit an axis of the plot already has shares that axis.
-    void addChannel(capture::ChannelId channel, int plot = 0);
+    /// @param alone  in a new plot above that one
+    void addChannel(capture::ChannelId channel, int plot = 0, bool alone = false);
     void removeChannel(capture::ChannelId channel);
     /// To another plot, as in addChannel(); its colour and its samples stay.
     void moveChannel(capture::ChannelId channel, int plot);
@@ -108,6 +109,8 @@ Q_SIGNALS:
     void channelsChanged(); ///< what is shown, or in which channel a register is
     void triggerLevelMoved(int level, double value); ///< by a person, in the source's unit
     void triggerPositionMoved(double seconds); ///< by a person
+    /// What can be done with a trace is about to be shown: others add what they do with it.
+    void traceMenuOpening(QMenu &menu, quint32 channel);
     void noteWanted(quint32 marker); ///< the person wants to write a marker's note
     void removeRequested(
         quint32 channel); ///< the person took a signal off the scope; it is gone already
@@ -125,7 +128,8 @@ private:
     void removeSelected();
     std::optional<capture::TimeSpan> shownSpan() const;
     void showContextMenu(const QPoint &globalPosition, int plot);
-    void fillContextMenu(QMenu &menu, int plot);
+    void fillContextMenu(QMenu &menu, int plot); ///< of its traces; -1: of all
+    void fillTraceMenu(QMenu &menu, capture::ChannelId channel);
     void updateDescription();
 
     capture::Capture &m_capture;

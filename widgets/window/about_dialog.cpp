@@ -112,7 +112,7 @@ void showKeys(QWidget *parent)
         {QStringLiteral("Ctrl+Shift+E"), About::tr("Export CSV")},
         {QStringLiteral("Ctrl+S"), About::tr("Save the markers of an opened recording")},
         {QStringLiteral("Ctrl+Shift+M, Ctrl+Shift+X"), About::tr("Math channels; XY picture")},
-        {QStringLiteral("Ctrl+Shift+L"), About::tr("Motion log")},
+        {QStringLiteral("Ctrl+Shift+N, Ctrl+Shift+L"), About::tr("Notes; motion log")},
         {QStringLiteral("F9"), About::tr("Large numbers")},
         {QStringLiteral("F11"), About::tr("Full screen")},
     };

@@ -29,12 +29,14 @@
 #include "widgets/window/leaving.h"
 #include "widgets/window/link_news.h"
 #include "widgets/window/opening.h"
+#include "widgets/window/recent_files.h"
 #include "widgets/window/replacing.h"
 #include "widgets/window/scope_page.h"
 #include "widgets/window/shortcut_guard.h"
 #include "widgets/window/status_strip.h"
 #include "widgets/window/tab_order.h"
 #include "widgets/window/tools.h"
+#include "widgets/window/workspaces.h"
 
 #include <QAction>
 #include <QChildEvent>
@@ -57,7 +59,6 @@ namespace {
 constexpr int kRegisterWidth = 304;
 constexpr int kRegisterMinimum = 240;
 constexpr int kControlWidth = 268;
-constexpr int kLayoutVersion = 1;
 constexpr std::chrono::milliseconds kSettled(100); ///< after the first picture, before the tools
 
 } // namespace
@@ -85,13 +86,13 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     m_device.setUserLimits({settings.maxSpeedRpm, settings.maxCurrentAmps});
     m_connectBar->setEndpoint(settings.port, settings.baud);
     m_connectBar->setProtocol(settings.protocol);
-    m_scope->colors().setChosen(settings.traceColors); // before anything is drawn
 
     makeFlows();
     makeFileActions();
     setCentralWidget(makeCentre());
     makeDocks();
     makeTools();
+    makeWorkspaces();
     setStatusBar(m_status = new StatusStrip(m_device, this));
     setMenuWidget(makeTop());
     connectParts();
@@ -100,8 +101,7 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     resize(1280, 720);
     if (!settings.geometry.isEmpty())
         restoreGeometry(settings.geometry);
-    if (!settings.layout.isEmpty())
-        restoreState(settings.layout, kLayoutVersion);
+    m_workspaces->apply(settings.workspace);
     m_tools->docks().makeOpen();
     if (!settings.firstStepsDone)
         m_firstSteps->restart();
@@ -113,7 +113,6 @@ Settings MainWindow::settings() const
 {
     Settings now = m_settings;
     now.geometry = saveGeometry();
-    now.layout = saveState(kLayoutVersion);
     now.port = m_connectBar->path();
     if (m_connectBar->baud() > 0)
         now.baud = m_connectBar->baud();
@@ -125,7 +124,8 @@ Settings MainWindow::settings() const
     now.samplesOnDiskGB = m_room->wanted();
     now.recordFolder = m_record->folder();
     now.exportFolder = m_exporting->folder();
-    now.traceColors = m_scope->colors().chosen();
+    now.workspace = m_workspaces->now();
+    now.recentFiles = m_recent->paths();
     m_tools->keep(now);
     return now;
 }
@@ -274,6 +274,24 @@ void MainWindow::makeTools()
     connect(&m_device, &Device::openWished, this, &MainWindow::finishTools);
 }
 
+void MainWindow::makeWorkspaces()
+{
+    m_workspaces =
+        new Workspaces({m_workbench, *m_scope, *m_trigger, *m_tools, m_files, *this}, this);
+    auto *menu = new QMenu(tr("Open &recent"), this);
+    menu->setObjectName(QStringLiteral("recentFiles"));
+    m_recent = new RecentFiles(m_settings.recentFiles, *menu, this);
+    m_recentMenu = menu;
+    connect(m_opening, &Opening::used, m_recent, &RecentFiles::add);
+    connect(m_workspaces, &Workspaces::used, m_recent, &RecentFiles::add);
+    connect(m_recent, &RecentFiles::chosen, this, [this](const QString &path) {
+        if (path.endsWith(QLatin1String(".workspace")))
+            m_workspaces->open(path);
+        else
+            m_opening->openPath(path);
+    });
+}
+
 void MainWindow::finishTools() { m_tools->docks().makeAll(); }
 
 void MainWindow::connectParts()
@@ -331,6 +349,7 @@ void MainWindow::connectFlows()
     connect(m_exporting, &Exporting::said, m_news, &LinkNews::say);
     connect(m_opening, &Opening::said, m_news, &LinkNews::say);
     connect(m_tools.get(), &Tools::said, m_news, &LinkNews::say);
+    connect(m_workspaces, &Workspaces::said, m_news, &LinkNews::say);
     connect(m_replacing, &Replacing::exportWanted, m_exporting, &Exporting::ask);
     connect(m_exporting, &Exporting::closeWanted, this, &QWidget::close);
     connect(m_exporting, &Exporting::exported, m_firstSteps, [this] {

@@ -29,6 +29,7 @@ class Leaving;
 class LinkNews;
 class MarkerFile;
 class Opening;
+class RecentFiles;
 class RecordControl;
 class RegisterPanel;
 class Replacing;
@@ -40,6 +41,7 @@ class StatusStrip;
 class StopAlarm;
 class Tools;
 class TriggerControl;
+class Workspaces;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -76,6 +78,7 @@ private:
     QWidget *makeCentre();
     void makeDocks();
     void makeTools();
+    void makeWorkspaces();
     void makeMenus(QMenuBar &bar);
     void fillFileMenu(QMenu *menu);
     void fillEditMenu(QMenu *menu);
@@ -120,6 +123,8 @@ private:
     SampleRoom *m_room = nullptr;
     CurrentScales *m_scales = nullptr;
     LinkNews *m_news = nullptr;
+    Workspaces *m_workspaces = nullptr;
+    RecentFiles *m_recent = nullptr;
 
     ScopePage *m_page = nullptr;
     BigNumbers *m_bigNumbers = nullptr;
@@ -130,6 +135,7 @@ private:
     ControlPanel *m_control = nullptr;
     StatusStrip *m_status = nullptr;
     QWidget *m_frame = nullptr; ///< a red line while a real board is armed
+    QMenu *m_recentMenu = nullptr;
     QList<QAction *> m_openActions;
     QList<QAction *> m_exportActions; ///< a file, the clipboard
     QList<QAction *> m_dockActions;

@@ -16,6 +16,7 @@
 #include "widgets/window/replacing.h"
 #include "widgets/window/scope_page.h"
 #include "widgets/window/tools.h"
+#include "widgets/window/workspaces.h"
 
 #include <QActionGroup>
 #include <QDockWidget>
@@ -55,6 +56,12 @@ void MainWindow::makeMenus(QMenuBar &bar)
 void MainWindow::fillFileMenu(QMenu *menu)
 {
     menu->addActions(m_openActions);
+    menu->addMenu(m_recentMenu);
+    menu->addSeparator();
+    connect(menu->addAction(tr("Open a &workspace\u2026")), &QAction::triggered, m_workspaces,
+        &Workspaces::askForOpen);
+    connect(menu->addAction(tr("Save the wor&kspace\u2026")), &QAction::triggered, m_workspaces,
+        &Workspaces::askForSave);
     menu->addSeparator();
     menu->addActions({m_record->toggle(), m_record->withLink(), m_markers->save()});
     menu->setToolTipsVisible(true);
@@ -125,6 +132,14 @@ void MainWindow::fillViewMenu(QMenu *menu)
             m_registerPanel->focusSearch();
         });
     menu->addMenu(m_registerPanel->columnsMenu());
+    QMenu *arrange = menu->addMenu(tr("&Arrange for"));
+    const std::pair<Workspaces::Arrangement, QString> ready[] = {
+        {Workspaces::Arrangement::Tune, tr("&Tuning")},
+        {Workspaces::Arrangement::Record, tr("&Recording")},
+        {Workspaces::Arrangement::StartUp, tr("&Start-up")}};
+    for (const auto &[arrangement, text] : ready)
+        connect(arrange->addAction(text), &QAction::triggered, m_workspaces,
+            [this, chosen = arrangement] { m_workspaces->arrange(chosen); });
     menu->addSeparator();
     fillThemes(menu->addMenu(tr("&Theme")));
     QAction *numbers = addAction(menu, tr("Large &numbers"), Qt::Key_F9);

@@ -102,6 +102,17 @@ void Opening::askForCsv()
     ask(question, [this](const QString &path) { import(path); });
 }
 
+void Opening::openPath(const QString &path)
+{
+    if (m_parts.connecting())
+        return warn(
+            tr("Disconnect first (Ctrl+D): a recording takes the place of what the scope shows."));
+    const bool csv = path.endsWith(QLatin1String(".csv")) || path.endsWith(QLatin1String(".txt"));
+    leaveThen([this, path, csv] {
+        m_parts.replacing.before([this, path, csv] { csv ? import(path) : open(path); });
+    });
+}
+
 void Opening::open(const QString &path)
 {
     openRecording(
@@ -146,6 +157,7 @@ void Opening::show(OpenedRecording &opened)
     fillEvents(m_parts.workbench.events(), opened.report);
     m_parts.markers.opened(opened.path, opened.report.bytes);
     m_snapshots = {opened.path, std::move(opened.report.snapshots)};
+    Q_EMIT used(opened.path);
     Q_EMIT snapshotsChanged();
     Q_EMIT said(whole ? Banner::Kind::Note : Banner::Kind::Warning, sentence);
 }
@@ -164,6 +176,7 @@ void Opening::showImported(const QString &path, capture::Capture &imported)
     const QString released = releasedText(imported);
     const int left = m_parts.selection.showFile(std::move(imported));
     m_parts.workbench.events().clear();
+    Q_EMIT used(path);
     const QString sentence = tr("Imported %1.").arg(deviceText(path)) + leftText(left);
     if (released.isEmpty())
         Q_EMIT said(Banner::Kind::Note, sentence);

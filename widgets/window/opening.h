@@ -46,11 +46,13 @@ public Q_SLOTS:
     void askForRecording(); ///< Ctrl+O
     void askForReplay(); ///< as if its board were there
     void askForCsv();
+    void openPath(const QString &path); ///< a recording, or CSV by its suffix
 
 Q_SIGNALS:
     void said(widgets::Banner::Kind kind, const QString &sentence);
     void replayWanted(const QString &path);
     void snapshotsChanged();
+    void used(const QString &path); ///< was opened
 
 private:
     using Opened = std::function<void(const QString &path)>;

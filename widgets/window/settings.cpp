@@ -1,14 +1,12 @@
 #include "widgets/window/settings.h"
 
-#include "widgets/base/trace_colors.h"
+#include "session/files/whole_file.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 #include <QStandardPaths>
 
 #include <cmath>
@@ -18,7 +16,7 @@ namespace {
 
 constexpr qint64 kLargestFile = qint64{1024} * 1024;
 constexpr double kMostOnDisk_GB = 100'000.0;
-constexpr qsizetype kMostPinned = 200, kMostNumbers = 200;
+constexpr qsizetype kMostPinned = 200, kMostNumbers = 200, kMostRecent = 10;
 
 QString themeName(Theme theme)
 {
@@ -70,7 +68,6 @@ QByteArray toJson(const Settings &settings)
 {
     QJsonObject object;
     object[QStringLiteral("geometry")] = QString::fromLatin1(settings.geometry.toBase64());
-    object[QStringLiteral("layout")] = QString::fromLatin1(settings.layout.toBase64());
     object[QStringLiteral("port")] = settings.port;
     object[QStringLiteral("baud")] = double(settings.baud);
     object[QStringLiteral("protocol")] = settings.protocol;
@@ -81,10 +78,6 @@ QByteArray toJson(const Settings &settings)
     object[QStringLiteral("pinned")] = QJsonArray::fromStringList(settings.pinned);
     object[QStringLiteral("inertias")] = numbersObject(settings.inertias);
     object[QStringLiteral("currentScales")] = numbersObject(settings.currentScales);
-    QJsonObject colors;
-    for (auto each = settings.traceColors.begin(); each != settings.traceColors.end(); ++each)
-        colors[each.key()] = each.value();
-    object[QStringLiteral("traceColors")] = colors;
     object[QStringLiteral("registerColumns")] =
         QJsonArray::fromStringList(settings.registerColumns);
     object[QStringLiteral("maxSpeedRpm")] = settings.maxSpeedRpm;
@@ -92,7 +85,8 @@ QByteArray toJson(const Settings &settings)
     object[QStringLiteral("samplesOnDiskGB")] = settings.samplesOnDiskGB;
     object[QStringLiteral("firstStepsDone")] = settings.firstStepsDone;
     object[QStringLiteral("ramps")] = rampPresetsJson(settings.ramps);
-    object[QStringLiteral("formulas")] = mathFormulasJson(settings.formulas);
+    object[QStringLiteral("recentFiles")] = QJsonArray::fromStringList(settings.recentFiles);
+    object[QStringLiteral("workspace")] = workspaceJson(settings.workspace);
     return QJsonDocument(object).toJson();
 }
 
@@ -101,7 +95,6 @@ Settings settingsFromJson(const QByteArray &json)
     const QJsonObject object = QJsonDocument::fromJson(json).object();
     Settings settings;
     settings.geometry = bytesOf(object[QStringLiteral("geometry")]);
-    settings.layout = bytesOf(object[QStringLiteral("layout")]);
     settings.port = object[QStringLiteral("port")].toString(settings.port);
     const double baud = object[QStringLiteral("baud")].toDouble(settings.baud);
     if (baud >= 1.0 && baud <= 4294967295.0)
@@ -119,10 +112,6 @@ Settings settingsFromJson(const QByteArray &json)
     }
     settings.inertias = numbersOf(object[QStringLiteral("inertias")].toObject());
     settings.currentScales = numbersOf(object[QStringLiteral("currentScales")].toObject());
-    const QJsonObject colors = object[QStringLiteral("traceColors")].toObject();
-    for (auto each = colors.begin(); each != colors.end(); ++each)
-        if (const int slot = each.value().toInt(-1); slot >= 0 && slot < kTraceColors)
-            settings.traceColors[each.key()] = slot;
     if (object[QStringLiteral("registerColumns")].isArray()) {
         settings.registerColumns.clear();
         const QJsonArray names = object[QStringLiteral("registerColumns")].toArray();
@@ -136,7 +125,10 @@ Settings settingsFromJson(const QByteArray &json)
         settings.samplesOnDiskGB = onDisk;
     settings.firstStepsDone = object[QStringLiteral("firstStepsDone")].toBool(false);
     settings.ramps = rampPresetsOf(object[QStringLiteral("ramps")].toArray());
-    settings.formulas = mathFormulasOf(object[QStringLiteral("formulas")].toArray());
+    for (const QJsonValue &path : object[QStringLiteral("recentFiles")].toArray())
+        if (settings.recentFiles.size() < kMostRecent && path.isString())
+            settings.recentFiles.append(path.toString());
+    settings.workspace = workspaceOf(object[QStringLiteral("workspace")].toObject());
     return settings;
 }
 
@@ -148,25 +140,14 @@ QString settingsPath()
 
 Settings loadSettings(const QString &path)
 {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly) || file.size() > kLargestFile)
-        return {};
-    return settingsFromJson(file.readAll());
+    const auto json = session::readWholeFile(path, kLargestFile);
+    return json ? settingsFromJson(*json) : Settings();
 }
 
 bool saveSettings(const Settings &settings, const QString &path)
 {
     QDir().mkpath(QFileInfo(path).path());
-    QSaveFile file(path);
-    const QByteArray json = toJson(settings);
-    if (!file.open(QIODevice::WriteOnly))
-        return false;
-    // On a full disk commit() can still succeed after a short write: the file would be cut.
-    if (file.write(json) != json.size() || !file.flush()) {
-        file.cancelWriting();
-        return false;
-    }
-    return file.commit();
+    return session::writeWholeFile(path, toJson(settings)).isEmpty();
 }
 
 } // namespace widgets

@@ -4,7 +4,7 @@
 
 #include "widgets/base/theme.h"
 #include "widgets/forms/ramp_preset.h"
-#include "widgets/measuring/math_formula.h"
+#include "widgets/window/workspace.h"
 
 #include <QByteArray>
 #include <QMap>
@@ -15,7 +15,6 @@ namespace widgets {
 
 struct Settings {
     QByteArray geometry; ///< of the window, as Qt saves it
-    QByteArray layout; ///< of its docks
     QString port = QStringLiteral("sim");
     quint32 baud = 1843200;
     QString protocol = QStringLiteral("auto");
@@ -29,7 +28,6 @@ struct Settings {
     QMap<QString, double> inertias; ///< of rotor and load in kg m2, by the motor's name
     QMap<QString, double>
         currentScales; ///< full scale in A, by board and port, where boards do not tell
-    QMap<QString, int> traceColors; ///< slots that a person chose, by the names of signals
     QStringList registerColumns{QStringLiteral("value"), QStringLiteral("raw")};
     double maxSpeedRpm =
         0.0; ///< copy of a person's own limits, which have a file of their own; 0: none
@@ -37,7 +35,8 @@ struct Settings {
     double samplesOnDiskGB = -1.0; ///< negative: what is usual; 0: memory only
     bool firstStepsDone = false;
     QList<RampPreset> ramps; ///< that a person has named
-    QList<MathFormula> formulas; ///< of math channels
+    QStringList recentFiles; ///< newest first
+    Workspace workspace; ///< the last one
     bool operator==(const Settings &) const = default;
 };
 

@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/control/motion_log_panel.h"
+#include "widgets/files/notes_panel.h"
 #include "widgets/files/record_panel.h"
 #include "widgets/forms/gains_form.h"
 #include "widgets/forms/motor_form.h"
@@ -10,6 +11,7 @@
 #include "widgets/measuring/math_panel.h"
 #include "widgets/measuring/math_traces.h"
 #include "widgets/measuring/measure_panel.h"
+#include "widgets/measuring/measure_text.h"
 #include "widgets/measuring/spectrum_panel.h"
 #include "widgets/measuring/xy_panel.h"
 #include "widgets/scope/events/event_panel.h"
@@ -47,7 +49,27 @@ void Tools::keep(Settings &settings) const
         settings.snapshotFolder = m_snapshots->folder();
     if (m_ramps)
         settings.ramps = m_ramps->presets();
-    settings.formulas = m_parts.workbench.math().formulas();
+}
+
+QList<NamedMeasure> Tools::measures() const
+{
+    return m_measures ? m_measures->measures() : m_settings.workspace.measures;
+}
+
+void Tools::setMeasures(const QList<NamedMeasure> &measures)
+{
+    m_settings.workspace.measures = measures;
+    if (m_measures)
+        m_measures->setMeasures(measures);
+}
+
+QString Tools::notes() const { return m_notes ? m_notes->text() : m_settings.workspace.notes; }
+
+void Tools::setNotes(const QString &notes)
+{
+    m_settings.workspace.notes = notes;
+    if (m_notes)
+        m_notes->setText(notes);
 }
 
 QList<QAction *> Tools::snapshotActions() const { return m_snapshotActions->actions(); }
@@ -71,21 +93,68 @@ void Tools::addScopeTools()
     });
     m_docks.add(tr("Records"), "recordDock", Qt::CTRL | Qt::Key_8,
         [this] { return new RecordPanel(m_parts.trigger, m_parts.scope); });
-    m_docks.add(tr("Measurements"), "measureDock", Qt::CTRL | Qt::Key_9,
-        [this, &capture] { return new MeasurePanel(m_parts.scope, capture, m_parts.trigger); });
-    m_docks.add(tr("Spectrum"), "spectrumDock", Qt::CTRL | Qt::Key_0, [this, &capture, ofMotor] {
-        return new SpectrumPanel(m_parts.scope, capture, m_device, ofMotor);
-    });
+    m_openMeasures =
+        m_docks.add(tr("Measurements"), "measureDock", Qt::CTRL | Qt::Key_9, [this, &capture] {
+            m_measures = new MeasurePanel(m_parts.scope, capture, m_parts.trigger);
+            m_measures->setMeasures(m_settings.workspace.measures);
+            return m_measures;
+        });
+    m_openSpectrum = m_docks.add(
+        tr("Spectrum"), "spectrumDock", Qt::CTRL | Qt::Key_0, [this, &capture, ofMotor] {
+            return m_spectrum = new SpectrumPanel(m_parts.scope, capture, m_device, ofMotor);
+        });
     new MathTraces(math, capture, scope, this);
-    math.setFormulas(m_settings.formulas);
     QAction *openMath = m_docks.add(
         tr("Math"), "mathDock", Qt::CTRL | Qt::SHIFT | Qt::Key_M, [this, &math, &capture, ofMotor] {
             return m_math = new MathPanel(math, m_parts.scope, capture, ofMotor);
         });
     showComputed(openMath);
-    m_docks.add(tr("XY"), "xyDock", Qt::CTRL | Qt::SHIFT | Qt::Key_X, [this, &capture, ofMotor] {
-        return new XyPanel(m_parts.scope, capture, m_parts.workbench.registers(), ofMotor);
+    connect(&scope, &ScopeView::traceMenuOpening, this, &Tools::fillTraceMenu);
+    m_openXy = m_docks.add(
+        tr("XY"), "xyDock", Qt::CTRL | Qt::SHIFT | Qt::Key_X, [this, &capture, ofMotor] {
+            return m_xy =
+                       new XyPanel(m_parts.scope, capture, m_parts.workbench.registers(), ofMotor);
+        });
+}
+
+/// What the tools do with a trace that is clicked.
+void Tools::fillTraceMenu(QMenu &menu, quint32 channel)
+{
+    using scope::Quantity;
+    QMenu *measures = menu.addMenu(tr("&Measure"));
+    measures->addAction(tr("&Step response"), this, [this, channel] {
+        measure(
+            channel, {Quantity::Rise, Quantity::Overshoot, Quantity::Settling, Quantity::PeakTime});
     });
+    measures->addSeparator();
+    for (const Quantity quantity : allQuantities())
+        if (quantity != Quantity::Phase) // of two traces
+            measures->addAction(quantityText(quantity), this,
+                [this, channel, quantity] { measure(channel, {quantity}); });
+    menu.addAction(tr("&Trigger on it"), this, [this, channel] {
+        m_parts.trigger.trigger().setSource(channel);
+        TriggerSetup setup = m_parts.trigger.trigger().setup();
+        if (!fieldsOf(setup.type).source)
+            setup.type = TriggerType::Edge;
+        if (setup.mode == scope::Mode::Roll)
+            setup.mode = scope::Mode::Auto;
+        m_parts.trigger.setSetup(setup);
+    });
+    menu.addAction(tr("&Spectrum"), this, [this, channel] {
+        m_openSpectrum->trigger();
+        m_spectrum->choose(channel);
+    });
+    menu.addAction(tr("&XY, upward"), this, [this, channel] {
+        m_openXy->trigger();
+        m_xy->choose(channel);
+    });
+}
+
+void Tools::measure(quint32 channel, const QList<scope::Quantity> &quantities)
+{
+    m_openMeasures->trigger();
+    for (const scope::Quantity quantity : quantities)
+        m_measures->measure(channel, quantity);
 }
 
 /// The chips of math channels, and what they do.
@@ -164,6 +233,8 @@ void Tools::addForms()
     m_docks.add(tr("Motor and drive"), "motorDock", Qt::CTRL | Qt::Key_4, [this, &workbench] {
         return new MotorForm(m_device, workbench.registers(), m_parts.files);
     });
+    m_docks.add(tr("Notes"), "notesDock", Qt::CTRL | Qt::SHIFT | Qt::Key_N,
+        [this] { return m_notes = new NotesPanel(m_settings.workspace.notes); });
     m_docks.add(
         tr("Motion log"), "motionLogDock", Qt::CTRL | Qt::SHIFT | Qt::Key_L, [this, &workbench] {
             auto *log = new MotionLogPanel(workbench.motionLog(), m_parts.files);

@@ -12,12 +12,16 @@ class ChannelStrip;
 class EventPanel;
 class FilePrompt;
 class MathPanel;
+class MeasurePanel;
+class NotesPanel;
 class Opening;
 class RampForm;
 class ScopeView;
 class SnapshotActions;
 class SnapshotPanel;
+class SpectrumPanel;
 class TriggerControl;
+class XyPanel;
 
 class Tools : public QObject {
     Q_OBJECT
@@ -38,6 +42,10 @@ public:
     ToolDocks &docks() { return m_docks; }
     QList<QAction *> snapshotActions() const; ///< for the menu of the device
     void keep(Settings &settings) const; ///< what was set in them
+    QList<NamedMeasure> measures() const;
+    void setMeasures(const QList<NamedMeasure> &measures);
+    QString notes() const;
+    void setNotes(const QString &notes);
 
 Q_SIGNALS:
     void said(widgets::Banner::Kind kind, const QString &sentence);
@@ -47,6 +55,8 @@ private:
     void addSnapshots();
     void addForms();
     void showComputed(QAction *openMath);
+    void fillTraceMenu(QMenu &menu, quint32 channel);
+    void measure(quint32 channel, const QList<scope::Quantity> &quantities);
     int motor() const; ///< whose constants apply to what is shown; 0: that of a file
 
     Parts m_parts;
@@ -55,6 +65,13 @@ private:
     ToolDocks m_docks;
     EventPanel *m_events = nullptr; ///< like all of them, when it is made
     MathPanel *m_math = nullptr;
+    MeasurePanel *m_measures = nullptr;
+    SpectrumPanel *m_spectrum = nullptr;
+    XyPanel *m_xy = nullptr;
+    QAction *m_openMeasures = nullptr;
+    QAction *m_openSpectrum = nullptr;
+    QAction *m_openXy = nullptr;
+    NotesPanel *m_notes = nullptr;
     SnapshotPanel *m_snapshots = nullptr;
     RampForm *m_ramps = nullptr;
     SnapshotActions *m_snapshotActions = nullptr;

@@ -54,7 +54,7 @@ private:
     void start(const QList<widgets::MathFormula> &formulas)
     {
         widgets::Settings settings = facts::WindowRig::quietSettings();
-        settings.formulas = formulas;
+        settings.workspace.formulas = formulas;
         m_rig = std::make_unique<facts::ScopeWindow>(settings);
         QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
         m_rig->record(1000, ramp);
@@ -298,7 +298,7 @@ void TestMathPanel::itIsKeptAndWaitsForItsSignals()
     add("M", "2 * I_A");
     add("Hidden", "I_B");
     math().setShown(QStringLiteral("Hidden"), false);
-    QList<widgets::MathFormula> kept = m_rig->window.settings().formulas;
+    QList<widgets::MathFormula> kept = m_rig->window.settings().workspace.formulas;
     QCOMPARE(kept.size(), 2);
     QVERIFY(!kept[1].shown);
     kept.append({QStringLiteral("Later"), QStringLiteral("not_there * 2"), true});
@@ -308,7 +308,7 @@ void TestMathPanel::itIsKeptAndWaitsForItsSignals()
     QVERIFY(view().plotOf(channel(0)) >= 0);
     QCOMPARE(view().plotOf(channel(1)), -1);
     QCOMPARE(channel(2), 0U);
-    QCOMPARE(m_rig->window.settings().formulas, kept); // it is not forgotten for that
+    QCOMPARE(m_rig->window.settings().workspace.formulas, kept); // it is not forgotten for that
 }
 
 void TestMathPanel::aRemovedOneIsGoneEverywhere()

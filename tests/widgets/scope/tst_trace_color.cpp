@@ -21,11 +21,11 @@ private Q_SLOTS:
         QCOMPARE(choose(QStringLiteral("I_A"), 4), true);
         QCOMPARE(color(), widgets::traceColor(4, dark()));
         QCOMPARE(m_rig->scope().colorOf(m_rig->id(facts::kCurrentB)), other);
-        QCOMPARE(
-            m_rig->window.settings().traceColors, (QMap<QString, int>{{QStringLiteral("I_A"), 4}}));
+        QCOMPARE(m_rig->window.settings().workspace.traceColors,
+            (QMap<QString, int>{{QStringLiteral("I_A"), 4}}));
         QVERIFY(choose(QStringLiteral("I_A"), -1)); // by itself again
         QCOMPARE(color(), widgets::traceColor(0, dark()));
-        QVERIFY(m_rig->window.settings().traceColors.isEmpty());
+        QVERIFY(m_rig->window.settings().workspace.traceColors.isEmpty());
     }
 
     void byItselfATraceGetsTheColourItHad()
@@ -46,7 +46,7 @@ private Q_SLOTS:
         QCOMPARE(menu.actions().size(), widgets::kTraceColors + 2);
         QVERIFY(menu.actions().last()->isChecked());
         menu.actions().at(3)->trigger();
-        QCOMPARE(m_rig->window.settings().traceColors.value(
+        QCOMPARE(m_rig->window.settings().workspace.traceColors.value(
                      m_rig->window.selection()->nameOf(facts::kSpeed), -1),
             3);
         QMenu again;
@@ -106,26 +106,27 @@ private Q_SLOTS:
     void aFullListTakesAnotherColour()
     {
         widgets::Settings settings = facts::WindowRig::quietSettings();
-        settings.traceColors[QStringLiteral("I_B")] = 6;
-        for (int i = 0; settings.traceColors.size() < 500; ++i)
-            settings.traceColors[QStringLiteral("Board %1").arg(i)] = i % widgets::kTraceColors;
+        settings.workspace.traceColors[QStringLiteral("I_B")] = 6;
+        for (int i = 0; settings.workspace.traceColors.size() < 500; ++i)
+            settings.workspace.traceColors[QStringLiteral("Board %1").arg(i)] =
+                i % widgets::kTraceColors;
         m_rig.reset();
         open(settings);
         QVERIFY(choose(QStringLiteral("I_A"), 4));
         QCOMPARE(color(), widgets::traceColor(4, dark()));
-        const QMap<QString, int> now = m_rig->window.settings().traceColors;
+        const QMap<QString, int> now = m_rig->window.settings().workspace.traceColors;
         QCOMPARE(now.size(), 500);
         QCOMPARE(now.value(QStringLiteral("I_A"), -1), 4);
         QCOMPARE(now.value(QStringLiteral("I_B"), -1), 6);
         QVERIFY(choose(QStringLiteral("I_A"), -1)); // none of the others
-        QCOMPARE(m_rig->window.settings().traceColors.size(), 499);
+        QCOMPARE(m_rig->window.settings().workspace.traceColors.size(), 499);
     }
 
     void slotsThatAreNoneAreLeftOut()
     {
-        const auto settings =
-            widgets::settingsFromJson(R"({"traceColors": {"A": 8, "B": -1, "C": "red", "D": 7}})");
-        QCOMPARE(settings.traceColors, (QMap<QString, int>{{QStringLiteral("D"), 7}}));
+        const auto settings = widgets::settingsFromJson(
+            R"({"workspace": {"traceColors": {"A": 8, "B": -1, "C": "red", "D": 7}}})");
+        QCOMPARE(settings.workspace.traceColors, (QMap<QString, int>{{QStringLiteral("D"), 7}}));
     }
 
 private:
@@ -146,11 +147,12 @@ private:
         QTest::keyClick(&m_rig->scope(), Qt::Key_Menu);
         auto *menu = m_rig->find<QMenu>("scopeMenu");
         bool chosen = false;
-        for (const QAction *entry : menu ? menu->actions() : QList<QAction *>())
-            for (const QAction *trace :
-                entry->menu() ? entry->menu()->actions() : QList<QAction *>())
-                if (trace->text() == name) {
-                    const auto colors = trace->menu()->actions();
+        for (const QAction *trace : menu ? menu->actions() : QList<QAction *>())
+            for (const QAction *entry : trace->text() == name && trace->menu()
+                    ? trace->menu()->actions()
+                    : QList<QAction *>())
+                if (entry->text() == QLatin1String("&Colour")) {
+                    const auto colors = entry->menu()->actions();
                     (slot < 0 ? colors.last() : colors.at(slot))->trigger();
                     chosen = true;
                 }

@@ -110,7 +110,7 @@ private Q_SLOTS:
     {
         widgets::Settings settings = facts::WindowRig::quietSettings();
         m_rig->find<QAction>("motorDockOpen")->trigger();
-        settings.layout = m_rig->window.settings().layout;
+        settings.workspace.layout = m_rig->window.settings().workspace.layout;
         facts::NoPorts ports;
         facts::AnsweredPrompt files;
         widgets::Workbench workbench;

@@ -32,14 +32,16 @@ private Q_SLOTS:
         settings.theme = widgets::Theme::Dark;
         settings.pinned = {QStringLiteral("I_A")};
         settings.inertias = {{QStringLiteral("A motor"), 5e-5}, {QStringLiteral("\u00e9"), 1e-7}};
-        settings.traceColors = {{QStringLiteral("I_A"), 7}, {QStringLiteral("\u00e9"), 0}};
+        settings.workspace.traceColors = {{QStringLiteral("I_A"), 7}, {QStringLiteral("\u00e9"), 0}};
         settings.currentScales = {{QStringLiteral("ST MC SDK|5.4.3|/dev/ttyUSB0#1"), 60.175}};
         settings.maxSpeedRpm = 1500.0;
         settings.maxCurrentAmps = 2.5;
         settings.samplesOnDiskGB = 20.5;
         settings.firstStepsDone = true;
-        settings.formulas = {{QStringLiteral("M1"), QStringLiteral("I_A + 1"), false},
+        settings.workspace.formulas = {{QStringLiteral("M1"), QStringLiteral("I_A + 1"), false},
             {QStringLiteral("M2"), QStringLiteral("[I_A (2)]"), true}};
+        settings.workspace.notes = QStringLiteral("a note");
+        settings.recentFiles = {QStringLiteral("/b.pcapng"), QStringLiteral("/a.csv")};
         QVERIFY(widgets::saveSettings(settings, path));
         QCOMPARE(widgets::loadSettings(path), settings);
     }

@@ -7,6 +7,7 @@
 #include "drive/wish.h"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace widgets {
@@ -21,6 +22,14 @@ struct WantedSignal {
     catalog::RegisterId id = 0;
     Route route = Route::Fast; ///< wished for
     int plot = 0; ///< where the scope shows it
+};
+
+/// The same by name, before a board is there that has it.
+struct NamedSignal {
+    std::string name; ///< as Catalog::resolve() takes it
+    Route route = Route::Fast;
+    int plot = 0;
+    bool operator==(const NamedSignal &) const = default;
 };
 
 /// Why a signal does not go the way that was wished for.

@@ -1,5 +1,6 @@
 #include "widgets/scope/signals/signal_plan.h"
 
+#include "widgets/base/device_text.h"
 #include "widgets/base/messages.h"
 #include "widgets/base/value_text.h"
 
@@ -55,6 +56,49 @@ std::optional<capture::ChannelId> SignalPlan::channelOf(catalog::RegisterId id) 
         return channel || planned.route != Route::Fast ? channel : m_capture.find(id, Kind::Slow);
     }
     return {};
+}
+
+std::vector<NamedSignal> SignalPlan::named() const
+{
+    const auto catalog = m_device.catalog();
+    if (!m_names.empty() || !catalog)
+        return m_names;
+    std::vector<NamedSignal> names;
+    for (const WantedSignal &signal : m_wanted)
+        names.push_back({catalog->nameOf(signal.id), signal.route, signal.plot});
+    return names;
+}
+
+void SignalPlan::setNamed(std::vector<NamedSignal> names)
+{
+    m_names = std::move(names);
+    const auto catalog = m_device.catalog();
+    if (!catalog || m_fromFile || m_names.empty())
+        return;
+    resolveNames(*catalog);
+    replan();
+}
+
+void SignalPlan::resolveNames(const catalog::Catalog &catalog)
+{
+    std::vector<WantedSignal> wanted;
+    QStringList missing;
+    for (const NamedSignal &signal : std::exchange(m_names, {})) {
+        const auto id = catalog.resolve(signal.name);
+        const bool polled = id && catalog.find(*id)->streaming == catalog::Streaming::Polled;
+        if (id)
+            wanted.push_back({*id, polled ? Route::Polled : signal.route, signal.plot});
+        else
+            missing.append(deviceText(signal.name));
+    }
+    if (!missing.isEmpty())
+        Q_EMIT noticed(tr("This board does not have %1.", "names of signals")
+                           .arg(missing.join(QStringLiteral(", "))));
+    if (wanted.empty())
+        return;
+    for (const WantedSignal &signal : std::exchange(m_wanted, std::move(wanted)))
+        if (!find(signal.id))
+            m_capture.endPolled(signal.id);
 }
 
 void SignalPlan::addDefaults()
@@ -165,6 +209,7 @@ void SignalPlan::boardChanged()
         return;
     std::erase_if(
         m_wanted, [&](const WantedSignal &signal) { return catalog->find(signal.id) == nullptr; });
+    resolveNames(*catalog);
     m_streamWish = 0;
     m_newBoard = true;
     for (const auto &[id, factor] : std::exchange(m_polledFactors, {}))

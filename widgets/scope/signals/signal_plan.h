@@ -21,6 +21,10 @@ public:
 
     const std::vector<WantedSignal> &wanted() const { return m_wanted; }
     const WantedSignal *find(catalog::RegisterId id) const; ///< nullptr: it is not wanted
+    /// What is wanted, by name; where no board was known yet what waits for one.
+    std::vector<NamedSignal> named() const;
+    /// In the place of what is wanted, as far as the board has it; without a board once there is one. None: as before.
+    void setNamed(std::vector<NamedSignal> names);
     const ChannelPlan &planned() const { return m_plan; }
     unsigned fastEvery() const { return m_fastEvery; }
     std::optional<capture::ChannelId> channelOf(catalog::RegisterId id) const;
@@ -55,6 +59,7 @@ Q_SIGNALS:
 
 private:
     void opened(const session::Endpoint &endpoint);
+    void resolveNames(const catalog::Catalog &catalog);
     void replan(); ///< now
     void replanSoon();
     void sendStream();
@@ -63,6 +68,7 @@ private:
     Device &m_device;
     capture::Capture &m_capture;
     std::vector<WantedSignal> m_wanted;
+    std::vector<NamedSignal> m_names; ///< that wait for a board
     ChannelPlan m_plan;
     unsigned m_fastEvery = 1;
     std::map<catalog::RegisterId, double> m_polledFactors; ///< by which values were scaled last

@@ -218,7 +218,7 @@ void SignalSelection::syncScope()
             continue;
         shown.push_back(*channel);
         if (m_scope.plotOf(*channel) < 0)
-            m_scope.addChannel(*channel, shownPlotOf(*signal));
+            show(*signal, *channel);
     }
     const auto there = m_scope.channels();
     for (const capture::ChannelId channel : there) {
@@ -230,18 +230,19 @@ void SignalSelection::syncScope()
     rememberPlots();
 }
 
-/// Beside a signal that is to be in the same plot; else in that plot if no other signal has it, or in a new one.
-int SignalSelection::shownPlotOf(const WantedSignal &signal) const
+/// Beside a signal that is to be in the same plot; else in a plot of its own, in the order of the plots.
+void SignalSelection::show(const WantedSignal &signal, capture::ChannelId channel)
 {
-    bool taken = false;
+    int later = m_scope.plotCount();
     for (const WantedSignal &other : m_plan.wanted()) {
-        const auto channel = m_plan.channelOf(other.id);
-        const int plot = channel ? m_scope.plotOf(*channel) : -1;
+        const auto shown = m_plan.channelOf(other.id);
+        const int plot = shown ? m_scope.plotOf(*shown) : -1;
         if (plot >= 0 && other.plot == signal.plot)
-            return plot;
-        taken = taken || plot == signal.plot;
+            return m_scope.addChannel(channel, plot);
+        if (plot >= 0 && other.plot > signal.plot)
+            later = std::min(later, plot);
     }
-    return taken ? m_scope.plotCount() : signal.plot;
+    m_scope.addChannel(channel, later, true);
 }
 
 /// Plots vanish with their last trace: where the signals are is known once all of them are shown.

@@ -49,7 +49,7 @@ private:
     void fill();
     void syncScope();
     void rememberPlots();
-    int shownPlotOf(const WantedSignal &signal) const;
+    void show(const WantedSignal &signal, capture::ChannelId channel);
     int plotFor(catalog::RegisterId id) const;
     void takeOffScope();
     bool isFullOfFile() const;

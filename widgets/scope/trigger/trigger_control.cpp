@@ -54,6 +54,11 @@ TriggerControl::TriggerControl(
 
 const scope::Record *TriggerControl::shown() const { return m_shown ? &*m_shown : nullptr; }
 
+double TriggerControl::rollSpan() const
+{
+    return m_trigger.triggered() ? m_rollSpan : m_scope.visibleRange().span();
+}
+
 /// Keeps the source while its register is shown, if only in another channel; else takes the first trace.
 void TriggerControl::findSource()
 {

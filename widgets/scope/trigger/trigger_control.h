@@ -20,6 +20,7 @@ public:
 
     Trigger &trigger() { return m_trigger; }
     const Trigger &trigger() const { return m_trigger; }
+    double rollSpan() const; ///< seconds; what the picture shows, or will when it rolls again
     /// The record in the picture; nullptr if there is none.
     const scope::Record *shown() const;
 

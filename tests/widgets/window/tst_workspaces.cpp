@@ -1,0 +1,228 @@
+// The working place survives: saved, opened before and behind a connection, taken up at the next start; and what is wrong with
+// a file changes nothing.
+#include "support/judged_line.h"
+#include "support/window_rig.h"
+#include "widgets/measuring/measure_panel.h"
+#include "widgets/scope/scope_view.h"
+#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/trigger/trigger_control.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenu>
+#include <QPlainTextEdit>
+#include <QTemporaryDir>
+
+using widgets::NamedSignal;
+using widgets::Workspace;
+
+namespace {
+
+/// A window on a simulated board of its own.
+struct Bench {
+    support::JudgedWorld world{simulation::BoardOptions(), drive::Protocol::Mcp};
+    facts::WindowRig rig;
+
+    explicit Bench(const Workspace &workspace = {})
+        : rig(settingsWith(workspace), session::makeDiskSink, world.parts())
+    {
+        rig.window.resize(1280, 720);
+    }
+    static widgets::Settings settingsWith(const Workspace &workspace)
+    {
+        widgets::Settings settings = facts::WindowRig::quietSettings();
+        settings.port = QStringLiteral("/dev/ttyTest");
+        settings.protocol = QStringLiteral("mcp");
+        settings.workspace = workspace;
+        return settings;
+    }
+    void connectBoard()
+    {
+        world.act(judge::Act::Kind::Input);
+        rig.find<QPushButton>("connect")->click();
+        QTRY_VERIFY_WITH_TIMEOUT(rig.workbench.device().answering(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!rig.window.scope()->channels().isEmpty(), 20'000);
+    }
+    QAction *fileAction(const char *text) const
+    {
+        for (QMenu *menu : rig.window.findChildren<QMenu *>())
+            for (QAction *action : menu->actions())
+                if (action->text().remove(QLatin1Char('&')).startsWith(QLatin1String(text)))
+                    return action;
+        return nullptr;
+    }
+    QStringList shown() const
+    {
+        QStringList names;
+        for (const capture::ChannelId id : rig.window.scope()->channels())
+            names.append(rig.window.scope()->nameOf(id));
+        return names;
+    }
+};
+
+Workspace ofABench()
+{
+    Workspace workspace;
+    workspace.signalList = {{"I_A", widgets::Route::Fast, 0},
+        {"BUS_VOLTAGE", widgets::Route::Polled, 1}, {"I_Q_MEAS", widgets::Route::Slow, 0}};
+    workspace.fastEvery = 4;
+    workspace.span = 2.5;
+    workspace.trigger.type = widgets::TriggerType::Level;
+    workspace.trigger.level = 0.25;
+    workspace.trigger.mode = scope::Mode::Normal;
+    workspace.trigger.length = 0.5;
+    workspace.triggerSource = QStringLiteral("I_Q_MEAS");
+    workspace.measures = {{QStringLiteral("I_A"), scope::Quantity::Overshoot, {}},
+        {QStringLiteral("I_A"), scope::Quantity::Phase, QStringLiteral("I_Q_MEAS")}};
+    workspace.formulas = {{QStringLiteral("M1"), QStringLiteral("I_A + 1"), false}};
+    workspace.traceColors = {{QStringLiteral("I_A"), 4}};
+    workspace.notes = QStringLiteral("spindle 3, 24 V");
+    return workspace;
+}
+
+/// The lines in which they differ; not where docks are, which is Qt's.
+QByteArray difference(Workspace one, Workspace other)
+{
+    one.layout.clear();
+    other.layout.clear();
+    const QList<QByteArray> first = widgets::toJson(one).split('\n'),
+                            second = widgets::toJson(other).split('\n');
+    QByteArray lines;
+    for (qsizetype i = 0; i < std::max(first.size(), second.size()); ++i)
+        if (first.value(i) != second.value(i))
+            lines += first.value(i) + " |" + second.value(i) + '\n';
+    return lines;
+}
+
+} // namespace
+
+class TestWorkspaces : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void whatIsWrittenIsRead()
+    {
+        Workspace workspace = ofABench();
+        workspace.layout = QByteArray("\x00\xff\x10", 3);
+        const auto read = widgets::readWorkspace(widgets::toJson(workspace));
+        QVERIFY(read.has_value());
+        QVERIFY(*read == workspace);
+        QVERIFY(*widgets::readWorkspace(widgets::toJson(Workspace())) == Workspace());
+    }
+
+    void whatIsNoWorkspaceIsNamed_data()
+    {
+        QTest::addColumn<QByteArray>("json");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("cut") << QByteArray("{\n\"rotorscopeWorkspace\": 1,\n") << "Line 3";
+        QTest::newRow("other") << QByteArray("{\"version\": 1}") << "no workspace";
+        QTest::newRow("later") << QByteArray("{\"rotorscopeWorkspace\": 2}") << "later version";
+        QTest::newRow("empty") << QByteArray() << "Line 1";
+    }
+    void whatIsNoWorkspaceIsNamed()
+    {
+        QFETCH(QByteArray, json);
+        QFETCH(QString, says);
+        const auto read = widgets::readWorkspace(json);
+        QVERIFY(!read.has_value());
+        QVERIFY2(read.error().contains(says), qPrintable(read.error()));
+    }
+
+    void itIsTakenUpAtTheNextStart()
+    {
+        Bench bench(ofABench());
+        QCOMPARE(difference(bench.rig.window.settings().workspace, ofABench()),
+            QByteArray()); // no board yet
+        bench.connectBoard();
+        QTRY_COMPARE(bench.shown().size(), 3);
+        QVERIFY(bench.shown().contains(QStringLiteral("BUS_VOLTAGE")));
+        const auto &wanted = bench.rig.workbench.signalPlan().wanted();
+        QVERIFY(
+            wanted[1].route == widgets::Route::Polled && wanted[2].route == widgets::Route::Slow);
+        QCOMPARE(bench.rig.workbench.signalPlan().fastEvery(), 4U);
+        const widgets::Trigger &trigger = bench.rig.workbench.trigger();
+        QTRY_VERIFY(trigger.source() && trigger.source()->name == "I_Q_MEAS");
+        QVERIFY(trigger.setup() == ofABench().trigger);
+        QCOMPARE(bench.rig.find<QPlainTextEdit>("notes")->toPlainText(), ofABench().notes);
+        QCOMPARE(difference(bench.rig.window.settings().workspace, ofABench()), QByteArray());
+    }
+
+    void aFileBringsItBack()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("a.workspace"));
+        Bench first(ofABench());
+        first.connectBoard();
+        QTRY_COMPARE(first.shown().size(), 3);
+        first.rig.files.answer = path;
+        first.fileAction("Save the workspace")->trigger();
+        QVERIFY(QFileInfo::exists(path));
+
+        Bench second; // which is connected, and shows something else
+        second.connectBoard();
+        QTRY_COMPARE(second.shown().size(), 4);
+        second.rig.files.answer = path;
+        second.fileAction("Open a workspace")->trigger();
+        QTRY_COMPARE(second.shown().size(), 3);
+        QTRY_COMPARE(difference(second.rig.window.settings().workspace, ofABench()), QByteArray());
+        QCOMPARE(second.rig.window.settings().recentFiles, QStringList{path});
+        auto *recent = second.rig.find<QMenu>("recentFiles");
+        Q_EMIT recent->aboutToShow();
+        QCOMPARE(recent->actions().size(), 1);
+        QVERIFY(recent->actions().front()->text().contains(QStringLiteral("a.workspace")));
+    }
+
+    void aDamagedFileChangesNothing()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("a.workspace"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(widgets::toJson(Workspace()).chopped(20));
+        file.close();
+        Bench bench(ofABench());
+        const Workspace before = bench.rig.window.settings().workspace;
+        bench.rig.files.answer = path;
+        bench.fileAction("Open a workspace")->trigger();
+        QVERIFY(bench.rig.window.settings().workspace == before);
+        auto *banner = bench.rig.find<QLabel>("bannerText");
+        QVERIFY(banner && banner->text().contains(QStringLiteral("JSON")));
+    }
+
+    void aBoardWithoutItsSignalsSaysSo()
+    {
+        Workspace workspace;
+        workspace.signalList = {{"NEVER_HEARD_OF", widgets::Route::Fast, 0}};
+        Bench bench(workspace);
+        QStringList noticed;
+        connect(&bench.rig.workbench.signalPlan(), &widgets::SignalPlan::noticed, this,
+            [&](const QString &sentence) { noticed.append(sentence); });
+        bench.connectBoard();
+        QVERIFY(!noticed.isEmpty());
+        QVERIFY(noticed.first().contains(QStringLiteral("NEVER_HEARD_OF")));
+        QTRY_COMPARE(bench.shown().size(), 4); // those of a first look
+    }
+
+    void readyArrangementsOpenTheirTools()
+    {
+        Bench bench;
+        auto *gains = bench.rig.find<QDockWidget>("gainsDock");
+        auto *measures = bench.rig.find<QDockWidget>("measureDock");
+        auto *revUp = bench.rig.find<QDockWidget>("revUpDock");
+        bench.fileAction("Tuning")->trigger();
+        QVERIFY(gains->isVisible() && measures->isVisible() && revUp->isHidden());
+        QTRY_VERIFY(measures->geometry().left() > gains->geometry().right()); // side by side
+        bench.fileAction("Start-up")->trigger();
+        QVERIFY(gains->isHidden() && measures->isHidden() && revUp->isVisible());
+        QVERIFY(bench.rig.workbench.trigger().setup().type == widgets::TriggerType::StateChange);
+        QCOMPARE(bench.rig.workbench.trigger().setup().length, 3.0);
+        bench.fileAction("Recording")->trigger();
+        QVERIFY(bench.rig.find<QDockWidget>("notesDock")->isVisible());
+        QCOMPARE(bench.rig.window.scope()->visibleRange().span(), 20.0);
+    }
+};
+
+QTEST_MAIN(TestWorkspaces)
+#include "tst_workspaces.moc"

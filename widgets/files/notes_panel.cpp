@@ -1,0 +1,28 @@
+#include "widgets/files/notes_panel.h"
+
+#include <QPlainTextEdit>
+#include <QVBoxLayout>
+
+namespace widgets {
+
+NotesPanel::NotesPanel(const QString &text, QWidget *parent)
+    : Form(parent)
+    , m_text(new QPlainTextEdit(text, this))
+{
+    setObjectName(QStringLiteral("notesPanel"));
+    m_text->setObjectName(QStringLiteral("notes"));
+    m_text->setAccessibleName(tr("Notes"));
+    m_text->setPlaceholderText(tr("What is tried, and what came of it. Kept with the workspace."));
+    m_text->setTabChangesFocus(true);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 4, 8, 4);
+    layout->addWidget(m_text);
+}
+
+QString NotesPanel::text() const { return m_text->toPlainText(); }
+
+void NotesPanel::setText(const QString &text) { m_text->setPlainText(text); }
+
+void NotesPanel::focusFirst() { m_text->setFocus(Qt::ShortcutFocusReason); }
+
+} // namespace widgets
