@@ -7,7 +7,7 @@ namespace mcp {
 namespace {
 
 constexpr std::size_t kFixedPart = 7; ///< of a configuration, without its ids
-constexpr double kFreshSeconds = 0.060;
+constexpr double kFreshSeconds = 0.012;
 constexpr double kLineSeconds = 0.020;
 constexpr std::size_t kPacketHeader = 4;
 constexpr std::uint16_t kUsualBuffer = 2048;

@@ -84,9 +84,10 @@ struct DatalogLink {
     std::uint32_t baud = 1843200;
 };
 
-/// The buffer size for these signals: as large as the link takes, but at most 60 ms of samples, so that pictures stay
-/// fresh, and 20 ms of line time, so that an answer never waits long behind a packet. Whole groups where MF values are
-/// logged, because their counter restarts with each packet; at least one group even if that takes longer than 60 ms.
+/// The buffer size for these signals: as large as the link takes, but at most 12 ms of samples, so that pictures stay
+/// fresh and the next packet comes before silence ends the search for it (aspep/hunt.h), and 20 ms of line time, so that
+/// an answer never waits long behind a packet. Whole groups where MF values are logged, because their counter restarts
+/// with each packet; at least one group even if that takes longer than 12 ms.
 /// Empty if not even one block (or one group) fits. `config.bufferSize` is not looked at.
 std::optional<std::uint16_t> chooseBufferSize(const DatalogConfig &config, const DatalogLink &link);
 

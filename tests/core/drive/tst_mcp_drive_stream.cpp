@@ -94,6 +94,7 @@ private Q_SLOTS:
     void eachConfigurationHasAnotherMark();
     void ticksMapToTheSessionsTime();
     void aRecoveryShowsAsAGapOnly();
+    void aLostByteCostsLittle_data();
     void aLostByteCostsLittle();
     void aLineThatIsTooSlowShowsGaps();
     void linkTwoUsesItsOwnRegister();
@@ -344,6 +345,9 @@ void TestMcpDriveStream::aRecoveryShowsAsAGapOnly()
     session.board->corruptAfter(1000);
     session.runFor(100ms);
     session.board->inject(Bytes{0xFF, 0x01, 0x02});
+    session.runFor(100ms);
+    session.toDrive.once = support::LineFaults::Once::Drop;
+    session.toDrive.onceAt = session.toDrive.passed + 100;
     session.runFor(2s);
     QVERIFY(session.link == LinkState::Connected);
     QVERIFY(session.counters.recoveries > 0);
@@ -352,26 +356,42 @@ void TestMcpDriveStream::aRecoveryShowsAsAGapOnly()
     QVERIFY2(judge.wrong.empty(), judge.wrong.c_str());
 }
 
+void TestMcpDriveStream::aLostByteCostsLittle_data()
+{
+    QTest::addColumn<QStringList>("names");
+    QTest::addColumn<unsigned>("every");
+    QTest::newRow("one signal") << QStringList{"V_Q"} << 1U;
+    QTest::newRow("one signal, every fourth period") << QStringList{"V_Q"} << 4U;
+    QTest::newRow("two signals") << QStringList{"V_Q", "STOPLL_ROT_SPEED"} << 1U;
+    QTest::newRow("most of what the line carries")
+        << QStringList{"STOPLL_ROT_SPEED", "V_Q", "HALL_SPEED", "ENCODER_SPEED"} << 1U;
+    QTest::newRow("four signals, every eighth period")
+        << QStringList{"STOPLL_ROT_SPEED", "V_Q", "HALL_SPEED", "ENCODER_SPEED"} << 8U;
+}
+
 /// Two packets of the stream in a row prove where they begin: the link is mended while the samples go on.
 void TestMcpDriveStream::aLostByteCostsLittle()
 {
-    constexpr double kHfHz = 20000.0;
-    constexpr int kPlaces = 101;
+    QFETCH(QStringList, names);
+    QFETCH(unsigned, every);
+    constexpr int kPlaces = 51;
     std::vector<double> costs;
     Session session;
     QVERIFY(session.runAt(1500));
     session.runFor(1s);
     Judge judge(session);
-    session.submit(Stream{{session.id("STOPLL_ROT_SPEED"), session.id("V_Q"),
-                              session.id("HALL_SPEED"), session.id("ENCODER_SPEED")},
-        1, {}, 1}); // most of what the line carries
+    std::vector<RegisterId> ids;
+    for (const QString &name : names)
+        ids.push_back(session.id(name.toStdString()));
+    session.submit(Stream{ids, every, {}, 1});
     session.runFor(500ms);
     for (int i = 0; i < kPlaces; ++i) {
         const capture::Tick before = judge.lost;
         session.toDrive.once = support::LineFaults::Once::Drop;
         session.toDrive.onceAt = session.toDrive.passed + 100 + static_cast<std::uint64_t>(37 * i);
         session.runFor(600ms);
-        costs.push_back(static_cast<double>(judge.lost - before) / kHfHz);
+        costs.push_back(
+            static_cast<double>(judge.lost - before) / session.identified->streaming.tickHz);
     }
     QVERIFY(session.link == LinkState::Connected);
     QVERIFY2(judge.wrong.empty(), judge.wrong.c_str());

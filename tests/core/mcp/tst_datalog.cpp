@@ -130,16 +130,17 @@ void TestDatalog::theBufferIsLargeButFreshAndShort()
         c.mark = 1;
         return DatalogLayout(c).fullBlocks();
     };
-    QCOMPARE(int(*chooseBufferSize(two, {2048, 16000, 1843200})),
-        2048); // all of it: 32 ms, 11 ms on the line
+    const DatalogConfig four = config(0, {kIa, kIb, kIa, kIb});
+    QCOMPARE(int(*chooseBufferSize(four, {2048, 22000, 1843200})),
+        2048); // all of it: 12 ms, 11 ms on the line
     const auto one = chooseBufferSize(config(0, {kIa}), {2048, 16000, 1843200});
-    QCOMPARE(blocks(config(0, {kIa}), *one), std::size_t{960}); // 60 ms at 16 kHz
+    QCOMPARE(blocks(config(0, {kIa}), *one), std::size_t{192}); // 12 ms at 16 kHz
     const auto slowLine = chooseBufferSize(two, {2048, 16000, 115200});
     QVERIFY(*slowLine <= 226 && *slowLine > 218); // 20 ms of 11520 bytes a second
     DatalogConfig rare = two;
     rare.fastRate = 255;
     QCOMPARE(blocks(rare, *chooseBufferSize(rare, {2048, 16000, 1843200})),
-        std::size_t{3}); // 16 ms apart
+        std::size_t{1}); // 16 ms apart
     QVERIFY(!chooseBufferSize(two, {0, 16000, 1843200}));
     QVERIFY(!chooseBufferSize(two, {9, 16000, 1843200}));
     QVERIFY(!chooseBufferSize(config(0, {}), {2048, 16000, 1843200}));

@@ -7,7 +7,7 @@ namespace widgets {
 namespace {
 
 constexpr double kPacketOverhead = 10.0; // header, time stamp, mark
-constexpr double kPacketsPerSecondAtLeast = 17.0; // a packet holds at most 60 ms
+constexpr double kPacketsPerSecondAtLeast = 84.0; // a packet holds at most 12 ms
 constexpr unsigned kSlowestFast = 256;
 constexpr double kFastBytes = 2.0;
 
