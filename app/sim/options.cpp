@@ -1,8 +1,6 @@
 // Reading the flags: a table from flag to the member it fills and what it may be.
 #include "options.h"
 
-#include "mcb_options.h"
-
 #include "session/files/motor_file.h"
 #include "simulation/legacy/legacy_motor_board.h"
 #include "simulation/plant/presets.h"
@@ -265,6 +263,43 @@ std::optional<std::string> readLoad(std::string_view list, simulation::LoadParam
             return "--load takes NM, fan:K or drive:NM with numbers up to 1000, not "
                 + quoted(item);
         *place = *value;
+    }
+    return std::nullopt;
+}
+
+/// The firmware that a name stands for; a sentence if there is none.
+std::optional<std::string> readServoProfile(std::string_view name, simulation::ServoOptions &servo)
+{
+    servo.newer = name == "newer";
+    if (servo.newer || name == "summit-1.12")
+        return std::nullopt;
+    return "there is no profile " + quoted(name) + "; there are summit-1.12, newer";
+}
+
+/// Adds the faults of a list like "flip:100,reset".
+std::optional<std::string> readMcbFaults(
+    std::string_view list, std::vector<simulation::McbFaultChoice> &faults)
+{
+    constexpr std::uint32_t kMost = 1'000'000;
+    while (!list.empty()) {
+        const std::string_view item = list.substr(0, list.find(','));
+        list.remove_prefix(std::min(list.size(), item.size() + 1));
+        const std::size_t colon = item.find(':');
+        const std::string_view name = item.substr(0, colon);
+        const auto all = simulation::mcbFaultList();
+        const auto row =
+            std::find_if(all.begin(), all.end(), [=](const auto &one) { return one.name == name; });
+        if (row == all.end())
+            return "there is no lie " + quoted(name) + "; see --list-liars";
+        simulation::McbFaultChoice choice{row->fault};
+        if (colon != std::string_view::npos) {
+            const auto every = number(item.substr(colon + 1));
+            if (!every || *every < 1 || *every > kMost)
+                return std::string(name) + ": the chance is one in 1 to 1000000, not "
+                    + quoted(item.substr(colon + 1));
+            choice.every = static_cast<std::uint32_t>(*every);
+        }
+        faults.push_back(choice);
     }
     return std::nullopt;
 }

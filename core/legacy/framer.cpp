@@ -1,6 +1,7 @@
 #include "legacy/framer.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace legacy {
 
@@ -47,6 +48,25 @@ ByteView Framer::partialPayload() const
     if (m_size <= 2)
         return {};
     return ByteView(m_bytes).subspan(2, std::min<std::size_t>(m_size - 2, m_bytes[1]));
+}
+
+std::uint8_t checksumOf(ByteView bytes)
+{
+    const unsigned sum = std::accumulate(bytes.begin(), bytes.end(), 0U);
+    return static_cast<std::uint8_t>((sum >> 8) + (sum & 0xFFU));
+}
+
+Bytes encodeFrame(std::uint8_t header, ByteView payload)
+{
+    if (payload.size() > kMaxPayload)
+        return {};
+    Bytes frame;
+    frame.reserve(payload.size() + kFrameOverhead);
+    frame.push_back(header);
+    frame.push_back(static_cast<std::uint8_t>(payload.size()));
+    frame.insert(frame.end(), payload.begin(), payload.end());
+    frame.push_back(checksumOf(frame));
+    return frame;
 }
 
 } // namespace legacy

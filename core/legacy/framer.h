@@ -1,14 +1,34 @@
-// Bytes to frames, for either end of the line. There is no start mark, so it never searches for one: bytes are taken in
-// order, and who finds something bad calls reset() when the line has been brought to rest.
+// Frames of the older serial protocol, and bytes to frames, for either end of the line.
+//
+// Wire layout: header | number of payload bytes, 0..127 | payload | checksum. The checksum adds the two bytes of the
+// 16-bit sum of all that comes before it; a carry of that addition is lost.
+// Source: firmware 5.4.3; the printed text allows 128 bytes, firmware drops such frames without an answer.
 #pragma once
 
-#include "legacy/frame.h"
+#include "base/bytes.h"
 #include "legacy/protocol.h"
 
 #include <array>
 
 namespace legacy {
 
+constexpr std::size_t kMaxPayload = 127;
+constexpr std::size_t kFrameOverhead = 3; ///< header, length, checksum
+
+struct Frame {
+    std::uint8_t header = 0;
+    Bytes payload;
+    bool operator==(const Frame &) const = default;
+};
+
+/// Of header, length and payload. Exact for any length that a frame can have.
+std::uint8_t checksumOf(ByteView bytes);
+
+/// The bytes for the wire; empty if the payload is longer than kMaxPayload.
+Bytes encodeFrame(std::uint8_t header, ByteView payload);
+
+/// There is no start mark, so it never searches for one: bytes are taken in order, and who finds something bad calls reset()
+/// when the line has been brought to rest.
 class Framer {
 public:
     /// What may stand in the first byte.

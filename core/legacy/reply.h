@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "legacy/frame.h"
+#include "legacy/framer.h"
 #include "legacy/protocol.h"
 #include "legacy/request.h"
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "legacy/frame.h"
+#include "legacy/framer.h"
 #include "legacy/protocol.h"
 
 #include <optional>

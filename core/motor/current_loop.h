@@ -76,4 +76,15 @@ enum class Acting : std::uint8_t { Prompt, Late };
 StepPrediction predictCurrentStep(const PiGains &digits, const CurrentPlant &plant,
     const PowerStage &stage, int samples, Acting acting = Acting::Prompt);
 
+/// The measuring circuit of the currents, for boards that do not tell their scale. Source: the workbench of the motor control
+/// SDK: the converter sees the shunts' voltage amplified about its middle.
+struct CurrentSensing {
+    double shunt_ohm = 0.0;
+    double gain = 0.0; ///< of the amplifier, with its divider if it has one
+    double reference_v = 0.0; ///< of the converter: its whole range
+};
+
+/// Current of the greatest reading, 32768 digits: reference / (2 shunt gain). 0 unless all are above 0.
+double fullScaleCurrent_a(const CurrentSensing &sensing);
+
 } // namespace motor

@@ -1,7 +1,5 @@
 #include "record/drive_entries.h"
 
-#include "record/happening_words.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>

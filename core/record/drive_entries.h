@@ -8,6 +8,7 @@
 #include "drive/wish.h"
 #include "record/entry.h"
 
+#include <array>
 #include <map>
 #include <set>
 #include <vector>
@@ -47,5 +48,16 @@ private:
     std::map<drive::WishId, std::set<RegisterId>> m_readOnce; ///< by wishes that have not ended
     std::set<drive::WishId> m_waiting; ///< wishes whose end is worth an entry
 };
+
+/// The words of happenings, each list in the order of its enumeration: written here, found again by who shows a recording;
+/// they are part of the format (docs/recording-format.md) and are not translated.
+inline constexpr std::array kActionWords{"start", "stop motor", "stop ramp", "acknowledge faults"};
+inline constexpr std::array kLinkStateWords{
+    "closed", "connecting", "connected", "suspect", "recovering", "lost"};
+inline constexpr std::array kMotorStateWords{
+    "unknown", "idle", "starting", "running", "stopping", "fault now", "fault over"};
+inline constexpr std::array kOutcomeWords{"ok", "refused", "not sent", "unknown"};
+inline constexpr std::array kStopWords{
+    "requested", "accepted", "drive idle", "standstill", "NOT CONFIRMED", "speed not measurable"};
 
 } // namespace record

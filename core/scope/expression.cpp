@@ -1,4 +1,4 @@
-#include "scope/formula_program.h"
+#include "scope/expression.h"
 
 #include <algorithm>
 #include <cmath>

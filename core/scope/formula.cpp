@@ -1,6 +1,6 @@
 #include "scope/formula.h"
 
-#include "scope/formula_program.h"
+#include "scope/expression.h"
 
 #include <algorithm>
 #include <charconv>

@@ -29,7 +29,7 @@ SEEDS = [
     ('core/drive/seed_widgets.h', '#include "widgets/base/theme.h"\n', 'core/drive/seed_widgets.h: goes up to widgets'),
     ('widgets/base/seed_up.h', '#include "widgets/window/settings.h"\n',
      'widgets/base/seed_up.h: goes up, or aside, to widgets/window'),
-    ('widgets/control/seed_aside.h', '#include "widgets/files/markers.h"\n',
+    ('widgets/control/seed_aside.h', '#include "widgets/files/record_control.h"\n',
      'widgets/control/seed_aside.h: goes up, or aside, to widgets/files'),
     ('core/drive/seed_qt.h', '#include <QString>\n', 'core/drive/seed_qt.h: Qt is for core/session alone: QString'),
     ('core/attic/seed.h', '#include "base/result.h"\n', '.ci/layers.py has no row for core/attic'),

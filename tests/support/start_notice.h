@@ -1,7 +1,7 @@
 // What a board says unasked after a start. The simulated boards never restart by themselves, so only tests write it.
 #pragma once
 
-#include "legacy/frame.h"
+#include "legacy/framer.h"
 #include "legacy/reply.h"
 
 namespace support {

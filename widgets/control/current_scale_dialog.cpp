@@ -1,7 +1,7 @@
 #include "widgets/control/current_scale_dialog.h"
 
 #include "drive/motion_limits.h"
-#include "motor/current_scale.h"
+#include "motor/current_loop.h"
 #include "widgets/base/setpoint_text.h"
 #include "widgets/base/value_text.h"
 

@@ -2,7 +2,7 @@
 
 #include "drive/event.h"
 #include "drive/wish.h"
-#include "record/happening_words.h"
+#include "record/drive_entries.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/messages.h"
 #include "widgets/files/event_recorder.h"

@@ -1,5 +1,6 @@
 #include "widgets/files/marker_file.h"
 
+#include "capture/csv_export.h"
 #include "session/files/whole_file.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
@@ -36,6 +37,20 @@ bool has(const Markers &markers, capture::Nanos at, const QString &text)
 {
     const auto found = markers.find(at);
     return found != markers.end() && found->second == text;
+}
+
+/// As comma-separated text: a heading, then seconds and words, a line each; what a spreadsheet would take for a formula
+/// gets a leading apostrophe (docs/csv.md).
+QByteArray markerList(const Markers &markers)
+{
+    QByteArray list("time [s],marker\n");
+    capture::ChannelInfo words; // headings are marked the same way
+    for (const auto &[at, text] : markers) {
+        words.name = text.toStdString();
+        list += QByteArray::fromStdString(capture::csvTime(at)) + ','
+            + QByteArray::fromStdString(capture::csvHeading(words)) + '\n';
+    }
+    return list;
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 
 #include "session/recording/recording_notes.h"
 #include "widgets/base/banner.h"
-#include "widgets/files/markers.h"
+#include "widgets/scope/events/event_log.h"
 
 #include <QObject>
 

@@ -2,8 +2,7 @@
 
 #include "catalog/gain_rows.h"
 #include "drive/gain_plant.h"
-#include "motor/observer_gains.h"
-#include "motor/physical_gains.h"
+#include "motor/smaller_loops.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/value_text.h"
 #include "widgets/forms/gain_number.h"

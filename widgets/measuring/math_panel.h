@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/base/form.h"
-#include "widgets/measuring/motor_names.h"
+#include "widgets/measuring/ready_formulas.h"
 
 class QLabel;
 class QLineEdit;

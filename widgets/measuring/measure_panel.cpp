@@ -1,7 +1,6 @@
 #include "widgets/measuring/measure_panel.h"
 
 #include "base/wide_registers.h"
-#include "widgets/base/table_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/measuring/measure_text.h"
 #include "widgets/measuring/trace_box.h"

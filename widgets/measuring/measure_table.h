@@ -5,7 +5,7 @@
 #include "capture/capture.h"
 #include "scope/measurement.h"
 #include "scope/statistics.h"
-#include "widgets/scope/drawing/measure_marks.h"
+#include "widgets/scope/drawing/marks.h"
 
 #include <QAbstractTableModel>
 

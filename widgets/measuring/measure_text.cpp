@@ -3,7 +3,9 @@
 #include "widgets/base/axis_ticks.h"
 #include "widgets/base/reading_text.h"
 
+#include <QAbstractItemModel>
 #include <QCoreApplication>
+#include <QStringList>
 
 #include <algorithm>
 #include <cmath>
@@ -163,6 +165,21 @@ QString measuredText(double value, scope::UnitKind unit, const capture::ChannelI
         return readingText(value, digits(value), own + QStringLiteral(" s\u00b2"), locale);
     }
     return {};
+}
+
+QString tableText(const QAbstractItemModel &table)
+{
+    constexpr int kHeadings = -1;
+    QString text;
+    for (int row = kHeadings; row < table.rowCount(); ++row) {
+        QStringList cells;
+        for (int column = 0; column < table.columnCount(); ++column)
+            cells.append((row == kHeadings ? table.headerData(column, Qt::Horizontal)
+                                           : table.index(row, column).data())
+                             .toString());
+        text += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
+    }
+    return text;
 }
 
 } // namespace widgets

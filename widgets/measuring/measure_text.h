@@ -1,4 +1,5 @@
-// Measurements as text: their names, what they mean, a value with its unit, and why there is none.
+// Measurements as text: their names, what they mean, a value with its unit, and why there is none; and
+// their tables for the clipboard.
 #pragma once
 
 #include "capture/channel.h"
@@ -7,6 +8,8 @@
 #include <QList>
 #include <QLocale>
 #include <QString>
+
+class QAbstractItemModel;
 
 namespace widgets {
 
@@ -21,5 +24,8 @@ QString whyNotText(scope::WhyNot why);
 /// @param step  in which the channel's values are written
 QString measuredText(double value, scope::UnitKind unit, const capture::ChannelInfo &channel,
     double step, const QLocale &locale);
+
+/// The headings and every row as shown, tabs between columns, each line ended.
+QString tableText(const QAbstractItemModel &table);
 
 } // namespace widgets

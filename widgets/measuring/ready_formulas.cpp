@@ -2,7 +2,6 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/measuring/math_formula.h"
-#include "widgets/measuring/motor_names.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>

@@ -2,8 +2,8 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/si_text.h"
-#include "widgets/base/table_text.h"
 #include "widgets/base/wheel_guard.h"
+#include "widgets/measuring/measure_text.h"
 #include "widgets/measuring/spectrum_peaks.h"
 #include "widgets/measuring/spectrum_plot.h"
 #include "widgets/measuring/trace_box.h"

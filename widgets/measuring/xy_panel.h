@@ -3,7 +3,7 @@
 #pragma once
 
 #include "widgets/base/form.h"
-#include "widgets/measuring/motor_names.h"
+#include "widgets/measuring/ready_formulas.h"
 #include "widgets/measuring/xy_job.h"
 #include "widgets/measuring/xy_plot.h"
 

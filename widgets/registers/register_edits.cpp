@@ -1,7 +1,6 @@
 #include "widgets/registers/register_edits.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/registers/keep_before_writing.h"
 
 #include <QUndoCommand>
 

@@ -1,7 +1,7 @@
 // ScopeGhosts: traces of other times behind those of the scope: earlier records, and two references that a person keeps.
 #pragma once
 
-#include "widgets/scope/drawing/ghost.h"
+#include "widgets/scope/drawing/marks.h"
 
 #include <QObject>
 

@@ -2,8 +2,7 @@
 // the plot, so that moving a cursor repaints some lines and no trace. Takes no mouse; scope_handles.h knows where its parts can be taken.
 #pragma once
 
-#include "widgets/scope/drawing/measure_marks.h"
-#include "widgets/scope/trigger/trigger_marks.h"
+#include "widgets/scope/drawing/marks.h"
 
 #include <QWidget>
 

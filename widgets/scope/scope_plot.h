@@ -3,7 +3,7 @@
 #pragma once
 
 #include "capture/capture.h"
-#include "widgets/scope/drawing/ghost.h"
+#include "widgets/scope/drawing/marks.h"
 
 #include <qcustomplot.h>
 

@@ -4,10 +4,9 @@
 
 #include "capture/capture.h"
 #include "widgets/scope/cursors.h"
-#include "widgets/scope/drawing/measure_marks.h"
+#include "widgets/scope/drawing/marks.h"
 #include "widgets/scope/events/event_log.h"
 #include "widgets/scope/time_window.h"
-#include "widgets/scope/trigger/trigger_marks.h"
 
 #include <QElapsedTimer>
 #include <QTimer>

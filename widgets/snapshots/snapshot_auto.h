@@ -3,7 +3,7 @@
 #pragma once
 
 #include "session/files/snapshot_folder.h"
-#include "widgets/registers/keep_before_writing.h"
+#include "widgets/registers/register_edits.h"
 #include "widgets/snapshots/snapshot_reader.h"
 
 #include <deque>

@@ -3,9 +3,9 @@
 // like any other edit, so that it needs arming, asks, and can be taken back.
 #pragma once
 
+#include "session/recording/recording_reader.h"
 #include "widgets/base/form.h"
 #include "widgets/registers/register_edits.h"
-#include "widgets/snapshots/recorded_snapshots.h"
 #include "widgets/snapshots/snapshot_auto.h"
 #include "widgets/snapshots/snapshot_model.h"
 
@@ -22,6 +22,12 @@ class QTableView;
 namespace widgets {
 
 class FilePrompt;
+
+/// What an opened recording holds of registers, as text: most of it is never looked at.
+struct RecordedSnapshots {
+    QString path; ///< of the recording
+    std::vector<session::RecordingReport::At<record::RegisterSnapshot>> all;
+};
 
 class SnapshotPanel : public Form {
     Q_OBJECT

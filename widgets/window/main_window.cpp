@@ -34,7 +34,6 @@
 #include "widgets/window/scope_page.h"
 #include "widgets/window/shortcut_guard.h"
 #include "widgets/window/status_strip.h"
-#include "widgets/window/tab_order.h"
 #include "widgets/window/tools.h"
 #include "widgets/window/workspaces.h"
 
@@ -50,6 +49,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -60,6 +60,28 @@ constexpr int kRegisterWidth = 304;
 constexpr int kRegisterMinimum = 240;
 constexpr int kControlWidth = 268;
 constexpr std::chrono::milliseconds kSettled(100); ///< after the first picture, before the tools
+
+/// The way of the Tab key, where parts are made in another order than they are read in. Puts what lies in `parts` first, part
+/// by part; everything keeps its place within its part, all others come after them.
+void orderTabs(QWidget &window, const QList<QWidget *> &parts)
+{
+    QList<QWidget *> stops;
+    for (QWidget *next = window.nextInFocusChain(); next != &window;
+         next = next->nextInFocusChain()) {
+        // What only hands the focus on is moved with what it hands it to.
+        if (next->focusPolicy() != Qt::NoFocus && !next->focusProxy() && next->window() == &window)
+            stops.append(next);
+    }
+    const auto partOf = [&parts](const QWidget *stop) {
+        const auto part = std::find_if(parts.begin(), parts.end(),
+            [stop](const QWidget *each) { return each == stop || each->isAncestorOf(stop); });
+        return part - parts.begin();
+    };
+    std::stable_sort(stops.begin(), stops.end(),
+        [&partOf](const QWidget *a, const QWidget *b) { return partOf(a) < partOf(b); });
+    for (qsizetype i = 1; i < stops.size(); ++i)
+        QWidget::setTabOrder(stops[i - 1], stops[i]);
+}
 
 } // namespace
 

@@ -4,7 +4,7 @@
 
 #include "capture/capture.h"
 #include "widgets/base/banner.h"
-#include "widgets/snapshots/recorded_snapshots.h"
+#include "widgets/snapshots/snapshot_panel.h"
 
 #include <QObject>
 

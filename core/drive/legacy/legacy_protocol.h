@@ -1,7 +1,8 @@
 // What the tasks of a drive of the older serial protocol ask and are answered.
 #pragma once
 
-#include "drive/legacy/legacy_board.h"
+#include "drive/board_facts.h"
+#include "legacy/protocol.h"
 #include "legacy/reply.h"
 
 #include <optional>
@@ -12,6 +13,13 @@ class Client;
 }
 
 namespace drive {
+
+/// What is known of a board of the older serial protocol, shared by the parts of LegacyDrive. Plain data; filled by the
+/// identification, read by everybody else.
+struct LegacyFacts : BoardFacts {
+    legacy::Dialect dialect = legacy::Dialect::Stm32;
+    double bytesPerSecond = 11520.0; ///< of the line, in each direction
+};
 
 class LegacyIdentification;
 class LegacyReads;

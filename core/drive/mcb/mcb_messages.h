@@ -2,7 +2,7 @@
 // config state, which is what the motion log keeps; an answer is ours.
 #pragma once
 
-#include "drive/mcb/mcb_board.h"
+#include "drive/mcb/mcb_catalog.h"
 #include "mcb/master.h"
 
 #include <optional>

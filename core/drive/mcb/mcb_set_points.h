@@ -9,7 +9,7 @@
 // motor. A reset or a lost link ends all of it, and only a person begins it again.
 #pragma once
 
-#include "drive/mcb/mcb_board.h"
+#include "drive/mcb/mcb_catalog.h"
 #include "mcb/mapping.h"
 
 namespace drive {

@@ -1,7 +1,6 @@
 #include "session/recording/recording_file.h"
 
 #include "session/files/disk_sync.h"
-#include "session/recording/recording_lock.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -219,6 +218,14 @@ void RecordingFile::markEnd(record::End end)
     if (blocks.empty() || !m_sink->append(blocks.back().bytes))
         (void)m_sink->overwrite(reserve.offset, reserve.bytes);
     (void)m_sink->sync();
+}
+
+std::unique_ptr<QLockFile> recordingLock(const QString &path)
+{
+    auto lock =
+        std::make_unique<QLockFile>(QFileInfo(path).canonicalFilePath() + QStringLiteral(".lock"));
+    lock->setStaleLockTime(0); // however long it takes
+    return lock;
 }
 
 } // namespace session

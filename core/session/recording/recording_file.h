@@ -7,6 +7,7 @@
 
 #include "record/encoder.h"
 
+#include <QLockFile>
 #include <QString>
 
 #include <functional>
@@ -81,5 +82,10 @@ private:
     bool m_over = false;
     std::optional<record::End> m_failure;
 };
+
+/// The sign that a recording is being written: a lock file beside it, "name.lock". It goes with the recorder, also where a
+/// crash left it behind: then its process is no longer there. Where none can be made, nothing is known.
+/// @param path  of a recording that is there, by whatever name
+std::unique_ptr<QLockFile> recordingLock(const QString &path);
 
 } // namespace session

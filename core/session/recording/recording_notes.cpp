@@ -2,7 +2,7 @@
 
 #include "record/decoder.h"
 #include "record/entry_codec.h"
-#include "session/recording/recording_lock.h"
+#include "session/recording/recording_file.h"
 
 #include <QFile>
 #include <QFileInfo>

@@ -13,6 +13,7 @@
 #include "mcb/value.h"
 
 #include <map>
+#include <optional>
 
 namespace simulation {
 
@@ -69,6 +70,23 @@ private:
     std::uint32_t numberAt(std::uint16_t address) const;
 
     std::map<std::uint16_t, McbRegister> m_registers;
+};
+
+/// What stands behind the registers of a slave that is more than its registers: a motor and its control.
+class McbLife {
+public:
+    McbLife() = default;
+    McbLife(const McbLife &) = delete;
+    McbLife &operator=(const McbLife &) = delete;
+    virtual ~McbLife() = default;
+
+    /// Puts the present values into the registers; before every frame.
+    virtual void show(McbRegisters &registers) = 0;
+    /// Why a value that the register could hold is not taken; before it is stored.
+    virtual std::optional<mcb::ErrorCode> refusal(
+        std::uint16_t address, mcb::WordView words) const = 0;
+    /// Something was stored, by a write or by a cyclic frame.
+    virtual void look(const McbRegisters &registers) = 0;
 };
 
 } // namespace simulation

@@ -3,13 +3,13 @@
 #include "simulation/axis.h"
 #include "simulation/legacy/legacy_motor_board.h"
 #include "simulation/mcb/mcb_board.h"
-#include "simulation/mcp/cpu_load.h"
 #include "simulation/mcp/datalog_recorder.h"
 #include "simulation/mcp/performer.h"
 #include "simulation/mcp/profile.h"
 #include "simulation/mcp/register_file.h"
 #include "simulation/mcp/server.h"
 #include "simulation/mcp/uart.h"
+#include "simulation/signals.h"
 #include "simulation/simulated_board.h"
 
 #include <algorithm>
@@ -22,6 +22,30 @@ namespace {
 constexpr Duration kSysTick = std::chrono::microseconds(500);
 constexpr std::size_t kOutputMax = 16U
     << 20; ///< minutes of a full line; a line that nobody listens to keeps nothing
+
+/// How busy the processor says it is. Nothing is measured: an idle board, a turning motor and a running datalog cost about
+/// what they cost on a 170 MHz part, with a wobble that repeats.
+class CpuLoad {
+public:
+    /// Once a millisecond; `signals` of the first motor carry the numbers. PERF_* show them.
+    void measure(Signals &signals, int drivenMotors, bool logging)
+    {
+        constexpr float kIdle = 12.0F, kDriven = 21.0F, kLogging = 4.0F, kWobble = 0.25F;
+        m_phase = static_cast<std::uint8_t>(m_phase * 5U + 1U); // full period
+        const float wobble = kWobble * static_cast<float>(m_phase & 7U);
+        signals.cpuLoad = kIdle + kDriven * static_cast<float>(drivenMotors)
+            + (logging ? kLogging : 0.0F) + wobble;
+        signals.cpuLoadMin =
+            m_first ? signals.cpuLoad : std::min(signals.cpuLoadMin, signals.cpuLoad);
+        signals.cpuLoadMax =
+            m_first ? signals.cpuLoad : std::max(signals.cpuLoadMax, signals.cpuLoad);
+        m_first = false;
+    }
+
+private:
+    std::uint8_t m_phase = 0;
+    bool m_first = true;
+};
 
 /// What a restart makes anew: everything but the motor and the line.
 struct Processor final : AsyncLine {

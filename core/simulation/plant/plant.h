@@ -16,18 +16,59 @@
 #pragma once
 
 #include "simulation/plant/bus.h"
-#include "simulation/plant/energies.h"
 #include "simulation/plant/legs.h"
 #include "simulation/plant/parameters.h"
 #include "simulation/plant/position_sensors.h"
 #include "simulation/plant/rotor.h"
 #include "simulation/plant/sensing.h"
-#include "simulation/plant/temperatures.h"
 #include "simulation/plant/windings.h"
 
 #include <cstdint>
 
 namespace simulation {
+
+/// Where the energy of a simulated drive went since it was switched on, in joules.
+///
+///   supply     = source + board + bridge + (change of capacitor)
+///   bridge     = inverter + copper + mechanical + (change of field)
+///   mechanical = friction + load - driven + (change of kinetic and cogging)
+/// The first line of each pair of sides is summed up step by step by itself, so that a test can compare them.
+struct Energies {
+    // Sums.
+    double supply_j = 0.0; ///< out of the ideal source
+    double source_j = 0.0; ///< lost in the source's resistance
+    double board_j = 0.0; ///< taken by the board itself
+    double bridge_j = 0.0; ///< from the bus into the bridge; less when it returns
+    double inverter_j = 0.0; ///< lost in switches and diodes
+    double copper_j = 0.0;
+    double mechanical_j = 0.0; ///< air gap torque times way
+    double friction_j = 0.0; ///< viscous and dry friction of the motor
+    double load_j = 0.0; ///< brake and fan
+    double driven_j = 0.0; ///< put in by drive_nm
+    // Stored now.
+    double capacitor_j = 0.0;
+    double field_j = 0.0; ///< of the currents; the magnets' own is not counted
+    double kinetic_j = 0.0;
+    double cogging_j = 0.0; ///< 0 at a detent
+};
+
+/// Something that warms up by losses and cools towards the ambient: one heat capacity, one path.
+///   C T' = P - C (T - ambient)/tau
+class HeatStore {
+public:
+    /// @param capacity_jpk  0: stays at the ambient temperature
+    /// @param cooling_s     time constant; 0: never cools
+    HeatStore(double ambient_c, double capacity_jpk, double cooling_s);
+
+    void warm(double energy_j, double over_s);
+    double temperature_c() const { return m_ambient_c + m_rise_k; }
+
+private:
+    double m_ambient_c, m_capacity_jpk, m_cooling_s;
+    double m_rise_k = 0.0;
+};
+
+inline constexpr double kCopper_jpkgk = 385.0; ///< specific heat
 
 class Plant {
 public:

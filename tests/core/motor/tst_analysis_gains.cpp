@@ -1,8 +1,7 @@
 // Gains: what ST's generator computes from the same numbers, what rounding costs, and what a loop does with them.
 #include "motor/current_loop.h"
 #include "motor/fixed_point.h"
-#include "motor/observer_gains.h"
-#include "motor/physical_gains.h"
+#include "motor/smaller_loops.h"
 #include "motor/speed_loop.h"
 #include "simulation/maths/gains.h"
 

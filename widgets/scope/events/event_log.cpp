@@ -265,4 +265,13 @@ QVariant EventLog::headerData(int section, Qt::Orientation orientation, int role
     }
 }
 
+Markers markersOf(const EventLog &events)
+{
+    Markers all;
+    for (const ScopeEvent &event : events.events())
+        if (event.kind == EventKind::Marker)
+            all[capture::toNanos(event.seconds)] = event.text;
+    return all;
+}
+
 } // namespace widgets

@@ -3,9 +3,12 @@
 // program noted the oldest is forgotten, a marker never.
 #pragma once
 
+#include "capture/tick_time.h"
+
 #include <QAbstractTableModel>
 #include <QString>
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -71,5 +74,9 @@ private:
     quint32 m_lastId = 0;
     double m_origin = 0.0;
 };
+
+/// Markers by their times: what a recording or a list has of them, or should have.
+using Markers = std::map<capture::Nanos, QString>;
+Markers markersOf(const EventLog &events);
 
 } // namespace widgets
