@@ -5,9 +5,10 @@
 #include "support/edit_bench.h"
 #include "support/window_rig.h"
 #include "widgets/forms/rev_up_chart.h"
-#include "widgets/forms/rev_up_edit.h"
 #include "widgets/forms/rev_up_form.h"
 #include "widgets/forms/rev_up_start.h"
+#include "widgets/forms/rev_up_table.h"
+#include "widgets/registers/entry_edit.h"
 
 #include <QLabel>
 #include <QPushButton>

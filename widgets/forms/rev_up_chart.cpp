@@ -2,8 +2,8 @@
 
 #include "motor/ramp.h"
 #include "widgets/base/value_text.h"
-#include "widgets/forms/rev_up_edit.h"
 #include "widgets/forms/rev_up_start.h"
+#include "widgets/forms/rev_up_table.h"
 
 #include <QAccessible>
 #include <QGraphicsLayout>

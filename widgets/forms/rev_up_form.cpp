@@ -8,10 +8,11 @@
 #include "widgets/base/register_texts.h"
 #include "widgets/base/value_text.h"
 #include "widgets/forms/rev_up_chart.h"
-#include "widgets/forms/rev_up_edit.h"
 #include "widgets/forms/rev_up_start.h"
+#include "widgets/forms/rev_up_table.h"
 #include "widgets/forms/rev_up_texts.h"
 #include "widgets/registers/edit_bar.h"
+#include "widgets/registers/entry_edit.h"
 
 #include <QFileInfo>
 #include <QFormLayout>
@@ -172,7 +173,7 @@ QWidget *RevUpForm::makeMiddle()
     return middle;
 }
 
-RevUpEdit *RevUpForm::makeNumber(const char *name, const QString &unit, double *value)
+EntryEdit *RevUpForm::makeNumber(const char *name, const QString &unit, double *value)
 {
     static const auto kInfo = [] {
         catalog::RegisterInfo info;
@@ -181,12 +182,14 @@ RevUpEdit *RevUpForm::makeNumber(const char *name, const QString &unit, double *
         return info;
     }();
     constexpr double kGreatest = 1e9;
+    constexpr int kLongestNumber = 64;
     const std::string text = unit.toStdString();
-    auto *edit = new RevUpEdit(
+    auto *edit = new EntryEdit(
         [text] {
             return EntryRules{&kInfo, {1.0, text}, {0.0, kGreatest}};
         },
-        1, this);
+        EntryEdit::As::Shown, this);
+    edit->setMaxLength(kLongestNumber);
     edit->setObjectName(QLatin1String(name));
     edit->setEmptyAllowed(true);
     edit->setMaximumWidth(110);

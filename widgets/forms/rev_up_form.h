@@ -19,9 +19,9 @@ class Capture;
 namespace widgets {
 
 class EditBar;
+class EntryEdit;
 class FilePrompt;
 class RevUpChart;
-class RevUpEdit;
 class RevUpStart;
 class RevUpTable;
 
@@ -54,7 +54,7 @@ private:
     QWidget *makeFooter(const Parts &parts);
     QWidget *makeRight();
     QPushButton *makeButton(const QString &text, const char *name, const QString &toolTip);
-    RevUpEdit *makeNumber(const char *name, const QString &unit, double *value);
+    EntryEdit *makeNumber(const char *name, const QString &unit, double *value);
     void connectParts();
     void takeFacts();
     void showFacts();
@@ -79,7 +79,7 @@ private:
     EditBar *m_bar = nullptr;
     QLabel *m_reason = nullptr, *m_hint = nullptr, *m_factsText = nullptr, *m_startText = nullptr;
     QListWidget *m_findings = nullptr;
-    RevUpEdit *m_inertia = nullptr, *m_friction = nullptr;
+    EntryEdit *m_inertia = nullptr, *m_friction = nullptr;
     QPushButton *m_add = nullptr, *m_remove = nullptr, *m_up = nullptr, *m_down = nullptr,
                 *m_usual = nullptr, *m_open = nullptr, *m_save = nullptr;
     double m_inertiaTyped_gcm2 = 0.0, m_frictionTyped_mnm = 0.0; ///< 0: not typed

@@ -4,18 +4,17 @@
 #include "widgets/base/register_texts.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
+#include "widgets/registers/entry_edit.h"
 #include "widgets/registers/flags_edit.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QHelpEvent>
-#include <QKeyEvent>
 #include <QToolTip>
 
 namespace widgets {
 namespace {
 
-constexpr int kLongestEntry = 2048;
 constexpr int kNarrowest = 120;
 const char *const kFilled = "filled";
 constexpr int kLeastDigits = 3; ///< that count, of a value that is rounded
@@ -57,64 +56,6 @@ catalog::RegisterId idOf(const QModelIndex &index)
 
 } // namespace
 
-EntryValidator::EntryValidator(
-    const RegisterModel &model, catalog::RegisterId id, int column, QObject *parent)
-    : QValidator(parent)
-    , m_model(model)
-    , m_id(id)
-    , m_column(column)
-{
-}
-
-QValidator::State EntryValidator::validate(QString &text, int &) const
-{
-    return m_model.readEntry(m_id, m_column, text) ? Acceptable : Intermediate;
-}
-
-QString EntryValidator::problem(const QString &text) const
-{
-    const auto rules = m_model.rulesOf(m_id);
-    const auto read = m_model.readEntry(m_id, m_column, text);
-    if (read || !rules)
-        return {};
-    EntryRules shown = *rules;
-    if (m_column == RegisterModel::RawColumn)
-        shown.scale = {};
-    return entryErrorText(read.error(), shown);
-}
-
-EntryEdit::EntryEdit(
-    const RegisterModel &model, catalog::RegisterId id, int column, QWidget *parent)
-    : SteppedEdit(parent)
-    , m_model(model)
-    , m_id(id)
-    , m_column(column)
-    , m_validator(new EntryValidator(model, id, column, this))
-{
-    setObjectName(QStringLiteral("registerEntry"));
-    setMaxLength(kLongestEntry);
-    setValidator(m_validator);
-    connect(this, &QLineEdit::textChanged, this, [this] { showProblem(); });
-}
-
-void EntryEdit::keyPressEvent(QKeyEvent *event)
-{
-    SteppedEdit::keyPressEvent(event);
-    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
-        event->accept(); // not for what the editor stands in: that would open it once more
-}
-
-void EntryEdit::stepBy(int steps)
-{
-    const auto rules = m_model.rulesOf(m_id);
-    const auto read = m_model.readEntry(m_id, m_column, text());
-    const auto next = rules && read ? stepped(*read, steps, *rules) : std::nullopt;
-    if (next)
-        setText(m_column == RegisterModel::RawColumn
-                ? rawEntryText(catalog::onWire(*rules->info, *next))
-                : shownEntryText(*next, *rules));
-}
-
 RegisterDelegate::RegisterDelegate(const RegisterModel &model, QObject *parent)
     : QStyledItemDelegate(parent)
     , m_model(model)
@@ -131,7 +72,11 @@ QWidget *makeRegisterEditor(
                                                               : QList<std::pair<QString, qint64>>();
     QWidget *editor = nullptr;
     if (choices.isEmpty()) {
-        editor = new EntryEdit(model, id, column, parent);
+        auto *edit = new EntryEdit([model = &model, id] { return model->rulesOf(id); },
+            column == RegisterModel::RawColumn ? EntryEdit::As::Raw : EntryEdit::As::Shown, parent);
+        edit->setObjectName(QStringLiteral("registerEntry"));
+        edit->keepWhatIsBad();
+        editor = edit;
     } else {
         auto *box = new QComboBox(parent);
         box->setObjectName(QStringLiteral("registerChoice"));

@@ -2,47 +2,11 @@
 // field otherwise. An editor only changes what is wanted, never the board; what cannot be understood stays in it.
 #pragma once
 
-#include "widgets/base/stepped_edit.h"
 #include "widgets/registers/register_model.h"
 
 #include <QStyledItemDelegate>
-#include <QValidator>
 
 namespace widgets {
-
-/// Says whether a text can be written to a register; keeps Enter from taking one that cannot.
-class EntryValidator : public QValidator {
-    Q_OBJECT
-public:
-    EntryValidator(const RegisterModel &model, catalog::RegisterId id, int column, QObject *parent);
-
-    State validate(QString &text, int &position) const override;
-    QString problem(const QString &text) const; ///< one sentence; empty if the text is good
-
-private:
-    const RegisterModel &m_model;
-    catalog::RegisterId m_id;
-    int m_column;
-};
-
-/// A text field for one register.
-class EntryEdit : public SteppedEdit {
-    Q_OBJECT
-public:
-    EntryEdit(const RegisterModel &model, catalog::RegisterId id, int column, QWidget *parent);
-
-    QString problem() const override { return m_validator->problem(text()); }
-
-protected:
-    void stepBy(int steps) override;
-    void keyPressEvent(QKeyEvent *event) override;
-
-private:
-    const RegisterModel &m_model;
-    catalog::RegisterId m_id;
-    int m_column;
-    EntryValidator *m_validator;
-};
 
 /// An EntryEdit, or a QComboBox of names where the register has them; nullptr if it cannot be written.
 QWidget *makeRegisterEditor(

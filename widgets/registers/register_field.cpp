@@ -1,5 +1,6 @@
 #include "widgets/registers/register_field.h"
 
+#include "widgets/registers/entry_edit.h"
 #include "widgets/registers/register_delegate.h"
 
 #include <QAbstractItemView>

@@ -190,7 +190,7 @@ private Q_SLOTS:
         enter();
         QCOMPARE(rig.stages()[0].duration_ms, 900);
         QTest::keyClick(rig.table, Qt::Key_Return);
-        QVERIFY(qobject_cast<widgets::RevUpEdit *>(QApplication::focusWidget()));
+        QVERIFY(qobject_cast<widgets::EntryEdit *>(QApplication::focusWidget()));
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Up);
         enter();
         QCOMPARE(rig.stages()[0].duration_ms, 901);
@@ -389,7 +389,7 @@ private Q_SLOTS:
             typeInto(rig, "revUpInertia", bad);
             QVERIFY2(inertia() == 0.0, bad);
         }
-        auto *edit = rig.form.findChild<widgets::RevUpEdit *>(QStringLiteral("revUpInertia"));
+        auto *edit = rig.form.findChild<widgets::EntryEdit *>(QStringLiteral("revUpInertia"));
         QVERIFY(!edit->problem().isEmpty());
         edit->clear();
         QVERIFY(edit->problem().isEmpty()); // not known is an answer

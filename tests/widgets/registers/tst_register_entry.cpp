@@ -1,6 +1,7 @@
 // What a person types into a register, strictly read, and the editors it is typed into.
 #include "catalog/names.h"
 #include "support/edit_bench.h"
+#include "widgets/registers/entry_edit.h"
 #include "widgets/registers/register_delegate.h"
 
 #include <QAbstractItemModelTester>
@@ -249,8 +250,8 @@ private Q_SLOTS:
         QCOMPARE(editor->text(), QStringLiteral("15"));
         turnWheel(editor, -1);
         QCOMPARE(editor->text(), QStringLiteral("14"));
-        widgets::EntryEdit aside(
-            bench.model, bench.id("SPEED_KP"), RegisterModel::ValueColumn, &bench.panel);
+        widgets::EntryEdit aside([&bench] { return bench.model.rulesOf(bench.id("SPEED_KP")); },
+            widgets::EntryEdit::As::Shown, &bench.panel);
         aside.setText(QStringLiteral("5"));
         turnWheel(&aside, 1);
         QCOMPARE(aside.text(), QStringLiteral("5"));

@@ -1,38 +1,12 @@
-// RevUpEdit: a text field for one number of a rev-up, read as strictly as every value that reaches a board; a step is
-// what the register can hold.
+// The table of a rev-up's stages: its cells are typed as strictly as every value that reaches a board.
 #pragma once
-
-#include "widgets/base/stepped_edit.h"
-#include "widgets/registers/register_entry.h"
 
 #include <QStyledItemDelegate>
 #include <QTableView>
 
-#include <functional>
-
 namespace widgets {
 
 class RevUpModel;
-
-class RevUpEdit : public SteppedEdit {
-    Q_OBJECT
-public:
-    using Rules = std::function<EntryRules()>; ///< asked anew each time: limits change
-
-    RevUpEdit(Rules rules, int step, QWidget *parent = nullptr);
-
-    std::optional<catalog::Value> value() const; ///< empty if the text is not good
-    QString problem() const override;
-    void setEmptyAllowed(bool allowed) { m_emptyAllowed = allowed; }
-
-protected:
-    void stepBy(int steps) override;
-
-private:
-    Rules m_rules;
-    int m_step;
-    bool m_emptyAllowed = false;
-};
 
 class RevUpDelegate : public QStyledItemDelegate {
     Q_OBJECT

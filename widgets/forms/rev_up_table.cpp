@@ -1,7 +1,8 @@
-#include "widgets/forms/rev_up_edit.h"
+#include "widgets/forms/rev_up_table.h"
 
 #include "motor/ramp.h"
 #include "widgets/forms/rev_up_model.h"
+#include "widgets/registers/entry_edit.h"
 
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -14,38 +15,6 @@ const char *const kFilled = "filled";
 
 } // namespace
 
-RevUpEdit::RevUpEdit(Rules rules, int step, QWidget *parent)
-    : SteppedEdit(parent)
-    , m_rules(std::move(rules))
-    , m_step(step)
-{
-    setMaxLength(kLongestEntry);
-    connect(this, &QLineEdit::textChanged, this, [this] { showProblem(); });
-}
-
-std::optional<catalog::Value> RevUpEdit::value() const
-{
-    const auto read = readShownEntry(text(), m_rules());
-    return read ? std::optional(*read) : std::nullopt;
-}
-
-QString RevUpEdit::problem() const
-{
-    if (m_emptyAllowed && text().trimmed().isEmpty())
-        return {};
-    const EntryRules rules = m_rules();
-    const auto read = readShownEntry(text(), rules);
-    return read ? QString() : entryErrorText(read.error(), rules);
-}
-
-void RevUpEdit::stepBy(int steps)
-{
-    const EntryRules rules = m_rules();
-    const auto now = value();
-    if (const auto next = now ? stepped(*now, steps * m_step, rules) : std::nullopt)
-        setText(shownEntryText(*next, rules));
-}
-
 RevUpDelegate::RevUpDelegate(RevUpModel &model, QObject *parent)
     : QStyledItemDelegate(parent)
     , m_model(model)
@@ -56,10 +25,11 @@ QWidget *RevUpDelegate::createEditor(
     QWidget *parent, const QStyleOptionViewItem &, const QModelIndex &index) const
 {
     const int column = index.column();
-    const int step =
-        column == RevUpModel::SpeedColumn ? static_cast<int>(motor::kSpeedStep_rpm) : 1;
-    auto *edit =
-        new RevUpEdit([model = &m_model, column] { return model->rulesOf(column); }, step, parent);
+    auto *edit = new EntryEdit([model = &m_model, column] { return model->rulesOf(column); },
+        EntryEdit::As::Shown, parent);
+    edit->setMaxLength(kLongestEntry);
+    if (column == RevUpModel::SpeedColumn)
+        edit->setStep(static_cast<int>(motor::kSpeedStep_rpm));
     edit->setObjectName(QStringLiteral("revUpEntry"));
     edit->setAccessibleName(index.data(Qt::AccessibleTextRole).toString());
     return edit;
@@ -68,7 +38,7 @@ QWidget *RevUpDelegate::createEditor(
 void RevUpDelegate::setEditorData(QWidget *editor, const QModelIndex &index) const
 {
     // Values that arrive while a person types must not replace the text.
-    auto *edit = qobject_cast<RevUpEdit *>(editor);
+    auto *edit = qobject_cast<EntryEdit *>(editor);
     if (edit == nullptr || edit->property(kFilled).isValid())
         return;
     const QString text = index.data(Qt::EditRole).toString();
@@ -80,7 +50,7 @@ void RevUpDelegate::setEditorData(QWidget *editor, const QModelIndex &index) con
 void RevUpDelegate::setModelData(
     QWidget *editor, QAbstractItemModel *model, const QModelIndex &index) const
 {
-    const auto *edit = qobject_cast<RevUpEdit *>(editor);
+    const auto *edit = qobject_cast<EntryEdit *>(editor);
     if (edit == nullptr || edit->text() == edit->property(kFilled).toString())
         return; // untouched: not a wish for a value that may have changed meanwhile
     if (!model->setData(index, edit->text(), Qt::EditRole))
