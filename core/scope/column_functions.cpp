@@ -188,7 +188,6 @@ public:
     Frame(ColumnKind kind, const ColumnSettings &settings)
         : m_kind(kind)
         , m_toRadians(2.0 * std::numbers::pi / settings.turn)
-        , m_reversed(settings.axes == Axes::BetaReversed)
     {
     }
     double step(Arguments x, double /*seconds*/, bool /*joined*/) override
@@ -197,7 +196,7 @@ public:
         case ColumnKind::ClarkeAlpha:
             return x[0];
         case ColumnKind::ClarkeBeta:
-            return (m_reversed ? -1.0 : 1.0) * (x[0] + 2.0 * x[1]) / std::numbers::sqrt3;
+            return -(x[0] + 2.0 * x[1]) / std::numbers::sqrt3;
         case ColumnKind::Power:
             return 1.5 * (x[0] * x[1] + x[2] * x[3]);
         default:
@@ -211,13 +210,12 @@ private:
         const double along = std::cos(angle);
         const double across = std::sin(angle);
         if (m_kind == ColumnKind::ParkD)
-            return m_reversed ? alpha * across + beta * along : alpha * along + beta * across;
-        return m_reversed ? alpha * along - beta * across : beta * along - alpha * across;
+            return alpha * across + beta * along;
+        return alpha * along - beta * across;
     }
 
     ColumnKind m_kind;
     double m_toRadians;
-    bool m_reversed;
 };
 
 } // namespace

@@ -10,6 +10,8 @@
 //   unwrap(angle)        without the jumps of a turn; begins at the angle
 //   clarke_alpha(a, b), clarke_beta(a, b)
 //   park_d(alpha, beta, angle), park_q(alpha, beta, angle)
+//       beta = -(a + 2 b) / sqrt 3; d = alpha sin + beta cos, q = alpha cos - beta sin: as MCSDK's firmware, so that the
+//       results are those of the board's own registers
 //   power(vd, id, vq, iq)   1.5 (vd id + vq iq): electrical power of peak values
 #pragma once
 
@@ -19,15 +21,6 @@
 #include <string_view>
 
 namespace scope {
-
-/// How a board counts beta and the angle.
-enum class Axes : std::uint8_t {
-    /// beta = (a + 2 b) / sqrt 3; d = alpha cos + beta sin, q = -alpha sin + beta cos
-    Textbook,
-    /// beta = -(a + 2 b) / sqrt 3; d = alpha sin + beta cos, q = alpha cos - beta sin: as MCSDK's firmware, so that the
-    /// results are those of the board's own registers
-    BetaReversed
-};
 
 enum class ColumnKind : std::uint8_t {
     Derivative,
@@ -71,7 +64,6 @@ public:
 struct ColumnSettings {
     double constant = 0.0; ///< frequency in Hz, or a number of samples
     double turn = 360.0; ///< of angles, in their unit
-    Axes axes = Axes::BetaReversed;
 };
 
 /// True if the constant makes sense for it: a frequency above 0, 1 to kMostTaps samples.

@@ -44,10 +44,9 @@ struct Piece {
 /// returned by compile().
 class FormulaCompiler {
 public:
-    FormulaCompiler(std::string_view text, std::span<const FormulaName> names, Axes axes)
+    FormulaCompiler(std::string_view text, std::span<const FormulaName> names)
         : m_text(text)
         , m_names(names)
-        , m_axes(axes)
         , m_program(std::make_unique<Formula::Program>())
     {
         m_program->slots.assign(names.size() + Formula::kMostCalls, 0.0);
@@ -243,7 +242,6 @@ private:
     {
         FormulaCall call;
         ColumnSettings settings;
-        settings.axes = m_axes;
         std::vector<std::optional<Unit>> units;
         for (std::size_t i = 0; i < arguments.size(); ++i) {
             Expression argument = expression(arguments[i], depth + 1);
@@ -311,17 +309,16 @@ private:
 
     std::string_view m_text;
     std::span<const FormulaName> m_names;
-    Axes m_axes;
     std::unique_ptr<Formula::Program> m_program;
     std::vector<std::optional<Unit>> m_units; ///< of the slots
     std::vector<std::size_t> m_used;
 };
 
 Result<Formula, FormulaFault> Formula::compile(
-    std::string_view text, std::span<const FormulaName> names, Axes axes)
+    std::string_view text, std::span<const FormulaName> names)
 {
     try {
-        return FormulaCompiler(text, names, axes).compile();
+        return FormulaCompiler(text, names).compile();
     } catch (const FormulaFault &fault) {
         return fail(fault);
     }

@@ -53,7 +53,7 @@ public:
     static constexpr std::size_t kMostCalls = 32; ///< of column functions
 
     static Result<Formula, FormulaFault> compile(
-        std::string_view text, std::span<const FormulaName> names, Axes axes = Axes::BetaReversed);
+        std::string_view text, std::span<const FormulaName> names);
 
     Formula(Formula &&) noexcept;
     Formula &operator=(Formula &&) noexcept;
