@@ -125,9 +125,9 @@ Settings settingsFromJson(const QByteArray &json)
         settings.samplesOnDiskGB = onDisk;
     settings.firstStepsDone = object[QStringLiteral("firstStepsDone")].toBool(false);
     settings.ramps = rampPresetsOf(object[QStringLiteral("ramps")].toArray());
-    for (const QJsonValue &path : object[QStringLiteral("recentFiles")].toArray())
-        if (settings.recentFiles.size() < kMostRecent && path.isString())
-            settings.recentFiles.append(path.toString());
+    const QJsonArray recent = object[QStringLiteral("recentFiles")].toArray();
+    for (qsizetype i = 0; i < std::min(recent.size(), kMostRecent); ++i)
+        settings.recentFiles.append(recent[i].toString());
     settings.workspace = workspaceOf(object[QStringLiteral("workspace")].toObject());
     return settings;
 }

@@ -32,7 +32,8 @@ private Q_SLOTS:
         settings.theme = widgets::Theme::Dark;
         settings.pinned = {QStringLiteral("I_A")};
         settings.inertias = {{QStringLiteral("A motor"), 5e-5}, {QStringLiteral("\u00e9"), 1e-7}};
-        settings.workspace.traceColors = {{QStringLiteral("I_A"), 7}, {QStringLiteral("\u00e9"), 0}};
+        settings.workspace.traceColors = {
+            {QStringLiteral("I_A"), 7}, {QStringLiteral("\u00e9"), 0}};
         settings.currentScales = {{QStringLiteral("ST MC SDK|5.4.3|/dev/ttyUSB0#1"), 60.175}};
         settings.maxSpeedRpm = 1500.0;
         settings.maxCurrentAmps = 2.5;
