@@ -178,7 +178,7 @@ void Controller::onData(const Data &data, Bytes &payload, TimePoint now)
         return;
     }
     // What begins before the payload can have left answers something else: the request before, for the second time.
-    const bool tooSoon = m_packetBegan < m_payloadAt;
+    const bool tooSoon = m_packetBegan < m_answerableAt;
     if (m_step != Step::Waiting || tooSoon) {
         ++m_stats.unexpected;
         return;
@@ -424,6 +424,7 @@ void Controller::sendPacket(const Header &header, Duration gap, TimePoint now)
     m_output.push_back({Bytes(bytes.begin(), bytes.end()), gap});
     m_stats.bytesOut += bytes.size();
     ++m_stats.packetsOut;
+    m_answerableAt = now + gap;
     awaitReply(now + gap + wireTime(bytes.size(), m_config.baud));
 }
 
@@ -432,7 +433,7 @@ void Controller::sendData(ByteView payload, Duration gap, TimePoint now)
     sendPacket(Data{false, static_cast<std::uint16_t>(payload.size())}, gap, now);
     Bytes body = bodyOf(payload);
     m_stats.bytesOut += body.size();
-    m_payloadAt = now + gap + m_config.payloadPause;
+    m_answerableAt = now + gap + m_config.payloadPause;
     awaitReply(
         now + gap + m_config.payloadPause + wireTime(kHeaderSize + body.size(), m_config.baud));
     m_output.push_back({std::move(body), m_config.payloadPause});
@@ -462,7 +463,7 @@ void Controller::handleSent(TimePoint now)
         return;
     m_sentPending = false;
     m_askedAt = now;
-    m_payloadAt = std::min(m_payloadAt, now);
+    m_answerableAt = std::min(m_answerableAt, now);
     if (m_replyDue)
         m_replyDue = now + responseTimeout();
 }

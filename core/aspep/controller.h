@@ -239,7 +239,7 @@ private:
 
     std::optional<TimePoint> m_replyDue; ///< until then nothing else may be sent
     TimePoint m_askedAt; ///< when the last packet left
-    TimePoint m_payloadAt; ///< no payload of the last request has left before
+    TimePoint m_answerableAt; ///< what began before answers something else than the last packet
     bool m_sentPending = false; ///< m_replyDue is an estimate until handleSent()
     bool m_requestOpen = false; ///< its end has not been told yet
     std::optional<Urgent> m_urgent;

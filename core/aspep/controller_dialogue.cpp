@@ -148,15 +148,20 @@ void Controller::onPing(const Ping &reply, TimePoint now)
         ++m_stats.unexpected;
         return;
     }
+    if (m_step == Step::Pinging && m_packetBegan < m_answerableAt) { // the end is of another
+        ++m_stats.unexpected;
+        return damage();
+    }
     m_replyDue.reset();
     m_heardAnswer = true;
     if (!reply.configured)
         return onNotConfigured(now);
     m_linkId = reply.linkId;
     if (m_step == Step::Probing && m_damaged) {
+        // Left-over bytes and the first one of the answer can look like it: the rest of it comes before the Beacon.
         m_probed = true;
         m_attempts = 0;
-        return offer(now);
+        return rest(now, wireTime(2 * kHeaderSize, m_config.baud));
     }
     if (m_step == Step::Probing || m_step == Step::Pinging)
         return enterConnected(reply, now);

@@ -27,6 +27,8 @@ private Q_SLOTS:
     void aShortTailIsFilledByTheDialogue();
     void aLongTailIsEndedBySilence();
     void aPingThatOnlyEndedAPacketIsFollowedByBeacons();
+    void aReplyThatHasOnlyBegunIsWaitedFor();
+    void aReplyThatBeganBeforeItsPingConnectsNobody();
     void anAnswerWithNoPacketBehindItIsNone();
     void aLateResponseIsNotTakenForTheNext();
     void aLateEchoSendsTheDialogueBack();
@@ -357,6 +359,46 @@ void TestControllerRecovery::aPingThatOnlyEndedAPacketIsFollowedByBeacons()
     link.hear(pong());
     QCOMPARE(link.controller.state(), kRecovering);
     QCOMPARE(link.nextSent(), kBoard);
+    answerAll(link);
+    QCOMPARE(link.controller.state(), kConnected);
+}
+
+/// Three bytes of the reply before and the first of this one have a right check: the rest is still to come.
+void TestControllerRecovery::aReplyThatHasOnlyBegunIsWaitedFor()
+{
+    VirtualLink link;
+    link.connect();
+    ask(link);
+    link.hear(header(Nack{4}));
+    QVERIFY(isPing(link.nextSent()));
+    link.now += 1ms;
+    link.hear(hex("F6 90 60"));
+    QVERIFY(isPing(link.nextSent()));
+    link.now += 1ms;
+    link.hear(hex("F6"));
+    QVERIFY(link.sent().empty());
+    link.now += 22us;
+    link.hear(hex("A0 00 A0"));
+    QVERIFY(link.sent().empty());
+    answerAll(link);
+    QCOMPARE(link.controller.state(), kConnected);
+}
+
+void TestControllerRecovery::aReplyThatBeganBeforeItsPingConnectsNobody()
+{
+    VirtualLink link;
+    link.controller.connect(link.now);
+    (void)link.sent();
+    link.hear(kBoard);
+    (void)link.sent();
+    link.hear(kBoard);
+    QVERIFY(isPing(link.sent()));
+    link.hear(hex("F6 90 60"));
+    QVERIFY(isPing(link.nextSent()));
+    link.now += 1ms;
+    link.hear(hex("F6"));
+    QCOMPARE(link.count<Controller::Connected>(), 0);
+    link.hear(hex("A0 00 A0"));
     answerAll(link);
     QCOMPARE(link.controller.state(), kConnected);
 }
