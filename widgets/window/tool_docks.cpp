@@ -133,7 +133,9 @@ void ToolDocks::makeInTurns()
 
 void ToolDocks::showOnly(const QStringList &names)
 {
-    QDockWidget *last = nullptr;
+    constexpr double kShare = 0.36; // of the window's height: the traces are what is looked at
+    constexpr int kSideBySide = 1600; // pixels of the window, for two of them and the control panel
+    QList<QDockWidget *> shown;
     for (Tool &tool : m_tools)
         if (!names.contains(tool.dock->objectName()))
             tool.dock->hide();
@@ -143,12 +145,18 @@ void ToolDocks::showOnly(const QStringList &names)
                 continue;
             formOf(tool);
             tool.dock->setFloating(false);
-            if (last)
-                m_window.splitDockWidget(last, tool.dock, Qt::Horizontal);
+            m_window.removeDockWidget(
+                tool.dock); // from its tabs, in which it could not be split off
+            m_window.addDockWidget(Qt::BottomDockWidgetArea, tool.dock, Qt::Horizontal);
+            if (!shown.isEmpty() && m_window.width() < kSideBySide)
+                m_window.tabifyDockWidget(shown.first(), tool.dock);
             tool.dock->show();
-            tool.dock->raise();
-            last = tool.dock;
+            shown.append(tool.dock);
         }
+    if (!shown.isEmpty())
+        shown.first()->raise();
+    m_window.resizeDocks(
+        shown, QList<int>(shown.size(), int(m_window.height() * kShare)), Qt::Vertical);
 }
 
 bool ToolDocks::anyOpen() const

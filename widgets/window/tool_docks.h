@@ -31,7 +31,8 @@ public:
         std::function<Form *()> makeForm);
     QList<QAction *> actions() const { return m_actions; }
     bool anyOpen() const;
-    void showOnly(const QStringList &names); ///< side by side, in this order; closes all others
+    /// Closes all others. In this order side by side, or as tabs where the window is too narrow for that.
+    void showOnly(const QStringList &names);
 
 public Q_SLOTS:
     void makeOpen(); ///< the forms of docks that are not hidden

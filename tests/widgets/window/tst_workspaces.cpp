@@ -212,8 +212,14 @@ private Q_SLOTS:
         auto *measures = bench.rig.find<QDockWidget>("measureDock");
         auto *revUp = bench.rig.find<QDockWidget>("revUpDock");
         bench.fileAction("Tuning")->trigger();
+        QTRY_VERIFY(!gains->visibleRegion().isEmpty());
+        QVERIFY(measures->visibleRegion().isEmpty()); // a tab behind: there is no room beside it
+        QVERIFY(!measures->isHidden());
+        bench.rig.window.resize(1920, 1080);
+        bench.fileAction("Tuning")->trigger();
         QVERIFY(gains->isVisible() && measures->isVisible() && revUp->isHidden());
         QTRY_VERIFY(measures->geometry().left() > gains->geometry().right()); // side by side
+        QTRY_VERIFY(!gains->visibleRegion().isEmpty() && !measures->visibleRegion().isEmpty());
         bench.fileAction("Start-up")->trigger();
         QVERIFY(gains->isHidden() && measures->isHidden() && revUp->isVisible());
         QVERIFY(bench.rig.workbench.trigger().setup().type == widgets::TriggerType::StateChange);
