@@ -217,15 +217,15 @@
         <translation>Tinte</translation>
     </message>
     <message>
-        <source>By &amp;itself</source>
+        <source>&amp;Automatic</source>
         <comment>a colour is chosen</comment>
-        <translation>Von &amp;selbst</translation>
+        <translation>&amp;Automatisch</translation>
     </message>
 </context>
 <context>
     <name>Confirmation</name>
     <message>
-        <source>Type &quot;%1&quot; to go on:</source>
+        <source>Type &quot;%1&quot; to continue:</source>
         <comment>a word</comment>
         <translation>Zum Fortfahren „%1“ eingeben:</translation>
     </message>
@@ -1178,10 +1178,6 @@
         <translation>%1 kann nicht geschrieben werden (%2). Wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
-        <source>The disk did not take the file (%1). Make room or choose another folder; nothing was replaced.</source>
-        <translation>Der Datenträger hat die Datei nicht angenommen (%1). Schaffen Sie Platz oder wählen Sie einen anderen Ordner; es wurde nichts ersetzt.</translation>
-    </message>
-    <message>
         <source>%1 cannot be replaced (%2). Choose another name.</source>
         <translation>%1 kann nicht ersetzt werden (%2). Wählen Sie einen anderen Namen.</translation>
     </message>
@@ -1361,6 +1357,10 @@
     <message>
         <source>no board found</source>
         <translation>kein Board gefunden</translation>
+    </message>
+    <message>
+        <source>Not written (%1). Make room or choose another folder; nothing was replaced.</source>
+        <translation>Nicht geschrieben (%1). Platz schaffen oder anderen Ordner wählen; nichts wurde ersetzt.</translation>
     </message>
 </context>
 <context>
@@ -2126,11 +2126,6 @@
         <translation>Rollen</translation>
     </message>
     <message>
-        <source>Stop</source>
-        <comment>state of the trigger</comment>
-        <translation>Stopp</translation>
-    </message>
-    <message>
         <source>Armed</source>
         <comment>state of the trigger</comment>
         <translation>Bereit</translation>
@@ -2178,6 +2173,11 @@
         <source>The count has to be at least 1.</source>
         <translation>Die Anzahl muss mindestens 1 sein.</translation>
     </message>
+    <message>
+        <source>Hold</source>
+        <comment>state of the trigger</comment>
+        <translation>Halt</translation>
+    </message>
 </context>
 <context>
     <name>WorkspaceFile</name>
@@ -2211,10 +2211,6 @@
         <comment>change</comment>
         <translation>Board, %1</translation>
     </message>
-    <message>
-        <source>%1 (a gain, by more than 2 while the motor runs)</source>
-        <translation>%1 (eine Verstärkung, um mehr als das Doppelte bei laufendem Motor)</translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
@@ -2234,6 +2230,10 @@
         <source>Write</source>
         <translation>Schreiben</translation>
     </message>
+    <message>
+        <source>%1 (gain changes by more than a factor of 2 while running)</source>
+        <translation>%1 (Verstärkung ändert sich im Lauf um mehr als Faktor 2)</translation>
+    </message>
 </context>
 <context>
     <name>WriteReport</name>
@@ -2242,20 +2242,6 @@
         <translation>
             <numerusform>und %n weiteres</numerusform>
             <numerusform>und %n weitere</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n register(s) taken back and read back.</source>
-        <translation>
-            <numerusform>%n Register zurückgenommen und zurückgelesen.</numerusform>
-            <numerusform>%n Register zurückgenommen und zurückgelesen.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n register(s) written and read back.</source>
-        <translation>
-            <numerusform>%n Register geschrieben und zurückgelesen.</numerusform>
-            <numerusform>%n Register geschrieben und zurückgelesen.</numerusform>
         </translation>
     </message>
     <message>
@@ -2281,6 +2267,20 @@
     <message>
         <source>Write</source>
         <translation>Schreiben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) restored and verified.</source>
+        <translation>
+            <numerusform>%n Register zurückgesetzt und geprüft.</numerusform>
+            <numerusform>%n Register zurückgesetzt und geprüft.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) written and verified.</source>
+        <translation>
+            <numerusform>%n Register geschrieben und geprüft.</numerusform>
+            <numerusform>%n Register geschrieben und geprüft.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2378,21 +2378,6 @@
         <translation>Wie dieses Signal aufgezeichnet wird</translation>
     </message>
     <message>
-        <source>HF: at the fast rate</source>
-        <translation>HF: im schnellen Takt</translation>
-    </message>
-    <message numerus="yes">
-        <source>MF: once for %n fast samples</source>
-        <translation>
-            <numerusform>MF: einmal je schnellem Abtastwert</numerusform>
-            <numerusform>MF: einmal je %n schnelle Abtastwerte</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Polled: read one by one</source>
-        <translation>Abgefragt: einzeln gelesen</translation>
-    </message>
-    <message>
         <source>Remove %1</source>
         <translation>%1 entfernen</translation>
     </message>
@@ -2486,6 +2471,21 @@
     <message>
         <source>&amp;Formula…</source>
         <translation>&amp;Formel…</translation>
+    </message>
+    <message>
+        <source>HF: every sample</source>
+        <translation>HF: jede Abtastung</translation>
+    </message>
+    <message numerus="yes">
+        <source>MF: 1 of %n samples</source>
+        <translation>
+            <numerusform>MF: 1 von %n Abtastung</numerusform>
+            <numerusform>MF: 1 von %n Abtastungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Polled: read in turn</source>
+        <translation>Abgefragt: reihum gelesen</translation>
     </message>
 </context>
 <context>
@@ -4119,10 +4119,6 @@
         <translation>Richtig; die Einheit ergibt sich nicht, oder es ist eine reine Zahl.</translation>
     </message>
     <message>
-        <source>Right; its unit is %1.</source>
-        <translation>Richtig; die Einheit ist %1.</translation>
-    </message>
-    <message>
         <source>C&amp;hange</source>
         <translation>Än&amp;dern</translation>
     </message>
@@ -4133,6 +4129,10 @@
     <message>
         <source>There is no room for more than %1.</source>
         <translation>Mehr als %1 haben nicht Platz.</translation>
+    </message>
+    <message>
+        <source>Valid, unit %1</source>
+        <translation>Gültig, Einheit %1</translation>
     </message>
 </context>
 <context>
@@ -4922,10 +4922,6 @@
         <translation>%1/s</translation>
     </message>
     <message>
-        <source>at once</source>
-        <translation>sofort</translation>
-    </message>
-    <message>
         <source>Send</source>
         <comment>a ramp to the board</comment>
         <translation>Senden</translation>
@@ -4937,10 +4933,6 @@
     <message>
         <source>&amp;Iq (torque)</source>
         <translation>&amp;Iq (Moment)</translation>
-    </message>
-    <message>
-        <source>Iq at once (&amp;q)</source>
-        <translation>Iq sofort (&amp;q)</translation>
     </message>
     <message>
         <source>Speed to go to, in rpm</source>
@@ -4988,20 +4980,9 @@
         <source>Current reference</source>
         <translation>Stromsollwert</translation>
     </message>
-    <message numerus="yes">
-        <source>%n stair(s) of 6 rpm</source>
-        <translation>
-            <numerusform>%n Stufe von 6 rpm</numerusform>
-            <numerusform>%n Stufen von 6 rpm</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Together %1 A: the limit is %2 A.</source>
         <translation>Zusammen %1 A: die Grenze ist %2 A.</translation>
-    </message>
-    <message>
-        <source>Understood: Iq %1 A, Id %2 A, together %3 A, at once</source>
-        <translation>Verstanden: Iq %1 A, Id %2 A, zusammen %3 A, sofort</translation>
     </message>
     <message>
         <source>Sends it (Enter in a field does the same).</source>
@@ -5030,6 +5011,25 @@
     <message>
         <source>at most %1 rpm on the way</source>
         <translation>unterwegs höchstens %1 rpm</translation>
+    </message>
+    <message>
+        <source>immediately</source>
+        <translation>sofort</translation>
+    </message>
+    <message>
+        <source>I&amp;q immediately</source>
+        <translation>I&amp;q sofort</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) of 6 rpm</source>
+        <translation>
+            <numerusform>%n Stufe von 6 rpm</numerusform>
+            <numerusform>%n Stufen von 6 rpm</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Iq = %1 A, Id = %2 A, together %3 A, immediately</source>
+        <translation>Iq = %1 A, Id = %2 A, zusammen %3 A, sofort</translation>
     </message>
 </context>
 <context>
@@ -5403,10 +5403,6 @@
         <translation>automatisch</translation>
     </message>
     <message>
-        <source>Pin, time of the trigger</source>
-        <translation>Behalten, Zeit des Triggers</translation>
-    </message>
-    <message>
         <source>Age</source>
         <translation>Alter</translation>
     </message>
@@ -5417,6 +5413,10 @@
     <message>
         <source>Label</source>
         <translation>Name</translation>
+    </message>
+    <message>
+        <source>Pinned, trigger time</source>
+        <translation>Behalten, Triggerzeit</translation>
     </message>
 </context>
 <context>
@@ -5458,8 +5458,8 @@
         </translation>
     </message>
     <message>
-        <source>The board may have been reset: what was written before cannot be taken back.</source>
-        <translation>Das Board wurde vielleicht zurückgesetzt: Früher Geschriebenes lässt sich nicht zurücknehmen.</translation>
+        <source>Undo is not available after a reconnect.</source>
+        <translation>Nach dem Wiederverbinden ist Rückgängig nicht verfügbar.</translation>
     </message>
 </context>
 <context>
@@ -5754,10 +5754,6 @@
         <translation>Die laufende Aufzeichnung enthält nicht alle Markierungen: einige wurden gesetzt, bevor sie begann.</translation>
     </message>
     <message>
-        <source>Markers are in no file, and there is no recording that could take them. They can be saved as a list of times and words (CSV).</source>
-        <translation>Markierungen stehen in keiner Datei, und keine Aufzeichnung kann sie aufnehmen. Sie können als Liste mit Zeiten und Worten (CSV) gespeichert werden.</translation>
-    </message>
-    <message>
         <source>Clear what was recorded?</source>
         <translation>Aufgezeichnetes löschen?</translation>
     </message>
@@ -5772,6 +5768,10 @@
     <message>
         <source>&amp;Clear</source>
         <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>The markers are not saved. They can be saved as a list of times and words (CSV).</source>
+        <translation>Die Markierungen sind nicht gespeichert. Sie können als Liste von Zeiten und Texten (CSV) gespeichert werden.</translation>
     </message>
 </context>
 <context>
@@ -5998,10 +5998,6 @@
         <translation>Der Maßstab des Stroms ist nicht bekannt: nur Digits.</translation>
     </message>
     <message>
-        <source>✓ No mistake to be seen.</source>
-        <translation>✓ Kein Fehler zu sehen.</translation>
-    </message>
-    <message>
         <source>The next start is drawn over the plan.</source>
         <translation>Der nächste Start wird über den Plan gezeichnet.</translation>
     </message>
@@ -6084,6 +6080,10 @@
     <message>
         <source>Measured: thin lines, mirrored, for it turned backwards.</source>
         <translation>Gemessen: dünne Linien, gespiegelt, denn er lief rückwärts.</translation>
+    </message>
+    <message>
+        <source>✓ No problems found.</source>
+        <translation>✓ Keine Fehler gefunden.</translation>
     </message>
 </context>
 <context>
@@ -6370,19 +6370,9 @@ mN·m</translation>
         <translation>Wiedergabe</translation>
     </message>
     <message>
-        <source>Live</source>
-        <comment>the scope&apos;s picture moves</comment>
-        <translation>Live</translation>
-    </message>
-    <message>
         <source>File</source>
         <comment>the scope shows it</comment>
         <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Held</source>
-        <comment>the scope&apos;s picture stands still</comment>
-        <translation>Halt</translation>
     </message>
     <message>
         <source>Record to disk</source>
@@ -6391,6 +6381,11 @@ mN·m</translation>
     <message>
         <source>Export</source>
         <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <comment>the scope&apos;s picture stands still</comment>
+        <translation>Halt</translation>
     </message>
 </context>
 <context>
@@ -6582,16 +6577,6 @@ mN·m</translation>
         <translation>rpm</translation>
     </message>
     <message>
-        <source>controls speed</source>
-        <comment>the board does now</comment>
-        <translation>regelt Drehzahl</translation>
-    </message>
-    <message>
-        <source>controls torque</source>
-        <comment>the board does now</comment>
-        <translation>regelt Drehmoment</translation>
-    </message>
-    <message>
         <source>Ends a ramp where it is; the motor goes on turning.</source>
         <translation>Beendet eine Rampe, wo sie gerade ist; der Motor dreht weiter.</translation>
     </message>
@@ -6641,6 +6626,16 @@ mN·m</translation>
         <comment>name of a field, what is wrong with its text</comment>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>drive mode: speed</source>
+        <comment>the board does now</comment>
+        <translation>Betriebsart: Drehzahl</translation>
+    </message>
+    <message>
+        <source>drive mode: torque</source>
+        <comment>the board does now</comment>
+        <translation>Betriebsart: Drehmoment</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SetpointEdit</name>
@@ -6650,11 +6645,6 @@ mN·m</translation>
         <translation>Die Grenze ist %1 %2.</translation>
     </message>
     <message>
-        <source>Understood: %1 %2</source>
-        <comment>number unit</comment>
-        <translation>Verstanden: %1 %2</translation>
-    </message>
-    <message>
         <source>%1 becomes %2 %3 (steps of %4)</source>
         <comment>typed number, sent number, unit, step</comment>
         <translation>Aus %1 wird %2 %3 (Schritte von %4)</translation>
@@ -6662,6 +6652,11 @@ mN·m</translation>
     <message>
         <source>It cannot be negative.</source>
         <translation>Es kann nicht negativ sein.</translation>
+    </message>
+    <message>
+        <source>= %1 %2</source>
+        <comment>number unit</comment>
+        <translation>= %1 %2</translation>
     </message>
 </context>
 <context>
@@ -7156,10 +7151,6 @@ mN·m</translation>
         <translation>&amp;Skala</translation>
     </message>
     <message>
-        <source>&amp;Begin anew</source>
-        <translation>&amp;Neu beginnen</translation>
-    </message>
-    <message>
         <source>Forgets what was averaged</source>
         <translation>Vergisst, was gemittelt wurde</translation>
     </message>
@@ -7223,6 +7214,10 @@ mN·m</translation>
         <source>The mean of so many spectra, one after the other, of samples that do not overlap</source>
         <translation>Der Mittelwert so vieler Spektren nacheinander, aus Abtastwerten, die sich nicht überlappen</translation>
     </message>
+    <message>
+        <source>&amp;Restart</source>
+        <translation>&amp;Neu starten</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SpectrumPeaks</name>
@@ -7240,9 +7235,9 @@ mN·m</translation>
         <translation>Amplitude</translation>
     </message>
     <message>
-        <source>To largest</source>
+        <source>Relative</source>
         <comment>a peak compared with the largest one, in decibels</comment>
-        <translation>Zur höchsten</translation>
+        <translation>Relativ</translation>
     </message>
 </context>
 <context>
@@ -7261,9 +7256,9 @@ mN·m</translation>
         <translation>Ordnung</translation>
     </message>
     <message>
-        <source>dB over 1 %1</source>
+        <source>dB re 1 %1</source>
         <comment>level above one of the unit</comment>
-        <translation>dB über 1 %1</translation>
+        <translation>dB re 1 %1</translation>
     </message>
 </context>
 <context>
@@ -7611,20 +7606,8 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
         <translation>&amp;Flanken</translation>
     </message>
     <message>
-        <source>Be&amp;fore the trigger</source>
-        <translation>&amp;Vor dem Trigger</translation>
-    </message>
-    <message>
         <source>Hold-&amp;off</source>
         <translation>&amp;Sperrzeit</translation>
-    </message>
-    <message>
-        <source>Length of a &amp;record</source>
-        <translation>&amp;Länge einer Aufnahme</translation>
-    </message>
-    <message>
-        <source>Level to the &amp;50 % of the trace</source>
-        <translation>Pegel auf &amp;50 % der Kurve</translation>
     </message>
     <message>
         <source>Which way: %1</source>
@@ -7645,6 +7628,18 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>The trigger waits for samples, and a file has none to come. A replay of it (Ctrl+Shift+R) has.</source>
         <translation>Der Trigger wartet auf Messwerte, und eine Datei bekommt keine mehr. Bei ihrer Wiedergabe (Strg+Umschalt+R) kommen sie.</translation>
+    </message>
+    <message>
+        <source>Pre-trig&amp;ger</source>
+        <translation>&amp;Vortrigger</translation>
+    </message>
+    <message>
+        <source>&amp;Record length</source>
+        <translation>Aufzeichnungs&amp;länge</translation>
+    </message>
+    <message>
+        <source>Set level to &amp;50 %</source>
+        <translation>Pegel auf &amp;50 % setzen</translation>
     </message>
 </context>
 <context>

@@ -217,7 +217,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>By &amp;itself</source>
+        <source>&amp;Automatic</source>
         <comment>a colour is chosen</comment>
         <translation type="unfinished"></translation>
     </message>
@@ -225,7 +225,7 @@
 <context>
     <name>Confirmation</name>
     <message>
-        <source>Type &quot;%1&quot; to go on:</source>
+        <source>Type &quot;%1&quot; to continue:</source>
         <comment>a word</comment>
         <translation type="unfinished"></translation>
     </message>
@@ -1178,10 +1178,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The disk did not take the file (%1). Make room or choose another folder; nothing was replaced.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 cannot be replaced (%2). Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1360,6 +1356,10 @@
     </message>
     <message>
         <source>no board found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not written (%1). Make room or choose another folder; nothing was replaced.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2126,11 +2126,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stop</source>
-        <comment>state of the trigger</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Armed</source>
         <comment>state of the trigger</comment>
         <translation type="unfinished"></translation>
@@ -2178,6 +2173,11 @@
         <source>The count has to be at least 1.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Hold</source>
+        <comment>state of the trigger</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>WorkspaceFile</name>
@@ -2211,10 +2211,6 @@
         <comment>change</comment>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>%1 (a gain, by more than 2 while the motor runs)</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
@@ -2234,6 +2230,10 @@
         <source>Write</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 (gain changes by more than a factor of 2 while running)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>WriteReport</name>
@@ -2242,20 +2242,6 @@
         <translation>
             <numerusform>and %n more</numerusform>
             <numerusform>and %n more</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n register(s) taken back and read back.</source>
-        <translation>
-            <numerusform>%n register taken back and read back.</numerusform>
-            <numerusform>%n registers taken back and read back.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n register(s) written and read back.</source>
-        <translation>
-            <numerusform>%n register written and read back.</numerusform>
-            <numerusform>%n registers written and read back.</numerusform>
         </translation>
     </message>
     <message>
@@ -2281,6 +2267,20 @@
     <message>
         <source>Write</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) restored and verified.</source>
+        <translation>
+            <numerusform>%n register restored and verified.</numerusform>
+            <numerusform>%n registers restored and verified.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n register(s) written and verified.</source>
+        <translation>
+            <numerusform>%n register written and verified.</numerusform>
+            <numerusform>%n registers written and verified.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2378,21 +2378,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>HF: at the fast rate</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>MF: once for %n fast samples</source>
-        <translation>
-            <numerusform>MF: once for %n fast sample</numerusform>
-            <numerusform>MF: once for %n fast samples</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Polled: read one by one</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Remove %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2485,6 +2470,21 @@
     </message>
     <message>
         <source>&amp;Formula…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HF: every sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>MF: 1 of %n samples</source>
+        <translation>
+            <numerusform>MF: 1 of %n sample</numerusform>
+            <numerusform>MF: 1 of %n samples</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Polled: read in turn</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4119,10 +4119,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Right; its unit is %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>C&amp;hange</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4132,6 +4128,10 @@
     </message>
     <message>
         <source>There is no room for more than %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Valid, unit %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4922,10 +4922,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>at once</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Send</source>
         <comment>a ramp to the board</comment>
         <translation type="unfinished"></translation>
@@ -4936,10 +4932,6 @@
     </message>
     <message>
         <source>&amp;Iq (torque)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Iq at once (&amp;q)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4988,19 +4980,8 @@
         <source>Current reference</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>%n stair(s) of 6 rpm</source>
-        <translation>
-            <numerusform>%n stair of 6 rpm</numerusform>
-            <numerusform>%n stairs of 6 rpm</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Together %1 A: the limit is %2 A.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Understood: Iq %1 A, Id %2 A, together %3 A, at once</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5029,6 +5010,25 @@
     </message>
     <message>
         <source>at most %1 rpm on the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>immediately</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I&amp;q immediately</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) of 6 rpm</source>
+        <translation>
+            <numerusform>%n step of 6 rpm</numerusform>
+            <numerusform>%n steps of 6 rpm</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Iq = %1 A, Id = %2 A, together %3 A, immediately</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5403,10 +5403,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pin, time of the trigger</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Age</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5416,6 +5412,10 @@
     </message>
     <message>
         <source>Label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pinned, trigger time</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5458,7 +5458,7 @@
         </translation>
     </message>
     <message>
-        <source>The board may have been reset: what was written before cannot be taken back.</source>
+        <source>Undo is not available after a reconnect.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5754,10 +5754,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Markers are in no file, and there is no recording that could take them. They can be saved as a list of times and words (CSV).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Clear what was recorded?</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5771,6 +5767,10 @@
     </message>
     <message>
         <source>&amp;Clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The markers are not saved. They can be saved as a list of times and words (CSV).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5998,10 +5998,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✓ No mistake to be seen.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The next start is drawn over the plan.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6083,6 +6079,10 @@
     </message>
     <message>
         <source>Measured: thin lines, mirrored, for it turned backwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ No problems found.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6364,18 +6364,8 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Live</source>
-        <comment>the scope&apos;s picture moves</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>File</source>
         <comment>the scope shows it</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Held</source>
-        <comment>the scope&apos;s picture stands still</comment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6384,6 +6374,11 @@ mN·m</source>
     </message>
     <message>
         <source>Export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <comment>the scope&apos;s picture stands still</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6576,16 +6571,6 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>controls speed</source>
-        <comment>the board does now</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>controls torque</source>
-        <comment>the board does now</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Ends a ramp where it is; the motor goes on turning.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6635,16 +6620,21 @@ mN·m</source>
         <comment>name of a field, what is wrong with its text</comment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>drive mode: speed</source>
+        <comment>the board does now</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drive mode: torque</source>
+        <comment>the board does now</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::SetpointEdit</name>
     <message>
         <source>The limit is %1 %2.</source>
-        <comment>number unit</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Understood: %1 %2</source>
         <comment>number unit</comment>
         <translation type="unfinished"></translation>
     </message>
@@ -6655,6 +6645,11 @@ mN·m</source>
     </message>
     <message>
         <source>It cannot be negative.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>= %1 %2</source>
+        <comment>number unit</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7150,10 +7145,6 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Begin anew</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Forgets what was averaged</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7217,6 +7208,10 @@ mN·m</source>
         <source>Choose a trace.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Restart</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::SpectrumPeaks</name>
@@ -7234,7 +7229,7 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>To largest</source>
+        <source>Relative</source>
         <comment>a peak compared with the largest one, in decibels</comment>
         <translation type="unfinished"></translation>
     </message>
@@ -7255,7 +7250,7 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>dB over 1 %1</source>
+        <source>dB re 1 %1</source>
         <comment>level above one of the unit</comment>
         <translation type="unfinished"></translation>
     </message>
@@ -7604,19 +7599,7 @@ A program on a PC is no replacement for a switch that removes the power.</source
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Be&amp;fore the trigger</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Hold-&amp;off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Length of a &amp;record</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Level to the &amp;50 % of the trace</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7637,6 +7620,18 @@ A program on a PC is no replacement for a switch that removes the power.</source
     </message>
     <message>
         <source>The trigger waits for samples, and a file has none to come. A replay of it (Ctrl+Shift+R) has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pre-trig&amp;ger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Record length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set level to &amp;50 %</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

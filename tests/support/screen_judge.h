@@ -81,8 +81,7 @@ public:
             match.hasMatch() && match.captured(1).toDouble() != step)
             return "\"" + echo.toStdString() + "\", and the board has steps of "
                 + std::to_string(step);
-        static const QRegularExpression said(
-            QStringLiteral("(?:Understood: |becomes )(-?[0-9.]+).rpm"));
+        static const QRegularExpression said(QStringLiteral("(?:= |becomes )(-?[0-9.]+).rpm"));
         const auto match = said.match(echo);
         if (!match.hasMatch() || std::abs(match.captured(1).toDouble() - rpm) < 1.0)
             return {};

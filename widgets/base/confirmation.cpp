@@ -48,7 +48,7 @@ private:
 QLineEdit *addTypedLine(QMessageBox *box, QPushButton *yes, const QString &word)
 {
     auto *label =
-        new QLabel(ConfirmationText::tr("Type \"%1\" to go on:", "a word").arg(word), box);
+        new QLabel(ConfirmationText::tr("Type \"%1\" to continue:", "a word").arg(word), box);
     label->setTextFormat(Qt::PlainText);
     auto *edit = new QLineEdit(box);
     edit->setObjectName(QStringLiteral("confirmationTyped"));

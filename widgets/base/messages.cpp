@@ -343,7 +343,7 @@ QString exportFileErrorText(const session::FileResult &result, const QString &pa
     case FileError::CannotOpen:
         return Messages::tr("%1 cannot be written (%2). Choose another folder.").arg(name, detail);
     case FileError::CannotWrite:
-        return Messages::tr("The disk did not take the file (%1). Make room or choose another "
+        return Messages::tr("Not written (%1). Make room or choose another "
                             "folder; nothing was replaced.")
             .arg(detail);
     case FileError::CannotReplace:

@@ -211,9 +211,9 @@ QString SetpointBox::controlText() const
         return {};
     switch (drive::controlModeOf(static_cast<std::int64_t>(*value))) {
     case drive::ControlMode::Speed:
-        return tr("controls speed", "the board does now");
+        return tr("drive mode: speed", "the board does now");
     case drive::ControlMode::Torque:
-        return tr("controls torque", "the board does now");
+        return tr("drive mode: torque", "the board does now");
     case drive::ControlMode::Other:
         break;
     }

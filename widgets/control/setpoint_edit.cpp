@@ -86,7 +86,7 @@ QString SetpointEdit::echo() const
             .arg(numberText(m_limit, decimalsFor(m_step)), m_unit);
     const QString sent = numberText(*sentValue(), decimalsFor(m_step));
     if (*sentValue() == *read)
-        return tr("Understood: %1 %2", "number unit").arg(sent, m_unit);
+        return tr("= %1 %2", "number unit").arg(sent, m_unit);
     const QString typed = plainNumberText(*read, kTypedDigits);
     return tr("%1 becomes %2 %3 (steps of %4)", "typed number, sent number, unit, step")
         .arg(typed, sent, m_unit, numberText(m_step, decimalsFor(m_step)));

@@ -127,7 +127,7 @@ QVariant RecordTable::headerData(int section, Qt::Orientation orientation, int r
         return {};
     switch (section) {
     case TimeColumn:
-        return tr("Pin, time of the trigger");
+        return tr("Pinned, trigger time");
     case AgeColumn:
         return tr("Age");
     case CauseColumn:

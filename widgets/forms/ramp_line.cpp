@@ -38,7 +38,7 @@ QString signedRate(double rate, const QString &unit)
 {
     return std::isfinite(rate)
         ? plainNumberText(rate, 4) + QChar(0x202f) + RampLine::tr("%1/s", "unit").arg(unit)
-        : RampLine::tr("at once");
+        : RampLine::tr("immediately");
 }
 
 } // namespace
@@ -58,7 +58,7 @@ RampLine::RampLine(RampKind kind, const Device &device, const RegisterModel &reg
     const char *const names[] = {"rampSpeed", "rampTorque", "rampCurrent", "rampPosition"};
     const QString name = QLatin1String(names[static_cast<std::size_t>(kind)]);
     const QString labels[] = {
-        tr("S&peed"), tr("&Iq (torque)"), tr("Iq at once (&q)"), tr("Shaft (&x)")};
+        tr("S&peed"), tr("&Iq (torque)"), tr("I&q immediately"), tr("Shaft (&x)")};
     const QString label = labels[static_cast<std::size_t>(kind)];
     const QString units[] = {
         rpmUnit(), QStringLiteral("A"), QStringLiteral("A"), QStringLiteral("\u00b0")};
@@ -256,7 +256,7 @@ QString RampLine::speedNote() const
             std::abs(to - motor::quantisedSpeed_rpm(*from)) / motor::kSpeedStep_rpm;
         parts.append(signedRate(motor::rampAcceleration_rpmps(*from, to, seconds), rpmUnit()));
         if (seconds > 0.0 && stairs >= 1.0)
-            parts.append(tr("%n stair(s) of 6 rpm", nullptr, static_cast<int>(stairs)));
+            parts.append(tr("%n step(s) of 6 rpm", nullptr, static_cast<int>(stairs)));
     }
     return parts.join(QStringLiteral("; "));
 }
@@ -282,7 +282,7 @@ QString RampLine::currentNote() const
     const QString amps = numberText(std::hypot(iq, id), decimals);
     if (bound > 0.0 && std::hypot(iq, id) > bound)
         return tr("Together %1 A: the limit is %2 A.").arg(amps, numberText(bound, decimals));
-    return tr("Understood: Iq %1 A, Id %2 A, together %3 A, at once")
+    return tr("Iq = %1 A, Id = %2 A, together %3 A, immediately")
         .arg(numberText(iq, decimals), numberText(id, decimals), amps);
 }
 

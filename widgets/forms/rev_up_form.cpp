@@ -431,7 +431,7 @@ void RevUpForm::showFindings()
         stages.push_back(static_cast<int>(finding.stage));
     }
     if (texts.isEmpty() && m_model->used() > 0) {
-        texts.append(tr("\u2713 No mistake to be seen."));
+        texts.append(tr("\u2713 No problems found."));
         stages.push_back(-1);
     }
     // A list that is read must not be taken away under the reader.

@@ -225,7 +225,7 @@ void MathPanel::check()
     else if (result.unit.isEmpty())
         says = tr("Right; its unit does not follow, or it is a plain number.");
     else
-        says = tr("Right; its unit is %1.").arg(result.unit);
+        says = tr("Valid, unit %1").arg(result.unit);
     const bool fine = result.fine() && named && !full;
     const bool empty = m_formula->text().trimmed().isEmpty();
     // A sign as well as words, so that nobody has to read to see it.

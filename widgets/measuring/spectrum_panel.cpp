@@ -145,7 +145,7 @@ QWidget *SpectrumPanel::makeSide()
 {
     auto *side = new QWidget(this);
     side->setFixedWidth(kSideWidth);
-    auto *again = new QPushButton(tr("&Begin anew"), side);
+    auto *again = new QPushButton(tr("&Restart"), side);
     again->setObjectName(QStringLiteral("spectrumAgain"));
     again->setToolTip(tr("Forgets what was averaged"));
     auto *copyIt = new QPushButton(tr("C&opy"), side);

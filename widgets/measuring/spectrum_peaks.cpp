@@ -87,7 +87,7 @@ QVariant SpectrumPeaks::headerData(int section, Qt::Orientation orientation, int
     case AmplitudeColumn:
         return tr("Amplitude");
     case RelativeColumn:
-        return tr("To largest", "a peak compared with the largest one, in decibels");
+        return tr("Relative", "a peak compared with the largest one, in decibels");
     default:
         return {};
     }

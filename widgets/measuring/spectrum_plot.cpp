@@ -179,7 +179,7 @@ void SpectrumPlot::showSpectrum(Picture picture)
             ? tr("Order", "a multiple of the electrical frequency")
             : QStringLiteral("Hz"));
     m_plot->yAxis->setLabel(m_picture.decibels
-            ? tr("dB over 1 %1", "level above one of the unit").arg(unit)
+            ? tr("dB re 1 %1", "level above one of the unit").arg(unit)
             : m_picture.unit);
     draw();
 }

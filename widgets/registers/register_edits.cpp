@@ -372,8 +372,7 @@ void RegisterEdits::forget()
     if (m_steps.count() == 0)
         return;
     m_steps.clear();
-    Q_EMIT told(
-        tr("The board may have been reset: what was written before cannot be taken back."), false);
+    Q_EMIT told(tr("Undo is not available after a reconnect."), false);
 }
 
 } // namespace widgets

@@ -25,7 +25,7 @@ QString lineText(const WriteLine &line)
                                                .arg(QString::number(line.motor), change)
                                          : WriteQuestion::tr("Board, %1", "change").arg(change);
     return line.caution == catalog::Caution::GainJump
-        ? WriteQuestion::tr("%1 (a gain, by more than 2 while the motor runs)").arg(where)
+        ? WriteQuestion::tr("%1 (gain changes by more than a factor of 2 while running)").arg(where)
         : where;
 }
 

@@ -37,8 +37,8 @@ QString sentenceOf(const WriteReport &report, WriteSense sense)
     const int written = static_cast<int>(report.written.size());
     if (written > 0)
         sentences.append(sense == WriteSense::Back
-                ? WriteReportText::tr("%n register(s) taken back and read back.", nullptr, written)
-                : WriteReportText::tr("%n register(s) written and read back.", nullptr, written));
+                ? WriteReportText::tr("%n register(s) restored and verified.", nullptr, written)
+                : WriteReportText::tr("%n register(s) written and verified.", nullptr, written));
     if (!report.different.isEmpty())
         sentences.append(
             WriteReportText::tr("The board made another value of: %1.", "list of registers")

@@ -52,7 +52,7 @@ void fillColorMenu(QMenu &menu, std::optional<int> chosen, bool dark,
         entry->setIconVisibleInMenu(true);
     }
     menu.addSeparator();
-    add(Colors::tr("By &itself", "a colour is chosen"), std::nullopt);
+    add(Colors::tr("&Automatic", "a colour is chosen"), std::nullopt);
 }
 
 } // namespace widgets

@@ -97,7 +97,7 @@ QString Replacing::markersText() const
     case MarkerFile::Place::List:
         break;
     }
-    return tr("Markers are in no file, and there is no recording that could take them. They can be "
+    return tr("The markers are not saved. They can be "
               "saved as a list of times and words (CSV).");
 }
 

@@ -134,7 +134,7 @@ QString ScopePage::sourceText() const
     const Device &device = m_parts.workbench.device();
     if (device.answering())
         return replaying(device) ? tr("Replay", "the scope shows it")
-                                 : tr("Live", "the scope's picture moves");
+                                 : tr("Run", "the scope's picture moves");
     return m_parts.workbench.signalPlan().showsFile() ? tr("File", "the scope shows it")
                                                       : tr("Run", "the scope's picture moves");
 }
@@ -143,7 +143,7 @@ void ScopePage::showSource()
 {
     const bool running = m_parts.scope.running();
     m_run->setChecked(running);
-    m_run->setText(!running ? tr("Held", "the scope's picture stands still") : sourceText());
+    m_run->setText(!running ? tr("Hold", "the scope's picture stands still") : sourceText());
     m_run->setIcon(runIcon(running, m_parts.workbench.device().answering(), palette()));
 }
 

@@ -136,7 +136,7 @@ Result<RecordingReport, QString> readRecording(const QString &path,
     drain();
     if (!decoder.isRecording())
         return fail(
-            QStringLiteral("it is no recording of Rotorscope: no sound block in its %1 bytes")
+            QStringLiteral("it is no recording of Rotorscope: no valid block in its %1 bytes")
                 .arg(file.size()));
     keeper.finish();
     report.blocks = decoder.blocks();

@@ -64,7 +64,7 @@ private Q_SLOTS:
         QTRY_COMPARE(scope().channels().size(), 4);
         QTRY_VERIFY(strip->isVisible());
         QVERIFY(m_rig->find<QWidget>("fastRate")->isVisible());
-        QCOMPARE(run->text(), QStringLiteral("Live"));
+        QCOMPARE(run->text(), QStringLiteral("Run"));
     }
 
     void aMarkerIsInTheFileAfterwards()

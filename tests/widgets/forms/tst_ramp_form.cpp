@@ -147,7 +147,7 @@ private Q_SLOTS:
         const QString note = bench.label("rampSpeedNote");
         QVERIFY2(note.contains(QStringLiteral("3001 becomes 3000")), qPrintable(note));
         QVERIFY2(note.contains(QStringLiteral("3000\u202frpm/s")), qPrintable(note));
-        QVERIFY2(note.contains(QStringLiteral("250 stair")), qPrintable(note));
+        QVERIFY2(note.contains(QStringLiteral("250 step")), qPrintable(note));
         QVERIFY(bench.sent.empty());
     }
 

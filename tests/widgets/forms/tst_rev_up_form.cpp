@@ -257,14 +257,14 @@ private Q_SLOTS:
     {
         RevUpBench rig;
         QVERIFY(rig.show());
-        QVERIFY(findingsOf(rig).contains(QStringLiteral("No mistake")));
+        QVERIFY(findingsOf(rig).contains(QStringLiteral("No problems")));
         const auto *facts = rig.form.findChild<QLabel *>(QStringLiteral("revUpFacts"));
         QVERIFY(facts->text().contains(QStringLiteral("type the inertia")));
         QVERIFY(facts->text().contains(QStringLiteral("39.0\u202fmN\u00b7m per A")));
         typeInto(rig, "revUpInertia", "500");
         typeInto(rig, "revUpFriction", "25");
         QVERIFY(!facts->text().contains(QStringLiteral("type the inertia")));
-        QVERIFY(findingsOf(rig).contains(QStringLiteral("No mistake")));
+        QVERIFY(findingsOf(rig).contains(QStringLiteral("No problems")));
 
         const auto wrong = [&](const RevUp &stages, int row, int column) {
             if (!rig.setAll(stages))

@@ -57,7 +57,7 @@ private Q_SLOTS:
         QVERIFY(bench.held("SPEED_KP") == whole(1234));
         QVERIFY(bench.held("SPEED_KI") == whole(32));
         QVERIFY(stateOf(bench, "SPEED_KP") == State::Verified);
-        QCOMPARE(bench.told.last(), QStringLiteral("2 register(s) written and read back."));
+        QCOMPARE(bench.told.last(), QStringLiteral("2 register(s) written and verified."));
         bench.model.refresh(bench.ms());
         bench.model.refresh(bench.ms() + 1499ms);
         QVERIFY(stateOf(bench, "SPEED_KP") == State::Verified);

@@ -126,7 +126,7 @@ void TestTriggerBar::sTakesOneRecordAndStops()
     QCOMPARE(control().trigger().history().records().size(), before + 1);
     QVERIFY(!view().running());
     QVERIFY(control().trigger().state() == AcquisitionState::Stop);
-    QVERIFY(stateWord().contains(QStringLiteral("Stop")));
+    QVERIFY(stateWord().contains(QStringLiteral("Hold")));
     QTest::keyClick(&view(), Qt::Key_S); // the next one
     QVERIFY(view().running());
     square(1000);

@@ -309,7 +309,7 @@ private Q_SLOTS:
         QVERIFY(!text("sizes").isEmpty());
         QVERIFY(!text("statusWatchdog").isEmpty());
         QVERIFY(!text("statusLost").isEmpty());
-        QCOMPARE(m_rig->find<QAction>("scopeRun")->text(), QStringLiteral("Live"));
+        QCOMPARE(m_rig->find<QAction>("scopeRun")->text(), QStringLiteral("Run"));
         device().portChanged(session::PortState::Closed, {});
         for (const char *name :
             {"sizes", "statusMotor", "statusFaults", "statusLost", "statusBad", "statusWatchdog"})

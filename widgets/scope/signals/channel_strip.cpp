@@ -238,9 +238,9 @@ QWidget *ChannelStrip::makeChip(const PlannedSignal &planned)
         m_polledTags[id] = tag;
     auto *menu = new QMenu(tag);
     const std::pair<Route, QString> routes[] = {
-        {Route::Fast, tr("HF: at the fast rate")},
-        {Route::Slow, tr("MF: once for %n fast samples", nullptr, static_cast<int>(kSlowEvery))},
-        {Route::Polled, tr("Polled: read one by one")},
+        {Route::Fast, tr("HF: every sample")},
+        {Route::Slow, tr("MF: 1 of %n samples", nullptr, static_cast<int>(kSlowEvery))},
+        {Route::Polled, tr("Polled: read in turn")},
     };
     for (const auto &[route, text] : routes) {
         QAction *action = menu->addAction(text);

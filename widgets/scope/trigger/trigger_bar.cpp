@@ -187,12 +187,12 @@ QWidget *TriggerBar::makeDetails()
     m_preTrigger->setFixedWidth(kDetailWidth);
     m_preTrigger->setPlain(QStringLiteral("%"), 0.1);
     m_preTrigger->setBounds(0.0, 100.0);
-    m_form->addRow(tr("Be&fore the trigger"), m_preTrigger);
+    m_form->addRow(tr("Pre-trig&ger"), m_preTrigger);
     m_holdOff =
         number("triggerHoldOff", tr("Hold-&off"), true, 0.0, kLongestTime, &TriggerSetup::holdOff);
-    m_length = number("triggerLength", tr("Length of a &record"), true, kShortestRecord,
-        kLongestTime, &TriggerSetup::length);
-    m_middle = new QPushButton(tr("Level to the &50 % of the trace"), details);
+    m_length = number("triggerLength", tr("&Record length"), true, kShortestRecord, kLongestTime,
+        &TriggerSetup::length);
+    m_middle = new QPushButton(tr("Set level to &50 %"), details);
     m_middle->setObjectName(QStringLiteral("triggerMiddle"));
     m_form->addRow(m_middle);
     m_problem = new QLabel(details);

@@ -133,7 +133,7 @@ QString stateText(scope::AcquisitionState state)
 {
     switch (state) {
     case scope::AcquisitionState::Stop:
-        return Trigger::tr("Stop", "state of the trigger");
+        return Trigger::tr("Hold", "state of the trigger");
     case scope::AcquisitionState::Armed:
         return Trigger::tr("Armed", "state of the trigger");
     case scope::AcquisitionState::Triggered:
