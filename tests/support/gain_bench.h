@@ -20,8 +20,8 @@ struct GainBench : EditBench {
     /// Everything that is streamed.
     std::function<void(const capture::StreamLayout *, const capture::SampleBlock *)> heard;
 
-    explicit GainBench(const simulation::BoardOptions &options = {},
-        const widgets::GainsForm::Inertias &inertias = {})
+    explicit GainBench(
+        const simulation::BoardOptions &options = {}, const widgets::Inertias &inertias = {})
         : EditBench(options)
         , form(device, model, edits, panel.actions().apply, panel.actions().revert, inertias)
     {

@@ -102,6 +102,14 @@ void GainsForm::boardChanged()
     Q_EMIT watchedRegistersChanged();
 }
 
+void GainsForm::setInertias(const Inertias &inertias)
+{
+    if (inertias == m_inertias)
+        return;
+    m_inertias = inertias;
+    takeFacts();
+}
+
 void GainsForm::takeFacts()
 {
     drive::MotorFacts facts;

@@ -4,9 +4,8 @@
 
 #include "drive/motor_view.h"
 #include "widgets/base/form.h"
+#include "widgets/forms/inertias.h"
 #include "widgets/registers/register_edits.h"
-
-#include <QMap>
 
 class QAction;
 class QLabel;
@@ -21,9 +20,6 @@ class GainTable;
 class GainsForm : public Form {
     Q_OBJECT
 public:
-    /// By the name that the board gives its motor, in kg m2.
-    using Inertias = QMap<QString, double>;
-
     /// All outlive the form. @param apply, revert  the window's actions
     GainsForm(Device &device, RegisterModel &model, RegisterEdits &edits, QAction *apply,
         QAction *revert, const Inertias &inertias, QWidget *parent = nullptr);
@@ -32,6 +28,8 @@ public:
     void refresh(Milliseconds now) override;
     QWidget *footer() const override;
     void focusFirst() override;
+    /// What is known of motors by now; what is typed here stays.
+    void setInertias(const Inertias &inertias);
 
 Q_SIGNALS:
     void inertiaRemembered(const QString &motor, double inertia_kgm2);

@@ -209,6 +209,7 @@ QWidget *RevUpForm::makeRight()
     m_inertia = makeNumber("revUpInertia", gcm2, &m_inertiaTyped_gcm2);
     m_inertia->setToolTip(plainToolTip(
         tr("Of rotor and load together. Only for the judgement here; it is not sent anywhere.")));
+    connect(m_inertia, &QLineEdit::editingFinished, this, &RevUpForm::rememberInertia);
     m_friction = makeNumber("revUpFriction", QStringLiteral("mN\u00b7m"), &m_frictionTyped_mnm);
     m_friction->setToolTip(plainToolTip(tr("Torque that holds the motor back. Only for the "
                                            "judgement here; it is not sent anywhere.")));
@@ -306,12 +307,29 @@ void RevUpForm::connectParts()
 
 // What is known of the motor ------------------------------------------------------------------------------------------
 
+void RevUpForm::setInertias(const Inertias &inertias)
+{
+    if (inertias == m_inertias)
+        return;
+    m_inertias = inertias;
+    takeFacts();
+}
+
+void RevUpForm::rememberInertia()
+{
+    if (m_inertiaTyped_gcm2 <= 0.0 || m_motorName.isEmpty())
+        return;
+    m_inertias[m_motorName] = m_inertiaTyped_gcm2 * kKgm2PerGcm2;
+    Q_EMIT inertiaRemembered(m_motorName, m_inertias[m_motorName]);
+}
+
 void RevUpForm::takeFacts()
 {
     RevUpFacts facts;
     const auto catalog = m_registers.catalog();
     m_motorRegisters.clear();
     m_inertiaFound_kgm2 = 0.0;
+    m_motorName.clear();
     if (catalog) {
         m_motorRegisters = drive::motorRegisters(*catalog, m_device.motor());
         const drive::MotorFacts motor = drive::motorFacts(*catalog, m_device.motor(),
@@ -333,7 +351,9 @@ void RevUpForm::takeFacts()
         if (motor.motor.flux_wb > 0.0 && motor.motor.polePairs > 0.0)
             facts.limits.load.kt_nmpa =
                 motor::ktOfFlux_nmpa(motor.motor.flux_wb, motor.motor.polePairs);
-        m_inertiaFound_kgm2 = motor.inertia_kgm2;
+        m_motorName = deviceText(motor.name);
+        m_inertiaFound_kgm2 =
+            motor.inertia_kgm2 > 0.0 ? motor.inertia_kgm2 : m_inertias.value(m_motorName);
     }
     facts.limits.load.inertia_kgm2 =
         m_inertiaTyped_gcm2 > 0.0 ? m_inertiaTyped_gcm2 * kKgm2PerGcm2 : m_inertiaFound_kgm2;

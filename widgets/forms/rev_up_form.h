@@ -4,6 +4,7 @@
 #pragma once
 
 #include "widgets/base/form.h"
+#include "widgets/forms/inertias.h"
 #include "widgets/forms/rev_up_model.h"
 #include "widgets/registers/register_edits.h"
 
@@ -47,6 +48,11 @@ public:
     void refresh(Milliseconds now) override;
     QWidget *footer() const override;
     void focusFirst() override;
+    /// What is known of motors by now; what is typed here goes before it.
+    void setInertias(const Inertias &inertias);
+
+Q_SIGNALS:
+    void inertiaRemembered(const QString &motor, double inertia_kgm2);
 
 private:
     QWidget *makeLeft();
@@ -56,6 +62,7 @@ private:
     QPushButton *makeButton(const QString &text, const char *name, const QString &toolTip);
     EntryEdit *makeNumber(const char *name, const QString &unit, double *value);
     void connectParts();
+    void rememberInertia();
     void takeFacts();
     void showFacts();
     void showFindings();
@@ -83,7 +90,9 @@ private:
     QPushButton *m_add = nullptr, *m_remove = nullptr, *m_up = nullptr, *m_down = nullptr,
                 *m_usual = nullptr, *m_open = nullptr, *m_save = nullptr;
     double m_inertiaTyped_gcm2 = 0.0, m_frictionTyped_mnm = 0.0; ///< 0: not typed
-    double m_inertiaFound_kgm2 = 0.0; ///< by a profiler
+    double m_inertiaFound_kgm2 = 0.0; ///< by a profiler, or typed elsewhere
+    Inertias m_inertias;
+    QString m_motorName; ///< made fit to be shown
     std::vector<catalog::RegisterId> m_motorRegisters;
     QString m_folder;
 };

@@ -211,19 +211,29 @@ void Tools::addSnapshots()
         [this](const QString &sentence) { Q_EMIT said(Banner::Kind::Note, sentence); });
 }
 
+void Tools::rememberInertia(const QString &motor, double inertia_kgm2)
+{
+    m_settings.inertias[motor] = inertia_kgm2;
+    Q_EMIT inertiasChanged(m_settings.inertias);
+}
+
 void Tools::addForms()
 {
     Workbench &workbench = m_parts.workbench;
     m_docks.add(tr("Gains"), "gainsDock", Qt::CTRL | Qt::Key_1, [this, &workbench] {
         auto *gains = new GainsForm(m_device, workbench.registers(), workbench.edits(),
             m_parts.edits.apply, m_parts.edits.revert, m_settings.inertias);
-        connect(gains, &GainsForm::inertiaRemembered, this,
-            [this](const QString &motor, double inertia) { m_settings.inertias[motor] = inertia; });
+        connect(this, &Tools::inertiasChanged, gains, &GainsForm::setInertias);
+        connect(gains, &GainsForm::inertiaRemembered, this, &Tools::rememberInertia);
         return gains;
     });
     m_docks.add(tr("Rev-up"), "revUpDock", Qt::CTRL | Qt::Key_2, [this, &workbench] {
-        return new RevUpForm({m_device, workbench.registers(), workbench.edits(),
+        auto *revUp = new RevUpForm({m_device, workbench.registers(), workbench.edits(),
             workbench.capture(), m_parts.files, m_parts.edits.apply, m_parts.edits.revert});
+        revUp->setInertias(m_settings.inertias);
+        connect(this, &Tools::inertiasChanged, revUp, &RevUpForm::setInertias);
+        connect(revUp, &RevUpForm::inertiaRemembered, this, &Tools::rememberInertia);
+        return revUp;
     });
     m_docks.add(tr("Ramps"), "rampDock", Qt::CTRL | Qt::Key_3, [this, &workbench] {
         m_ramps = new RampForm(m_device, workbench.registers(), workbench.motion());

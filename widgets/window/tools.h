@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/base/banner.h"
+#include "widgets/forms/inertias.h"
 #include "widgets/registers/register_panel.h"
 #include "widgets/window/settings.h"
 #include "widgets/window/tool_docks.h"
@@ -49,11 +50,13 @@ public:
 
 Q_SIGNALS:
     void said(widgets::Banner::Kind kind, const QString &sentence);
+    void inertiasChanged(const widgets::Inertias &inertias);
 
 private:
     void addScopeTools();
     void addSnapshots();
     void addForms();
+    void rememberInertia(const QString &motor, double inertia_kgm2);
     void showComputed(QAction *openMath);
     void fillTraceMenu(QMenu &menu, quint32 channel);
     void measure(quint32 channel, const QList<scope::Quantity> &quantities);

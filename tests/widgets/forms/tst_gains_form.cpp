@@ -395,6 +395,8 @@ private Q_SLOTS:
         QCOMPARE(again.field("labInertia")->text(), QStringLiteral("500"));
         GainBench other({}, {{QStringLiteral("Another motor"), remembered}});
         QVERIFY(other.field("labInertia")->isEmpty());
+        other.form.setInertias({{name, 2.0 * remembered}}); // typed in another form
+        QCOMPARE(other.field("labInertia")->text(), QStringLiteral("1000"));
     }
 
     // The regulators' page.

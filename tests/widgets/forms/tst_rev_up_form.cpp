@@ -4,6 +4,7 @@
 
 #include <QListWidget>
 #include <QSet>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 
 #include <cmath>
@@ -378,6 +379,28 @@ private Q_SLOTS:
         QCOMPARE(rig.failures.size(), 7);
     }
 
+    /// One that was typed in the lab of gains is known here, and the other way round.
+    void theInertiaOfAMotorIsTypedOnce()
+    {
+        RevUpBench rig;
+        QVERIFY(rig.show());
+        const auto inertia = [&] { return rig.model.facts().limits.load.inertia_kgm2; };
+        QSignalSpy spy(&rig.form, &widgets::RevUpForm::inertiaRemembered);
+        typeInto(rig, "revUpInertia", "512,5");
+        auto *edit = rig.form.findChild<QLineEdit *>(QStringLiteral("revUpInertia"));
+        QTest::keyClick(edit, Qt::Key_Return);
+        QVERIFY(!spy.isEmpty());
+        const QString motor = spy.last().at(0).toString();
+        QVERIFY(!motor.isEmpty());
+        QVERIFY(std::abs(spy.last().at(1).toDouble() - 512.5e-7) < 1e-12);
+        edit->clear();
+        rig.form.setInertias({{motor, 400e-7}});
+        QCOMPARE(edit->placeholderText(), QStringLiteral("400.0"));
+        QVERIFY(std::abs(inertia() - 400e-7) < 1e-12);
+        rig.form.setInertias({{QStringLiteral("Another motor"), 400e-7}});
+        QCOMPARE(inertia(), 0.0);
+        QCOMPARE(edit->placeholderText(), QStringLiteral("not known"));
+    }
     void theInertiaFieldIsStrict()
     {
         RevUpBench rig;
