@@ -20,6 +20,7 @@ public:
         Device &device, FilePrompt &files, std::function<SnapshotPanel &()> panel, QWidget &window);
 
     QList<QAction *> actions() const { return {m_save, m_header}; }
+    QAction *save() const { return m_save; }
 
 Q_SIGNALS:
     void saved(const QString &sentence);

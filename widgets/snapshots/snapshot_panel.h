@@ -9,6 +9,7 @@
 #include "widgets/snapshots/snapshot_auto.h"
 #include "widgets/snapshots/snapshot_model.h"
 
+class QAction;
 class QCheckBox;
 class QComboBox;
 class QLabel;
@@ -37,6 +38,7 @@ public:
         QWidget *parent = nullptr);
 
     void setFolder(const QString &folder) { m_folder = folder; } ///< where files are looked for
+    void offerSave(QAction *save); ///< by a button, once; it outlives this
     QString folder() const { return m_folder; }
 
     /// Lists them among what can be compared, in place of those of another recording.

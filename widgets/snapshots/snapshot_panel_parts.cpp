@@ -3,6 +3,7 @@
 #include "widgets/base/wheel_guard.h"
 #include "widgets/snapshots/snapshot_panel.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
@@ -90,6 +91,21 @@ QWidget *SnapshotPanel::makeSides()
     layout->addSpacing(8);
     layout->addWidget(m_read);
     return row;
+}
+
+void SnapshotPanel::offerSave(QAction *save)
+{
+    auto *button = new QPushButton(tr("&Save\u2026"), m_read->parentWidget());
+    button->setObjectName(QStringLiteral("snapshotSave"));
+    button->setAccessibleName(tr("Save a snapshot"));
+    const auto follow = [button, save] {
+        button->setEnabled(save->isEnabled());
+        button->setToolTip(save->toolTip());
+    };
+    connect(button, &QPushButton::clicked, save, &QAction::trigger);
+    connect(save, &QAction::changed, button, follow);
+    follow();
+    m_read->parentWidget()->layout()->addWidget(button);
 }
 
 QWidget *SnapshotPanel::makeFilters()

@@ -41,7 +41,10 @@ void MainWindow::makeMenus(QMenuBar &bar)
     fillDeviceMenu(bar.addMenu(tr("&Device")));
     fillMotorMenu(bar.addMenu(tr("&Motor")));
     fillScopeMenu(bar.addMenu(tr("&Scope")));
-    bar.addMenu(tr("&Tools"))->addActions(m_tools->docks().actions());
+    QMenu *tools = bar.addMenu(tr("&Tools"));
+    tools->addActions(m_tools->docks().actions());
+    tools->addSeparator();
+    tools->addAction(m_tools->docks().closing());
     QMainWindow::addActions(m_tools->docks().actions());
 
     QMenu *help = bar.addMenu(tr("&Help"));

@@ -3,6 +3,7 @@
 #include "widgets/control/motor_button.h"
 #include "widgets/window/workbench.h"
 
+#include <QAction>
 #include <QDockWidget>
 #include <QHBoxLayout>
 #include <QMainWindow>
@@ -17,7 +18,12 @@ namespace widgets {
 ToolDocks::ToolDocks(QMainWindow &window, Workbench &workbench)
     : m_window(window)
     , m_workbench(workbench)
+    , m_close(new QAction(tr("&Close all tools"), this))
 {
+    m_close->setObjectName(QStringLiteral("closeTools"));
+    m_close->setEnabled(false);
+    connect(m_close, &QAction::triggered, this, &ToolDocks::closeAll);
+    connect(this, &ToolDocks::opened, m_close, &QAction::setEnabled);
 }
 
 QAction *ToolDocks::add(const QString &title, const char *name, const QKeySequence &keys,
@@ -57,6 +63,12 @@ void ToolDocks::open(std::size_t index)
         m_window.resizeDocks(
             {tool.dock}, {int(m_window.height() * form->heightShare())}, Qt::Vertical);
     tool.form->focusFirst();
+}
+
+void ToolDocks::closeAll()
+{
+    for (const Tool &tool : m_tools)
+        tool.dock->close();
 }
 
 Form *ToolDocks::formOf(Tool &tool)

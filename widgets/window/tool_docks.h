@@ -30,6 +30,7 @@ public:
     QAction *add(const QString &title, const char *name, const QKeySequence &keys,
         std::function<Form *()> makeForm);
     QList<QAction *> actions() const { return m_actions; }
+    QAction *closing() const { return m_close; } ///< closes all that are open
     bool anyOpen() const;
     /// Closes all others. In this order side by side, or as tabs where the window is too narrow for that.
     void showOnly(const QStringList &names);
@@ -52,11 +53,13 @@ private:
     Form *formOf(Tool &tool);
     void fill(Tool &tool);
     void open(std::size_t index);
+    void closeAll();
 
     QMainWindow &m_window;
     Workbench &m_workbench;
     std::vector<Tool> m_tools;
     QList<QAction *> m_actions;
+    QAction *m_close;
 };
 
 } // namespace widgets

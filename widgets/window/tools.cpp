@@ -195,6 +195,7 @@ void Tools::addSnapshots()
             m_device, m_parts.workbench.edits(), m_parts.workbench.snapshots(), m_parts.files);
         m_snapshots->setFolder(m_settings.snapshotFolder);
         m_snapshots->offerRecorded(m_parts.opening.snapshots());
+        m_snapshots->offerSave(m_snapshotActions->save());
         return m_snapshots;
     });
     connect(&m_parts.opening, &Opening::snapshotsChanged, this, [this] {

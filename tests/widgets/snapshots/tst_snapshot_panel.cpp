@@ -128,6 +128,20 @@ class TestSnapshotPanel : public QObject {
 private Q_SLOTS:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
+    void aSnapshotIsSavedFromThePageItself()
+    {
+        Bench bench;
+        QAction save(QStringLiteral("Save"));
+        save.setEnabled(false);
+        bench.compared.offerSave(&save);
+        auto *button = bench.find<QPushButton>("snapshotSave");
+        QVERIFY(button != nullptr && button->isVisible() && !button->isEnabled());
+        save.setEnabled(true);
+        const QSignalSpy spy(&save, &QAction::triggered);
+        QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(spy.size(), 1);
+    }
+
     void twentyChangedRegistersAreFoundAndRestored()
     {
         Bench bench;
