@@ -73,9 +73,9 @@ QString linkReasonText(drive::LinkReason reason)
                             "Auto, and connect again.");
     case LinkReason::AskingNewer:
         return Messages::tr("Asking whether the board speaks the protocol of newer firmware; if "
-                            "nobody answers, that of older firmware is next.");
+                            "no answer comes, that of older firmware is next.");
     case LinkReason::AskingOlder:
-        return Messages::tr("Nobody answers in the protocol of newer firmware: asking in that of "
+        return Messages::tr("No answer in the protocol of newer firmware: asking in that of "
                             "older firmware.");
     case LinkReason::OtherProtocol:
         return Messages::tr("The board speaks the protocol of newer firmware. Choose that one, or "

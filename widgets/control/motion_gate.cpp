@@ -370,7 +370,7 @@ QStringList MotionGate::linesOf(const drive::WishContent &act, const drive::Moti
                          number(torque->amps, kAmpDecimals, amps),
                          QString::number(torque->duration.count()));
     else if (const auto *current = std::get_if<drive::CurrentReference>(&act))
-        change = tr("Iq %1 \u2192 %2, Id %3 \u2192 %4, at once", "old, new, old, new")
+        change = tr("Iq %1 \u2192 %2, Id %3 \u2192 %4, immediately", "old, new, old, new")
                      .arg(number(scene.iqReferenceAmps, kAmpDecimals, amps),
                          number(current->iqAmps, kAmpDecimals, amps),
                          number(scene.idReferenceAmps, kAmpDecimals, amps),

@@ -182,7 +182,7 @@ void GainsForm::followPlan()
     for (const drive::RegisterWrite &made : std::exchange(m_previewed, {}))
         if (const auto held = m_model.known(made.id))
             m_model.setPending(made.id, *held);
-    m_lab->tell(tr("The form has changed: the edits of its preview were taken back."));
+    m_lab->tell(tr("The form has changed: the edits of its preview were dropped."));
 }
 
 void GainsForm::editsChanged()

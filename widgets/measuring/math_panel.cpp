@@ -223,7 +223,7 @@ void MathPanel::check()
     else if (full)
         says = tr("There is no room for more than %1.").arg(kMostMathFormulas);
     else if (result.unit.isEmpty())
-        says = tr("Right; its unit does not follow, or it is a plain number.");
+        says = tr("Valid, unit not known or a plain number");
     else
         says = tr("Valid, unit %1").arg(result.unit);
     const bool fine = result.fine() && named && !full;

@@ -102,12 +102,12 @@ QString RegisterEdits::applyHint() const
 
 QString RegisterEdits::undoHint() const
 {
-    return m_steps.canUndo() ? writeHint() : tr("Nothing was written that could be taken back.");
+    return m_steps.canUndo() ? writeHint() : tr("Nothing to undo.");
 }
 
 QString RegisterEdits::redoHint() const
 {
-    return m_steps.canRedo() ? writeHint() : tr("Nothing was taken back.");
+    return m_steps.canRedo() ? writeHint() : tr("Nothing to redo.");
 }
 
 void RegisterEdits::apply()

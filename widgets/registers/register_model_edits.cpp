@@ -196,7 +196,7 @@ void RegisterModel::takeResults(const std::vector<drive::WriteResult> &results)
             refused.reason = wrong && result.readBack
                 ? tr("Written, but the board holds %1.").arg(describe(result.id, *result.readBack))
                 : result.outcome == drive::Outcome::Unknown
-                ? tr("Sent, but nobody knows whether it was written: %1").arg(reason)
+                ? tr("Sent, outcome unknown: %1").arg(reason)
                 : tr("Refused: %1", "the board's reason").arg(reason);
         }
         rowChanged(result.id);

@@ -48,7 +48,7 @@ void askBeforeWriting(QWidget *parent, RegisterEdits &edits, const QList<WriteLi
     Confirmation question;
     question.objectName = "writeQuestion";
     question.title = WriteQuestion::tr("Write registers");
-    question.text = WriteQuestion::tr("This can move or harm a motor at once.");
+    question.text = WriteQuestion::tr("This can move or harm a motor immediately.");
     question.lines = texts;
     question.yesName = "writeAnyway";
     question.yes = WriteQuestion::tr("Write");

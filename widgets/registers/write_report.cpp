@@ -44,8 +44,7 @@ QString sentenceOf(const WriteReport &report, WriteSense sense)
             WriteReportText::tr("The board made another value of: %1.", "list of registers")
                 .arg(listed(report.different, QStringLiteral(", "))));
     if (!report.unknown.isEmpty())
-        sentences.append(WriteReportText::tr(
-            "Sent, but nobody knows whether they were written: %1.", "list of registers")
+        sentences.append(WriteReportText::tr("Sent, outcome unknown: %1.", "list of registers")
                              .arg(listed(report.unknown, QStringLiteral(", "))));
     if (!report.notWritten.isEmpty())
         sentences.append(WriteReportText::tr("Not written: %1", "list of registers with reasons")

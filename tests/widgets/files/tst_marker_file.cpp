@@ -269,7 +269,7 @@ private Q_SLOTS:
         QSignalSpy closed(&m_rig->window, &widgets::MainWindow::closed);
         QVERIFY(!m_rig->window.close());
         auto *question = m_rig->find<QMessageBox>("markersQuestion");
-        QVERIFY(question && question->text().contains(QStringLiteral("no recording that could")));
+        QVERIFY(question && question->text().contains(QStringLiteral("not saved")));
         QTest::keyClick(question, Qt::Key_Escape);
         QTRY_VERIFY(!m_rig->find<QMessageBox>("markersQuestion"));
         QVERIFY(m_rig->window.isVisible() && closed.isEmpty());

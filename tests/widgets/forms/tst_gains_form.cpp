@@ -118,7 +118,7 @@ private Q_SLOTS:
         QVERIFY(bench.edits.pendingCount() > 0);
         bench.typeInto("labBandwidth", QString());
         QCOMPARE(bench.edits.pendingCount(), 0);
-        QVERIFY(told->text().contains(QStringLiteral("taken back")));
+        QVERIFY(told->text().contains(QStringLiteral("dropped")));
 
         // What a person has edited by hand since is theirs.
         bench.typeInto("labBandwidth", QStringLiteral("3000"));

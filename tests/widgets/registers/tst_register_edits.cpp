@@ -241,7 +241,7 @@ private Q_SLOTS:
         facts::feed(bench.device,
             {drive::LinkChanged{drive::LinkState::Connected, drive::LinkReason::BoardReset}});
         QCOMPARE(bench.edits.steps().count(), 0);
-        QVERIFY(bench.told.last().contains(QStringLiteral("reset")));
+        QVERIFY(bench.told.last().contains(QStringLiteral("reconnect")));
     }
 
     void aStepThatWentBackHalfWayKeepsTheOtherHalf()

@@ -135,7 +135,8 @@ private Q_SLOTS:
         save.setEnabled(false);
         bench.compared.offerSave(&save);
         auto *button = bench.find<QPushButton>("snapshotSave");
-        QVERIFY(button != nullptr && button->isVisible() && !button->isEnabled());
+        QVERIFY(button != nullptr && !button->isEnabled());
+        QTRY_VERIFY(button->isVisible());
         save.setEnabled(true);
         const QSignalSpy spy(&save, &QAction::triggered);
         QTest::mouseClick(button, Qt::LeftButton);
