@@ -286,7 +286,10 @@ void MotorForm::take(const QString &path)
             true);
         return;
     }
-    m_model.showFile(file->sheet());
+    const motor::MotorSheet sheet = file->sheet();
+    m_model.showFile(sheet);
+    if (!sheet.name.empty() && sheet.inertia_kgm2.value_or(0.0) > 0.0)
+        Q_EMIT inertiaFound(deviceText(sheet.name), *sheet.inertia_kgm2);
     QString sentence = file->origin == session::MotorFile::Origin::St
         ? tr("%1: a motor from ST's tools.").arg(name)
         : tr("%1: a motor file.").arg(name);

@@ -32,6 +32,10 @@ public Q_SLOTS:
     void saveFile();
     void closeFile();
 
+Q_SIGNALS:
+    void inertiaFound(
+        const QString &motor, double inertia_kgm2); ///< in a file, of the motor it names
+
 protected:
     void showEvent(QShowEvent *event) override;
 

@@ -307,6 +307,9 @@ void RevUpForm::connectParts()
 
 // What is known of the motor ------------------------------------------------------------------------------------------
 
+/// A field that loses the focus as the form goes has nothing left to tell it to.
+RevUpForm::~RevUpForm() { m_inertia->disconnect(this); }
+
 void RevUpForm::setInertias(const Inertias &inertias)
 {
     if (inertias == m_inertias)

@@ -45,6 +45,7 @@ public:
     RevUpStart &start() const { return *m_start; }
 
     std::vector<catalog::RegisterId> watchedRegisters() const override;
+    ~RevUpForm() override;
     void refresh(Milliseconds now) override;
     QWidget *footer() const override;
     void focusFirst() override;

@@ -242,7 +242,12 @@ void Tools::addForms()
         return m_ramps;
     });
     m_docks.add(tr("Motor and drive"), "motorDock", Qt::CTRL | Qt::Key_4, [this, &workbench] {
-        return new MotorForm(m_device, workbench.registers(), m_parts.files);
+        auto *motor = new MotorForm(m_device, workbench.registers(), m_parts.files);
+        connect(motor, &MotorForm::inertiaFound, this, [this](const QString &name, double inertia) {
+            if (!m_settings.inertias.contains(name)) // what was typed is better known
+                rememberInertia(name, inertia);
+        });
+        return motor;
     });
     m_docks.add(tr("Notes"), "notesDock", Qt::CTRL | Qt::SHIFT | Qt::Key_N,
         [this] { return m_notes = new NotesPanel(m_settings.workspace.notes); });

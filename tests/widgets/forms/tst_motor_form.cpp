@@ -62,6 +62,19 @@ private Q_SLOTS:
     }
     void cleanup() { QLocale::setDefault(QLocale::c()); }
 
+    void anInertiaOfAFileIsKnownToTheForms()
+    {
+        openFile(R"({"preset": "pm24", "motor": {"name": "Bench motor", "inertia_kgm2": 4.2e-5}})");
+        QVERIFY(std::abs(
+                    m_rig->window.settings().inertias.value(QStringLiteral("Bench motor")) - 4.2e-5)
+            < 1e-12);
+        openFile(R"({"preset": "pm24", "motor": {"name": "Bench motor", "inertia_kgm2": 9e-5}})");
+        QVERIFY(std::abs(
+                    m_rig->window.settings().inertias.value(QStringLiteral("Bench motor")) - 4.2e-5)
+            < 1e-12); // what is known stays
+        button("motorClose")->click();
+    }
+
     void withoutABoardItSaysSoAndTakesAFile()
     {
         press(Qt::Key_4, Qt::ControlModifier);
