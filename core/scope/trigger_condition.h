@@ -82,8 +82,13 @@ struct NthEdgeTrigger {
 
 /// Something that happened, told to Acquisition::event().
 struct EventTrigger {
-    enum class Kind : std::uint8_t { StateChange, Fault, RegisterWrite } kind = Kind::StateChange;
-    std::optional<std::uint32_t> which; ///< only this state, fault bit or register; else any
+    enum class Kind : std::uint8_t {
+        StateChange,
+        Fault,
+        RegisterWrite,
+        SetPoint
+    } kind = Kind::StateChange;
+    std::optional<std::uint32_t> which; ///< only this state, fault bit, register or motor; else any
 };
 
 /// Where a value is between two samples.

@@ -13,6 +13,13 @@ constexpr int kHeartbeatMs = 200;
 /// What tells the session that this thread lives. Four late ones in a row are forgiven, a fifth disarms.
 constexpr int kPulseMs = 100;
 
+bool isSetPoint(drive::MotionAct act)
+{
+    using drive::MotionAct;
+    return act == MotionAct::SpeedRamp || act == MotionAct::TorqueRamp
+        || act == MotionAct::CurrentReference || act == MotionAct::PositionRamp;
+}
+
 } // namespace
 
 Workbench::Workbench(session::MakeSink makeSink, session::Parts parts, QObject *parent)
@@ -164,6 +171,12 @@ void Workbench::connectTrigger()
         });
     connect(&m_recorder, &EventRecorder::written, this,
         [this](double seconds, quint32 id) { m_trigger.event(Kind::RegisterWrite, seconds, id); });
+    // By the session's own clock, whose time the samples have too; a polled reference comes much later.
+    connect(&m_device, &Device::motionLogged, this, [this](const drive::MotionRecord &record) {
+        if (isSetPoint(record.act) && record.requests > 0)
+            m_trigger.event(Kind::SetPoint, toSeconds(record.asked.time_since_epoch()),
+                static_cast<quint32>(record.motor));
+    });
 }
 
 void Workbench::connectReplay()

@@ -25,8 +25,8 @@ constexpr QLatin1String kMark("rotorscopeWorkspace");
 
 // In the order of their enumerations.
 constexpr std::array kRoutes{"fast", "slow", "polled"};
-constexpr std::array kTypes{
-    "edge", "level", "window", "pulse", "slew", "dropout", "nthEdge", "state", "fault", "write"};
+constexpr std::array kTypes{"edge", "level", "window", "pulse", "slew", "dropout", "nthEdge",
+    "state", "fault", "write", "setPoint"};
 constexpr std::array kWays{"first", "second", "third"};
 constexpr std::array kModes{"auto", "normal", "single", "roll"};
 static_assert(kTypes.size() == kTriggerTypes);

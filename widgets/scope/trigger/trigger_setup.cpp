@@ -49,6 +49,7 @@ TriggerFields fieldsOf(TriggerType type)
     case TriggerType::StateChange:
     case TriggerType::Fault:
     case TriggerType::RegisterWrite:
+    case TriggerType::SetPoint:
         break;
     }
     return {.source = false, .ways = false, .hysteresis = false};
@@ -77,6 +78,8 @@ QString typeText(TriggerType type)
         return Trigger::tr("Fault");
     case TriggerType::RegisterWrite:
         return Trigger::tr("Register write");
+    case TriggerType::SetPoint:
+        return Trigger::tr("Set-point", "type of the trigger");
     }
     return {};
 }
@@ -104,6 +107,7 @@ QList<WayText> wayTexts(TriggerType type)
     case TriggerType::StateChange:
     case TriggerType::Fault:
     case TriggerType::RegisterWrite:
+    case TriggerType::SetPoint:
         break;
     }
     return {};
@@ -218,6 +222,9 @@ scope::TriggerCondition conditionOf(
         break;
     case TriggerType::RegisterWrite:
         condition.what = EventTrigger{EventTrigger::Kind::RegisterWrite, {}};
+        break;
+    case TriggerType::SetPoint:
+        condition.what = EventTrigger{EventTrigger::Kind::SetPoint, {}};
         break;
     }
     if (source)

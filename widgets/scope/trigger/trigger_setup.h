@@ -20,8 +20,9 @@ enum class TriggerType : std::uint8_t {
     StateChange,
     Fault,
     RegisterWrite,
+    SetPoint,
 };
-inline constexpr int kTriggerTypes = 10;
+inline constexpr int kTriggerTypes = 11;
 
 /// Which way, in the words of the type: a slope, a side, a direction or a polarity.
 enum class TriggerWay : std::uint8_t { First, Second, Third };
