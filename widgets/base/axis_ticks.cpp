@@ -14,6 +14,7 @@ struct Ticks {
 
 constexpr int kMostTicks = 1000;
 constexpr double kLeastDigits = 8.0;
+constexpr int kFewTicks = 3; ///< fewer say nothing of the scale
 
 int decimalsFor(double step)
 {
@@ -103,6 +104,15 @@ QVector<double> smallTicksIn(double from, double to, double step)
             ticks.append((first + i) * small);
     }
     return ticks;
+}
+
+double valueStep(double from, double to, int most, int room)
+{
+    const double step = tickStep(to - from, most);
+    if (ticksIn(from, to, step).size() >= kFewTicks)
+        return step;
+    const double finer = steppedScale(step, -1);
+    return ticksIn(from, to, finer).size() <= room ? finer : step;
 }
 
 QString valueLabel(double value, double step, const QLocale &locale)

@@ -15,6 +15,11 @@ double leastSpan(const QString &unit, double digit);
 /// The smallest step of the form 1, 2 or 5 times a power of ten that cuts `span` into at most `most` pieces.
 double tickStep(double span, int most);
 
+/// That step for an axis of values from `from` to `to`: a finer one where fewer than three of its multiples would be seen
+/// and there is room for those of the next.
+/// @param room  for so many labels, close together
+double valueStep(double from, double to, int most, int room);
+
 /// The value of the form 1, 2 or 5 times a power of ten that is `steps` of these above (below 0: under) the one nearest
 /// to `scale`; always another than `scale` for steps that are not 0.
 double steppedScale(double scale, int steps);

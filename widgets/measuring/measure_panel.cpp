@@ -28,7 +28,7 @@ namespace widgets {
 namespace {
 constexpr int kSideWidth = 230;
 constexpr std::array kListColumns{
-    100, 104, 88, 88, 74, 82, 82, 64}; // px, as in MeasureTable::Column
+    120, 112, 112, 112, 104, 112, 112, 64}; // px, as in MeasureTable::Column
 enum Range { Picture, BetweenCursors };
 } // namespace
 

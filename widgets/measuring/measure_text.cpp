@@ -85,6 +85,14 @@ double digits(double value)
     return size > 0 && std::isfinite(size) ? std::pow(10.0, std::floor(std::log10(size)) - 3.0)
                                            : 0.001;
 }
+
+/// With them as well: between two samples an edge is a guess.
+QString readTime(double seconds, const QLocale &locale)
+{
+    const double size = std::abs(seconds);
+    const QString text = timeLabel(seconds, digits(seconds), size, locale);
+    return QString(text).replace(QLatin1Char('-'), QChar(0x2212));
+}
 } // namespace
 
 QList<Quantity> allQuantities()
@@ -152,7 +160,7 @@ QString measuredText(double value, scope::UnitKind unit, const capture::ChannelI
     case scope::UnitKind::Channel: // a tenth of a digit means something in a mean
         return readingText(value, step / 10.0, own, locale);
     case scope::UnitKind::Seconds:
-        return exactTime(value, locale);
+        return readTime(value, locale);
     case scope::UnitKind::Hertz:
         return inverseTime(1.0 / value, locale);
     case scope::UnitKind::Percent:

@@ -195,11 +195,12 @@ void SpectrumPanel::fillAxes()
     const QVariant chosen = m_axis->currentData();
     m_axis->clear();
     m_axis->addItem(tr("frequency"), Axis::Hertz);
-    m_axis->addItem(tr("orders of the largest peak"), Axis::OrdersOfLargest);
+    m_axis->addItem(tr("orders: largest peak"), Axis::OrdersOfLargest);
     for (const capture::ChannelId id : m_scope.channels()) {
         const auto info = m_capture.info(id);
         if (info && info->unit == "rpm")
-            m_axis->addItem(tr("orders of %1").arg(m_scope.nameOf(id)), static_cast<int>(id));
+            m_axis->addItem(
+                tr("orders: %1", "name of a speed").arg(m_scope.nameOf(id)), static_cast<int>(id));
     }
     m_axis->setCurrentIndex(std::max(0, m_axis->findData(chosen)));
     if (m_axis->currentData() != chosen) // that speed is no longer there

@@ -133,7 +133,9 @@ QString RegisterDelegate::roundedFor(
 bool RegisterDelegate::helpEvent(QHelpEvent *event, QAbstractItemView *view,
     const QStyleOptionViewItem &option, const QModelIndex &index)
 {
-    if (event->type() != QEvent::ToolTip || roundedFor(option, index).isEmpty())
+    const bool cut = index.column() == RegisterModel::NameColumn
+        && sizeHint(option, index).width() > option.rect.width();
+    if (event->type() != QEvent::ToolTip || (!cut && roundedFor(option, index).isEmpty()))
         return QStyledItemDelegate::helpEvent(event, view, option, index);
     const QStringList parts{index.data().toString(), index.data(Qt::ToolTipRole).toString()};
     QToolTip::showText(event->globalPos(), parts.join(QLatin1Char('\n')).trimmed(), view);
@@ -145,6 +147,8 @@ void RegisterDelegate::initStyleOption(QStyleOptionViewItem *option, const QMode
     QStyledItemDelegate::initStyleOption(option, index);
     if (const QString rounded = roundedFor(*option, index); !rounded.isEmpty())
         option->text = rounded;
+    if (index.column() == RegisterModel::NameColumn) // what tells names apart is often their end
+        option->textElideMode = Qt::ElideMiddle;
     // The colour of an edit is also seen in a selected row.
     const auto state =
         static_cast<RegisterModel::EditState>(index.data(RegisterModel::EditStateRole).toInt());

@@ -443,7 +443,9 @@ void PlotStack::labelAxis(const ScopePlot &plot, const ValueAxis &axis) const
     }
     QString label = QStringList(units.begin(), units.end()).join(QStringLiteral(" / "));
     if (units.size() == 1) {
-        const double step = tickStep(axis.axis->range().size(), ticksOf(plot));
+        const QCPRange range = axis.axis->range();
+        const double step =
+            valueStep(range.lower, range.upper, ticksOf(plot), plot.rect->height() / kLowestLabel);
         const QString scale = perDivision(step, label, m_plot.locale());
         if (QFontMetrics(m_plot.font()).horizontalAdvance(scale) <= plot.rect->height())
             label = scale;
@@ -473,7 +475,7 @@ void PlotStack::layOut()
             timeTicks(), plot->rect->width());
         for (const ValueAxis &axis : plot->axes) {
             axis.axis->ticker().dynamicCast<AxisTicker>()->setMost(
-                ticksOf(*plot), plot->rect->height());
+                ticksOf(*plot), plot->rect->height(), plot->rect->height() / kLowestLabel);
             labelAxis(*plot, axis);
         }
         makeRoom(*plot);

@@ -36,6 +36,7 @@ private Q_SLOTS:
     void cleanup() { m_rig.reset(); }
 
     void aMeasureIsChosenAndRead();
+    void timesAreToldWithTheDigitsThatTheyHave();
     void theCursorsBoundIt();
     void whatCannotBeMeasuredIsSaidInWords();
     void theChosenRowIsDrawn();
@@ -109,6 +110,23 @@ void TestMeasurePanel::aMeasureIsChosenAndRead()
     list()->setFocus();
     QTest::keyClick(list(), Qt::Key_Delete);
     QCOMPARE(list()->model()->rowCount(), 1);
+}
+
+void TestMeasurePanel::timesAreToldWithTheDigitsThatTheyHave()
+{
+    const auto info = m_rig->workbench.capture().info(m_rig->id(facts::kCurrentA));
+    QVERIFY(info);
+    const auto text = [&](double seconds) {
+        return widgets::measuredText(seconds, scope::UnitKind::Seconds, *info, 0.01, QLocale::c());
+    };
+    QCOMPARE(text(0.0279822), QStringLiteral("27.98\u2009ms"));
+    QCOMPARE(text(1.23456), QStringLiteral("1.235\u2009s"));
+    QCOMPARE(text(-62.5e-6), QStringLiteral("\u221262.50\u2009\u00b5s"));
+    QCOMPARE(text(0.0), QStringLiteral("0\u2009\u00b5s"));
+    add(facts::kCurrentA, Quantity::Period); // what it says has room in its column
+    for (int column = MeasureTable::ValueColumn; column <= MeasureTable::MaxColumn; ++column)
+        QVERIFY(list()->fontMetrics().horizontalAdvance(QStringLiteral("\u22121234.567 rpm"))
+            < list()->columnWidth(column));
 }
 
 void TestMeasurePanel::theCursorsBoundIt()

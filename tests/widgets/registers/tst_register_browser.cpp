@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QPainter>
 #include <QTest>
 #include <QTranslator>
 
@@ -57,6 +58,28 @@ class TestRegisterBrowser : public QObject {
 private Q_SLOTS:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
+    void namesThatAreCutStayDifferent()
+    {
+        EditBench bench;
+        const auto *tree = bench.panel.findChild<QTreeView *>();
+        const auto drawn = [&](std::string_view name) {
+            QStyleOptionViewItem option;
+            option.initFrom(tree);
+            option.widget = tree;
+            option.textElideMode = tree->textElideMode();
+            option.rect = QRect(0, 0, 54, 20);
+            QImage image(option.rect.size(), QImage::Format_RGB32);
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            tree->itemDelegate()->paint(
+                &painter, option, cellOf(bench, name, RegisterModel::NameColumn));
+            return image;
+        };
+        QVERIFY(tree->fontMetrics().horizontalAdvance(QStringLiteral("SPEED_KP")) > 54);
+        QVERIFY(drawn("SPEED_KP") != drawn("SPEED_KI"));
+        QVERIFY(drawn("SPEED_KP") == drawn("SPEED_KP"));
+    }
+
     void aNumberIsShownAsDigitsAndInHexadecimal()
     {
         EditBench bench;
@@ -92,12 +115,13 @@ private Q_SLOTS:
         };
         bench.model.take({{power, drive::ReadStatus::Ok, 0.005509190, {}, {}}}, bench.ms());
         const QString whole = textOf(bench, "MOTOR_POWER", RegisterModel::ValueColumn);
-        QCOMPARE(whole, QStringLiteral("0.00550919\u202fW"));
+        QCOMPARE(
+            whole, QStringLiteral("0.005509\u202fW")); // measured: so many digits mean something
         const int wide = bench.panel.fontMetrics().horizontalAdvance(whole) + 20;
         const int digit = bench.panel.fontMetrics().horizontalAdvance(QLatin1Char('1'));
         QCOMPARE(shown(RegisterModel::ValueColumn, wide), whole);
         QCOMPARE(shown(RegisterModel::ValueColumn, wide - 20 - digit + 6),
-            QStringLiteral("0.0055092\u202fW"));
+            QStringLiteral("0.00551\u202fW"));
         QCOMPARE(shown(RegisterModel::ValueColumn, 10), QStringLiteral("0.00551\u202fW"));
         QCOMPARE(shown(RegisterModel::RawColumn, 10), QStringLiteral("0.0055"));
     }

@@ -11,9 +11,9 @@ constexpr int kLeastPixels = 4; ///< from one small tick to the next
 void AxisTicker::generate(const QCPRange &range, const QLocale &locale, QChar, int,
     QVector<double> &ticks, QVector<double> *subTicks, QVector<QString> *labels)
 {
-    const double step = tickStep(range.size(), m_most);
     const double from = range.lower - m_origin;
     const double to = range.upper - m_origin;
+    const double step = valueStep(from, to, m_most, m_room);
     const QVector<double> shown = ticksIn(from, to, step);
     const double largest = std::max(std::abs(from), std::abs(to));
     ticks.clear();

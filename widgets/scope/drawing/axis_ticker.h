@@ -14,10 +14,12 @@ public:
     }
     /// @param count  ticks, at most
     /// @param pixels  how long the axis is: small ticks closer than a few pixels are left out
-    void setMost(int count, int pixels)
+    /// @param room  for so many labels, close together, where there would be next to none
+    void setMost(int count, int pixels, int room = 0)
     {
         m_most = count;
         m_pixels = pixels;
+        m_room = room;
     }
     void setOrigin(double origin) { m_origin = origin; } ///< what the labels call zero
 
@@ -30,6 +32,7 @@ private:
     Labels m_labels;
     int m_most = 10;
     int m_pixels = 0;
+    int m_room = 0;
     double m_origin = 0.0;
 };
 

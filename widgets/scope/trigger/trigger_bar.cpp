@@ -1,6 +1,7 @@
 #include "widgets/scope/trigger/trigger_bar.h"
 
 #include "widgets/base/flow_layout.h"
+#include "widgets/base/reading_text.h"
 #include "widgets/base/snug_combo_box.h"
 #include "widgets/base/value_edit.h"
 #include "widgets/base/wheel_guard.h"
@@ -23,10 +24,10 @@
 namespace widgets {
 
 namespace {
-constexpr int kLevelWidth = 76;
-constexpr int kLeastLevelWidth = 56;
+constexpr int kLevelMargin = 12; ///< pixels: what a field takes beside its text
 constexpr int kDetailWidth = 120;
-constexpr int kMostLetters = 12; ///< of a trace's name in the bar; whole in the list
+constexpr int kMostLetters = 12; ///< of a choice in the bar; whole in the list
+constexpr int kNameLetters = 20; ///< the same of a trace's name
 constexpr double kLongestTime = 60.0; ///< seconds
 constexpr double kShortestRecord = 1e-5;
 constexpr QLatin1String kBeforeAge(" \xb7 ");
@@ -55,7 +56,7 @@ TriggerBar::TriggerBar(TriggerControl &control, ScopeView &scope, QWidget *paren
     , m_scope(scope)
     , m_mode(new SnugComboBox(kMostLetters, this))
     , m_type(new SnugComboBox(kMostLetters, this))
-    , m_source(new SnugComboBox(kMostLetters, this))
+    , m_source(new SnugComboBox(kNameLetters, this))
     , m_way(new QComboBox(this))
     , m_level(new ValueEdit(this))
     , m_single(new QToolButton(this))
@@ -93,8 +94,6 @@ void TriggerBar::makeBar()
     for (int type = 0; type < kTriggerTypes; ++type)
         m_type->addItem(typeText(static_cast<TriggerType>(type)), type);
     m_level->setObjectName(QStringLiteral("triggerLevel"));
-    m_level->setMinimumWidth(kLeastLevelWidth);
-    m_level->setMaximumWidth(kLevelWidth);
     const auto button = [](QToolButton *tool, const char *name, const QString &text,
                             const QString &says) {
         tool->setObjectName(QLatin1String(name));
@@ -200,6 +199,11 @@ QWidget *TriggerBar::makeDetails()
     m_problem->setTextFormat(Qt::PlainText);
     m_problem->setWordWrap(true);
     m_form->addRow(m_problem);
+    // Esc is Stop, everywhere: what it closes elsewhere needs another way out.
+    auto *away = new QPushButton(tr("&Close"), details);
+    away->setObjectName(QStringLiteral("triggerDetailsClose"));
+    connect(away, &QPushButton::clicked, details, &QWidget::close);
+    m_form->addRow(away);
 
     connect(m_inside, &QComboBox::activated, this, [this](int index) {
         change([index](TriggerSetup &setup) { setup.outside = index == 1; });
@@ -284,6 +288,7 @@ void TriggerBar::follow()
         ? std::abs(source->factor)
         : 0.001;
     m_level->setPlain(unit, step);
+    fitLevel(setup.level, step, unit);
     m_level->setValue(setup.level);
     m_level->setAccessibleName(levelName(setup.type));
     m_level->setToolTip(
@@ -305,6 +310,15 @@ void TriggerBar::follow()
     if (m_details)
         followDetails(unit, step);
     showState();
+}
+
+/// Wide enough for its value in the unit of the trace; it grows, and does not shrink while the digits change.
+void TriggerBar::fitLevel(double level, double step, const QString &unit)
+{
+    const QString widest = readingText(-std::abs(level), step, unit, locale());
+    const int width = m_level->fontMetrics().horizontalAdvance(widest) + kLevelMargin;
+    m_level->setFixedWidth(std::max(width, unit == m_levelUnit ? m_level->minimumWidth() : 0));
+    m_levelUnit = unit;
 }
 
 void TriggerBar::followDetails(const QString &unit, double step)

@@ -34,6 +34,7 @@ private:
     void makeBar();
     QWidget *makeDetails();
     void follow();
+    void fitLevel(double level, double step, const QString &unit);
     void followDetails(const QString &unit, double step);
     void fillSources();
     void fillWays();
@@ -68,6 +69,7 @@ private:
     ValueEdit *m_length = nullptr;
     QPushButton *m_middle = nullptr;
     QLabel *m_problem = nullptr;
+    QString m_levelUnit; ///< that the field of the level is wide enough for
     QString m_sourcesShown; ///< what fillSources() last made, to leave an open list alone
 };
 
