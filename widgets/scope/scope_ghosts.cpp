@@ -13,7 +13,7 @@ constexpr int kReferenceAlpha = 130; ///< of 255
 } // namespace
 
 ScopeGhosts::ScopeGhosts(
-    capture::Capture &capture, PlotStack &stack, std::function<double()> zero, QObject *parent)
+    capture::Capture &capture, PlotStack &stack, std::function<Zero()> zero, QObject *parent)
     : QObject(parent)
     , m_capture(capture)
     , m_stack(stack)
@@ -37,15 +37,18 @@ void ScopeGhosts::keep(Reference which)
     if (shown.empty())
         return;
     const char mark = which == Reference::A ? 'A' : 'B';
-    m_references[static_cast<std::size_t>(which)] = {
-        m_capture.snapshot(shown), m_zero(), kReferenceAlpha, mark};
+    const auto index = static_cast<std::size_t>(which);
+    const Zero zero = m_zero();
+    m_replaced[index] = std::exchange(m_references[index],
+        {{m_capture.snapshot(shown), zero.seconds, kReferenceAlpha, mark}, zero.trigger});
     Q_EMIT referencesChanged();
     Q_EMIT redrawWanted();
 }
 
 void ScopeGhosts::drop(Reference which)
 {
-    m_references[static_cast<std::size_t>(which)] = {};
+    const auto index = static_cast<std::size_t>(which);
+    m_references[index] = std::exchange(m_replaced[index], {});
     Q_EMIT referencesChanged();
     Q_EMIT redrawWanted();
 }
@@ -53,11 +56,12 @@ void ScopeGhosts::drop(Reference which)
 void ScopeGhosts::place()
 {
     std::vector<Ghost> all;
-    for (const Ghost &reference : m_references) {
-        if (!reference.kept)
+    const Zero zero = m_zero();
+    for (const Kept &reference : m_references) {
+        if (!reference.ghost.kept || reference.trigger != zero.trigger)
             continue;
-        all.push_back(reference);
-        all.back().shift -= m_zero();
+        all.push_back(reference.ghost);
+        all.back().shift -= zero.seconds;
     }
     all.insert(all.end(), m_records.begin(), m_records.end());
     m_stack.setGhosts(std::move(all));

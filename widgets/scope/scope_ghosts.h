@@ -22,8 +22,13 @@ class ScopeGhosts : public QObject {
 public:
     static constexpr int kMost = 16; ///< records
 
-    /// Both outlive it. @param zero  the time in the picture that a reference is laid upon
-    ScopeGhosts(capture::Capture &capture, PlotStack &stack, std::function<double()> zero,
+    /// The time in the picture that a reference is laid upon.
+    struct Zero {
+        double seconds = 0.0;
+        bool trigger = false; ///< else the left edge
+    };
+    /// Both outlive it.
+    ScopeGhosts(capture::Capture &capture, PlotStack &stack, std::function<Zero()> zero,
         QObject *parent = nullptr);
 
     int count() const { return static_cast<int>(m_records.size()); }
@@ -34,7 +39,8 @@ public:
 public Q_SLOTS:
     void setRecords(std::vector<Ghost> records); ///< newest first; at most kMost
     /// R, B: the traces as they are now stay dashed and paler behind those that come, at the same place from the trigger
-    /// or, in a picture that rolls, from the left edge. With Shift they go.
+    /// or, in a picture that rolls, from the left edge; those of the one are not drawn in the other. With Shift they go, and
+    /// the one that was replaced last is back.
     void keep(widgets::Reference which);
     void drop(widgets::Reference which);
 
@@ -45,14 +51,18 @@ Q_SIGNALS:
 private:
     const Ghost &referenceOf(Reference which) const
     {
-        return m_references[static_cast<std::size_t>(which)];
+        return m_references[static_cast<std::size_t>(which)].ghost;
     }
 
     capture::Capture &m_capture;
     PlotStack &m_stack;
-    std::function<double()> m_zero;
+    std::function<Zero()> m_zero;
     std::vector<Ghost> m_records;
-    std::array<Ghost, 2> m_references; ///< their shift is the time that lies at zero
+    struct Kept {
+        Ghost ghost; ///< its shift is the time that lies at zero
+        bool trigger = false; ///< which was the trigger's
+    };
+    std::array<Kept, 2> m_references, m_replaced;
 };
 
 } // namespace widgets

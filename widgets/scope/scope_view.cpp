@@ -45,7 +45,11 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
           this))
     , m_colors(new ScopeColors(*m_stack, *this, this))
     , m_ghosts(new ScopeGhosts(
-          capture, *m_stack, [this] { return m_marks.position.value_or(visibleRange().from); },
+          capture, *m_stack,
+          [this] {
+              return ScopeGhosts::Zero{
+                  m_marks.position.value_or(visibleRange().from), m_marks.position.has_value()};
+          },
           this))
 {
     setObjectName(QStringLiteral("scope"));
@@ -75,6 +79,7 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
     m_frame.setTimerType(Qt::PreciseTimer);
     connect(&m_frame, &QTimer::timeout, this, &ScopeView::drawFrame);
     connect(m_plot, &QCustomPlot::beforeReplot, this, [this] { m_stack->layOut(); });
+    connect(m_plot, &QCustomPlot::afterReplot, this, &ScopeView::placeHint);
     connectParts();
     m_stack->applyPalette(palette());
     m_stack->setLeastLeft(m_lane->nameWidth());
@@ -352,11 +357,20 @@ void ScopeView::changeEvent(QEvent *event)
     }
 }
 
+/// Inside the axes, whose numbers it must not cover.
+void ScopeView::placeHint()
+{
+    constexpr int kAir = 24;
+    const QRect inside = plotRect(0).adjusted(kAir, kAir, -kAir, -kAir);
+    if (!m_hint->isHidden() && inside.isValid() && inside != m_hint->geometry())
+        m_hint->setGeometry(inside);
+    m_hint->raise();
+}
+
 void ScopeView::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    m_hint->setGeometry(rect().adjusted(40, 40, -40, -40));
-    m_hint->raise();
+    placeHint();
     m_stale->setGeometry(rect());
 }
 

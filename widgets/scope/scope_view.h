@@ -130,6 +130,7 @@ private:
     void fillContextMenu(QMenu &menu, int plot); ///< of its traces; -1: of all
     void fillTraceMenu(QMenu &menu, capture::ChannelId channel);
     void updateDescription();
+    void placeHint();
 
     capture::Capture &m_capture;
     QCustomPlot *m_plot;

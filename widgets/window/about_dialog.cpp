@@ -4,8 +4,14 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QScreen>
+#include <QScrollArea>
+#include <QStyle>
 #include <QVBoxLayout>
+
+#include <iterator>
 
 namespace widgets {
 namespace {
@@ -13,6 +19,8 @@ namespace {
 struct About {
     Q_DECLARE_TR_FUNCTIONS(About)
 };
+
+constexpr double kMostOfScreen = 0.75; ///< of a dialog's table; the rest is for frame and buttons
 
 QLabel *plainLabel(const QString &text, QWidget *parent)
 {
@@ -82,8 +90,6 @@ void showAbout(QWidget *parent)
 void showKeys(QWidget *parent)
 {
     QDialog *dialog = makeDialog(parent, About::tr("Keys"));
-    auto *form = new QFormLayout;
-    form->setHorizontalSpacing(24);
     const std::pair<QString, QString> keys[] = {
         {QStringLiteral("Esc"), About::tr("Stop every motor, from any window")},
         {QStringLiteral("Ctrl+Enter"), About::tr("Start the motor (after Arm)")},
@@ -101,8 +107,7 @@ void showKeys(QWidget *parent)
         {About::tr("End"), About::tr("Follow the newest samples")},
         {QStringLiteral("S, T"), About::tr("Take a single record; force a trigger")},
         {About::tr("Page up, page down"), About::tr("Earlier and later records of the trigger")},
-        {QStringLiteral("R, B"),
-            About::tr("Keep the traces as reference A, B; with Shift: drop it")},
+        {QStringLiteral("R, B"), About::tr("Keep the traces as reference A, B; with Shift: back")},
         {QStringLiteral("O"), About::tr("Show the whole recording below")},
         {QStringLiteral("G"), About::tr("Show the grid or hide it")},
         {QStringLiteral("C, 1, 2"), About::tr("Cursors; 1 and 2 give one to the mouse")},
@@ -116,12 +121,32 @@ void showKeys(QWidget *parent)
         {QStringLiteral("F9"), About::tr("Large numbers")},
         {QStringLiteral("F11"), About::tr("Full screen")},
     };
+    // In two columns, and to be scrolled where even that is too much: Close stays on the smallest screen.
+    auto *table = new QWidget(dialog);
+    auto *columns = new QHBoxLayout(table);
+    columns->setSpacing(32);
+    QFormLayout *form = nullptr;
+    std::size_t row = 0;
     for (const auto &[key, what] : keys) {
-        auto *label = plainLabel(what, dialog);
+        if (row++ % ((std::size(keys) + 1) / 2) == 0) {
+            form = new QFormLayout;
+            form->setHorizontalSpacing(24);
+            columns->addLayout(form);
+        }
+        auto *label = plainLabel(what, table);
         label->setWordWrap(false);
         form->addRow(key, label);
     }
-    static_cast<QVBoxLayout *>(dialog->layout())->addLayout(form);
+    auto *area = new QScrollArea(dialog);
+    area->setObjectName(QStringLiteral("keys"));
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidget(table);
+    area->setWidgetResizable(true);
+    dialog->layout()->addWidget(area);
+    const QSize room = dialog->screen()->availableSize();
+    const int bar = area->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    const QSize whole = table->sizeHint() + QSize(bar, bar);
+    area->setMinimumSize(whole.boundedTo(room * kMostOfScreen));
     finish(dialog);
 }
 

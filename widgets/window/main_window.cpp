@@ -365,6 +365,11 @@ void MainWindow::connectFlows()
     connect(m_leaving, &Leaving::said, m_news, tell);
     connect(&m_device, &Device::interrupted, m_news,
         [this](const session::Interruption &what) { warn(interruptionText(what)); });
+    connect(m_trigger, &TriggerControl::leftForRoll, m_news, [this](scope::Mode mode) {
+        m_news->say(Banner::Kind::Note,
+            tr("The trigger's mode was %1 and is Roll now: the newest samples are followed.")
+                .arg(modeText(mode)));
+    });
     connect(m_record, &RecordControl::said, m_news, &LinkNews::say);
     connect(m_markers, &MarkerFile::said, m_news, &LinkNews::say);
     connect(m_room, &SampleRoom::said, m_news, &LinkNews::say);

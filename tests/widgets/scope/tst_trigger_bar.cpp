@@ -15,6 +15,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QStyleOptionComboBox>
 #include <QToolButton>
 #include <QTranslator>
 #include <QTreeView>
@@ -47,6 +48,9 @@ private Q_SLOTS:
     void valuesThatMakeNoSenseAreSaid();
     void everyTypeIsSearchedFor();
     void stateChangesAndWritesTrigger();
+    void aSetPointTriggersWhenItIsSent();
+    void allThatIsSetIsReadable();
+    void theSettingsAreLeftWithoutEsc();
     void recordsAreSteppedPinnedAndNamed();
     void recordsGoWithTheirSamples();
     void recordsWhoseSamplesWereLetGoAreMarked();
@@ -58,6 +62,8 @@ private Q_SLOTS:
     void anAgeNeverGoesBack();
     void cursorsKeepTheirPlaceFromTheTrigger();
     void aReferenceStaysBehind();
+    void aReferenceOfTheTriggerIsNotDrawnInRoll();
+    void aReplacedReferenceComesBack();
     void persistenceKeepsEarlierRecords();
     void persistenceIsClearedAndBeginsAnew();
     void singleKeysActWhereNoTextIsTyped();
@@ -346,6 +352,77 @@ void TestTriggerBar::stateChangesAndWritesTrigger()
     QCOMPARE(control().trigger().history().records().size(), std::size_t{2});
 }
 
+void TestTriggerBar::aSetPointTriggersWhenItIsSent()
+{
+    normal();
+    auto *type = m_rig->find<QComboBox>("triggerType");
+    const int choice = type->findText(QStringLiteral("Set-point"));
+    QVERIFY(choice >= 0);
+    type->setCurrentIndex(choice);
+    Q_EMIT type->activated(choice);
+    flat(100);
+    drive::MotionRecord record;
+    record.motor = 1;
+    const auto ask = [&](drive::MotionAct act, std::size_t requests) {
+        record.act = act;
+        record.requests = requests;
+        record.asked = record.ended = TimePoint(std::chrono::milliseconds(m_rig->tick - 10));
+        const double seconds = toSeconds(record.asked.time_since_epoch());
+        facts::feed(m_rig->device(), {record});
+        flat(100);
+        return seconds;
+    };
+    const auto count = [this] { return control().trigger().history().records().size(); };
+    ask(drive::MotionAct::SpeedRamp, 0); // refused: nothing left for the board
+    ask(drive::MotionAct::Start, 1);
+    QCOMPARE(count(), std::size_t{0});
+    const double sent = ask(drive::MotionAct::SpeedRamp, 1);
+    QCOMPARE(count(), std::size_t{1});
+    QVERIFY(near(view().time().origin(), sent));
+    for (const auto act : {drive::MotionAct::TorqueRamp, drive::MotionAct::CurrentReference,
+             drive::MotionAct::PositionRamp})
+        ask(act, 1);
+    QCOMPARE(count(), std::size_t{4});
+}
+
+/// The whole name of the trace and the whole level with its unit, where there is room.
+void TestTriggerBar::allThatIsSetIsReadable()
+{
+    constexpr catalog::RegisterId kSpeed = 0x4321;
+    capture::StreamLayout layout = facts::ScopeWindow::layout();
+    layout.id = 2;
+    layout.fast[0] = {kSpeed, "STOPLL_ROT_SPEED", "rpm", 0.01, 0.0};
+    facts::feed(m_rig->device(), {drive::StreamStarted{layout}});
+    QVERIFY(m_rig->workbench.capture().find(kSpeed));
+    view().addChannel(m_rig->id(kSpeed), 0);
+    m_rig->window.resize(1600, 900);
+    normal();
+    control().trigger().setSource(m_rig->id(kSpeed));
+    setup([](TriggerSetup &setup) { setup.level = -1002.5; });
+    m_rig->draw();
+    const auto *source = m_rig->find<QComboBox>("triggerSource");
+    QStyleOptionComboBox option;
+    option.initFrom(source);
+    const QRect room = source->style()->subControlRect(
+        QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, source);
+    const auto widthOf = [](const QWidget *widget, const QString &text) {
+        return widget->fontMetrics().horizontalAdvance(text);
+    };
+    QVERIFY(widthOf(source, QStringLiteral("STOPLL_ROT_SPEED")) <= room.width());
+    const auto *level = m_rig->find<widgets::ValueEdit>("triggerLevel");
+    QVERIFY2(widthOf(level, level->text()) + 8 <= level->width(), qPrintable(level->text()));
+}
+
+void TestTriggerBar::theSettingsAreLeftWithoutEsc()
+{
+    normal();
+    QTest::mouseClick(m_rig->find<QWidget>("triggerMore"), Qt::LeftButton);
+    auto *details = m_rig->find<QWidget>("triggerDetails");
+    QVERIFY(details->isVisible());
+    QTest::mouseClick(m_rig->find<QPushButton>("triggerDetailsClose"), Qt::LeftButton);
+    QVERIFY(!details->isVisible());
+}
+
 void TestTriggerBar::recordsAreSteppedPinnedAndNamed()
 {
     normal(0.02);
@@ -489,6 +566,9 @@ void TestTriggerBar::endGoesBackToRoll()
     square(500);
     QTest::keyClick(&view(), Qt::Key_End);
     QVERIFY(control().trigger().setup().mode == Mode::Roll);
+    const QString said = m_rig->find<QLabel>("bannerText")->text(); // not behind one's back
+    QVERIFY2(said.contains(QStringLiteral("Normal")) && said.contains(QStringLiteral("Roll")),
+        qPrintable(said));
     QCOMPARE(view().time().origin(), 0.0);
     QVERIFY(view().time().following());
     QVERIFY(!view().triggerMarks().position);
@@ -589,6 +669,46 @@ void TestTriggerBar::aReferenceStaysBehind()
     m_rig->workbench.signalPlan().clear();
     QTest::keyClick(&view(), Qt::Key_R); // nothing is shown: nothing to keep
     m_rig->draw();
+}
+
+/// It would lie at the left edge, where nothing belongs to it.
+void TestTriggerBar::aReferenceOfTheTriggerIsNotDrawnInRoll()
+{
+    normal();
+    square(500);
+    m_rig->draw();
+    QTest::keyClick(&view(), Qt::Key_R);
+    control().setMode(Mode::Roll);
+    view().setRunning(false);
+    view().fitValues();
+    m_rig->draw();
+    const QImage with = m_rig->plot().grab().toImage();
+    QTest::keyClick(&view(), Qt::Key_R, Qt::ShiftModifier);
+    m_rig->draw();
+    QVERIFY(with == m_rig->plot().grab().toImage());
+}
+
+/// A key that was meant for a field must not cost what one compares with.
+void TestTriggerBar::aReplacedReferenceComesBack()
+{
+    normal();
+    square(500);
+    view().fitValues();
+    QTest::keyClick(&view(), Qt::Key_R);
+    setup([](TriggerSetup &setup) { setup.way = widgets::TriggerWay::Second; });
+    square(500);
+    view().setRunning(false);
+    m_rig->draw();
+    const QImage first = m_rig->plot().grab().toImage();
+    QTest::keyClick(&view(), Qt::Key_R); // by mistake
+    m_rig->draw();
+    QVERIFY(first != m_rig->plot().grab().toImage());
+    QTest::keyClick(&view(), Qt::Key_R, Qt::ShiftModifier);
+    m_rig->draw();
+    QVERIFY(view().ghosts().hasReference());
+    QVERIFY(first == m_rig->plot().grab().toImage());
+    QTest::keyClick(&view(), Qt::Key_R, Qt::ShiftModifier);
+    QVERIFY(!view().ghosts().hasReference());
 }
 
 void TestTriggerBar::persistenceKeepsEarlierRecords()

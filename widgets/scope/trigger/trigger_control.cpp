@@ -44,10 +44,13 @@ TriggerControl::TriggerControl(
     connect(&scope, &ScopeView::triggerLevelMoved, this, &TriggerControl::moveLevel);
     connect(&scope, &ScopeView::triggerPositionMoved, this, &TriggerControl::movePosition);
     connect(&scope.time(), &TimeWindow::followingChanged, this, [this](bool following) {
-        if (following && m_trigger.triggered())
+        if (following && m_trigger.triggered()) {
+            const scope::Mode mode = m_trigger.setup().mode;
             setMode(scope::Mode::Roll);
-        else if (following)
+            Q_EMIT leftForRoll(mode);
+        } else if (following) {
             leaveRecord();
+        }
     });
     findSource();
 }

@@ -36,6 +36,7 @@ public Q_SLOTS:
 Q_SIGNALS:
     void changed(); ///< setup, source or error
     void stateChanged(); ///< of the trigger, or shown()
+    void leftForRoll(scope::Mode mode); ///< because the newest samples are to be followed
 
 private:
     void showNewest(const std::vector<scope::Record> &records);
