@@ -1,6 +1,7 @@
 #include "widgets/base/banner.h"
 
 #include <QEvent>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -104,14 +105,13 @@ QString Banner::text() const { return m_text->text(); }
 void Banner::changeEvent(QEvent *event)
 {
     QFrame::changeEvent(event);
-    if (event->type() == QEvent::ApplicationPaletteChange && m_close)
+    if (event->type() == QEvent::PaletteChange && m_close)
         recolor();
 }
 
 void Banner::recolor()
 {
-    const bool dark =
-        parentWidget() && parentWidget()->palette().color(QPalette::Window).lightness() < 128;
+    const bool dark = QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
     const Colors colors = colorsOf(m_kind, dark);
     QPalette mine = palette();
     mine.setColor(QPalette::Window, colors.back);

@@ -43,6 +43,20 @@ QPalette paletteOf(const Shades &s)
     return palette;
 }
 
+/// The style fills menus and the boxes in them with the colour of fields, and draws the boxes' edges darker still: on a
+/// dark field they cannot be seen. Nor can entries that are disabled be told from the others there.
+QPalette menuPalette(const QPalette &whole, bool dark)
+{
+    QPalette palette = whole;
+    if (!dark)
+        return palette;
+    palette.setColor(QPalette::Base, whole.color(QPalette::Button));
+    palette.setColor(QPalette::Window, whole.color(QPalette::Base));
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, whole.color(QPalette::Mid).lighter(160));
+    return palette;
+}
+
 bool desktopIsDark()
 {
     // Asked once, before the first theme replaces the palette.
@@ -79,6 +93,7 @@ void applyTheme(Theme theme)
     const bool wantDark = theme == Theme::Dark || (theme == Theme::System && dark);
     const QPalette palette = wantDark ? darkPalette() : lightPalette();
     QApplication::setPalette(palette);
+    QApplication::setPalette(menuPalette(palette, wantDark), "QMenu");
     QToolTip::setPalette(palette);
 }
 

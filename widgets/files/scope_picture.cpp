@@ -1,5 +1,6 @@
 #include "widgets/files/scope_picture.h"
 
+#include "widgets/base/theme.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QBuffer>
@@ -14,6 +15,26 @@ namespace {
 
 constexpr int kDotsPerInch = 96; ///< a pixel of the screen is a pixel of the picture
 
+/// Paper is white: while it lives, the scope has the light colours. What is drawn on the screen waits until it is over.
+class OnPaper {
+public:
+    explicit OnPaper(ScopeView &scope)
+        : m_scope(scope)
+        , m_palette(scope.palette())
+        , m_own(scope.testAttribute(Qt::WA_SetPalette))
+    {
+        scope.setPalette(lightPalette());
+    }
+    ~OnPaper() { m_scope.setPalette(m_own ? m_palette : QPalette()); }
+    OnPaper(const OnPaper &) = delete;
+    OnPaper &operator=(const OnPaper &) = delete;
+
+private:
+    ScopeView &m_scope;
+    QPalette m_palette;
+    bool m_own;
+};
+
 QByteArray svgOf(ScopeView &scope)
 {
     QBuffer buffer;
@@ -25,6 +46,7 @@ QByteArray svgOf(ScopeView &scope)
     svg.setSize(size);
     svg.setViewBox(QRect({}, size));
     svg.setTitle(QStringLiteral("Rotorscope"));
+    const OnPaper paper(scope);
     scope.drawShapes(svg);
     return buffer.data();
 }
@@ -39,6 +61,7 @@ QByteArray pdfOf(ScopeView &scope)
         const QSizeF points = QSizeF(scope.shapesSize()) * 72.0 / kDotsPerInch;
         pdf.setPageSize(QPageSize(points, QPageSize::Point));
         pdf.setPageMargins(QMarginsF());
+        const OnPaper paper(scope);
         scope.drawShapes(pdf);
     }
     return buffer.data();

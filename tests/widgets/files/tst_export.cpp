@@ -3,6 +3,7 @@
 #include "capture/csv_import.h"
 #include "support/scope_window.h"
 #include "widgets/base/banner.h"
+#include "widgets/base/theme.h"
 #include "widgets/files/export_order.h"
 #include "widgets/files/file_job.h"
 #include "widgets/scope/scope_view.h"
@@ -303,6 +304,30 @@ private Q_SLOTS:
         QImage drawn(svg);
         QVERIFY(!drawn.isNull());
         QVERIFY(traceShare(drawn) > 0.1);
+    }
+
+    void reportsAreWhiteInTheDark()
+    {
+        widgets::applyTheme(widgets::Theme::Dark);
+        const QString svg = m_folder.filePath(QStringLiteral("dark.svg"));
+        exportAs("svg", kEverything, svg);
+        const QImage drawn(svg);
+        const QImage seen = scope()->grab().toImage();
+        widgets::applyTheme(widgets::Theme::Light);
+        QVERIFY(!drawn.isNull());
+        const auto share = [](const QImage &image, auto &&counts) { // of ground, not of traces
+            int count = 0;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x)
+                    count += counts(qGray(image.pixel(x, y))) ? 1 : 0;
+            return double(count) / (image.width() * image.height());
+        };
+        const auto white = [](int gray) { return gray > 240; };
+        const auto dark = [](int gray) { return gray < 50; };
+        QVERIFY2(share(drawn, white) > 0.3, qPrintable(QString::number(share(drawn, white))));
+        QVERIFY2(share(drawn, dark) < 0.2, qPrintable(QString::number(share(drawn, dark))));
+        // And the screen is as it was.
+        QVERIFY2(share(seen, dark) > 0.3, qPrintable(QString::number(share(seen, dark))));
     }
 
     void thePictureIsCopied()
