@@ -57,7 +57,9 @@ RecordControl::RecordControl(Parts parts, const QString &folder, QWidget *window
     m_withLink->setToolTip(tr("Twice the size; keeps what was on the line byte for byte"));
     m_line->setObjectName(QStringLiteral("recordLine"));
     m_line->setContentsMargins(8, 0, 8, 3);
-    m_line->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // never makes the window wider
+    QSizePolicy still(QSizePolicy::Ignored, QSizePolicy::Fixed); // never makes the window wider
+    still.setRetainSizeWhenHidden(true); // what is below stays where it is
+    m_line->setSizePolicy(still);
     m_line->hide();
 
     using session::Recording;

@@ -445,7 +445,6 @@ void MainWindow::updateFrame()
     colors.setColor(QPalette::Window,
         real && m_device.armed() ? QColor(0xc0, 0x1f, 0x1f) : palette().color(QPalette::Mid));
     m_frame->setPalette(colors);
-    m_frame->setFixedHeight(real && m_device.armed() ? 3 : 1);
     QString title = QStringLiteral("Rotorscope");
     if (m_device.portOpen())
         title = tr("%1 \u2013 Rotorscope", "what is connected")

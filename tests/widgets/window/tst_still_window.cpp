@@ -1,6 +1,7 @@
 // Nothing that one could be about to click changes its place while messages, faults, stops and recordings come and go.
 #include "support/window_rig.h"
 #include "widgets/base/banner.h"
+#include "widgets/base/theme.h"
 #include "widgets/scope/scope_view.h"
 
 #include <QAbstractButton>
@@ -10,8 +11,10 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QTemporaryDir>
 
+#include <cstdlib>
 #include <map>
 
 using drive::MotorState;
@@ -105,6 +108,86 @@ private Q_SLOTS:
         device().armedChanged(false);
         facts::feed(device(), {facts::status(MotorState::Idle)});
         QCOMPARE(moved(), QString());
+    }
+
+    void armingARealBoard()
+    {
+        device().disconnect(SIGNAL(openWished(session::Endpoint)));
+        device().disconnect(SIGNAL(closeWished()));
+        session::Endpoint endpoint;
+        endpoint.kind = session::Endpoint::Kind::Serial;
+        endpoint.path = QStringLiteral("/a/board");
+        device().open(endpoint);
+        facts::connectBoard(device());
+        settle();
+        m_before = places();
+        for (const bool armed : {true, false}) {
+            device().armedChanged(armed);
+            QCOMPARE(moved(), QString());
+        }
+    }
+
+    void recordingsBeginAndEnd()
+    {
+        QTemporaryDir folder;
+        m_rig->files.answer = folder.filePath(QStringLiteral("a.pcapng"));
+        auto *toggle = m_rig->find<QAction>("record");
+        auto *line = m_rig->find<QWidget>("recordLine");
+        toggle->trigger();
+        QTRY_VERIFY(line->isVisible());
+        QCOMPARE(moved(), QString());
+        toggle->trigger();
+        QTRY_VERIFY(!line->isVisible());
+        QCOMPARE(moved(), QString());
+    }
+
+    /// What it covers stays readable: a message has the colours of the theme that is on.
+    void aMessageFollowsTheTheme()
+    {
+        auto *banner = m_rig->find<widgets::Banner>("banner");
+        widgets::applyTheme(widgets::Theme::Light);
+        banner->say(widgets::Banner::Kind::Warning, QStringLiteral("Look."));
+        widgets::applyTheme(widgets::Theme::Dark);
+        settle();
+        const QColor then = banner->palette().color(QPalette::Window);
+        banner->say(widgets::Banner::Kind::Warning, QStringLiteral("Look."));
+        const QColor fresh = banner->palette().color(QPalette::Window);
+        banner->clear();
+        widgets::applyTheme(widgets::Theme::Light);
+        QCOMPARE(then, fresh);
+        QVERIFY(then.lightness() < 128);
+    }
+
+    void aMenuInTheDarkShowsItsBoxes()
+    {
+        widgets::applyTheme(widgets::Theme::Dark);
+        QMenu menu;
+        menu.addAction(QStringLiteral("Grid"))->setCheckable(true);
+        menu.popup(QPoint(100, 100));
+        QVERIFY(QTest::qWaitForWindowExposed(&menu));
+        const QRect entry = menu.actionGeometry(menu.actions().first());
+        const QImage seen = menu.grab().toImage();
+        menu.close();
+        widgets::applyTheme(widgets::Theme::Light);
+        const int ground = qGray(seen.pixel(entry.right() - 4, entry.center().y()));
+        int edge = 0; // pixels of the box, which stands before the words
+        for (int x = entry.left() + 2; x < entry.left() + 20; ++x)
+            for (int y = entry.top(); y <= entry.bottom(); ++y)
+                edge += std::abs(qGray(seen.pixel(x, y)) - ground) > 24 ? 1 : 0;
+        QVERIFY2(edge > 20, qPrintable(QString::number(edge)));
+    }
+
+    void theKeysFitSmallScreens()
+    {
+        for (QAction *action : m_rig->window.findChildren<QAction *>())
+            if (action->shortcut() == QKeySequence(Qt::Key_F1))
+                action->trigger();
+        QTRY_VERIFY(m_rig->find<QWidget>("keys") && m_rig->find<QWidget>("keys")->isVisible());
+        QWidget *keys = m_rig->find<QWidget>("keys")->window();
+        settle();
+        QVERIFY2(keys->height() < 640, qPrintable(QString::number(keys->height())));
+        QVERIFY2(keys->width() < 1280, qPrintable(QString::number(keys->width())));
+        keys->close();
     }
 
     void aHiccupOfTheLink()
