@@ -136,10 +136,6 @@
         <translation>Das Gitter zeigen oder verbergen</translation>
     </message>
     <message>
-        <source>Keep the traces as reference A, B; with Shift: drop it</source>
-        <translation>Kurven als Referenz A, B behalten; mit Umschalt: verwerfen</translation>
-    </message>
-    <message>
         <source>Math channels; XY picture</source>
         <translation>Mathematik-Kanäle; XY-Bild</translation>
     </message>
@@ -150,6 +146,10 @@
     <message>
         <source>Notes; motion log</source>
         <translation>Notizen; Bewegungsprotokoll</translation>
+    </message>
+    <message>
+        <source>Keep the traces as reference A, B; with Shift: back</source>
+        <translation>Kurven als Referenz A, B behalten; mit Umschalt: zurück</translation>
     </message>
 </context>
 <context>
@@ -1305,14 +1305,6 @@
         <translation>Das Board spricht das Protokoll neuerer Firmware. Wählen Sie dieses oder „Auto“ und verbinden Sie neu.</translation>
     </message>
     <message>
-        <source>Asking whether the board speaks the protocol of newer firmware; if nobody answers, that of older firmware is next.</source>
-        <translation>Gefragt wird im Protokoll neuerer Firmware; wenn niemand antwortet, danach in dem älterer.</translation>
-    </message>
-    <message>
-        <source>Nobody answers in the protocol of newer firmware: asking in that of older firmware.</source>
-        <translation>Im Protokoll neuerer Firmware antwortet niemand: Gefragt wird in dem älterer.</translation>
-    </message>
-    <message>
         <source>Current scale</source>
         <comment>a person says it</comment>
         <translation>Stromskala</translation>
@@ -1361,6 +1353,14 @@
     <message>
         <source>Not written (%1). Make room or choose another folder; nothing was replaced.</source>
         <translation>Nicht geschrieben (%1). Platz schaffen oder anderen Ordner wählen; nichts wurde ersetzt.</translation>
+    </message>
+    <message>
+        <source>Asking whether the board speaks the protocol of newer firmware; if no answer comes, that of older firmware is next.</source>
+        <translation>Gefragt wird im Protokoll neuerer Firmware; ohne Antwort danach in dem älterer.</translation>
+    </message>
+    <message>
+        <source>No answer in the protocol of newer firmware: asking in that of older firmware.</source>
+        <translation>Keine Antwort im Protokoll neuerer Firmware: Gefragt wird in dem älterer.</translation>
     </message>
 </context>
 <context>
@@ -2178,6 +2178,11 @@
         <comment>state of the trigger</comment>
         <translation>Halt</translation>
     </message>
+    <message>
+        <source>Set-point</source>
+        <comment>type of the trigger</comment>
+        <translation>Sollwert</translation>
+    </message>
 </context>
 <context>
     <name>WorkspaceFile</name>
@@ -2223,16 +2228,16 @@
         <translation>Register schreiben</translation>
     </message>
     <message>
-        <source>This can move or harm a motor at once.</source>
-        <translation>Das kann einen Motor sofort bewegen oder beschädigen.</translation>
-    </message>
-    <message>
         <source>Write</source>
         <translation>Schreiben</translation>
     </message>
     <message>
         <source>%1 (gain changes by more than a factor of 2 while running)</source>
         <translation>%1 (Verstärkung ändert sich im Lauf um mehr als Faktor 2)</translation>
+    </message>
+    <message>
+        <source>This can move or harm a motor immediately.</source>
+        <translation>Das kann einen Motor sofort bewegen oder beschädigen.</translation>
     </message>
 </context>
 <context>
@@ -2248,11 +2253,6 @@
         <source>The board made another value of: %1.</source>
         <comment>list of registers</comment>
         <translation>Das Board machte einen anderen Wert aus: %1.</translation>
-    </message>
-    <message>
-        <source>Sent, but nobody knows whether they were written: %1.</source>
-        <comment>list of registers</comment>
-        <translation>Gesendet, aber niemand weiß, ob sie geschrieben wurden: %1.</translation>
     </message>
     <message>
         <source>Not written: %1</source>
@@ -2281,6 +2281,11 @@
             <numerusform>%n Register geschrieben und geprüft.</numerusform>
             <numerusform>%n Register geschrieben und geprüft.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Sent, outcome unknown: %1.</source>
+        <comment>list of registers</comment>
+        <translation>Gesendet, Ergebnis unbekannt: %1.</translation>
     </message>
 </context>
 <context>
@@ -2626,6 +2631,14 @@
     <message>
         <source>What the board speaks; Auto finds it out</source>
         <translation>Was das Board spricht; „Auto“ findet es heraus</translation>
+    </message>
+    <message>
+        <source>replay, no port</source>
+        <translation>Wiedergabe, kein Port</translation>
+    </message>
+    <message>
+        <source>board as recorded</source>
+        <translation>Board wie aufgezeichnet</translation>
     </message>
 </context>
 <context>
@@ -3608,8 +3621,8 @@
         <translation>Die Verstärkungen dieses Antriebs haben die Einheiten, die neben ihnen stehen.</translation>
     </message>
     <message>
-        <source>The form has changed: the edits of its preview were taken back.</source>
-        <translation>Das Formular hat sich geändert: Die Änderungen seiner Vorschau wurden zurückgenommen.</translation>
+        <source>The form has changed: the edits of its preview were dropped.</source>
+        <translation>Das Formular hat sich geändert: Die Änderungen seiner Vorschau wurden verworfen.</translation>
     </message>
 </context>
 <context>
@@ -3996,6 +4009,10 @@
         <source>&amp;Start-up</source>
         <translation>An&amp;lauf</translation>
     </message>
+    <message>
+        <source>The trigger&apos;s mode was %1 and is Roll now: the newest samples are followed.</source>
+        <translation>Der Trigger stand auf %1 und steht jetzt auf Rollen: Das Bild folgt den neuesten Abtastwerten.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MarkerFile</name>
@@ -4115,10 +4132,6 @@
         <translation>So heißt schon ein Signal oder eine Funktion.</translation>
     </message>
     <message>
-        <source>Right; its unit does not follow, or it is a plain number.</source>
-        <translation>Richtig; die Einheit ergibt sich nicht, oder es ist eine reine Zahl.</translation>
-    </message>
-    <message>
         <source>C&amp;hange</source>
         <translation>Än&amp;dern</translation>
     </message>
@@ -4133,6 +4146,10 @@
     <message>
         <source>Valid, unit %1</source>
         <translation>Gültig, Einheit %1</translation>
+    </message>
+    <message>
+        <source>Valid, unit not known or a plain number</source>
+        <translation>Gültig, Einheit unbekannt oder reine Zahl</translation>
     </message>
 </context>
 <context>
@@ -4282,11 +4299,6 @@
         <translation>Strom Iq %1 → %2 in %3 ms</translation>
     </message>
     <message>
-        <source>Iq %1 → %2, Id %3 → %4, at once</source>
-        <comment>old, new, old, new</comment>
-        <translation>Iq %1 → %2, Id %3 → %4, sofort</translation>
-    </message>
-    <message>
         <source>Motor %1: %2</source>
         <comment>number, change</comment>
         <translation>Motor %1: %2</translation>
@@ -4312,6 +4324,11 @@
         <source>Do not ask about steps up to %1 again until disarmed</source>
         <comment>set-point with unit</comment>
         <translation>Bis die Freigabe aufgehoben wird, nach Sprüngen bis %1 nicht mehr fragen</translation>
+    </message>
+    <message>
+        <source>Iq %1 → %2, Id %3 → %4, immediately</source>
+        <comment>old, new, old, new</comment>
+        <translation>Iq %1 → %2, Id %3 → %4, sofort</translation>
     </message>
 </context>
 <context>
@@ -4761,10 +4778,6 @@
         <translation>Trotzdem öffnen …</translation>
     </message>
     <message>
-        <source>Disconnect first (Ctrl+D): a recording takes the place of what the scope shows.</source>
-        <translation>Zuerst trennen (Strg+D): Eine Aufzeichnung tritt an die Stelle dessen, was das Oszilloskop zeigt.</translation>
-    </message>
-    <message>
         <source>Open a recording</source>
         <translation>Aufzeichnung öffnen</translation>
     </message>
@@ -4773,16 +4786,8 @@
         <translation>Aufzeichnungen (*.pcapng)</translation>
     </message>
     <message>
-        <source>Disconnect first (Ctrl+D): a replay takes the place of a board.</source>
-        <translation>Erst trennen (Strg+D): Eine Wiedergabe tritt an die Stelle eines Boards.</translation>
-    </message>
-    <message>
         <source>Replay a recording</source>
         <translation>Aufzeichnung wiedergeben</translation>
-    </message>
-    <message>
-        <source>Disconnect first (Ctrl+D): what is imported takes the place of what the scope shows.</source>
-        <translation>Zuerst trennen (Strg+D): Was importiert wird, tritt an die Stelle dessen, was das Oszilloskop zeigt.</translation>
     </message>
     <message>
         <source>Import CSV</source>
@@ -4799,6 +4804,22 @@
     <message>
         <source>Imported %1.</source>
         <translation>%1 ist importiert.</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect and go on</source>
+        <translation>&amp;Trennen und weiter</translation>
+    </message>
+    <message>
+        <source>A recording takes the place of what the scope shows.</source>
+        <translation>Eine Aufzeichnung tritt an die Stelle dessen, was das Oszilloskop zeigt.</translation>
+    </message>
+    <message>
+        <source>A replay takes the place of a board.</source>
+        <translation>Eine Wiedergabe tritt an die Stelle eines Boards.</translation>
+    </message>
+    <message>
+        <source>What is imported takes the place of what the scope shows.</source>
+        <translation>Das Importierte tritt an die Stelle dessen, was das Oszilloskop zeigt.</translation>
     </message>
 </context>
 <context>
@@ -5441,14 +5462,6 @@
         <source>Nothing was edited.</source>
         <translation>Nichts wurde bearbeitet.</translation>
     </message>
-    <message>
-        <source>Nothing was written that could be taken back.</source>
-        <translation>Nichts wurde geschrieben, was sich zurücknehmen ließe.</translation>
-    </message>
-    <message>
-        <source>Nothing was taken back.</source>
-        <translation>Nichts wurde zurückgenommen.</translation>
-    </message>
     <message numerus="yes">
         <source>%n register(s)</source>
         <comment>how many were written</comment>
@@ -5460,6 +5473,14 @@
     <message>
         <source>Undo is not available after a reconnect.</source>
         <translation>Nach dem Wiederverbinden ist Rückgängig nicht verfügbar.</translation>
+    </message>
+    <message>
+        <source>Nothing to undo.</source>
+        <translation>Nichts rückgängig zu machen.</translation>
+    </message>
+    <message>
+        <source>Nothing to redo.</source>
+        <translation>Nichts zu wiederholen.</translation>
     </message>
 </context>
 <context>
@@ -5530,10 +5551,6 @@
         <translation>Geschrieben, aber das Board hält %1.</translation>
     </message>
     <message>
-        <source>Sent, but nobody knows whether it was written: %1</source>
-        <translation>Gesendet, aber niemand weiß, ob es geschrieben wurde: %1</translation>
-    </message>
-    <message>
         <source>Refused: %1</source>
         <comment>the board&apos;s reason</comment>
         <translation>Abgelehnt: %1</translation>
@@ -5596,6 +5613,10 @@
         <source>Help</source>
         <comment>what a register is</comment>
         <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Sent, outcome unknown: %1</source>
+        <translation>Gesendet, Ergebnis unbekannt: %1</translation>
     </message>
 </context>
 <context>
@@ -7048,6 +7069,14 @@ mN·m</translation>
         <comment>recording, seconds</comment>
         <translation>%1 bei %2 s</translation>
     </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Sichern…</translation>
+    </message>
+    <message>
+        <source>Save a snapshot</source>
+        <translation>Schnappschuss sichern</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SpectrumPanel</name>
@@ -7167,14 +7196,6 @@ mN·m</translation>
         <translation>Frequenz</translation>
     </message>
     <message>
-        <source>orders of the largest peak</source>
-        <translation>Ordnungen der höchsten Spitze</translation>
-    </message>
-    <message>
-        <source>orders of %1</source>
-        <translation>Ordnungen von %1</translation>
-    </message>
-    <message>
         <source>No trace is shown on the scope.</source>
         <translation>Das Oszilloskop zeigt keine Kurve.</translation>
     </message>
@@ -7217,6 +7238,15 @@ mN·m</translation>
     <message>
         <source>&amp;Restart</source>
         <translation>&amp;Neu starten</translation>
+    </message>
+    <message>
+        <source>orders: largest peak</source>
+        <translation>Ordnungen: höchste Spitze</translation>
+    </message>
+    <message>
+        <source>orders: %1</source>
+        <comment>name of a speed</comment>
+        <translation>Ordnungen: %1</translation>
     </message>
 </context>
 <context>
@@ -7453,6 +7483,13 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     </message>
 </context>
 <context>
+    <name>widgets::ToolDocks</name>
+    <message>
+        <source>&amp;Close all tools</source>
+        <translation>Alle Werkzeuge &amp;schließen</translation>
+    </message>
+</context>
+<context>
     <name>widgets::Tools</name>
     <message>
         <source>Events</source>
@@ -7640,6 +7677,10 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>Set level to &amp;50 %</source>
         <translation>Pegel auf &amp;50 % setzen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
     </message>
 </context>
 <context>

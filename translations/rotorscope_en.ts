@@ -132,10 +132,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep the traces as reference A, B; with Shift: drop it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Math channels; XY picture</source>
         <translation type="unfinished"></translation>
     </message>
@@ -149,6 +145,10 @@
     </message>
     <message>
         <source>Notes; motion log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the traces as reference A, B; with Shift: back</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1305,14 +1305,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asking whether the board speaks the protocol of newer firmware; if nobody answers, that of older firmware is next.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nobody answers in the protocol of newer firmware: asking in that of older firmware.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Current scale</source>
         <comment>a person says it</comment>
         <translation type="unfinished"></translation>
@@ -1360,6 +1352,14 @@
     </message>
     <message>
         <source>Not written (%1). Make room or choose another folder; nothing was replaced.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking whether the board speaks the protocol of newer firmware; if no answer comes, that of older firmware is next.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer in the protocol of newer firmware: asking in that of older firmware.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2178,6 +2178,11 @@
         <comment>state of the trigger</comment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Set-point</source>
+        <comment>type of the trigger</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>WorkspaceFile</name>
@@ -2223,15 +2228,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This can move or harm a motor at once.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Write</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 (gain changes by more than a factor of 2 while running)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This can move or harm a motor immediately.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2246,11 +2251,6 @@
     </message>
     <message>
         <source>The board made another value of: %1.</source>
-        <comment>list of registers</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sent, but nobody knows whether they were written: %1.</source>
         <comment>list of registers</comment>
         <translation type="unfinished"></translation>
     </message>
@@ -2281,6 +2281,11 @@
             <numerusform>%n register written and verified.</numerusform>
             <numerusform>%n registers written and verified.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Sent, outcome unknown: %1.</source>
+        <comment>list of registers</comment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2625,6 +2630,14 @@
     </message>
     <message>
         <source>What the board speaks; Auto finds it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>replay, no port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>board as recorded</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3608,7 +3621,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The form has changed: the edits of its preview were taken back.</source>
+        <source>The form has changed: the edits of its preview were dropped.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3996,6 +4009,10 @@
         <source>&amp;Start-up</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The trigger&apos;s mode was %1 and is Roll now: the newest samples are followed.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::MarkerFile</name>
@@ -4115,10 +4132,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Right; its unit does not follow, or it is a plain number.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>C&amp;hange</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4132,6 +4145,10 @@
     </message>
     <message>
         <source>Valid, unit %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Valid, unit not known or a plain number</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4282,11 +4299,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Iq %1 → %2, Id %3 → %4, at once</source>
-        <comment>old, new, old, new</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Motor %1: %2</source>
         <comment>number, change</comment>
         <translation type="unfinished"></translation>
@@ -4311,6 +4323,11 @@
     <message>
         <source>Do not ask about steps up to %1 again until disarmed</source>
         <comment>set-point with unit</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iq %1 → %2, Id %3 → %4, immediately</source>
+        <comment>old, new, old, new</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4761,10 +4778,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Disconnect first (Ctrl+D): a recording takes the place of what the scope shows.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Open a recording</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4773,15 +4786,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Disconnect first (Ctrl+D): a replay takes the place of a board.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Replay a recording</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Disconnect first (Ctrl+D): what is imported takes the place of what the scope shows.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4798,6 +4803,22 @@
     </message>
     <message>
         <source>Imported %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect and go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A recording takes the place of what the scope shows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A replay takes the place of a board.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is imported takes the place of what the scope shows.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5441,14 +5462,6 @@
         <source>Nothing was edited.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Nothing was written that could be taken back.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing was taken back.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>%n register(s)</source>
         <comment>how many were written</comment>
@@ -5459,6 +5472,14 @@
     </message>
     <message>
         <source>Undo is not available after a reconnect.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to undo.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to redo.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5530,10 +5551,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sent, but nobody knows whether it was written: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Refused: %1</source>
         <comment>the board&apos;s reason</comment>
         <translation type="unfinished"></translation>
@@ -5595,6 +5612,10 @@
     <message>
         <source>Help</source>
         <comment>what a register is</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sent, outcome unknown: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7042,6 +7063,14 @@ mN·m</source>
         <comment>recording, seconds</comment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save a snapshot</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::SpectrumPanel</name>
@@ -7161,14 +7190,6 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>orders of the largest peak</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>orders of %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No trace is shown on the scope.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7210,6 +7231,15 @@ mN·m</source>
     </message>
     <message>
         <source>&amp;Restart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orders: largest peak</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orders: %1</source>
+        <comment>name of a speed</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7446,6 +7476,13 @@ A program on a PC is no replacement for a switch that removes the power.</source
     </message>
 </context>
 <context>
+    <name>widgets::ToolDocks</name>
+    <message>
+        <source>&amp;Close all tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::Tools</name>
     <message>
         <source>Events</source>
@@ -7632,6 +7669,10 @@ A program on a PC is no replacement for a switch that removes the power.</source
     </message>
     <message>
         <source>Set level to &amp;50 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

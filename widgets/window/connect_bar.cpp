@@ -4,6 +4,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/lamp.h"
 #include "widgets/base/messages.h"
+#include "widgets/base/replaying.h"
 #include "widgets/base/wheel_guard.h"
 
 #include <QComboBox>
@@ -307,20 +308,26 @@ void ConnectBar::updateLink()
         || m_device.portError().problem == session::PortProblem::TakenOver;
     if (!open && problem && !m_device.endpoint().path.isEmpty() && !comesBack)
         m_wanted = false;
-    m_portLamp->show(open ? Lamp::Light::On
-            : problem     ? Lamp::Light::Bad
-                          : Lamp::Light::Off,
-        open          ? tr("port open")
-            : problem ? tr("port not open")
-                      : tr("port closed"));
+    const bool replay = replaying(m_device); // there is no port then, and no board
+    m_portLamp->show(open && !replay ? Lamp::Light::On
+            : problem                ? Lamp::Light::Bad
+                                     : Lamp::Light::Off,
+        open && replay ? tr("replay, no port")
+            : open     ? tr("port open")
+            : problem  ? tr("port not open")
+                       : tr("port closed"));
     using drive::LinkState;
     const LinkState state = m_device.link().state;
-    const auto light = state == LinkState::Connected ? Lamp::Light::On
-        : state == LinkState::Lost                   ? Lamp::Light::Bad
-        : state == LinkState::Closed                 ? Lamp::Light::Off
-                                                     : Lamp::Light::Waiting;
-    m_boardLamp->show(
-        light, state == LinkState::Closed ? tr("no board") : linkStateText(m_device.link()));
+    const bool recorded = replay && state == LinkState::Connected;
+    const auto light = recorded         ? Lamp::Light::Off
+        : state == LinkState::Connected ? Lamp::Light::On
+        : state == LinkState::Lost      ? Lamp::Light::Bad
+        : state == LinkState::Closed    ? Lamp::Light::Off
+                                        : Lamp::Light::Waiting;
+    m_boardLamp->show(light,
+        recorded                         ? tr("board as recorded")
+            : state == LinkState::Closed ? tr("no board")
+                                         : linkStateText(m_device.link()));
     m_connect->setText(connecting() ? tr("Disconnect") : tr("Connect"));
     m_connect->setToolTip(connecting() ? tr("Closes the port (Ctrl+D)")
                                        : tr("Opens the port and looks for a board (Ctrl+D)"));

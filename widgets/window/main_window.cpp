@@ -165,7 +165,7 @@ void MainWindow::makeFlows()
     m_opening = new Opening(
         {m_workbench, *m_selection, *m_markers, *m_leaving, *m_replacing, m_files,
             [this] { return m_connectBar->connecting(); }, [this] { return m_record->folder(); },
-            [this] { return m_exporting->folder(); }, this},
+            [this] { return m_exporting->folder(); }, m_questions, this},
         this);
     m_connectBar->setBeforeOpening(
         [this](std::function<void()> goOn) { m_opening->beforeConnecting(std::move(goOn)); });
@@ -351,6 +351,7 @@ void MainWindow::connectParts()
         linkChanged();
     });
     connect(&m_device, &Device::armedStateChanged, this, &MainWindow::updateFrame);
+    connect(&m_workbench.signalPlan(), &SignalPlan::changed, this, &MainWindow::updateFrame);
 }
 
 void MainWindow::connectFlows()
@@ -384,6 +385,13 @@ void MainWindow::connectFlows()
             m_firstSteps->finish();
     });
     connect(m_opening, &Opening::replayWanted, m_connectBar, &ConnectBar::openReplay);
+    connect(m_opening, &Opening::disconnectWanted, m_leaving,
+        [this](const std::function<void()> &goOn) {
+            m_leaving->beforeDisconnecting([this, goOn] {
+                m_connectBar->disconnectNow();
+                m_opening->whenDisconnected(goOn);
+            });
+        });
     connect(m_connectBar, &ConnectBar::disconnectWanted, m_leaving,
         [this] { m_leaving->beforeDisconnecting([this] { m_connectBar->disconnectNow(); }); });
 }
@@ -453,6 +461,9 @@ void MainWindow::updateFrame()
                             ? tr("Replay of %1")
                                   .arg(deviceText(QFileInfo(m_device.endpoint().path).fileName()))
                             : tr("Simulated board"));
+    else if (m_workbench.signalPlan().showsFile())
+        title = tr("%1 \u2013 Rotorscope", "what is connected")
+                    .arg(deviceText(QFileInfo(m_opening->shown()).fileName()));
     setWindowTitle(title);
 }
 

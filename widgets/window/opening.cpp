@@ -3,6 +3,7 @@
 #include "session/transports/recording_transport.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
+#include "widgets/base/question.h"
 #include "widgets/files/import_csv.h"
 #include "widgets/files/marker_file.h"
 #include "widgets/files/open_recording.h"
@@ -35,9 +36,42 @@ Opening::Opening(Parts parts, QObject *parent)
     : QObject(parent)
     , m_parts(std::move(parts))
 {
+    connect(
+        &m_parts.workbench.device(), &Device::portStateChanged, this,
+        [this] {
+            if (m_next && !m_parts.connecting())
+                std::exchange(m_next, nullptr)();
+        },
+        Qt::QueuedConnection); // others are told of the end first
 }
 
 void Opening::warn(const QString &sentence) { Q_EMIT said(Banner::Kind::Warning, sentence); }
+
+void Opening::whenDisconnected(std::function<void()> goOn)
+{
+    if (m_parts.connecting())
+        m_next = std::move(goOn);
+    else
+        goOn();
+}
+
+/// What is connected goes first, if that is wanted; then it begins again.
+bool Opening::isFree(const QString &title, const QString &text, const std::function<void()> &again)
+{
+    m_next = nullptr;
+    if (!m_parts.connecting())
+        return true;
+    if (m_parts.prompt.asks("disconnectQuestion"))
+        return false;
+    m_parts.prompt.ask({.name = "disconnectQuestion",
+        .title = title,
+        .text = text,
+        .more = {},
+        .answers = {{Answer::Kind::Go, tr("&Disconnect and go on"),
+                        [this, again] { Q_EMIT disconnectWanted(again); }, "disconnectAndGoOn"},
+            {}}});
+    return false;
+}
 
 /// What takes the place of a connection that is over, perhaps with a motor that turns.
 void Opening::leaveThen(std::function<void()> go)
@@ -67,9 +101,9 @@ void Opening::ask(const OpenQuestion &question, Opened open)
 
 void Opening::askForRecording()
 {
-    if (m_parts.connecting())
-        return warn(
-            tr("Disconnect first (Ctrl+D): a recording takes the place of what the scope shows."));
+    if (!isFree(tr("Open a recording"), tr("A recording takes the place of what the scope shows."),
+            [this] { askForRecording(); }))
+        return;
     OpenQuestion question;
     question.title = tr("Open a recording");
     question.folder = orHome(m_parts.recordFolder());
@@ -80,8 +114,9 @@ void Opening::askForRecording()
 /// The scope's trigger, its measurements and another recording see no difference to a board.
 void Opening::askForReplay()
 {
-    if (m_parts.connecting())
-        return warn(tr("Disconnect first (Ctrl+D): a replay takes the place of a board."));
+    if (!isFree(tr("Replay a recording"), tr("A replay takes the place of a board."),
+            [this] { askForReplay(); }))
+        return;
     OpenQuestion question;
     question.title = tr("Replay a recording");
     question.folder = orHome(m_parts.recordFolder());
@@ -91,10 +126,9 @@ void Opening::askForReplay()
 
 void Opening::askForCsv()
 {
-    if (m_parts.connecting())
-        return warn(
-            tr("Disconnect first (Ctrl+D): what is imported takes the place of what the scope "
-               "shows."));
+    if (!isFree(tr("Import CSV"), tr("What is imported takes the place of what the scope shows."),
+            [this] { askForCsv(); }))
+        return;
     OpenQuestion question;
     question.title = tr("Import CSV");
     question.folder = orHome(m_parts.exportFolder());
@@ -104,9 +138,9 @@ void Opening::askForCsv()
 
 void Opening::openPath(const QString &path)
 {
-    if (m_parts.connecting())
-        return warn(
-            tr("Disconnect first (Ctrl+D): a recording takes the place of what the scope shows."));
+    if (!isFree(tr("Open a recording"), tr("A recording takes the place of what the scope shows."),
+            [this, path] { openPath(path); }))
+        return;
     const bool csv = path.endsWith(QLatin1String(".csv")) || path.endsWith(QLatin1String(".txt"));
     leaveThen([this, path, csv] {
         m_parts.replacing.before([this, path, csv] { csv ? import(path) : open(path); });
@@ -151,6 +185,7 @@ void Opening::show(OpenedRecording &opened)
             [this, kept = std::make_shared<OpenedRecording>(std::move(opened))] { show(*kept); });
         return;
     }
+    m_shown = opened.path;
     bool whole = true;
     QString sentence = openedText(opened, whole);
     sentence += leftText(m_parts.selection.showFile(std::move(opened.capture)));
@@ -173,6 +208,7 @@ void Opening::showImported(const QString &path, capture::Capture &imported)
             });
         return;
     }
+    m_shown = path;
     const QString released = releasedText(imported);
     const int left = m_parts.selection.showFile(std::move(imported));
     m_parts.workbench.events().clear();

@@ -20,6 +20,7 @@ class SignalSelection;
 class Workbench;
 struct OpenedRecording;
 struct OpenQuestion;
+class QuestionPrompt;
 
 class Opening : public QObject {
     Q_OBJECT
@@ -34,13 +35,18 @@ public:
         FilePrompt &files;
         std::function<bool()> connecting; ///< a connection is open or looked for
         std::function<QString()> recordFolder, exportFolder; ///< of the last files
+        QuestionPrompt &prompt;
         QWidget *window; ///< dialogs are over it; tests do without
     };
     explicit Opening(Parts parts, QObject *parent = nullptr);
 
     /// Of the recording that was opened last.
     const RecordedSnapshots &snapshots() const { return m_snapshots; }
+    QString shown() const { return m_shown; } ///< path of the file that took the scope's place last
     void beforeConnecting(std::function<void()> goOn); ///< to a port
+
+    /// Goes on as soon as no connection is open.
+    void whenDisconnected(std::function<void()> goOn);
 
 public Q_SLOTS:
     void askForRecording(); ///< Ctrl+O
@@ -51,12 +57,15 @@ public Q_SLOTS:
 Q_SIGNALS:
     void said(widgets::Banner::Kind kind, const QString &sentence);
     void replayWanted(const QString &path);
+    void disconnectWanted(
+        std::function<void()> goOn); ///< with what whenDisconnected() is to be given
     void snapshotsChanged();
     void used(const QString &path); ///< was opened
 
 private:
     using Opened = std::function<void(const QString &path)>;
     void ask(const OpenQuestion &question, Opened open);
+    bool isFree(const QString &title, const QString &text, const std::function<void()> &again);
     void leaveThen(std::function<void()> go);
     void open(const QString &path);
     void replay(const QString &path);
@@ -68,6 +77,8 @@ private:
 
     Parts m_parts;
     RecordedSnapshots m_snapshots;
+    QString m_shown;
+    std::function<void()> m_next; ///< once the connection is closed
 };
 
 } // namespace widgets

@@ -4,6 +4,7 @@
 #include "support/recording_facts.h"
 #include "support/window_rig.h"
 #include "widgets/base/banner.h"
+#include "widgets/base/lamp.h"
 #include "widgets/base/messages.h"
 #include "widgets/files/happening_text.h"
 #include "widgets/scope/cursor_actions.h"
@@ -14,6 +15,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QTemporaryDir>
@@ -90,6 +92,10 @@ private Q_SLOTS:
         QTRY_VERIFY(text()->text().contains(QStringLiteral("its end")));
         QVERIFY(m_rig->find<QWidget>("replayBar")->isVisible());
         QCOMPARE(m_rig->find<QAction>("scopeRun")->text(), QStringLiteral("Replay"));
+        for (const char *name : {"portLamp", "boardLamp"}) // no port, and nobody who answers
+            QVERIFY(m_rig->find<widgets::Lamp>(name)->light() == widgets::Lamp::Light::Off);
+        QCOMPARE(
+            m_rig->find<widgets::Lamp>("boardLamp")->text(), QStringLiteral("board as recorded"));
         QVERIFY(text()->text().startsWith(QStringLiteral("a.pcapng: 0:00:")));
         QCOMPARE(device().droppedForDisplay(), 0U);
         QCOMPARE(scope()->channels().size(), 2); // what was streamed, a plot for each unit
@@ -122,6 +128,7 @@ private Q_SLOTS:
         m_rig->files.answer = m_path;
         m_rig->find<QAction>("openRecording")->trigger();
         QTRY_VERIFY(banner()->text().startsWith(QStringLiteral("Opened ")));
+        QCOMPARE(m_rig->window.windowTitle(), QStringLiteral("a.pcapng \u2013 Rotorscope"));
         QVERIFY(capture().find(kSquare, capture::ChannelInfo::Kind::Polled));
         QVERIFY(capture().info(*capture().find(kSquare))->kind == capture::ChannelInfo::Kind::Fast);
     }
@@ -312,7 +319,8 @@ private Q_SLOTS:
         QTRY_COMPARE(scope()->channels().size(), 4);
         QTRY_VERIFY(capture().size(scope()->channels().first()) > 1000);
         replay();
-        QVERIFY(banner()->text().startsWith(QStringLiteral("Disconnect first")));
+        QVERIFY(m_rig->find<QWidget>("disconnectQuestion"));
+        m_rig->find<QDialog>("disconnectQuestion")->reject();
         m_rig->window.connectBar()->disconnectNow();
         QTRY_VERIFY(!device().portOpen());
         replay();

@@ -51,7 +51,7 @@ struct Flows {
     widgets::Exporting exporting{{bench, scope, files, replacing, questions, nullptr}, {}};
     widgets::Opening opening{
         {bench, selection, markers, leaving, replacing, files, [this] { return connecting; },
-            [] { return QString(); }, [] { return QString(); }, nullptr}};
+            [] { return QString(); }, [] { return QString(); }, questions, nullptr}};
 };
 
 } // namespace
@@ -98,15 +98,34 @@ private Q_SLOTS:
     void nothingTakesThePlaceOfAConnection()
     {
         m_flows->connecting = true;
-        m_flows->opening.askForRecording();
-        QVERIFY(m_said.startsWith(QStringLiteral("Disconnect first")));
-        m_said.clear();
-        m_flows->opening.askForReplay();
-        QVERIFY(m_said.startsWith(QStringLiteral("Disconnect first")));
-        m_said.clear();
-        m_flows->opening.askForCsv();
-        QVERIFY(m_said.startsWith(QStringLiteral("Disconnect first")));
+        const QSignalSpy left(&m_flows->opening, &widgets::Opening::disconnectWanted);
+        for (const auto ask : {&widgets::Opening::askForRecording, &widgets::Opening::askForReplay,
+                 &widgets::Opening::askForCsv}) {
+            (m_flows->opening.*ask)();
+            (m_flows->opening.*ask)(); // once is enough
+            QCOMPARE(m_flows->questions.open.size(), std::size_t{1});
+            QVERIFY(m_flows->questions.asks("disconnectQuestion"));
+            m_flows->questions.withdraw("disconnectQuestion");
+        }
+        QCOMPARE(left.size(), 0);
         QVERIFY(!plan().showsFile());
+    }
+
+    void aConnectionIsLeftFirstWhereThatIsWanted()
+    {
+        m_flows->connecting = true;
+        std::function<void()> goOn;
+        connect(&m_flows->opening, &widgets::Opening::disconnectWanted, this,
+            [&goOn](const std::function<void()> &next) { goOn = next; });
+        m_flows->opening.askForRecording();
+        QVERIFY(m_flows->questions.answer(QStringLiteral("&Disconnect and go on")));
+        QVERIFY(goOn);
+        m_flows->opening.whenDisconnected(goOn);
+        QVERIFY(m_said.isEmpty()); // its port is not closed yet
+        m_flows->connecting = false;
+        Q_EMIT m_flows->bench.device().portStateChanged();
+        QTRY_VERIFY(m_said.startsWith(QStringLiteral("Opened ")));
+        QVERIFY(plan().showsFile());
     }
 
     void aConnectionThatCameMeanwhileStays()
