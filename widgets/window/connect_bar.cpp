@@ -23,6 +23,7 @@ namespace widgets {
 namespace {
 
 constexpr quint32 kBauds[] = {1843200, 921600, 460800, 230400, 115200};
+constexpr qsizetype kMostTyped = 8;
 constexpr quint32 kSlowestBaud = 1200;
 constexpr quint32 kFastestBaud = 12'000'000;
 
@@ -197,8 +198,17 @@ void ConnectBar::fillPorts(const QList<session::PortChoice> &choices)
     m_port->clear();
     for (const session::PortChoice &choice : choices)
         m_port->addItem(choiceText(choice), choice.path);
+    for (const QString &path : std::as_const(m_typed))
+        if (m_port->findData(path) < 0)
+            m_port->addItem(deviceText(path), path);
     if (!before.isEmpty())
         setEndpoint(before, baud());
+}
+
+void ConnectBar::setTyped(const QStringList &paths)
+{
+    m_typed = paths;
+    fillPorts(session::simulatedBoards());
 }
 
 void ConnectBar::setEndpoint(const QString &path, quint32 baud)
@@ -256,6 +266,11 @@ void ConnectBar::connectOrDisconnect()
         if (connecting())
             return; // meanwhile
         m_wanted = true;
+        if (m_port->findData(endpoint.path) < 0) {
+            m_typed.prepend(endpoint.path);
+            m_typed = m_typed.mid(0, kMostTyped);
+            m_port->addItem(deviceText(endpoint.path), endpoint.path);
+        }
         m_device.open(endpoint);
         updateLink();
     };

@@ -5,6 +5,7 @@
 #include "session/transports/port_list.h"
 #include "widgets/base/device.h"
 
+#include <QStringList>
 #include <QWidget>
 
 #include <functional>
@@ -26,6 +27,9 @@ public:
     void setEndpoint(const QString &path, quint32 baud); ///< "sim" for the simulated board
     QString path() const; ///< as chosen or typed
     quint32 baud() const; ///< 0 if the text is not a baud rate
+    /// Ports that were typed and connected to: they stay in the list beside those of the system, the newest first.
+    void setTyped(const QStringList &paths);
+    const QStringList &typed() const { return m_typed; }
     void setProtocol(const QString &word); ///< as drive::wordOf(); unknown ones are passed over
     QString protocol() const;
     /// Called instead of opening a port, with what opens it; a replay is asked about before it comes here.
@@ -67,6 +71,7 @@ private:
     QLabel *m_board;
     QComboBox *m_motor;
     std::function<void(std::function<void()>)> m_beforeOpening;
+    QStringList m_typed;
     QString m_pathBefore; ///< while a recording is shown in its place
     bool m_wanted = false; ///< the person asked for a connection and has not taken that back
 };

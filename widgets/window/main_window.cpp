@@ -106,6 +106,7 @@ MainWindow::MainWindow(Workbench &workbench, const session::PortSource &ports, F
     new ShortcutGuard(this);
     m_workbench.registers().setPinned(settings.pinned);
     m_device.setUserLimits({settings.maxSpeedRpm, settings.maxCurrentAmps});
+    m_connectBar->setTyped(settings.typedPorts);
     m_connectBar->setEndpoint(settings.port, settings.baud);
     m_connectBar->setProtocol(settings.protocol);
 
@@ -138,6 +139,7 @@ Settings MainWindow::settings() const
     now.port = m_connectBar->path();
     if (m_connectBar->baud() > 0)
         now.baud = m_connectBar->baud();
+    now.typedPorts = m_connectBar->typed();
     now.protocol = m_connectBar->protocol();
     now.maxSpeedRpm = m_device.userLimits().maxSpeedRpm;
     now.maxCurrentAmps = m_device.userLimits().maxCurrentAmps;

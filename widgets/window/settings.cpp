@@ -16,7 +16,7 @@ namespace {
 
 constexpr qint64 kLargestFile = qint64{1024} * 1024;
 constexpr double kMostOnDisk_GB = 100'000.0;
-constexpr qsizetype kMostPinned = 200, kMostNumbers = 200, kMostRecent = 10;
+constexpr qsizetype kMostPinned = 200, kMostNumbers = 200, kMostRecent = 10, kMostTyped = 8;
 
 QString themeName(Theme theme)
 {
@@ -69,6 +69,7 @@ QByteArray toJson(const Settings &settings)
     QJsonObject object;
     object[QStringLiteral("geometry")] = QString::fromLatin1(settings.geometry.toBase64());
     object[QStringLiteral("port")] = settings.port;
+    object[QStringLiteral("typedPorts")] = QJsonArray::fromStringList(settings.typedPorts);
     object[QStringLiteral("baud")] = double(settings.baud);
     object[QStringLiteral("protocol")] = settings.protocol;
     object[QStringLiteral("theme")] = themeName(settings.theme);
@@ -128,6 +129,9 @@ Settings settingsFromJson(const QByteArray &json)
     const QJsonArray recent = object[QStringLiteral("recentFiles")].toArray();
     for (qsizetype i = 0; i < std::min(recent.size(), kMostRecent); ++i)
         settings.recentFiles.append(recent[i].toString());
+    const QJsonArray typed = object[QStringLiteral("typedPorts")].toArray();
+    for (qsizetype i = 0; i < std::min(typed.size(), kMostTyped); ++i)
+        settings.typedPorts.append(typed[i].toString());
     settings.workspace = workspaceOf(object[QStringLiteral("workspace")].toObject());
     return settings;
 }

@@ -16,6 +16,8 @@ namespace widgets {
 struct Settings {
     QByteArray geometry; ///< of the window, as Qt saves it
     QString port = QStringLiteral("sim");
+    QStringList
+        typedPorts; ///< that were connected to and that the system does not list, newest first
     quint32 baud = 1843200;
     QString protocol = QStringLiteral("auto");
     Theme theme = Theme::System;

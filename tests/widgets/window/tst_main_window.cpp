@@ -42,6 +42,19 @@ private Q_SLOTS:
         m_rig.reset();
     }
 
+    void aTypedPortIsInTheListTheNextTime()
+    {
+        device().portChanged(session::PortState::Closed, {});
+        auto *connect = m_rig->find<QPushButton>("connect");
+        QTest::mouseClick(connect, Qt::LeftButton); // no longer wanted
+        m_rig->find<QComboBox>("port")->setEditText(QStringLiteral("/a/board"));
+        QTest::mouseClick(connect, Qt::LeftButton);
+        const widgets::Settings kept = m_rig->window.settings();
+        QCOMPARE(kept.typedPorts, QStringList{QStringLiteral("/a/board")});
+        const facts::WindowRig next(kept);
+        QVERIFY(next.find<QComboBox>("port")->findData(QStringLiteral("/a/board")) >= 0);
+    }
+
     void toolsAreMadeWhenTheyAreOpenedOrABoardIsToCome()
     {
         facts::NoPorts ports;

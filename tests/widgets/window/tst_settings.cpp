@@ -28,6 +28,7 @@ private Q_SLOTS:
         Settings settings;
         settings.geometry = QByteArray("\x01\x02\xff", 3);
         settings.port = QStringLiteral("/dev/ttyACM0");
+        settings.typedPorts = {QStringLiteral("/dev/board"), QStringLiteral("COM3")};
         settings.baud = 115200;
         settings.theme = widgets::Theme::Dark;
         settings.pinned = {QStringLiteral("I_A")};
