@@ -55,6 +55,16 @@ QByteArray bytesOf(const QJsonValue &value)
     return QByteArray::fromBase64(value.toString().toLatin1());
 }
 
+/// The first texts of a list.
+QStringList namesOf(const QJsonValue &list, qsizetype most)
+{
+    QStringList names;
+    const QJsonArray array = list.toArray();
+    for (qsizetype i = 0; i < std::min(array.size(), most); ++i)
+        names.append(array[i].toString());
+    return names;
+}
+
 /// A limit that is none bounds nothing: better than one that bounds everything or that nobody set.
 double limitOf(const QJsonValue &value)
 {
@@ -105,20 +115,12 @@ Settings settingsFromJson(const QByteArray &json)
     settings.exportFolder = object[QStringLiteral("exportFolder")].toString();
     settings.recordFolder = object[QStringLiteral("recordFolder")].toString();
     settings.snapshotFolder = object[QStringLiteral("snapshotFolder")].toString();
-    if (object[QStringLiteral("pinned")].isArray()) {
-        settings.pinned.clear();
-        const QJsonArray names = object[QStringLiteral("pinned")].toArray();
-        for (qsizetype i = 0; i < std::min(names.size(), kMostPinned); ++i)
-            settings.pinned.append(names[i].toString());
-    }
+    if (object[QStringLiteral("pinned")].isArray())
+        settings.pinned = namesOf(object[QStringLiteral("pinned")], kMostPinned);
     settings.inertias = numbersOf(object[QStringLiteral("inertias")].toObject());
     settings.currentScales = numbersOf(object[QStringLiteral("currentScales")].toObject());
-    if (object[QStringLiteral("registerColumns")].isArray()) {
-        settings.registerColumns.clear();
-        const QJsonArray names = object[QStringLiteral("registerColumns")].toArray();
-        for (qsizetype i = 0; i < std::min(names.size(), kMostPinned); ++i)
-            settings.registerColumns.append(names[i].toString());
-    }
+    if (object[QStringLiteral("registerColumns")].isArray())
+        settings.registerColumns = namesOf(object[QStringLiteral("registerColumns")], kMostPinned);
     settings.maxSpeedRpm = limitOf(object[QStringLiteral("maxSpeedRpm")]);
     settings.maxCurrentAmps = limitOf(object[QStringLiteral("maxCurrentAmps")]);
     const double onDisk = object[QStringLiteral("samplesOnDiskGB")].toDouble(-1.0);
@@ -126,12 +128,8 @@ Settings settingsFromJson(const QByteArray &json)
         settings.samplesOnDiskGB = onDisk;
     settings.firstStepsDone = object[QStringLiteral("firstStepsDone")].toBool(false);
     settings.ramps = rampPresetsOf(object[QStringLiteral("ramps")].toArray());
-    const QJsonArray recent = object[QStringLiteral("recentFiles")].toArray();
-    for (qsizetype i = 0; i < std::min(recent.size(), kMostRecent); ++i)
-        settings.recentFiles.append(recent[i].toString());
-    const QJsonArray typed = object[QStringLiteral("typedPorts")].toArray();
-    for (qsizetype i = 0; i < std::min(typed.size(), kMostTyped); ++i)
-        settings.typedPorts.append(typed[i].toString());
+    settings.typedPorts = namesOf(object[QStringLiteral("typedPorts")], kMostTyped);
+    settings.recentFiles = namesOf(object[QStringLiteral("recentFiles")], kMostRecent);
     settings.workspace = workspaceOf(object[QStringLiteral("workspace")].toObject());
     return settings;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/base/banner.h"
-#include "widgets/forms/inertias.h"
+#include "widgets/base/inertias.h"
 #include "widgets/registers/register_panel.h"
 #include "widgets/window/settings.h"
 #include "widgets/window/tool_docks.h"
