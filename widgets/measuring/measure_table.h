@@ -3,8 +3,8 @@
 #pragma once
 
 #include "capture/capture.h"
-#include "scope/measurement.h"
 #include "scope/statistics.h"
+#include "widgets/measuring/measure_text.h"
 #include "widgets/scope/drawing/marks.h"
 
 #include <QAbstractTableModel>
@@ -12,14 +12,6 @@
 namespace widgets {
 
 class ScopeView;
-
-/// A measurement by the names of its traces, so that it can be kept and asked for again.
-struct NamedMeasure {
-    QString signal;
-    scope::Quantity quantity = scope::Quantity::Mean;
-    QString against; ///< phase only
-    bool operator==(const NamedMeasure &) const = default;
-};
 
 class MeasureTable : public QAbstractTableModel {
     Q_OBJECT
@@ -35,7 +27,7 @@ public:
         CountColumn,
         kColumns
     };
-    static constexpr int kMost = 32;
+    static constexpr int kMost = kMostMeasures;
     /// More samples than this in the range are not read: a picture of an hour must not hold up the window.
     static constexpr std::uint64_t kMostSamples = 2'000'000;
     /// Once so many were read, the other rows wait for the next time.

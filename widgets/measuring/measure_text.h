@@ -13,6 +13,16 @@ class QAbstractItemModel;
 
 namespace widgets {
 
+/// A measurement by the names of its traces, so that it can be kept and asked for again.
+struct NamedMeasure {
+    QString signal;
+    scope::Quantity quantity = scope::Quantity::Mean;
+    QString against; ///< phase only
+    bool operator==(const NamedMeasure &) const = default;
+};
+
+constexpr int kMostMeasures = 32;
+
 /// In the order of a list to choose from.
 QList<scope::Quantity> allQuantities();
 QString quantityText(scope::Quantity quantity);

@@ -1,7 +1,6 @@
 #include "widgets/window/workspace.h"
 
 #include "widgets/base/trace_colors.h"
-#include "widgets/measuring/measure_text.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -127,7 +126,7 @@ QJsonArray measuresJson(const QList<NamedMeasure> &measures)
 QList<NamedMeasure> measuresOf(const QJsonArray &array)
 {
     QList<NamedMeasure> measures;
-    for (qsizetype i = 0; i < std::min<qsizetype>(array.size(), MeasureTable::kMost); ++i) {
+    for (qsizetype i = 0; i < std::min<qsizetype>(array.size(), kMostMeasures); ++i) {
         const QJsonObject object = array[i].toObject();
         const QString signal = object[QStringLiteral("signal")].toString();
         const auto quantity = quantityOf(object[QStringLiteral("quantity")].toString());

@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 #include "widgets/measuring/math_formula.h"
-#include "widgets/measuring/measure_panel.h"
+#include "widgets/measuring/measure_text.h"
 #include "widgets/scope/signals/channel_plan.h"
 #include "widgets/scope/trigger/trigger_setup.h"
 

@@ -58,6 +58,7 @@ private Q_SLOTS:
         const auto shown = picture()->channels();
         QVERIFY(!shown.isEmpty());
         auto *choice = help->findChild<QComboBox *>(QStringLiteral("faultRecord"));
+        QVERIFY(choice != nullptr);
         QCOMPARE(choice->count(), 1);
         QVERIFY(choice->currentText().contains(QStringLiteral("motor 1")));
     }
@@ -67,7 +68,8 @@ private Q_SLOTS:
         m_rig->find<QAction>("explainFaults")->trigger();
         auto *help = m_rig->find<QWidget>("faultHelp");
         QVERIFY(help && help->isVisible());
-        QVERIFY(!help->findChild<QComboBox *>(QStringLiteral("faultRecord"))->isVisible());
+        auto *choice = help->findChild<QComboBox *>(QStringLiteral("faultRecord"));
+        QVERIFY(choice && !choice->isVisible());
         QVERIFY(help->findChild<widgets::ScopeView *>() == nullptr);
     }
 
