@@ -16,12 +16,17 @@ struct Judge {
     const MotionScene &scene;
     std::vector<MotionCaution> found;
 
+    /// @param length  of the step; empty: it comes from nobody knows where
     /// @param agreed  both set-points lie within it, and then no step between them surprises
-    void step(std::optional<double> from, double to, double limit, bool agreed)
+    void step(std::optional<double> length, double limit, bool agreed)
     {
         const double greatest = kGreatestQuietStep * limit * (1.0 + 1e-9);
-        if (!from || !(agreed || std::abs(to - *from) <= greatest))
+        if (!length || !(agreed || *length <= greatest))
             found.push_back(MotionCaution::Step);
+    }
+    static std::optional<double> length(std::optional<double> from, double to)
+    {
+        return from ? std::optional(std::abs(to - *from)) : std::nullopt;
     }
     static bool within(double most, std::optional<double> from, double to)
     {
@@ -57,14 +62,14 @@ struct Judge {
     }
     void operator()(const SpeedRamp &ramp)
     {
-        step(scene.speedReferenceRpm, ramp.rpm, scene.bounds.rpm,
+        step(length(scene.speedReferenceRpm, ramp.rpm), scene.bounds.rpm,
             within(scene.agreedRpm, scene.speedReferenceRpm, ramp.rpm));
         reversal(ramp.rpm);
         mode(false);
     }
     void operator()(const TorqueRamp &ramp)
     {
-        step(scene.iqReferenceAmps, ramp.amps, scene.bounds.amps,
+        step(length(scene.iqReferenceAmps, ramp.amps), scene.bounds.amps,
             within(scene.agreedAmps, scene.iqReferenceAmps, ramp.amps));
         reversal(ramp.amps);
         noLimit(ramp.amps != 0.0);
@@ -72,15 +77,12 @@ struct Judge {
     }
     void operator()(const CurrentReference &reference)
     {
-        std::optional<double> from; // how far the vector moves
-        if (scene.iqReferenceAmps && scene.idReferenceAmps)
-            from = 0.0;
-        step(from,
-            from ? std::hypot(reference.iqAmps - *scene.iqReferenceAmps,
-                reference.idAmps - *scene.idReferenceAmps)
-                 : 0.0,
+        const std::optional<double> iq = scene.iqReferenceAmps, id = scene.idReferenceAmps;
+        const bool known = iq && id;
+        step(known ? std::optional(std::hypot(reference.iqAmps - *iq, reference.idAmps - *id))
+                   : std::nullopt, // how far the vector moves
             scene.bounds.amps,
-            from && std::hypot(*scene.iqReferenceAmps, *scene.idReferenceAmps) <= scene.agreedAmps
+            known && std::hypot(*iq, *id) <= scene.agreedAmps
                 && std::hypot(reference.iqAmps, reference.idAmps) <= scene.agreedAmps);
         reversal(reference.iqAmps);
         noLimit(reference.iqAmps != 0.0);

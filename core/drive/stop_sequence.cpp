@@ -152,8 +152,8 @@ std::optional<TimePoint> StopSequence::nextStop(bool connected, TimePoint now) c
 {
     std::optional<TimePoint> due;
     for (const Motor &motor : m_motors)
-        if (wantsStop(motor, connected) && (!due || motor.nextStop < *due))
-            due = motor.nextStop;
+        if (wantsStop(motor, connected))
+            due = std::min(due.value_or(motor.nextStop), motor.nextStop);
     if (due && !connected && std::max(*due, now) >= blindUntil())
         return std::nullopt;
     return due;
@@ -163,8 +163,10 @@ std::optional<TimePoint> StopSequence::nextAlarm() const
 {
     std::optional<TimePoint> due;
     for (const Motor &motor : m_motors)
-        if (!motor.idle && !motor.alarmed && (!due || motor.begun + kConfirmWithin < *due))
-            due = motor.begun + kConfirmWithin;
+        if (!motor.idle && !motor.alarmed) {
+            const TimePoint alarm = motor.begun + kConfirmWithin;
+            due = std::min(due.value_or(alarm), alarm);
+        }
     return due;
 }
 

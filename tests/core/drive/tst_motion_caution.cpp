@@ -59,6 +59,9 @@ private Q_SLOTS:
     void anotherModeWhileDriven();
     void torqueUnderAnOwnLimitOfSpeed();
     void currentsAreJudgedAsAVector();
+    void whatIsNotDrivenHasNoMode();
+    void theBordersBelongToTheQuietSide();
+    void aPositionIsAlwaysAskedAbout();
 };
 
 void TestMotionCaution::onlyTheFirstStartIsAskedAbout()
@@ -175,6 +178,70 @@ void TestMotionCaution::currentsAreJudgedAsAVector()
     MotionScene scene = torque();
     scene.idReferenceAmps.reset();
     QVERIFY(cautionsOf(CurrentReference{1, 1.0, 0.0}, scene) == Cautions{MotionCaution::Step});
+    scene = torque();
+    scene.iqReferenceAmps.reset();
+    QVERIFY(cautionsOf(CurrentReference{1, 1.0, 0.0}, scene) == Cautions{MotionCaution::Step});
+    scene = torque(); // the length of both together, of what is and of what is to be
+    scene.agreedAmps = 5.0;
+    scene.iqReferenceAmps = 3.0;
+    scene.idReferenceAmps = -4.0;
+    QVERIFY(cautionsOf(CurrentReference{1, 3.0, 4.0}, scene).empty());
+    scene.idReferenceAmps = -4.1;
+    QVERIFY(cautionsOf(CurrentReference{1, 3.0, 4.0}, scene) == Cautions{MotionCaution::Step});
+    scene = torque();
+    scene.torqueMode = false;
+    scene.speedRpm = -1000.0;
+    QVERIFY(cautionsOf(CurrentReference{1, 1.0, 0.0}, scene)
+        == (Cautions{MotionCaution::Reversal, MotionCaution::OtherMode}));
+}
+
+void TestMotionCaution::whatIsNotDrivenHasNoMode()
+{
+    constexpr std::pair<MotorState, bool> states[] = {{MotorState::Idle, false},
+        {MotorState::FaultNow, false}, {MotorState::FaultOver, false}, {MotorState::Unknown, true},
+        {MotorState::Starting, true}, {MotorState::Running, true}, {MotorState::Stopping, true}};
+    for (const auto &[state, driven] : states) {
+        MotionScene scene = torque();
+        scene.state = state;
+        QVERIFY(cautionsOf(speed(1000), scene)
+            == (driven ? Cautions{MotionCaution::OtherMode} : Cautions{}));
+        scene.torqueMode = false;
+        scene.speedRpm.reset(); // a motor that is not driven need not have one
+        QVERIFY(cautionsOf(speed(1000), scene)
+            == (driven ? Cautions{MotionCaution::Reversal} : Cautions{}));
+    }
+}
+
+void TestMotionCaution::theBordersBelongToTheQuietSide()
+{
+    MotionScene scene = running();
+    scene.agreedRpm = 2500.0;
+    scene.speedReferenceRpm = -2500.0;
+    QVERIFY(cautionsOf(speed(2500), scene).empty());
+    scene = running();
+    scene.speedRpm = -10.0; // stands just yet
+    QVERIFY(cautionsOf(speed(1000), scene).empty());
+    scene.speedRpm = -10.1;
+    QVERIFY(cautionsOf(speed(1000), scene) == Cautions{MotionCaution::Reversal});
+    scene.speedRpm = scene.speedReferenceRpm = -300.0; // to rest, out of either direction
+    QVERIFY(cautionsOf(speed(0), scene).empty());
+    QVERIFY(cautionsOf(speed(1), scene) == Cautions{MotionCaution::Reversal});
+    scene = torque();
+    scene.ownSpeedLimitRpm = 1.0;
+    scene.iqReferenceAmps = 0.5;
+    for (const double amps : {0.5, 1.0})
+        for (const WishContent &act :
+            {WishContent(TorqueRamp{1, amps, 0ms}), WishContent(CurrentReference{1, amps, 0.0})})
+            QVERIFY(cautionsOf(act, scene) == Cautions{MotionCaution::NoSpeedLimit});
+    QVERIFY(cautionsOf(TorqueRamp{1, 0.0, 0ms}, scene).empty()); // without torque nothing runs away
+    QVERIFY(cautionsOf(CurrentReference{1, 0.0, 0.5}, scene).empty());
+}
+
+void TestMotionCaution::aPositionIsAlwaysAskedAbout()
+{
+    for (const MotionScene &scene : {idle(), running()})
+        QVERIFY(cautionsOf(PositionRamp{1, 0.0, 0ms}, scene) == Cautions{MotionCaution::Position});
+    QVERIFY(cautionsOf(Read{}, MotionScene{}).empty());
 }
 
 QTEST_GUILESS_MAIN(TestMotionCaution)

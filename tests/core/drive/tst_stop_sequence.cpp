@@ -56,6 +56,19 @@ private Q_SLOTS:
     void eachMotorGetsItsTurnThoughNobodyAnswers();
     void blindTimeCountsFromTheLastPress();
     void followingBeginsNothing();
+    void aStopThatIsOverSaysNothingOfTheNext();
+    void motorsThatAreOnlyExpectedAreStoppedWithoutALink();
+    void aPressIsAStopForEachMotor();
+    void aStopThatDidNotLeaveIsDueAtOnce();
+    void acceptedIsToldOnce();
+    void evidenceCountsFromTheFirstStopAndInARow();
+    void ofAMotorThatItDoesNotStopNothingIsTold();
+    void noSpeedAtAllIsNoStandstill();
+    void itIsOverWhenEveryMotorStands();
+    void turnsLeaveALinkTheTime();
+    void theNextStopIsTheSoonestOfThoseThatMayLeave();
+    void theNextAlarmIsTheSoonestOfThoseToCome();
+    void eachWordHasItsRecord();
 };
 
 void TestStopSequence::evidenceFromBeforeTheStopCountsForNothing()
@@ -258,6 +271,232 @@ void TestStopSequence::followingBeginsNothing()
     stop.follow(2, Count::Exactly, t);
     QVERIFY(!stop.active() && !stop.open());
     QVERIFY(words(stop).empty());
+}
+
+void TestStopSequence::aStopThatIsOverSaysNothingOfTheNext()
+{
+    StopSequence stop;
+    const auto standStill = [&] {
+        stop.stopSent(1, t);
+        seeIdle(stop, t, 1, 4);
+    };
+    stop.begin(1, t);
+    stop.follow(1, Count::Exactly, t);
+    stop.begin(1, t); // the same one
+    standStill();
+    QVERIFY(!stop.active());
+    stop.begin(1, t);
+    standStill();
+    QVERIFY(stop.open()); // another board may be there by now
+}
+
+void TestStopSequence::motorsThatAreOnlyExpectedAreStoppedWithoutALink()
+{
+    StopSequence stop;
+    stop.begin(1, t, 2);
+    QVERIFY((words(stop) == Words{{1, StopWord::Requested}, {2, StopWord::Requested}}));
+    stop.stopSent(1, t);
+    QCOMPARE(stop.stopDue(t, false), std::optional<int>(2));
+    QVERIFY(!stop.stopDue(t, true));
+    QCOMPARE(stop.nextStop(true, t), std::optional<TimePoint>(t + 100ms));
+    stop.follow(2, Count::AtLeast, t);
+    QCOMPARE(stop.stopDue(t, true), std::optional<int>(2));
+    stop.follow(2, Count::Exactly, t);
+    QVERIFY(words(stop).empty()); // it had joined already
+    stop.follow(1, Count::Exactly, t);
+    QVERIFY(!stop.stopDue(t, true));
+    QVERIFY(!stop.stopDue(t, false));
+    StopSequence first;
+    first.begin(0, t); // a board has one motor at least
+    QCOMPARE(first.stopDue(t, false), std::optional<int>(1));
+}
+
+void TestStopSequence::aPressIsAStopForEachMotor()
+{
+    StopSequence stop;
+    stop.begin(2, t);
+    stop.stopSent(1, t);
+    stop.begin(2, t + 50ms);
+    for (const int motor : {2, 1}) { // who waits for longer first
+        QCOMPARE(stop.stopDue(t + 50ms, true), std::optional<int>(motor));
+        stop.stopSent(motor, t + 50ms);
+    }
+    QVERIFY(!stop.stopDue(t + 149ms, true));
+    QVERIFY(stop.stopDue(t + 150ms, true));
+}
+
+void TestStopSequence::aStopThatDidNotLeaveIsDueAtOnce()
+{
+    StopSequence stop;
+    stop.begin(1, t);
+    stop.stopSent(1, t);
+    QVERIFY(!stop.stopDue(t + 10ms, true));
+    stop.stopFailed(1, t + 10ms);
+    QCOMPARE(stop.stopDue(t + 10ms, true), std::optional<int>(1));
+}
+
+void TestStopSequence::acceptedIsToldOnce()
+{
+    StopSequence stop;
+    stop.begin(2, t);
+    static_cast<void>(stop.takeProgress());
+    stop.stopAnswered(2, t + 5ms);
+    const std::vector<StopProgress> told = stop.takeProgress();
+    QCOMPARE(told.size(), 1U);
+    QCOMPARE(told[0].motor, 2);
+    QVERIFY(told[0].word == StopWord::Accepted && told[0].at == t + 5ms);
+    stop.stopAnswered(2, t + 6ms);
+    QVERIFY(words(stop).empty());
+}
+
+void TestStopSequence::evidenceCountsFromTheFirstStopAndInARow()
+{
+    StopSequence stop;
+    stop.begin(1, t);
+    stop.stopSent(1, t);
+    stop.stopSent(1, t + 100ms);
+    static_cast<void>(stop.takeProgress());
+    const auto tell = [&](MotorState state, int times) {
+        for (int i = 0; i < times; ++i)
+            stop.takeStatus(statusOf(state, 0, t), t); // asked for with the first STOP
+    };
+    tell(MotorState::Idle, 1);
+    tell(MotorState::Starting, 1);
+    tell(MotorState::Idle, 1);
+    QVERIFY(words(stop).empty());
+    tell(MotorState::Idle, 1);
+    QVERIFY((words(stop) == Words{{1, StopWord::DriveIdle}}));
+    tell(MotorState::Idle, 1);
+    tell(MotorState::Stopping, 1);
+    tell(MotorState::Idle, 3); // the first of them is no second idle one
+    QVERIFY(words(stop).empty());
+    tell(MotorState::Idle, 1);
+    QVERIFY((words(stop) == Words{{1, StopWord::Standstill}}));
+    tell(MotorState::Idle, 9);
+    QVERIFY(words(stop).empty()); // once
+}
+
+void TestStopSequence::ofAMotorThatItDoesNotStopNothingIsTold()
+{
+    StopSequence stop;
+    stop.begin(1, t);
+    static_cast<void>(stop.takeProgress());
+    stop.stopSent(2, t);
+    stop.stopFailed(2, t);
+    stop.stopAnswered(2, t);
+    seeIdle(stop, t, 2);
+    QVERIFY(words(stop).empty());
+    QVERIFY(stop.exclusive());
+}
+
+void TestStopSequence::noSpeedAtAllIsNoStandstill()
+{
+    StopSequence stop;
+    stop.begin(1, t);
+    stop.stopSent(1, t);
+    MotorStatus status = statusOf(MotorState::Idle, 0.0, t);
+    status.speedRpm.reset();
+    static_cast<void>(stop.takeProgress());
+    for (int i = 0; i < 9; ++i)
+        stop.takeStatus(status, t);
+    QVERIFY((words(stop) == Words{{1, StopWord::DriveIdle}}));
+}
+
+void TestStopSequence::itIsOverWhenEveryMotorStands()
+{
+    StopSequence stop;
+    stop.begin(2, t);
+    for (const int motor : {1, 2})
+        stop.stopSent(motor, t);
+    stop.follow(2, Count::Exactly, t);
+    seeIdle(stop, t, 1, 4);
+    QVERIFY(stop.open() && stop.exclusive());
+    seeIdle(stop, t, 2, 3);
+    QVERIFY(!stop.open() && stop.active()); // the second one turns still
+    seeIdle(stop, t, 2, 1);
+    QVERIFY(!stop.active());
+}
+
+void TestStopSequence::turnsLeaveALinkTheTime()
+{
+    constexpr Duration turns[] = {100ms, 100ms, 50ms, 40ms, 40ms};
+    for (int motors = 0; motors < 5; ++motors) {
+        StopSequence stop;
+        stop.begin(motors, t, 0);
+        QVERIFY(stop.turn() == turns[motors]);
+    }
+    StopSequence stop;
+    stop.begin(2, t);
+    stop.stopSent(1, t);
+    seeIdle(stop, t, 1);
+    QVERIFY(stop.turn() == 100ms); // who is idle has no turn
+}
+
+void TestStopSequence::theNextStopIsTheSoonestOfThoseThatMayLeave()
+{
+    using Time = std::optional<TimePoint>;
+    StopSequence stop;
+    QCOMPARE(stop.nextStop(true, t), Time());
+    stop.begin(2, t);
+    stop.stopSent(1, t + 20ms);
+    QCOMPARE(stop.nextStop(true, t), Time(t));
+    stop.stopSent(2, t + 10ms);
+    QCOMPARE(stop.nextStop(true, t), Time(t + 110ms));
+    QCOMPARE(stop.nextStop(false, t), Time(t + 110ms));
+    for (const int motor : {1, 2})
+        stop.stopSent(motor, t + 1899ms);
+    QCOMPARE(stop.nextStop(false, t + 1899ms), Time(t + 1999ms));
+    QCOMPARE(stop.nextStop(false, t + 2s), Time()); // too late by now
+    QCOMPARE(stop.nextStop(true, t + 2s), Time(t + 1999ms));
+    for (const int motor : {1, 2})
+        stop.stopSent(motor, t + 1900ms);
+    QCOMPARE(stop.nextStop(false, t + 1900ms), Time()); // blind until then, and not longer
+    QCOMPARE(stop.nextStop(true, t + 1900ms), Time(t + 2s));
+    QVERIFY(stop.blindUntil() == t + 2s);
+    stop.end();
+    QVERIFY(!stop.blind(t));
+}
+
+void TestStopSequence::theNextAlarmIsTheSoonestOfThoseToCome()
+{
+    using Time = std::optional<TimePoint>;
+    StopSequence stop;
+    QCOMPARE(stop.nextAlarm(), Time());
+    stop.begin(1, t);
+    stop.follow(2, Count::Exactly, t + 100ms);
+    stop.stopSent(2, t + 100ms);
+    QCOMPARE(stop.nextAlarm(), Time(t + 500ms));
+    stop.handleTimeout(t + 500ms);
+    QCOMPARE(stop.nextAlarm(), Time(t + 600ms));
+    QVERIFY(stop.alarmed());
+    seeIdle(stop, t + 550ms, 2);
+    QCOMPARE(stop.nextAlarm(), Time()); // one was told, the other is idle
+    stop.stopSent(1, t + 600ms);
+    seeIdle(stop, t + 600ms, 1);
+    QVERIFY(!stop.alarmed());
+}
+
+void TestStopSequence::eachWordHasItsRecord()
+{
+    const std::pair<StopWord, Outcome> rows[] = {
+        {StopWord::Requested, Outcome::Unknown},
+        {StopWord::Accepted, Outcome::Ok},
+        {StopWord::DriveIdle, Outcome::Ok},
+        {StopWord::Standstill, Outcome::Ok},
+        {StopWord::MayCoast, Outcome::Ok},
+        {StopWord::NotConfirmed, Outcome::Unknown},
+    };
+    MotionRecord sent;
+    sent.requests = 3;
+    for (const auto &[word, outcome] : rows) {
+        const MotionRecord record = recordOf({2, word, t + 30ms}, t, sent);
+        QVERIFY(record.act == MotionAct::Stop && record.stop == word);
+        QVERIFY(record.outcome == outcome);
+        QCOMPARE(record.motor, 2);
+        QCOMPARE(std::size_t{record.requests}, std::size_t{3});
+        QVERIFY(record.asked == t && record.ended == t + 30ms);
+        QVERIFY(recordOf({2, word, t - 1ms}, t).ended == t); // asked for again meanwhile
+    }
 }
 
 QTEST_APPLESS_MAIN(TestStopSequence)
