@@ -55,16 +55,13 @@ MotionGate::MotionGate(Device &device, RegisterModel &registers, QObject *parent
 {
     connect(&device, &Device::wishEnded, this, &MotionGate::ended);
     connect(&device, &Device::identityChanged, this, [this] {
-        m_started.clear();
-        m_agreed.clear();
+        forgetStarts();
         m_agreedSteps.clear();
         withdraw();
     });
     connect(&device, &Device::motorChanged, this, &MotionGate::withdraw);
     connect(&device, &Device::stopWished, this, [this] {
-        m_started
-            .clear(); // whoever stops does not expect what the board still holds: the next start is asked
-        m_agreed.clear();
+        forgetStarts(); // what the board still holds may surprise: the next start is asked about
         withdraw();
     });
     connect(&device, &Device::armedStateChanged, this, [this](bool armed) {
@@ -77,6 +74,15 @@ MotionGate::MotionGate(Device &device, RegisterModel &registers, QObject *parent
     m_patience.setSingleShot(true);
     m_patience.setInterval(kPatience);
     connect(&m_patience, &QTimer::timeout, this, [this] { withdrawAndTell(silentText()); });
+}
+
+/// Also of the starts whose outcome is still to come: they belong to what was before.
+void MotionGate::forgetStarts()
+{
+    m_started.clear();
+    m_agreed.clear();
+    for (Open &open : m_open)
+        open.startOf = 0;
 }
 
 /// People who are asked again and again learn to say yes without reading: a hiccup takes no question away.

@@ -82,6 +82,7 @@ private:
     void send();
     void withdraw();
     void withdrawAndTell(const QString &why);
+    void forgetStarts();
     void linkChanged();
     QStringList subject() const;
     void sendNext();

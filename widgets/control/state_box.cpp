@@ -68,7 +68,7 @@ StateBox::StateBox(Device &device, QWidget *parent)
 
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setVerticalSpacing(4);
+    grid->setVerticalSpacing(3);
     grid->addWidget(m_state, 0, 0);
     grid->addWidget(m_causes, 0, 1); // where the row is high enough for it
     grid->addWidget(m_strip, 1, 0, 1, 2);

@@ -139,6 +139,7 @@ void showKeys(QWidget *parent)
     }
     auto *area = new QScrollArea(dialog);
     area->setObjectName(QStringLiteral("keys"));
+    area->setAccessibleName(dialog->windowTitle());
     area->setFrameShape(QFrame::NoFrame);
     area->setWidget(table);
     area->setWidgetResizable(true);

@@ -177,6 +177,23 @@ private Q_SLOTS:
             qPrintable(lines));
     }
 
+    void aStartWhoseOutcomeComesAfterTheStopIsNoEarlierOne()
+    {
+        GateBench bench;
+        bench.arm();
+        bench.gate.want(QStringLiteral("Start"), bench.start());
+        bench.sayYes();
+        bench.link.runFor(2ms); // on its way now
+        bench.link.drive->stop(bench.link.now);
+        bench.device.stop();
+        QVERIFY(bench.link.runUntilState(MotorState::Idle));
+        bench.link.runFor(3s);
+        bench.arm();
+        bench.asked.clear();
+        bench.gate.want(QStringLiteral("Start"), bench.start());
+        QCOMPARE(bench.asked.size(), 1U);
+    }
+
     void whoAgreedToJogIsStillAskedAboutAStart()
     {
         GateBench bench;

@@ -309,6 +309,7 @@ private Q_SLOTS:
     void reportsAreWhiteInTheDark()
     {
         widgets::applyTheme(widgets::Theme::Dark);
+        QTRY_COMPARE(scope()->palette(), QApplication::palette());
         const QString svg = m_folder.filePath(QStringLiteral("dark.svg"));
         exportAs("svg", kEverything, svg);
         const QImage drawn(svg);

@@ -157,8 +157,9 @@ void TestScopeEvents::aFaultThatIsOverWhenTheBoardIsAskedIsNoted()
         return seen;
     };
     QSignalSpy told(&m_rig->workbench.eventRecorder(), &widgets::EventRecorder::stateChanged);
-    facts::feed(m_rig->device(),
-        {drive::LinkChanged{drive::LinkState::Connected, drive::LinkReason::BoardReset}});
+    const drive::LinkChanged closed{drive::LinkState::Closed, drive::LinkReason::None};
+    const drive::LinkChanged connected{drive::LinkState::Connected, drive::LinkReason::None};
+    facts::feed(m_rig->device(), {closed, connected});
     drive::MotorStatus status = facts::status(drive::MotorState::Running);
     status.faultsPast = {"UNDER_VOLT"}; // from before the connection
     status.at = TimePoint(1500ms);
