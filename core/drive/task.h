@@ -62,6 +62,13 @@ public:
         return m_permission == Permission::Armed && !goesOn && now > freshUntil();
     }
     TimePoint freshUntil() const { return m_fresh + kWishExpiresAfter; }
+    /// Each part of what moves something leaves by then, or never does.
+    std::optional<TimePoint> leaveBy() const
+    {
+        return m_permission == Permission::Armed && (m_motion || !m_begun)
+            ? std::optional(freshUntil())
+            : std::nullopt;
+    }
 
     /// The board is not the one that was identified; said once.
     bool takeBoardChanged() { return std::exchange(m_boardChanged, false); }

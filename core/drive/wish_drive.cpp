@@ -9,6 +9,13 @@ namespace drive {
 
 namespace {
 
+/// What is said of a board that was met: of the next one nothing is known before it is.
+bool isOfTheBoard(const Wish &wish)
+{
+    return std::holds_alternative<ExpertMode>(wish.what)
+        || std::holds_alternative<CurrentScale>(wish.what);
+}
+
 constexpr Duration kCountersEvery = std::chrono::milliseconds(250);
 
 } // namespace
@@ -128,7 +135,8 @@ bool WishDrive::takeAtOnce(const Wish &wish, TimePoint now)
         work(now);
     } else if (const auto *limits = std::get_if<UserLimits>(&wish.what)) {
         takeLimits(wish, *limits, now);
-    } else if (m_mode != Mode::Open || m_lost) {
+    } else if (m_mode != Mode::Open || m_lost
+        || (m_toldState == LinkState::Connecting && isOfTheBoard(wish))) {
         endNow(wish, Outcome::NotSent, "not connected", now);
     } else if (const auto *expert = std::get_if<ExpertMode>(&wish.what)) {
         takeExpert(wish, *expert, now);

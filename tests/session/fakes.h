@@ -82,6 +82,7 @@ class FakeDrive : public drive::Drive {
 public:
     struct Log {
         Bytes received;
+        int stopsBeforeBytes = 0; ///< that came before the last ones
         std::vector<drive::Wish> wishes;
         std::vector<TimePoint> sentAt;
         int connects = 0, disconnects = 0, stops = 0, doubts = 0, made = 0;
@@ -114,6 +115,7 @@ public:
     void receive(ByteView view, TimePoint) override
     {
         m_log.received.insert(m_log.received.end(), view.begin(), view.end());
+        m_log.stopsBeforeBytes = m_log.stops;
     }
     void handleTimeout(TimePoint now) override
     {

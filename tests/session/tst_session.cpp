@@ -19,6 +19,7 @@ private Q_SLOTS:
     void theDrivesTimeoutIsKept();
     void aStopFromAnotherThreadReachesTheDriveBeforeQueuedWishes();
     void aStopThatComesDuringATurnIsBeforeWhatLeavesInIt();
+    void aStopIsHandedOnBeforeTheBytesThatCameWithIt();
     void aStopWithoutAPortDoesNothing();
     void wishesWithoutAPortEndNotSent();
     void armingIsToldAndEndsWithTheStop();
@@ -144,6 +145,22 @@ void TestSession::aStopThatComesDuringATurnIsBeforeWhatLeavesInIt()
     bench.turn();
     QCOMPARE(stopsBeforeWriting, 1);
     QCOMPARE(bench.board.stops, 1);
+}
+
+/// What the drive asks next when it has heard them would leave before the STOP.
+void TestSession::aStopIsHandedOnBeforeTheBytesThatCameWithIt()
+{
+    Bench bench;
+    bench.session.open(Bench::serial());
+    bench.port.onAdvance = [&] {
+        if (bench.board.stops == 0) {
+            bench.session.stopFromAnyThread();
+            bench.port.alive->hear(QByteArray("x"));
+        }
+    };
+    bench.turn();
+    QCOMPARE(bench.board.received, Bytes{std::uint8_t{'x'}});
+    QCOMPARE(bench.board.stopsBeforeBytes, 1);
 }
 
 void TestSession::aStopWithoutAPortDoesNothing()

@@ -197,8 +197,7 @@ void MsRules::act(const Act &act)
         m_leave = act.at;
         return;
     case Act::Kind::Limits:
-        m_userBefore = std::exchange(m_user, {act.rpm.value_or(0.0), act.amps.value_or(0.0)});
-        m_userChanged = m_moment;
+        m_user[m_moment] = {act.rpm.value_or(0.0), act.amps.value_or(0.0)};
         return;
     case Act::Kind::Scale:
         m_line.ampsPerDigit = act.amps.value_or(0.0) / 32768.0;

@@ -263,8 +263,7 @@ private:
     struct Bounds {
         double rpm = 0.0, amps = 0.0;
     };
-    Bounds m_user, m_userBefore; ///< of the person, and until m_userChanged
-    std::uint64_t m_userChanged = 0; ///< moment
+    std::map<std::uint64_t, Bounds> m_user{{0, {}}}; ///< of the person, since which moment
     std::set<std::uint64_t> m_wishes, m_ended;
     std::map<int, Motor> m_truth;
     struct Seen {

@@ -184,7 +184,7 @@ void MsRules::setPointsAreBounded(const Sent &sent)
         return board > 0.0 && user > 0.0 ? std::min(board, user) : std::max(board, user);
     };
     // What had begun to leave when a person changed them is finished.
-    const Bounds &user = m_packetBegan < m_userChanged ? m_userBefore : m_user;
+    const Bounds &user = std::prev(m_user.upper_bound(m_packetBegan))->second;
     const double rpm = most(m_line.maxRpm, user.rpm), amps = most(m_line.maxAmps, user.amps);
     if (sent.rpm && !(std::isfinite(*sent.rpm) && (rpm <= 0.0 || std::abs(*sent.rpm) <= rpm + 1.0)))
         violate("bounded", number(*sent.rpm) + " rpm, allowed are " + number(rpm));

@@ -304,7 +304,9 @@ bool McbDrive::recall(TimePoint now)
 bool McbDrive::send(const McbRequest &request, WishTask<McbProtocol> *wish, TimePoint now)
 {
     const auto *one = std::get_if<Link::Request>(&request);
-    const bool acts = wish != nullptr && wish->permission() == Permission::Armed;
+    const auto leaveBy = wish != nullptr ? wish->leaveBy() : std::nullopt;
+    if (leaveBy && now >= *leaveBy)
+        return false;
     const bool inFrames = one != nullptr && travels(*one);
     if (const Bytes changes = mcbChanges(request);
         wish != nullptr && wish->motion() && !changes.empty())
@@ -313,8 +315,7 @@ bool McbDrive::send(const McbRequest &request, WishTask<McbProtocol> *wish, Time
         sendInFrames(*one, now);
     } else if (one != nullptr) {
         Link::Request asked = *one;
-        if (acts) // and the drive may not be ready
-            asked.leaveBy = wish->freshUntil();
+        asked.leaveBy = leaveBy; // the drive may not be ready
         m_link.send(std::move(asked), now);
     } else if (const auto *map = std::get_if<McbMap>(&request)) {
         // In the config state, so that no frame goes out with words of another mapping.

@@ -275,6 +275,8 @@ void Session::onReceived(const QByteArray &bytes)
         return;
     qCDebug(lcLinkBytes).noquote() << "<" << bytes.toHex(' ');
     const TimePoint now = wake();
+    if (m_stopRequested.exchange(false)) // before what the drive would ask next
+        stopNow(now);
     m_drive->receive(viewOf(bytes), now);
     if (!m_stepping)
         step(now);

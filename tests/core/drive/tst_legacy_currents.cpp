@@ -164,6 +164,10 @@ void TestLegacyCurrents::theScaleIsForOneMotorAndOneConnection()
     bench.drive->disconnect(bench.now); // another board may be there the next time
     bench.identified.reset();
     bench.connect();
+    const WishId early = bench.submit(CurrentScale{1, 30.0}); // which nobody has met yet
+    bench.exchange();
+    QCOMPARE(bench.outcome(early), Outcome::NotSent);
+    QVERIFY(!bench.identified);
     QVERIFY(bench.runUntilIdentified());
     QVERIFY(unit("I_Q_REF@2") != "A");
     QVERIFY(!bench.capability(Feature::CurrentReference)->available);
