@@ -13,10 +13,7 @@ bool known(double limit, double ceiling)
 }
 
 /// The lower of what is known and what a person allows; 0 if nothing is known.
-double lower(double known, double user)
-{
-    return user > 0.0 && known > 0.0 ? std::min(known, user) : known;
-}
+double lower(double known, double user) { return user > 0.0 ? std::min(known, user) : known; }
 
 } // namespace
 

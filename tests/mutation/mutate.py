@@ -25,6 +25,7 @@ import pathlib
 import re
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import threading
@@ -39,16 +40,16 @@ PATH = {
     "core/drive/stop_sequence.cpp": ["tst_stop_sequence"],
     "core/drive/stop_sequence.h": ["tst_stop_sequence"],
     "core/drive/motion_caution.cpp": ["tst_motion_caution"],
-    "core/drive/motion_limits.cpp": ["tst_motion_limits"],
-    "core/drive/motion_of.cpp": ["tst_motion_record"],
-    "core/drive/motion_record.cpp": ["tst_motion_record"],
-    "core/drive/set_point_check.cpp": ["tst_motion_limits", "tst_what_may_be_written", "tst_mcp_drive_writes"],
+    "core/drive/motion_limits.cpp": ["tst_set_points"],
+    "core/drive/motion_of.cpp": ["tst_motion_texts"],
+    "core/drive/motion_record.cpp": ["tst_motion_texts"],
+    "core/drive/set_point_check.cpp": ["tst_set_points"],
     "core/drive/wish_queue.h": ["tst_late_wishes"],
-    "core/session/link/dead_man.cpp": ["tst_dead_man"],
-    "core/session/link/time_gap.h": ["tst_dead_man"],
+    "core/session/link/dead_man.cpp": ["tst_dead_man_rules"],
+    "core/session/link/time_gap.h": ["tst_dead_man_rules"],
     "core/session/link/driven_motors.cpp": ["tst_session_guardian"],
-    "core/session/link/stop_page_posix.cpp": ["tst_guardian_posix"],
-    "core/session/link/guardian_posix.cpp": ["tst_guardian_posix"],
+    "core/session/link/stop_page_posix.cpp": ["tst_guardian_rules_posix"],
+    "core/session/link/guardian_posix.cpp": ["tst_guardian_rules_posix"],
     "widgets/window/shutdown.cpp": ["tst_leaving"],
 }
 NEIGHBOURS = {
@@ -59,7 +60,7 @@ NEIGHBOURS = {
 }
 
 COMPARISONS = {"<=": ["<", ">"], ">=": [">", "<"], "<": ["<=", ">="], ">": [">=", "<="], "==": ["!="], "!=": ["=="]}
-LEFT_OUT = r"\s*(//|#|namespace|using|\*|template|case\b|const char)|.*\b(assert|Q_ASSERT\w*|static_assert|syslog|say)\("
+LEFT_OUT = r"\s*(//|#|namespace|using|\*|template|case\b|(const )?char )|.*\b(assert|Q_ASSERT\w*|static_assert|syslog|say)\("
 
 
 def mutants_of(line):
@@ -131,8 +132,8 @@ class Bench:
                 self.readers.setdefault(os.path.normpath(self.build / line.strip()), []).append(reader)
             else:
                 reader = line.split(":")[0]
-        self.links, self.same, self.locks, self.limits = {}, {}, {}, {}
-        self.local = threading.local()
+        self.links, self.same, self.limits, self.headers = {}, {}, {}, set()
+        self.local, self.lock = threading.local(), threading.Lock()
         self.lanes = iter(range(99))
 
     def ninja(self, *words):
@@ -141,7 +142,7 @@ class Bench:
     def lane(self):
         """A folder for each thread."""
         if not hasattr(self.local, "lane"):
-            self.local.lane = self.build / "mutation" / str(next(self.lanes))
+            self.local.lane = self.build / "mutation" / f"{os.getpid()}-{next(self.lanes)}"
             shutil.rmtree(self.local.lane, ignore_errors=True)
             self.local.lane.mkdir(parents=True)
         return self.local.lane
@@ -149,7 +150,7 @@ class Bench:
     def link(self, test):
         """How it is linked, and what of the libraries gets into it."""
         if test not in self.links:
-            words = shlex.split(self.ninja("-t", "commands", f"tests/{test}").splitlines()[-1])[2:-2] + ["-fuse-ld=lld"]
+            words = shlex.split(self.ninja("-t", "commands", f"tests/{test}").splitlines()[-1])[2:-2] + ["-fuse-ld=lld", "-Wl,-S"]
             words[words.index("-o") + 1] = str(self.lane() / test)
             members = subprocess.run([*words, "-Wl,-t"], cwd=self.build, check=True, capture_output=True, text=True).stdout
             archives = {"librotorscope_core.a": "core/CMakeFiles/rotorscope_core.dir/", "librotorscope_session.a":
@@ -160,6 +161,17 @@ class Bench:
                 used |= {unit for unit in self.units if unit.startswith(folder) and pathlib.Path(unit).name in names}
             self.links[test] = words, used
         return self.links[test]
+
+    def precompiled(self, words, source):
+        """What that file includes, which is most of the work."""
+        with self.lock:
+            header = self.build / "mutation" / (pathlib.Path(source).name + ".includes.h")
+            if header not in self.headers:
+                self.headers.add(header)
+                header.write_text("".join(re.findall(r"^#include.*\n", pathlib.Path(source).read_text(), re.M)))
+                options = [word for word in words[:words.index("-o")]]
+                subprocess.run([*options, "-w", "-x", "c++-header", header, "-o", f"{header}.gch"], cwd=self.build, check=True)
+        return header
 
     def compile(self, unit, file, text, to):
         """The unit as it is with `text` instead of that file; None: it does not build."""
@@ -173,6 +185,8 @@ class Bench:
         words[words.index("-o") + 1] = str(to)
         words[1:1] = [f"-I{overlay}", f"-I{overlay}/core"]
         words = [word for word in words if word != "-Werror"] + ["-w"]
+        if source == str(ROOT / file) and "-include" not in words:
+            words[1:1] = ["-include", str(self.precompiled(words, source))]
         if subprocess.run(words, cwd=self.build, capture_output=True, check=False).returncode != 0:
             return None
         subprocess.run(["objcopy", "-g", to], check=True)
@@ -189,8 +203,19 @@ class Bench:
             try:
                 return process.wait(limit)
             except subprocess.TimeoutExpired:
-                os.killpg(process.pid, 9)
                 return "too long"
+            finally:
+                self.end(program)
+
+    @staticmethod
+    def end(program):
+        """Whatever runs that program: a mutant's children may have left it, and run for ever."""
+        for place in pathlib.Path("/proc").glob("[0-9]*"):
+            try:
+                if os.readlink(place / "exe") == str(program):
+                    os.kill(int(place.name), signal.SIGKILL)
+            except OSError:
+                continue
 
     def judge(self, file, text, test):
         """False: the test fails. None: no mutant."""
@@ -260,8 +285,8 @@ def main():
         return 0
     bench, known = Bench(given.build), excused()
     bench.prepare(files)
-    kept = bench.build / "mutation" / "results.json"
-    before = json.loads(kept.read_text()) if kept.exists() else {}
+    kept = bench.build / "mutation" / "results"
+    before = dict(line.rsplit("\t", 1) for line in kept.read_text().splitlines()) if kept.exists() else {}
     results, lock = {}, threading.Lock()
 
     def judged(mutant):
@@ -271,8 +296,9 @@ def main():
         if result == "SURVIVED":
             result = bench.try_one(mutant)
         with lock:
-            before[key] = results[mutant] = result
-            kept.write_text(json.dumps(before, indent=0))
+            results[mutant] = result
+            with kept.open("a") as file:
+                file.write(f"{key}\t{result}\n")
             if result == "SURVIVED" and (mutant[0], mutant[3].strip(), mutant[4].strip()) not in known:
                 print(f"{mutant[0]}:{mutant[1]}: {mutant[2]}\n  - {mutant[3].strip()}\n  + {mutant[4].strip()}", flush=True)
 

@@ -61,6 +61,13 @@ public:
         }
     }
 
+    /// From then on the master hears the end of the last program that has the port open.
+    void closeSlave()
+    {
+        ::close(m_slave);
+        m_slave = -1;
+    }
+
 private:
     int m_master = -1;
     int m_slave = -1;

@@ -34,7 +34,7 @@ constexpr int kCrashRepetitions = 2, kExitRepetitions = 3;
 
 /// What the program sends to the child; with a descriptor if there is a port.
 struct Word {
-    std::uint32_t port = 0;
+    std::uint32_t port{};
 };
 
 // Of this program's hooks; a handler has nowhere else to look.
@@ -64,7 +64,7 @@ public:
     void run()
     {
         for (;;) {
-            pollfd program{m_program, POLLIN, 0};
+            pollfd program{m_program, POLLIN, {}};
             ::poll(&program, 1, wait_ms());
             if (program.revents != 0 && !listen()) {
                 if (driven())

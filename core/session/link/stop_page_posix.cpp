@@ -23,8 +23,6 @@ Nanoseconds monotonicNow()
 
 void pauseFor(Nanoseconds time)
 {
-    if (time <= 0)
-        return;
     timespec left{time / kSecond, time % kSecond};
     while (::nanosleep(&left, &left) != 0 && errno == EINTR) { }
 }
@@ -64,7 +62,7 @@ void sendTo(int port, const std::uint8_t *bytes, std::size_t size)
             size -= static_cast<std::size_t>(count);
             continue;
         }
-        pollfd room{port, POLLOUT, 0};
+        pollfd room{port, POLLOUT, {}};
         if (count == 0 || (errno != EAGAIN && errno != EINTR) || ::poll(&room, 1, kRoom_ms) <= 0)
             return; // the next repetition tries again
     }

@@ -42,6 +42,7 @@ static_assert(std::atomic<Nanoseconds>::is_always_lock_free, "shared by two proc
 
 /// Nanoseconds of the monotonic clock, which stands still while the computer sleeps.
 Nanoseconds monotonicNow();
+/// Not at all for a time below zero: the system takes none.
 void pauseFor(Nanoseconds time);
 
 /// Sends the script again and again, every Guardian::kRepeat. What still waits to leave would be heard first, perhaps a

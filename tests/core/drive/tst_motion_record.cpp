@@ -1,11 +1,9 @@
-// The motion log of a drive: every act once, with its outcome and the bytes that left for it.
-#include "drive/motion_of.h"
+// The motion log of a drive: every act once, with its outcome and the bytes that left for it. Its words are in
+// tst_motion_texts.
 #include "drive/motion_record.h"
 #include "support/link_pair.h"
 
 #include <QTest>
-
-#include <stdexcept>
 
 using namespace drive;
 using support::Session;
@@ -30,14 +28,6 @@ std::vector<MotionAct> actsOf(const Session &session)
     return acts;
 }
 
-const catalog::Catalog &board(const Session &session)
-{
-    for (const Event &event : session.events)
-        if (const auto *identified = std::get_if<Identified>(&event))
-            return *identified->catalog;
-    throw std::logic_error("no board");
-}
-
 } // namespace
 
 class TestMotionRecord : public QObject {
@@ -50,9 +40,6 @@ private Q_SLOTS:
     void theStopsWordsAreLoggedWithTheirBytes();
     void onlyDangerousWritesAreMotion();
     void everyByteThatCanMoveSomethingIsInTheLog();
-    void eachActSaysWhatWasAskedFor();
-    void onlyTheFirstBytesAreKept();
-    void linesAreForSpreadsheets();
 };
 
 void TestMotionRecord::aSessionIsLoggedActByAct()
@@ -174,74 +161,6 @@ void TestMotionRecord::everyByteThatCanMoveSomethingIsInTheLog()
     std::sort(left.begin(), left.end());
     std::sort(logged.begin(), logged.end());
     QCOMPARE(logged, left);
-}
-
-void TestMotionRecord::eachActSaysWhatWasAskedFor()
-{
-    struct Row {
-        decltype(Wish::what) what;
-        MotionAct act;
-        int motor;
-        const char *detail;
-    };
-    const Row rows[] = {
-        {SpeedRamp{2, -600, 250ms}, MotionAct::SpeedRamp, 2, "-600 rpm in 250 ms"},
-        {TorqueRamp{2, 1.25, 100ms}, MotionAct::TorqueRamp, 2, "1.25 A in 100 ms"},
-        {CurrentReference{2, 0.5, -1.5}, MotionAct::CurrentReference, 2, "Iq 0.5 A, Id -1.5 A"},
-        {PositionRamp{2, 3.5, 750ms}, MotionAct::PositionRamp, 2, "3.5 rad in 750 ms"},
-        {UserLimits{1500.0, 0.0}, MotionAct::Limits, 0, "1500 rpm, none"},
-        {ExpertMode{2}, MotionAct::Expert, 2, ""},
-        {CurrentScale{2, 16.5}, MotionAct::CurrentScale, 2, "16.5 A"},
-        {CurrentScale{2, 0.0}, MotionAct::CurrentScale, 2, "none"},
-    };
-    Session session;
-    for (const Row &row : rows) {
-        const auto record = motionOf({.id = 7, .what = row.what, .source = Source::CommandLine},
-            board(session), TimePoint(3s));
-        QVERIFY2(record.has_value(), row.detail);
-        QVERIFY2(record->act == row.act, row.detail);
-        QCOMPARE(record->motor, row.motor);
-        QCOMPARE(QString::fromStdString(record->detail), QLatin1String(row.detail));
-        QVERIFY(record->source == Source::CommandLine);
-        QVERIFY(record->asked == TimePoint(3s) && record->ended == TimePoint(3s));
-    }
-    for (const decltype(Wish::what) &what :
-        std::initializer_list<decltype(Wish::what)>{Read{}, Stream{}, Watch{}, CyclicSetPoints{}})
-        QVERIFY(!motionOf({.id = 7, .what = what}, board(session), {}));
-}
-
-void TestMotionRecord::onlyTheFirstBytesAreKept()
-{
-    MotionRecord record;
-    const Bytes request{1, 2};
-    for (std::size_t i = 0; i < MotionRecord::kMostSent + 2; ++i)
-        noteSent(record, request);
-    QCOMPARE(record.sent.size(), MotionRecord::kMostSent);
-    QCOMPARE(std::size_t{record.requests}, MotionRecord::kMostSent + 2);
-}
-
-void TestMotionRecord::linesAreForSpreadsheets()
-{
-    MotionRecord record;
-    record.act = MotionAct::SpeedRamp;
-    record.motor = 2;
-    record.detail = "-1200 rpm in 500 ms";
-    record.outcome = Outcome::Refused;
-    record.reason = "beyond \"this\", says the board\nand more";
-    record.asked = TimePoint(1s);
-    record.ended = TimePoint(1s + 12300us);
-    record.requests = 3;
-    record.sent = {{0x11, 0x02}, {0x0A}};
-    const auto heading = QString::fromStdString(motionLogHeading());
-    const auto line =
-        QString::fromStdString(motionLogLine(record, 7, "2024-05-06T07:08:09.123", "=kim, here"));
-    QCOMPARE(line,
-        QStringLiteral("7,2024-05-06T07:08:09.123,\"'=kim, here\",person,2,SPEED_RAMP,"
-                       "'-1200 rpm in 500 ms,refused,\"beyond \"\"this\"\", says the board and "
-                       "more\",12.3,11 02 | 0A | and 1 more"));
-    QCOMPARE(heading.count(QLatin1Char(',')), 10);
-    record.stop = StopWord::NotConfirmed;
-    QVERIFY(motionLogLine(record, 1, "", "").find("NOT confirmed") != std::string::npos);
 }
 
 QTEST_GUILESS_MAIN(TestMotionRecord)

@@ -1,0 +1,250 @@
+// The words of the motion log: what was asked for, as a record says it, and its line for a spreadsheet. No board.
+#include "drive/event.h"
+#include "drive/motion_of.h"
+#include "drive/motion_record.h"
+
+#include <QTest>
+
+using namespace drive;
+using namespace std::chrono_literals;
+using catalog::SetPoint;
+using What = decltype(Wish::what);
+
+namespace {
+
+constexpr RegisterId kSpeed = 0x1000, kMode = 0x2000, kGain = 0x3000, kBoard = 0x4000;
+
+/// Two motors; a set-point, a register that can do harm, one that cannot, and one of the whole board.
+const catalog::Catalog &registers()
+{
+    static const catalog::Catalog all = [] {
+        std::vector<catalog::RegisterInfo> infos(4);
+        const char *names[] = {"SPEED_REF", "MODE", "GAIN", "RESET"};
+        for (std::size_t i = 0; i < infos.size(); ++i) {
+            infos[i].id = kSpeed * static_cast<RegisterId>(i + 1);
+            infos[i].name = names[i];
+        }
+        infos[0].setPoint = SetPoint::Speed;
+        infos[0].unit = "rpm";
+        infos[0].fractionBits = 1;
+        infos[1].dangerous = infos[3].dangerous = true;
+        infos[3].perMotor = false;
+        return catalog::Catalog(infos, 2, std::vector<catalog::Scales>(2));
+    }();
+    return all;
+}
+
+RegisterId ofMotor(RegisterId id, int motor)
+{
+    return registers().withMotor(*registers().find(id), motor);
+}
+
+std::optional<MotionRecord> recordOf(const What &what)
+{
+    return motionOf(
+        {.id = 7, .what = what, .source = Source::CommandLine}, registers(), TimePoint(3s));
+}
+
+Write writeOf(std::vector<RegisterWrite> writes)
+{
+    Write write;
+    write.writes = std::move(writes);
+    return write;
+}
+
+std::string lineOf(const MotionRecord &record) { return motionLogLine(record, 1, "", ""); }
+
+} // namespace
+
+class TestMotionTexts : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void eachActSaysWhatWasAskedFor();
+    void writesNameWhatCanMoveSomething();
+    void aLongListIsCut();
+    void onlyTheFirstBytesAreKept();
+    void everyWordIsItsOwn();
+    void linesAreForSpreadsheets();
+    void cellsAreNoFormulas();
+    void bytesAreInHex();
+};
+
+void TestMotionTexts::eachActSaysWhatWasAskedFor()
+{
+    struct Row {
+        What what;
+        MotionAct act = MotionAct::Start;
+        int motor = 0;
+        const char *detail = "";
+    };
+    const Row rows[] = {
+        {Command{MotorAction::Start, 2}, MotionAct::Start, 2, ""},
+        {Command{MotorAction::StopMotor, 2}, MotionAct::StopMotor, 2, ""},
+        {Command{MotorAction::StopRamp, 2}, MotionAct::StopRamp, 2, ""},
+        {Command{MotorAction::AcknowledgeFaults, 2}, MotionAct::AcknowledgeFaults, 2, ""},
+        {SpeedRamp{2, -600, 250ms}, MotionAct::SpeedRamp, 2, "-600 rpm in 250 ms"},
+        {TorqueRamp{2, 1.25, 100ms}, MotionAct::TorqueRamp, 2, "1.25 A in 100 ms"},
+        {TorqueRamp{2, 1.23456789, 0ms}, MotionAct::TorqueRamp, 2, "1.23457 A in 0 ms"},
+        {CurrentReference{2, 0.5, -1.5}, MotionAct::CurrentReference, 2, "Iq 0.5 A, Id -1.5 A"},
+        {PositionRamp{2, 3.5, 750ms}, MotionAct::PositionRamp, 2, "3.5 rad in 750 ms"},
+        {UserLimits{1500.0, 0.0}, MotionAct::Limits, 0, "1500 rpm, none"},
+        {UserLimits{0.5, 0.5}, MotionAct::Limits, 0, "0.5 rpm, 0.5 A"},
+        {UserLimits{}, MotionAct::Limits, 0, "none, none"},
+        {ExpertMode{2}, MotionAct::Expert, 2, ""},
+        {CurrentScale{2, 16.5}, MotionAct::CurrentScale, 2, "16.5 A"},
+        {CurrentScale{2, 0.5}, MotionAct::CurrentScale, 2, "0.5 A"},
+        {CurrentScale{2, 0.0}, MotionAct::CurrentScale, 2, "none"},
+    };
+    for (const Row &row : rows) {
+        const auto record = recordOf(row.what);
+        QVERIFY2(record.has_value(), row.detail);
+        QVERIFY2(record->act == row.act, row.detail);
+        QCOMPARE(record->motor, row.motor);
+        QCOMPARE(record->detail, std::string(row.detail));
+        QVERIFY(record->source == Source::CommandLine);
+        QVERIFY(record->asked == TimePoint(3s) && record->ended == TimePoint(3s));
+    }
+    for (const What &what :
+        std::initializer_list<What>{Read{}, Stream{}, Watch{}, CyclicSetPoints{}, Write{}})
+        QVERIFY(!recordOf(what));
+}
+
+void TestMotionTexts::writesNameWhatCanMoveSomething()
+{
+    struct Row {
+        std::vector<RegisterWrite> writes;
+        int motor = 0;
+        const char *detail = ""; ///< empty: no motion
+    };
+    const Row rows[] = {
+        {{{ofMotor(kSpeed, 2), std::int64_t{1200}}}, 2, "SPEED_REF@2 = 600 rpm"},
+        {{{ofMotor(kMode, 1), std::int64_t{3}}}, 1, "MODE@1 = 3"},
+        {{{ofMotor(kGain, 1), std::int64_t{3}}}, 0, ""},
+        {{{0x7000, std::int64_t{3}}}, 0, ""}, // nobody knows it
+        {{{kBoard, std::int64_t{1}}}, 0, "RESET = 1"},
+        {{{kBoard, std::int64_t{1}}, {ofMotor(kMode, 2), std::int64_t{3}}}, 0,
+            "RESET = 1; MODE@2 = 3"},
+        {{{ofMotor(kGain, 1), std::int64_t{9}}, {ofMotor(kMode, 2), std::int64_t{3}},
+             {ofMotor(kMode, 1), std::int64_t{4}}},
+            2, "MODE@2 = 3; MODE@1 = 4"},
+        {{{ofMotor(kMode, 1), Bytes{0x00, 0xA5, 0x1F}}}, 1, "MODE@1 = 0x00A51F"},
+        {{{ofMotor(kMode, 1), std::string("text")}}, 1, "MODE@1 = ?"},
+    };
+    for (const Row &row : rows) {
+        const auto record = recordOf(writeOf(row.writes));
+        QCOMPARE(record.has_value(), *row.detail != 0);
+        if (!record)
+            continue;
+        QVERIFY(record->act == MotionAct::Write);
+        QCOMPARE(record->detail, std::string(row.detail));
+        QCOMPARE(record->motor, row.motor);
+    }
+}
+
+void TestMotionTexts::aLongListIsCut()
+{
+    for (const std::size_t count : {8U, 9U, 11U}) {
+        const auto record = recordOf(
+            writeOf(std::vector<RegisterWrite>(count, {ofMotor(kMode, 1), std::int64_t{3}})));
+        const QString detail = QString::fromStdString(record->detail);
+        QCOMPARE(detail.count(QLatin1String("MODE@1 = 3")), 8);
+        QCOMPARE(detail.endsWith(QStringLiteral("3; and %1 more").arg(count - 8)), count > 8);
+    }
+}
+
+void TestMotionTexts::onlyTheFirstBytesAreKept()
+{
+    MotionRecord record;
+    const Bytes request{1, 2};
+    for (std::size_t i = 1; i <= MotionRecord::kMostSent + 2; ++i) {
+        noteSent(record, request);
+        QCOMPARE(record.sent.size(), std::min(i, std::size_t{MotionRecord::kMostSent}));
+    }
+    QCOMPARE(record.sent.front(), request);
+    QCOMPARE(std::size_t{record.requests}, std::size_t{34});
+}
+
+void TestMotionTexts::everyWordIsItsOwn()
+{
+    const std::string_view acts[] = {"ARM", "DISARM", "LIMITS", "EXPERT_MODE", "CURRENT_SCALE",
+        "START", "STOP", "STOP_MOTOR", "STOP_RAMP", "FAULT_ACK", "SPEED_RAMP", "TORQUE_RAMP",
+        "CURRENT_REFERENCE", "POSITION_RAMP", "WRITE"};
+    for (std::size_t i = 0; i < std::size(acts); ++i)
+        QVERIFY(wordOf(static_cast<MotionAct>(i)) == acts[i]);
+    QVERIFY(wordOf(Source::Person) == "person");
+    QVERIFY(wordOf(Source::CommandLine) == "command line");
+    QVERIFY(wordOf(Source::Script) == "script");
+    QVERIFY(wordOf(Outcome::Ok) == "ok");
+    QVERIFY(wordOf(Outcome::Refused) == "refused");
+    QVERIFY(wordOf(Outcome::NotSent) == "not sent");
+    QVERIFY(wordOf(Outcome::Unknown) == "unknown");
+    QVERIFY(wordOf(StopWord::Requested) == "requested");
+    QVERIFY(wordOf(StopWord::Accepted) == "accepted");
+    QVERIFY(wordOf(StopWord::DriveIdle) == "drive idle");
+    QVERIFY(wordOf(StopWord::Standstill) == "standstill measured");
+    QVERIFY(wordOf(StopWord::MayCoast) == "speed not measurable");
+    QVERIFY(wordOf(StopWord::NotConfirmed) == "NOT confirmed");
+}
+
+void TestMotionTexts::linesAreForSpreadsheets()
+{
+    MotionRecord record;
+    record.act = MotionAct::SpeedRamp;
+    record.motor = 2;
+    record.detail = "-1200 rpm in 500 ms";
+    record.outcome = Outcome::Refused;
+    record.reason = "beyond \"this\", says the board\nand more";
+    record.asked = TimePoint(1s);
+    record.ended = TimePoint(1s + 12300us);
+    record.requests = 3;
+    record.sent = {{0x11, 0x02}, {0x0A}};
+    QCOMPARE(motionLogLine(record, 7, "2024-05-06T07:08:09.123", "=kim, here"),
+        std::string("7,2024-05-06T07:08:09.123,\"'=kim, here\",person,2,SPEED_RAMP,"
+                    "'-1200 rpm in 500 ms,refused,\"beyond \"\"this\"\", says the board and "
+                    "more\",12.3,11 02 | 0A | and 1 more"));
+    QCOMPARE(motionLogHeading(),
+        std::string("number,time,who,source,motor,command,detail,outcome,reason,took [ms],bytes"));
+    record = {};
+    record.act = MotionAct::Stop;
+    record.stop = StopWord::NotConfirmed; // before the outcome
+    QCOMPARE(lineOf(record), std::string("1,,,person,,STOP,,NOT confirmed,,0.0,"));
+    record.motor = 1;
+    QVERIFY(lineOf(record).starts_with("1,,,person,1,STOP,"));
+}
+
+void TestMotionTexts::cellsAreNoFormulas()
+{
+    const std::pair<const char *, const char *> cells[] = {{"=1+1", "'=1+1"}, {"+1", "'+1"},
+        {"-1", "'-1"}, {"@x", "'@x"}, {"\tx", "' x"}, {"1=1", "1=1"},
+        {"a b\x1f"
+         "c",
+            "a b c"},
+        {"a,b", "\"a,b\""}, {"a\"b", "\"a\"\"b\""}, {"\xC2\xB5", "\xC2\xB5"}, {"", ""}};
+    for (const auto &[text, cell] : cells) {
+        MotionRecord record;
+        record.outcome = Outcome::Ok;
+        record.reason = text;
+        QCOMPARE(lineOf(record), "1,,,person,,START,,ok," + std::string(cell) + ",0.0,");
+    }
+}
+
+void TestMotionTexts::bytesAreInHex()
+{
+    MotionRecord record;
+    const auto bytes = [&] {
+        const std::string line = lineOf(record);
+        return line.substr(line.rfind(',') + 1);
+    };
+    record.sent = {{0x00, 0xA5, 0xFF}};
+    record.requests = 1;
+    QCOMPARE(bytes(), std::string("00 A5 FF"));
+    record.sent.push_back({0x10});
+    record.requests = 2;
+    QCOMPARE(bytes(), std::string("00 A5 FF | 10"));
+    record.requests = 5;
+    QCOMPARE(bytes(), std::string("00 A5 FF | 10 | and 3 more"));
+}
+
+QTEST_APPLESS_MAIN(TestMotionTexts)
+#include "tst_motion_texts.moc"

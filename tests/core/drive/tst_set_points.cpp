@@ -1,0 +1,245 @@
+// What bounds a set-point, and what is said when it is refused: numbers only, no board and no line. The borders belong to
+// what is allowed.
+#include "drive/motion_limits.h"
+#include "drive/set_point_check.h"
+
+#include <QTest>
+
+#include <limits>
+
+using namespace drive;
+using namespace std::chrono_literals;
+using catalog::SetPoint;
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+enum Id : RegisterId { Speed = 0x1000, Current = 0x2000, Gain = 0x3000 };
+
+/// Two motors of 4000 rpm and 5 A; nothing is known of the second one.
+BoardFacts board()
+{
+    const auto info = [](RegisterId id, const char *name, SetPoint setPoint, const char *unit) {
+        catalog::RegisterInfo one;
+        one.id = id;
+        one.name = name;
+        one.setPoint = setPoint;
+        one.unit = unit;
+        return one;
+    };
+    BoardFacts facts;
+    facts.motors = 2;
+    facts.limits = {{4000.0, 32.0, 5.0, 4.0, 0.1}, {}};
+    facts.catalog = std::make_shared<const catalog::Catalog>(
+        std::vector{info(Speed, "SPEED", SetPoint::Speed, "rpm"),
+            info(Current, "CURRENT", SetPoint::Current, "A"),
+            info(Gain, "GAIN", SetPoint::None, "rpm")},
+        2, std::vector<catalog::Scales>(2));
+    return facts;
+}
+
+} // namespace
+
+class TestSetPoints : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aLimitIsKnownUpToItsCeiling();
+    void theLowerOfBothBounds();
+    void theRealBoundsAreWithoutCeilings();
+    void whatCanBound();
+    void whatADigitAsksFor();
+    void motorsAreCountedFromOne();
+    void aRampHasAWireLength();
+    void aStartNeedsEveryLimit();
+    void aSetPointUpToTheBoundIsAllowed();
+    void numbersForRegistersAreJudgedByTheirScale();
+};
+
+void TestSetPoints::aLimitIsKnownUpToItsCeiling()
+{
+    const std::pair<double, bool> speeds[] = {{kHighestRpm, true}, {kHighestRpm * 1.001, false},
+        {0.5, true}, {0.0, false}, {-0.5, false}, {kNan, false}, {kInfinity, false}};
+    for (const auto &[rpm, known] : speeds)
+        QCOMPARE(gapsIn({rpm, 32.0, 5.0, 4.0, 0.1}).empty(), known);
+    for (const auto &[rpm, known] : speeds) { // the same of a current
+        const double amps = rpm / 100.0;
+        QCOMPARE(gapsIn({4000.0, amps, 5.0, 4.0, 0.1}).empty(), known);
+        QCOMPARE(gapsIn({4000.0, 32.0, amps, 4.0, 0.1}).empty(), known);
+    }
+    QVERIFY(gapsIn({})
+        == (std::vector{LimitGap::MaxSpeed, LimitGap::MaxCurrent, LimitGap::NominalCurrent}));
+}
+
+void TestSetPoints::theLowerOfBothBounds()
+{
+    struct Row {
+        MotorLimits limits;
+        UserLimits user;
+        bool expert = false;
+        MotionBounds bounds;
+    };
+    const MotorLimits known{4000.0, 32.0, 5.0, 4.0, 0.1}, peak{4000.0, 3.0, 5.0, 4.0, 0.1};
+    const Row rows[] = {
+        {known, {}, false, {4000.0, 5.0}},
+        {known, {}, true, {4000.0, 5.0}},
+        {peak, {}, false, {4000.0, 3.0}},
+        {known, {0.5, 0.5}, false, {0.5, 0.5}},
+        {known, {5000.0, 6.0}, false, {4000.0, 5.0}},
+        {{0.5, 0.5, 0.5}, {2.0, 2.0}, false, {0.5, 0.5}},
+        {{}, {1000.0, 1.0}, false, {0.0, 0.0}},
+        {{}, {1000.0, 1.0}, true, {1000.0, 1.0}},
+        {{}, {}, true, {kHighestRpm, kHighestAmps}},
+    };
+    for (const Row &row : rows) {
+        const MotionBounds bounds = boundsOf(row.limits, row.user, row.expert);
+        QCOMPARE(bounds.rpm, row.bounds.rpm);
+        QCOMPARE(bounds.amps, row.bounds.amps);
+    }
+}
+
+void TestSetPoints::theRealBoundsAreWithoutCeilings()
+{
+    QVERIFY((realBoundsOf({}, {}) == MotionBounds{0.0, 0.0}));
+    QVERIFY((realBoundsOf({}, {1000.0, 2.0}) == MotionBounds{1000.0, 2.0}));
+    QVERIFY((realBoundsOf({0.5, 0.5, 0.5}, {}) == MotionBounds{0.5, 0.5}));
+    QVERIFY((realBoundsOf({4000.0, 32.0, 5.0}, {9000.0, 9.0}) == MotionBounds{4000.0, 5.0}));
+}
+
+void TestSetPoints::whatCanBound()
+{
+    for (const auto &[number, good] : {std::pair(0.0, true), std::pair(0.5, true),
+             std::pair(-0.5, false), std::pair(kNan, false), std::pair(kInfinity, false)}) {
+        QCOMPARE(isPlausible(UserLimits{number, 1.0}), good);
+        QCOMPARE(isPlausible(UserLimits{1.0, number}), good);
+    }
+    for (const auto &[amps, good] :
+        {std::pair(0.0, true), std::pair(1e-3, true), std::pair(0.9e-3, false),
+            std::pair(kHighestAmps, true), std::pair(kHighestAmps * 1.001, false),
+            std::pair(-1.0, false), std::pair(kNan, false), std::pair(kInfinity, false)})
+        QCOMPARE(isPlausible(CurrentScale{1, amps}), good);
+}
+
+void TestSetPoints::whatADigitAsksFor()
+{
+    struct Row {
+        SetPoint setPoint;
+        double factor;
+        const char *unit;
+        double polePairs, torquePerAmp, asks;
+    };
+    const Row rows[] = {
+        {SetPoint::Speed, 6.0, "rpm", 0.0, 0.0, 6.0},
+        {SetPoint::Speed, 0.5, "rpm", 4.0, 0.0, 0.5},
+        {SetPoint::Speed, 2.0, "Hz", 4.0, 0.0, 30.0}, // electrical
+        {SetPoint::Speed, 2.0, "Hz", 1.0, 0.0, 120.0},
+        {SetPoint::Speed, 2.0, "Hz", 0.0, 0.0, 0.0},
+        {SetPoint::Speed, 2.0, "A", 4.0, 0.0, 0.0},
+        {SetPoint::Speed, 0.0, "rpm", 4.0, 0.0, 0.0},
+        {SetPoint::Speed, -6.0, "rpm", 4.0, 0.0, 0.0},
+        {SetPoint::Speed, kNan, "rpm", 4.0, 0.0, 0.0},
+        {SetPoint::Speed, kInfinity, "rpm", 4.0, 0.0, 0.0},
+        {SetPoint::Current, 0.5, "A", 0.0, 0.0, 0.5},
+        {SetPoint::Current, 0.5, "rpm", 0.0, 0.0, 0.0},
+        {SetPoint::Torque, 3.0, "N m", 0.0, 0.5, 6.0},
+        {SetPoint::Torque, 3.0, "N m", 0.0, 0.0, 0.0},
+        {SetPoint::Torque, 3.0, "A", 0.0, 0.5, 0.0},
+        {SetPoint::None, 3.0, "rpm", 4.0, 0.5, 0.0},
+    };
+    for (const Row &row : rows) {
+        catalog::RegisterInfo info;
+        info.setPoint = row.setPoint;
+        QCOMPARE(setPointPerDigit(info, {row.factor, row.unit},
+                     {4000.0, 32.0, 5.0, row.polePairs, row.torquePerAmp}),
+            row.asks);
+    }
+}
+
+void TestSetPoints::motorsAreCountedFromOne()
+{
+    for (const int motor : {1, 2})
+        QCOMPARE(refuseMotor(board(), motor), std::string());
+    for (const int motor : {-1, 0, 3})
+        QCOMPARE(refuseMotor(board(), motor), "there is no motor " + std::to_string(motor));
+}
+
+void TestSetPoints::aRampHasAWireLength()
+{
+    for (const auto time : {0ms, 1ms, 65535ms})
+        QCOMPARE(refuseRampTime(time), std::string());
+    for (const auto time : {-1ms, 65536ms})
+        QCOMPARE(refuseRampTime(time), std::string("a ramp lasts 0 to 65535 ms"));
+}
+
+void TestSetPoints::aStartNeedsEveryLimit()
+{
+    BoardFacts facts = board();
+    QCOMPARE(refuseStart(facts, 1), std::string());
+    QCOMPARE(refuseStart(facts, 2),
+        std::string("the board does not tell the greatest speed, greatest current, nominal current "
+                    "of motor 2; to move it all the same takes expert mode"));
+    facts.limits[1] = {4000.0, 32.0, 0.0, 4.0, 0.1};
+    QCOMPARE(refuseStart(facts, 2),
+        std::string("the board does not tell the nominal current of motor 2; to move it all the "
+                    "same takes expert mode"));
+    facts.expert = {2};
+    QCOMPARE(refuseStart(facts, 2), std::string());
+}
+
+void TestSetPoints::aSetPointUpToTheBoundIsAllowed()
+{
+    BoardFacts facts = board();
+    for (const double sign : {1.0, -1.0}) {
+        QCOMPARE(refuseSpeed(facts, 1, sign * 4000.0), std::string());
+        QCOMPARE(refuseSpeed(facts, 1, sign * 4000.1), std::string("beyond the limit of 4000 rpm"));
+        QCOMPARE(refuseCurrent(facts, 1, sign * 5.0), std::string());
+        QCOMPARE(refuseCurrent(facts, 1, sign * 5.1), std::string("beyond the limit of 5 A"));
+    }
+    for (const double odd : {kNan, kInfinity, -kInfinity}) {
+        QCOMPARE(refuseSpeed(facts, 1, odd), std::string("not a finite number"));
+        QCOMPARE(refuseCurrent(facts, 1, odd), std::string("not a finite number"));
+    }
+    const std::string expert = " of motor 2; to move it all the same takes expert mode";
+    QCOMPARE(refuseSpeed(facts, 2, 0.0), "the board does not tell the speed limit" + expert);
+    QCOMPARE(refuseCurrent(facts, 2, 0.0), "the board does not tell the current limit" + expert);
+    facts.user = {1234.56, 0.5};
+    QCOMPARE(refuseSpeed(facts, 1, 0.25), std::string());
+    QCOMPARE(refuseSpeed(facts, 1, 1300.0), std::string("beyond your own limit of 1234.56 rpm"));
+    QCOMPARE(refuseCurrent(facts, 1, 0.6), std::string("beyond your own limit of 0.5 A"));
+    facts.user = {0.5, 0.5};
+    QCOMPARE(refuseSpeed(facts, 1, 0.5), std::string());
+    QCOMPARE(refuseSpeed(facts, 1, 0.6), std::string("beyond your own limit of 0.5 rpm"));
+    facts.user = {1234.5678, 0.5}; // six digits say enough
+    QCOMPARE(refuseSpeed(facts, 1, 1300.0), std::string("beyond your own limit of 1234.57 rpm"));
+}
+
+void TestSetPoints::numbersForRegistersAreJudgedByTheirScale()
+{
+    const BoardFacts facts = board();
+    const auto refuse = [&](RegisterId id, int motor, catalog::Value value) {
+        const auto *info = facts.catalog->find(id);
+        return refuseNumber(facts,
+            {info != nullptr ? facts.catalog->withMotor(*info, motor) : id, std::move(value)});
+    };
+    QCOMPARE(refuse(Speed, 1, std::int64_t{4000}), std::string());
+    QCOMPARE(refuse(Speed, 1, std::int64_t{-4001}), std::string("beyond the limit of 4000 rpm"));
+    QCOMPARE(refuse(Speed, 1, 4000.5), std::string("beyond the limit of 4000 rpm"));
+    QCOMPARE(refuse(Current, 1, std::int64_t{5}), std::string());
+    QCOMPARE(refuse(Current, 1, std::int64_t{6}), std::string("beyond the limit of 5 A"));
+    QVERIFY(!refuse(Speed, 2, std::int64_t{0}).empty()); // each motor by its own limits
+    QCOMPARE(refuse(Gain, 1, std::int64_t{99999}), std::string());
+    QCOMPARE(refuse(Speed, 1, Bytes{1, 2}), std::string()); // no number: its type refuses it
+    QCOMPARE(refuse(0x7000, 1, std::int64_t{99999}), std::string());
+    BoardFacts digits = board();
+    catalog::RegisterInfo info = *digits.catalog->find(RegisterId{Speed});
+    info.unit = "digits";
+    digits.catalog = std::make_shared<const catalog::Catalog>(
+        std::vector{info}, 2, std::vector<catalog::Scales>(2));
+    QCOMPARE(refuseNumber(digits, {digits.catalog->withMotor(info, 2), std::int64_t{0}}),
+        std::string("the scale of motor 2 is not known"));
+}
+
+QTEST_APPLESS_MAIN(TestSetPoints)
+#include "tst_set_points.moc"
