@@ -1,5 +1,6 @@
 #include "commands.h"
 #include "drive/protocol_table.h"
+#include "session/transports/port_list.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -49,18 +50,29 @@ QString protocolWords(const QString &between)
     return words.join(between);
 }
 
+/// As --port has them.
+QString otherBoards()
+{
+    QStringList words;
+    for (const session::PortChoice &choice : session::simulatedBoards())
+        if (!choice.title.isEmpty())
+            words.append(choice.path);
+    return words.join(QStringLiteral(", "));
+}
+
 void addCommonOptions(QCommandLineParser &parser)
 {
     parser.addOptions({
         {QStringLiteral("port"),
             QStringLiteral(
-                "Device path of a serial port, or sim for a simulated board; sim:legacy and "
-                "sim:powerpc speak the older protocol."),
+                "Device path of a serial port, or sim for a simulated board; those of other "
+                "protocols are %1.")
+                .arg(otherBoards()),
             QStringLiteral("PORT")},
         {QStringLiteral("baud"),
-            QStringLiteral(
-                "Bits per second, 1843200 if not given; 115200 with --protocol legacy or "
-                "powerpc."),
+            QStringLiteral("Bits per second, %1 if not given; with --protocol, what its boards "
+                           "have.")
+                .arg(Arguments().baud),
             QStringLiteral("N")},
         {QStringLiteral("protocol"),
             QStringLiteral("What is spoken on the line, auto if not given: it is found out."),

@@ -1,5 +1,7 @@
 #include "catalog/gain_rows.h"
 
+#include <algorithm>
+
 namespace catalog {
 
 std::span<const GainRow> gainRows()
@@ -35,6 +37,16 @@ std::span<const GainRow> gainRows()
                 {"CL_POS_PID_KD", InUnits, false}}}},
     };
     return kRows;
+}
+
+bool hasGain(const Catalog &catalog, GainKind kind)
+{
+    for (const GainRow &row : gainRows())
+        if (std::any_of(row.gains.begin(), row.gains.end(), [&](const GainRegister &gain) {
+                return gain.name && gain.kind == kind && catalog.find(gain.name);
+            }))
+            return true;
+    return false;
 }
 
 } // namespace catalog

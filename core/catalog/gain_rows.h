@@ -1,6 +1,8 @@
 // Which registers hold the gains of which loop, by the names of every protocol: a board has some of them.
 #pragma once
 
+#include "catalog/catalog.h"
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -52,5 +54,7 @@ struct GainRow {
     std::array<GainRegister, kGainPlaces> gains;
 };
 std::span<const GainRow> gainRows(); ///< in the order in which a table has them
+/// Whether a board of this catalogue has a gain of that kind.
+bool hasGain(const Catalog &catalog, GainKind kind);
 
 } // namespace catalog

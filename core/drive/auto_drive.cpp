@@ -23,25 +23,19 @@ bool tells(const Event &event, StopWord word)
         || (record != nullptr && record->stop == word);
 }
 
-/// What a board speaks that let a candidate fail for this reason.
-std::optional<Protocol> provenBy(LinkReason reason)
+/// Whether this failure proves that a board of the row is there.
+bool isProof(const ProtocolRow &row, LinkReason reason)
 {
-    switch (reason) {
-    case LinkReason::NoAgreement:
-    case LinkReason::OtherProtocol:
-        return Protocol::Mcp;
-    case LinkReason::OldProtocol:
-        return Protocol::Legacy;
-    default:
-        return std::nullopt;
-    }
+    return reason != LinkReason::None
+        && std::find(row.proofs.begin(), row.proofs.end(), reason) != row.proofs.end();
 }
 
 class AutoDrive final : public Drive {
 public:
-    explicit AutoDrive(std::vector<Candidate> candidates)
+    AutoDrive(std::vector<const ProtocolRow *> candidates, const LineOptions &options)
         : m_candidates(std::move(candidates))
-        , m_drive(m_candidates.front().make(true))
+        , m_options(options)
+        , m_drive(m_candidates.front()->make(options, Search::Hasty))
     {
     }
 
@@ -177,7 +171,8 @@ private:
     void takeProof(LinkReason reason);
     void afterFailure(LinkReason reason, TimePoint now);
 
-    std::vector<Candidate> m_candidates;
+    std::vector<const ProtocolRow *> m_candidates;
+    LineOptions m_options;
     std::unique_ptr<Drive> m_drive;
     std::size_t m_which = 0;
     bool m_open = false;
@@ -209,7 +204,7 @@ void AutoDrive::planRound(bool first)
     for (std::size_t i = 0; i < m_candidates.size(); ++i)
         m_plan.push_back(i);
     for (std::size_t i = 0; first && i + 1 < m_candidates.size(); ++i)
-        if (m_candidates[i].hurries)
+        if (m_candidates[i]->hurries)
             m_plan.push_back(i);
 }
 
@@ -232,7 +227,7 @@ void AutoDrive::tryCandidate(std::size_t which, TimePoint now)
 /// It knows what the one before knew of the line.
 std::unique_ptr<Drive> AutoDrive::make(std::size_t which, bool hasty) const
 {
-    auto drive = m_candidates[which].make(hasty);
+    auto drive = m_candidates[which]->make(m_options, hasty ? Search::Hasty : Search::Patient);
     drive->remember(m_drive->memory());
     return drive;
 }
@@ -255,7 +250,7 @@ void AutoDrive::settle()
 {
     m_settled = true;
     LineMemory memory = m_drive->memory();
-    memory.spoken = m_candidates[m_which].protocol;
+    memory.spoken = m_candidates[m_which]->choice.protocol;
     m_drive->remember(memory);
 }
 
@@ -288,7 +283,7 @@ std::optional<LinkReason> AutoDrive::siftLink(const LinkChanged &change)
             m_reason = change.reason;
         return change.reason;
     case LinkState::Connecting:
-        if (const LinkReason asking = m_candidates[m_which].asking;
+        if (const LinkReason asking = m_candidates[m_which]->asking;
             !m_silent && !m_turnEnds && std::exchange(m_toldConnecting, asking) != asking)
             m_events.emplace_back(LinkChanged{change.state, asking});
         return std::nullopt;
@@ -328,23 +323,25 @@ void AutoDrive::sift(TimePoint now)
         if (auto *found = std::get_if<Identified>(&event)) {
             Identity &identity = found->identity;
             if (identity.evidence.empty())
-                identity.evidence = m_candidates[m_which].evidence;
+                identity.evidence = m_candidates[m_which]->evidence;
         }
         const bool toldAlready = (m_repeating && tells(event, StopWord::Requested))
             || (m_stop.active() && tells(event, StopWord::NotConfirmed));
         if (!toldAlready)
             m_events.push_back(std::move(event));
     }
-    if (failed && (!m_turnEnds || provenBy(*failed)))
+    const bool proof = failed
+        && std::any_of(m_candidates.begin(), m_candidates.end(),
+            [&](const ProtocolRow *row) { return isProof(*row, *failed); });
+    if (failed && (!m_turnEnds || proof))
         afterFailure(*failed, now);
 }
 
 /// One that is led elsewhere twice in a round, by noise or by two boards, is proved nothing.
 void AutoDrive::takeProof(LinkReason reason)
 {
-    const auto protocol = provenBy(reason);
     const auto proven = std::find_if(m_candidates.begin(), m_candidates.end(),
-        [&](const Candidate &one) { return one.protocol == protocol; });
+        [&](const ProtocolRow *row) { return isProof(*row, reason); });
     if (proven == m_candidates.end()) {
         if (m_proven == m_which)
             m_proven.reset(); // nothing proves it any more: the next round asks for all
@@ -379,9 +376,10 @@ void AutoDrive::afterFailure(LinkReason reason, TimePoint now)
 
 } // namespace
 
-std::unique_ptr<Drive> makeAutoDrive(std::vector<Candidate> candidates)
+std::unique_ptr<Drive> makeAutoDrive(
+    std::vector<const ProtocolRow *> candidates, const LineOptions &options)
 {
-    return std::make_unique<AutoDrive>(std::move(candidates));
+    return std::make_unique<AutoDrive>(std::move(candidates), options);
 }
 
 } // namespace drive

@@ -15,26 +15,15 @@
 // candidates take turns, each with its own way of a stop without a link; then each stops what it finds.
 #pragma once
 
-#include "drive/drive.h"
-#include "drive/protocol.h"
+#include "drive/protocol_table.h"
 
-#include <functional>
 #include <memory>
 #include <vector>
 
 namespace drive {
 
-struct Candidate {
-    /// `hasty`: for the first round after connect(); others wait for their turn.
-    std::function<std::unique_ptr<Drive>(bool hasty)> make;
-    LinkReason asking = LinkReason::None; ///< told while it is tried
-    std::string evidence; ///< why it was taken, if its identity does not say itself
-    Protocol protocol = Protocol::Auto; ///< LineMemory::spoken once its board has answered
-    bool hurries =
-        false; ///< in the first round it is tried in haste, and once more behind the others
-};
-
 /// @param candidates  at least one; in the order in which they are tried
-std::unique_ptr<Drive> makeAutoDrive(std::vector<Candidate> candidates);
+std::unique_ptr<Drive> makeAutoDrive(
+    std::vector<const ProtocolRow *> candidates, const LineOptions &options);
 
 } // namespace drive

@@ -19,6 +19,18 @@ inline constexpr const char *kNoCurrentScale =
 /// Digits of the full-scale current: those of firmware's 16-bit fractions.
 inline constexpr double kFullScaleDigits = 32768.0;
 
+/// All features: those that are there, and why the others are not.
+inline std::vector<Capability> ableTo(const std::set<Feature> &features, const std::string &reason)
+{
+    std::vector<Capability> all;
+    for (std::size_t i = 0; i < kFeatures; ++i) {
+        const auto feature = static_cast<Feature>(i);
+        const bool can = features.contains(feature);
+        all.push_back({feature, can, can ? std::string() : reason});
+    }
+    return all;
+}
+
 struct BoardFacts {
     bool identified = false;
     bool knownFirmware = false;

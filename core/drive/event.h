@@ -71,7 +71,7 @@ struct MotorLimits {
     double nominalCurrentAmps = 0.0;
     double polePairs = 0.0;
     double torquePerAmp = 0.0; ///< N m for each A of Iq
-    double speedStepRpm = 6.0; ///< what a set-point of speed resolves; firmware of ST keeps 0.1 Hz
+    double speedStepRpm = 1.0; ///< what a set-point of speed resolves, or what people ask for
 };
 
 /// What can be streamed, and what the link can carry.
@@ -96,6 +96,7 @@ enum class Feature : std::uint8_t {
     CyclicSetPoints,
     CurrentScale ///< a person says the scale of currents, because the board does not
 };
+inline constexpr std::size_t kFeatures = static_cast<std::size_t>(Feature::CurrentScale) + 1;
 struct Capability {
     Feature feature;
     bool available = true;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 #include <vector>
 
 namespace drive {
@@ -43,16 +42,13 @@ std::unique_ptr<Drive> makeMcb(const LineOptions &options, Search)
 
 std::unique_ptr<Drive> makeAuto(const LineOptions &options, Search)
 {
-    std::vector<Candidate> candidates;
+    std::vector<const ProtocolRow *> candidates;
     for (const ProtocolRow &row : protocolTable())
         if (row.asking != LinkReason::None)
-            candidates.push_back({[options, make = row.make](bool hasty) {
-                                      return make(options, hasty ? Search::Hasty : Search::Patient);
-                                  },
-                row.asking, std::string(row.evidence), row.choice.protocol, row.hurries});
+            candidates.push_back(&row);
     std::stable_partition(candidates.begin(), candidates.end(),
-        [&](const Candidate &one) { return options.spoken == one.protocol; });
-    return makeAutoDrive(std::move(candidates));
+        [&](const ProtocolRow *one) { return options.spoken == one->choice.protocol; });
+    return makeAutoDrive(std::move(candidates), options);
 }
 
 } // namespace
@@ -62,15 +58,17 @@ std::span<const ProtocolRow> protocolTable()
     using enum Protocol;
     using legacy::Dialect;
     static constexpr std::array kRows{
-        ProtocolRow{{Auto, "auto", "", "", true}, 0, "", makeAuto},
-        ProtocolRow{{Mcp, "mcp", "MCP over ASPEP", "STM32 motor control SDK 6", true}, 1843200, "",
-            makeMcp, LinkReason::AskingNewer, "it answered a BEACON", true},
+        ProtocolRow{{Auto, "auto", "", "", true}, 0, {}, makeAuto},
+        ProtocolRow{{Mcp, "mcp", "MCP over ASPEP", "STM32 motor control SDK 6", true}, 1843200, {},
+            makeMcp, LinkReason::AskingNewer, "it answered a BEACON", true,
+            {LinkReason::NoAgreement, LinkReason::OtherProtocol}},
         ProtocolRow{{Legacy, "legacy", "MCP legacy", "STM32 motor control SDK 3 to 5", true},
-            115200, "legacy", makeOlder<Dialect::Stm32>, LinkReason::AskingOlder},
-        ProtocolRow{{PowerPc, "powerpc", "MCP PowerPC", "PowerPC boards", true}, 115200, "powerpc",
-            makeOlder<Dialect::PowerPc>},
+            115200, {"legacy", "legacy-text"}, makeOlder<Dialect::Stm32>, LinkReason::AskingOlder,
+            "", false, {LinkReason::OldProtocol}},
+        ProtocolRow{{PowerPc, "powerpc", "MCP PowerPC", "PowerPC boards", true}, 115200,
+            {"powerpc"}, makeOlder<Dialect::PowerPc>},
         ProtocolRow{{Mcb, "mcb", "MCB over SPI", "servo drives of Ingenia and Celera", false}, 0,
-            "mcb", makeMcb},
+            {"mcb"}, makeMcb},
     };
     return kRows;
 }

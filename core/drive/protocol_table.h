@@ -6,6 +6,7 @@
 #include "drive/event.h"
 #include "drive/protocol.h"
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -33,13 +34,16 @@ enum class Search : std::uint8_t {
 struct ProtocolRow {
     ProtocolChoice choice;
     std::uint32_t baud = 0; ///< of its boards, unless one is told otherwise; 0: its lines have none
-    std::string_view board; ///< profile of its simulated board; empty: the standard one, or none
+    /// Profiles of its simulated boards, the usual one first; empty: the standard one, or none.
+    std::array<std::string_view, 2> boards;
     std::unique_ptr<Drive> (*make)(const LineOptions &options, Search search) = nullptr;
 
     // Of those that Protocol::Auto asks for.
     LinkReason asking = LinkReason::None; ///< told meanwhile; None: it is not asked for
     std::string_view evidence = {}; ///< of one that has answered, where the drive itself tells none
     bool hurries = false; ///< Search::Hasty ends it sooner
+    /// Failures that prove that its board is there, also when another protocol was tried.
+    std::array<LinkReason, 2> proofs{};
 };
 
 /// In the order in which they are offered and asked for.

@@ -1,5 +1,7 @@
 #include "record/replay_drive.h"
 
+#include "drive/board_facts.h"
+
 #include <algorithm>
 #include <charconv>
 
@@ -73,18 +75,6 @@ drive::MotorState stateOf(const std::string &word)
         if (word == text)
             return state;
     return MotorState::Unknown;
-}
-
-std::vector<drive::Capability> capabilities()
-{
-    using drive::Feature;
-    std::vector<drive::Capability> all;
-    for (const Feature feature :
-        {Feature::Start, Feature::AcknowledgeFaults, Feature::SpeedRamp, Feature::TorqueRamp,
-            Feature::CurrentReference, Feature::Stream, Feature::WriteRegisters,
-            Feature::PositionRamp, Feature::CyclicSetPoints, Feature::CurrentScale})
-        all.push_back({feature, false, kReason});
-    return all;
 }
 
 /// A block cut to what a board tells at a time, with the time from the block's to each part's.
@@ -424,7 +414,7 @@ void ReplayDrive::identify()
         std::move(all), m_identity.motors, std::vector<catalog::Scales>());
     identified.limits.resize(static_cast<std::size_t>(m_identity.motors));
     identified.streaming.tickHz = m_tickHz;
-    identified.capabilities = capabilities();
+    identified.capabilities = drive::ableTo({drive::Feature::Stop}, kReason);
     m_events.emplace_back(std::move(identified));
 }
 

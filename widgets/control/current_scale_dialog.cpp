@@ -1,5 +1,6 @@
 #include "widgets/control/current_scale_dialog.h"
 
+#include "drive/board_facts.h"
 #include "drive/motion_limits.h"
 #include "motor/current_loop.h"
 #include "widgets/base/setpoint_text.h"
@@ -17,7 +18,6 @@
 namespace widgets {
 namespace {
 
-constexpr double kDigits = 32768.0;
 constexpr double kMilli = 1e-3;
 
 /// 0 for an empty line: not known. Empty if it is no full-scale current at all.
@@ -110,9 +110,9 @@ void CurrentScaleDialog::follow()
         m_says->setText(
             tr("A full-scale current is a plain number from 0.001 to 10000 A, or nothing."));
     else if (*amps > 0.0)
-        m_says->setText(
-            tr("1 digit is %1 mA; 1 A is %2 digits.")
-                .arg(numberText(*amps / kDigits / kMilli, 4), numberText(kDigits / *amps, 1)));
+        m_says->setText(tr("1 digit is %1 mA; 1 A is %2 digits.")
+                            .arg(numberText(*amps / drive::kFullScaleDigits / kMilli, 4),
+                                numberText(drive::kFullScaleDigits / *amps, 1)));
     else
         m_says->setText(tr("Currents are shown in digits."));
 }

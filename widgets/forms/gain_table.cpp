@@ -1,6 +1,7 @@
 #include "widgets/forms/gain_table.h"
 
 #include "catalog/gain_rows.h"
+#include "drive/board_facts.h"
 #include "drive/gain_plant.h"
 #include "motor/smaller_loops.h"
 #include "widgets/base/device_text.h"
@@ -128,7 +129,7 @@ Physical observerGain(GainKind kind, const drive::MotorFacts &facts, const motor
         || !(plant.stage.controlPeriod_s > 0.0) || !(facts.motor.lq_h > 0.0))
         return unknown(why);
     motor::ObserverScale scale;
-    scale.maxCurrent_a = 32768.0 / plant.stage.digitsPerAmp;
+    scale.maxCurrent_a = drive::kFullScaleDigits / plant.stage.digitsPerAmp;
     scale.maxBemf_v = maxBemf_v;
     const auto gains = motor::observerGains(plant.torque(), plant.stage.controlPeriod_s, scale);
     double placed = kind == Observer1 ? gains.gain1 : gains.gain2;

@@ -1,5 +1,6 @@
 #include "widgets/forms/gain_texts.h"
 
+#include "catalog/gain_rows.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/registers/register_model.h"
 
@@ -30,8 +31,7 @@ const Row &rowOf(GainId id) { return kRows[motor::indexOf(id)]; }
 bool gainsInUnits(const RegisterModel &model)
 {
     const auto catalog = model.catalog();
-    return catalog && catalog->find(gainRegister(GainId::TorqueKp)) == nullptr
-        && catalog->find("CL_CUR_Q_KP") != nullptr;
+    return catalog && catalog::hasGain(*catalog, catalog::GainKind::InUnits);
 }
 
 const char *gainRegister(GainId id) { return rowOf(id).name; }

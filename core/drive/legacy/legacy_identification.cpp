@@ -10,6 +10,7 @@ namespace {
 
 using legacy::Dialect;
 
+constexpr double kRpmPerTenthHz = 6.0;
 constexpr int kMostLosses = 4; ///< of one question; the link itself gives up earlier
 constexpr std::uint8_t kStatus = 0x02, kStages = 0x22, kMaxSpeed = 0x3F, kOnlyPowerPc = 0x5C,
                        kOnlyStm32 = 0x6E, kControlBoard = 0x72, kPowerBoard = 0x73;
@@ -152,6 +153,7 @@ void LegacyIdentification::addLimits()
 {
     for (int motor = 1; motor <= m_board.motors; ++motor) {
         MotorLimits limits;
+        limits.speedStepRpm = kRpmPerTenthHz; // firmware keeps 0.1 Hz
         const auto fastest = m_values.find(legacyId(kMaxSpeed, motor));
         if (fastest != m_values.end())
             limits.maxSpeedRpm = asNumber(fastest->second).value_or(0.0);

@@ -190,7 +190,6 @@ void McbIdentification::finish()
         limits.maxCurrentAmps = std::min(limits.maxCurrentAmps, peak);
     limits.nominalCurrentAmps = plausible(numberAt(mcbreg::kRatedCurrent), kHighestAmps);
     limits.polePairs = plausible(numberAt(mcbreg::kPolePairs), kMaxPolePairs);
-    limits.speedStepRpm = 1.0; // its set-point is a float: whole rpm are for people
     m_board.limits.assign(1, limits);
     m_board.countsPerTurn = plausible(numberAt(mcbreg::kEncoderCounts), 1e9);
 

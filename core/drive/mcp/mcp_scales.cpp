@@ -58,6 +58,7 @@ catalog::Scales scalesOf(const MotorDescription &motor, std::uint32_t version)
 MotorLimits limitsOf(const MotorDescription &motor)
 {
     MotorLimits limits;
+    limits.speedStepRpm = kRpmPerTenthHz; // firmware keeps 0.1 Hz
     if (motor.application) {
         limits.maxSpeedRpm = plausible(motor.application->maxSpeedRpm, kHighestRpm);
         limits.maxCurrentAmps = plausible(motor.application->maxReadableAmps, kHighestAmps);

@@ -2,7 +2,9 @@
 
 #include "drive/protocol_table.h"
 #include "session/transports/port_list.h"
-#include "simulation/legacy/legacy_motor_board.h"
+
+#include <algorithm>
+#include <string_view>
 
 namespace session {
 
@@ -10,6 +12,15 @@ namespace {
 
 constexpr QLatin1Char kOf(':'); ///< between the simulated board and what it speaks
 constexpr char kSpiDevice[] = "/dev/spidev";
+
+/// Whose simulated board has this name; nullptr: none of them.
+const drive::ProtocolRow *rowOfBoard(std::string_view name)
+{
+    for (const drive::ProtocolRow &row : drive::protocolTable())
+        if (std::find(row.boards.begin(), row.boards.end(), name) != row.boards.end())
+            return &row;
+    return nullptr;
+}
 
 } // namespace
 
@@ -26,10 +37,10 @@ Endpoint endpointFor(const QString &path, std::uint32_t baud, drive::Protocol pr
     } else if (path.startsWith(simulator + kOf)) {
         const std::string name = path.section(kOf, 1).toStdString();
         const auto spoken = drive::protocolOf(name);
-        if (simulation::isLegacyProfile(name)) {
+        if (const drive::ProtocolRow *row = rowOfBoard(name); row && row->choice.serial) {
             endpoint.kind = Endpoint::Kind::Simulator;
             endpoint.board.profile = name; // what it speaks may be found out
-            endpoint.baud = drive::rowOf(drive::Protocol::Legacy).baud;
+            endpoint.baud = row->baud;
         } else if (spoken && *spoken != drive::Protocol::Auto) {
             endpoint.kind = Endpoint::Kind::Simulator;
             endpoint.protocol = *spoken;
@@ -40,7 +51,7 @@ Endpoint endpointFor(const QString &path, std::uint32_t baud, drive::Protocol pr
                 endpoint.protocol = row.choice.protocol; // nothing else is spoken there
     }
     if (const auto &row = drive::rowOf(endpoint.protocol); !row.choice.serial)
-        endpoint.board.profile = row.board; // no other has its line
+        endpoint.board.profile = row.boards.front(); // no other has its line
     endpoint.board.baud = endpoint.baud;
     return endpoint;
 }

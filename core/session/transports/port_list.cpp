@@ -65,7 +65,7 @@ QList<PortChoice> simulatedBoards()
     using Kind = PortChoice::Kind;
     QList<PortChoice> choices{{Kind::Simulator, QString::fromLatin1(kSimulatorPath), {}}};
     for (const drive::ProtocolRow &row : drive::protocolTable()) {
-        if (row.board.empty())
+        if (row.boards.front().empty())
             continue; // the board above
         const drive::ProtocolChoice &choice = row.choice;
         choices.append({Kind::Simulator,

@@ -1,5 +1,4 @@
-// What a protocol has to bring to the engine of drives, for the one of toy_board.h. It goes through the same test as the
-// real ones (tst_drive_conformance).
+// What a protocol brings to the engine of drives; it passes the same test as the real ones (tst_drive_conformance).
 #pragma once
 
 #include "core/drive/toy_board.h"
@@ -9,8 +8,6 @@
 #include "drive/task_drive.h"
 #include "drive/vitals.h"
 #include "drive/write_check.h"
-
-#include <span>
 
 namespace support::toy {
 
@@ -270,7 +267,9 @@ private:
     }
     void onIdentified(TimePoint) override
     {
-        Identified event{{}, m_board.catalog, m_board.limits, {}, {}};
+        m_board.capabilities = ableTo(
+            {Feature::Start, Feature::Stop, Feature::SpeedRamp, Feature::WriteRegisters}, "no");
+        Identified event{{}, m_board.catalog, m_board.limits, {}, m_board.capabilities};
         event.identity.protocol = "toy";
         m_events.emplace_back(std::move(event));
     }

@@ -11,40 +11,45 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <set>
 
 using namespace drive;
 using namespace std::chrono_literals;
 
 namespace {
 
+/// A row of the table, and the board that answers it.
 struct Spoken {
-    std::function<std::unique_ptr<Drive>()> drive;
-    std::function<std::unique_ptr<simulation::Device>()> board;
-    std::uint32_t baud = 0; ///< 0: bytes take no time
+    ProtocolRow row;
+    std::unique_ptr<simulation::Device> (*board)(const ProtocolRow &row);
 };
+
+std::unique_ptr<simulation::Device> simulated(const ProtocolRow &row)
+{
+    simulation::BoardOptions options;
+    if (!row.boards.front().empty())
+        options.profile = row.boards.front();
+    options.baud = row.baud != 0 ? row.baud : options.baud;
+    return simulation::makeBoard(options);
+}
 
 const std::map<std::string, Spoken> &protocols()
 {
     static const auto all = [] {
-        std::map<std::string, Spoken> made{
-            {"toy",
-                {[] { return std::make_unique<support::toy::ToyDrive>(); },
-                    [] { return std::make_unique<support::toy::Board>(); }}},
+        std::map<std::string, Spoken> made;
+        const auto add = [&](const ProtocolRow &row, auto board) {
+            made.insert({std::string(row.choice.word), {row, board}});
         };
+        ProtocolRow toy{{Protocol::Auto, "toy", "Toy", "boards of this test", true}};
+        toy.make = [](const LineOptions &, Search) -> std::unique_ptr<Drive> {
+            return std::make_unique<support::toy::ToyDrive>();
+        };
+        add(toy, [](const ProtocolRow &) -> std::unique_ptr<simulation::Device> {
+            return std::make_unique<support::toy::Board>();
+        });
         for (const ProtocolRow &row : protocolTable())
             if (row.choice.protocol != Protocol::Auto)
-                made[std::string(row.choice.word)] = {
-                    [&row] {
-                        return makeDrive({row.choice.protocol, row.baud});
-                    },
-                    [&row] {
-                        simulation::BoardOptions options;
-                        if (!row.board.empty())
-                            options.profile = row.board;
-                        options.baud = row.baud != 0 ? row.baud : options.baud;
-                        return simulation::makeBoard(options);
-                    },
-                    row.baud};
+                add(row, simulated);
         return made;
     }();
     return all;
@@ -60,9 +65,9 @@ std::string gainOf(const catalog::Catalog &catalog)
 class Bench {
 public:
     explicit Bench(const Spoken &spoken)
-        : drive(spoken.drive())
-        , m_board(spoken.board())
-        , m_baud(spoken.baud)
+        : drive(spoken.row.make({spoken.row.choice.protocol, spoken.row.baud}, Search::No))
+        , m_board(spoken.board(spoken.row))
+        , m_baud(spoken.row.baud)
     {
     }
 
@@ -203,6 +208,19 @@ private Q_SLOTS:
         QVERIFY(!bench.identified->identity.protocol.empty());
         QVERIFY(bench.identified->catalog->find(gainOf(*bench.identified->catalog)) != nullptr);
         QVERIFY(!bench.drive->armed());
+    }
+    void itSaysOfAllWhetherItCan_data() { rows(); }
+    void itSaysOfAllWhetherItCan()
+    {
+        Bench bench(spoken());
+        QVERIFY(bench.meet());
+        std::set<Feature> told;
+        for (const Capability &one : bench.identified->capabilities) {
+            QVERIFY(told.insert(one.feature).second);
+            QCOMPARE(one.reason.empty(), one.available);
+        }
+        QCOMPARE(told.size(), kFeatures);
+        QVERIFY(bench.identified->limits.front().speedStepRpm > 0.0);
     }
     void nothingActsUnarmed_data() { rows(); }
     void nothingActsUnarmed()
