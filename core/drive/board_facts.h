@@ -86,7 +86,10 @@ struct BoardFacts {
     /// Why no current in A can be asked of the motor; empty if its scale is known.
     std::string reasonAgainstAmps(int motor) const
     {
-        return ampsPerDigit(motor) > 0.0 ? std::string() : kNoCurrentScale;
+        return ampsPerDigit(motor) > 0.0 ? std::string()
+            : reasonAgainst(Feature::CurrentScale).empty()
+            ? kNoCurrentScale
+            : "the current scale of motor " + std::to_string(motor) + " is not known";
     }
 
     /// Why a feature is not there; empty if it is.

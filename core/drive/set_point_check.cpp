@@ -1,7 +1,9 @@
 #include "drive/set_point_check.h"
 
+#include "base/overloaded.h"
 #include "drive/values.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -9,6 +11,13 @@
 namespace drive {
 
 namespace {
+
+constexpr double kGreatestDigits = 32767.0;
+
+double roundedDigits(const BoardFacts &board, int motor, double amps)
+{
+    return std::nearbyint(amps / board.ampsPerDigit(motor));
+}
 
 std::string number(double value)
 {
@@ -89,6 +98,61 @@ std::string refuseCurrent(const BoardFacts &board, int motor, double amps)
     if (std::abs(amps) > bound)
         return beyond(bound, " A", bound == board.user.maxCurrentAmps);
     return {};
+}
+
+std::string refuseWireSpeed(const BoardFacts &board, int motor, double rpm)
+{
+    if (auto why = refuseSpeed(board, motor, rpm); !why.empty())
+        return why;
+    return std::abs(rpm) > kGreatestWireRpm ? "beyond the 32767 rpm that this protocol can hold"
+                                            : "";
+}
+
+std::optional<SetPoint> setPointOf(const Wish &wish)
+{
+    using Found = std::optional<SetPoint>;
+    return std::visit(
+        Overloaded{
+            [](const SpeedRamp &ramp) -> Found {
+                return SetPoint{
+                    Feature::SpeedRamp, ramp.motor, double(ramp.rpm), 0.0, ramp.duration};
+            },
+            [](const TorqueRamp &ramp) -> Found {
+                return SetPoint{Feature::TorqueRamp, ramp.motor, ramp.amps, 0.0, ramp.duration};
+            },
+            [](const CurrentReference &reference) -> Found {
+                return SetPoint{Feature::CurrentReference, reference.motor, reference.iqAmps,
+                    reference.idAmps, {}};
+            },
+            [](const auto &) -> Found { return std::nullopt; },
+        },
+        wish.what);
+}
+
+std::string refuseSetPoint(const BoardFacts &board, const SetPoint &wanted)
+{
+    if (auto why = refuseMotor(board, wanted.motor); !why.empty())
+        return why;
+    if (auto why = board.reasonAgainst(wanted.feature); !why.empty())
+        return why;
+    if (auto why = refuseRampTime(wanted.duration); !why.empty())
+        return why;
+    if (wanted.feature == Feature::SpeedRamp)
+        return refuseWireSpeed(board, wanted.motor, wanted.first);
+    if (auto why = board.reasonAgainstAmps(wanted.motor); !why.empty())
+        return why;
+    const double amps = std::hypot(wanted.first, wanted.second);
+    if (auto why = refuseCurrent(board, wanted.motor, amps); !why.empty())
+        return why;
+    const double most = std::max(std::abs(wanted.first), std::abs(wanted.second));
+    return roundedDigits(board, wanted.motor, most) > kGreatestDigits ? "beyond what 16 bits hold"
+                                                                      : "";
+}
+
+std::int16_t digitsOf(const BoardFacts &board, int motor, double amps)
+{
+    return static_cast<std::int16_t>(
+        std::clamp(roundedDigits(board, motor, amps), -kGreatestDigits, kGreatestDigits));
 }
 
 std::string refuseNumber(const BoardFacts &board, const RegisterWrite &write)

@@ -7,6 +7,8 @@
 #include "drive/wish.h"
 
 #include <chrono>
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace drive {
@@ -27,6 +29,21 @@ std::string refuseStart(const BoardFacts &board, int motor);
 /// Why this set-point must not be sent; empty if it may. A limit that is not known refuses too.
 std::string refuseSpeed(const BoardFacts &board, int motor, double rpm);
 std::string refuseCurrent(const BoardFacts &board, int motor, double amps);
+
+/// Why this speed must not be asked for by a protocol that holds 16 bits of rpm; empty if it may.
+std::string refuseWireSpeed(const BoardFacts &board, int motor, double rpm);
+
+/// A speed ramp, torque ramp or current reference, as protocols have it that hold whole rpm and currents in 16 bits.
+struct SetPoint {
+    Feature feature = Feature::SpeedRamp;
+    int motor = 1;
+    double first = 0.0, second = 0.0; ///< rpm, A, or A of Iq and A of Id
+    std::chrono::milliseconds duration{};
+};
+std::optional<SetPoint> setPointOf(const Wish &wish); ///< nothing: it is none of these
+std::string refuseSetPoint(const BoardFacts &board, const SetPoint &wanted);
+/// A current of a set-point that was not refused.
+std::int16_t digitsOf(const BoardFacts &board, int motor, double amps);
 
 /// The same for a number written to a register that is a set-point; empty for all others.
 std::string refuseNumber(const BoardFacts &board, const RegisterWrite &write);

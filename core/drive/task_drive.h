@@ -72,10 +72,7 @@ protected:
     virtual void closeLink() = 0;
 
     // What it may bring.
-    virtual LinkState linkState() const ///< where the link is neither closed nor lost
-    {
-        return connected() ? LinkState::Connected : LinkState::Connecting;
-    }
+    virtual bool recovering() const { return false; } ///< what was connected is out of step
     virtual LinkCounters counters() const { return {}; }
     virtual TimePoint stopMayLeave() const
     {
@@ -502,7 +499,10 @@ void TaskDrive<P>::tellLinkState()
 {
     const LinkState state = m_mode == Mode::Closed ? LinkState::Closed
         : m_lost                                   ? LinkState::Lost
-                                                   : linkState();
+        : !connected() && !recovering()            ? LinkState::Connecting
+        : m_suspect                                ? LinkState::Suspect
+        : recovering()                             ? LinkState::Recovering
+                                                   : LinkState::Connected;
     const LinkReason reason = state == LinkState::Lost ? *m_lost
         : state == m_toldState                         ? m_toldReason
                                                        : LinkReason::None;

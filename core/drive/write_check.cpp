@@ -79,14 +79,6 @@ std::string refuseControl(const BoardFacts &board, int motor, ControlMode mode, 
     return refuseUnbounded(board, motor, reach);
 }
 
-std::string refuseWireSpeed(const BoardFacts &board, int motor, double rpm)
-{
-    if (auto why = refuseSpeed(board, motor, rpm); !why.empty())
-        return why;
-    return std::abs(rpm) > kGreatestWireRpm ? "beyond the 32767 rpm that this protocol can hold"
-                                            : "";
-}
-
 std::string refuseWrite(const BoardFacts &board, const RegisterWrite &write, Reach reach)
 {
     const RegisterInfo *info = board.catalog->find(write.id);

@@ -14,9 +14,6 @@ namespace drive {
 /// Why this value must not be written; empty if it may.
 std::string refuseWrite(const BoardFacts &board, const RegisterWrite &write, Reach reach);
 
-/// Why this speed must not be asked for by a protocol that holds 16 bits of rpm; empty if it may.
-std::string refuseWireSpeed(const BoardFacts &board, int motor, double rpm);
-
 /// Why a motor's control must not follow this; empty if it may. @param reach  of the act
 std::string refuseControl(const BoardFacts &board, int motor, ControlMode mode, Reach reach);
 

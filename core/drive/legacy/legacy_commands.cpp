@@ -1,18 +1,13 @@
 #include "drive/legacy/legacy_commands.h"
 
-#include "drive/set_point_check.h"
 #include "drive/values.h"
 #include "drive/write_check.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace drive {
 
 namespace {
 
 constexpr std::uint8_t kFinalSpeed = 0x5B, kControlMode = 0x03;
-constexpr double kGreatestDigits = 32767.0;
 
 legacy::CommandId commandOf(MotorAction action)
 {
@@ -125,61 +120,24 @@ void LegacyCommandTask::takeNoResponse(std::optional<bool> executed, TimePoint)
         m_reader.takeNoResponse();
 }
 
-LegacySetPointTask::LegacySetPointTask(WishId id, const SpeedRamp &ramp, const LegacyFacts &board)
-    : LegacySetPointTask(id, Feature::SpeedRamp, ramp.motor, board)
+LegacySetPointTask::LegacySetPointTask(WishId id, const SetPoint &wanted, const LegacyFacts &board)
+    : WishTask(id, Permission::Armed)
+    , m_board(board)
+    , m_wanted(wanted)
 {
-    m_first = ramp.rpm;
-    m_duration = ramp.duration;
-}
-
-LegacySetPointTask::LegacySetPointTask(WishId id, const TorqueRamp &ramp, const LegacyFacts &board)
-    : LegacySetPointTask(id, Feature::TorqueRamp, ramp.motor, board)
-{
-    m_first = ramp.amps;
-    m_duration = ramp.duration;
-}
-
-LegacySetPointTask::LegacySetPointTask(
-    WishId id, const CurrentReference &reference, const LegacyFacts &board)
-    : LegacySetPointTask(id, Feature::CurrentReference, reference.motor, board)
-{
-    m_first = reference.iqAmps;
-    m_second = reference.idAmps;
-}
-
-std::string LegacySetPointTask::refuse() const
-{
-    if (auto why = refuseMotor(m_board, m_motor); !why.empty())
-        return why;
-    if (auto why = m_board.reasonAgainst(m_feature); !why.empty())
-        return why;
-    if (auto why = refuseRampTime(m_duration); !why.empty())
-        return why;
-    if (m_feature == Feature::SpeedRamp)
-        return refuseWireSpeed(m_board, m_motor, m_first);
-    if (auto why = m_board.reasonAgainstAmps(m_motor); !why.empty())
-        return why;
-    if (auto why = refuseCurrent(m_board, m_motor, std::hypot(m_first, m_second)); !why.empty())
-        return why;
-    const double most = kGreatestDigits * m_board.ampsPerDigit(m_motor);
-    return std::abs(m_first) > most || std::abs(m_second) > most ? "beyond what 16 bits hold" : "";
 }
 
 legacy::Command LegacySetPointTask::encode() const
 {
-    const auto time = static_cast<std::uint16_t>(m_duration.count());
-    const auto digits = [this](double amps) {
-        return static_cast<std::int16_t>(
-            std::clamp(std::nearbyint(amps / m_board.ampsPerDigit(m_motor)), -kGreatestDigits,
-                kGreatestDigits));
-    };
-    switch (m_feature) {
+    const auto time = static_cast<std::uint16_t>(m_wanted.duration.count());
+    const auto digits = [this](double amps) { return digitsOf(m_board, m_wanted.motor, amps); };
+    switch (m_wanted.feature) {
     case Feature::SpeedRamp:
-        return legacy::SetRamp{static_cast<std::int32_t>(m_first), time};
+        return legacy::SetRamp{static_cast<std::int32_t>(m_wanted.first), time};
     case Feature::TorqueRamp:
-        return legacy::SetTorqueRamp{digits(m_first), time};
+        return legacy::SetTorqueRamp{digits(m_wanted.first), time};
     default:
-        return legacy::SetCurrentReference{digits(m_first), digits(m_second)};
+        return legacy::SetCurrentReference{digits(m_wanted.first), digits(m_wanted.second)};
     }
 }
 
@@ -187,12 +145,12 @@ std::optional<legacy::Request> LegacySetPointTask::nextRequest(TimePoint)
 {
     if (finished() || sent())
         return std::nullopt;
-    if (auto why = refuse(); !why.empty()) {
+    if (auto why = refuseSetPoint(m_board, m_wanted); !why.empty()) {
         end(Outcome::Refused, std::move(why));
         return std::nullopt;
     }
     markSent();
-    return legacyRequest(m_motor, encode());
+    return legacyRequest(m_wanted.motor, encode());
 }
 
 void LegacySetPointTask::takeResponse(const legacy::Reply &response, TimePoint)

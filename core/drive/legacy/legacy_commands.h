@@ -5,6 +5,7 @@
 #pragma once
 
 #include "drive/legacy/legacy_reads.h"
+#include "drive/set_point_check.h"
 #include "drive/task.h"
 
 namespace drive {
@@ -31,30 +32,17 @@ private:
 /// Speed ramp, torque ramp or current reference.
 class LegacySetPointTask : public WishTask<LegacyProtocol> {
 public:
-    LegacySetPointTask(WishId id, const SpeedRamp &ramp, const LegacyFacts &board);
-    LegacySetPointTask(WishId id, const TorqueRamp &ramp, const LegacyFacts &board);
-    LegacySetPointTask(WishId id, const CurrentReference &reference, const LegacyFacts &board);
+    LegacySetPointTask(WishId id, const SetPoint &wanted, const LegacyFacts &board);
 
     std::optional<legacy::Request> nextRequest(TimePoint now) override;
     void takeResponse(const legacy::Reply &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
-    LegacySetPointTask(WishId id, Feature feature, int motor, const LegacyFacts &board)
-        : WishTask(id, Permission::Armed)
-        , m_board(board)
-        , m_feature(feature)
-        , m_motor(motor)
-    {
-    }
-    std::string refuse() const;
     legacy::Command encode() const;
 
     const LegacyFacts &m_board;
-    Feature m_feature;
-    int m_motor;
-    double m_first = 0.0, m_second = 0.0; ///< rpm, A, or A and A
-    std::chrono::milliseconds m_duration{};
+    SetPoint m_wanted;
 };
 
 } // namespace drive

@@ -52,7 +52,10 @@ private:
     void onIdentified(TimePoint now) override;
     void tellIdentified();
     bool connected() const override { return m_link.connected(); }
-    LinkState linkState() const override;
+    bool recovering() const override
+    {
+        return connected() && m_link.state() == Link::State::Recovering;
+    }
     LinkCounters counters() const override;
 
     // what goes out
@@ -73,20 +76,11 @@ private:
 
 LegacyDrive::Made LegacyDrive::taskFor(const Wish &wish)
 {
-    const auto setPoint = [&](const auto &what) -> Made {
-        return std::make_unique<LegacySetPointTask>(wish.id, what, m_board);
-    };
-    return std::visit(
-        Overloaded{
-            [&](const Command &command) -> Made {
-                return std::make_unique<LegacyCommandTask>(wish.id, command, m_board);
-            },
-            [&](const SpeedRamp &ramp) -> Made { return setPoint(ramp); },
-            [&](const TorqueRamp &ramp) -> Made { return setPoint(ramp); },
-            [&](const CurrentReference &reference) -> Made { return setPoint(reference); },
-            [](const auto &) -> Made { return nullptr; },
-        },
-        wish.what);
+    if (const auto setPoint = setPointOf(wish))
+        return std::make_unique<LegacySetPointTask>(wish.id, *setPoint, m_board);
+    if (const auto *command = std::get_if<Command>(&wish.what))
+        return std::make_unique<LegacyCommandTask>(wish.id, *command, m_board);
+    return nullptr;
 }
 
 void LegacyDrive::onLinkEvents(TimePoint now)
@@ -232,14 +226,6 @@ bool LegacyDrive::send(
         noteSent(*wish->motion(), *frame);
     m_link.send(request, now);
     return true;
-}
-
-LinkState LegacyDrive::linkState() const
-{
-    return !connected()                             ? LinkState::Connecting
-        : m_suspect                                 ? LinkState::Suspect
-        : m_link.state() == Link::State::Recovering ? LinkState::Recovering
-                                                    : LinkState::Connected;
 }
 
 LinkCounters LegacyDrive::counters() const

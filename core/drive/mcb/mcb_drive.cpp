@@ -78,7 +78,10 @@ private:
     {
         return m_link.state() == Link::State::Config || m_link.state() == Link::State::Cyclic;
     }
-    LinkState linkState() const override;
+    bool recovering() const override
+    {
+        return m_link.state() == Link::State::Seeking && m_toldState != LinkState::Connecting;
+    }
     LinkCounters counters() const override;
 
     // what goes out
@@ -412,15 +415,6 @@ void McbDrive::collect(TimePoint now)
     m_stream.flush(now);
     for (Event &event : m_stream.takeEvents())
         m_events.push_back(std::move(event));
-}
-
-LinkState McbDrive::linkState() const
-{
-    const bool seeking =
-        m_link.state() == Link::State::Seeking && m_toldState != LinkState::Connecting;
-    return connected() ? LinkState::Connected
-        : seeking      ? LinkState::Recovering
-                       : LinkState::Connecting;
 }
 
 LinkCounters McbDrive::counters() const

@@ -3,13 +3,8 @@
 #include "catalog/names.h"
 #include "drive/control_mode.h"
 #include "drive/mcp/mcp_values.h"
-#include "drive/set_point_check.h"
 #include "drive/write_check.h"
 #include "mcp/protocol.h"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace drive {
 
@@ -33,17 +28,6 @@ mcp::CommandId commandOf(MotorAction action)
 RegisterId idOf(mcp::RegisterId id, int motor)
 {
     return id.withMotor(static_cast<unsigned>(motor)).bits;
-}
-
-bool isOk(ByteView response)
-{
-    return response.size() == 1 && response.front() == static_cast<std::uint8_t>(mcp::Status::Ok);
-}
-
-/// The word for a refusal; empty if the answer is none that fits a command.
-std::string refusalIn(ByteView response)
-{
-    return response.empty() || response.size() > 2 ? std::string() : statusWord(response.front());
 }
 
 } // namespace
@@ -113,11 +97,10 @@ void CommandTask::takeResponse(const ByteView &response, TimePoint now)
             end(Outcome::Refused, m_refusal + m_state + m_faults);
         return;
     }
-    if (isOk(response))
-        return end(Outcome::Ok);
-    if (refusalIn(response).empty())
-        return end(Outcome::Unknown, "an answer that fits nothing");
-    m_refusal = refusalIn(response);
+    const McpEnd said = endIn(response);
+    if (said.outcome != Outcome::Refused)
+        return end(said.outcome, said.reason);
+    m_refusal = said.reason;
     m_reader.start(
         {idOf(mcp::reg::kStatus, m_command.motor), idOf(mcp::reg::kFaultsFlags, m_command.motor)});
 }
@@ -135,133 +118,72 @@ void CommandTask::takeNoResponse(std::optional<bool> executed, TimePoint)
     endLost(executed);
 }
 
-SetPointTask::SetPointTask(WishId id, const SpeedRamp &ramp, const McpBoard &board)
+SetPointTask::SetPointTask(WishId id, const SetPoint &wanted, const McpBoard &board)
     : WishTask(id, Permission::Armed)
     , m_board(board)
-    , m_kind(Kind::Speed)
-    , m_motor(ramp.motor)
-    , m_first(ramp.rpm)
-    , m_duration(ramp.duration)
+    , m_wanted(wanted)
+    , m_mode(wanted.feature == Feature::SpeedRamp ? kSpeedModeNumber : kTorqueModeNumber)
 {
 }
 
-SetPointTask::SetPointTask(WishId id, const TorqueRamp &ramp, const McpBoard &board)
-    : WishTask(id, Permission::Armed)
-    , m_board(board)
-    , m_kind(Kind::Torque)
-    , m_motor(ramp.motor)
-    , m_first(ramp.amps)
-    , m_duration(ramp.duration)
+McpRequest SetPointTask::order() const
 {
-}
-
-SetPointTask::SetPointTask(WishId id, const CurrentReference &reference, const McpBoard &board)
-    : WishTask(id, Permission::Armed)
-    , m_board(board)
-    , m_kind(Kind::Current)
-    , m_motor(reference.motor)
-    , m_first(reference.iqAmps)
-    , m_second(reference.idAmps)
-{
-}
-
-std::string SetPointTask::refuse() const
-{
-    if (auto why = refuseMotor(m_board, m_motor); !why.empty())
-        return why;
-    const Feature feature = m_kind == Kind::Speed ? Feature::SpeedRamp
-        : m_kind == Kind::Torque                  ? Feature::TorqueRamp
-                                                  : Feature::CurrentReference;
-    if (auto why = m_board.reasonAgainst(feature); !why.empty())
-        return why;
-    if (auto why = refuseRampTime(m_duration); !why.empty())
-        return why;
-    if (m_kind == Kind::Speed)
-        return refuseWireSpeed(m_board, m_motor, m_first);
-    if (!(m_board.ampsPerDigit(m_motor) > 0.0))
-        return "the current scale of motor " + std::to_string(m_motor) + " is not known";
-    if (auto why = refuseCurrent(m_board, m_motor, std::hypot(m_first, m_second)); !why.empty())
-        return why;
-    constexpr std::int32_t kGreatest = std::numeric_limits<std::int16_t>::max();
-    return std::max(std::abs(digits(m_first)), std::abs(digits(m_second))) > kGreatest
-        ? "beyond what 16 bits hold"
-        : "";
-}
-
-std::uint32_t SetPointTask::milliseconds() const
-{
-    return static_cast<std::uint32_t>(m_duration.count());
-}
-
-std::int32_t SetPointTask::digits(double amps) const
-{
-    constexpr double kOut = 32768.0; // of 16 bits; refused
-    return static_cast<std::int32_t>(
-        std::clamp(std::nearbyint(amps / m_board.ampsPerDigit(m_motor)), -kOut, kOut));
-}
-
-Bytes SetPointTask::encode() const
-{
-    switch (m_kind) {
-    case Kind::Speed:
-        return ByteWriter().s32(static_cast<std::int32_t>(m_first)).u16(milliseconds()).take();
-    case Kind::Torque:
-        return ByteWriter().s32(digits(m_first)).u16(milliseconds()).take();
-    case Kind::Current:
-        break;
+    const auto digits = [this](double amps) { return digitsOf(m_board, m_wanted.motor, amps); };
+    const auto milliseconds = static_cast<std::uint32_t>(m_wanted.duration.count());
+    ByteWriter bytes;
+    switch (m_wanted.feature) {
+    case Feature::SpeedRamp:
+        bytes.s32(static_cast<std::int32_t>(m_wanted.first)).u16(milliseconds);
+        return mcpSet(mcp::reg::kSpeedRamp, m_wanted.motor, bytes.take());
+    case Feature::TorqueRamp:
+        bytes.s32(digits(m_wanted.first)).u16(milliseconds);
+        return mcpSet(mcp::reg::kTorqueRamp, m_wanted.motor, bytes.take());
+    default:
+        bytes.s16(digits(m_wanted.first)).s16(digits(m_wanted.second));
+        return mcpSet(mcp::reg::kCurrentRef, m_wanted.motor, bytes.take());
     }
-    return ByteWriter().s16(digits(m_first)).s16(digits(m_second)).take();
 }
 
 std::optional<McpRequest> SetPointTask::nextRequest(TimePoint)
 {
     if (finished())
         return std::nullopt;
-    const std::int64_t mode = m_kind == Kind::Speed ? kSpeedModeNumber : kTorqueModeNumber;
     switch (m_step) {
     case Step::Begin:
-        if (auto why = refuse(); !why.empty()) {
+        if (auto why = refuseSetPoint(m_board, m_wanted); !why.empty()) {
             end(Outcome::Refused, why);
             return std::nullopt;
         }
         m_step = Step::ReadMode;
-        m_reader.start({idOf(mcp::reg::kControlMode, m_motor)});
+        m_reader.start({idOf(mcp::reg::kControlMode, m_wanted.motor)});
         [[fallthrough]];
     case Step::ReadMode:
         return m_reader.nextRequest();
     case Step::SetMode:
         markSent();
-        return mcpSet(mcp::reg::kControlMode, m_motor, static_cast<std::uint32_t>(mode));
+        return mcpSet(mcp::reg::kControlMode, m_wanted.motor, static_cast<std::uint32_t>(m_mode));
     case Step::SetPoint:
         break;
     }
-    const mcp::RegisterId target = m_kind == Kind::Speed ? mcp::reg::kSpeedRamp
-        : m_kind == Kind::Torque                         ? mcp::reg::kTorqueRamp
-                                                         : mcp::reg::kCurrentRef;
     markSent();
-    return mcpSet(target, m_motor, encode());
+    return order();
 }
 
 void SetPointTask::takeResponse(const ByteView &response, TimePoint now)
 {
     if (m_step == Step::ReadMode) {
-        const std::int64_t wanted = m_kind == Kind::Speed ? kSpeedModeNumber : kTorqueModeNumber;
         bool already = false;
         for (const Reading &reading : m_reader.takeResponse(response, now))
-            already = reading.status != ReadStatus::Ok || reading.value == Value(wanted);
+            already = reading.status != ReadStatus::Ok || reading.value == Value(m_mode);
         if (m_reader.finished())
             m_step = already && !m_reader.gaveUp() ? Step::SetPoint : Step::SetMode;
         return;
     }
-    if (!isOk(response)) {
-        const std::string word = refusalIn(response);
-        return word.empty() ? end(Outcome::Unknown, "an answer that fits nothing")
-                            : end(Outcome::Refused, word);
-    }
-    if (m_step == Step::SetMode)
+    const McpEnd said = endIn(response);
+    if (m_step == Step::SetMode && said.outcome == Outcome::Ok)
         m_step = Step::SetPoint;
     else
-        end(Outcome::Ok);
+        end(said.outcome, said.reason);
 }
 
 void SetPointTask::takeNoResponse(std::optional<bool> executed, TimePoint)

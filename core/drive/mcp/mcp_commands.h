@@ -4,6 +4,7 @@
 
 #include "drive/mcp/mcp_reads.h"
 #include "drive/mcp/mcp_start_check.h"
+#include "drive/set_point_check.h"
 #include "drive/task.h"
 
 namespace drive {
@@ -30,28 +31,20 @@ private:
 /// Speed ramp, torque ramp or current reference: the control mode first, if it is another one, then the raw register.
 class SetPointTask : public WishTask<McpProtocol> {
 public:
-    SetPointTask(WishId id, const SpeedRamp &ramp, const McpBoard &board);
-    SetPointTask(WishId id, const TorqueRamp &ramp, const McpBoard &board);
-    SetPointTask(WishId id, const CurrentReference &reference, const McpBoard &board);
+    SetPointTask(WishId id, const SetPoint &wanted, const McpBoard &board);
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
     void takeResponse(const ByteView &response, TimePoint now) override;
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
-    enum class Kind : std::uint8_t { Speed, Torque, Current };
     enum class Step : std::uint8_t { Begin, ReadMode, SetMode, SetPoint };
 
-    std::string refuse() const;
-    Bytes encode() const;
-    std::uint32_t milliseconds() const;
-    std::int32_t digits(double amps) const;
+    McpRequest order() const;
 
     const McpBoard &m_board;
-    Kind m_kind;
-    int m_motor;
-    double m_first = 0.0, m_second = 0.0; ///< rpm, A, or A and A
-    std::chrono::milliseconds m_duration{};
+    SetPoint m_wanted;
+    std::int64_t m_mode; ///< that it takes effect in
     Step m_step = Step::Begin;
     bool m_modeRepeated = false;
     Reader<McpProtocol> m_reader{m_board};

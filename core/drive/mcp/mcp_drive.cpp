@@ -86,7 +86,7 @@ private:
     void onIdentified(TimePoint now) override;
     void tellIdentity();
     bool connected() const override { return m_link.state() == Link::State::Connected; }
-    LinkState linkState() const override;
+    bool recovering() const override { return m_link.state() == Link::State::Recovering; }
     LinkCounters counters() const override;
 
     // what goes out
@@ -114,25 +114,20 @@ private:
 
 McpDrive::Made McpDrive::taskFor(const Wish &wish)
 {
-    const auto setPoint = [&](const auto &what) -> Made {
-        return std::make_unique<SetPointTask>(wish.id, what, m_board);
-    };
-    return std::visit(
-        Overloaded{
-            [&](const Command &command) -> Made {
-                return std::make_unique<CommandTask>(wish.id, command, m_board);
-            },
-            [&](const SpeedRamp &speed) -> Made { return setPoint(speed); },
-            [&](const TorqueRamp &torque) -> Made { return setPoint(torque); },
-            [&](const CurrentReference &current) -> Made { return setPoint(current); },
-            [&](const PositionRamp &position) -> Made {
-                return std::make_unique<PositionTask>(wish.id, position, m_board);
-            },
-            [&](const Stream &stream) -> Made {
-                return std::make_unique<StreamTask>(wish.id, stream, m_stream);
-            },
-            [](const auto &) -> Made { return nullptr; },
-        },
+    if (const auto setPoint = setPointOf(wish))
+        return std::make_unique<SetPointTask>(wish.id, *setPoint, m_board);
+    return std::visit(Overloaded{
+                          [&](const Command &command) -> Made {
+                              return std::make_unique<CommandTask>(wish.id, command, m_board);
+                          },
+                          [&](const PositionRamp &position) -> Made {
+                              return std::make_unique<PositionTask>(wish.id, position, m_board);
+                          },
+                          [&](const Stream &stream) -> Made {
+                              return std::make_unique<StreamTask>(wish.id, stream, m_stream);
+                          },
+                          [](const auto &) -> Made { return nullptr; },
+                      },
         wish.what);
 }
 
@@ -287,15 +282,6 @@ void McpDrive::collect(TimePoint now)
     for (Event &event : m_stream.takeEvents())
         m_events.push_back(std::move(event));
     TaskDrive::collect(now);
-}
-
-LinkState McpDrive::linkState() const
-{
-    const bool recovering = m_link.state() == Link::State::Recovering;
-    return !connected() && !recovering ? LinkState::Connecting
-        : m_suspect                    ? LinkState::Suspect
-        : recovering                   ? LinkState::Recovering
-                                       : LinkState::Connected;
 }
 
 LinkCounters McpDrive::counters() const

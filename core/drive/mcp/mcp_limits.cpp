@@ -19,10 +19,9 @@ constexpr double kGreatestDigits = 32767.0;
 
 std::string refuseDigits(const McpBoard &board, int motor, double digits)
 {
-    const double amps = board.ampsPerDigit(motor);
-    if (!(amps > 0.0))
-        return "the current scale of motor " + std::to_string(motor) + " is not known";
-    if (auto why = refuseCurrent(board, motor, digits * amps); !why.empty())
+    if (auto why = board.reasonAgainstAmps(motor); !why.empty())
+        return why;
+    if (auto why = refuseCurrent(board, motor, digits * board.ampsPerDigit(motor)); !why.empty())
         return why;
     return std::abs(digits) > kGreatestDigits ? "beyond what 16 bits hold" : "";
 }

@@ -79,11 +79,8 @@ void PositionTask::takeResponse(const ByteView &response, TimePoint now)
             judge();
         return;
     }
-    if (response.size() == 1 && response.front() == static_cast<std::uint8_t>(mcp::Status::Ok))
-        return end(Outcome::Ok);
-    if (response.empty() || response.size() > 2)
-        return end(Outcome::Unknown, "an answer that fits nothing");
-    end(Outcome::Refused, statusWord(response.front()));
+    const McpEnd said = endIn(response);
+    end(said.outcome, said.reason);
 }
 
 void PositionTask::takeNoResponse(std::optional<bool> executed, TimePoint)

@@ -69,4 +69,13 @@ std::string statusWord(std::uint8_t status)
     return std::string("status 0x") + kDigits[status >> 4] + kDigits[status & 0xF];
 }
 
+McpEnd endIn(ByteView response)
+{
+    if (response.empty() || response.size() > 2)
+        return {Outcome::Unknown, "an answer that fits nothing"};
+    if (response.size() == 1 && response.front() == static_cast<std::uint8_t>(mcp::Status::Ok))
+        return {Outcome::Ok, {}};
+    return {Outcome::Refused, statusWord(response.front())};
+}
+
 } // namespace drive

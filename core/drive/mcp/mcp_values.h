@@ -25,6 +25,13 @@ std::optional<Value> readValue(ByteReader &bytes, RegisterId id, catalog::ValueT
 /// As a SET has it. Fails (with the reason) on text, on non-finite numbers and out of the type's range.
 Result<mcp::Value, std::string> wireValue(const catalog::RegisterInfo &info, const Value &value);
 
+/// How the answer to a command or a set-point ends its wish.
+struct McpEnd {
+    Outcome outcome = Outcome::Unknown;
+    std::string reason;
+};
+McpEnd endIn(ByteView response);
+
 /// The firmware's word for a status byte, or the byte in hex.
 std::string statusWord(std::uint8_t status);
 
