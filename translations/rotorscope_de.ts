@@ -1293,10 +1293,6 @@
         <translation>Der Antrieb meldet nicht, dass er bereit ist. Bitte Versorgung und Bereit-Leitung prüfen.</translation>
     </message>
     <message>
-        <source>Nobody drives the line to this computer. Check the wiring, the chip select and the drive&apos;s power.</source>
-        <translation>Niemand treibt die Leitung zu diesem Rechner. Bitte Verdrahtung, Chip-Select und Versorgung des Antriebs prüfen.</translation>
-    </message>
-    <message>
         <source>The board speaks the protocol of older firmware. Choose that one, or Auto, and connect again.</source>
         <translation>Das Board spricht das Protokoll älterer Firmware. Wählen Sie dieses oder „Auto“ und verbinden Sie neu.</translation>
     </message>
@@ -1361,6 +1357,10 @@
     <message>
         <source>No answer in the protocol of newer firmware: asking in that of older firmware.</source>
         <translation>Keine Antwort im Protokoll neuerer Firmware: Gefragt wird in dem älterer.</translation>
+    </message>
+    <message>
+        <source>Nothing drives the line to this computer. Check the wiring, the chip select and the drive&apos;s power.</source>
+        <translation>Nichts treibt die Leitung zu diesem Rechner. Bitte Verdrahtung, Chip-Select und Versorgung des Antriebs prüfen.</translation>
     </message>
 </context>
 <context>
@@ -6930,10 +6930,6 @@ mN·m</translation>
         <translation>Das Board machte einen anderen Wert aus:</translation>
     </message>
     <message>
-        <source>Nobody knows whether these were written:</source>
-        <translation>Niemand weiß, ob diese geschrieben wurden:</translation>
-    </message>
-    <message>
         <source>Not written:</source>
         <translation>Nicht geschrieben:</translation>
     </message>
@@ -7076,6 +7072,10 @@ mN·m</translation>
     <message>
         <source>Save a snapshot</source>
         <translation>Schnappschuss sichern</translation>
+    </message>
+    <message>
+        <source>It is not known whether these were written:</source>
+        <translation>Es ist nicht bekannt, ob diese geschrieben wurden:</translation>
     </message>
 </context>
 <context>

@@ -1293,10 +1293,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nobody drives the line to this computer. Check the wiring, the chip select and the drive&apos;s power.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The board speaks the protocol of older firmware. Choose that one, or Auto, and connect again.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1360,6 +1356,10 @@
     </message>
     <message>
         <source>No answer in the protocol of newer firmware: asking in that of older firmware.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing drives the line to this computer. Check the wiring, the chip select and the drive&apos;s power.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6924,10 +6924,6 @@ mN·m</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nobody knows whether these were written:</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Not written:</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7069,6 +7065,10 @@ mN·m</source>
     </message>
     <message>
         <source>Save a snapshot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is not known whether these were written:</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

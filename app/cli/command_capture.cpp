@@ -138,7 +138,7 @@ Outcome<int> CaptureRun::run()
         return written;
     if (!recorded)
         return recorded;
-    // Nobody looked for Ctrl-C while the file was written, and a motor may have been left running.
+    // Ctrl-C was not looked for while the file was written, and a motor may have been left running.
     const auto undisturbed = m_desk.talk.waitUntil([] { return false; }, 1ms);
     if (!undisturbed && undisturbed.error().status > kInterrupted)
         return tl::make_unexpected(abandon(undisturbed.error()));
@@ -397,7 +397,7 @@ Failure CaptureRun::abandon(Failure why)
     return why;
 }
 
-/// The run ended early, but what was recorded until then may be what somebody waited for. An older file stays.
+/// The run ended early, but what was recorded until then may be what was waited for. An older file stays.
 Failure CaptureRun::salvage(Failure why)
 {
     if (m_recording && m_recording->finish())

@@ -27,7 +27,7 @@ constexpr auto kStopsLeave = std::chrono::duration_cast<Conversation::Millisecon
     drive::StopSequence::kBlindTime + 500ms); ///< the last that is sent blind has left
 constexpr auto kFarewell = 500ms;
 
-/// The one thread of the program: while it runs, so does what a person can interrupt it with.
+/// The one thread of the program: while it runs, so does what the user can interrupt it with.
 session::Parts attendedHere(std::shared_ptr<session::Guardian> guardian)
 {
     session::Parts parts = session::realParts();
@@ -361,7 +361,7 @@ void Conversation::take(const drive::Event &event)
     }
 }
 
-/// Stopped (Ctrl-Z) or asleep, and nobody could stop the motor: what was under way is not gone on with.
+/// Stopped (Ctrl-Z) or asleep, and the motor could not be stopped: what was under way is not gone on with.
 void Conversation::takeInterruption(const session::Interruption &what)
 {
     if (what.disarmed || what.stopped)

@@ -62,7 +62,7 @@ public:
     Outcome<bool> armToMove();
     /// Limits of this run, and expert mode where it was asked for and something is unknown; after connect().
     Outcome<bool> bound(const drive::Identified &board);
-    /// The board with the scale of currents that a person gave for all its motors; after connect().
+    /// The board with the scale of currents that the user gave for all its motors; after connect().
     Outcome<drive::Identified> scaled(const drive::Identified &board);
     /// What was asked of the motors, so far.
     const std::vector<session::LoggedMotion> &motionLog() const { return m_motionLog; }
@@ -73,7 +73,7 @@ public:
     Outcome<drive::StopWord> stop(Milliseconds standstill);
 
     /// Opens the port and stops every motor before anything else is asked of the board, in whatever language it is found
-    /// to speak; blind where nobody answers. Then as stop(). An interrupt does not end it before the STOPs have left.
+    /// to speak; blind where no answer comes. Then as stop(). An interrupt does not end it before the STOPs have left.
     /// @return  as stop(); each failure says that the motors may turn
     Outcome<drive::StopWord> stopAtOnce(Milliseconds standstill);
 
@@ -118,7 +118,7 @@ private:
     drive::WishId m_lastWish = 0;
 
 Q_SIGNALS:
-    void changed(); ///< something was told: whoever waits looks again
+    void changed(); ///< something was told: what waits looks again
 };
 
 } // namespace cli

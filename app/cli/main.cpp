@@ -14,7 +14,7 @@ const Command *const kCommands[] = {&kPorts, &kInfo, &kRegisters, &kGet, &kSet, 
     &kAcknowledge, &kRamp, &kCapture, &kSnapshot, &kDiff, &kRestore, &kRevUp, &kTorque, &kGains,
     &kMotor, &kHeader, &kShow, &kExport, &kDecode};
 
-/// The limits that a person has set in the window hold here, too: those of the file are added to the arguments of a command
+/// The limits that the user has set in the window hold here, too: those of the file are added to the arguments of a command
 /// that can move a motor, which is said on standard error. A file that cannot be read ends such a command, unless both
 /// limits are given.
 Outcome<bool> addOwnLimits(Arguments &arguments, const QString &file)

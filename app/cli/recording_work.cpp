@@ -55,7 +55,7 @@ QString csvErrorText(const capture::CsvError &error)
         what = QStringLiteral("there is one column only");
         break;
     case What::TooManyColumns:
-        what = QStringLiteral("there are more columns than anybody reads");
+        what = QStringLiteral("there are too many columns");
         break;
     case What::LineTooLong:
         what = QStringLiteral("the line is too long for a line of numbers");

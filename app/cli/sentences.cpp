@@ -91,7 +91,7 @@ QString sentenceOf(LinkReason reason, const Arguments &arguments)
             .arg(port);
     case LinkReason::DeadLine:
         return QStringLiteral(
-            "Nobody drives the line from %1; check wiring, chip select and power.")
+            "Nothing drives the line from %1; check wiring, chip select and power.")
             .arg(port);
     case LinkReason::None:
     case LinkReason::AskingNewer:

@@ -17,7 +17,7 @@ Outcome<BoardSnapshot> readBoard(Desk &desk, snapshots::Scope scope);
 
 /// Puts the file in place, whole or not at all.
 Outcome<int> saveFile(const QString &path, const QByteArray &content);
-/// The content of a text file that a person made.
+/// The content of a text file that the user made.
 Outcome<QByteArray> loadFile(const QString &path);
 Outcome<snapshots::Snapshot> loadSnapshot(const QString &path);
 

@@ -73,7 +73,7 @@ QString lineOf(const Desk &desk, const drive::WriteResult &result, Digits digits
                                            : QLatin1String(outcomeWord(result.outcome)));
 }
 
-/// One sentence about a list that came to no good end because nobody answered any more.
+/// One sentence about a list that came to no good end because the answers ended.
 QString brokenSentence(const std::vector<drive::WriteResult> &writes, const QString &what)
 {
     int counts[4] = {};

@@ -85,7 +85,7 @@ int run(int argc, char **argv, const gui::Arguments &arguments)
     if (window.width() > room.width() || window.height() > room.height())
         window.setWindowState(Qt::WindowMaximized);
     window.show();
-    // Asked to end by a signal: the same questions as when a person closes the window.
+    // Asked to end by a signal: the same questions as when the user closes the window.
     const cli::Interrupt interrupt;
     QObject::connect(&interrupt, &cli::Interrupt::raised, &window, &QWidget::close);
     // A window that hangs does not ask. What this program drives is stopped whether it does or not.

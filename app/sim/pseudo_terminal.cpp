@@ -97,7 +97,7 @@ void PseudoTerminal::write(ByteView bytes)
 
 Result<Link, std::string> Link::make(const std::string &path, const std::string &target)
 {
-    // Only what an earlier simulator left behind makes room; anybody else's link stays.
+    // Only what an earlier simulator left behind makes room; any other link stays.
     if (linkTarget(path).starts_with("/dev/"))
         unlink(path.c_str());
     if (symlink(target.c_str(), path.c_str()) != 0)

@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// While a packet still waits to be written nobody can have lost it: a busy host gets this much more time.
+/// While a packet still waits to be written it cannot be lost: a busy host gets this much more time.
 constexpr Duration kUnsentGrace = 250ms;
 constexpr Duration kTornGrace = 30ms; ///< beyond the wire time of what is missing
 constexpr Duration kRestAfterNack =

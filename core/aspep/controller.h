@@ -44,7 +44,7 @@ public:
         Duration patience{}; ///< how much later still a reply may come; more on busy computers
         int attempts =
             5; ///< how often a step of a dialogue is sent until the link is lost; oftener into silence
-        /// Beacons into perfect silence. Somebody may have fallen silent within a request: the board waits for the rest
+        /// Beacons into perfect silence. A program may have fallen silent within a request: the board waits for the rest
         /// without a time-out and swallows them, four bytes each. So many fill the largest request of the usual
         /// firmware, 256 bytes. Fewer only where this is not the last attempt; once connected so many are sent anyway.
         int firstSilentOffers = kSilentOffers;
@@ -157,7 +157,7 @@ private:
         Settling, ///< echoed, but late echoes of earlier Beacons may still come
         Pinging, ///< the reply of the Ping that connects is due
     };
-    /// Silence after which nobody takes what follows for the rest of a packet.
+    /// Silence after which what follows is not taken for the rest of a packet.
     static constexpr Duration kLongSilence = std::chrono::milliseconds(550);
 
     struct Urgent {

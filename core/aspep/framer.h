@@ -45,7 +45,7 @@ public:
     /// Bytes that the packet under way still needs; of a header that is not whole, those of the
     /// header.
     std::size_t missing() const;
-    /// Out of step: what somebody who looks for headers in the discarded bytes, as line analysers do, would still wait
+    /// Out of step: what a line analyser that looks for headers in the discarded bytes would still wait
     /// for. Until it has come, or the line was silent for long, he takes our dialogue for a payload.
     std::size_t missingToScanner() const { return m_scanSkip; }
     std::uint64_t discardedBytes() const { return m_discarded; }

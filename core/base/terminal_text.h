@@ -1,5 +1,5 @@
 // Text from elsewhere (a board, a file, another program) made harmless for a terminal: no byte of it can move the cursor,
-// change a title or colour, reorder a line or begin another one. It changes nothing that a person can see.
+// change a title or colour, reorder a line or begin another one. It changes nothing that the user can see.
 #pragma once
 
 #include <string>

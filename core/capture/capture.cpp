@@ -14,7 +14,7 @@ using Kind = ChannelInfo::Kind;
 /// channels.
 constexpr std::uint64_t kSamplesBetweenChecks = 65536;
 
-/// Registers of imported channels that nobody named are numbered from here on.
+/// Registers of imported channels without a name are numbered from here on.
 constexpr catalog::RegisterId kImportedRegister = kFirstOwnRegister + 0x10000000;
 
 /// How far new streams may be moved in all: far from where 64 bits end.

@@ -62,13 +62,13 @@ public:
     void appendPolled(catalog::RegisterId id, std::string_view name, std::string_view unit,
         double seconds, double value, Asked why = Asked::AsSignal);
 
-    /// Nobody asks for this register any more: its last value is not held any longer.
+    /// This register is not asked for any more: its last value is not held any longer.
     void endPolled(catalog::RegisterId id);
     /// The next value of it begins a channel of its own: its numbers do not follow those before.
     void endPolledForGood(catalog::RegisterId id);
 
     /// A channel of values that came from a file or were computed; kind Slow.
-    /// @param id  it is found by, at least kFirstOwnRegister; 0: one that nobody knows
+    /// @param id  it is found by, at least kFirstOwnRegister; 0: one that is not known
     ChannelId addImported(std::string name, std::string unit, catalog::RegisterId id = 0);
     /// Appends a value to it. Instants must rise.
     void appendImported(ChannelId id, Nanos time, double value, Nanos holdUntil);
@@ -117,7 +117,7 @@ public:
     std::uint64_t archivedBytes() const; ///< of the columns, in the archive
     /// Bytes that may be kept in the archive: its budget, or less if it refused some; 0 without one.
     std::uint64_t archiveRoom() const;
-    /// An archive that refused gets samples again, up to its budget; for when a person made room.
+    /// An archive that refused gets samples again, up to its budget; for when the user made room.
     void tryArchiveAgain() { m_archiveMost = kNoLimit; }
     const Refused &refused() const { return m_refused; }
     /// Samples that were let go since the last clear(), because there is no room for more.

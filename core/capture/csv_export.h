@@ -1,4 +1,4 @@
-// A capture as comma-separated text, made piece by piece from a snapshot: whoever owns the file writes the pieces.
+// A capture as comma-separated text, made piece by piece from a snapshot: the owner of the file writes the pieces.
 // The format is described in docs/csv.md: two dialects, UTF-8, shortest numbers that read back exactly, time first.
 //
 // Rows are the samples of the fastest kind of channel that has any in the range; slower ones are held. What is not known is

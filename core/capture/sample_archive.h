@@ -10,14 +10,14 @@
 
 namespace capture {
 
-/// Bytes that nobody writes any more; `data` keeps them alive, wherever they are.
+/// Bytes that are not written any more; `data` keeps them alive, wherever they are.
 struct Stretch {
     std::shared_ptr<const std::byte> data;
     std::size_t size = 0;
 };
 
 /// What became of some stretches that were handed over together. Settled once, by the archive, in any thread; read by
-/// whoever handed them over. The state is the only thing that two threads touch.
+/// the one who handed them over. The state is the only thing that two threads touch.
 class Deposit {
 public:
     enum class State : std::uint8_t {

@@ -2,7 +2,7 @@
 // arenas of two mebibytes, so that no slice is rounded up to pages. An arena holds slices of one size, and is given back
 // when the last of them is.
 //
-// Used in one thread (whoever appends); slices may be let go in any. Others may put the arenas elsewhere, e.g. into a file.
+// Used in one thread (the one that appends); slices may be let go in any. Others may put the arenas elsewhere, e.g. into a file.
 #pragma once
 
 #include "capture/min_max_kernel.h"
@@ -18,7 +18,7 @@ constexpr std::size_t kSliceBytes = kSliceSamples * sizeof(std::int16_t);
 constexpr std::size_t kSliceRanges = kSliceSamples / 16; ///< one for sixteen samples
 constexpr std::size_t kArenaBytes = std::size_t{2} << 20;
 
-/// kSliceSamples codes that nobody has written yet.
+/// kSliceSamples codes that are not written yet.
 using Slice = std::shared_ptr<std::int16_t[]>;
 /// kSliceRanges extremes, as unwritten.
 using RangeSlice = std::shared_ptr<CodeRange[]>;

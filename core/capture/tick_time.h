@@ -34,7 +34,7 @@ struct TickBase {
     static TickBase of(double tickHz, double originSeconds)
     {
         const double milliHz = std::round(tickHz * 1000.0);
-        // Bounds keep the product in timeOf() inside 64 bits; a rate beyond them is nobody's
+        // Bounds keep the product in timeOf() inside 64 bits; no board has a rate beyond them
         // control loop.
         const bool sane = milliHz >= 1.0 && milliHz <= 9e9;
         const std::int64_t rate = sane ? static_cast<std::int64_t>(milliHz) : 1000;

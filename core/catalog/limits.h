@@ -1,5 +1,5 @@
 // What may be written to a register, whatever is connected: the range of its type, the table's range, the values that
-// have a name. And which writes a person is asked about first. The board's own limits of speed and current come on top.
+// have a name. And which writes the user is asked about first. The board's own limits of speed and current come on top.
 #pragma once
 
 #include "catalog/register_info.h"
@@ -23,10 +23,10 @@ Limits typeLimits(ValueType type);
 Limits writeLimits(const RegisterInfo &info);
 
 /// Why a value must never be sent to this register; empty if it may. A whole number that came as a floating-point one
-/// is one. For structures only the kind is looked at; their content is the business of whoever knows it.
+/// is one. For structures only the kind is looked at; their content is checked by the code that knows it.
 std::string refuseValue(const RegisterInfo &info, const Value &value);
 
-/// Why a person is asked before a write.
+/// Why the user is asked before a write.
 enum class Caution : std::uint8_t {
     None,
     Dangerous, ///< it can move or harm something at once

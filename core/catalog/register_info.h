@@ -41,7 +41,7 @@ enum class SetPoint : std::uint8_t { None, Speed, Current, Torque };
 
 /// What a write of a register does besides leaving a number there. Every row of the tables that can be written says it.
 enum class Effect : std::uint8_t {
-    Unknown, ///< nobody decided: counts as the worst
+    Unknown, ///< not decided: counts as the worst
     Kept, ///< a parameter: gains, limits, stages of a start-up. Nothing else is ever brought back from a file
     Reference, ///< what a motor or an output follows: set-points, ramps
     Mode, ///< what the control of a motor follows
@@ -94,7 +94,7 @@ struct RegisterInfo {
     bool writable() const { return access == Access::Write || access == Access::ReadWrite; }
     /// Whether a snapshot may bring it back: it holds a parameter, and a write of it moves nothing.
     bool restorable() const { return readable() && writable() && !stub && effect == Effect::Kept; }
-    /// Whether a write of it takes a person's explicit word, because nothing here bounds what follows.
+    /// Whether a write of it takes the user's explicit word, because nothing here bounds what follows.
     bool takesWord() const
     {
         return effect == Effect::Unknown || effect == Effect::Unbounded || effect == Effect::Command

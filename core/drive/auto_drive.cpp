@@ -11,10 +11,10 @@ namespace drive {
 namespace {
 
 constexpr Duration kTryAgainAfter = std::chrono::milliseconds(500);
-/// How long a candidate may talk while a stop is sent blind: time for a STOP, and for the answer of whoever is there.
+/// How long a candidate may talk while a stop is sent blind: time for a STOP, and for the answer of a board.
 constexpr Duration kTurn = StopSequence::kRepeat;
 
-/// Whether somebody is told this word of a stop: a person, or the motion log.
+/// Whether the event tells this word of a stop to the user or to the motion log.
 bool tells(const Event &event, StopWord word)
 {
     const auto *progress = std::get_if<StopProgress>(&event);
@@ -114,7 +114,7 @@ public:
             m_stopAsked = now;
         m_stop.begin(1, now);
         m_turnEnds = now + kTurn;
-        if (m_tryAgainAt) { // nobody is talking now
+        if (m_tryAgainAt) { // between two rounds
             m_tryAgainAt.reset();
             planRound(false);
             startCandidate(takeNext(), now);
@@ -124,7 +124,7 @@ public:
         sift(now);
         m_repeating = false;
     }
-    /// Before anybody has answered: in every language.
+    /// Before any board has answered: in every protocol.
     std::vector<Output> stopScript() const override
     {
         std::vector<Output> script = m_drive->stopScript();
@@ -179,11 +179,11 @@ private:
     bool m_settled = false; ///< the candidate's board has answered
     std::deque<std::size_t> m_plan; ///< who is still to come in this round
     std::optional<std::size_t> m_proven; ///< whose board it is
-    bool m_followed = false; ///< in this round a proof has led to somebody else
+    bool m_followed = false; ///< in this round a proof has led to another one
     bool m_hasty = true; ///< the candidate comes once more in this round
     bool m_silent = false; ///< a round has failed: what is tried again is no news
     std::optional<LinkReason> m_toldConnecting; ///< with what was tried
-    StopSequence m_stop; ///< asked for before anybody had answered: its times and its alarm
+    StopSequence m_stop; ///< asked for before any board had answered: its times and its alarm
     TimePoint m_stopAsked;
     std::optional<TimePoint> m_turnEnds; ///< of a candidate that stops blind
     bool m_repeating = false; ///< that a stop is wanted has been told
@@ -302,7 +302,7 @@ std::optional<LinkReason> AutoDrive::siftLink(const LinkChanged &change)
     return std::nullopt;
 }
 
-/// Hands the events on; a candidate that has found nobody makes room for the next one.
+/// Hands the events on; a candidate that has found no board makes room for the next one.
 void AutoDrive::sift(TimePoint now)
 {
     m_now = now;
@@ -364,7 +364,7 @@ void AutoDrive::afterFailure(LinkReason reason, TimePoint now)
     takeProof(reason);
     if (!m_plan.empty())
         return tryNext(now);
-    // Nobody answered in any language: told once a round, and tried again.
+    // No answer in any protocol: told once a round, and tried again.
     m_silent = true;
     const LinkReason told = std::exchange(m_reason, LinkReason::None);
     if (m_toldLost != told)

@@ -44,10 +44,10 @@ struct BoardFacts {
     StreamLimits streaming;
     std::vector<Capability> capabilities;
 
-    UserLimits user; ///< a person's; outlives the connection
-    std::set<int> expert; ///< motors that a person moves without all limits known
+    UserLimits user; ///< the user's; outlives the connection
+    std::set<int> expert; ///< motors that the user moves without all limits known
 
-    /// Another board may be there now; what a person allows holds for it, too.
+    /// Another board may be there now; what the user allows holds for it, too.
     void forget()
     {
         const UserLimits allowed = user;

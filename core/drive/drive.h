@@ -24,7 +24,7 @@ public:
 
     virtual void connect(TimePoint now) = 0;
     /// Ends streaming where the link still allows it, cancels open wishes, then LinkChanged{Closed}.
-    /// Never stops a motor: that is a decision of whoever disconnects.
+    /// Never stops a motor: that is decided by the caller.
     virtual void disconnect(TimePoint now) = 0;
 
     virtual void receive(ByteView bytes, TimePoint now) = 0;
@@ -46,14 +46,14 @@ public:
     virtual void stop(TimePoint now) = 0;
     /// From stop() until there is evidence that nothing drives any motor, also one that was not known of before.
     virtual bool stopOpen() const = 0;
-    /// What stops every motor that is known when this drive cannot send any more: for whoever outlives it. Sent every
+    /// What stops every motor that is known when this drive cannot send any more: for the guardian. Sent every
     /// 100 ms for a while, whatever comes back. Empty where nothing moves.
     [[nodiscard]] virtual std::vector<Output> stopScript() const { return {}; }
     /// Lets writes and motion pass until stop(), a lost link or disarm(). The user's own act.
     virtual void arm() = 0;
     virtual void disarm() = 0;
     virtual bool armed() const = 0;
-    /// Time has passed in which nobody listened: this program, or the whole computer, stood still. Disarms, tells the
+    /// Time has passed unattended: this program, or the whole computer, stood still. Disarms, tells the
     /// link as Suspect, and reads the states of the motors before anything but a stop; believed again once they are read.
     virtual void doubt(TimePoint now);
 

@@ -17,7 +17,7 @@
 namespace drive {
 
 enum class LinkState : std::uint8_t {
-    Closed, ///< nobody is asked
+    Closed, ///< nothing is asked
     Connecting,
     Connected,
     Suspect, ///< connected, but nothing valid was heard for a while
@@ -35,7 +35,7 @@ enum class LinkReason : std::uint8_t {
     BoardReset, ///< connected again, but the board had been reset
     OldProtocol, ///< the board speaks an older protocol
     NotReady, ///< the line by which the drive says that it is ready stays low
-    DeadLine, ///< only zeros, or only ones: nobody drives the line
+    DeadLine, ///< only zeros, or only ones: the line is not driven
     AskingNewer, ///< Connecting: it is tried whether a board speaks a newer protocol
     AskingOlder, ///< Connecting: and now an older one
     OtherProtocol, ///< the board refused as one of the newer protocol does
@@ -94,7 +94,7 @@ enum class Feature : std::uint8_t {
     WriteRegisters,
     PositionRamp,
     CyclicSetPoints,
-    CurrentScale ///< a person says the scale of currents, because the board does not
+    CurrentScale ///< the user says the scale of currents, because the board does not
 };
 inline constexpr std::size_t kFeatures = static_cast<std::size_t>(Feature::CurrentScale) + 1;
 struct Capability {

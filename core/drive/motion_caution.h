@@ -1,4 +1,4 @@
-// Which acts of motion a person is asked about first, and why: pure judgement, no state and no words. A stop is never
+// Which acts of motion the user is asked about first, and why: pure judgement, no state and no words. A stop is never
 // in question, nor are the end of a ramp and the acknowledging of faults.
 #pragma once
 
@@ -13,10 +13,10 @@ namespace drive {
 
 enum class MotionCaution : std::uint8_t {
     FirstStart, ///< the first START of this motor since the board was met
-    Step, ///< a set-point that moves by more than a fifth of its limit, or from nobody knows where
+    Step, ///< a set-point that moves by more than a fifth of its limit, or from an unknown value
     Reversal, ///< the other way, or torque against the turning, while the rotor turns
     Position, ///< the shaft goes to an angle, wherever it is now
-    NoSpeedLimit, ///< torque control, in which nothing keeps the speed within a person's own limit
+    NoSpeedLimit, ///< torque control, in which nothing keeps the speed within the user's own limit
     OtherMode, ///< speed control becomes torque control or back, while the motor is driven
 };
 
@@ -25,7 +25,7 @@ struct MotionScene {
     MotorState state = MotorState::Unknown;
     bool startedBefore = false;
     MotionBounds bounds;
-    double ownSpeedLimitRpm = 0.0; ///< a person's; 0: none
+    double ownSpeedLimitRpm = 0.0; ///< the user's; 0: none
     /// Steps between set-points up to these were agreed to until it is disarmed; 0: none.
     double agreedRpm = 0.0, agreedAmps = 0.0;
     std::optional<double> speedRpm; ///< measured

@@ -12,7 +12,7 @@ bool known(double limit, double ceiling)
     return std::isfinite(limit) && limit > 0.0 && limit <= ceiling;
 }
 
-/// The lower of what is known and what a person allows; 0 if nothing is known.
+/// The lower of what is known and what the user allows; 0 if nothing is known.
 double lower(double known, double user) { return user > 0.0 ? std::min(known, user) : known; }
 
 } // namespace

@@ -1,8 +1,8 @@
-// What bounds the motion of a motor: what its board says it stands and what a person allows, the lower of the two. Pure
+// What bounds the motion of a motor: what its board says it stands and what the user allows, the lower of the two. Pure
 // functions, the same for every protocol; a drive enforces them, a window shows them.
 //
 // A limit that the board does not tell, or tells as nonsense (zero here), bounds nothing, so nothing may move by it:
-// only in expert mode, which a person enters knowingly for one motor and which ends with the connection, do a person's
+// only in expert mode, which the user enters knowingly for one motor and which ends with the connection, do the user's
 // own limit and the ceiling of this file take its place.
 #pragma once
 
@@ -30,10 +30,10 @@ struct MotionBounds {
 };
 MotionBounds boundsOf(const MotorLimits &limits, const UserLimits &user, bool expert);
 
-/// The same without the ceilings: what a board tells or a person allows. Zero: neither does, whatever the mode.
+/// The same without the ceilings: what a board tells or the user allows. Zero: neither does, whatever the mode.
 MotionBounds realBoundsOf(const MotorLimits &limits, const UserLimits &user);
 
-/// Whether a person's limits are numbers that can bound something: finite and not negative.
+/// Whether the user's limits are numbers that can bound something: finite and not negative.
 bool isPlausible(const UserLimits &user);
 
 /// Whether a full-scale current is one that an inverter can have: 0 (not known), or up to 10 kA.

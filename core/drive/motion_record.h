@@ -1,5 +1,5 @@
 // The motion log: who asked a motor for what, when, how it ended, and which bytes left for it. A drive makes one record
-// for each act once its end is known, a stop one for each of its four words. Whoever keeps them only appends.
+// for each act once its end is known, a stop one for each of its four words. They are only appended.
 //
 // The texts here are the log's own words, the same in every language, because files of different people are compared.
 #pragma once
@@ -20,11 +20,11 @@ enum class StopWord : std::uint8_t;
 enum class MotionAct : std::uint8_t {
     Arm,
     Disarm,
-    Limits, ///< a person's own
+    Limits, ///< the user's own
     Expert,
-    CurrentScale, ///< as a person knows it
+    CurrentScale, ///< as the user knows it
     Start,
-    Stop, ///< of every motor, by a person
+    Stop, ///< of every motor, by the user
     StopMotor,
     StopRamp,
     AcknowledgeFaults,

@@ -44,7 +44,7 @@ struct StructureField {
         names; ///< of the bits that are set, or the one of an enumeration's value
 };
 
-/// One structure; without members where it was not read or has a length that nobody knows.
+/// One structure; without members where it was not read or has an unknown length.
 struct StructureView {
     RegisterId id = 0; ///< of this motor
     std::string name; ///< of the register

@@ -1,4 +1,4 @@
-// Which language is spoken on a line, as a person chooses it. The one place where the protocols are named for people.
+// Which language is spoken on a line, as the user chooses it. The one place where the protocols are named for people.
 #pragma once
 
 #include <cstdint>

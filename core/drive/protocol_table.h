@@ -27,7 +27,7 @@ std::unique_ptr<Drive> makeDrive(const LineOptions &options);
 /// Whether a drive is made to find out who is there.
 enum class Search : std::uint8_t {
     No,
-    Hasty, ///< somebody else is tried next
+    Hasty, ///< another protocol is tried next
     Patient,
 };
 

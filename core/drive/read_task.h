@@ -1,4 +1,4 @@
-// A person's read wish: what cannot be asked is told at once, the rest is asked register by register.
+// The user's read wish: what cannot be asked is told at once, the rest is asked register by register.
 #pragma once
 
 #include "drive/reader.h"

@@ -1,4 +1,4 @@
-// The clamps of motion: no speed or current beyond what the board says it stands, or beyond what a person allows, is
+// The clamps of motion: no speed or current beyond what the board says it stands, or beyond what the user allows, is
 // ever sent, and nothing is started whose limits are not known (drive/motion_limits.h). They live here, below every
 // window and script. Nothing is clipped silently: a set-point beyond the limit is refused with the reason.
 #pragma once

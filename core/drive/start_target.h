@@ -1,5 +1,5 @@
 // What a START of a motor goes to, by what its board holds: the reference that its control follows, under whatever name the
-// board has it. Pure functions; reading the registers is the business of whoever asks.
+// board has it. Pure functions; reading the registers is left to the caller.
 #pragma once
 
 #include "catalog/catalog.h"

@@ -79,7 +79,7 @@ std::optional<int> StopSequence::stopDue(TimePoint now, bool connected) const
 {
     if (!connected && !blind(now))
         return std::nullopt;
-    const Motor *due = nullptr; // waiting for longest: nobody starves where no answer comes
+    const Motor *due = nullptr; // waiting for longest: each has its turn where no answer comes
     for (const Motor &motor : m_motors)
         if (wantsStop(motor, connected) && motor.nextStop <= now
             && (due == nullptr || motor.nextStop < due->nextStop))

@@ -49,7 +49,7 @@ public:
     void end() { m_motors.clear(); }
 
     bool active() const { return !m_motors.empty(); }
-    /// Not confirmed: a motor is not seen idle, or there may be one that nobody knows of.
+    /// Not confirmed: a motor is not seen idle, or there may be an unknown one.
     bool open() const { return active() && (m_count != Count::Exactly || !allIdle()); }
     /// A motor is not seen idle: nothing but STOP, link control and the reading of states may leave.
     bool exclusive() const { return !allIdle(); }
@@ -61,7 +61,7 @@ public:
 
     /// The motor that a STOP is due for, and has been for longest; `connected` says whether there is a link.
     std::optional<int> stopDue(TimePoint now, bool connected) const;
-    /// How soon another STOP follows one that nobody has answered: each motor has its turn within kRepeat, as long as
+    /// How soon another STOP follows one without an answer: each motor has its turn within kRepeat, as long as
     /// that leaves a link the time to send one.
     Duration turn() const;
     void stopSent(int number, TimePoint now);

@@ -54,7 +54,7 @@ public:
     /// It was made then, or is getting on: the board has answered it then.
     void freshen(TimePoint now) { m_fresh = now; }
     void begin() { m_begun = true; } ///< its first request leaves
-    /// It acts, nothing of it has left, and neither a person nor the board has been heard about it lately. A list of
+    /// It acts, nothing of it has left, and neither the user nor the board has been heard about it lately. A list of
     /// writes that move nothing goes on once it was begun in time, however slow the board is.
     bool expired(TimePoint now) const
     {

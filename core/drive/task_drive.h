@@ -296,7 +296,7 @@ void TaskDrive<P>::disarm()
         work(m_workedAt); // the link is free
 }
 
-/// The one whose answer is due ends with it, also if somebody arms again before.
+/// The one whose answer is due ends with it, also after arming again.
 template <class P>
 template <class Which>
 void TaskDrive<P>::cutActing(const std::string &reason, Which which)
@@ -439,14 +439,14 @@ bool TaskDrive<P>::sendFirst(TimePoint now)
     return true;
 }
 
-/// Gives a free link to whoever is most urgent.
+/// Gives a free link to the most urgent task.
 template <class P>
 void TaskDrive<P>::sendNext(TimePoint now)
 {
     const bool open = m_mode == Mode::Open;
     if (open) {
         if (m_stop.open() && !m_facts.motorsCounted && sendFirst(now))
-            return; // a motor that nobody knows of cannot be stopped
+            return; // an unknown motor cannot be stopped
         if (m_stop.active() && give(m_vitals, now))
             return;
         if (stopHoldsBack(now) || sendFirst(now) || give(m_vitals, now))

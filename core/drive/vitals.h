@@ -1,5 +1,5 @@
-// The states of the motors, read over and over: what a person must always be able to trust. Slow while nothing happens, fast
-// while a start or a stop is under way, or after something was commanded. Decides what is asked next; whoever owns the link
+// The states of the motors, read over and over: what the user must always be able to trust. Slow while nothing happens, fast
+// while a start or a stop is under way, or after something was commanded. Decides what is asked next; the owner of the link
 // decides when.
 #pragma once
 

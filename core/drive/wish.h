@@ -15,7 +15,7 @@ namespace drive {
 using catalog::RegisterId;
 using catalog::Value;
 
-/// Chosen by whoever asks; the matching Ended event carries it back. 0: nobody waits for the end.
+/// Chosen by the caller; the matching Ended event carries it back. 0: the end is not waited for.
 using WishId = std::uint64_t;
 
 /// Who wants something; kept in the motion log.
@@ -37,7 +37,7 @@ struct RegisterWrite {
 enum class Reach : std::uint8_t {
     Parameters, ///< gains, limits, stages of a start-up: nothing that moves a motor. For what comes from a file
     References, ///< set-points and the control mode too, within the limits
-    Everything, ///< a person's explicit word: also what nothing here bounds (catalog::RegisterInfo::takesWord)
+    Everything, ///< the user's explicit word: also what nothing here bounds (catalog::RegisterInfo::takesWord)
 };
 /// Written in this order, in as few requests as the link's rules allow, then read back.
 struct Write {
@@ -47,7 +47,7 @@ struct Write {
 
 enum class MotorAction : std::uint8_t {
     Start,
-    /// Of this motor alone, once, as the end of an act that began it (a jog). Not the Stop of a person, which is
+    /// Of this motor alone, once, as the end of an act that began it (a jog). Not the Stop of the user, which is
     /// Drive::stop(): it is not repeated, and disarms nothing.
     StopMotor,
     StopRamp,
@@ -80,20 +80,20 @@ struct PositionRamp {
     std::chrono::milliseconds duration{};
 };
 
-/// What a person allows, whatever a board says its motors stand: the lower of the two counts, for every motor and until
+/// What the user allows, whatever a board says its motors stand: the lower of the two counts, for every motor and until
 /// the next such wish. Zero: no limit of one's own. Needs neither a connection nor arming.
 struct UserLimits {
     double maxSpeedRpm = 0.0;
     double maxCurrentAmps = 0.0; ///< peak
     bool operator==(const UserLimits &) const = default;
 };
-/// A person's word that a motor is to be moved although its board does not tell its limits (drive/motion_limits.h).
+/// The user's word that a motor is to be moved although its board does not tell its limits (drive/motion_limits.h).
 /// Ends with the connection; refused where nothing is unknown.
 struct ExpertMode {
     int motor = 1;
 };
 
-/// The scale of a motor's currents as a person knows it, for boards that do not tell it: the current of 32768 digits.
+/// The scale of a motor's currents as the user knows it, for boards that do not tell it: the current of 32768 digits.
 /// Zero: not known. Holds for this connection. Nothing is sent; what waits to be written is cut, and the drive is
 /// disarmed, because it was meant by the scale before. Refused where the board tells its scale.
 struct CurrentScale {
@@ -126,7 +126,7 @@ struct Watch {
 };
 
 /// What acts (Permission::Armed, and arming) is done at once or not at all: a wish that is older than this when the link
-/// is free for it ends NotSent. A start that leaves seconds after its key was pressed is one that nobody expects any more.
+/// is free for it ends NotSent. A start that leaves seconds after its key was pressed is not expected any more.
 constexpr Duration kWishExpiresAfter = std::chrono::milliseconds(500);
 inline constexpr char kTooLate[] = "too late: it was asked for more than half a second ago";
 

@@ -1,4 +1,4 @@
-// What the drives of all protocols have in common: wishes and how they end, arming, a person's limits, the stop and its
+// What the drives of all protocols have in common: wishes and how they end, arming, the user's limits, the stop and its
 // words, the motion log, what is told of the link. What goes over the wire, and when: drive/task_drive.h.
 #pragma once
 
@@ -40,7 +40,7 @@ protected:
 
     virtual void work(TimePoint now) = 0; ///< sends what is due, tells what has happened
     virtual void watch(const Watch &watch, TimePoint now) = 0;
-    virtual void limitsChanged() { } ///< a person's own
+    virtual void limitsChanged() { } ///< the user's own
     virtual void lookAtOnce(
         TimePoint now) = 0; ///< at the states of the motors, and often for a while
 
@@ -90,7 +90,7 @@ private:
     void takeExpert(const Wish &wish, const ExpertMode &expert, TimePoint now);
     void takeScale(const Wish &wish, const CurrentScale &scale, TimePoint now);
 
-    TimePoint m_stopAsked; ///< by a person
+    TimePoint m_stopAsked; ///< by the user
     std::map<int, MotionRecord> m_stopsSent; ///< by motor: the STOPs since the log was last told
     std::map<int, bool> m_faultNow; ///< by motor, as the newest state says
     bool m_armed = false;

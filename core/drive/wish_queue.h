@@ -15,7 +15,7 @@ template <class P>
 class WishQueue {
 public:
     static constexpr std::size_t kMaxWaiting =
-        1000; ///< more are refused: somebody asks faster than any link answers
+        1000; ///< more are refused: no link answers that fast
 
     /// @return false if too many wait already; the task is gone then
     bool add(std::unique_ptr<WishTask<P>> task);

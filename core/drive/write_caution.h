@@ -1,5 +1,5 @@
 // Judges a list of writes that go out together: a gain is its numerator over two to the power of its exponent, so both
-// halves are looked at as one number. Decides only; whoever writes asks the person.
+// halves are looked at as one number. Decides only; the caller asks the user.
 #pragma once
 
 #include "catalog/catalog.h"

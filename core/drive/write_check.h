@@ -17,8 +17,8 @@ std::string refuseWrite(const BoardFacts &board, const RegisterWrite &write, Rea
 /// Why a motor's control must not follow this; empty if it may. @param reach  of the act
 std::string refuseControl(const BoardFacts &board, int motor, ControlMode mode, Reach reach);
 
-/// Why a motor must not be started, nor a register make it follow a current: a person's own limit of speed, which nothing
-/// keeps in torque control. A torque that is asked for as such is another matter: there a person is told.
+/// Why a motor must not be started, nor a register make it follow a current: the user's own limit of speed, which nothing
+/// keeps in torque control. A torque that is asked for as such is another matter: there the user is told.
 std::string refuseTorqueControl(const BoardFacts &board);
 
 } // namespace drive

@@ -181,7 +181,7 @@ void Client::take(Framer::Step step, TimePoint now)
     }
     if (!reply || m_state == State::Ready || m_state == State::Settling) {
         ++m_stats.bad;
-        if (m_state == State::Ready) { // nobody asked
+        if (m_state == State::Ready) { // not asked for
             m_strayFrames = true;
             m_state = State::Settling;
             rest(kSettle, now);

@@ -32,7 +32,7 @@ public:
     static constexpr Duration kFillPause = std::chrono::milliseconds(5); ///< after each 0xFF
     static constexpr std::size_t kShortestAnswer = 3; ///< bytes
     static constexpr int kFillBytes = 131; ///< one more than the longest frame has
-    /// A line that does not come to rest within this is given up: whatever babbles there answers nobody.
+    /// A line that does not come to rest within this is given up: what babbles there answers no request.
     static constexpr Duration kNoisyAtMost = kAnswerTime;
     /// An urgent request waits so long for the end of the exchange before it.
     static constexpr Duration kGrace = kSettle;

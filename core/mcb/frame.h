@@ -57,7 +57,7 @@ enum class FrameError : std::uint8_t {
     WrongLength, ///< odd, shorter than a config frame, longer than the longest
     BadCrc,
     ReservedBit, ///< bit 15 of the header is set
-    DeadLow, ///< all bits 0: a line that nobody drives has a correct CRC
+    DeadLow, ///< all bits 0: a line that is not driven has a correct CRC
     DeadHigh, ///< all bits 1
     FromMaster, ///< a command that no slave sends
 };

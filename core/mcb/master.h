@@ -4,7 +4,7 @@
 //   Closed -connect-> Meeting -a good frame-> Config <-on/off-> Cyclic
 //   any of these -several bad frames in a row-> Seeking -length found-> Config or Cyclic;  else Lost
 //
-// Call order: after any call send takeOutput(), act on takeEvents(), arm a timer at nextTimeout(). Whoever knows the ready
+// Call order: after any call send takeOutput(), act on takeEvents(), arm a timer at nextTimeout(). Code that knows the ready
 // line tells every edge of it by setReady(); without such a call the line counts as high, as behind a byte stream, where
 // the end of the answer says so.
 //
@@ -101,7 +101,7 @@ public:
         std::uint64_t damaged = 0; ///< wrong CRC, reserved bit, a master's command
         std::uint64_t dead = 0; ///< all zeros, all ones
         std::uint64_t torn = 0; ///< fewer bytes than were sent
-        std::uint64_t unexpected = 0; ///< bytes that nobody waited for
+        std::uint64_t unexpected = 0; ///< bytes that were not waited for
         std::uint64_t strays = 0; ///< answers to other requests
         std::uint64_t timeouts = 0, searches = 0;
         std::uint64_t cyclesLost = 0;

@@ -139,7 +139,7 @@ bool Master::recall(TimePoint now)
     return true;
 }
 
-/// It has waited for the drive to be ready, or for its turn, until nobody expects it any more.
+/// It has waited for the drive to be ready, or for its turn, until it is not expected any more.
 bool Master::isLate(TimePoint now) const
 {
     return m_operation && m_operation->sent == 0 && m_operation->request.leaveBy

@@ -83,7 +83,7 @@ void Master::found(std::size_t words, TimePoint now)
         m_events.emplace_back(Back{});
         return;
     }
-    if (words > 0) { // somebody else's, or ours from before: zeros are the safe choice
+    if (words > 0) { // of another program, or ours from before: zeros are the safe choice
         m_way = Way::Leave;
         m_steps = {{kStateRegister, {mcb::kConfigState}}};
         m_step = 0;

@@ -1,4 +1,4 @@
-// Recorded packets, one after the other, to what they mean: neutral structs for whoever prints them.
+// Recorded packets, one after the other, to what they mean: neutral structs to be printed.
 //
 // It learns the datalog configurations from the SET requests it sees and matches each response with the request before
 // it. It reads leniently where a board does (fields sent twice may differ): what is wrong is shown, not hidden.

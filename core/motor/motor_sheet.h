@@ -1,4 +1,4 @@
-// A motor as somebody describes it: a board, a file, a data sheet. Each figure is there or is not; two descriptions can be
+// A motor as described by a board, a file, a data sheet. Each figure is there or is not; two descriptions can be
 // laid side by side. Phase values and peak amperes, as in motor_constants.h. Pure functions.
 #pragma once
 

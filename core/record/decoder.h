@@ -4,7 +4,7 @@
 // A block counts only if both of its checksums fit. Behind damage the next such block is searched byte by byte; what
 // was between is told as Damage, with the number of blocks that are missing. What a later version may have added is
 // passed over. A layout that was swallowed by damage is taken from the next repetition; samples before that are told
-// as damage, too, because nobody knows what they are.
+// as damage, too, because their meaning is not known.
 //
 // Call order: feed() and next() until it is empty, again and again; finish() and next() until it is empty; ending().
 #pragma once

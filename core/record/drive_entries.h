@@ -19,10 +19,10 @@ class DriveEntries {
 public:
     /// The entries of an event; most have one, many none.
     std::vector<Entry> take(const drive::Event &event);
-    /// A wish on its way to the drive. Reading is none of anybody's business: what is read once, a hundred registers for a
+    /// A wish on its way to the drive. Reading is not told: what is read once, a hundred registers for a
     /// snapshot, is no signal and has no entry.
     std::vector<Entry> take(const drive::Wish &wish);
-    static Entry stop(); ///< somebody wants every motor to stop
+    static Entry stop(); ///< every motor is to stop
 
     /// What holds now, for a recording that begins in the middle. Polled registers are described again.
     std::vector<Entry> state();

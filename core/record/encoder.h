@@ -1,7 +1,7 @@
 // Encoder: entries in, blocks of a recording out. It owns no file and reads no clock.
 //
 // Samples that follow each other without a gap are gathered to long columns, and bytes of one direction to long pieces,
-// until one of the bounds of Config is reached; then, and with flush(), they become blocks. Whoever writes the file
+// until one of the bounds of Config is reached; then, and with flush(), they become blocks. The writer of the file
 // writes each block whole and in order.
 //
 // Call order: head() first, then add() and flush() with takeBlocks() after each, end() last.

@@ -17,7 +17,7 @@ constexpr RegisterId kMotorBits = 7;
 constexpr std::uint64_t kMostATurn = 50'000; ///< values, so that a turn stays short at any speed
 constexpr Nanos kCatchUp =
     500'000'000; ///< recorded time that a wait may cost without being a pause
-constexpr Duration kLookAgain = 50ms; ///< at the pace, which anybody may have changed
+constexpr Duration kLookAgain = 50ms; ///< at the pace, which may have changed
 constexpr Duration kWhileFull = 4ms;
 constexpr Duration kReportEvery = 100ms;
 constexpr std::size_t kMostRegisters = 65'536;

@@ -27,7 +27,7 @@ struct ReplayProgress {
     bool ended = false;
 };
 
-/// Whoever watches over a replay; called in the drive's thread.
+/// The observer of a replay; called in the drive's thread.
 class ReplayControl {
 public:
     ReplayControl() = default;

@@ -61,8 +61,8 @@ private:
     Nanos m_before = 0;
 };
 
-/// Up to where all of these are complete, going by the samples alone. A register that nobody asks for any more holds it
-/// back: then `until` has to come from somebody who knows. Nothing if there is no channel or one is empty.
+/// Up to where all of these are complete, going by the samples alone. A register that is not asked for any more holds it
+/// back: then `until` has to come from the caller. Nothing if there is no channel or one is empty.
 std::optional<Nanos> settledUntil(std::span<const capture::Channel *const> channels);
 
 } // namespace scope

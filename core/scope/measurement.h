@@ -1,5 +1,5 @@
 // What an automatic measurement says: a number or the reason why there is none, its kind of unit, and the levels and
-// points to draw, so that a person sees what was measured. Definitions: measurer.h, step_response.h, phase.h.
+// points to draw, so that the user sees what was measured. Definitions: measurer.h, step_response.h, phase.h.
 #pragma once
 
 #include "base/result.h"

@@ -25,7 +25,7 @@ struct Record {
     enum class Cause : std::uint8_t {
         Condition, ///< a sample fulfilled the condition
         Event, ///< something happened that was waited for
-        Forced, ///< by a person
+        Forced, ///< by the user
         Automatic ///< nothing came in time
     } cause = Cause::Condition;
 
@@ -37,7 +37,7 @@ struct Record {
     } state = State::Waiting;
 
     bool pinned = false;
-    std::string label; ///< of a person, UTF-8
+    std::string label; ///< of the user, UTF-8
 
     /// How long ago it was triggered.
     Nanos age(Nanos now) const { return now - trigger; }

@@ -33,7 +33,7 @@ public:
         m_countsFrom = m_segment.atOrAfter(notBefore);
     }
 
-    /// False if a hit of this sample is certainly too early: then nobody need know its time.
+    /// False if a hit of this sample is certainly too early: then its time is not needed.
     bool counts(Index index) const { return index >= m_countsFrom; }
 
     Nanos timeOf(Index index) const

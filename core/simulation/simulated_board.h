@@ -59,15 +59,15 @@ struct MotorTruth {
     double rpm = 0.0; ///< of the rotor, mechanical, signed
     double measuredRpm = 0.0,
            referenceRpm = 0.0; ///< what the firmware takes the speed for, and wants
-    double maxRpm = 0.0; ///< that the design allows; 0: nobody knows
-    double ampsPerDigit = 0.0; ///< of current registers of 16 bits; 0: nobody knows
-    double maxAmps = 0.0; ///< that can be measured, peak; 0: nobody knows
+    double maxRpm = 0.0; ///< that the design allows; 0: not known
+    double ampsPerDigit = 0.0; ///< of current registers of 16 bits; 0: not known
+    double maxAmps = 0.0; ///< that can be measured, peak; 0: not known
 };
 
 /// Its nextWake() is tens of microseconds to 1 ms away.
 class SimulatedBoard : public Device {
 public:
-    // Control words; each as a person at the board would do it.
+    // Control words; each as the user at the board would do it.
     virtual void reset() = 0; ///< power cycle
     virtual void setFaults(
         std::uint16_t present) = 0; ///< fault bits that are present from now on; 0: none

@@ -1,4 +1,4 @@
-// Ticks in steps of 1, 2 and 5, never more than asked for however far somebody zooms, with labels in the person's
+// Ticks in steps of 1, 2 and 5, never more than asked for however far the picture is zoomed, with labels in the person's
 // language. The numbers are here and can be tested alone; axis_ticker.h hands them to the plot.
 #pragma once
 

@@ -49,7 +49,7 @@ public:
     bool armed() const { return m_armed; }
     /// Set-points travel with every exchange.
     bool cyclicSetPoints() const { return m_cyclicSetPoints; }
-    /// A person's own limits, and what may be asked of a motor under them: what the drive enforces.
+    /// The user's own limits, and what may be asked of a motor under them: what the drive enforces.
     const drive::UserLimits &userLimits() const { return m_userLimits; }
     drive::MotionBounds bounds(int motor) const;
     drive::MotorLimits limits(int motor) const; ///< as the board tells them; zeros if not known
@@ -61,7 +61,7 @@ public:
 
     /// Sends a wish and returns its id, which the matching `ended` carries.
     drive::WishId submit(decltype(drive::Wish::what) what);
-    /// Tells when the act of a person that is being done was made; without it wishes are as old as their submission.
+    /// Tells when the act of the user that is being done was made; without it wishes are as old as their submission.
     void setActClock(std::function<TimePoint()> clock) { m_actClock = std::move(clock); }
 
 public Q_SLOTS:
@@ -70,14 +70,14 @@ public Q_SLOTS:
     /// Every motor, ahead of everything; also disarms at once. Without an open port it is kept for one that is being
     /// opened, or opened again; where there is none nothing can carry it.
     void stop();
-    void forgetStop(); ///< a person takes back the stops that are still wanted somewhere
+    void forgetStop(); ///< the user takes back the stops that are still wanted somewhere
     void setStopsWanted(const QStringList &ports); ///< which cannot be carried out now
     void setArmed(bool armed);
     void setMotor(int motor);
     void setUserLimits(const drive::UserLimits &limits); ///< ignored if they bound nothing sensibly
-    /// What a person knows of a motor's current scale; the board is told of anew (identityChanged) if it is taken.
+    /// What the user knows of a motor's current scale; the board is told of anew (identityChanged) if it is taken.
     drive::WishId setCurrentScale(int motor, double fullScaleAmps);
-    /// A person has agreed to move a motor whose board does not tell its limits.
+    /// The user has agreed to move a motor whose board does not tell its limits.
     void becomeExpert(int motor);
 
     void apply(const session::BatchPtr &batch);

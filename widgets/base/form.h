@@ -1,5 +1,5 @@
 // Form: one page of a tool for tuning (gains, start-up, ramps, motor), docked below the scope. A form is a view of the
-// RegisterModel: it shows what the board holds, leaves what a person wants as pending edits, and never writes by itself.
+// RegisterModel: it shows what the board holds, leaves what the user wants as pending edits, and never writes by itself.
 #pragma once
 
 #include "widgets/base/device.h"

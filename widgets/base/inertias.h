@@ -1,4 +1,4 @@
-// Inertias: what somebody typed of motors whose boards do not know it, for every form that needs it.
+// Inertias: what was typed of motors whose boards do not know it, for every form that needs it.
 #pragma once
 
 #include <QMap>

@@ -84,7 +84,7 @@ QString linkReasonText(drive::LinkReason reason)
         return Messages::tr("The drive does not say that it is ready. Check its power and the "
                             "ready line.");
     case LinkReason::DeadLine:
-        return Messages::tr("Nobody drives the line to this computer. Check the wiring, the "
+        return Messages::tr("Nothing drives the line to this computer. Check the wiring, the "
                             "chip select and the drive's power.");
     }
     return {};

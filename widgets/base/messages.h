@@ -19,7 +19,7 @@ QString linkStateText(const drive::LinkChanged &link);
 bool noBoardFound(const drive::LinkChanged &link);
 /// Why a link ended or came back, in one sentence; empty for None.
 QString linkReasonText(drive::LinkReason reason);
-/// What the banner says of time in which nobody attended, or could not.
+/// What the banner says of time that was not attended.
 QString interruptionText(const session::Interruption &what);
 /// What the banner says when contact to a board is gone. @param watchdog  of the drive, if it has one
 QString linkLostText(std::optional<std::chrono::milliseconds> watchdog);
@@ -28,7 +28,7 @@ QString portProblemText(const session::PortError &error, const QString &port);
 QString outcomeText(drive::Outcome outcome);
 QString motorStateText(drive::MotorState state);
 QString stopWordText(drive::StopWord word);
-/// Why a person is asked before an act of motion. @param limit, speed  with unit
+/// Why the user is asked before an act of motion. @param limit, speed  with unit
 QString motionCautionText(drive::MotionCaution caution, const QString &limit, const QString &speed);
 /// An act of the motion log, and where it came from.
 QString motionActText(drive::MotionAct act);

@@ -24,7 +24,7 @@ QString registerHelpText(const catalog::RegisterInfo &info);
 QString valueNameText(std::string_view name);
 QStringList valueNameTexts(const std::vector<std::string> &names);
 
-/// The value that a person means by `word`, in their language or in English; capitals do not matter.
+/// The value that the user means by `word`, in their language or in English; capitals do not matter.
 std::optional<std::int64_t> valueNamed(
     std::span<const catalog::NamedValue> values, const QString &word);
 

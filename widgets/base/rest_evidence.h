@@ -19,12 +19,12 @@ public:
     void asked(const drive::Wish &wish);
     void ended(const drive::Ended &ended);
     void take(const drive::MotorStatus &status);
-    /// A person's choice: the motors stay as they are. Until the next arming or connection.
+    /// The user's choice: the motors stay as they are. Until the next arming or connection.
     void leftAsTheyAre() { m_left = true; }
 
     /// A motor may turn, for all that was seen.
     bool mayTurn(int motors, TimePoint now) const;
-    /// The board has told of each motor what it does, or a person has said that it does not matter.
+    /// The board has told of each motor what it does, or the user has said that it does not matter.
     bool heardOfAll(int motors) const;
 
 private:

@@ -1,4 +1,4 @@
-// Reading a set-point that a person typed. Stricter than Qt's spin boxes, which read "1.234" as 1234 in German and
+// Reading a set-point that the user typed. Stricter than Qt's spin boxes, which read "1.234" as 1234 in German and
 // "1e3" as 13: '.' and ',' both are the decimal point, group marks and exponents are refused, nothing is guessed.
 #pragma once
 

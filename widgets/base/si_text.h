@@ -6,7 +6,7 @@
 
 namespace widgets {
 
-/// @param unit  SI without prefix, e.g. "H"; units that nobody gives a prefix (rpm, V/krpm) keep theirs. Five
+/// @param unit  SI without prefix, e.g. "H"; units that take no prefix (rpm, V/krpm) keep theirs. Five
 ///              significant digits; a dash for what is not finite.
 QString siText(double value, const QString &unit);
 

@@ -1,6 +1,6 @@
 // ControlPanel: state, faults and commands of one motor. State, faults, arming, start and stop stay in view; what is
 // below them scrolls. What can be pressed follows from what the device has said; what cannot says why in its tool tip.
-// Nothing here sends without a person's act, and what moves goes through the MotionGate.
+// Nothing here sends without the user's act, and what moves goes through the MotionGate.
 #pragma once
 
 #include "widgets/base/device.h"
@@ -45,9 +45,9 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void watchedRegistersChanged();
-    void currentScaleWanted(); ///< a person knows the scale of the currents
+    void currentScaleWanted(); ///< the user knows the scale of the currents
     void causesWanted(); ///< of the faults, to be explained
-    void limitsWanted(); ///< a person wants to change their own limits
+    void limitsWanted(); ///< the user wants to change their own limits
 
 private:
     QWidget *makeBody();
@@ -65,7 +65,7 @@ private:
     ReadoutBox *m_readouts;
     QLabel *m_limits;
     QToolButton *m_changeLimits;
-    QLabel *m_scale; ///< of the currents, where a person has to say it
+    QLabel *m_scale; ///< of the currents, where the user has to say it
     QToolButton *m_changeScale;
     StopWords *m_words;
     Milliseconds m_now{};

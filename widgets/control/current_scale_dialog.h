@@ -1,5 +1,5 @@
 // CurrentScaleDialog: asks for the full-scale current of a motor whose board does not tell it, as such or by shunt,
-// amplifier and converter. It only asks; whoever asked for the dialog hears `chosen`.
+// amplifier and converter. It only asks; `chosen` tells the answer.
 #pragma once
 
 #include <QDialog>

@@ -15,7 +15,7 @@ public:
     /// @param remembered  full-scale currents in A by board, port and motor; outlives this
     CurrentScales(Device &device, QMap<QString, double> &remembered, QObject *parent = nullptr);
 
-    void set(int motor, double fullScaleAmps); ///< a person's word; remembered once it is taken
+    void set(int motor, double fullScaleAmps); ///< the user's word; remembered once it is taken
 
 Q_SIGNALS:
     void told(const QString &sentence);

@@ -1,4 +1,4 @@
-// LimitsDialog: a person's own limits of speed and current, for every motor and every board. The lower of these and
+// LimitsDialog: the user's own limits of speed and current, for every motor and every board. The lower of these and
 // the board's counts; the drive enforces them, this only asks.
 #pragma once
 

@@ -20,7 +20,7 @@
 
 namespace widgets {
 
-/// What a person is asked.
+/// What the user is asked.
 struct MotionQuestion {
     int motor = 1;
     QString action; ///< e.g. "Start"
@@ -33,7 +33,7 @@ class MotionGate : public QObject {
 public:
     MotionGate(Device &device, RegisterModel &registers, QObject *parent = nullptr);
 
-    /// One act of a person: `action` names it for them. Several wishes are asked about once, and each is sent when the one
+    /// One act of the user: `action` names it for them. Several wishes are asked about once, and each is sent when the one
     /// before has ended well.
     void want(const QString &action, drive::WishContent act);
     void want(const QString &action, std::vector<drive::WishContent> acts);
@@ -67,9 +67,9 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void asked(const widgets::MotionQuestion &question);
-    /// The board does not tell all limits of this motor: nothing was sent, a person has to agree first.
+    /// The board does not tell all limits of this motor: nothing was sent, the user has to agree first.
     void expertNeeded(int motor);
-    void withdrawn(); ///< nobody needs to answer any more
+    void withdrawn(); ///< no answer is needed any more
     void failed(const QString &sentence); ///< what was sent did not end well
 
 private:

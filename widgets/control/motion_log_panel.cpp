@@ -60,7 +60,7 @@ MotionLogPanel::MotionLogPanel(MotionLogModel &log, FilePrompt &files, QWidget *
 
     connect(&log, &QAbstractItemModel::rowsAboutToBeInserted, this, [this] {
         const QScrollBar *bar = m_table->verticalScrollBar();
-        if (bar->value() == bar->maximum()) // whoever reads older rows is left alone
+        if (bar->value() == bar->maximum()) // older rows that are being read stay
             QMetaObject::invokeMethod(m_table, &QTableView::scrollToBottom, Qt::QueuedConnection);
     });
     connect(&log, &QAbstractItemModel::rowsInserted, this, &MotionLogPanel::updateButtons);

@@ -1,5 +1,5 @@
 // SetpointBox: the quick set-points of one motor: a speed, a torque current within a time, or both currents at once.
-// Which one is shown is a person's choice and sends nothing; the board changes its control with the first set-point.
+// Which one is shown is the user's choice and sends nothing; the board changes its control with the first set-point.
 #pragma once
 
 #include "widgets/base/device.h"
@@ -34,7 +34,7 @@ public Q_SLOTS:
     void stopRamp();
     void follow(); ///< the device may allow something else now
     void forget(); ///< nothing of a set-point is left to be sent by accident
-    /// The speed begins with what the board would do anyway, once and not over what a person has typed.
+    /// The speed begins with what the board would do anyway, once and not over what the user has typed.
     void takeReference(std::optional<double> rpm);
     void expectReference(); ///< a board was met: takeReference() counts again
 

@@ -1,4 +1,4 @@
-// SetpointEdit: a field for one set-point. Nothing leaves it while a person types; Enter commits, and only a number
+// SetpointEdit: a field for one set-point. Nothing leaves it while the user types; Enter commits, and only a number
 // that was understood and is within the limits. The wheel and the arrow keys step, the wheel only in a focused and
 // enabled-for-motion field.
 #pragma once

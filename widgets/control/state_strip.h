@@ -14,7 +14,7 @@ public:
     explicit StateStrip(QWidget *parent = nullptr);
 
     void setSteps(std::vector<drive::StateStep> steps);
-    /// @param believed  false: nothing is lit, because nobody knows
+    /// @param believed  false: nothing is lit, because it is not known
     void show(const drive::MotorStatus &status, bool believed);
     /// The name that is lit; empty if none is.
     QString litName() const { return m_lit; }

@@ -1,4 +1,4 @@
-// StopAlarm: the red text that nobody can overlook when a stop was not confirmed. Closing it restarts nothing. What is in
+// StopAlarm: the red text that cannot be overlooked when a stop was not confirmed. Closing it restarts nothing. What is in
 // it is made when it is first raised, which takes a few milliseconds that a start of the program has no use for.
 #pragma once
 
@@ -27,7 +27,7 @@ public:
 
 Q_SIGNALS:
     void
-    takenBack(); ///< a person says that the stop of the ports that are gone is no longer wanted
+    takenBack(); ///< the user says that the stop of the ports that are gone is no longer wanted
 
 private:
     void make();

@@ -1,4 +1,4 @@
-// Notes in the event log what a person asked of the board and what the board told, on the clock of the samples. It
+// Notes in the event log what the user asked of the board and what the board told, on the clock of the samples. It
 // listens to the Device only, asks for nothing and decides nothing.
 #pragma once
 

@@ -1,4 +1,4 @@
-// ExportDialog: what of the recording goes into a file, in which format, and where. It makes the order; whoever opened
+// ExportDialog: what of the recording goes into a file, in which format, and where. It makes the order; the one that opened
 // the dialog carries it out, so that nothing is covered while files are written.
 #pragma once
 

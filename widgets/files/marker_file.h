@@ -41,7 +41,7 @@ public:
     QString path() const { return m_path; } ///< of the recording, if it is open or has ended
 
     bool changed() const; ///< there are markers to be saved
-    void leave(); ///< a person does not want them saved as they are now
+    void leave(); ///< the user does not want them saved as they are now
     bool changedSinceLeft() const; ///< there are others to be saved than those
     void saveThen(std::function<void()> goOn); ///< which is not called unless they are saved
 
@@ -67,7 +67,7 @@ private:
     QWidget *m_window;
     QAction *m_save;
     QString m_path; ///< empty: no recording
-    bool m_opened = false; ///< by a person, not recorded here
+    bool m_opened = false; ///< by the user, not recorded here
     session::NotesSource m_known; ///< of that file
     Markers m_saved; ///< as the file has them
     Markers m_elsewhere; ///< in earlier recordings, in lists, and in what is replayed

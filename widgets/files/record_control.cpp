@@ -69,7 +69,7 @@ RecordControl::RecordControl(Parts parts, const QString &folder, QWidget *window
     connect(recording, &Recording::progressed, this, &RecordControl::progressed);
     connect(recording, &Recording::finished, this, &RecordControl::finished);
     connect(&m_parts.device, &Device::portStateChanged, this, [this] {
-        // Closed by a person; an unplugged cable comes back, and the recording waits for it.
+        // Closed by the user; an unplugged cable comes back, and the recording waits for it.
         const bool wanted = m_parts.device.portError().problem == session::PortProblem::None;
         if (!m_parts.device.portOpen() && wanted)
             m_parts.recording.stop();
@@ -249,7 +249,7 @@ void RecordControl::tellMarkers()
     }
 }
 
-/// Markers that a person deletes while their recording runs are not in it, either.
+/// Markers that the user deletes while their recording runs are not in it, either.
 void RecordControl::takeBackMarks(int first, int last)
 {
     const auto &events = m_parts.events.events();
@@ -262,7 +262,7 @@ void RecordControl::takeBackMarks(int first, int last)
     }
 }
 
-/// A marker, or a new text of one: whoever opens the recording takes the last note of a time.
+/// A marker, or a new text of one: opening the recording takes the last note of a time.
 void RecordControl::recordMarks(const QModelIndex &, int first, int last)
 {
     const auto &events = m_parts.events.events();

@@ -1,4 +1,4 @@
-// RecordControl: what a person has of recording to a disk: its actions, the line that says what is written where, and
+// RecordControl: what the user has of recording to a disk: its actions, the line that says what is written where, and
 // the events and marks on the clock of the traces. The file itself is session::Recording's, in a thread of its own.
 #pragma once
 

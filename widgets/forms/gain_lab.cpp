@@ -312,7 +312,7 @@ void GainLab::refreshPresent()
     recompute();
 }
 
-/// Until somebody wishes for another one, it is the bandwidth that the board has.
+/// Until another one is asked for, it is the bandwidth that the board has.
 void GainLab::takeBoardsBandwidth()
 {
     const motor::GainPlant board = plant();

@@ -26,7 +26,7 @@ class GainLab : public QWidget {
 public:
     explicit GainLab(RegisterModel &model, QWidget *parent = nullptr);
 
-    /// What the board says; fields that a person has typed into keep what was typed.
+    /// What the board says; fields that the user has typed into keep what was typed.
     void setFacts(const drive::MotorFacts &facts, std::optional<double> rememberedInertia_kgm2);
     /// Back to the board's own numbers, as after another board or motor came.
     void forgetTyped();
@@ -62,7 +62,7 @@ private:
     RegisterModel &m_model;
     motor::PerGain<HeldGain> m_held;
     motor::GainPlan m_plan;
-    bool m_wished = false; ///< bandwidth or damping are a person's
+    bool m_wished = false; ///< bandwidth or damping are the user's
     bool m_delayTyped = false;
     GainMotor *m_motor;
     GainPlanTable *m_table = nullptr;

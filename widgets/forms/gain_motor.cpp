@@ -23,7 +23,7 @@ GainMotor::GainMotor(QWidget *parent)
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(5);
     grid->setVerticalSpacing(3);
-    // Typed in the usual sizes, so that nobody needs an exponent.
+    // Typed in the usual sizes, so that no exponent is needed.
     m_rs = addInput(grid, 0, 0, "labRs", tr("Rs"), QStringLiteral("\u03a9"), 1e-5, 1e4);
     m_lq = addInput(grid, 1, 0, "labLq", tr("Lq"), QStringLiteral("mH"), 1e-5, 1e4);
     m_ld = addInput(grid, 2, 0, "labLd", tr("Ld"), QStringLiteral("mH"), 1e-5, 1e4);

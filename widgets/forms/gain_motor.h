@@ -1,5 +1,5 @@
 // GainMotor: the numbers of motor and load that gains are computed from, taken from the board where it has them, typed by
-// a person where it has not or is wrong. In the sizes people use (mH, mWb, g cm2); plant() is in SI units.
+// the user where it has not or is wrong. In the sizes people use (mH, mWb, g cm2); plant() is in SI units.
 #pragma once
 
 #include "drive/motor_view.h"
@@ -20,7 +20,7 @@ class GainMotor : public QWidget {
 public:
     explicit GainMotor(QWidget *parent = nullptr);
 
-    /// What the board says; fields that a person has typed into keep what was typed.
+    /// What the board says; fields that the user has typed into keep what was typed.
     void setFacts(const drive::MotorFacts &facts, std::optional<double> rememberedInertia_kgm2);
     const drive::MotorFacts &facts() const { return m_facts; }
     /// Back to the board's own numbers.
@@ -32,7 +32,7 @@ public:
     QString problem() const;
 
 Q_SIGNALS:
-    void edited(); ///< by a person
+    void edited(); ///< by the user
     void inertiaTyped(double inertia_kgm2);
 
 private:
@@ -46,7 +46,7 @@ private:
 
     drive::MotorFacts m_facts;
     std::optional<double> m_remembered_kgm2;
-    std::vector<GainNumber *> m_typed; ///< fields that a person has changed
+    std::vector<GainNumber *> m_typed; ///< fields that the user has changed
     GainNumber *m_rs, *m_lq, *m_ld, *m_flux, *m_ke, *m_polePairs, *m_inertia;
 };
 

@@ -22,14 +22,14 @@ public:
     /// Empty if there is no number that is understood and within the bounds. What setValue() gave comes back exactly.
     std::optional<double> value() const;
     bool isEmpty() const { return text().trimmed().isEmpty(); }
-    /// Not as a person types it: no signal. Empty, or not a number: the field is emptied.
+    /// Not as the user types it: no signal. Empty, or not a number: the field is emptied.
     void setValue(std::optional<double> value);
     /// What is wrong with the text; empty if nothing is, or if there is none.
     QString problem() const override;
     void setBounds(double least, double greatest);
 
 Q_SIGNALS:
-    void valueEdited(); ///< by a person; value() may be empty
+    void valueEdited(); ///< by the user; value() may be empty
 
 protected:
     void stepBy(int steps) override;

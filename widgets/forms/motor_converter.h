@@ -19,7 +19,7 @@ class MotorConverter : public QWidget {
 public:
     explicit MotorConverter(QWidget *parent = nullptr);
 
-    /// Begins with a motor's values; what a person has typed stays.
+    /// Begins with a motor's values; what the user has typed stays.
     void suggest(const motor::MotorSheet &sheet);
     void take(const motor::MotorSheet &sheet); ///< whatever was typed
 

@@ -174,7 +174,7 @@ void MotorForm::showEvent(QShowEvent *event)
         readAgain();
 }
 
-/// Another board or motor, or none: its values come when somebody looks.
+/// Another board or motor, or none: its values come when it is looked at.
 void MotorForm::boardChanged()
 {
     const auto catalog = m_registers.catalog();

@@ -220,7 +220,7 @@ void RampForm::look(RampLine &one)
     updateAll();
 }
 
-/// Whoever sends a ramp to this motor, its progress is shown.
+/// Wherever a ramp to this motor comes from, its progress is shown.
 void RampForm::wished(const drive::Wish &wish)
 {
     const int motor = m_device.motor();

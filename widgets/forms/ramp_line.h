@@ -46,7 +46,7 @@ public:
 
 Q_SIGNALS:
     void wanted(); ///< the button, or Enter in a field
-    void touched(); ///< has the focus: this is what a person looks at
+    void touched(); ///< has the focus: this is what the user looks at
     void changed(); ///< something else stands in a field
 
 protected:

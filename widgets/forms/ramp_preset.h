@@ -1,4 +1,4 @@
-// A ramp that a person has named, to be filled in again: values as they are shown, in the unit of their kind.
+// A ramp that the user has named, to be filled in again: values as they are shown, in the unit of their kind.
 #pragma once
 
 #include <QJsonArray>

@@ -19,7 +19,7 @@ public:
         Arrived,
         Replaced, ///< another set-point took over, or the ramp was stopped
         MotorStopped, ///< it runs no more
-        LinkLost, ///< nobody knows
+        LinkLost, ///< not known
     };
 
     /// What there is to see at one moment, in the ramp's unit.
@@ -34,7 +34,7 @@ public:
     void begin(
         double target, Milliseconds duration, double step, Milliseconds now, const Sight &sight);
     void update(Milliseconds now, const Sight &sight);
-    void replaced(); ///< a person has sent something else, or stopped the ramp
+    void replaced(); ///< the user has sent something else, or stopped the ramp
     void clear() { *this = {}; }
 
     Phase phase() const { return m_phase; }

@@ -94,7 +94,7 @@ void RevUpModel::takeRegister()
     if (wanted.empty())
         wanted = held;
     if (!m_facts.angleSensor.isEmpty())
-        wanted.clear(); // there, but nobody runs them
+        wanted.clear(); // there, but not run
     using State = RegisterModel::EditState;
     const State state = m_id ? m_registers.editState(*m_id) : State::None;
     if (state != State::Sending && state != State::Verified)

@@ -14,7 +14,7 @@ namespace widgets {
 struct RevUpFacts {
     double ampsPerDigit = 0.0; ///< 0: not known, currents are shown in digits only
     bool sixStep = false; ///< a pulse stands where the current does
-    double boardSpeed_rpm = 0.0; ///< its highest; a person's own limit may be lower
+    double boardSpeed_rpm = 0.0; ///< its highest; the user's own limit may be lower
     QString angleSensor; ///< the drive starts by it and runs no stages; empty: it does
     motor::RevUpLimits limits;
     bool operator==(const RevUpFacts &) const = default;
@@ -41,7 +41,7 @@ public:
     std::optional<catalog::RegisterId> registerId() const { return m_id; }
     /// Why there are no stages, one sentence; empty if there are.
     QString unavailable() const;
-    /// Five, or none; as a person wants them.
+    /// Five, or none; as the user wants them.
     const motor::RevUp &stages() const { return m_stages; }
     int used() const { return static_cast<int>(motor::usedStages(m_stages)); }
     bool editable() const;

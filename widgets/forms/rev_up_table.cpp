@@ -37,7 +37,7 @@ QWidget *RevUpDelegate::createEditor(
 
 void RevUpDelegate::setEditorData(QWidget *editor, const QModelIndex &index) const
 {
-    // Values that arrive while a person types must not replace the text.
+    // Values that arrive while the user types must not replace the text.
     auto *edit = qobject_cast<EntryEdit *>(editor);
     if (edit == nullptr || edit->property(kFilled).isValid())
         return;

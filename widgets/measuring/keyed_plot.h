@@ -12,7 +12,7 @@ public:
     using QWidget::QWidget;
 
 protected:
-    /// A key without a modifier, of the keypad or not. False leaves it to whoever is around the picture.
+    /// A key without a modifier, of the keypad or not. False leaves it to what is around the picture.
     virtual bool takeKey(int key) = 0;
     void keyPressEvent(QKeyEvent *event) override;
     bool event(QEvent *event) override;

@@ -62,7 +62,7 @@ public:
     void setShown(const QString &name, bool shown);
 
 public Q_SLOTS:
-    void advance(); ///< computes what has become known, so much that nobody waits for it
+    void advance(); ///< computes what has become known, in pieces too small to be noticed
 
 Q_SIGNALS:
     void changed(); ///< entries()

@@ -1,4 +1,4 @@
-// A formula that a person has named, to be computed as a channel of the scope, as it is kept between two runs.
+// A formula that the user has named, to be computed as a channel of the scope, as it is kept between two runs.
 #pragma once
 
 #include <QJsonArray>

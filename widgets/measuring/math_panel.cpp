@@ -228,7 +228,7 @@ void MathPanel::check()
         says = tr("Valid, unit %1").arg(result.unit);
     const bool fine = result.fine() && named && !full;
     const bool empty = m_formula->text().trimmed().isEmpty();
-    // A sign as well as words, so that nobody has to read to see it.
+    // A sign as well as words, so that it is seen without reading.
     const QString sign = empty ? QString()
         : fine                 ? QStringLiteral("\u2713 ")
                                : QStringLiteral("\u2717 ");

@@ -62,7 +62,7 @@ void EditBar::refresh()
     // Why a waiting edit cannot be written is said where people look, too.
     const QString why = count > 0 ? m_edits.applyHint() : QString();
     QString shown = why.isEmpty() || m_edits.underWay() ? m_sentence : why;
-    // What waits where nobody looks is named: Apply writes it, too.
+    // What waits out of sight is named: Apply writes it, too.
     if (const QStringList elsewhere = m_model.pendingElsewhere(); !elsewhere.isEmpty())
         shown = (shown + QLatin1Char(' ')
             + tr("Waiting for a motor that is not shown: %1.", "list of registers")

@@ -15,7 +15,7 @@ public:
 
     void setBits(std::int64_t bits);
     std::int64_t bits() const;
-    bool touched() const { return bits() != m_before; } ///< by a person, since setBits()
+    bool touched() const { return bits() != m_before; } ///< by the user, since setBits()
 
     QSize sizeHint() const override; ///< all of them, up to a dozen
     QSize minimumSizeHint() const override { return sizeHint(); }

@@ -93,7 +93,7 @@ QWidget *RegisterDelegate::createEditor(
     QWidget *parent, const QStyleOptionViewItem &, const QModelIndex &index) const
 {
     const auto rules = m_model.rulesOf(idOf(index));
-    // Before its value is known, a list of flags would write 0 to all that nobody touched.
+    // Before its value is known, a list of flags would write 0 to all that was not touched.
     if (rules && index.column() == RegisterModel::ValueColumn && m_model.wanted(idOf(index))
         && rules->info->meaning == catalog::Meaning::Flags
         && !catalog::namedFlags(rules->info->name).empty()) {
@@ -162,7 +162,7 @@ void RegisterDelegate::initStyleOption(QStyleOptionViewItem *option, const QMode
 
 void RegisterDelegate::setEditorData(QWidget *editor, const QModelIndex &index) const
 {
-    // Values that arrive while a person types must not replace the text.
+    // Values that arrive while the user types must not replace the text.
     if (editor->property(kFilled).isValid())
         return;
     const QString text = index.data(Qt::EditRole).toString();

@@ -365,7 +365,7 @@ void RegisterEdits::linkChanged()
 void RegisterEdits::forget()
 {
     if (m_stage == Stage::Sending && !m_device.portOpen()) {
-        m_stage = Stage::Idle; // whose end nobody will tell
+        m_stage = Stage::Idle; // whose end will not be told
         m_model.markNotSent();
         tell({.id = m_wish, .outcome = drive::Outcome::Unknown, .reason = {}, .writes = {}});
     }

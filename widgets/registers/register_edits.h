@@ -29,7 +29,7 @@ Q_SIGNALS:
     void told(const QString &sentence); ///< something is missing that does not stop a write
 };
 
-/// One register of a write that a person is asked about.
+/// One register of a write that the user is asked about.
 struct WriteLine {
     QString name, was, becomes; ///< values with units; `was` may be empty: not known
     int motor = 0; ///< 0: the board's
@@ -101,7 +101,7 @@ private:
     QUndoStack m_steps;
     Stage m_stage = Stage::Idle;
     Verb m_verb = Verb::Apply;
-    bool m_confirmed = false; ///< a person has said yes to this very list
+    bool m_confirmed = false; ///< the user has said yes to this very list
     std::vector<drive::RegisterWrite> m_writes;
     QStringList m_aside; ///< told while the write is under way
     QString m_text; ///< of the step; empty: what was written

@@ -1,4 +1,4 @@
-// Reading what a person types into a register, and what an editor begins with. Stricter than Qt's spin boxes: '.' and
+// Reading what the user types into a register, and what an editor begins with. Stricter than Qt's spin boxes: '.' and
 // ',' both are the decimal point, group marks and exponents are refused, a value outside the limits is not cut but
 // refused, and no text gives a number that is not finite.
 #pragma once

@@ -12,7 +12,8 @@ namespace widgets {
 namespace {
 
 constexpr Milliseconds kPollPeriod{100}; ///< of what is on screen
-constexpr Milliseconds kLongestInterval{800}; ///< a longer one is no period: nobody asked meanwhile
+constexpr Milliseconds kLongestInterval{
+    800}; ///< a longer one is no period: it was not asked for meanwhile
 
 QString fromCore(const std::string &text)
 {

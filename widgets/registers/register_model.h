@@ -1,5 +1,5 @@
 // RegisterModel: the window's only truth about the registers of a board: what exists, its newest value, how old that
-// is, what a person wants it to be and how a write of it ended. A tree of groups, the pinned registers first; tables,
+// is, what the user wants it to be and how a write of it ended. A tree of groups, the pinned registers first; tables,
 // forms and read-outs are views of it. It asks for nothing by itself: which registers are polled is decided by what is
 // visible.
 #pragma once

@@ -95,7 +95,7 @@ QString RegisterModel::roundedText(catalog::RegisterId id, int column, int digit
 {
     const Row *row = find(id);
     const Edit *edit = editOf(id);
-    // What a person wants is shown as it was typed.
+    // What the user wants is shown as it was typed.
     const bool wanted = edit && edit->state != EditState::Verified;
     if (!row || wanted || row->known != Known::Value || !std::holds_alternative<double>(row->value))
         return {};

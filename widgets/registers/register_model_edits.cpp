@@ -1,4 +1,4 @@
-// The edits of a RegisterModel: what a person wants to be written, and how each write ended.
+// The edits of a RegisterModel: what the user wants to be written, and how each write ended.
 #include "widgets/base/device_text.h"
 #include "widgets/base/stepped_edit.h"
 #include "widgets/base/value_text.h"

@@ -91,7 +91,7 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
 
 RegisterPanel::~RegisterPanel()
 {
-    delete m_tree; // an open editor hands its text over while there is still somebody to take it
+    delete m_tree; // an open editor hands its text over while it can still be taken
 }
 
 void RegisterPanel::makeTree()
@@ -393,7 +393,7 @@ QModelIndex RegisterPanel::bestHit(const QString &name) const
 
 void RegisterPanel::expandDefaults()
 {
-    // What a person looks for first: the pinned ones, then the first groups as far as they fit.
+    // What the user looks for first: the pinned ones, then the first groups as far as they fit.
     m_tree->collapseAll();
     for (int row = 0; row < std::min(2, m_proxy->rowCount()); ++row)
         m_tree->expand(m_proxy->index(row, 0));

@@ -13,7 +13,7 @@ namespace widgets {
 enum class CursorEnd : std::uint8_t { A, B };
 
 struct CursorPair {
-    QString name; ///< of a person; plain text
+    QString name; ///< of the user; plain text
     double a = 0.0; ///< seconds
     double b = 0.0;
 

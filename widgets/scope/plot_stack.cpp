@@ -291,7 +291,7 @@ QColor PlotStack::colorOf(capture::ChannelId channel) const
     return shown ? traceColor(shown->colorSlot, isDark(m_palette)) : QColor();
 }
 
-/// One of a signal that is not shown, which nobody sees change; there are more colours than a picture has traces.
+/// One of a signal that is not shown, whose change is not seen; there are more colours than a picture has traces.
 void PlotStack::forgetColor()
 {
     QSet<QString> shown;

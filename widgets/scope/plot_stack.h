@@ -39,7 +39,7 @@ public:
     std::vector<capture::ChannelId> channels() const;
     int plotOf(capture::ChannelId channel) const;
     QColor colorOf(capture::ChannelId channel) const;
-    /// By a person, for every signal of this name; empty: one is found for it again.
+    /// By the user, for every signal of this name; empty: one is found for it again.
     void setColor(const QString &name, std::optional<int> slot);
     void setChosenColors(const QMap<QString, int> &slotsByName) { m_chosen = slotsByName; }
     const QMap<QString, int> &chosenColors() const { return m_chosen; }
@@ -90,7 +90,7 @@ private:
     std::vector<std::unique_ptr<ScopePlot>> m_plots;
     std::map<catalog::RegisterId, int>
         m_slots; ///< a register keeps its colour, even while it is not shown
-    QMap<QString, int> m_chosen; ///< slots that a person chose, by the name of the signal
+    QMap<QString, int> m_chosen; ///< slots that the user chose, by the name of the signal
     QCPMarginGroup *m_margins = nullptr;
     QPalette m_palette;
     double m_origin = 0.0;

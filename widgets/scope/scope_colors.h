@@ -1,4 +1,4 @@
-// ScopeColors: the colours that a person gives to signals, and the menu to choose them from.
+// ScopeColors: the colours that the user gives to signals, and the menu to choose them from.
 #pragma once
 
 #include "capture/capture.h"
@@ -29,7 +29,7 @@ public:
     void fill(QMenu &menu, const QString &name); ///< of a signal that may not be shown yet
 
 Q_SIGNALS:
-    void changed(); ///< by a person
+    void changed(); ///< by the user
 
 private:
     PlotStack &m_stack;

@@ -1,4 +1,4 @@
-// ScopeGhosts: traces of other times behind those of the scope: earlier records, and two references that a person keeps.
+// ScopeGhosts: traces of other times behind those of the scope: earlier records, and two references that the user keeps.
 #pragma once
 
 #include "widgets/scope/drawing/marks.h"

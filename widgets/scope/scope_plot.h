@@ -26,7 +26,7 @@ double readingStep(const Trace &trace);
 struct ValueAxis {
     QCPAxis *axis = nullptr;
     QString unit;
-    bool automatic = true; ///< grows with the data until somebody moves it by hand
+    bool automatic = true; ///< grows with the data until it is moved by hand
     bool fitted = false; ///< has shown data at least once
 };
 

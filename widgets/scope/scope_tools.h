@@ -1,4 +1,4 @@
-// What a person does on the scope besides looking at it: the actions for cursors and markers, with their keys, for menu
+// What the user does on the scope besides looking at it: the actions for cursors and markers, with their keys, for menu
 // and bar. The window places them; what they do is the scope's own.
 #pragma once
 

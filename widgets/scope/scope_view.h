@@ -106,8 +106,8 @@ Q_SIGNALS:
     void drawn(); ///< after each redraw
     void channelMoved(quint32 channel); ///< to another plot
     void channelsChanged(); ///< what is shown, or in which channel a register is
-    void triggerLevelMoved(int level, double value); ///< by a person, in the source's unit
-    void triggerPositionMoved(double seconds); ///< by a person
+    void triggerLevelMoved(int level, double value); ///< by the user, in the source's unit
+    void triggerPositionMoved(double seconds); ///< by the user
     /// What can be done with a trace is about to be shown: others add what they do with it.
     void traceMenuOpening(QMenu &menu, quint32 channel);
     void noteWanted(quint32 marker); ///< the person wants to write a marker's note

@@ -107,7 +107,7 @@ void SnapshotDialog::read(const BoardReading &reading)
         : QByteArray::fromStdString(
             snapshots::driveParametersHeader(m_snapshot, m_motor, ampsPerDigit(m_device, m_motor)));
     const int count = static_cast<int>(m_snapshot.entries.size());
-    if (!reading.unanswered.isEmpty()) // a person decides whether that will do
+    if (!reading.unanswered.isEmpty()) // the user decides whether that will do
         return tell(
             tr("%n register(s) were read. The board never answered for: %1.", nullptr, count)
                 .arg(reading.unanswered.join(QStringLiteral(", "))),

@@ -1,4 +1,4 @@
-// SnapshotModel: the registers in which two snapshots differ, as a table, and which of them a person wants back on the
+// SnapshotModel: the registers in which two snapshots differ, as a table, and which of them the user wants back on the
 // board. It compares and remembers; reading and writing are others' business.
 #pragma once
 

@@ -340,7 +340,7 @@ void SnapshotPanel::restore()
 void SnapshotPanel::restored(const WriteReport &report)
 {
     if (isBoard(m_b) && snapshotOf(m_b) && m_device.answering() && isVisible())
-        readBoard(); // whoever wrote: the table is to show what the board holds
+        readBoard(); // whatever was written: the table is to show what the board holds
     if (report.text.isEmpty() || report.text != m_restoring)
         return;
     QStringList lines{report.sentence};
@@ -351,7 +351,7 @@ void SnapshotPanel::restored(const WriteReport &report)
     if (!report.good()) {
         list(tr("Written and read back:"), report.written);
         list(tr("The board made another value of:"), report.different);
-        list(tr("Nobody knows whether these were written:"), report.unknown);
+        list(tr("It is not known whether these were written:"), report.unknown);
         list(tr("Not written:"), report.notWritten);
     }
     m_report->setPlainText(lines.join(QLatin1Char('\n')));

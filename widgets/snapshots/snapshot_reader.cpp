@@ -71,7 +71,7 @@ void SnapshotReader::take(const std::vector<drive::Reading> &readings)
         if (std::find(m_ids.begin(), m_ids.end(), reading.id) == m_ids.end())
             continue;
         if (reading.status != drive::ReadStatus::Ok && reading.at == TimePoint{})
-            continue; // nobody answered
+            continue; // no answer
         if (reading.status == drive::ReadStatus::NotSupported)
             m_absent.insert(reading.id);
         m_readings[reading.id] = reading; // what is polled meanwhile is as true

@@ -1,4 +1,4 @@
-// SnapshotReader: asks a board for what it holds, some registers at a time, so that polling, commands and a person's
+// SnapshotReader: asks a board for what it holds, some registers at a time, so that polling, commands and the user's
 // patience come in between. It reads only. What a build does not have is asked for once a connection.
 //
 // start(), then progressed() now and then and finished() exactly once, also after cancel().

@@ -81,7 +81,7 @@ void Exporting::write(const QString &title, FileJob::Work work)
 void Exporting::ended(const ExportOrder &order, const ExportResult &result)
 {
     if (!result.ok()) {
-        m_closeAfter = false; // a person has to read why
+        m_closeAfter = false; // the user has to read why
         Q_EMIT said(Banner::Kind::Warning, exportErrorText(order, result));
     } else if (order.picture) {
         m_folder = QFileInfo(order.path).path();

@@ -1,5 +1,5 @@
 // Leaving: what goes before a connection is left, by closing, disconnecting or opening something else. Where a motor may
-// turn it is stopped first; where there is no evidence that it stands a person is asked, twice before it is left running.
+// turn it is stopped first; where there is no evidence that it stands the user is asked, twice before it is left running.
 #pragma once
 
 #include "widgets/base/question.h"

@@ -1,4 +1,4 @@
-// OwnLimits: keeps a person's own limits in their file. They are in force as soon as the file was read, and stored at once
+// OwnLimits: keeps the user's own limits in their file. They are in force as soon as the file was read, and stored at once
 // when they change, not when the program ends. If they were lost or cannot be read, it says so.
 //
 // Call order: construct, connect told(), then load().

@@ -65,7 +65,7 @@ QStringList namesOf(const QJsonValue &list, qsizetype most)
     return names;
 }
 
-/// A limit that is none bounds nothing: better than one that bounds everything or that nobody set.
+/// A limit that is none bounds nothing: better than one that bounds everything or that was not set.
 double limitOf(const QJsonValue &value)
 {
     const double limit = value.toDouble(0.0);

@@ -32,11 +32,11 @@ struct Settings {
         currentScales; ///< full scale in A, by board and port, where boards do not tell
     QStringList registerColumns{QStringLiteral("value"), QStringLiteral("raw")};
     double maxSpeedRpm =
-        0.0; ///< copy of a person's own limits, which have a file of their own; 0: none
+        0.0; ///< copy of the user's own limits, which have a file of their own; 0: none
     double maxCurrentAmps = 0.0;
     double samplesOnDiskGB = -1.0; ///< negative: what is usual; 0: memory only
     bool firstStepsDone = false;
-    QList<RampPreset> ramps; ///< that a person has named
+    QList<RampPreset> ramps; ///< that the user has named
     QStringList recentFiles; ///< newest first
     Workspace workspace; ///< the last one
     bool operator==(const Settings &) const = default;

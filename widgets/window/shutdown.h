@@ -1,5 +1,5 @@
 // Shutdown: what goes before a connection is left. It watches what may have set a motor in motion; where one may turn it
-// stops the motors, waits up to two seconds for the evidence and then says whether the connection may be left or a person has
+// stops the motors, waits up to two seconds for the evidence and then says whether the connection may be left or the user has
 // to be asked.
 #pragma once
 
@@ -19,9 +19,9 @@ public:
     /// @param clock  that of the session, which stamps what boards tell
     Shutdown(Device &device, std::function<TimePoint()> clock, QObject *parent = nullptr);
 
-    /// A motor may turn: the connection must not be left without a stop, or a person's word.
+    /// A motor may turn: the connection must not be left without a stop, or the user's word.
     bool mayTurn() const;
-    /// A person's choice: motors that may turn stay as they are. Until the next arming or connection.
+    /// The user's choice: motors that may turn stay as they are. Until the next arming or connection.
     void leaveAsTheyAre() { m_rest.leftAsTheyAre(); }
 
     /// Stops the motors and waits; ends in one of the signals, at once where no port can carry the stop. Harmless while it

@@ -1,4 +1,4 @@
-// A workspace: what somebody has set up to work with, as plain values: which signals are where, how long the picture is, the
+// A workspace: what the user has set up to work with, as plain values: which signals are where, how long the picture is, the
 // trigger, what is measured and computed, colours, notes, where the docks are. As text in JSON it is a file of its own, and
 // the last one is among the settings. Names stand for registers, so that it suits each board that has them.
 #pragma once
@@ -25,7 +25,7 @@ struct Workspace {
     QString triggerSource; ///< name of a signal
     QList<NamedMeasure> measures;
     QList<MathFormula> formulas;
-    QMap<QString, int> traceColors; ///< slots that a person chose, by the names of signals
+    QMap<QString, int> traceColors; ///< slots that the user chose, by the names of signals
     QString notes;
     QByteArray layout; ///< of the docks, as Qt saves it
     bool operator==(const Workspace &) const = default;

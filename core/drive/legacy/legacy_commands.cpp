@@ -50,7 +50,7 @@ bool LegacyCommandTask::looking()
     return !m_reader.finished();
 }
 
-/// What the board was set to before, against a person's own limits.
+/// What the board was set to before, against the user's own limits.
 std::string LegacyCommandTask::refuseStart() const
 {
     for (const Reading &reading : m_found) {

@@ -19,7 +19,7 @@ public:
     void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
-    bool looking(); ///< at what a start would go to, because of a person's own limits
+    bool looking(); ///< at what a start would go to, because of the user's own limits
     std::string refuseStart() const;
 
     const LegacyFacts &m_board;

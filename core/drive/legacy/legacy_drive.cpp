@@ -121,7 +121,7 @@ void LegacyDrive::onAnswer(const Link::Answer &event, TimePoint now)
         takeStopAnswer(event.sure && std::holds_alternative<legacy::Ack>(event.reply), now);
 }
 
-/// Whatever was known of it is void, and nobody has armed this board.
+/// Whatever was known of it is void, and this board is not armed.
 void LegacyDrive::onRestarted(TimePoint now)
 {
     m_restarted = true;
@@ -149,7 +149,7 @@ void LegacyDrive::tellIdentified()
         m_board.streaming, m_board.capabilities, 0, 0, 0, legacyStateSteps()});
 }
 
-/// The board is told anew, so that nobody goes on with units of before; it is asked nothing.
+/// The board is told anew, so that no units of before are used on; it is asked nothing.
 std::string LegacyDrive::takeScale(const CurrentScale &scale, TimePoint)
 {
     if (auto why = m_board.reasonAgainst(Feature::CurrentScale); !why.empty())

@@ -18,7 +18,7 @@ namespace drive {
 struct LegacyDriveConfig {
     std::uint32_t baud = 115200;
     Duration patience{}; ///< added to the time-out of every reply
-    std::optional<legacy::Dialect> dialect; ///< that a person chose; empty: found out
+    std::optional<legacy::Dialect> dialect; ///< that the user chose; empty: found out
     Duration reconnectEvery =
         std::chrono::milliseconds(500); ///< after a lost link, until disconnect()
 };

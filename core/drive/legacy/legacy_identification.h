@@ -2,7 +2,7 @@
 // dialect, version, motors, which registers its build has.
 //
 // GET_FW_VERSION tells the dialects apart: firmware of STM32 boards knows it. Where it is refused, registers that only one
-// of the dialects has are read. If they contradict each other, or a person's choice, the board stays read-only.
+// of the dialects has are read. If they contradict each other, or the user's choice, the board stays read-only.
 #pragma once
 
 #include "drive/legacy/legacy_reads.h"
@@ -16,7 +16,7 @@ namespace drive {
 
 class LegacyIdentification : public Task<LegacyProtocol> {
 public:
-    /// @param chosen  the dialect a person named; empty: to be found out
+    /// @param chosen  the dialect the user named; empty: to be found out
     LegacyIdentification(LegacyFacts &board, std::optional<legacy::Dialect> chosen)
         : m_board(board)
         , m_chosen(chosen)

@@ -25,7 +25,7 @@ public:
     void close(); ///< the link is given up: nothing is wanted any more
 
     void receive(const mcb::Master::Cycle &cycle, std::uint64_t lostFrames);
-    void interrupted() { m_broken = true; } ///< frames were lost that nobody counted
+    void interrupted() { m_broken = true; } ///< frames were lost uncounted
     void flush(TimePoint now);
     std::optional<TimePoint> nextFlush() const;
 

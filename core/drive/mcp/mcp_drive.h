@@ -17,7 +17,8 @@ namespace drive {
 struct McpDriveConfig {
     std::uint32_t baud = 1843200;
     Duration payloadPause = std::chrono::microseconds(1500); ///< header to payload, on the wire
-    bool hasty = false; ///< somebody else is tried next: into silence a second of Beacons is enough
+    bool hasty =
+        false; ///< another protocol is tried next: into silence a second of Beacons is enough
     Duration patience{}; ///< added to the time-out of every reply
     Duration reconnectEvery =
         std::chrono::milliseconds(500); ///< after a lost link, until disconnect()

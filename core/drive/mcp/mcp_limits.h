@@ -14,7 +14,7 @@ namespace drive {
 /// protocols (drive/write_check.h), the control mode, and the bytes of raw registers.
 std::string refuseWriteOf(const McpBoard &board, const RegisterWrite &write, Reach reach);
 
-/// Why stages of a start-up are beyond what a person allows or the protocol can hold; empty if they are not.
+/// Why stages of a start-up are beyond what the user allows or the protocol can hold; empty if they are not.
 std::string refuseStages(const McpBoard &board, int motor, ByteView raw);
 
 /// Where a position ramp goes.

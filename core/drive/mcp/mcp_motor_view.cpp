@@ -87,7 +87,7 @@ std::string unitOf(std::string_view structure, const mcp::Field &field, const Mo
     return unit == kUnits.end() ? "" : std::string(unit->unit);
 }
 
-/// With the averages that ST's generator writes if nobody says otherwise.
+/// With the averages that ST's generator writes unless told otherwise.
 double speedDelay_s(std::uint8_t sensor, const MotorFacts &facts)
 {
     constexpr double kObserverPeriods = 64.0; // control periods

@@ -1,4 +1,4 @@
-// What the board's configuration structures mean for a person: factors of digits, limits of set-points, what can be
+// What the board's configuration structures mean for the user: factors of digits, limits of set-points, what can be
 // streamed, what can be done at all. Pure functions; nothing implausible becomes a number.
 #pragma once
 
@@ -31,7 +31,7 @@ StreamLimits streamLimitsOf(const std::vector<MotorDescription> &motors, unsigne
 
 std::vector<Capability> capabilitiesOf(const McpBoard &board, const MotorDescription &first);
 
-/// For firmware that nobody knows: nothing is writable, numbers stay digits.
+/// For unknown firmware: nothing is writable, numbers stay digits.
 void makeRaw(std::vector<catalog::RegisterInfo> &registers);
 
 } // namespace drive

@@ -1,4 +1,4 @@
-// What a START would go to. A person's own limits bound what the board was set to before as well: its references and
+// What a START would go to. The user's own limits bound what the board was set to before as well: its references and
 // the stages of its start-up are read first, and a START that would go beyond is refused. Without such limits nothing
 // is read; the board's own limits are the business of its firmware then.
 #pragma once

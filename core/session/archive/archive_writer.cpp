@@ -169,12 +169,12 @@ bool ArchiveWriter::fill(QFile &file, const std::vector<capture::Stretch> &stret
     return true;
 }
 
-/// Whoever lets the last of it go, in any thread, waits neither for the system to unmap it nor for the disk.
+/// Letting the last of it go, in any thread, waits neither for the system to unmap it nor for the disk.
 std::shared_ptr<const std::byte> ArchiveWriter::shared(std::unique_ptr<Piece> piece)
 {
     const std::byte *bytes = piece->bytes;
     return {bytes, [self = shared_from_this(), owned = piece.release()](const std::byte *) {
-                // If nobody works there any more it goes with the writer.
+                // If no work goes on there any more it goes with the writer.
                 QMetaObject::invokeMethod(
                     self.get(), [last = std::shared_ptr<Piece>(owned)] {}, Qt::QueuedConnection);
             }};

@@ -1,8 +1,8 @@
 // DiskArchive: the archive of a capture on a disk. What is handed over is written in a thread of its own into files
 // without a name, so that nothing is left behind however the program ends, and can then be read from there as if it
 // were memory. It never writes to a page that is mapped: neither the window nor the link waits for a disk that is slow
-// to write. Whoever reads samples that the system has put out of memory waits for the disk to read them: milliseconds.
-// On a disk that fails while it is read the archive gives itself up: its budget is 0 until a person sets another, so that
+// to write. Reading samples that the system has put out of memory waits for the disk: milliseconds.
+// On a disk that fails while it is read the archive gives itself up: its budget is 0 until the user sets another, so that
 // the capture lets go of what lies there. What was read meanwhile may be zeros.
 #pragma once
 

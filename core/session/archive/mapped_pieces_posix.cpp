@@ -37,7 +37,7 @@ void onBusError(int number, siginfo_t *info, void *context)
         entry.failed.load()->store(true);
         return;
     }
-    // Somebody else's: as if there were no handler here.
+    // Not ours: as if there were no handler here.
     if ((actionBefore.sa_flags & SA_SIGINFO) != 0)
         return actionBefore.sa_sigaction(number, info, context);
     if (actionBefore.sa_handler != SIG_DFL && actionBefore.sa_handler != SIG_IGN)
@@ -46,7 +46,7 @@ void onBusError(int number, siginfo_t *info, void *context)
     ::raise(number);
 }
 
-/// Behind whoever handles crashes: he is asked if the place is not ours.
+/// Behind the handler of crashes: it is asked if the place is not ours.
 bool install()
 {
     pageSize = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));

@@ -1,4 +1,4 @@
-// Windows tells such failures by exceptions of its own, which nobody here catches: the program ends.
+// Windows tells such failures by exceptions of its own, which are not caught here: the program ends.
 #include "session/archive/mapped_pieces.h"
 
 namespace session {

@@ -1,4 +1,4 @@
-// A person's own limits, in a file of their own: nothing that happens to other settings takes them away. The window writes
+// The user's own limits, in a file of their own: nothing that happens to other settings takes them away. The window writes
 // it, and the command line reads it, too. It appears whole or not at all; what cannot be read is an error, never "no limit".
 #pragma once
 

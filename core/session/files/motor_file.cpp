@@ -135,7 +135,7 @@ public:
         return m_file;
     }
 
-    /// A range that nobody gave follows the supply. False: the one that was given is below it.
+    /// A range that was not given follows the supply. False: the one that was given is below it.
     static bool settleBus(MotorFile &file)
     {
         auto &inverter = file.machine.inverter;
@@ -231,7 +231,7 @@ std::string allowedText(const MotorFileError &error)
     return "a number from " + range;
 }
 
-/// Boards hold 0.35 as a float: written out in full it would look like somebody's measurement.
+/// Boards hold 0.35 as a float: written out in full it would look like a measurement.
 double rounded(double value)
 {
     std::array<char, 32> text{};

@@ -47,7 +47,7 @@ struct MotorFile {
         Own,
         St, ///< of a profiler, or of a motor library
     };
-    /// What a person should know of how it was read.
+    /// What the user should know of how it was read.
     enum class Note : std::uint8_t {
         InductanceInMillihenry, ///< the file does not say; henry would make no motor
         OneInductanceOnly, ///< a salient motor, of which only one inductance was measured

@@ -10,7 +10,7 @@ namespace session {
 /// By the keys that only ST's files have.
 bool isStMotor(const QJsonObject &object);
 
-/// What it says, laid over the first preset. Keys that nobody knows are passed over.
+/// What it says, laid over the first preset. Unknown keys are passed over.
 Result<MotorFile, MotorFileError> readStMotor(const QJsonObject &object);
 
 } // namespace session

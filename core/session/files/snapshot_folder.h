@@ -1,5 +1,5 @@
 // A folder of snapshot files that fills by itself and never grows beyond a number of them. Files are written whole or
-// not at all, in a thread of its own: a slow or full disk holds up nobody who waits to stop a motor.
+// not at all, in a thread of its own: a slow or full disk never delays a stop.
 #pragma once
 
 #include "snapshots/snapshot.h"
@@ -20,7 +20,7 @@ class SnapshotFolder : public QObject {
     Q_OBJECT
 public:
     static constexpr qsizetype kMostFiles =
-        50; ///< of the folder's own names; a person's files are not touched
+        50; ///< of the folder's own names; the user's files are not touched
 
     explicit SnapshotFolder(const QString &path, QObject *parent = nullptr);
     ~SnapshotFolder() override; ///< waits until what was asked for is written

@@ -66,7 +66,7 @@ bool DeadMan::driven() const
 Duration DeadMan::silence(const Stamps::Seen &seen, Duration gap, TimePoint now) const
 {
     if (m_attendance == Attendance::OwnThread)
-        return gap; // nobody attended while nothing ran
+        return gap; // unattended while nothing ran
     return std::max(now - m_attended, seen.longestSilence);
 }
 

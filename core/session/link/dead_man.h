@@ -1,5 +1,5 @@
 // DeadMan: whether the person's interface of a session is alive, and what follows when it is not. It knows no clock, no
-// thread and no drive: whoever owns it asks judge() at each turn and does what the verdict says.
+// thread and no drive: its owner asks judge() at each turn and does what the verdict says.
 //
 //   interface --attend(), hold(): atomics, never a queued call--> Stamps --> DeadMan::judge(now) --> Verdict
 //
@@ -7,8 +7,8 @@
 // all was well; of an atomic both sides see how old it is. Times are of a clock that goes on while the computer sleeps.
 //
 // Not attended for 500 ms: disarmed, and with that nothing that acts is sent and no drive watchdog is fed. For 2 s, while
-// a motor turns that a person has armed here: all motors are stopped. A motor that was left running on purpose (disarmed
-// by a person) is nobody's here. What is held (a jog) ends 300 ms after its own last stamp. Nothing is ever armed again,
+// a motor turns that the user has armed here: all motors are stopped. A motor that was left running on purpose (disarmed
+// by the user) is not judged here. What is held (a jog) ends 300 ms after its own last stamp. Nothing is ever armed again,
 // and no hold revived, by a stamp that comes late.
 #pragma once
 
@@ -20,13 +20,13 @@
 
 namespace session {
 
-/// Who vouches that a person can see and stop what a session does.
+/// Who vouches that the user can see and stop what a session does.
 enum class Attendance : std::uint8_t {
     Stamped, ///< the interface calls Session::attend() again and again, from its own thread
     OwnThread, ///< the interface runs in the session's thread: while the session turns, it does too
 };
 
-/// What went on without anybody attending, told afterwards.
+/// What went on unattended, told afterwards.
 struct Interruption {
     enum class Cause : std::uint8_t {
         Interface, ///< the interface stood still
@@ -90,14 +90,14 @@ public:
     {
     }
 
-    void begin(TimePoint now); ///< a person has opened a connection
-    void armed() { m_ours = true; } ///< a person has armed
-    void disarmed() { m_ours = false; } ///< a person has: what turns is left to turn
+    void begin(TimePoint now); ///< the user has opened a connection
+    void armed() { m_ours = true; } ///< the user has armed
+    void disarmed() { m_ours = false; } ///< the user has: what turns is left to turn
     void takeStatus(const drive::MotorStatus &status);
 
     /// Whether what turns now, or could, is this interface's to answer for.
     bool responsible() const { return m_ours; }
-    /// Nobody has attended for kAbsentAfter.
+    /// Unattended for kAbsentAfter.
     bool absent() const { return m_absence.has_value(); }
 
     /// @param armed  whether the drive is, now

@@ -19,7 +19,7 @@ public:
     /// Before it goes to the drive. @param armed  the drive is; else it moves nothing
     void submitted(const drive::Wish &wish, bool armed, TimePoint now);
     void told(const drive::Event &event, TimePoint now);
-    /// A person leaves them as they are.
+    /// The user leaves them as they are.
     void leave() { *this = {}; }
 
     bool any() const { return m_driven; }

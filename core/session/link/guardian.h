@@ -4,10 +4,10 @@
 // 100 ms for two seconds, lets go of the port and says so on standard error and in the system's log. It reads nothing that
 // comes back, parses nothing and starts nothing.
 //
-// Beside it the same bytes leave from this program itself when it crashes, and when somebody calls exit() under it, as Qt
+// Beside it the same bytes leave from this program itself when it crashes, and when a library calls exit(), as Qt
 // does when the screen is gone.
 //
-// It is no safety function: it ends with the computer, and bytes on a broken cable stop nobody. Not on Windows.
+// It is no safety function: it ends with the computer, and bytes on a broken cable stop nothing. Not on Windows.
 #pragma once
 
 #include "base/output.h"
@@ -31,7 +31,7 @@ public:
     /// What it did with the port that it watches.
     enum class Act : std::uint8_t {
         None,
-        Stopping, ///< it sends now: nobody else may
+        Stopping, ///< it sends now: no other may
         Stopped, ///< and has let go of the port
     };
 
@@ -40,7 +40,7 @@ public:
     Guardian &operator=(const Guardian &) = delete;
     virtual ~Guardian() = default;
 
-    /// A port from now on, instead of the one before. @param descriptor  -1: one that nobody can send to
+    /// A port from now on, instead of the one before. @param descriptor  -1: one that cannot be sent to
     virtual void watch(int descriptor) = 0;
     /// Before the port is closed.
     virtual void letGo() = 0;

@@ -105,7 +105,7 @@ private:
         m_page.stopping.store(m_number);
         say(words);
         stopMotors(m_page, m_port, Guardian::kRepetitions);
-        ::tcflush(m_port, TCIFLUSH); // answers that nobody waits for
+        ::tcflush(m_port, TCIFLUSH); // answers that are not waited for
         take(-1);
         m_page.stopped.store(m_number);
     }

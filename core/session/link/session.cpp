@@ -186,7 +186,7 @@ void Session::startClosing()
     m_phase = Phase::Closing;
     m_deadline = now + kFarewell;
     m_saidFarewell = false;
-    m_driven.leave(); // whoever closes has decided about the motors
+    m_driven.leave(); // the caller has decided about the motors
     m_drive->disconnect(now);
     step(now);
 }
@@ -249,7 +249,7 @@ void Session::arm(TimePoint madeAt, TimePoint now)
 
 void Session::disarm()
 {
-    // A person's own choice. Where the drive is not armed any more, this follows from something else.
+    // The user's own choice. Where the drive is not armed any more, this follows from something else.
     if (m_drive->armed())
         m_deadMan.disarmed();
     m_drive->disarm();
@@ -482,7 +482,7 @@ void Session::openNext()
 void Session::dropLink()
 {
     m_transport->disconnect(this);
-    // What could not leave must not leave when nobody looks any more; but a STOP may.
+    // What could not leave must not leave unattended; but a STOP may.
     if (!m_stops.at(m_endpoint))
         m_transport->discardOutput();
     if (m_parts.guardian)

@@ -10,10 +10,10 @@
 // A port that is unplugged is told once, with portChanged(Closed, why), and all wishes end. Then
 // the session tries to open it again every 500 ms until it succeeds or close() is called
 // (Endpoint::reopen). The board is met read-only again; only streaming and watching are taken up by
-// themselves, never a set-point, a start or an acknowledgement. A person's limits are given to each
+// themselves, never a set-point, a start or an acknowledgement. The user's limits are given to each
 // drive before it connects, also if they were set while no port was open.
 //
-// A stop is wanted until there is evidence that nothing drives a motor at that port, or a person takes it back: across
+// A stop is wanted until there is evidence that nothing drives a motor at that port, or the user takes it back: across
 // lost ports, attempts to open them again, and connections to others. While one is wanted, the first act on any port that
 // is opened is to stop what is there; only what is found at its own port confirms it. Asked for while the port is being
 // closed, or open still when it is to be closed, a stop is carried out first, for two seconds at most.
@@ -22,9 +22,9 @@
 // session lives with every turn. If it has acted, this program did not run for seconds: nothing of before is sent any
 // more, and the port is opened anew like one that was unplugged.
 //
-// It is armed only as long as somebody can see and stop what it does (session/link/dead_man.h): the interface stamps it with
+// It is armed only as long as the user can see and stop what it does (session/link/dead_man.h): the interface stamps it with
 // attendFromAnyThread(). A gap in time (session/link/time_gap.h) disarms, and the states of the motors are read before
-// anything else. What followed of either is told by interrupted(), when there is somebody to tell.
+// anything else. What followed of either is told by interrupted(), when the user is back.
 #pragma once
 
 #include "drive/drive.h"
@@ -60,7 +60,7 @@ struct Parts {
     std::shared_ptr<Guardian> guardian = {}; ///< nullptr: none
     /// Goes on while the computer sleeps; may be called from any thread. Empty: the clock above, which then may be, too.
     Clock elapsed = {};
-    /// Who is not told otherwise believes nobody to be there who does not say so.
+    /// Unless told otherwise, the session counts as unattended without signs of life.
     Attendance attendance = Attendance::Stamped;
 };
 
@@ -99,10 +99,10 @@ public Q_SLOTS:
     void submit(const drive::Wish &wish);
     void stop(); ///< every motor, ahead of everything
     void
-    forgetStop(); ///< a person's word: no stop is wanted at any port; what is under way goes on
+    forgetStop(); ///< the user's word: no stop is wanted at any port; what is under way goes on
     /// @param madeAt  when the person did what asked for it; too long ago: it is not armed
     void setArmed(bool armed, std::optional<TimePoint> madeAt = {});
-    /// Stops every motor if a person has armed here and has not left them to turn: what a program does that is asked to
+    /// Stops every motor if the user has armed here and has not left them to turn: what a program does that is asked to
     /// end. Otherwise nothing.
     void stopOwn();
     void acknowledge(); ///< one batch has been taken in
@@ -180,7 +180,7 @@ private:
     std::optional<PortError> m_failure; ///< reported by the transport, not yet acted upon
     std::optional<drive::Stream> m_stream; ///< last asked for; taken up again after a reopening
     std::optional<drive::Watch> m_watch;
-    std::optional<drive::UserLimits> m_limits; ///< a person's; for every drive from then on
+    std::optional<drive::UserLimits> m_limits; ///< the user's; for every drive from then on
     WantedStops m_stops;
     QStringList m_stopsTold;
     TimePoint m_stopUntil{}; ///< closing waits so long for a stop that is open

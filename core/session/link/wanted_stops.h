@@ -1,7 +1,7 @@
-// WantedStops: the stops that a person asked for and that nothing has confirmed until now, by port. They outlive the
+// WantedStops: the stops that the user asked for and that nothing has confirmed until now, by port. They outlive the
 // port, the drive and the connection: whatever is met there next is stopped first. Sends nothing.
 //
-// Only ports of hardware count: a simulated motor ends with its port. A port has two names, the one that a person chose
+// Only ports of hardware count: a simulated motor ends with its port. A port has two names, the one that the user chose
 // and the device behind it; either is the same port.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace session {
 class WantedStops {
 public:
     void want(const Endpoint &port);
-    /// Nothing drives a motor there, or a person has said that it is no longer wanted.
+    /// Nothing drives a motor there, or the user has said that it is no longer wanted.
     void settle(const Endpoint &port);
     void forget() { m_ports.clear(); }
 

@@ -85,7 +85,7 @@ NotesResult saveNotes(const QString &source, const QString &target,
     QSaveFile to(target);
     if (!to.open(QIODevice::WriteOnly | QIODevice::Unbuffered))
         return failed(to.errorString());
-    const auto lock = recordingLock(source); // meanwhile nobody begins to write it, either
+    const auto lock = recordingLock(source); // meanwhile no recording begins in it, either
     if (existing == before && !lock->tryLock() && lock->error() == QLockFile::LockFailedError)
         return beingWritten();
     record::Decoder decoder;

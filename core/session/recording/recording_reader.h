@@ -45,7 +45,7 @@ struct RecordingReport {
 Result<RecordingReport, QString> readRecording(const QString &path, capture::Capture &capture,
     const std::function<bool(double)> &proceed = {});
 
-/// The same for whoever wants the entries themselves, in the file's order.
+/// The same, with the entries themselves, in the file's order.
 Result<RecordingReport, QString> readRecording(const QString &path,
     const std::function<void(record::Item &&)> &take,
     const std::function<bool(double)> &proceed = {});

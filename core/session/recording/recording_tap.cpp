@@ -43,7 +43,7 @@ void RecordingTap::takeEvent(const drive::Event &event, TimePoint now)
         m_step = started->layout.fastStep;
         m_dropping = false;
     }
-    // Samples are copied only if somebody wants them.
+    // Samples are copied only if they are wanted.
     if (!isOn() && std::holds_alternative<capture::SampleBlock>(event))
         return;
     tell(m_entries.take(event), now);

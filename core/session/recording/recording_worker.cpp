@@ -121,7 +121,7 @@ void RecordingWorker::stop()
     finish();
 }
 
-/// The file is closed, and whoever waits is told why.
+/// The file is closed, and those who wait are told why.
 void RecordingWorker::finish()
 {
     m_tap->switchOff();

@@ -1,4 +1,4 @@
-// Replay: what a person has of a replay: pace and pause, how far it is, what happened. A replay itself is a
+// Replay: what the user has of a replay: pace and pause, how far it is, what happened. A replay itself is a
 // record::ReplayDrive behind a session, like a board; replaying() puts it there.
 //
 // It is made for one receiver, which says what it has taken: until then the replay waits, so that a session never has to

@@ -1,4 +1,4 @@
-// The ports a person can choose from: the simulated board first, then the boards' own USB ports,
+// The ports the user can choose from: the simulated board first, then the boards' own USB ports,
 // then all others.
 #pragma once
 

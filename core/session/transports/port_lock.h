@@ -32,7 +32,7 @@ QString portHolder(const QString &path);
 /// What can be seen of an open port without reading from it.
 struct PortHealth {
     bool hungUp = false; ///< the device is gone
-    bool inputWaiting = false; ///< bytes that nobody has read yet
+    bool inputWaiting = false; ///< bytes not read yet
     bool outputWaiting = false; ///< bytes that have not left yet
 };
 /// @param handle  QSerialPort::handle()

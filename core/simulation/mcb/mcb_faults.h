@@ -21,7 +21,7 @@ enum class McbFault : std::uint8_t {
     ErrorInside, ///< an error instead of an answer or of a fragment
     IdleBetween, ///< IDLE, and the answer a frame later
     LostAnswer, ///< IDLE, and no answer at all
-    Garbage, ///< anything in words that nobody needs
+    Garbage, ///< anything in words that are not needed
     CrcError, ///< it says that the frame before was damaged
     NotReady, ///< the ready line stays low: nothing comes back
     Glitch, ///< a frame while it was not ready: nonsense

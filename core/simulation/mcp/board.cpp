@@ -21,7 +21,7 @@ namespace {
 
 constexpr Duration kSysTick = std::chrono::microseconds(500);
 constexpr std::size_t kOutputMax = 16U
-    << 20; ///< minutes of a full line; a line that nobody listens to keeps nothing
+    << 20; ///< minutes of a full line; a line without a listener keeps nothing
 
 /// How busy the processor says it is. Nothing is measured: an idle board, a turning motor and a running datalog cost about
 /// what they cost on a 170 MHz part, with a wobble that repeats.

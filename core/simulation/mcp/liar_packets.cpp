@@ -198,7 +198,7 @@ void Liar::lieAboutMark(Bytes &packet, std::size_t end)
     if (m_oldPackets < kLate && m_formerMark != 0 && happens(Lie::OldMark))
         mark = m_formerMark;
     ++m_oldPackets;
-    // Not the mark of the configuration before or behind: nobody could tell that lie.
+    // Not the mark of the configuration before or behind: that lie could not be noticed.
     if (happens(Lie::WrongMark))
         mark = static_cast<std::uint8_t>(mark + 3 + below(250));
     if (happens(Lie::MarkZero))

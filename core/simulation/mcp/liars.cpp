@@ -68,7 +68,7 @@ constexpr std::array kLies{
         "repeats the answer to the request before"},
     LieInfo{Lie::Twice, "twice", LieActs::OnAnswers, 4, "sends an answer twice"},
     LieInfo{Lie::Unsolicited, "unsolicited", LieActs::OnAnswers, 0,
-        "sends answers that nobody asked for, 10 to 100 ms apart"},
+        "sends answers that were not asked for, 10 to 100 ms apart"},
     LieInfo{Lie::UnknownStatus, "unknown-status", LieActs::OnAnswers, 8,
         "ends an answer with a status of no known meaning"},
     LieInfo{Lie::RefusedReads, "refused-reads", LieActs::OnAnswers, 4,
@@ -95,7 +95,7 @@ constexpr std::array kLies{
     LieInfo{Lie::TimeOdd, "time-odd", LieActs::OnDatalog, 4,
         "gives a datalog packet a time that is off by a few periods"},
     LieInfo{Lie::WrongMark, "wrong-mark", LieActs::OnDatalog, 5,
-        "gives a datalog packet a mark nobody chose"},
+        "gives a datalog packet a mark that was not chosen"},
     LieInfo{Lie::MarkZero, "mark-0", LieActs::OnDatalog, 5, "gives a datalog packet the mark 0"},
     LieInfo{
         Lie::OldMark, "old-mark", LieActs::OnDatalog, 1, "keeps the former mark for two packets"},

@@ -103,7 +103,7 @@ public:
     /// What it does of its own accord.
     struct Urge {
         Bytes bytes; ///< for the line, as they are
-        Bytes heard; ///< on the way to the board, as from somebody else on the port
+        Bytes heard; ///< on the way to the board, as from another program on the port
         bool restart = false;
         std::optional<std::uint16_t> faults; ///< present from now on
     };

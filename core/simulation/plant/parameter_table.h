@@ -1,4 +1,4 @@
-// Every figure of a simulated machine with its name, its bounds and its meaning: for whoever reads parameters from a
+// Every figure of a simulated machine with its name, its bounds and its meaning: for code that reads parameters from a
 // file, lists them or checks them. One row a member of parameters.h; the unit is the end of the name.
 #pragma once
 

@@ -82,7 +82,7 @@ struct PlantParameters {
     LoadParameters load;
 };
 
-/// The name of the first member that no machine can have (`rs_ohm`, ...); empty if there is none. Whoever takes
+/// The name of the first member that no machine can have (`rs_ohm`, ...); empty if there is none. Code that takes
 /// parameters from a file asks this before it makes a Plant of them.
 std::string_view impossibleParameter(const PlantParameters &parameters);
 

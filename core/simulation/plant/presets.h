@@ -14,7 +14,7 @@ struct Preset {
     PlantParameters parameters;
 };
 
-/// All of them; the first is what a board has if nobody asks for another.
+/// All of them; the first is what a board has unless told otherwise.
 std::span<const Preset> presets();
 
 /// The preset of that name; nullptr if there is none.

@@ -12,7 +12,7 @@
 
 namespace widgets {
 
-/// Traces that a person keeps to compare with.
+/// Traces that the user keeps to compare with.
 enum class Reference : std::uint8_t { A, B };
 
 /// Traces of another time, drawn paler behind those of now: a reference that was kept, or records shown before.

@@ -38,7 +38,7 @@ public:
     {
     }
     std::size_t period() const { return m_period; }
-    /// For a column: two periods. Stays where it is; nullptr for nobody.
+    /// For a column: two periods. Stays where it is; nullptr for none.
     const Look *of(Mask mask) { return of(mask, 2 * m_period); }
     /// For a row: long enough for one that begins anywhere in the first period.
     const Look *row(Mask mask) { return of(mask, m_length); }
@@ -111,7 +111,7 @@ struct Stretch {
     int end = 0; ///< row after the last
     Mask whole = 0;
     Mask part = 0;
-    const Look *look = nullptr; ///< of `whole`; nullptr if that is nobody
+    const Look *look = nullptr; ///< of `whole`; nullptr if that is none
     bool done = false; ///< painted already
 
     /// Both are of one look from side to side.

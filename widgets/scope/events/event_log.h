@@ -1,5 +1,5 @@
 // What happened, on the clock of the traces: commands, register writes, states, faults, lost samples, recoveries, and the
-// markers that a person set. A table in the order of time; only markers can be edited and removed. Bounded: of what a
+// markers that the user set. A table in the order of time; only markers can be edited and removed. Bounded: of what a
 // program noted the oldest is forgotten, a marker never.
 #pragma once
 

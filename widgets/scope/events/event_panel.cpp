@@ -83,7 +83,7 @@ EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
     connect(remove, &QPushButton::clicked, this, &EventPanel::removeChosen);
     connect(copyIt, &QPushButton::clicked, this, &EventPanel::copyChosen);
     connect(m_list, &QTreeView::doubleClicked, this, &EventPanel::jump);
-    // Like a log: what is new is seen as long as nobody scrolls away from the end.
+    // Like a log: what is new is seen as long as the end is in view.
     m_scroll.setSingleShot(true);
     m_scroll.setInterval(0);
     connect(&m_scroll, &QTimer::timeout, this, &EventPanel::scrollToEnd);
@@ -113,7 +113,7 @@ void EventPanel::follow()
 
 void EventPanel::scrollToEnd()
 {
-    m_behind = !m_list->isVisible(); // nobody sees where a hidden one stands
+    m_behind = !m_list->isVisible(); // a hidden one has no place to keep
     if (!m_behind)
         m_list->scrollToBottom();
 }

@@ -37,7 +37,7 @@ public:
     ChannelStrip(SignalSelection &selection, Device &device, QWidget *parent = nullptr);
 
     void setComputed(const QList<Computed> &computed);
-    /// From now on the chips fold while there is little room, unless a person unfolds them; `crowded` asks. Those that a person
+    /// From now on the chips fold while there is little room, unless the user unfolds them; `crowded` asks. Those that the user
     /// folded stay so.
     void foldWhen(std::function<bool()> crowded);
     void room(); ///< it may have changed

@@ -131,7 +131,7 @@ void SignalSelection::follow()
     Q_EMIT changed();
 }
 
-/// What was only read now and then, for the tables of the window, would bury what somebody wanted to see.
+/// What was only read now and then, for the tables of the window, would bury what the user wanted to see.
 void SignalSelection::fill()
 {
     const std::vector<capture::ChannelInfo> all = m_capture.channels();
@@ -196,7 +196,7 @@ void SignalSelection::fillFileSignals(QMenu &menu)
     }
 }
 
-/// What a replay streams is shown once; whoever takes it away has taken it away.
+/// What a replay streams is shown once; what is taken away stays away.
 void SignalSelection::showReplayed()
 {
     for (const capture::ChannelId id : m_capture.streaming())

@@ -194,7 +194,7 @@ void TriggerControl::step(int records)
     showRecord(all[std::size_t(std::clamp<std::ptrdiff_t>(from + records, 0, last))].id);
 }
 
-/// A person zoomed or moved a picture that runs: the next record is to look like it.
+/// The user zoomed or moved a picture that runs: the next record is to look like it.
 void TriggerControl::adoptRange(double from, double to)
 {
     if (m_showing || !m_trigger.triggered() || !m_scope.running())

@@ -2,7 +2,7 @@
 // picture alone.
 //
 // While a triggered picture runs, the picture is the setting: zooming changes the record's length, moving the trigger
-// along the time axis the share before it. Stopped, a person may look around in the recording.
+// along the time axis the share before it. Stopped, the user may look around in the recording.
 #pragma once
 
 #include "widgets/scope/trigger/trigger.h"
@@ -58,7 +58,7 @@ private:
     int m_persistence = 0;
     scope::RecordId m_persistFrom =
         0; ///< earlier records do not stay behind this one and later ones
-    bool m_showing = false; ///< the picture moves because of a record, not of a person
+    bool m_showing = false; ///< the picture moves because of a record, not of the user
 };
 
 } // namespace widgets

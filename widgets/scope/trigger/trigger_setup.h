@@ -1,4 +1,4 @@
-// What a person sets of the trigger, as one value in the units people read, and which of its fields matter for which
+// What the user sets of the trigger, as one value in the units people read, and which of its fields matter for which
 // type. core/scope searches; nothing here touches samples.
 #pragma once
 
