@@ -54,9 +54,9 @@ Conversation::Conversation(const Arguments &arguments, const Interrupt &interrup
     , m_session(session::tapped(attendedHere(std::move(guardian)), m_tap))
 {
     using session::Session;
-    QObject::connect(&m_session, &Session::batch, this, &Conversation::takeBatch);
-    QObject::connect(&m_session, &Session::portChanged, this, &Conversation::takePort);
-    QObject::connect(&m_session, &Session::interrupted, this, &Conversation::takeInterruption);
+    QObject::connect(&m_session, &Session::batch, this, &Conversation::onBatch);
+    QObject::connect(&m_session, &Session::portChanged, this, &Conversation::onPort);
+    QObject::connect(&m_session, &Session::interrupted, this, &Conversation::onInterruption);
     QObject::connect(&m_interrupt, &Interrupt::raised, this, &Conversation::changed);
 }
 
@@ -321,7 +321,7 @@ Failure Conversation::endReason() const
     return {kInterrupted + m_interrupt.number(), QStringLiteral("Interrupted.")};
 }
 
-void Conversation::takeBatch(const session::BatchPtr &batch)
+void Conversation::onBatch(const session::BatchPtr &batch)
 {
     for (const drive::Event &event : batch->events)
         take(event);
@@ -362,7 +362,7 @@ void Conversation::take(const drive::Event &event)
 }
 
 /// Stopped (Ctrl-Z) or asleep, and the motor could not be stopped: what was under way is not gone on with.
-void Conversation::takeInterruption(const session::Interruption &what)
+void Conversation::onInterruption(const session::Interruption &what)
 {
     if (what.disarmed || what.stopped)
         m_broken = Failure{kRefused,
@@ -373,7 +373,7 @@ void Conversation::takeInterruption(const session::Interruption &what)
     Q_EMIT changed();
 }
 
-void Conversation::takePort(session::PortState state, const session::PortError &why)
+void Conversation::onPort(session::PortState state, const session::PortError &why)
 {
     const bool closed = state == session::PortState::Closed;
     if (closed && why.problem != session::PortProblem::None)

@@ -89,10 +89,10 @@ public:
     }
 
 private:
-    void takeBatch(const session::BatchPtr &batch);
+    void onBatch(const session::BatchPtr &batch);
     void take(const drive::Event &event);
-    void takeInterruption(const session::Interruption &what);
-    void takePort(session::PortState state, const session::PortError &why);
+    void onInterruption(const session::Interruption &what);
+    void onPort(session::PortState state, const session::PortError &why);
     bool ended() const;
     Failure endReason() const;
     bool allStopped(drive::StopWord least) const;

@@ -50,10 +50,10 @@ void Recorder::take(const drive::Event &event)
         m_length = std::max<Tick>(1, std::llround(m_seconds * m_layout.tickHz));
     } else if (const auto *block = std::get_if<SampleBlock>(&event)) {
         if (!m_complete && block->stream == m_layout.id && m_layout.tickHz > 0)
-            takeBlock(*block);
+            onBlock(*block);
     } else if (const auto *read = std::get_if<drive::RegistersRead>(&event)) {
         for (const drive::Reading &reading : read->readings)
-            takeReading(reading);
+            onReading(reading);
     }
 }
 
@@ -64,7 +64,7 @@ void Recorder::poll(
     m_catalog = std::move(catalog);
 }
 
-void Recorder::takeReading(const drive::Reading &reading)
+void Recorder::onReading(const drive::Reading &reading)
 {
     const auto value = drive::asNumber(reading.value);
     if (!m_catalog || m_complete || reading.status != drive::ReadStatus::Ok || !value
@@ -109,7 +109,7 @@ std::vector<capture::ChannelId> Recorder::channels() const
     return found;
 }
 
-void Recorder::takeBlock(SampleBlock block)
+void Recorder::onBlock(SampleBlock block)
 {
     if (!m_origin) {
         m_origin = block.firstTick;

@@ -43,8 +43,8 @@ public:
     const capture::Capture &capture() const { return m_capture; }
 
 private:
-    void takeBlock(capture::SampleBlock block);
-    void takeReading(const drive::Reading &reading);
+    void onBlock(capture::SampleBlock block);
+    void onReading(const drive::Reading &reading);
 
     double m_seconds;
     double m_recorded_s = 0.0; ///< so far

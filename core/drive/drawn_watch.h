@@ -34,8 +34,8 @@ public:
     }
 
     std::optional<typename P::Request> nextRequest(TimePoint now) override;
-    void takeResponse(const typename P::Answer &response, TimePoint now) override;
-    void takeNoResponse(std::optional<bool>, TimePoint) override { m_reader.takeNoResponse(); }
+    void onResponse(const typename P::Answer &response, TimePoint now) override;
+    void onNoResponse(std::optional<bool>, TimePoint) override { m_reader.onNoResponse(); }
 
     std::vector<Reading> takeReadings() { return std::exchange(m_readings, {}); }
 
@@ -103,9 +103,9 @@ std::optional<typename P::Request> DrawnWatch<P>::nextRequest(TimePoint now)
 }
 
 template <class P>
-void DrawnWatch<P>::takeResponse(const typename P::Answer &response, TimePoint now)
+void DrawnWatch<P>::onResponse(const typename P::Answer &response, TimePoint now)
 {
-    for (Reading &reading : m_reader.takeResponse(response, now)) {
+    for (Reading &reading : m_reader.onResponse(response, now)) {
         // The board looked at the value somewhere between the question and the answer.
         reading.spread = now - m_asked;
         if (reading.status != ReadStatus::Ok)

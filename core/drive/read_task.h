@@ -34,15 +34,15 @@ public:
         }
         return m_reader.nextRequest();
     }
-    void takeResponse(const typename P::Answer &response, TimePoint now) override
+    void onResponse(const typename P::Answer &response, TimePoint now) override
     {
-        for (Reading &reading : m_reader.takeResponse(response, now))
+        for (Reading &reading : m_reader.onResponse(response, now))
             m_readings.push_back(std::move(reading));
         endIfRead();
     }
-    void takeNoResponse(std::optional<bool>, TimePoint) override
+    void onNoResponse(std::optional<bool>, TimePoint) override
     {
-        m_reader.takeNoResponse();
+        m_reader.onNoResponse();
         endIfRead();
     }
 

@@ -47,19 +47,19 @@ public:
             return std::nullopt;
         return m_reads.request(m_waiting, m_asked);
     }
-    std::vector<Reading> takeResponse(const typename P::Answer &answer, TimePoint now)
+    std::vector<Reading> onResponse(const typename P::Answer &answer, TimePoint now)
     {
         if (m_asked == 0)
             return {};
         auto readings = m_reads.readings({m_waiting.data(), m_asked}, answer, now);
         if (!readings) {
-            takeNoResponse();
+            onNoResponse();
             return {};
         }
         drop(readings->size());
         return std::move(*readings);
     }
-    void takeNoResponse()
+    void onNoResponse()
     {
         if (m_asked == 0 || ++m_losses < P::kAttempts)
             return;

@@ -33,19 +33,19 @@ public:
             m_reader.start(m_round.begin(now));
         return m_reader.nextRequest();
     }
-    void takeResponse(const typename P::Answer &response, TimePoint now) override
+    void onResponse(const typename P::Answer &response, TimePoint now) override
     {
         if (m_reader.finished())
             return; // the list was changed while this one was asked
-        for (Reading &reading : m_reader.takeResponse(response, now))
+        for (Reading &reading : m_reader.onResponse(response, now))
             m_round.take(std::move(reading));
         m_round.planNext(leastPeriod(now), now);
     }
-    void takeNoResponse(std::optional<bool>, TimePoint now) override
+    void onNoResponse(std::optional<bool>, TimePoint now) override
     {
         if (m_reader.finished())
             return;
-        m_reader.takeNoResponse();
+        m_reader.onNoResponse();
         m_round.planNext(leastPeriod(now), now);
     }
 

@@ -16,8 +16,8 @@ public:
     using WriteTask<P>::WriteTask;
 
     std::optional<Request> nextRequest(TimePoint now) override;
-    void takeResponse(const Answer &answer, TimePoint now) override;
-    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+    void onResponse(const Answer &answer, TimePoint now) override;
+    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 protected:
     /// Adds the steps of a register, without the last. @return  why it must not be written; empty if it may
@@ -131,7 +131,7 @@ std::optional<typename P::Request> StepwiseWrite<P>::nextRequest(TimePoint)
 }
 
 template <class P>
-void StepwiseWrite<P>::takeResponse(const Answer &answer, TimePoint now)
+void StepwiseWrite<P>::onResponse(const Answer &answer, TimePoint now)
 {
     if (this->finished() || m_steps.empty())
         return;
@@ -152,7 +152,7 @@ void StepwiseWrite<P>::takeResponse(const Answer &answer, TimePoint now)
         return;
     case Kind::Before:
     case Kind::After:
-        for (Reading &reading : m_reader.takeResponse(answer, now)) {
+        for (Reading &reading : m_reader.onResponse(answer, now)) {
             if (reading.status == ReadStatus::Ok)
                 (step.kind == Kind::Before ? result.before : result.readBack) = reading.value;
             this->tell(std::move(reading));
@@ -163,7 +163,7 @@ void StepwiseWrite<P>::takeResponse(const Answer &answer, TimePoint now)
 }
 
 template <class P>
-void StepwiseWrite<P>::takeNoResponse(std::optional<bool> executed, TimePoint)
+void StepwiseWrite<P>::onNoResponse(std::optional<bool> executed, TimePoint)
 {
     if (this->finished() || m_steps.empty())
         return;
@@ -171,7 +171,7 @@ void StepwiseWrite<P>::takeNoResponse(std::optional<bool> executed, TimePoint)
     if (step.kind == Kind::Ask)
         return close(Outcome::NotSent, "no answer" + reasonWithout(step.request));
     if (step.kind != Kind::Write) {
-        m_reader.takeNoResponse();
+        m_reader.onNoResponse();
         if (m_reader.finished())
             advance();
         return;

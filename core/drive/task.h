@@ -27,9 +27,9 @@ public:
 
     /// Nothing if it has nothing to ask now.
     virtual std::optional<Request> nextRequest(TimePoint now) = 0;
-    virtual void takeResponse(const Answer &response, TimePoint now) = 0;
+    virtual void onResponse(const Answer &response, TimePoint now) = 0;
     /// The answer was lost. `executed`: whether the board did what was asked, if the link can tell.
-    virtual void takeNoResponse(std::optional<bool> executed, TimePoint now) = 0;
+    virtual void onNoResponse(std::optional<bool> executed, TimePoint now) = 0;
 };
 
 /// What has to be true for a wish to be carried out.
@@ -142,8 +142,8 @@ public:
             this->end(m_outcome, m_reason);
         return std::nullopt;
     }
-    void takeResponse(const typename P::Answer &, TimePoint) override { }
-    void takeNoResponse(std::optional<bool>, TimePoint) override { }
+    void onResponse(const typename P::Answer &, TimePoint) override { }
+    void onNoResponse(std::optional<bool>, TimePoint) override { }
 
 private:
     Outcome m_outcome;

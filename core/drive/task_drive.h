@@ -100,10 +100,10 @@ protected:
     /// Sends the next request of the task; false: it has nothing to ask now.
     bool give(Task<P> &task, TimePoint now, WishTask<P> *wish = nullptr);
     /// The answer to m_task has come, or never will: the link is free. What acts is looked at at once.
-    void takeAnswer(const Answer &answer, TimePoint now);
-    void takeLoss(std::optional<bool> executed, TimePoint now);
+    void passAnswer(const Answer &answer, TimePoint now);
+    void passLoss(std::optional<bool> executed, TimePoint now);
     /// The answer to the STOP that is under way, if one is.
-    void takeStopAnswer(bool ok, TimePoint now);
+    void onStopAnswer(bool ok, TimePoint now);
     void cutAllWishes(const std::string &reason);
 
     void linkFound();
@@ -137,8 +137,8 @@ private:
     /// Takes the answer that belongs to a wish which has ended meanwhile.
     class EndedWish : public Task<P> {
         std::optional<Request> nextRequest(TimePoint) override { return std::nullopt; }
-        void takeResponse(const Answer &, TimePoint) override { }
-        void takeNoResponse(std::optional<bool>, TimePoint) override { }
+        void onResponse(const Answer &, TimePoint) override { }
+        void onNoResponse(std::optional<bool>, TimePoint) override { }
     };
 
     void watch(const Watch &watch, TimePoint now) override { m_watch.watch(watch, now); }
@@ -341,7 +341,7 @@ typename TaskDrive<P>::Made TaskDrive<P>::make(const Wish &wish)
 template <class P>
 void TaskDrive<P>::submit(Wish wish, TimePoint now)
 {
-    if (takeAtOnce(wish, now))
+    if (handleAtOnce(wish, now))
         return;
     Made task = make(wish);
     if (task->permission() == Permission::Armed && !armed())
@@ -359,23 +359,23 @@ void TaskDrive<P>::submit(Wish wish, TimePoint now)
 }
 
 template <class P>
-void TaskDrive<P>::takeAnswer(const Answer &answer, TimePoint now)
+void TaskDrive<P>::passAnswer(const Answer &answer, TimePoint now)
 {
-    m_task->takeResponse(answer, now);
+    m_task->onResponse(answer, now);
     if (m_wish != nullptr)
         m_wish->freshen(now);
     afterTask(now);
 }
 
 template <class P>
-void TaskDrive<P>::takeLoss(std::optional<bool> executed, TimePoint now)
+void TaskDrive<P>::passLoss(std::optional<bool> executed, TimePoint now)
 {
-    m_task->takeNoResponse(executed, now);
+    m_task->onNoResponse(executed, now);
     afterTask(now);
 }
 
 template <class P>
-void TaskDrive<P>::takeStopAnswer(bool ok, TimePoint now)
+void TaskDrive<P>::onStopAnswer(bool ok, TimePoint now)
 {
     if (!std::exchange(m_stopUnderWay, false))
         return;
@@ -410,7 +410,7 @@ void TaskDrive<P>::work(TimePoint now)
         m_stopUnderWay = false; // its answer has come, or never will
     auto statuses = m_vitals.takeStatuses();
     onStatuses(statuses);
-    takeStatuses(std::move(statuses), m_vitals.askedAt());
+    followStatuses(std::move(statuses), m_vitals.askedAt());
     if (m_identification.takeNews())
         onIdentified(now);
     if (m_reconnectAt && now >= *m_reconnectAt && m_mode == Mode::Open
@@ -480,7 +480,7 @@ bool TaskDrive<P>::give(Task<P> &task, TimePoint now, WishTask<P> *wish)
             m_wish = wish;
             return true;
         }
-        task.takeNoResponse(false, now); // it never left
+        task.onNoResponse(false, now); // it never left
     }
     return false;
 }

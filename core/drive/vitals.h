@@ -34,8 +34,8 @@ public:
     bool motorDriven() const; ///< one was last seen not idle
 
     std::optional<typename P::Request> nextRequest(TimePoint now) override;
-    void takeResponse(const typename P::Answer &response, TimePoint now) override;
-    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+    void onResponse(const typename P::Answer &response, TimePoint now) override;
+    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
     /// What was read since the last call.
     std::vector<MotorStatus> takeStatuses() { return std::exchange(m_news, {}); }
@@ -112,11 +112,11 @@ std::optional<typename P::Request> Vitals<P>::nextRequest(TimePoint now)
 }
 
 template <class P>
-void Vitals<P>::takeResponse(const typename P::Answer &response, TimePoint now)
+void Vitals<P>::onResponse(const typename P::Answer &response, TimePoint now)
 {
     if (m_reader.finished())
         return; // begun anew while it was asked
-    for (Reading &reading : m_reader.takeResponse(response, now)) {
+    for (Reading &reading : m_reader.onResponse(response, now)) {
         if (reading.status == ReadStatus::Ok)
             m_round[reading.id] = std::move(reading.value);
         else
@@ -126,11 +126,11 @@ void Vitals<P>::takeResponse(const typename P::Answer &response, TimePoint now)
 }
 
 template <class P>
-void Vitals<P>::takeNoResponse(std::optional<bool>, TimePoint now)
+void Vitals<P>::onNoResponse(std::optional<bool>, TimePoint now)
 {
     if (m_reader.finished())
         return;
-    m_reader.takeNoResponse();
+    m_reader.onNoResponse();
     afterAnswer(now);
 }
 

@@ -91,7 +91,7 @@ void WishDrive::endNow(const Wish &wish, Outcome outcome, std::string reason, Ti
         m_events.emplace_back(Ended{wish.id, outcome, std::move(reason), {}});
 }
 
-void WishDrive::takeLimits(const Wish &wish, const UserLimits &limits, TimePoint now)
+void WishDrive::setLimits(const Wish &wish, const UserLimits &limits, TimePoint now)
 {
     if (!isPlausible(limits))
         return endNow(wish, Outcome::Refused, "no limit is like that", now);
@@ -100,7 +100,7 @@ void WishDrive::takeLimits(const Wish &wish, const UserLimits &limits, TimePoint
     endNow(wish, Outcome::Ok, {}, now);
 }
 
-void WishDrive::takeExpert(const Wish &wish, const ExpertMode &expert, TimePoint now)
+void WishDrive::setExpert(const Wish &wish, const ExpertMode &expert, TimePoint now)
 {
     if (!m_facts.identified || !m_facts.hasMotor(expert.motor))
         return endNow(wish, Outcome::Refused, "there is no such motor", now);
@@ -110,7 +110,7 @@ void WishDrive::takeExpert(const Wish &wish, const ExpertMode &expert, TimePoint
     endNow(wish, Outcome::Ok, {}, now);
 }
 
-void WishDrive::takeScale(const Wish &wish, const CurrentScale &scale, TimePoint now)
+void WishDrive::setScale(const Wish &wish, const CurrentScale &scale, TimePoint now)
 {
     std::string why;
     if (!m_facts.identified || !m_facts.hasMotor(scale.motor))
@@ -118,30 +118,30 @@ void WishDrive::takeScale(const Wish &wish, const CurrentScale &scale, TimePoint
     else if (!isPlausible(scale))
         why = "no full-scale current is like that";
     else
-        why = takeScale(scale, now);
+        why = setScale(scale, now);
     endNow(wish, why.empty() ? Outcome::Ok : Outcome::Refused, why, now);
 }
 
-std::string WishDrive::takeScale(const CurrentScale &, TimePoint)
+std::string WishDrive::setScale(const CurrentScale &, TimePoint)
 {
     return m_facts.reasonAgainst(Feature::CurrentScale);
 }
 
-bool WishDrive::takeAtOnce(const Wish &wish, TimePoint now)
+bool WishDrive::handleAtOnce(const Wish &wish, TimePoint now)
 {
     if (const auto *watched = std::get_if<Watch>(&wish.what)) {
         watch(*watched, now);
         endNow(wish, Outcome::Ok, {}, now);
         work(now);
     } else if (const auto *limits = std::get_if<UserLimits>(&wish.what)) {
-        takeLimits(wish, *limits, now);
+        setLimits(wish, *limits, now);
     } else if (m_mode != Mode::Open || m_lost
         || (m_toldState == LinkState::Connecting && isOfTheBoard(wish))) {
         endNow(wish, Outcome::NotSent, "not connected", now);
     } else if (const auto *expert = std::get_if<ExpertMode>(&wish.what)) {
-        takeExpert(wish, *expert, now);
+        setExpert(wish, *expert, now);
     } else if (const auto *scale = std::get_if<CurrentScale>(&wish.what)) {
-        takeScale(wish, *scale, now);
+        setScale(wish, *scale, now);
     } else if (auto why = refuseAcknowledge(wish); !why.empty()) {
         endNow(wish, Outcome::Refused, std::move(why), now);
     } else {
@@ -162,7 +162,7 @@ std::string WishDrive::refuseAcknowledge(const Wish &wish) const
         : "";
 }
 
-void WishDrive::takeStatuses(std::vector<MotorStatus> statuses, TimePoint askedAt)
+void WishDrive::followStatuses(std::vector<MotorStatus> statuses, TimePoint askedAt)
 {
     const bool all = statuses.size() >= static_cast<std::size_t>(m_facts.motors);
     if (m_doubtedAt && all && askedAt >= *m_doubtedAt)

@@ -27,7 +27,7 @@ public:
 
 protected:
     /// Takes the scale of a motor that there is. @return  why not; empty if it is taken
-    virtual std::string takeScale(const CurrentScale &scale, TimePoint now);
+    virtual std::string setScale(const CurrentScale &scale, TimePoint now);
 
     /// What the owner wants of the link.
     enum class Mode : std::uint8_t { Closed, Open, Closing };
@@ -45,12 +45,12 @@ protected:
         TimePoint now) = 0; ///< at the states of the motors, and often for a while
 
     /// Carries out, or refuses, what takes no task; false: it takes one.
-    bool takeAtOnce(const Wish &wish, TimePoint now);
+    bool handleAtOnce(const Wish &wish, TimePoint now);
     void beginStop(TimePoint now);
     void setArmed(bool armed);
     void endNow(const Wish &wish, Outcome outcome, std::string reason, TimePoint now);
     /// The newest states of motors: evidence for the stop, and told. @param askedAt  they are no older than this
-    void takeStatuses(std::vector<MotorStatus> statuses, TimePoint askedAt);
+    void followStatuses(std::vector<MotorStatus> statuses, TimePoint askedAt);
 
     /// Takes motors that have become known into the stop. @return  whether STOPs may be due
     bool followStop(TimePoint now);
@@ -86,9 +86,9 @@ protected:
 
 private:
     std::string refuseAcknowledge(const Wish &wish) const; ///< while the fault is there
-    void takeLimits(const Wish &wish, const UserLimits &limits, TimePoint now);
-    void takeExpert(const Wish &wish, const ExpertMode &expert, TimePoint now);
-    void takeScale(const Wish &wish, const CurrentScale &scale, TimePoint now);
+    void setLimits(const Wish &wish, const UserLimits &limits, TimePoint now);
+    void setExpert(const Wish &wish, const ExpertMode &expert, TimePoint now);
+    void setScale(const Wish &wish, const CurrentScale &scale, TimePoint now);
 
     TimePoint m_stopAsked; ///< by the user
     std::map<int, MotionRecord> m_stopsSent; ///< by motor: the STOPs since the log was last told

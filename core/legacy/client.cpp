@@ -192,12 +192,12 @@ void Client::take(Framer::Step step, TimePoint now)
     }
     ++m_stats.framesIn;
     if (recovering)
-        takeWhileRecovering(*reply, now);
+        onReplyWhileRecovering(*reply, now);
     else if (m_state == State::Waiting)
-        takeReply(*reply, now);
+        onReply(*reply, now);
 }
 
-void Client::takeReply(const Reply &reply, TimePoint now)
+void Client::onReply(const Reply &reply, TimePoint now)
 {
     const auto *ack = std::get_if<Ack>(&reply);
     if (ack != nullptr && !fits(m_request->command, ack->data, m_dialect)) {
@@ -311,7 +311,7 @@ void Client::giveUp(TimePoint)
     m_events.emplace_back(lost);
 }
 
-void Client::takeWhileRecovering(const Reply &reply, TimePoint now)
+void Client::onReplyWhileRecovering(const Reply &reply, TimePoint now)
 {
     const auto *ack = std::get_if<Ack>(&reply);
     if (m_step == Step::Fill) {

@@ -116,8 +116,8 @@ private:
     void put(Bytes frame, TimePoint now);
     bool hearsRefusal(ByteView bytes);
     void take(Framer::Step step, TimePoint now);
-    void takeReply(const Reply &reply, TimePoint now);
-    void takeWhileRecovering(const Reply &reply, TimePoint now);
+    void onReply(const Reply &reply, TimePoint now);
+    void onReplyWhileRecovering(const Reply &reply, TimePoint now);
     void settle(const char *why, TimePoint now);
     void endRequest(NoAnswer end);
     void recover(TimePoint now);

@@ -271,7 +271,7 @@ void Master::finish(TimePoint now)
     const Exchange exchange = *std::exchange(m_exchange, std::nullopt);
     m_torn = 0;
     if (m_state == State::Seeking)
-        return takeProbe(exchange.received, now);
+        return onProbe(exchange.received, now);
     auto frame = decodeAnswer(exchange.received);
     if (frame && isPaddedConfigFrame(exchange.received))
         frame = fail(FrameError::WrongLength);
@@ -303,7 +303,7 @@ void Master::finishGood(const Exchange &exchange, const Frame &frame, TimePoint 
         else
             --m_drain;
     } else if (m_operation) {
-        takeAnswer(exchange, frame, now);
+        onAnswer(exchange, frame, now);
     }
 }
 
@@ -323,7 +323,7 @@ void Master::finishTorn(TimePoint now)
     ++m_stats.torn;
     m_notBefore = now + m_config.quiet;
     if (m_state == State::Seeking)
-        return takeProbe(exchange.received, now);
+        return onProbe(exchange.received, now);
     if (exchange.tick)
         ++m_stats.cyclesLost;
     m_lastBad = Cause::NoAnswer;

@@ -184,9 +184,9 @@ private:
 
     // What an answer means (master_operation.cpp).
     void begin(Request request);
-    void takeAnswer(const Exchange &exchange, const Frame &frame, TimePoint now);
-    void takeAck(const Frame &frame, TimePoint now);
-    void takeRefusal(const Frame &frame, TimePoint now);
+    void onAnswer(const Exchange &exchange, const Frame &frame, TimePoint now);
+    void onAck(const Frame &frame, TimePoint now);
+    void onRefusal(const Frame &frame, TimePoint now);
     void spoil(TimePoint now);
     bool mayRepeat() const;
     void repeat();
@@ -199,7 +199,7 @@ private:
 
     // Lengths (master_seek.cpp).
     void seek(TimePoint now);
-    void takeProbe(ByteView received, TimePoint now);
+    void onProbe(ByteView received, TimePoint now);
     void found(std::size_t words, TimePoint now);
     void lose(Cause cause, TimePoint now);
 

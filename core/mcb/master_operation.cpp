@@ -42,23 +42,23 @@ void Master::begin(Request request)
 }
 
 /// What comes while the first piece goes out is left over from before, whatever it says.
-void Master::takeAnswer(const Exchange &exchange, const Frame &frame, TimePoint now)
+void Master::onAnswer(const Exchange &exchange, const Frame &frame, TimePoint now)
 {
     const Operation &operation = *m_operation;
     if (operation.sent == 0 || frame.command == Command::Idle
         || (exchange.piece && operation.sent == 1))
         return;
     if (isError(frame.command))
-        return takeRefusal(frame, now);
+        return onRefusal(frame, now);
     if (frame.address != operation.request.address) {
         ++m_stats.strays;
         return;
     }
     if (!exchange.piece) // with a later piece comes the ACK of an earlier one
-        takeAck(frame, now);
+        onAck(frame, now);
 }
 
-void Master::takeAck(const Frame &frame, TimePoint now)
+void Master::onAck(const Frame &frame, TimePoint now)
 {
     Operation &operation = *m_operation;
     if (operation.request.command != Command::Read)
@@ -80,7 +80,7 @@ void Master::takeAck(const Frame &frame, TimePoint now)
         end(End::Unknown, now, {}, 0, Cause::Damaged);
 }
 
-void Master::takeRefusal(const Frame &frame, TimePoint now)
+void Master::onRefusal(const Frame &frame, TimePoint now)
 {
     const Operation &operation = *m_operation;
     const std::uint32_t code = errorCodeOf(frame.config);

@@ -42,7 +42,7 @@ void Master::seek(TimePoint now)
     m_notBefore = now + m_config.quiet;
 }
 
-void Master::takeProbe(ByteView received, TimePoint now)
+void Master::onProbe(ByteView received, TimePoint now)
 {
     m_notBefore = now + m_config.quiet;
     const auto length = lengthIn(received);

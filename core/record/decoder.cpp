@@ -70,7 +70,7 @@ Decoder::Look Decoder::lookHere()
     const bool other = !m_damage && claim.type != kPacketBlock && claim.length <= kLongestOther;
     if ((packet || other) && claim.length > bytes.size() && !m_finished)
         return Look::Wait;
-    if (packet && takePacket(bytes))
+    if (packet && onPacket(bytes))
         return Look::Found;
     if (other && skipOther(claim))
         return Look::Again;
@@ -82,7 +82,7 @@ Decoder::Look Decoder::lookHere()
 }
 
 /// The block at the beginning of `bytes`, if it is sound.
-bool Decoder::takePacket(ByteView bytes)
+bool Decoder::onPacket(ByteView bytes)
 {
     const auto head = packetHead(bytes, kMostPayload);
     const auto data = head ? packetData(*head, bytes) : std::nullopt;
@@ -92,7 +92,7 @@ bool Decoder::takePacket(ByteView bytes)
     ++m_soundBlocks;
     m_expected = head->number + 1;
     if (head->interface == Interface::Entries) {
-        takeEntry(*head, *data);
+        onEntry(*head, *data);
     } else {
         const auto direction =
             head->direction == 2 ? LinkBytes::Direction::Sent : LinkBytes::Direction::Received;
@@ -146,7 +146,7 @@ void Decoder::tellEnd()
     tellDamage(m_expected.value_or(0));
 }
 
-void Decoder::takeEntry(const BlockHead &head, ByteView data)
+void Decoder::onEntry(const BlockHead &head, ByteView data)
 {
     const auto damage = [&](Damage::Kind kind) {
         m_ready.emplace_back(Damage{kind, m_offset, blockSize(data.size()), 1});

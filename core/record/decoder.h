@@ -64,9 +64,9 @@ private:
     void skip(std::size_t bytes);
     void pass(std::size_t bytes);
     Look lookHere();
-    bool takePacket(ByteView bytes);
+    bool onPacket(ByteView bytes);
     bool skipOther(const Claim &claim);
-    void takeEntry(const BlockHead &head, ByteView data);
+    void onEntry(const BlockHead &head, ByteView data);
     bool isNews(const Entry &entry, bool repeated);
     bool isDescribed(const PolledValues &values) const;
     bool isDescribed(const capture::SampleBlock &block) const;

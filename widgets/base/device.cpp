@@ -161,7 +161,7 @@ drive::WishId Device::setCurrentScale(int motor, double fullScaleAmps)
 
 void Device::becomeExpert(int motor) { m_expertWished[submit(drive::ExpertMode{motor})] = motor; }
 
-void Device::takeEnd(const drive::Ended &ended)
+void Device::onEnd(const drive::Ended &ended)
 {
     const auto wished = m_expertWished.extract(ended.id);
     if (!wished.empty() && ended.outcome == drive::Outcome::Ok) {
@@ -232,7 +232,7 @@ void Device::take(const drive::Event &event)
                 Q_EMIT identityChanged();
             },
             [this](const drive::RegistersRead &read) { Q_EMIT readingsArrived(read.readings); },
-            [this](const drive::Ended &ended) { takeEnd(ended); },
+            [this](const drive::Ended &ended) { onEnd(ended); },
             [this](const drive::MotorStatus &status) {
                 m_status[status.motor] = status;
                 m_told.insert(status.motor);

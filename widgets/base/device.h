@@ -119,7 +119,7 @@ Q_SIGNALS:
 
 private:
     void take(const drive::Event &event);
-    void takeEnd(const drive::Ended &ended);
+    void onEnd(const drive::Ended &ended);
     void forgetBoard();
     void disarm();
     std::optional<TimePoint> madeAt() const;

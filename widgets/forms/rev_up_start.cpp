@@ -22,7 +22,7 @@ RevUpStart::RevUpStart(Device &device, const capture::Capture &capture, QObject 
     , m_capture(capture)
 {
     connect(&device, &Device::statusChanged, this, &RevUpStart::takeStatus);
-    connect(&device, &Device::readingsArrived, this, &RevUpStart::takeReadings);
+    connect(&device, &Device::readingsArrived, this, &RevUpStart::onReadings);
     connect(&device, &Device::linkStateChanged, this, [this] {
         if (m_result == Result::UnderWay && !m_device.answering())
             end(Result::Stopped);
@@ -100,7 +100,7 @@ void RevUpStart::end(Result result)
     Q_EMIT changed();
 }
 
-void RevUpStart::takeReadings(const std::vector<drive::Reading> &readings)
+void RevUpStart::onReadings(const std::vector<drive::Reading> &readings)
 {
     const auto id = currentId();
     if (m_result != Result::UnderWay || !id)

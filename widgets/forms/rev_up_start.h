@@ -50,7 +50,7 @@ private:
     void takeStatus(int motor);
     void begin(double begin_s);
     void end(Result result);
-    void takeReadings(const std::vector<drive::Reading> &readings);
+    void onReadings(const std::vector<drive::Reading> &readings);
     std::optional<catalog::RegisterId> currentId() const;
     QList<QPointF> streamedCurrent() const;
 

@@ -287,7 +287,7 @@ void RegisterEdits::end(const drive::Ended &ended)
         return;
     m_stage = Stage::Idle;
     m_wish = 0;
-    m_model.takeResults(ended.writes);
+    m_model.onResults(ended.writes);
     m_model.markNotSent(); // what the answer does not name
     if (m_device.answering())
         keep(ended);

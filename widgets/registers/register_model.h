@@ -83,7 +83,7 @@ public:
     void markSending(const std::vector<drive::RegisterWrite> &writes); ///< the edits among them
     void markNotSent(); ///< what was on its way is pending again
     /// How writes ended. An edit that was not among them waits on, unless the board now holds what it wants.
-    void takeResults(const std::vector<drive::WriteResult> &results);
+    void onResults(const std::vector<drive::WriteResult> &results);
     bool hasEdits() const; ///< of any state but a flash
     QStringList pendingElsewhere() const; ///< names of those of a motor that is not shown
     EditState editState(catalog::RegisterId id) const;

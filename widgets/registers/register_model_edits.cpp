@@ -172,7 +172,7 @@ void RegisterModel::markNotSent()
     Q_EMIT editsChanged();
 }
 
-void RegisterModel::takeResults(const std::vector<drive::WriteResult> &results)
+void RegisterModel::onResults(const std::vector<drive::WriteResult> &results)
 {
     for (const drive::WriteResult &result : results) {
         const Edit *before = editOf(result.id);

@@ -100,10 +100,10 @@ std::optional<legacy::Request> LegacyCommandTask::nextRequest(TimePoint)
         m_command.motor, legacy::Execute{static_cast<std::uint8_t>(commandOf(m_command.action))});
 }
 
-void LegacyCommandTask::takeResponse(const legacy::Reply &response, TimePoint now)
+void LegacyCommandTask::onResponse(const legacy::Reply &response, TimePoint now)
 {
     if (!sent()) {
-        for (Reading &reading : m_reader.takeResponse(response, now))
+        for (Reading &reading : m_reader.onResponse(response, now))
             m_found.push_back(std::move(reading));
     } else if (std::holds_alternative<legacy::Ack>(response)) {
         end(Outcome::Ok);
@@ -112,12 +112,12 @@ void LegacyCommandTask::takeResponse(const legacy::Reply &response, TimePoint no
     }
 }
 
-void LegacyCommandTask::takeNoResponse(std::optional<bool> executed, TimePoint)
+void LegacyCommandTask::onNoResponse(std::optional<bool> executed, TimePoint)
 {
     if (sent())
         endLost(executed);
     else
-        m_reader.takeNoResponse();
+        m_reader.onNoResponse();
 }
 
 LegacySetPointTask::LegacySetPointTask(WishId id, const SetPoint &wanted, const LegacyFacts &board)
@@ -153,7 +153,7 @@ std::optional<legacy::Request> LegacySetPointTask::nextRequest(TimePoint)
     return legacyRequest(m_wanted.motor, encode());
 }
 
-void LegacySetPointTask::takeResponse(const legacy::Reply &response, TimePoint)
+void LegacySetPointTask::onResponse(const legacy::Reply &response, TimePoint)
 {
     if (std::holds_alternative<legacy::Ack>(response))
         end(Outcome::Ok);
@@ -161,7 +161,7 @@ void LegacySetPointTask::takeResponse(const legacy::Reply &response, TimePoint)
         end(Outcome::Refused, nackWord(response));
 }
 
-void LegacySetPointTask::takeNoResponse(std::optional<bool> executed, TimePoint)
+void LegacySetPointTask::onNoResponse(std::optional<bool> executed, TimePoint)
 {
     endLost(executed);
 }

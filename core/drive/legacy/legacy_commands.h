@@ -15,8 +15,8 @@ public:
     LegacyCommandTask(WishId id, const Command &command, const LegacyFacts &board);
 
     std::optional<legacy::Request> nextRequest(TimePoint now) override;
-    void takeResponse(const legacy::Reply &response, TimePoint now) override;
-    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+    void onResponse(const legacy::Reply &response, TimePoint now) override;
+    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
     bool looking(); ///< at what a start would go to, because of the user's own limits
@@ -35,8 +35,8 @@ public:
     LegacySetPointTask(WishId id, const SetPoint &wanted, const LegacyFacts &board);
 
     std::optional<legacy::Request> nextRequest(TimePoint now) override;
-    void takeResponse(const legacy::Reply &response, TimePoint now) override;
-    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+    void onResponse(const legacy::Reply &response, TimePoint now) override;
+    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
     legacy::Command encode() const;

@@ -41,7 +41,7 @@ public:
 
 private:
     Made taskFor(const Wish &wish) override;
-    std::string takeScale(const CurrentScale &scale, TimePoint now) override;
+    std::string setScale(const CurrentScale &scale, TimePoint now) override;
 
     // what the link tells
     void onLinkEvents(TimePoint now) override;
@@ -91,7 +91,7 @@ void LegacyDrive::onLinkEvents(TimePoint now)
                        [&](const Link::Answer &what) { onAnswer(what, now); },
                        [&](const Link::NoAnswer &what) {
                            if (m_task != nullptr)
-                               takeLoss(what.executed, now);
+                               passLoss(what.executed, now);
                        },
                        [&](const Link::Restarted &) { onRestarted(now); },
                        [&](const Link::Suspect &) { m_suspect = true; },
@@ -116,9 +116,9 @@ void LegacyDrive::onAnswer(const Link::Answer &event, TimePoint now)
 {
     m_suspect = false;
     if (m_task != nullptr)
-        takeAnswer(event.reply, now);
+        passAnswer(event.reply, now);
     else
-        takeStopAnswer(event.sure && std::holds_alternative<legacy::Ack>(event.reply), now);
+        onStopAnswer(event.sure && std::holds_alternative<legacy::Ack>(event.reply), now);
 }
 
 /// Whatever was known of it is void, and this board is not armed.
@@ -150,7 +150,7 @@ void LegacyDrive::tellIdentified()
 }
 
 /// The board is told anew, so that no units of before are used on; it is asked nothing.
-std::string LegacyDrive::takeScale(const CurrentScale &scale, TimePoint)
+std::string LegacyDrive::setScale(const CurrentScale &scale, TimePoint)
 {
     if (auto why = m_board.reasonAgainst(Feature::CurrentScale); !why.empty())
         return why;

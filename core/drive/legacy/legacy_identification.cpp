@@ -61,7 +61,7 @@ std::optional<legacy::Request> LegacyIdentification::nextRequest(TimePoint)
     return std::nullopt;
 }
 
-void LegacyIdentification::takeResponse(const legacy::Reply &response, TimePoint now)
+void LegacyIdentification::onResponse(const legacy::Reply &response, TimePoint now)
 {
     m_losses = 0;
     const auto *ack = std::get_if<legacy::Ack>(&response);
@@ -96,7 +96,7 @@ void LegacyIdentification::takeResponse(const legacy::Reply &response, TimePoint
         }
         return probeRegisters();
     case Phase::Registers:
-        for (Reading &reading : m_reader.takeResponse(response, now))
+        for (Reading &reading : m_reader.onResponse(response, now))
             if (reading.status == ReadStatus::Ok) {
                 m_values[reading.id] = reading.value;
                 m_readings.push_back(std::move(reading));
@@ -109,10 +109,10 @@ void LegacyIdentification::takeResponse(const legacy::Reply &response, TimePoint
     }
 }
 
-void LegacyIdentification::takeNoResponse(std::optional<bool>, TimePoint)
+void LegacyIdentification::onNoResponse(std::optional<bool>, TimePoint)
 {
     if (m_phase == Phase::Registers) {
-        m_reader.takeNoResponse();
+        m_reader.onNoResponse();
         if (m_reader.finished())
             finish();
     } else if (m_phase != Phase::Done && ++m_losses >= kMostLosses) {

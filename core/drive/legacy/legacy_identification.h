@@ -34,8 +34,8 @@ public:
     void addCapabilities();
 
     std::optional<legacy::Request> nextRequest(TimePoint now) override;
-    void takeResponse(const legacy::Reply &response, TimePoint now) override;
-    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+    void onResponse(const legacy::Reply &response, TimePoint now) override;
+    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
     enum class Phase : std::uint8_t { Version, OnlyPowerPc, OnlyStm32, Motors, Registers, Done };

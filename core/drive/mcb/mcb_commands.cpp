@@ -131,12 +131,12 @@ std::optional<McbRequest> McbActTask::nextRequest(TimePoint now)
     return mcbWrite(step.address, step.words);
 }
 
-void McbActTask::takeResponse(const McbAnswer &answer, TimePoint now)
+void McbActTask::onResponse(const McbAnswer &answer, TimePoint now)
 {
     if (finished())
         return;
     if (!m_reader.finished()) {
-        for (const Reading &reading : m_reader.takeResponse(answer, now))
+        for (const Reading &reading : m_reader.onResponse(answer, now))
             if (const auto number = asNumber(reading.value);
                 reading.status == ReadStatus::Ok && number && std::isfinite(*number))
                 m_values[mcbAddressOf(reading.id)] = *number;
@@ -160,13 +160,13 @@ void McbActTask::takeResponse(const McbAnswer &answer, TimePoint now)
         end(Outcome::Refused, "the drive stays in " + std::string(mcbStateOf(status).name));
 }
 
-void McbActTask::takeNoResponse(std::optional<bool> executed, TimePoint)
+void McbActTask::onNoResponse(std::optional<bool> executed, TimePoint)
 {
     if (finished())
         return;
     if (!m_reader.finished()) {
         m_unread = true;
-        m_reader.takeNoResponse();
+        m_reader.onNoResponse();
         return;
     }
     endLost(executed);

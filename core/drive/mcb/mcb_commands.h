@@ -22,8 +22,8 @@ ControlMode mcbControlOf(std::uint16_t mode);
 class McbActTask : public WishTask<McbProtocol> {
 public:
     std::optional<McbRequest> nextRequest(TimePoint now) override;
-    void takeResponse(const McbAnswer &answer, TimePoint now) override;
-    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+    void onResponse(const McbAnswer &answer, TimePoint now) override;
+    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 protected:
     struct Step {

@@ -159,13 +159,13 @@ void McbDrive::onLinkEvents(TimePoint now)
 void McbDrive::on(const Link::Done &event, TimePoint now)
 {
     if (m_task == nullptr)
-        return takeStopAnswer(event.end == Link::End::Ok, now);
+        return onStopAnswer(event.end == Link::End::Ok, now);
     const auto wanted = std::exchange(m_confirming, std::nullopt);
     const Link::Done done = wanted ? confirmed(event, *wanted) : event;
     if (done.end == Link::End::Ok || done.end == Link::End::Refused)
-        takeAnswer({done.end == Link::End::Ok, done.words, done.code}, now);
+        passAnswer({done.end == Link::End::Ok, done.words, done.code}, now);
     else
-        takeLoss(done.end == Link::End::NotSent ? std::optional(false) : std::nullopt, now);
+        passLoss(done.end == Link::End::NotSent ? std::optional(false) : std::nullopt, now);
 }
 
 void McbDrive::beginAnew(LinkReason reason, TimePoint now)

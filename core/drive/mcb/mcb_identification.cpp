@@ -87,7 +87,7 @@ std::optional<McbRequest> McbIdentification::nextRequest(TimePoint)
     return m_phase == Phase::Infos ? mcbInfo(m_waiting.front()) : mcbRead(m_waiting.front());
 }
 
-void McbIdentification::takeResponse(const McbAnswer &answer, TimePoint)
+void McbIdentification::onResponse(const McbAnswer &answer, TimePoint)
 {
     if (m_waiting.empty())
         return;
@@ -102,7 +102,7 @@ void McbIdentification::takeResponse(const McbAnswer &answer, TimePoint)
     next();
 }
 
-void McbIdentification::takeNoResponse(std::optional<bool>, TimePoint)
+void McbIdentification::onNoResponse(std::optional<bool>, TimePoint)
 {
     if (m_waiting.empty() || ++m_losses < kMostLosses)
         return;

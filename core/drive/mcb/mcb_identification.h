@@ -23,8 +23,8 @@ public:
     bool takeNews() { return std::exchange(m_news, false); }
 
     std::optional<McbRequest> nextRequest(TimePoint now) override;
-    void takeResponse(const McbAnswer &answer, TimePoint now) override;
-    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+    void onResponse(const McbAnswer &answer, TimePoint now) override;
+    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
     enum class Phase : std::uint8_t { Infos, Values, Done };

@@ -255,7 +255,7 @@ std::optional<McbRequest> McbStreamTask::nextRequest(TimePoint)
 }
 
 /// Why the motor does not count as standing; empty if it may.
-std::string McbStreamTask::takeStanding(std::uint16_t address, const McbAnswer &answer) const
+std::string McbStreamTask::reasonInStanding(std::uint16_t address, const McbAnswer &answer) const
 {
     constexpr const char *kMoves = "only while the motor stands";
     constexpr double kSecondsPerMinute = 60.0;
@@ -272,7 +272,7 @@ std::string McbStreamTask::takeStanding(std::uint16_t address, const McbAnswer &
                                                                                  : kMoves;
 }
 
-void McbStreamTask::takeInfo(std::uint16_t address, const McbAnswer &answer)
+void McbStreamTask::onInfo(std::uint16_t address, const McbAnswer &answer)
 {
     const std::string name = m_control.m_board.catalog->nameOf(mcbIdOf(address));
     if (!answer.ok || answer.words.size() < 2)
@@ -284,7 +284,7 @@ void McbStreamTask::takeInfo(std::uint16_t address, const McbAnswer &answer)
     }
 }
 
-void McbStreamTask::takeResponse(const McbAnswer &answer, TimePoint)
+void McbStreamTask::onResponse(const McbAnswer &answer, TimePoint)
 {
     if (finished() || m_steps.empty())
         return;
@@ -292,11 +292,11 @@ void McbStreamTask::takeResponse(const McbAnswer &answer, TimePoint)
     m_steps.pop_front();
     switch (done.step) {
     case Step::Standing:
-        if (auto why = takeStanding(done.address, answer); !why.empty())
+        if (auto why = reasonInStanding(done.address, answer); !why.empty())
             fail(Outcome::Refused, std::move(why));
         break;
     case Step::Info:
-        takeInfo(done.address, answer);
+        onInfo(done.address, answer);
         break;
     case Step::Hold:
         if (!answer.ok)
@@ -340,7 +340,7 @@ void McbStreamTask::fail(Outcome outcome, std::string reason)
     end(outcome, std::move(reason));
 }
 
-void McbStreamTask::takeNoResponse(std::optional<bool> executed, TimePoint)
+void McbStreamTask::onNoResponse(std::optional<bool> executed, TimePoint)
 {
     const bool notExecuted = executed.has_value() && !*executed;
     const bool asks = !m_steps.empty() && m_steps.front().step != Step::Unmap

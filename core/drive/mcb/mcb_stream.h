@@ -72,8 +72,8 @@ public:
         McbSetPoints &setPoints);
 
     std::optional<McbRequest> nextRequest(TimePoint now) override;
-    void takeResponse(const McbAnswer &answer, TimePoint now) override;
-    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+    void onResponse(const McbAnswer &answer, TimePoint now) override;
+    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
     void cut(const std::string &reason) override;
 
 private:
@@ -89,8 +89,8 @@ private:
     mcb::Mapping mapping() const;
     void finish();
     void fail(Outcome outcome, std::string reason);
-    std::string takeStanding(std::uint16_t address, const McbAnswer &answer) const;
-    void takeInfo(std::uint16_t address, const McbAnswer &answer);
+    std::string reasonInStanding(std::uint16_t address, const McbAnswer &answer) const;
+    void onInfo(std::uint16_t address, const McbAnswer &answer);
 
     McbStreamControl &m_control;
     McbSetPoints &m_setPoints;

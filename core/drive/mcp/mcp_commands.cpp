@@ -75,12 +75,12 @@ std::optional<McpRequest> CommandTask::nextRequest(TimePoint)
     return McpAct{commandOf(m_command.action), m_command.motor};
 }
 
-void CommandTask::takeResponse(const ByteView &response, TimePoint now)
+void CommandTask::onResponse(const ByteView &response, TimePoint now)
 {
     if (!sent())
-        return m_check.takeResponse(response, now);
+        return m_check.onResponse(response, now);
     if (!m_refusal.empty()) {
-        for (const Reading &reading : m_reader.takeResponse(response, now)) {
+        for (const Reading &reading : m_reader.onResponse(response, now)) {
             const auto *value = std::get_if<std::int64_t>(&reading.value);
             if (reading.status != ReadStatus::Ok || value == nullptr)
                 continue;
@@ -105,12 +105,12 @@ void CommandTask::takeResponse(const ByteView &response, TimePoint now)
         {idOf(mcp::reg::kStatus, m_command.motor), idOf(mcp::reg::kFaultsFlags, m_command.motor)});
 }
 
-void CommandTask::takeNoResponse(std::optional<bool> executed, TimePoint)
+void CommandTask::onNoResponse(std::optional<bool> executed, TimePoint)
 {
     if (!sent())
-        return m_check.takeNoResponse();
+        return m_check.onNoResponse();
     if (!m_refusal.empty()) {
-        m_reader.takeNoResponse();
+        m_reader.onNoResponse();
         if (m_reader.finished())
             end(Outcome::Refused, m_refusal + m_state + m_faults);
         return;
@@ -169,11 +169,11 @@ std::optional<McpRequest> SetPointTask::nextRequest(TimePoint)
     return order();
 }
 
-void SetPointTask::takeResponse(const ByteView &response, TimePoint now)
+void SetPointTask::onResponse(const ByteView &response, TimePoint now)
 {
     if (m_step == Step::ReadMode) {
         bool already = false;
-        for (const Reading &reading : m_reader.takeResponse(response, now))
+        for (const Reading &reading : m_reader.onResponse(response, now))
             already = reading.status != ReadStatus::Ok || reading.value == Value(m_mode);
         if (m_reader.finished())
             m_step = already && !m_reader.gaveUp() ? Step::SetPoint : Step::SetMode;
@@ -186,10 +186,10 @@ void SetPointTask::takeResponse(const ByteView &response, TimePoint now)
         end(said.outcome, said.reason);
 }
 
-void SetPointTask::takeNoResponse(std::optional<bool> executed, TimePoint)
+void SetPointTask::onNoResponse(std::optional<bool> executed, TimePoint)
 {
     if (m_step == Step::ReadMode) {
-        m_reader.takeNoResponse();
+        m_reader.onNoResponse();
         if (m_reader.finished())
             end(Outcome::NotSent, "no answer");
         return;

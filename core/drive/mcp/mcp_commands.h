@@ -14,8 +14,8 @@ public:
     CommandTask(WishId id, const Command &command, const McpBoard &board);
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
-    void takeResponse(const ByteView &response, TimePoint now) override;
-    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+    void onResponse(const ByteView &response, TimePoint now) override;
+    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
     bool checking(std::optional<McpRequest> &request);
@@ -34,8 +34,8 @@ public:
     SetPointTask(WishId id, const SetPoint &wanted, const McpBoard &board);
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
-    void takeResponse(const ByteView &response, TimePoint now) override;
-    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+    void onResponse(const ByteView &response, TimePoint now) override;
+    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
     enum class Step : std::uint8_t { Begin, ReadMode, SetMode, SetPoint };

@@ -165,15 +165,15 @@ void McpDrive::on(const Link::Response &event, TimePoint now)
         && m_identification.phase() == Identification::Phase::StopDatalog)
         m_stream.stopSent();
     if (m_task != nullptr)
-        takeAnswer(event.payload, now);
+        passAnswer(event.payload, now);
     else
-        takeStopAnswer(event.payload == Bytes{static_cast<std::uint8_t>(mcp::Status::Ok)}, now);
+        onStopAnswer(event.payload == Bytes{static_cast<std::uint8_t>(mcp::Status::Ok)}, now);
 }
 
 void McpDrive::on(const Link::NoResponse &event, TimePoint now)
 {
     if (m_task != nullptr)
-        takeLoss(event.executed, now);
+        passLoss(event.executed, now);
     else
         m_stopUnderWay = false;
 }

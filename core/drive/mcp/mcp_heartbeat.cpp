@@ -59,7 +59,7 @@ std::optional<McpRequest> Heartbeat::nextRequest(TimePoint now)
         ByteWriter().u16(static_cast<std::uint32_t>(m_board.watchdog->count())).take()};
 }
 
-void Heartbeat::takeResponse(const ByteView &response, TimePoint)
+void Heartbeat::onResponse(const ByteView &response, TimePoint)
 {
     const bool ok =
         response.size() == 1 && response.front() == static_cast<std::uint8_t>(mcp::Status::Ok);

@@ -31,8 +31,8 @@ public:
     bool takeGivenUp() { return std::exchange(m_givenUp, false); }
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
-    void takeResponse(const ByteView &response, TimePoint now) override;
-    void takeNoResponse(std::optional<bool>, TimePoint) override { } ///< the next one is due soon
+    void onResponse(const ByteView &response, TimePoint now) override;
+    void onNoResponse(std::optional<bool>, TimePoint) override { } ///< the next one is due soon
 
 private:
     const McpBoard &m_board;

@@ -90,28 +90,28 @@ std::optional<McpRequest> Identification::nextRequest(TimePoint)
     return std::nullopt;
 }
 
-void Identification::takeResponse(const ByteView &response, TimePoint now)
+void Identification::onResponse(const ByteView &response, TimePoint now)
 {
     if (m_phase == Phase::StopDatalog)
         return describe(); // builds without a datalog refuse, which is as good as stopped
-    takeReadings(m_reader.takeResponse(response, now));
+    onReadings(m_reader.onResponse(response, now));
     if (m_reader.finished())
         afterRound();
 }
 
-void Identification::takeNoResponse(std::optional<bool>, TimePoint)
+void Identification::onNoResponse(std::optional<bool>, TimePoint)
 {
     if (m_phase == Phase::StopDatalog) {
         if (++m_stopLosses >= McpProtocol::kAttempts)
             describe();
         return;
     }
-    m_reader.takeNoResponse();
+    m_reader.onNoResponse();
     if (m_reader.finished())
         afterRound();
 }
 
-void Identification::takeReadings(std::vector<Reading> readings)
+void Identification::onReadings(std::vector<Reading> readings)
 {
     for (Reading &reading : readings) {
         m_unanswered.erase(reading.id);

@@ -35,11 +35,11 @@ public:
     bool takeNews() { return std::exchange(m_news, false); }
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
-    void takeResponse(const ByteView &response, TimePoint now) override;
-    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+    void onResponse(const ByteView &response, TimePoint now) override;
+    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
-    void takeReadings(std::vector<Reading> readings);
+    void onReadings(std::vector<Reading> readings);
     void afterRound();
     void afterCount();
     void describe();

@@ -68,10 +68,10 @@ std::optional<McpRequest> PositionTask::nextRequest(TimePoint)
         ByteWriter().f32(static_cast<float>(m_ramp.radians)).f32(seconds).take());
 }
 
-void PositionTask::takeResponse(const ByteView &response, TimePoint now)
+void PositionTask::onResponse(const ByteView &response, TimePoint now)
 {
     if (!sent()) {
-        for (const Reading &reading : m_reader.takeResponse(response, now))
+        for (const Reading &reading : m_reader.onResponse(response, now))
             if (const auto number = asNumber(reading.value);
                 reading.status == ReadStatus::Ok && number && std::isfinite(*number))
                 m_position_rad = *number;
@@ -83,10 +83,10 @@ void PositionTask::takeResponse(const ByteView &response, TimePoint now)
     end(said.outcome, said.reason);
 }
 
-void PositionTask::takeNoResponse(std::optional<bool> executed, TimePoint)
+void PositionTask::onNoResponse(std::optional<bool> executed, TimePoint)
 {
     if (!sent()) {
-        m_reader.takeNoResponse();
+        m_reader.onNoResponse();
         if (m_reader.finished())
             judge();
         return;

@@ -13,8 +13,8 @@ public:
     PositionTask(WishId id, const PositionRamp &ramp, const McpBoard &board);
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
-    void takeResponse(const ByteView &response, TimePoint now) override;
-    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+    void onResponse(const ByteView &response, TimePoint now) override;
+    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
     std::string refuse() const;

@@ -29,13 +29,13 @@ std::optional<McpRequest> StartCheck::nextRequest()
     return m_reader.nextRequest();
 }
 
-void StartCheck::takeResponse(const ByteView &response, TimePoint now)
+void StartCheck::onResponse(const ByteView &response, TimePoint now)
 {
-    for (Reading &reading : m_reader.takeResponse(response, now))
+    for (Reading &reading : m_reader.onResponse(response, now))
         m_readings.push_back(std::move(reading));
 }
 
-void StartCheck::takeNoResponse() { m_reader.takeNoResponse(); }
+void StartCheck::onNoResponse() { m_reader.onNoResponse(); }
 
 std::string StartCheck::refusal() const
 {

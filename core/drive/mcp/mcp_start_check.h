@@ -20,8 +20,8 @@ public:
 
     /// The next question; nothing once all is known (then refusal() says what was found).
     std::optional<McpRequest> nextRequest();
-    void takeResponse(const ByteView &response, TimePoint now);
-    void takeNoResponse();
+    void onResponse(const ByteView &response, TimePoint now);
+    void onNoResponse();
 
     bool gaveUp() const { return m_reader.gaveUp(); }
     /// Why the motor must not be started; empty if it may.

@@ -263,10 +263,10 @@ std::optional<McpRequest> StreamTask::nextRequest(TimePoint)
     return datalogRequest(m_control.m_board.linkId, m_config);
 }
 
-void StreamTask::takeResponse(const ByteView &response, TimePoint now)
+void StreamTask::onResponse(const ByteView &response, TimePoint now)
 {
     if (response.empty() || response.size() > 2)
-        return takeNoResponse(std::nullopt, now);
+        return onNoResponse(std::nullopt, now);
     const bool ok = response.front() == static_cast<std::uint8_t>(mcp::Status::Ok);
     if (m_config.stops())
         m_control.stopSent();
@@ -280,7 +280,7 @@ void StreamTask::takeResponse(const ByteView &response, TimePoint now)
     end(Outcome::Ok);
 }
 
-void StreamTask::takeNoResponse(std::optional<bool>, TimePoint)
+void StreamTask::onNoResponse(std::optional<bool>, TimePoint)
 {
     if (++m_losses >= McpProtocol::kAttempts)
         end(Outcome::Unknown, "no answer");

@@ -15,12 +15,12 @@ constexpr double kLeastBytesPerSecond =
 
 } // namespace
 
-void McpWatch::takeResponse(const ByteView &response, TimePoint now)
+void McpWatch::onResponse(const ByteView &response, TimePoint now)
 {
     if (std::exchange(m_counted, m_round.begun()) != m_round.begun())
         m_roundBytes = 0;
     m_roundBytes += response.size() + kPacketOverhead;
-    RegisterWatch::takeResponse(response, now);
+    RegisterWatch::onResponse(response, now);
 }
 
 Duration McpWatch::leastPeriod(TimePoint) const

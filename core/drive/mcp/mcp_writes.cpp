@@ -239,10 +239,10 @@ std::optional<McpRequest> McpWriteTask::nextRequest(TimePoint)
     return m_reader.nextRequest();
 }
 
-void McpWriteTask::takeAnswers(
+void McpWriteTask::onAnswers(
     std::optional<Value> WriteResult::*where, ByteView response, TimePoint now)
 {
-    for (Reading &reading : m_reader.takeResponse(response, now)) {
+    for (Reading &reading : m_reader.onResponse(response, now)) {
         for (Item &item : m_items)
             if (item.write.id == reading.id && reading.status == ReadStatus::Ok)
                 item.result.*where = reading.value;
@@ -252,16 +252,16 @@ void McpWriteTask::takeAnswers(
     }
 }
 
-void McpWriteTask::takeResponse(const ByteView &response, TimePoint now)
+void McpWriteTask::onResponse(const ByteView &response, TimePoint now)
 {
     if (m_phase == Phase::Before) {
-        takeAnswers(&WriteResult::before, response, now);
+        onAnswers(&WriteResult::before, response, now);
     } else if (m_phase == Phase::After) {
-        takeAnswers(&WriteResult::readBack, response, now);
+        onAnswers(&WriteResult::readBack, response, now);
         if (m_reader.finished())
             finish();
     } else {
-        takeStatuses(open(), response);
+        onStatuses(open(), response);
     }
 }
 
@@ -276,7 +276,7 @@ void McpWriteTask::settle(Item &item, std::uint8_t status)
 /// One register: its status, or two where a value was not parsed to its end; the first is the register's.
 /// Several: one OK for all, or a status for each that was looked at and a NOK at the end. What comes behind a value
 /// that cannot be parsed is not looked at. A NOK inside the list is a good one as the protocol is printed.
-void McpWriteTask::takeStatuses(const std::vector<Item *> &items, ByteView response)
+void McpWriteTask::onStatuses(const std::vector<Item *> &items, ByteView response)
 {
     constexpr auto kOk = static_cast<std::uint8_t>(mcp::Status::Ok);
     constexpr auto kNok = static_cast<std::uint8_t>(mcp::Status::Nok);
@@ -296,10 +296,10 @@ void McpWriteTask::takeStatuses(const std::vector<Item *> &items, ByteView respo
     }
 }
 
-void McpWriteTask::takeNoResponse(std::optional<bool> executed, TimePoint)
+void McpWriteTask::onNoResponse(std::optional<bool> executed, TimePoint)
 {
     if (m_phase != Phase::Setting) {
-        m_reader.takeNoResponse();
+        m_reader.onNoResponse();
         if (m_phase == Phase::After && m_reader.finished())
             finish();
         return;

@@ -18,8 +18,8 @@ public:
     using WriteTask::WriteTask;
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
-    void takeResponse(const ByteView &response, TimePoint now) override;
-    void takeNoResponse(std::optional<bool> executed, TimePoint now) override;
+    void onResponse(const ByteView &response, TimePoint now) override;
+    void onNoResponse(std::optional<bool> executed, TimePoint now) override;
 
 private:
     enum class Phase : std::uint8_t { Begin, Before, Setting, After };
@@ -37,10 +37,10 @@ private:
     bool alone(const Item &item) const;
     std::vector<Item *> open();
     void settle(Item &item, std::uint8_t status);
-    void takeStatuses(const std::vector<Item *> &items, ByteView response);
+    void onStatuses(const std::vector<Item *> &items, ByteView response);
     std::vector<RegisterId> idsToRead(bool after) const;
     void enter(Phase phase);
-    void takeAnswers(std::optional<Value> WriteResult::*where, ByteView response, TimePoint now);
+    void onAnswers(std::optional<Value> WriteResult::*where, ByteView response, TimePoint now);
 
     std::vector<mcp::Value> m_encoded; ///< of the items
     Reader<McpProtocol> m_reader{m_board};

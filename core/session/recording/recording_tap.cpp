@@ -34,7 +34,7 @@ void RecordingTap::switchOff() { m_recording = 0; }
 /// A new recording first hears what holds.
 bool RecordingTap::isOn() { return m_recording != 0; }
 
-void RecordingTap::takeEvent(const drive::Event &event, TimePoint now)
+void RecordingTap::onEvent(const drive::Event &event, TimePoint now)
 {
     // A new recording hears the state from before this event first.
     if (isOn() && m_toldState != m_recording)
@@ -49,14 +49,14 @@ void RecordingTap::takeEvent(const drive::Event &event, TimePoint now)
     tell(m_entries.take(event), now);
 }
 
-void RecordingTap::takeWish(const drive::Wish &wish, TimePoint now)
+void RecordingTap::onWish(const drive::Wish &wish, TimePoint now)
 {
     tell(m_entries.take(wish), now);
 }
 
-void RecordingTap::takeStop(TimePoint now) { tell({record::DriveEntries::stop()}, now); }
+void RecordingTap::onStop(TimePoint now) { tell({record::DriveEntries::stop()}, now); }
 
-void RecordingTap::takeLink(record::LinkBytes::Direction direction, ByteView bytes, TimePoint now)
+void RecordingTap::onLink(record::LinkBytes::Direction direction, ByteView bytes, TimePoint now)
 {
     if (isOn() && m_content == Content::SamplesAndLink)
         tell({record::LinkBytes{direction, Bytes(bytes.begin(), bytes.end())}}, now);

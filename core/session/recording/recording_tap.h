@@ -50,10 +50,10 @@ public:
     void setStartSeconds(std::int64_t seconds) { m_startSeconds = seconds; }
 
     // In the session's thread.
-    void takeEvent(const drive::Event &event, TimePoint now);
-    void takeWish(const drive::Wish &wish, TimePoint now);
-    void takeStop(TimePoint now);
-    void takeLink(record::LinkBytes::Direction direction, ByteView bytes, TimePoint now);
+    void onEvent(const drive::Event &event, TimePoint now);
+    void onWish(const drive::Wish &wish, TimePoint now);
+    void onStop(TimePoint now);
+    void onLink(record::LinkBytes::Direction direction, ByteView bytes, TimePoint now);
 
 Q_SIGNALS:
     void told(const session::ToldPtr &told); ///< connect it queued

@@ -18,7 +18,7 @@ public:
         , m_clock(std::move(clock))
     {
         connect(m_inner.get(), &Transport::received, this, [this](const QByteArray &bytes) {
-            m_tap->takeLink(Direction::Received,
+            m_tap->onLink(Direction::Received,
                 {reinterpret_cast<const std::uint8_t *>(bytes.constData()),
                     static_cast<std::size_t>(bytes.size())},
                 m_clock());
@@ -32,7 +32,7 @@ public:
     void close() override { m_inner->close(); }
     void write(ByteView bytes, TimePoint now) override
     {
-        m_tap->takeLink(Direction::Sent, bytes, now);
+        m_tap->onLink(Direction::Sent, bytes, now);
         m_inner->write(bytes, now);
     }
     void discardOutput() override { m_inner->discardOutput(); }
@@ -91,21 +91,21 @@ public:
     {
         std::vector<drive::Event> events = m_inner->takeEvents();
         for (const drive::Event &event : events)
-            m_tap->takeEvent(event, m_now);
+            m_tap->onEvent(event, m_now);
         return events;
     }
     std::optional<TimePoint> nextTimeout() const override { return m_inner->nextTimeout(); }
     void submit(drive::Wish wish, TimePoint now) override
     {
         m_now = now;
-        m_tap->takeWish(wish, now);
+        m_tap->onWish(wish, now);
         m_inner->submit(std::move(wish), now);
     }
     void stop(TimePoint now) override
     {
         m_now = now;
         m_inner->stop(now); // before anything else
-        m_tap->takeStop(now);
+        m_tap->onStop(now);
     }
     std::vector<Output> stopScript() const override { return m_inner->stopScript(); }
     bool stopOpen() const override { return m_inner->stopOpen(); }

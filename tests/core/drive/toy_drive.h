@@ -133,8 +133,8 @@ public:
     bool takeNews() { return std::exchange(m_news, false); }
 
     std::optional<Frame> nextRequest(TimePoint) override { return Frame{'R', MaxSpeed, 0}; }
-    void takeNoResponse(std::optional<bool>, TimePoint) override { }
-    void takeResponse(const Frame &answer, TimePoint) override
+    void onNoResponse(std::optional<bool>, TimePoint) override { }
+    void onResponse(const Frame &answer, TimePoint) override
     {
         std::vector<catalog::RegisterInfo> registers;
         for (const auto &[address, name] :
@@ -208,11 +208,11 @@ public:
         markSent();
         return m_frame;
     }
-    void takeResponse(const Frame &answer, TimePoint) override
+    void onResponse(const Frame &answer, TimePoint) override
     {
         end(answer.kind == 'N' ? Outcome::Refused : Outcome::Ok);
     }
-    void takeNoResponse(std::optional<bool>, TimePoint) override
+    void onNoResponse(std::optional<bool>, TimePoint) override
     {
         end(Outcome::Unknown, "no answer");
     }
@@ -258,10 +258,10 @@ private:
                 linkFound();
                 meet(LinkReason::None, now);
             } else if (m_task != nullptr) {
-                event.what == Link::What::Answer ? takeAnswer(event.answer, now)
-                                                 : takeLoss(std::nullopt, now);
+                event.what == Link::What::Answer ? passAnswer(event.answer, now)
+                                                 : passLoss(std::nullopt, now);
             } else {
-                takeStopAnswer(event.what == Link::What::Answer, now);
+                onStopAnswer(event.what == Link::What::Answer, now);
             }
         }
     }
@@ -286,7 +286,7 @@ private:
         if (now < stopMayLeave() || !m_stop.stopDue(now, connected()))
             return;
         if (m_task != nullptr)
-            takeLoss(std::nullopt, now); // whatever comes, the STOP has overtaken it
+            passLoss(std::nullopt, now); // whatever comes, the STOP has overtaken it
         noteStop(1, encode(kStop), now);
         m_stopUnderWay = connected();
         m_stopSince = now;
