@@ -22,9 +22,12 @@ void TestEndpoint::theNameSaysWhatItIs()
 {
     const Endpoint sim = endpointFor(QStringLiteral("sim"), 921600);
     QVERIFY(sim.kind == Endpoint::Kind::Simulator && sim.protocol == Protocol::Auto);
-    QCOMPARE(sim.board.baud, 921600U);
+    QVERIFY(sim.board.empty() && sim.baud == 921600U);
     const Endpoint servo = endpointFor(QStringLiteral("sim:mcb"), 921600);
     QVERIFY(servo.kind == Endpoint::Kind::Simulator && servo.protocol == Protocol::Mcb);
+    const Endpoint older = endpointFor(QStringLiteral("sim:legacy-text"), 921600);
+    QVERIFY(older.kind == Endpoint::Kind::Simulator && older.protocol == Protocol::Auto);
+    QVERIFY(older.board == "legacy-text" && older.baud == 115200U);
     const Endpoint none = endpointFor(QStringLiteral("sim:nothing"), 921600);
     QVERIFY(none.kind == Endpoint::Kind::Serial);
     const Endpoint spi = endpointFor(QStringLiteral("/dev/spidev0.0"), 1'000'000);

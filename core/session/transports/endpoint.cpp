@@ -39,7 +39,7 @@ Endpoint endpointFor(const QString &path, std::uint32_t baud, drive::Protocol pr
         const auto spoken = drive::protocolOf(name);
         if (const drive::ProtocolRow *row = rowOfBoard(name); row && row->choice.serial) {
             endpoint.kind = Endpoint::Kind::Simulator;
-            endpoint.board.profile = name; // what it speaks may be found out
+            endpoint.board = name; // what it speaks may be found out
             endpoint.baud = row->baud;
         } else if (spoken && *spoken != drive::Protocol::Auto) {
             endpoint.kind = Endpoint::Kind::Simulator;
@@ -51,8 +51,7 @@ Endpoint endpointFor(const QString &path, std::uint32_t baud, drive::Protocol pr
                 endpoint.protocol = row.choice.protocol; // nothing else is spoken there
     }
     if (const auto &row = drive::rowOf(endpoint.protocol); !row.choice.serial)
-        endpoint.board.profile = row.boards.front(); // no other has its line
-    endpoint.board.baud = endpoint.baud;
+        endpoint.board = row.boards.front(); // no other has its line
     return endpoint;
 }
 

@@ -3,10 +3,12 @@
 
 #include "base/time.h"
 #include "drive/protocol.h"
-#include "simulation/simulated_board.h"
 
 #include <QMetaType>
 #include <QString>
+
+#include <optional>
+#include <string>
 
 namespace session {
 
@@ -15,7 +17,9 @@ struct Endpoint {
     Kind kind = Kind::Simulator;
     QString path; ///< device path, or the recorded trace's file
     std::uint32_t baud = 1843200;
-    simulation::BoardOptions board; ///< for Kind::Simulator; its baud rate is the one above
+    // For Kind::Simulator.
+    std::string board; ///< its profile; empty: the usual one
+    int boardMotors = 1;
     bool reopen = true; ///< after an unplugged cable, until the port is closed by hand
     Duration patience{}; ///< added to the time-out of every reply, for computers that stall
     drive::Protocol protocol = drive::Protocol::Auto;

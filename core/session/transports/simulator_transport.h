@@ -4,6 +4,7 @@
 #pragma once
 
 #include "session/transports/transport.h"
+#include "simulation/device.h"
 
 #include <functional>
 

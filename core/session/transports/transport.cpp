@@ -4,6 +4,7 @@
 #include "session/transports/simulator_transport.h"
 #include "session/transports/spi_transport.h"
 #include "session/transports/trace_transport.h"
+#include "simulation/simulated_board.h"
 
 namespace session {
 
@@ -11,7 +12,10 @@ std::unique_ptr<Transport> makeTransport(const Endpoint &endpoint)
 {
     switch (endpoint.kind) {
     case Endpoint::Kind::Simulator: {
-        simulation::BoardOptions options = endpoint.board;
+        simulation::BoardOptions options;
+        if (!endpoint.board.empty())
+            options.profile = endpoint.board;
+        options.motors = endpoint.boardMotors;
         options.baud = endpoint.baud;
         return std::make_unique<SimulatorTransport>(
             [options] { return simulation::makeBoard(options); });

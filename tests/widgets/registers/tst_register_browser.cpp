@@ -273,7 +273,7 @@ private Q_SLOTS:
         facts::WindowRig rig;
         QVERIFY(QTest::qWaitForWindowActive(&rig.window));
         session::Endpoint endpoint;
-        endpoint.board.profile = "six-step";
+        endpoint.board = "six-step";
         rig.workbench.device().open(endpoint);
         QTRY_VERIFY_WITH_TIMEOUT(rig.workbench.device().identified().has_value(), 10000);
         widgets::RegisterModel &model = rig.workbench.registers();

@@ -84,8 +84,8 @@ struct Bench {
     void open(const char *profile, int motors)
     {
         session::Endpoint endpoint;
-        endpoint.board.profile = profile;
-        endpoint.board.motors = motors;
+        endpoint.board = profile;
+        endpoint.boardMotors = motors;
         device.open(endpoint);
     }
     bool connected() const { return device.answering() && device.identified().has_value(); }
