@@ -124,7 +124,7 @@ private:
     void readWords();
 
     const sim::Served &m_served;
-    simulation::Device &m_device;
+    simulation::ByteDevice &m_device;
     sim::Port &m_port;
     bool m_control;
     int m_signals;

@@ -11,7 +11,7 @@
 namespace sim {
 
 struct Served {
-    std::unique_ptr<simulation::Device> device;
+    std::unique_ptr<simulation::ByteDevice> device;
     /// Does what one line of standard input says, as obey() of control_words.h.
     std::function<Result<Obeyed, std::string>(std::string_view)> obey;
 };

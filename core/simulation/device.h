@@ -6,12 +6,12 @@
 
 namespace simulation {
 
-class Device {
+class ByteDevice {
 public:
-    Device() = default;
-    Device(const Device &) = delete;
-    Device &operator=(const Device &) = delete;
-    virtual ~Device() = default;
+    ByteDevice() = default;
+    ByteDevice(const ByteDevice &) = delete;
+    ByteDevice &operator=(const ByteDevice &) = delete;
+    virtual ~ByteDevice() = default;
 
     virtual void receive(ByteView bytes, TimePoint now) = 0;
     virtual void advance(TimePoint now) = 0;

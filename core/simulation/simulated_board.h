@@ -65,7 +65,7 @@ struct MotorTruth {
 };
 
 /// Its nextWake() is tens of microseconds to 1 ms away.
-class SimulatedBoard : public Device {
+class SimulatedBoard : public ByteDevice {
 public:
     // Control words; each as the user at the board would do it.
     virtual void reset() = 0; ///< power cycle

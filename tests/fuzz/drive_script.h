@@ -7,7 +7,7 @@
 // identification, bit 4 nobody arms, bit 5 the line is silent at first, bit 6 the whole run is made twice.
 // Then acts: a byte modulo kActs and the bytes that it takes. What is missing at the end is zero.
 // ROTORSCOPE_TELL=1 prints what happens, for whoever looks into a finding.
-// The board is a simulation::Device without a motor model, so that a run of seconds costs less than a millisecond.
+// The board is a simulation::ByteDevice without a motor model, so that a run of seconds costs less than a millisecond.
 #pragma once
 
 #include "drive/drive.h"
@@ -32,7 +32,7 @@ namespace fuzz {
 using namespace std::chrono_literals;
 
 /// A board for fuzzing: what a person at the board could do to it, and when it has something to say.
-class Peer : public simulation::Device {
+class Peer : public simulation::ByteDevice {
 public:
     virtual void reset() = 0;
     virtual void setFaults(std::uint16_t present) = 0;

@@ -11,7 +11,7 @@
 namespace drive {
 
 /// What is known of the drive at the other end, shared by the parts of McbDrive. Plain data; filled by the identification.
-struct McbBoard : BoardFacts {
+struct McbFacts : BoardFacts {
     std::map<std::uint16_t, mcb::Info> infos; ///< what GET INFO said, by address
     mcb::TextOrder order = mcb::TextOrder::HighByteFirst;
     double countsPerTurn = 0.0; ///< of the position; 0: not known

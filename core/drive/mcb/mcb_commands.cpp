@@ -55,7 +55,7 @@ ControlMode mcbControlOf(std::uint16_t mode)
                                  : ControlMode::Other;
 }
 
-McbActTask::McbActTask(WishId id, Permission permission, int motor, const McbBoard &board,
+McbActTask::McbActTask(WishId id, Permission permission, int motor, const McbFacts &board,
     const std::vector<std::uint16_t> &reads)
     : WishTask(id, permission)
     , m_board(board)
@@ -172,7 +172,7 @@ void McbActTask::onNoResponse(std::optional<bool> executed, TimePoint)
     endLost(executed);
 }
 
-McbCommandTask::McbCommandTask(WishId id, const Command &command, const McbBoard &board)
+McbCommandTask::McbCommandTask(WishId id, const Command &command, const McbFacts &board)
     : McbActTask(id,
         command.action == MotorAction::StopMotor ? Permission::Always : Permission::Armed,
         command.motor, board,
@@ -256,7 +256,7 @@ std::string McbCommandTask::planStart()
     return {};
 }
 
-McbSpeedTask::McbSpeedTask(WishId id, const SpeedRamp &ramp, const McbBoard &board)
+McbSpeedTask::McbSpeedTask(WishId id, const SpeedRamp &ramp, const McbFacts &board)
     : McbActTask(
         id, Permission::Armed, ramp.motor, board, {kMode, kVelocityNow, kVelocity, kStatus})
     , m_ramp(ramp)
@@ -286,7 +286,7 @@ std::string McbSpeedTask::plan()
     return {};
 }
 
-McbCurrentTask::McbCurrentTask(WishId id, const CurrentReference &reference, const McbBoard &board)
+McbCurrentTask::McbCurrentTask(WishId id, const CurrentReference &reference, const McbFacts &board)
     : McbActTask(id, Permission::Armed, reference.motor, board, {kMode})
     , m_reference(reference)
 {
@@ -305,7 +305,7 @@ std::string McbCurrentTask::plan()
     return {};
 }
 
-McbPositionTask::McbPositionTask(WishId id, const PositionRamp &ramp, const McbBoard &board)
+McbPositionTask::McbPositionTask(WishId id, const PositionRamp &ramp, const McbFacts &board)
     : McbActTask(id, Permission::Armed, ramp.motor, board, {kMode, kPositionNow})
     , m_ramp(ramp)
 {
@@ -334,7 +334,7 @@ std::string McbPositionTask::plan()
     return {};
 }
 
-std::vector<Capability> mcbCapabilitiesOf(const McbBoard &board)
+std::vector<Capability> mcbCapabilitiesOf(const McbFacts &board)
 {
     std::vector<Capability> all;
     const auto add = [&all](Feature feature, std::string reason) {

@@ -31,13 +31,13 @@ protected:
         mcb::Words words; ///< to be written; none: wait for the status word
         std::uint16_t mask = 0, bits = 0;
     };
-    McbActTask(WishId id, Permission permission, int motor, const McbBoard &board,
+    McbActTask(WishId id, Permission permission, int motor, const McbFacts &board,
         const std::vector<std::uint16_t> &reads);
 
     /// With all values read: fills the steps, or says why not.
     virtual std::string plan() = 0;
 
-    const McbBoard &board() const { return m_board; }
+    const McbFacts &board() const { return m_board; }
     int motor() const { return m_motor; }
     std::optional<double> valueOf(std::uint16_t address) const;
     void write(std::uint16_t address, const Value &value);
@@ -46,7 +46,7 @@ protected:
     void setMode(std::uint16_t mode, std::uint16_t setPoint, const Value &value);
 
 private:
-    const McbBoard &m_board;
+    const McbFacts &m_board;
     int m_motor;
     Reader<McbProtocol> m_reader{m_board};
     std::map<std::uint16_t, double> m_values;
@@ -58,7 +58,7 @@ private:
 
 class McbCommandTask : public McbActTask {
 public:
-    McbCommandTask(WishId id, const Command &command, const McbBoard &board);
+    McbCommandTask(WishId id, const Command &command, const McbFacts &board);
 
 private:
     std::string plan() override;
@@ -69,7 +69,7 @@ private:
 
 class McbSpeedTask : public McbActTask {
 public:
-    McbSpeedTask(WishId id, const SpeedRamp &ramp, const McbBoard &board);
+    McbSpeedTask(WishId id, const SpeedRamp &ramp, const McbFacts &board);
 
 private:
     std::string plan() override;
@@ -79,7 +79,7 @@ private:
 
 class McbCurrentTask : public McbActTask {
 public:
-    McbCurrentTask(WishId id, const CurrentReference &reference, const McbBoard &board);
+    McbCurrentTask(WishId id, const CurrentReference &reference, const McbFacts &board);
 
 private:
     std::string plan() override;
@@ -89,7 +89,7 @@ private:
 
 class McbPositionTask : public McbActTask {
 public:
-    McbPositionTask(WishId id, const PositionRamp &ramp, const McbBoard &board);
+    McbPositionTask(WishId id, const PositionRamp &ramp, const McbFacts &board);
 
 private:
     std::string plan() override;
@@ -97,6 +97,6 @@ private:
     PositionRamp m_ramp;
 };
 
-std::vector<Capability> mcbCapabilitiesOf(const McbBoard &board);
+std::vector<Capability> mcbCapabilitiesOf(const McbFacts &board);
 
 } // namespace drive

@@ -11,7 +11,7 @@ namespace drive {
 
 class McbIdentification : public Task<McbProtocol> {
 public:
-    explicit McbIdentification(McbBoard &board)
+    explicit McbIdentification(McbFacts &board)
         : m_board(board)
     {
     }
@@ -34,7 +34,7 @@ private:
     double numberAt(std::uint16_t address) const; ///< 0: not told, or no sane number
     std::string textAt(std::uint16_t address) const;
 
-    McbBoard &m_board;
+    McbFacts &m_board;
     Phase m_phase = Phase::Infos;
     std::deque<std::uint16_t> m_waiting;
     std::map<std::uint16_t, mcb::Words> m_words;

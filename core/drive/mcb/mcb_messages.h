@@ -61,7 +61,7 @@ class RegisterWatch;
 struct McbProtocol {
     using Request = McbRequest;
     using Answer = McbAnswer;
-    using Facts = McbBoard;
+    using Facts = McbFacts;
     using Link = mcb::Master;
     using Identification = McbIdentification;
     using Vitals = McbVitals;
@@ -69,7 +69,7 @@ struct McbProtocol {
     using Reads = McbReads;
     using Writes = McbWriteTask;
     static constexpr int kAttempts = 1;
-    static std::optional<ReadStatus> refuseRead(const McbBoard &board, RegisterId id);
+    static std::optional<ReadStatus> refuseRead(const McbFacts &board, RegisterId id);
     static std::optional<std::string> refusalIn(const McbAnswer &answer);
 };
 

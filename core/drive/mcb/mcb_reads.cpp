@@ -7,7 +7,7 @@
 
 namespace drive {
 
-std::optional<Value> mcbValueOf(const McbBoard &board, std::uint16_t address, mcb::WordView words)
+std::optional<Value> mcbValueOf(const McbFacts &board, std::uint16_t address, mcb::WordView words)
 {
     const mcb::Info *info = board.infoOf(address);
     if (info == nullptr)
@@ -17,7 +17,7 @@ std::optional<Value> mcbValueOf(const McbBoard &board, std::uint16_t address, mc
 }
 
 Result<mcb::Words, std::string> mcbWordsOf(
-    const McbBoard &board, std::uint16_t address, const Value &value)
+    const McbFacts &board, std::uint16_t address, const Value &value)
 {
     const mcb::Info *info = board.infoOf(address);
     if (info == nullptr)
@@ -43,7 +43,7 @@ Result<mcb::Words, std::string> mcbWordsOf(
     return fail(std::string("the register has a type of another size"));
 }
 
-std::optional<ReadStatus> McbProtocol::refuseRead(const McbBoard &board, RegisterId id)
+std::optional<ReadStatus> McbProtocol::refuseRead(const McbFacts &board, RegisterId id)
 {
     const std::uint16_t address = mcbAddressOf(id);
     return board.infoOf(address) == nullptr || board.readable(address)

@@ -10,7 +10,7 @@ namespace drive {
 
 class McbReads : public PlainReads {
 public:
-    explicit McbReads(const McbBoard &board)
+    explicit McbReads(const McbFacts &board)
         : m_board(board)
     {
     }
@@ -20,13 +20,13 @@ public:
         std::span<const RegisterId> ids, const McbAnswer &answer, TimePoint now) const;
 
 private:
-    const McbBoard &m_board;
+    const McbFacts &m_board;
 };
 
 /// A value as the catalogue has it, from the words of an answer; nothing if they are no such value.
-std::optional<Value> mcbValueOf(const McbBoard &board, std::uint16_t address, mcb::WordView words);
+std::optional<Value> mcbValueOf(const McbFacts &board, std::uint16_t address, mcb::WordView words);
 /// Which words a value of a register is, or why it cannot be one.
 Result<mcb::Words, std::string> mcbWordsOf(
-    const McbBoard &board, std::uint16_t address, const Value &value);
+    const McbFacts &board, std::uint16_t address, const Value &value);
 
 } // namespace drive

@@ -16,7 +16,7 @@ namespace drive {
 
 class McbSetPoints {
 public:
-    explicit McbSetPoints(const McbBoard &board)
+    explicit McbSetPoints(const McbFacts &board)
         : m_board(board)
     {
     }
@@ -35,7 +35,7 @@ public:
     mcb::Words output(const std::vector<mcb::MappedRegister> &rx) const;
 
 private:
-    const McbBoard &m_board;
+    const McbFacts &m_board;
     bool m_wanted = false;
     std::map<std::uint16_t, mcb::Words> m_words;
 };

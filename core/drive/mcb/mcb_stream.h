@@ -15,7 +15,7 @@ namespace drive {
 
 class McbStreamControl {
 public:
-    explicit McbStreamControl(const McbBoard &board)
+    explicit McbStreamControl(const McbFacts &board)
         : m_board(board)
     {
     }
@@ -44,7 +44,7 @@ private:
     void begin(const Stream &stream, const std::vector<RegisterId> &ids);
     void add(capture::SampleBlock block);
 
-    const McbBoard &m_board;
+    const McbFacts &m_board;
     Stream m_wanted;
     Duration m_period{};
     bool m_running = false;

@@ -32,7 +32,7 @@ RegisterId idOf(mcp::RegisterId id, int motor)
 
 } // namespace
 
-CommandTask::CommandTask(WishId id, const Command &command, const McpBoard &board)
+CommandTask::CommandTask(WishId id, const Command &command, const McpFacts &board)
     : WishTask(
         id, command.action == MotorAction::StopMotor ? Permission::Always : Permission::Armed)
     , m_board(board)
@@ -118,7 +118,7 @@ void CommandTask::onNoResponse(std::optional<bool> executed, TimePoint)
     endLost(executed);
 }
 
-SetPointTask::SetPointTask(WishId id, const SetPoint &wanted, const McpBoard &board)
+SetPointTask::SetPointTask(WishId id, const SetPoint &wanted, const McpFacts &board)
     : WishTask(id, Permission::Armed)
     , m_board(board)
     , m_wanted(wanted)

@@ -11,7 +11,7 @@ namespace drive {
 
 class CommandTask : public WishTask<McpProtocol> {
 public:
-    CommandTask(WishId id, const Command &command, const McpBoard &board);
+    CommandTask(WishId id, const Command &command, const McpFacts &board);
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
     void onResponse(const ByteView &response, TimePoint now) override;
@@ -20,7 +20,7 @@ public:
 private:
     bool checking(std::optional<McpRequest> &request);
 
-    const McpBoard &m_board;
+    const McpFacts &m_board;
     Command m_command;
     StartCheck m_check;
     std::string m_refusal; ///< the board's word, while the state that explains it is read
@@ -31,7 +31,7 @@ private:
 /// Speed ramp, torque ramp or current reference: the control mode first, if it is another one, then the raw register.
 class SetPointTask : public WishTask<McpProtocol> {
 public:
-    SetPointTask(WishId id, const SetPoint &wanted, const McpBoard &board);
+    SetPointTask(WishId id, const SetPoint &wanted, const McpFacts &board);
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
     void onResponse(const ByteView &response, TimePoint now) override;
@@ -42,7 +42,7 @@ private:
 
     McpRequest order() const;
 
-    const McpBoard &m_board;
+    const McpFacts &m_board;
     SetPoint m_wanted;
     std::int64_t m_mode; ///< that it takes effect in
     Step m_step = Step::Begin;

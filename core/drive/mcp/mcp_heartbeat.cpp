@@ -1,6 +1,6 @@
 #include "drive/mcp/mcp_heartbeat.h"
 
-#include "drive/mcp/mcp_board.h"
+#include "drive/mcp/mcp_facts.h"
 #include "mcp/protocol.h"
 
 #include <algorithm>

@@ -18,7 +18,7 @@ class Heartbeat : public Task<McpProtocol> {
 public:
     static constexpr int kRefusals = 3; ///< in a row, then it is sent no more
 
-    explicit Heartbeat(const McpBoard &board)
+    explicit Heartbeat(const McpFacts &board)
         : m_board(board)
     {
     }
@@ -35,7 +35,7 @@ public:
     void onNoResponse(std::optional<bool>, TimePoint) override { } ///< the next one is due soon
 
 private:
-    const McpBoard &m_board;
+    const McpFacts &m_board;
     bool m_wanted = false;
     bool m_givenUp = false;
     int m_refused = 0;

@@ -18,7 +18,7 @@ namespace drive {
 
 class Identification : public Task<McpProtocol> {
 public:
-    explicit Identification(McpBoard &board)
+    explicit Identification(McpFacts &board)
         : m_board(board)
     {
     }
@@ -50,7 +50,7 @@ private:
     std::optional<T> structure(
         Result<T, mcp::CodecError> (*decode)(ByteView), mcp::RegisterId id, int motor);
 
-    McpBoard &m_board;
+    McpFacts &m_board;
     Phase m_phase = Phase::Count;
     Reader<McpProtocol> m_reader{m_board};
     std::map<RegisterId, Value> m_values;

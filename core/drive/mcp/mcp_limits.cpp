@@ -17,7 +17,7 @@ constexpr double kFarthest_rad = 1e4; // a float resolves a thousandth of a radi
 constexpr double kShortest_s = 0.001, kLongest_s = 65.535;
 constexpr double kGreatestDigits = 32767.0;
 
-std::string refuseDigits(const McpBoard &board, int motor, double digits)
+std::string refuseDigits(const McpFacts &board, int motor, double digits)
 {
     if (auto why = board.reasonAgainstAmps(motor); !why.empty())
         return why;
@@ -26,7 +26,7 @@ std::string refuseDigits(const McpBoard &board, int motor, double digits)
     return std::abs(digits) > kGreatestDigits ? "beyond what 16 bits hold" : "";
 }
 
-std::string refuseTorqueDigits(const McpBoard &board, int motor, double iq, double id)
+std::string refuseTorqueDigits(const McpFacts &board, int motor, double iq, double id)
 {
     if (auto why = iq == 0.0 && id == 0.0 ? std::string() : refuseTorqueControl(board);
         !why.empty())
@@ -43,7 +43,7 @@ std::size_t lengthOf(std::uint16_t bare)
                                                                                    : 0;
 }
 
-std::string refuseRaw(const McpBoard &board, std::uint16_t bare, int motor, const Bytes &bytes)
+std::string refuseRaw(const McpFacts &board, std::uint16_t bare, int motor, const Bytes &bytes)
 {
     const std::size_t needed = lengthOf(bare);
     if (needed > 0 && bytes.size() != needed) // firmware takes what is missing from an older packet
@@ -66,7 +66,7 @@ std::string refuseRaw(const McpBoard &board, std::uint16_t bare, int motor, cons
 
 } // namespace
 
-std::string refuseWriteOf(const McpBoard &board, const RegisterWrite &write, Reach reach)
+std::string refuseWriteOf(const McpFacts &board, const RegisterWrite &write, Reach reach)
 {
     if (auto why = refuseWrite(board, write, reach); !why.empty())
         return why;
@@ -83,7 +83,7 @@ std::string refuseWriteOf(const McpBoard &board, const RegisterWrite &write, Rea
         : refuseRaw(board, static_cast<std::uint16_t>(info.id), motor, *bytes);
 }
 
-std::string refuseStages(const McpBoard &board, int motor, ByteView raw)
+std::string refuseStages(const McpFacts &board, int motor, ByteView raw)
 {
     const auto stages = mcp::decodeRevUpData(raw);
     const double amps = board.ampsPerDigit(motor); // 0: six-step, whose stages hold no current
@@ -112,7 +112,7 @@ std::optional<RawPosition> positionIn(const Bytes &bytes)
     return RawPosition{radians, reader.f32()};
 }
 
-std::string refusePosition(const McpBoard &board, int motor, const RawPosition &wanted)
+std::string refusePosition(const McpFacts &board, int motor, const RawPosition &wanted)
 {
     constexpr double kRounding = 1e-6; // of a float
     if (auto why = board.reasonAgainst(Feature::PositionRamp); !why.empty())
@@ -126,7 +126,7 @@ std::string refusePosition(const McpBoard &board, int motor, const RawPosition &
 }
 
 std::string refuseWay(
-    const McpBoard &board, int motor, const RawPosition &wanted, double position_rad)
+    const McpFacts &board, int motor, const RawPosition &wanted, double position_rad)
 {
     const double rpm = motor::positionPeakSpeed_rpm(wanted.radians - position_rad, wanted.seconds);
     const std::string why = refuseSpeed(board, motor, rpm);

@@ -2,7 +2,7 @@
 // registers that hold set-points.
 #pragma once
 
-#include "drive/mcp/mcp_board.h"
+#include "drive/mcp/mcp_facts.h"
 #include "drive/wish.h"
 
 #include <optional>
@@ -12,10 +12,10 @@ namespace drive {
 
 /// Why this must not be written, as far as it can be told without a look at the board; empty if it may: the rules of all
 /// protocols (drive/write_check.h), the control mode, and the bytes of raw registers.
-std::string refuseWriteOf(const McpBoard &board, const RegisterWrite &write, Reach reach);
+std::string refuseWriteOf(const McpFacts &board, const RegisterWrite &write, Reach reach);
 
 /// Why stages of a start-up are beyond what the user allows or the protocol can hold; empty if they are not.
-std::string refuseStages(const McpBoard &board, int motor, ByteView raw);
+std::string refuseStages(const McpFacts &board, int motor, ByteView raw);
 
 /// Where a position ramp goes.
 struct RawPosition {
@@ -24,9 +24,9 @@ struct RawPosition {
 /// Of POSITION_RAMP; empty if it has another length.
 std::optional<RawPosition> positionIn(const Bytes &bytes);
 /// Why the shaft must not go there, wherever it is now; empty if it may.
-std::string refusePosition(const McpBoard &board, int motor, const RawPosition &wanted);
+std::string refusePosition(const McpFacts &board, int motor, const RawPosition &wanted);
 /// The same from where it is, because of the speed on the way.
 std::string refuseWay(
-    const McpBoard &board, int motor, const RawPosition &wanted, double position_rad);
+    const McpFacts &board, int motor, const RawPosition &wanted, double position_rad);
 
 } // namespace drive

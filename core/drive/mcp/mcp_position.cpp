@@ -14,7 +14,7 @@ constexpr const char *kPosition = "CURRENT_POSITION";
 
 } // namespace
 
-PositionTask::PositionTask(WishId id, const PositionRamp &ramp, const McpBoard &board)
+PositionTask::PositionTask(WishId id, const PositionRamp &ramp, const McpFacts &board)
     : WishTask(id, Permission::Armed)
     , m_board(board)
     , m_ramp(ramp)

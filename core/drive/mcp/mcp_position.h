@@ -10,7 +10,7 @@ namespace drive {
 
 class PositionTask : public WishTask<McpProtocol> {
 public:
-    PositionTask(WishId id, const PositionRamp &ramp, const McpBoard &board);
+    PositionTask(WishId id, const PositionRamp &ramp, const McpFacts &board);
 
     std::optional<McpRequest> nextRequest(TimePoint now) override;
     void onResponse(const ByteView &response, TimePoint now) override;
@@ -21,7 +21,7 @@ private:
     RawPosition wanted() const;
     void judge();
 
-    const McpBoard &m_board;
+    const McpFacts &m_board;
     PositionRamp m_ramp;
     Reader<McpProtocol> m_reader{m_board};
     std::optional<double> m_position_rad;

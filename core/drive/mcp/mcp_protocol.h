@@ -1,7 +1,7 @@
 // What the tasks of an MCP drive ask, as the codec has it, and what they are answered: the payload, which ends in a status.
 #pragma once
 
-#include "drive/mcp/mcp_board.h"
+#include "drive/mcp/mcp_facts.h"
 #include "mcp/request.h"
 
 #include <variant>
@@ -43,7 +43,7 @@ inline McpSet mcpSet(mcp::RegisterId id, int motor, mcp::Value value)
 struct McpProtocol {
     using Request = McpRequest;
     using Answer = ByteView;
-    using Facts = McpBoard;
+    using Facts = McpFacts;
     using Link = aspep::Controller;
     using Identification = drive::Identification;
     using Vitals = McpVitals;
@@ -51,7 +51,7 @@ struct McpProtocol {
     using Writes = McpWriteTask;
     using Reads = McpReads;
     static constexpr int kAttempts = 4;
-    static std::optional<ReadStatus> refuseRead(const McpBoard &board, RegisterId id);
+    static std::optional<ReadStatus> refuseRead(const McpFacts &board, RegisterId id);
 };
 
 } // namespace drive

@@ -14,7 +14,7 @@ constexpr std::size_t kIdBytes = 2, kCommandBytes = 2, kStatusBytes = 1;
 
 /// Whether a structure has the size that this board's has, or one that it has in a firmware we know. An answer that came
 /// too late, and now stands where another one is due, is mostly found out by that.
-bool sizeFits(const McpBoard &board, RegisterId id, const Value &value)
+bool sizeFits(const McpFacts &board, RegisterId id, const Value &value)
 {
     const auto *raw = std::get_if<Bytes>(&value);
     if (raw == nullptr)

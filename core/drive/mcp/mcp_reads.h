@@ -18,7 +18,7 @@ namespace drive {
 
 class McpReads : public PlainReads {
 public:
-    explicit McpReads(const McpBoard &board)
+    explicit McpReads(const McpFacts &board)
         : m_board(board)
     {
     }
@@ -29,7 +29,7 @@ public:
         std::span<const RegisterId> ids, ByteView answer, TimePoint now);
 
 private:
-    const McpBoard &m_board;
+    const McpFacts &m_board;
     std::optional<RegisterId> m_doubted; ///< refused once
 };
 

@@ -91,7 +91,7 @@ StreamLimits streamLimitsOf(const std::vector<MotorDescription> &motors, unsigne
     return limits;
 }
 
-std::vector<Capability> capabilitiesOf(const McpBoard &board, const MotorDescription &first)
+std::vector<Capability> capabilitiesOf(const McpFacts &board, const MotorDescription &first)
 {
     std::vector<Capability> all;
     const auto add = [&](Feature feature, std::string reason) {

@@ -2,7 +2,7 @@
 // streamed, what can be done at all. Pure functions; nothing implausible becomes a number.
 #pragma once
 
-#include "drive/mcp/mcp_board.h"
+#include "drive/mcp/mcp_facts.h"
 #include "mcp/structures.h"
 
 #include <optional>
@@ -29,7 +29,7 @@ MotorLimits limitsOf(const MotorDescription &motor);
 StreamLimits streamLimitsOf(const std::vector<MotorDescription> &motors, unsigned streams,
     std::size_t maxPacket, std::uint32_t baud);
 
-std::vector<Capability> capabilitiesOf(const McpBoard &board, const MotorDescription &first);
+std::vector<Capability> capabilitiesOf(const McpFacts &board, const MotorDescription &first);
 
 /// For unknown firmware: nothing is writable, numbers stay digits.
 void makeRaw(std::vector<catalog::RegisterInfo> &registers);

@@ -12,7 +12,7 @@ namespace drive {
 
 class StartCheck {
 public:
-    StartCheck(const McpBoard &board, int motor)
+    StartCheck(const McpFacts &board, int motor)
         : m_board(board)
         , m_motor(motor)
     {
@@ -30,7 +30,7 @@ public:
 private:
     std::vector<RegisterId> wanted() const;
 
-    const McpBoard &m_board;
+    const McpFacts &m_board;
     int m_motor;
     Reader<McpProtocol> m_reader{m_board};
     std::vector<Reading> m_readings;

@@ -15,14 +15,14 @@ constexpr std::size_t kMaxInFlight = 8; ///< configurations sent whose first pac
 constexpr double kUnsignedOffset = 32768.0;
 constexpr Duration kStopGrace = std::chrono::milliseconds(20);
 
-bool isUnsigned(const McpBoard &board, RegisterId id)
+bool isUnsigned(const McpFacts &board, RegisterId id)
 {
     const auto *info = board.catalog->find(id);
     return info != nullptr && !info->streamsUpperHalf
         && (info->type == catalog::ValueType::U16 || info->type == catalog::ValueType::U8);
 }
 
-capture::StreamSignal signalOf(const McpBoard &board, RegisterId id, bool fast)
+capture::StreamSignal signalOf(const McpFacts &board, RegisterId id, bool fast)
 {
     const catalog::Scale scale = board.catalog->streamScale(id);
     return {id, board.catalog->nameOf(id), scale.unit, scale.factor,

@@ -21,7 +21,7 @@ McpSet datalogRequest(std::uint8_t linkId, const mcp::DatalogConfig &config);
 
 class StreamControl {
 public:
-    explicit StreamControl(const McpBoard &board)
+    explicit StreamControl(const McpFacts &board)
         : m_board(board)
     {
     }
@@ -65,7 +65,7 @@ private:
     bool announce(const capture::SampleBlock &block, TimePoint now);
     void addStats();
 
-    const McpBoard &m_board;
+    const McpFacts &m_board;
     std::optional<mcp::DatalogDecoder> m_decoder;
     std::deque<Active>
         m_sent; ///< configurations whose packets may come, oldest first; the first is the active one

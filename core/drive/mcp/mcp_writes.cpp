@@ -54,7 +54,7 @@ std::size_t sizeOf(const mcp::Value &value, RegisterId id)
 
 } // namespace
 
-std::optional<ReadStatus> McpProtocol::refuseRead(const McpBoard &board, RegisterId id)
+std::optional<ReadStatus> McpProtocol::refuseRead(const McpFacts &board, RegisterId id)
 {
     const auto *info = board.catalog->find(id);
     if (info != nullptr && !info->readable())

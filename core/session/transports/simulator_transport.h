@@ -13,7 +13,7 @@ namespace session {
 class SimulatorTransport : public Transport {
     Q_OBJECT
 public:
-    using MakeBoard = std::function<std::unique_ptr<simulation::Device>()>;
+    using MakeBoard = std::function<std::unique_ptr<simulation::ByteDevice>()>;
     explicit SimulatorTransport(MakeBoard makeBoard);
 
     PortError open(TimePoint now) override;
@@ -28,7 +28,7 @@ private:
     TimePoint boardTime(TimePoint now) const { return TimePoint{} + (now - m_start); }
 
     MakeBoard m_makeBoard;
-    std::unique_ptr<simulation::Device> m_board;
+    std::unique_ptr<simulation::ByteDevice> m_board;
     TimePoint m_start{}; ///< the session's time at which the board's time is 0
     TimePoint m_last{}; ///< session time of the last advance()
 };

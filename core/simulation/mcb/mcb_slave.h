@@ -105,7 +105,7 @@ private:
 };
 
 /// A static slave behind a byte stream.
-class McbStream final : public Device {
+class McbStream final : public ByteDevice {
 public:
     static constexpr Duration kUnfinished = McbFraming::kUnfinished;
 

@@ -56,7 +56,7 @@ inline std::optional<Frame> nextFrame(Bytes &bytes)
 }
 
 /// The board: a motor that follows its target by 50 rpm a millisecond while it runs.
-class Board : public simulation::Device {
+class Board : public simulation::ByteDevice {
 public:
     void receive(ByteView bytes, TimePoint now) override
     {

@@ -21,10 +21,10 @@ namespace {
 /// A row of the table, and the board that answers it.
 struct Spoken {
     ProtocolRow row;
-    std::unique_ptr<simulation::Device> (*board)(const ProtocolRow &row);
+    std::unique_ptr<simulation::ByteDevice> (*board)(const ProtocolRow &row);
 };
 
-std::unique_ptr<simulation::Device> simulated(const ProtocolRow &row)
+std::unique_ptr<simulation::ByteDevice> simulated(const ProtocolRow &row)
 {
     simulation::BoardOptions options;
     if (!row.boards.front().empty())
@@ -44,7 +44,7 @@ const std::map<std::string, Spoken> &protocols()
         toy.make = [](const LineOptions &, Search) -> std::unique_ptr<Drive> {
             return std::make_unique<support::toy::ToyDrive>();
         };
-        add(toy, [](const ProtocolRow &) -> std::unique_ptr<simulation::Device> {
+        add(toy, [](const ProtocolRow &) -> std::unique_ptr<simulation::ByteDevice> {
             return std::make_unique<support::toy::Board>();
         });
         for (const ProtocolRow &row : protocolTable())
@@ -185,7 +185,7 @@ private:
     {
     }
 
-    std::unique_ptr<simulation::Device> m_board;
+    std::unique_ptr<simulation::ByteDevice> m_board;
     std::uint32_t m_baud;
     std::deque<Leaving> m_line;
     TimePoint m_free{};

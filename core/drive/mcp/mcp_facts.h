@@ -8,7 +8,7 @@
 
 namespace drive {
 
-struct McpBoard : BoardFacts {
+struct McpFacts : BoardFacts {
     bool hso = false; ///< register family: HSO/ZeST instead of the standard one
     std::uint32_t version = 0; ///< 0xMMmmpp
     std::optional<std::chrono::milliseconds> watchdog; ///< what its name promises
