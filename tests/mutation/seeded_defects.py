@@ -77,8 +77,7 @@ DEFECTS = [
     ("a list of parameters may hold a set-point", CAMPAIGN, "asked for", [
         ("core/drive/write_check.cpp", "    if (reach == Reach::Parameters)\n        return", "    if (reach == Reach::Parameters && info.stub)\n        return")]),
     ("a start after a Stop is not asked about", "tst_motion_gate", "first starts are asked", [
-        ("widgets/control/motion_gate.cpp", "            .clear(); // whoever stops does not expect what the board still holds: the next start is asked\n        m_agreed.clear();\n",
-         "            .size();\n")]),
+        ("widgets/control/motion_gate.cpp", "        forgetStarts(); // what the board still holds may surprise: the next start is asked about\n", "")]),
     ("what disarming ended goes on", "tst_mcb_not_ready", "asked for", [
         ("core/drive/task_drive.h", "    if (m_wish != nullptr && which(*m_wish) && m_cutAfterAnswer.empty())\n        m_cutAfterAnswer = reason;\n", "")]),
     ("a repetition puts off the first STOP", "tst_mcp_drive_faults seedsThatFailedOnceStayWell", "stop in time", [
@@ -102,7 +101,7 @@ DEFECTS = [
     ("Apply writes gains that are not shown any more", "tst_monkey", "untrue", [
         ("widgets/forms/gains_form.cpp", "    if (m_edits.underWay() || !previewWaits())\n        return;\n    if (m_lab", "    if (m_lab->isVisible() || m_edits.underWay())\n        return;\n    if (m_lab")]),
     ("all boards have the steps of one", "tst_monkey", "untrue", [
-        ("core/drive/mcb/mcb_identification.cpp", "limits.speedStepRpm = 1.0;", "limits.speedStepRpm = 6.0;")]),
+        ("core/drive/event.h", "double speedStepRpm = 1.0;", "double speedStepRpm = 6.0;")]),
     ("a Stop goes down with its link", "tst_mcp_drive_stop", "stop in time", [
         ("core/drive/mcp/mcp_drive.cpp", "        m_stop.stopFailed(m_stopMotor, now);", "        //")]),
 ]

@@ -153,7 +153,7 @@ void TestWriteLimits::limitsThatAreNonsenseRefuseEverySetPoint()
         const auto narrow = static_cast<float>(nonsense);
         motor.application->maxReadableAmps = narrow;
         motor.application->nominalAmps = narrow;
-        drive::McpBoard board;
+        drive::McpFacts board;
         board.identified = true;
         board.catalog = standard();
         board.scales = {Scales{.ampsPerDigit = 0.001}};

@@ -40,7 +40,8 @@ const std::map<std::string, Spoken> &protocols()
         const auto add = [&](const ProtocolRow &row, auto board) {
             made.insert({std::string(row.choice.word), {row, board}});
         };
-        ProtocolRow toy{{Protocol::Auto, "toy", "Toy", "boards of this test", true}};
+        ProtocolRow toy;
+        toy.choice = {Protocol::Auto, "toy", "Toy", "boards of this test", true};
         toy.make = [](const LineOptions &, Search) -> std::unique_ptr<Drive> {
             return std::make_unique<support::toy::ToyDrive>();
         };

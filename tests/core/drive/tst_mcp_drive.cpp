@@ -244,7 +244,7 @@ void TestMcpDrive::unknownFirmwareIsShownReadOnly()
         QVERIFY(!info.writable());
         QCOMPARE(info.unit, "");
     }
-    McpBoard board;
+    McpFacts board;
     board.motors = 1;
     for (const Capability &capability : capabilitiesOf(board, {}))
         QCOMPARE(capability.available, capability.feature == Feature::Stop);

@@ -74,7 +74,7 @@ void TestMotionLimits::anyStructureGivesBoundsThatBound()
         }
         MotorDescription description;
         description.application = *mcp::decodeApplicationConfig(raw);
-        McpBoard board;
+        McpFacts board;
         board.limits = {limitsOf(description)};
         if (random.chance(0.3))
             board.user = {1000.0, 2.0};
