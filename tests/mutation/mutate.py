@@ -47,7 +47,7 @@ PATH = {
     "core/drive/wish_queue.h": ["tst_late_wishes"],
     "core/session/link/dead_man.cpp": ["tst_dead_man_rules"],
     "core/session/link/time_gap.h": ["tst_dead_man_rules"],
-    "core/session/link/driven_motors.cpp": ["tst_session_guardian"],
+    "core/session/link/driven_motors.cpp": ["tst_driven_motors"],
     "core/session/link/stop_page_posix.cpp": ["tst_guardian_rules_posix"],
     "core/session/link/guardian_posix.cpp": ["tst_guardian_rules_posix"],
     "widgets/window/shutdown.cpp": ["tst_leaving"],
