@@ -1,6 +1,6 @@
 // The session's pump on virtual time: what goes to the port when, what comes back, and how a port
 // ends.
-#include "fakes.h"
+#include "core/session/fakes.h"
 
 #include <QtTest>
 

@@ -1,6 +1,6 @@
 // The interface of a session that stands still, comes late or lets go without a word, and time that nobody saw go by; all
 // on virtual time, but for the thread that is really kept from running.
-#include "fakes.h"
+#include "core/session/fakes.h"
 
 #include "session/link/session_thread.h"
 

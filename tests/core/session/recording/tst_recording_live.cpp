@@ -1,6 +1,6 @@
 // A recording of a session that runs: everything the drive tells is in the file, and whatever the disk does, the session
 // goes on.
-#include "fakes.h"
+#include "core/session/fakes.h"
 #include "session/recording/recording.h"
 #include "support/recording_facts.h"
 

@@ -1,6 +1,6 @@
 // What a session tells its guardian, and when; and what it does when the guardian has acted. On virtual time, with a
 // guardian that only notes.
-#include "fakes.h"
+#include "core/session/fakes.h"
 
 #include <QTest>
 
