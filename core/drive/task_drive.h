@@ -497,11 +497,13 @@ void TaskDrive<P>::collect(TimePoint now)
 template <class P>
 void TaskDrive<P>::tellLinkState()
 {
+    // A link may go on with what was agreed before; where nothing has answered since, there is nothing to recover.
+    const bool comesBack = recovering() && m_toldState != LinkState::Connecting;
     const LinkState state = m_mode == Mode::Closed ? LinkState::Closed
         : m_lost                                   ? LinkState::Lost
-        : !connected() && !recovering()            ? LinkState::Connecting
+        : !connected() && !comesBack               ? LinkState::Connecting
         : m_suspect                                ? LinkState::Suspect
-        : recovering()                             ? LinkState::Recovering
+        : comesBack                                ? LinkState::Recovering
                                                    : LinkState::Connected;
     const LinkReason reason = state == LinkState::Lost ? *m_lost
         : state == m_toldState                         ? m_toldReason

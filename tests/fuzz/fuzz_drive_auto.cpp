@@ -1,6 +1,6 @@
 // AutoDrive through any script of acts, faults and time, and boards of each serial protocol: drive_script.h has the rules.
 #include "drive/protocol_table.h"
-#include "fuzz/wire_either.h"
+#include "support/wire_either.h"
 
 using namespace std::chrono_literals;
 
@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
             return std::make_unique<fuzz::LegacyPeer>(
                 which == 1 ? legacy::Dialect::PowerPc : legacy::Dialect::Stm32, motors);
         },
-        .decoder = [] { return std::make_unique<fuzz::WireEither>(); },
+        .decoder = [] { return std::make_unique<judge::WireEither>(); },
         .line = {.baud = 115200, .firstStop = 400ms, .repeat = 500ms, .suspect = 1s, .lost = 6s},
         .baud = 115200,
     };

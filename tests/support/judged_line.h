@@ -8,6 +8,7 @@
 #include "session/link/session.h"
 #include "simulation/mcb/mcb_board.h"
 #include "simulation/simulated_board.h"
+#include "support/act_sink.h"
 #include "support/board_history.h"
 #include "support/judge_speaks.h"
 #include "support/judged_drive.h"
@@ -27,7 +28,7 @@ namespace support {
 using namespace std::chrono_literals;
 
 /// What the two threads share. A mutex is right here: the judge is no part of the product.
-class JudgedWorld {
+class JudgedWorld : public ActSink {
 public:
     /// @param clock  of the test; none: the real one
     JudgedWorld(
@@ -39,7 +40,7 @@ public:
     {
     }
 
-    ~JudgedWorld() { speak(m_judge, !verdictTaken); }
+    virtual ~JudgedWorld() { speak(m_judge, !verdictTaken); }
     JudgedWorld(const JudgedWorld &) = delete;
     JudgedWorld &operator=(const JudgedWorld &) = delete;
 
@@ -71,7 +72,7 @@ public:
         m_troubled = now();
     }
 
-    void act(judge::Act::Kind kind)
+    void act(judge::Act::Kind kind) override
     {
         const std::lock_guard lock(m_mutex);
         judge::Act act;
@@ -79,17 +80,17 @@ public:
         act.at = now();
         m_judge.act(act);
     }
-    void said(judge::Word word, int motor)
+    void said(judge::Word word, int motor) override
     {
         const std::lock_guard lock(m_mutex);
         m_judge.said(word, motor, now());
     }
-    void said(judge::Link link)
+    void said(judge::Link link) override
     {
         const std::lock_guard lock(m_mutex);
         m_judge.said(link, now());
     }
-    void saidIdentified(int motors)
+    void saidIdentified(int motors) override
     {
         const std::lock_guard lock(m_mutex);
         m_judge.saidIdentified(motors, now());

@@ -1,7 +1,8 @@
-// The real window with its workbench, on ports and file answers of the test's own.
+// The real window with its workbench, on ports and file answers of the test's own. What leaves to a simulated board is judged.
 #pragma once
 
 #include "support/answered_files.h"
+#include "support/judged_boards.h"
 #include "support/window_facts.h"
 #include "widgets/window/application.h"
 #include "widgets/window/exporting.h"
@@ -23,20 +24,24 @@ public:
 };
 
 struct WindowRig {
+    support::JudgedBoards boards;
     NoPorts ports;
     AnsweredPrompt files;
     widgets::Workbench workbench;
     widgets::MainWindow window;
+    support::WindowActs acts{boards, window, workbench.device()};
 
     explicit WindowRig(const widgets::Settings &settings = quietSettings(),
         session::MakeSink makeSink = session::makeDiskSink,
         session::Parts parts = session::realParts())
-        : workbench(std::move(makeSink), std::move(parts))
+        : workbench(std::move(makeSink), boards.watch(std::move(parts)))
         , window(workbench, ports, files, settings)
     {
         window.show();
         window.finishTools(); // which a test may look for at once
     }
+
+    ~WindowRig() { boards.act(judge::Act::Kind::Leave); } // the test ends, whatever turns
 
     /// From now on a person who says yes to every question about motion; `questions` counts them.
     void sayYesToMotion()

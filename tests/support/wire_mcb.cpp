@@ -77,7 +77,9 @@ Sent WireMcb::write(unsigned address, const std::array<unsigned, 4> &words)
     one.kind = Kind::Write;
     const auto real = [&] { return double{std::bit_cast<float>(words[1] << 16 | words[0])}; };
     if (address == kState || (address >= kMappingFirst && address <= kMappingLast)) {
-        one.kind = Kind::StreamSetup;
+        // A drive that is found with long frames is brought back to those in which it can be asked.
+        const bool back = address == kState && words[0] == 1;
+        one.kind = back ? Kind::LinkControl : Kind::StreamSetup;
     } else if (address == kControl) {
         one.value = words[0];
         const unsigned low = words[0] & 0xFFU;

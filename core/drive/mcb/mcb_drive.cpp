@@ -78,10 +78,7 @@ private:
     {
         return m_link.state() == Link::State::Config || m_link.state() == Link::State::Cyclic;
     }
-    bool recovering() const override
-    {
-        return m_link.state() == Link::State::Seeking && m_toldState != LinkState::Connecting;
-    }
+    bool recovering() const override { return m_link.state() == Link::State::Seeking; }
     LinkCounters counters() const override;
 
     // what goes out

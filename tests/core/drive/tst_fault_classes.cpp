@@ -2,9 +2,9 @@
 // foreign program that talks on the port, and a datalog that is set up anew before the last set-up has arrived.
 // ROTORSCOPE_LONG=1 runs more of each.
 #include "drive/protocol_table.h"
-#include "fuzz/wire_either.h"
 #include "simulation/mcb/mcb_board.h"
 #include "support/link_pair.h"
+#include "support/wire_either.h"
 
 #include <QTest>
 
@@ -41,7 +41,7 @@ simulation::BoardOptions slow(const char *profile)
 std::unique_ptr<judge::Decoder> decoderOf(Protocol client)
 {
     if (client == Protocol::Auto)
-        return std::make_unique<fuzz::WireEither>();
+        return std::make_unique<judge::WireEither>();
     if (client == Protocol::Mcp)
         return std::make_unique<judge::WireMcp>(115200, 0.0);
     return std::make_unique<judge::WireLegacy>();

@@ -172,6 +172,9 @@ private:
     {
         device().setArmed(true);
         QTRY_VERIFY_WITH_TIMEOUT(device().armed(), kLong_ms);
+        for (const auto act :
+            {judge::Act::Kind::Arm, judge::Act::Kind::Input, judge::Act::Kind::Confirm})
+            m_rig->boards.act(act); // no input of this test, but a person's
         device().submit(drive::Command{drive::MotorAction::Start, 1});
         QTRY_COMPARE_WITH_TIMEOUT(state(), MotorState::Running, kLong_ms);
     }

@@ -122,10 +122,12 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(bench.registers.known(bench.id("SPEED_KP")).has_value(), 10000);
         bench.device.setArmed(true);
         QTRY_VERIFY(bench.device.armed());
+        bench.rig.boards.act(judge::Act::Kind::Arm);
         QVERIFY(bench.type("SPEED_KP", QStringLiteral("77")));
         QVERIFY(bench.type("SPEED_KI", QStringLiteral("78")));
         // Not in this build, which nobody has found out yet: the board will refuse it.
         const bool asked = bench.registers.setPending(bench.id("FF_2"), std::int64_t{3});
+        bench.rig.boards.act(judge::Act::Kind::Input);
         bench.rig.workbench.edits().apply();
         QTRY_VERIFY_WITH_TIMEOUT(!bench.rig.workbench.edits().underWay(), 20000);
         QTRY_VERIFY(bench.registers.editState(bench.id("SPEED_KP")) == State::Verified

@@ -2,21 +2,20 @@
 // older protocol by its length and its check bits, as a board would tell them.
 #pragma once
 
-#include "fuzz/legacy_peer.h"
-#include "fuzz/mcp_peer.h"
+#include "aspep/packet.h"
 #include "support/wire_legacy.h"
 #include "support/wire_mcp.h"
 
-namespace fuzz {
+namespace judge {
 
-class WireEither final : public judge::Decoder {
+class WireEither final : public Decoder {
 public:
     void reset() override
     {
         m_newer.reset();
         m_older.reset();
     }
-    std::vector<judge::Sent> sent(ByteView bytes, TimePoint at) override
+    std::vector<Sent> sent(ByteView bytes, TimePoint at) override
     {
         const bool header = bytes.size() == aspep::kHeaderSize && !m_older.midPacket()
             && aspep::decodeHeader({bytes[0], bytes[1], bytes[2], bytes[3]}).has_value();
@@ -30,8 +29,8 @@ public:
     bool midPacket() const override { return m_newer.midPacket() || m_older.midPacket(); }
 
 private:
-    judge::WireMcp m_newer{115200, 0.0};
-    judge::WireLegacy m_older;
+    WireMcp m_newer{115200, 0.0};
+    WireLegacy m_older;
 };
 
-} // namespace fuzz
+} // namespace judge
