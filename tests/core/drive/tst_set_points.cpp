@@ -9,7 +9,7 @@
 
 using namespace drive;
 using namespace std::chrono_literals;
-using catalog::SetPoint;
+using Held = catalog::SetPoint; // what a register holds
 
 namespace {
 
@@ -21,7 +21,7 @@ enum Id : RegisterId { Speed = 0x1000, Current = 0x2000, Gain = 0x3000 };
 /// Two motors of 4000 rpm and 5 A; nothing is known of the second one.
 BoardFacts board()
 {
-    const auto info = [](RegisterId id, const char *name, SetPoint setPoint, const char *unit) {
+    const auto info = [](RegisterId id, const char *name, Held setPoint, const char *unit) {
         catalog::RegisterInfo one;
         one.id = id;
         one.name = name;
@@ -33,9 +33,8 @@ BoardFacts board()
     facts.motors = 2;
     facts.limits = {{4000.0, 32.0, 5.0, 4.0, 0.1}, {}};
     facts.catalog = std::make_shared<const catalog::Catalog>(
-        std::vector{info(Speed, "SPEED", SetPoint::Speed, "rpm"),
-            info(Current, "CURRENT", SetPoint::Current, "A"),
-            info(Gain, "GAIN", SetPoint::None, "rpm")},
+        std::vector{info(Speed, "SPEED", Held::Speed, "rpm"),
+            info(Current, "CURRENT", Held::Current, "A"), info(Gain, "GAIN", Held::None, "rpm")},
         2, std::vector<catalog::Scales>(2));
     return facts;
 }
@@ -125,28 +124,28 @@ void TestSetPoints::whatCanBound()
 void TestSetPoints::whatADigitAsksFor()
 {
     struct Row {
-        SetPoint setPoint;
+        Held setPoint;
         double factor;
         const char *unit;
         double polePairs, torquePerAmp, asks;
     };
     const Row rows[] = {
-        {SetPoint::Speed, 6.0, "rpm", 0.0, 0.0, 6.0},
-        {SetPoint::Speed, 0.5, "rpm", 4.0, 0.0, 0.5},
-        {SetPoint::Speed, 2.0, "Hz", 4.0, 0.0, 30.0}, // electrical
-        {SetPoint::Speed, 2.0, "Hz", 1.0, 0.0, 120.0},
-        {SetPoint::Speed, 2.0, "Hz", 0.0, 0.0, 0.0},
-        {SetPoint::Speed, 2.0, "A", 4.0, 0.0, 0.0},
-        {SetPoint::Speed, 0.0, "rpm", 4.0, 0.0, 0.0},
-        {SetPoint::Speed, -6.0, "rpm", 4.0, 0.0, 0.0},
-        {SetPoint::Speed, kNan, "rpm", 4.0, 0.0, 0.0},
-        {SetPoint::Speed, kInfinity, "rpm", 4.0, 0.0, 0.0},
-        {SetPoint::Current, 0.5, "A", 0.0, 0.0, 0.5},
-        {SetPoint::Current, 0.5, "rpm", 0.0, 0.0, 0.0},
-        {SetPoint::Torque, 3.0, "N m", 0.0, 0.5, 6.0},
-        {SetPoint::Torque, 3.0, "N m", 0.0, 0.0, 0.0},
-        {SetPoint::Torque, 3.0, "A", 0.0, 0.5, 0.0},
-        {SetPoint::None, 3.0, "rpm", 4.0, 0.5, 0.0},
+        {Held::Speed, 6.0, "rpm", 0.0, 0.0, 6.0},
+        {Held::Speed, 0.5, "rpm", 4.0, 0.0, 0.5},
+        {Held::Speed, 2.0, "Hz", 4.0, 0.0, 30.0}, // electrical
+        {Held::Speed, 2.0, "Hz", 1.0, 0.0, 120.0},
+        {Held::Speed, 2.0, "Hz", 0.0, 0.0, 0.0},
+        {Held::Speed, 2.0, "A", 4.0, 0.0, 0.0},
+        {Held::Speed, 0.0, "rpm", 4.0, 0.0, 0.0},
+        {Held::Speed, -6.0, "rpm", 4.0, 0.0, 0.0},
+        {Held::Speed, kNan, "rpm", 4.0, 0.0, 0.0},
+        {Held::Speed, kInfinity, "rpm", 4.0, 0.0, 0.0},
+        {Held::Current, 0.5, "A", 0.0, 0.0, 0.5},
+        {Held::Current, 0.5, "rpm", 0.0, 0.0, 0.0},
+        {Held::Torque, 3.0, "N m", 0.0, 0.5, 6.0},
+        {Held::Torque, 3.0, "N m", 0.0, 0.0, 0.0},
+        {Held::Torque, 3.0, "A", 0.0, 0.5, 0.0},
+        {Held::None, 3.0, "rpm", 4.0, 0.5, 0.0},
     };
     for (const Row &row : rows) {
         catalog::RegisterInfo info;
