@@ -123,6 +123,17 @@ std::vector<pid_t> childrenOf(pid_t process)
     return pids;
 }
 
+/// How often a process went to sleep.
+int wakesOf(pid_t process)
+{
+    QFile file(QStringLiteral("/proc/%1/status").arg(process));
+    if (!file.open(QIODevice::ReadOnly))
+        return -1;
+    const QByteArray text = file.readAll();
+    const qsizetype at = text.indexOf("\nvoluntary_ctxt_switches:");
+    return at < 0 ? -1 : text.mid(text.indexOf(':', at) + 1).trimmed().split('\n').first().toInt();
+}
+
 /// A line, and a program that has it and does something with a guardian.
 class Life {
 public:
@@ -378,6 +389,7 @@ private Q_SLOTS:
     void aScriptIsCutAtAWholePart();
     void pausesAreKeptOnASlowLine();
     void noGuardianIsLeftBehindItsProgram() { QCOMPARE(m_left, 0); }
+    void aGuardianOfNothingSleeps() { QVERIFY(m_wakes > 10 && m_wakes < 100); }
     void aSpiBusIsNoStream();
     void aFullLineKeepsNobody();
     void whatStillWaitsToLeaveIsTakenBack();
@@ -388,7 +400,7 @@ private:
     std::map<QByteArray, std::unique_ptr<Life>> m_lives;
     QMap<QByteArray, QString> m_ofGuardian;
     std::unique_ptr<Life> m_spi;
-    int m_left = 0;
+    int m_left = 0, m_wakes = -1;
 };
 
 void TestGuardianRules::initTestCase()
@@ -426,6 +438,8 @@ void TestGuardianRules::initTestCase()
             for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGUSR1, SIGUSR2})
                 ::kill(guardian[0], number);
         }
+        if (m_wakes < 0 && now > began + 3s)
+            m_wakes = wakesOf(childrenOf(life("drives nothing").pid()).at(0));
         pollfd none{-1, 0, 0};
         ::poll(&none, 1, 1);
     }
