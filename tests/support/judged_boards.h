@@ -96,7 +96,7 @@ private:
 };
 
 /// Lives in the session's thread, from the opening of the line to its end.
-class JudgedBoards::Board final : public simulation::Device {
+class JudgedBoards::Board final : public simulation::ByteDevice {
 public:
     Board(JudgedBoards &world, const session::Endpoint &endpoint)
         : m_world(world)
