@@ -100,8 +100,10 @@ class JudgedBoards::Board final : public simulation::ByteDevice {
 public:
     Board(JudgedBoards &world, const session::Endpoint &endpoint)
         : m_world(world)
-        , m_options(endpoint.board)
     {
+        if (!endpoint.board.empty())
+            m_options.profile = endpoint.board;
+        m_options.motors = endpoint.boardMotors;
         m_options.baud = endpoint.baud;
         m_board = simulation::makeBoard(m_options);
         if (!m_board)
