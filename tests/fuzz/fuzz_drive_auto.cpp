@@ -1,6 +1,6 @@
 // AutoDrive through any script of acts, faults and time, and boards of each serial protocol: drive_script.h has the rules.
 #include "drive/protocol_table.h"
-#include "support/wire_either.h"
+#include "support/wire/either.h"
 
 using namespace std::chrono_literals;
 

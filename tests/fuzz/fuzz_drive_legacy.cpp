@@ -1,7 +1,7 @@
 // LegacyDrive in both dialects through any script of acts, faults and time: drive_script.h has the rules.
 #include "drive/legacy/legacy_drive.h"
 #include "fuzz/legacy_peer.h"
-#include "support/wire_legacy.h"
+#include "support/wire/legacy.h"
 
 using namespace std::chrono_literals;
 

@@ -1,7 +1,7 @@
 // McbDrive through any script of acts, faults and time: drive_script.h has the rules.
 #include "drive/mcb/mcb_drive.h"
 #include "fuzz/mcb_peer.h"
-#include "support/wire_mcb.h"
+#include "support/wire/mcb.h"
 
 using namespace std::chrono_literals;
 

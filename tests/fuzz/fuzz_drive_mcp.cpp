@@ -1,7 +1,7 @@
 // McpDrive through any script of acts, faults and time: drive_script.h has the rules.
 #include "drive/mcp/mcp_drive.h"
 #include "fuzz/mcp_peer.h"
-#include "support/wire_mcp.h"
+#include "support/wire/mcp.h"
 
 using namespace std::chrono_literals;
 

@@ -4,7 +4,7 @@
 #include "aspep/controller.h"
 #include "simulation/simulated_board.h"
 #include "support/judge_speaks.h"
-#include "support/wire_mcp.h"
+#include "support/wire/mcp.h"
 
 #include <deque>
 #include <functional>

@@ -11,8 +11,8 @@
 #include "support/judge_speaks.h"
 #include "support/ms_rules.h"
 #include "support/window_acts.h"
-#include "support/wire_either.h"
-#include "support/wire_mcb.h"
+#include "support/wire/either.h"
+#include "support/wire/mcb.h"
 
 #include <mutex>
 #include <utility>

@@ -13,9 +13,9 @@
 #include "support/judge_speaks.h"
 #include "support/judged_drive.h"
 #include "support/ms_rules.h"
-#include "support/wire_legacy.h"
-#include "support/wire_mcb.h"
-#include "support/wire_mcp.h"
+#include "support/wire/legacy.h"
+#include "support/wire/mcb.h"
+#include "support/wire/mcp.h"
 
 #include <QElapsedTimer>
 

@@ -11,8 +11,8 @@
 #include "simulation/simulated_board.h"
 #include "support/judge_speaks.h"
 #include "support/judged_drive.h"
-#include "support/wire_legacy.h"
-#include "support/wire_mcp.h"
+#include "support/wire/legacy.h"
+#include "support/wire/mcp.h"
 
 #include <QTest>
 

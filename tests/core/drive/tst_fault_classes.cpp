@@ -4,7 +4,7 @@
 #include "drive/protocol_table.h"
 #include "simulation/mcb/mcb_board.h"
 #include "support/link_pair.h"
-#include "support/wire_either.h"
+#include "support/wire/either.h"
 
 #include <QTest>
 

@@ -1,9 +1,9 @@
 // The judge of the wire itself: each rule speaks when it is broken, and is silent when it is kept. Bytes are written here by
 // hand, from the protocols' texts.
 #include "support/ms_rules.h"
-#include "support/wire_legacy.h"
-#include "support/wire_mcb.h"
-#include "support/wire_mcp.h"
+#include "support/wire/legacy.h"
+#include "support/wire/mcb.h"
+#include "support/wire/mcp.h"
 
 #include <QTest>
 

@@ -4,7 +4,7 @@
 #include "mcb/master.h"
 #include "simulation/mcb/mcb_slave.h"
 #include "support/judge_speaks.h"
-#include "support/wire_mcb.h"
+#include "support/wire/mcb.h"
 
 #include <functional>
 #include <map>

@@ -7,7 +7,7 @@
 #include "simulation/mcb/mcb_board.h"
 #include "support/judge_speaks.h"
 #include "support/judged_drive.h"
-#include "support/wire_mcb.h"
+#include "support/wire/mcb.h"
 
 #include <QTest>
 

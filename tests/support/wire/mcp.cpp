@@ -1,4 +1,4 @@
-#include "support/wire_mcp.h"
+#include "support/wire/mcp.h"
 
 #include <algorithm>
 #include <array>

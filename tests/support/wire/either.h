@@ -3,8 +3,8 @@
 #pragma once
 
 #include "aspep/packet.h"
-#include "support/wire_legacy.h"
-#include "support/wire_mcp.h"
+#include "support/wire/legacy.h"
+#include "support/wire/mcp.h"
 
 namespace judge {
 

@@ -1,4 +1,4 @@
-#include "support/wire_legacy.h"
+#include "support/wire/legacy.h"
 
 #include <cmath>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "support/wire_mcb.h"
+#include "support/wire/mcb.h"
 
 #include <algorithm>
 #include <bit>
