@@ -61,6 +61,7 @@ inline drive::Identified identified()
     limits.maxSpeedRpm = 4000.0;
     limits.maxCurrentAmps = 32.0;
     limits.nominalCurrentAmps = 5.0;
+    limits.speedStepRpm = 6.0; // 0.1 Hz
     board.limits = {limits};
     using drive::MotorState;
     board.states = {{MotorState::Idle, {"IDLE"}},

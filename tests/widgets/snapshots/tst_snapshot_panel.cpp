@@ -256,7 +256,7 @@ private Q_SLOTS:
             return names;
         };
         const QStringList written = part("Written and read back:"),
-                          unknown = part("Nobody knows whether these were written:"),
+                          unknown = part("It is not known whether these were written:"),
                           not_ = part("Not written:");
         QCOMPARE(written.size(), 7);
         QVERIFY2(!unknown.isEmpty() && !not_.isEmpty(), qPrintable(report));
