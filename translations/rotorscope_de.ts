@@ -2198,6 +2198,10 @@
         <source>It was written by a later version of Rotorscope (its form is %1).</source>
         <translation>Eine spätere Version von Rotorscope hat sie geschrieben (Form %1).</translation>
     </message>
+    <message>
+        <source>Its value of %1 cannot be.</source>
+        <translation>Der Wert von %1 ist nicht möglich.</translation>
+    </message>
 </context>
 <context>
     <name>WriteQuestion</name>

@@ -2198,6 +2198,10 @@
         <source>It was written by a later version of Rotorscope (its form is %1).</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Its value of %1 cannot be.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>WriteQuestion</name>

@@ -136,6 +136,35 @@ QList<NamedMeasure> measuresOf(const QJsonArray &array)
     return measures;
 }
 
+/// Where what was given is not what came of it, e.g. "trigger.type"; empty if it all is. A key that is not known
+/// may be of a later version.
+QString changedPlace(const QJsonValue &given, const QJsonValue &kept)
+{
+    const auto within = [](const QString &key, const QString &place) {
+        return place.startsWith(QLatin1Char(' ')) ? key : key + QLatin1Char('.') + place;
+    };
+    const QString here(QLatin1Char(' '));
+    if (given.isObject() && kept.isObject()) {
+        const QJsonObject all = given.toObject(), known = kept.toObject();
+        for (auto each = known.begin(); each != known.end(); ++each)
+            if (all.contains(each.key()))
+                if (const QString place = changedPlace(all[each.key()], each.value());
+                    !place.isEmpty())
+                    return within(each.key(), place);
+        return {};
+    }
+    if (given.isArray() && kept.isArray()) {
+        const QJsonArray all = given.toArray(), known = kept.toArray();
+        for (qsizetype i = 0; i < std::min(all.size(), known.size()); ++i)
+            if (const QString place = changedPlace(all[i], known[i]); !place.isEmpty())
+                return within(QString::number(i + 1), place);
+        return all.size() == known.size() ? QString() : here;
+    }
+    const bool same =
+        given.isDouble() && kept.isDouble() ? given.toDouble() == kept.toDouble() : given == kept;
+    return same ? QString() : here;
+}
+
 } // namespace
 
 QJsonObject workspaceJson(const Workspace &workspace)
@@ -198,7 +227,10 @@ Result<Workspace, QString> readWorkspace(const QByteArray &json)
         return fail(
             WorkspaceFile::tr("It was written by a later version of Rotorscope (its form is %1).")
                 .arg(QString::number(object[kMark].toInt())));
-    return workspaceOf(object);
+    Workspace workspace = workspaceOf(object);
+    if (const QString place = changedPlace(object, workspaceJson(workspace)); !place.isEmpty())
+        return fail(WorkspaceFile::tr("Its value of %1 cannot be.").arg(place));
+    return workspace;
 }
 
 } // namespace widgets

@@ -38,7 +38,8 @@ QJsonObject workspaceJson(const Workspace &workspace);
 Workspace workspaceOf(const QJsonObject &object);
 
 QByteArray toJson(const Workspace &workspace); ///< a file
-/// The workspace, or what is wrong with the file, to be shown.
+/// The workspace, or what is wrong with the file, to be shown. What is missing keeps its default, keys that are not known are
+/// passed over; a value that cannot be is named by its place.
 Result<Workspace, QString> readWorkspace(const QByteArray &json);
 
 } // namespace widgets

@@ -120,6 +120,15 @@ private Q_SLOTS:
         QTest::newRow("other") << QByteArray("{\"version\": 1}") << "no workspace";
         QTest::newRow("later") << QByteArray("{\"rotorscopeWorkspace\": 2}") << "later version";
         QTest::newRow("empty") << QByteArray() << "Line 1";
+        QTest::newRow("a number") << QByteArray("{\"rotorscopeWorkspace\": 1, \"span_s\": -1}")
+                                  << "span_s";
+        QTest::newRow("a word") << QByteArray(
+            "{\"rotorscopeWorkspace\": 1, \"trigger\": {\"type\": \"egde\"}}")
+                                << "trigger.type";
+        QTest::newRow("in a list")
+            << QByteArray("{\"rotorscopeWorkspace\": 1, \"signals\": [{\"name\": \"A\", "
+                          "\"route\": \"slow\"}, {\"name\": \"B\", \"route\": 7}]}")
+            << "signals.2.route";
     }
     void whatIsNoWorkspaceIsNamed()
     {
@@ -128,6 +137,14 @@ private Q_SLOTS:
         const auto read = widgets::readWorkspace(json);
         QVERIFY(!read.has_value());
         QVERIFY2(read.error().contains(says), qPrintable(read.error()));
+    }
+
+    void whatIsMissingOrNotKnownDoesNoHarm()
+    {
+        const auto read = widgets::readWorkspace(
+            "{\"rotorscopeWorkspace\": 1, \"span_s\": 2, \"of a later version\": 1}");
+        QVERIFY2(read.has_value(), read ? "" : qPrintable(read.error()));
+        QCOMPARE(read->span, 2.0);
     }
 
     void itIsTakenUpAtTheNextStart()
