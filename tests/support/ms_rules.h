@@ -1,6 +1,6 @@
 // The judge of the wire: whether what a drive puts on its line, and what it says of its motors, is what a person asked for
 // and what is true. It sees bytes with their times, the acts of a person, and the truth of the simulated board; it is told
-// what the product said, and never looks into it: its decoders (wire_*.h) are its own, small ones.
+// what the product said, and never looks into it: its decoders (wire/) are its own, small ones.
 //
 // Protocol-neutral. Time moves where the bench moves it. Each rule is a function of ms_rules_*.cpp with its name and its
 // sentence in kRules; a violation tells the rule, the time, the packet and the act that it is about.
