@@ -14,6 +14,7 @@ ROWS = {
              'mcp',
              'drive',
              'record scope simulation snapshots',
+             'lab',
              'session'],
     'widgets': ['base',
                 'registers scope',
@@ -21,6 +22,7 @@ ROWS = {
                 'forms',
                 'window'],
 }
+NEVER = {('core/lab', 'core/simulation')}  # what measures a motor must not know the one that is simulated
 QT = {'core/session'}  # of core
 NO_NAMESPACE = {'base'}  # of core: its names are for all
 MOST_FILES = 50  # in one folder, its own folders not counted
@@ -56,6 +58,8 @@ def includes(path):
         if target is None or len(target.parts) < 3:
             continue
         to_top, to_row, to_room = row_of(target)
+        if (f'{top}/{room}', f'{to_top}/{to_room}') in NEVER:
+            yield f'{path}: must not use {to_top}/{to_room}: {name}'
         order = ['core', 'widgets', 'app']
         if order.index(to_top) > order.index(top):
             yield f'{path}: goes up to {to_top}: {name}'

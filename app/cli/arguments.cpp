@@ -38,7 +38,7 @@ QString commandList(std::span<const Command *const> commands)
         + QStringLiteral("\nCtrl-C stops the motor that this run started.\n"
                          "Exit status: 0 done, 1 refused by the board, 2 usage, 3 no connection, 4 "
                          "data lost, 5 file "
-                         "error, 128 + signal when interrupted.");
+                         "error, 6 stopped by its own bounds, 128 + signal when interrupted.");
 }
 
 /// The words of --protocol.

@@ -52,6 +52,14 @@ struct TuningArguments {
     int milliseconds = 0; ///< torque
 };
 
+/// Of step.
+struct StepArguments {
+    int fromRpm = 0, toRpm = 0;
+    int repeat = 5;
+    int hold_ms = 500;
+    QString recording; ///< empty: none is kept
+};
+
 /// Of show and export.
 struct RecordingArguments {
     QString file; ///< export: what to write; its ending says the format
@@ -74,6 +82,7 @@ struct Arguments {
     RampArguments ramp; ///< of the command `ramp`
     CaptureArguments capture;
     RecordingArguments recording; ///< of show and export
+    StepArguments step;
     drive::UserLimits limits; ///< --max-rpm and --max-amps
     bool cyclicSetPoints = false; ///< of ramp and capture: with every exchange
     double fullScaleCurrent_a = 0.0; ///< --full-scale-current; 0: not given

@@ -1,7 +1,6 @@
 // start, stop, ack, ramp and torque.
 #include "commands.h"
 #include "drive/start_target.h"
-#include "drive/values.h"
 #include "sentences.h"
 
 #include <QJsonObject>
@@ -37,15 +36,14 @@ Outcome<drive::StartTarget> startTarget(Desk &desk, int motor)
     const auto readings = desk.talk.read(drive::startRegisters(desk.catalog(), motor));
     if (!readings)
         return tl::make_unexpected(readings.error());
-    const auto shown = [&](drive::RegisterId id) -> std::optional<double> {
-        for (const drive::Reading &reading : *readings)
-            if (reading.id == id && reading.status == drive::ReadStatus::Ok)
-                if (const auto number = drive::asNumber(reading.value))
-                    return *number * desk.catalog().readScale(id).factor;
-        return std::nullopt;
-    };
-    return drive::startTarget(
-        desk.catalog(), desk.board.limits.at(static_cast<std::size_t>(motor - 1)), motor, shown);
+    return drive::startTarget(desk.catalog(),
+        desk.board.limits.at(static_cast<std::size_t>(motor - 1)), motor,
+        [&](drive::RegisterId id) -> std::optional<drive::Value> {
+            for (const drive::Reading &reading : *readings)
+                if (reading.id == id && reading.status == drive::ReadStatus::Ok)
+                    return reading.value;
+            return std::nullopt;
+        });
 }
 
 QString targetText(const drive::StartTarget &target)

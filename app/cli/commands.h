@@ -31,6 +31,7 @@ struct Command {
         const Given &given, Arguments &arguments) = nullptr; ///< its own words and options
     bool needsPort = true;
     bool canMove = false; ///< it can move a motor, or write what moves it
+    bool ownsMotor = false; ///< a motor that it moved goes back to what it was, or is stopped if this program dies
     bool ofOneMotor = false; ///< it has --motor
     bool numbers = false; ///< its words may be negative
     Outcome<int> (*run)(Desk &) = nullptr; ///< with a board
@@ -49,7 +50,7 @@ constexpr OptionText kCyclicOption{"cyclic-setpoints", "",
 
 extern const Command kPorts, kInfo, kRegisters, kGet, kSet, kStart, kStop, kAcknowledge, kRamp,
     kCapture, kSnapshot, kDiff, kRestore, kRevUp, kTorque, kGains, kMotor, kHeader, kShow, kExport,
-    kDecode;
+    kDecode, kStep, kEvaluate;
 
 /// Prints a motor's state.
 void printStatus(Output &out, const drive::MotorStatus &status);

@@ -57,6 +57,11 @@ Conversation::Conversation(const Arguments &arguments, const Interrupt &interrup
     QObject::connect(&m_session, &Session::batch, this, &Conversation::onBatch);
     QObject::connect(&m_session, &Session::portChanged, this, &Conversation::onPort);
     QObject::connect(&m_session, &Session::interrupted, this, &Conversation::onInterruption);
+    QObject::connect(
+        &m_session, &Session::experimentEnded, this, [this](const lab::StepOutcome &outcome) {
+            m_experimentEnded = outcome;
+            Q_EMIT changed();
+        });
     QObject::connect(&m_interrupt, &Interrupt::raised, this, &Conversation::changed);
 }
 
@@ -218,6 +223,19 @@ Outcome<bool> Conversation::armToMove()
     if (!travels)
         return tl::make_unexpected(travels.error());
     return true;
+}
+
+Outcome<lab::StepOutcome> Conversation::run(const lab::StepExperiment &experiment)
+{
+    m_experimentEnded.reset();
+    m_session.run(experiment);
+    const auto waited = waitUntil([this] { return m_experimentEnded.has_value(); },
+        lab::lengthOf(experiment.plan) + kEndWithin);
+    if (!waited)
+        return tl::make_unexpected(waited.error());
+    if (*waited == Waited::TimeOver)
+        return failure(kNoConnection, sentenceOf(drive::LinkReason::Silence, m_arguments));
+    return *m_experimentEnded;
 }
 
 bool Conversation::allStopped(StopWord least) const

@@ -14,6 +14,7 @@ enum ExitStatus : int {
     kNoConnection = 3,
     kDataLost = 4,
     kFileError = 5,
+    kAborted = 6, ///< what moved a motor by itself was stopped by its envelope
     kInterrupted = 128, ///< plus the number of the signal, as a shell counts
 };
 

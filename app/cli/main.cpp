@@ -12,7 +12,7 @@ namespace {
 /// In the order of the help.
 const Command *const kCommands[] = {&kPorts, &kInfo, &kRegisters, &kGet, &kSet, &kStart, &kStop,
     &kAcknowledge, &kRamp, &kCapture, &kSnapshot, &kDiff, &kRestore, &kRevUp, &kTorque, &kGains,
-    &kMotor, &kHeader, &kShow, &kExport, &kDecode};
+    &kMotor, &kHeader, &kStep, &kEvaluate, &kShow, &kExport, &kDecode};
 
 /// The limits that the user has set in the window hold here, too: those of the file are added to the arguments of a command
 /// that can move a motor, which is said on standard error. A file that cannot be read ends such a command, unless both
@@ -47,10 +47,11 @@ Outcome<bool> addOwnLimits(Arguments &arguments, const QString &file)
     return true;
 }
 
-/// A capture that stops what it started stops it also if it is killed. All else is meant to last longer than the program.
+/// What stops what it started stops it also if it is killed. All else is meant to last longer than the program.
 std::shared_ptr<session::Guardian> guardianFor(const Arguments &arguments)
 {
-    const bool owns = arguments.capture.start && !arguments.capture.keepRunning;
+    const bool owns = arguments.command->ownsMotor
+        || (arguments.capture.start && !arguments.capture.keepRunning);
     const char *why = nullptr;
     std::shared_ptr<session::Guardian> guardian;
     if (owns && !(guardian = session::startGuardian(why)))

@@ -181,6 +181,11 @@ void ConversationRecording::add(TimePoint at, const snapshots::Snapshot &registe
         record::RegisterSnapshot{"all registers", session::snapshotJson(registers).toStdString()});
 }
 
+void ConversationRecording::add(TimePoint at, const record::Happening &happening)
+{
+    m_recording.add(at.time_since_epoch().count(), happening);
+}
+
 Outcome<int> ConversationRecording::finish()
 {
     m_recording.stop();

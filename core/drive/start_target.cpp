@@ -1,6 +1,8 @@
 #include "drive/start_target.h"
 
+#include "base/bytes.h"
 #include "drive/mcb/mcb_commands.h"
+#include "drive/values.h"
 
 #include <array>
 #include <cmath>
@@ -15,6 +17,7 @@ using catalog::RegisterInfo;
 
 // Of each kind the first that a board has. What is followed in the end, not the ramp on the way to it.
 constexpr std::array<std::string_view, 2> kModes{"DRV_OP_CMD", "CONTROL_MODE"};
+constexpr std::array<std::string_view, 1> kRamps{"SPEED_RAMP"}; // s32 rpm, u16 ms
 constexpr std::array<std::string_view, 4> kSpeeds{
     "CL_VEL_SET_POINT_VALUE", "RAMP_FINAL_SPEED", "FOC_SPEEDREF_FREQ_PU", "SPEED_REF"};
 constexpr std::array<std::string_view, 3> kCurrents{"CL_CUR_Q_SET_POINT", "FOC_IQREF", "I_Q_REF"};
@@ -34,35 +37,53 @@ std::vector<catalog::RegisterId> startRegisters(const Catalog &catalog, int moto
 {
     std::vector<catalog::RegisterId> ids;
     for (const RegisterInfo *info :
-        {first(catalog, kModes), first(catalog, kSpeeds), first(catalog, kCurrents)})
+        {first(catalog, kModes), first(catalog, kRamps), first(catalog, kSpeeds),
+            first(catalog, kCurrents)})
         if (info != nullptr)
             ids.push_back(catalog.withMotor(*info, motor));
     return ids;
 }
 
 StartTarget startTarget(const Catalog &catalog, const MotorLimits &limits, int motor,
-    const std::function<std::optional<double>(catalog::RegisterId)> &shown)
+    const ValueSource &held)
 {
     StartTarget target;
+    const auto valueOf = [&](const RegisterInfo *info) {
+        return info == nullptr ? std::nullopt : held(catalog.withMotor(*info, motor));
+    };
+    const auto numberOf = [&](const RegisterInfo *info) -> std::optional<double> {
+        const auto value = valueOf(info);
+        const auto number = value ? asNumber(*value) : std::nullopt;
+        if (!number)
+            return std::nullopt;
+        return *number * catalog.readScale(catalog.withMotor(*info, motor)).factor;
+    };
     const RegisterInfo *mode = first(catalog, kModes);
-    const auto number = mode == nullptr ? std::nullopt : shown(catalog.withMotor(*mode, motor));
+    const auto number = numberOf(mode);
     if (!number)
         return target;
     target.control = mode->name == kModes.front()
         ? mcbControlOf(static_cast<std::uint16_t>(std::lround(*number)))
         : controlModeOf(std::lround(*number));
-    const auto value = [&](const RegisterInfo *info) -> std::optional<double> {
-        if (info == nullptr)
+    const auto reference = [&](const RegisterInfo *info) -> std::optional<double> {
+        const auto shown = numberOf(info);
+        if (!shown)
             return std::nullopt;
         const auto id = catalog.withMotor(*info, motor);
         const double each = setPointPerDigit(*info, {1.0, catalog.readScale(id).unit}, limits);
-        const auto held = shown(id);
-        return held && each > 0.0 ? std::optional(*held * each) : std::nullopt;
+        return each > 0.0 ? std::optional(*shown * each) : std::nullopt;
     };
-    if (target.control == ControlMode::Speed)
-        target.rpm = value(first(catalog, kSpeeds));
-    else if (target.control == ControlMode::Torque)
-        target.amps = value(first(catalog, kCurrents));
+    if (target.control == ControlMode::Speed) {
+        const auto ramp = valueOf(first(catalog, kRamps));
+        const auto *bytes = ramp ? std::get_if<Bytes>(&*ramp) : nullptr;
+        constexpr std::size_t kRampBytes = 6;
+        if (bytes != nullptr && bytes->size() == kRampBytes)
+            target.rpm = ByteReader(*bytes).s32();
+        else
+            target.rpm = reference(first(catalog, kSpeeds));
+    } else if (target.control == ControlMode::Torque) {
+        target.amps = reference(first(catalog, kCurrents));
+    }
     return target;
 }
 

@@ -1,12 +1,15 @@
 // What a START of a motor goes to, by what its board holds: the reference that its control follows, under whatever name the
 // board has it. Pure functions; reading the registers is left to the caller.
+//
+// A speed that is asked for while a motor rests is kept until it runs: the reference in force still has the old one then, and
+// the last ramp has the speed that a start goes to (firmware 6.0 to 6.4.2). Where a board tells its last ramp, that counts.
 #pragma once
 
 #include "catalog/catalog.h"
 #include "drive/control_mode.h"
 #include "drive/motion_limits.h"
+#include "drive/motor_view.h"
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -21,8 +24,8 @@ struct StartTarget {
 /// The registers that startTarget() looks at; empty for a board without them.
 std::vector<catalog::RegisterId> startRegisters(const catalog::Catalog &catalog, int motor);
 
-/// @param shown  what a register holds, in the unit of catalog.readScale(); empty: not known
+/// @param held  what a register holds, as it was read
 StartTarget startTarget(const catalog::Catalog &catalog, const MotorLimits &limits, int motor,
-    const std::function<std::optional<double>(catalog::RegisterId)> &shown);
+    const ValueSource &held);
 
 } // namespace drive

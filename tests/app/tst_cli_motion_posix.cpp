@@ -49,6 +49,18 @@ private Q_SLOTS:
         COMPARE_STATUS(board.cli("ramp --max-rpm 100000 4001 100"), 1); // the board's is lower
     }
 
+    /// Also to a speed that was asked for while the motor rested.
+    void aStartSaysWhereItGoes()
+    {
+        const Simulator board;
+        QVERIFY(board.ready());
+        COMPARE_STATUS(board.cli("ramp 2100 0"), 0);
+        const CliRun start = board.cli("start");
+        COMPARE_STATUS(start, 0);
+        QVERIFY2(start.out.contains(QStringLiteral("Start -> 2100 rpm")), qPrintable(start.out));
+        COMPARE_STATUS(board.cli("stop"), 0);
+    }
+
     void thoseOfTheWindowHoldUnlessOthersAreGiven()
     {
         const Simulator board;

@@ -347,7 +347,7 @@ drive::StartTarget MotionGate::startTarget(int motor) const
     if (!catalog)
         return {};
     return drive::startTarget(*catalog, m_device.limits(motor), motor,
-        [this](catalog::RegisterId id) { return m_registers.shownValue(id); });
+        [this](catalog::RegisterId id) { return m_registers.current(id); });
 }
 
 QString MotionGate::startText(int motor) const { return targetText(startTarget(motor)); }

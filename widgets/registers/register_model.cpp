@@ -156,6 +156,13 @@ std::optional<double> RegisterModel::shownValue(catalog::RegisterId id) const
     return number == number ? std::optional(number) : std::nullopt;
 }
 
+std::optional<catalog::Value> RegisterModel::current(catalog::RegisterId id) const
+{
+    const Row *row = find(id);
+    return row && row->known == Known::Value && !row->stale ? std::optional(row->value)
+                                                            : std::nullopt;
+}
+
 QString RegisterModel::text(catalog::RegisterId id) const
 {
     const Row *row = find(id);

@@ -63,6 +63,8 @@ public:
 
     /// Newest value in the unit people read; empty if there is none or it is stale.
     std::optional<double> shownValue(catalog::RegisterId id) const;
+    /// The same as the board has it; also what is no number.
+    std::optional<catalog::Value> current(catalog::RegisterId id) const;
     QString text(catalog::RegisterId id) const; ///< with unit; a dash where shownValue() is empty
     bool supported(catalog::RegisterId id) const; ///< false once the board has said it is not
     bool pollable(catalog::RegisterId id) const;

@@ -22,6 +22,21 @@ constexpr Duration kLeastBetweenWakes = std::chrono::microseconds(900);
 constexpr Duration kLongestWait = std::chrono::seconds(60);
 constexpr int kMostRounds = 16; ///< of output and its consequences in one turn
 
+/// What takes the motor out of an experiment's hands; parameters, such as gains, may be written meanwhile.
+bool commands(const drive::Wish &wish, const catalog::Catalog &catalog)
+{
+    if (const auto *write = std::get_if<drive::Write>(&wish.what))
+        return std::any_of(
+            write->writes.begin(), write->writes.end(), [&](const drive::RegisterWrite &one) {
+                const catalog::RegisterInfo *info = catalog.find(one.id);
+                return info == nullptr || info->effect != catalog::Effect::Kept;
+            });
+    return !std::holds_alternative<drive::Read>(wish.what)
+        && !std::holds_alternative<drive::Stream>(wish.what)
+        && !std::holds_alternative<drive::Watch>(wish.what)
+        && !std::holds_alternative<drive::UserLimits>(wish.what);
+}
+
 const auto kStopEvent = static_cast<QEvent::Type>(QEvent::registerEventType());
 
 ByteView viewOf(const QByteArray &bytes)
@@ -45,6 +60,8 @@ Session::Session(Parts parts, QObject *parent)
     qRegisterMetaType<Endpoint>("session::Endpoint");
     qRegisterMetaType<drive::Wish>("drive::Wish");
     qRegisterMetaType<Interruption>("session::Interruption");
+    qRegisterMetaType<lab::StepExperiment>("lab::StepExperiment");
+    qRegisterMetaType<lab::StepOutcome>("lab::StepOutcome");
     connect(&m_timer, &WakeTimer::due, this, [this] {
         m_wokenAt = m_parts.clock();
         step(m_wokenAt);
@@ -178,6 +195,7 @@ void Session::close()
 void Session::startClosing()
 {
     const TimePoint now = wake();
+    interruptExperiment("the port was closed");
     if (m_drive->stopOpen() && now < m_stopUntil) {
         m_phase = Phase::LastStop;
         m_deadline = m_stopUntil;
@@ -201,7 +219,17 @@ void Session::submit(const drive::Wish &wish)
         m_limits = *limits;
     const TimePoint now = wake();
     const bool kept = std::holds_alternative<drive::UserLimits>(wish.what);
-    if (m_phase == Phase::Open) {
+    if (m_experiment && commands(wish, m_experiment->catalog()))
+        interruptExperiment("somebody else commanded the motor");
+    const bool isSignals = std::holds_alternative<drive::Stream>(wish.what)
+        || std::holds_alternative<drive::Watch>(wish.what);
+    if (m_experiment && isSignals) { // it needs its own until it ends; then these are taken up
+        if (wish.id != 0)
+            m_batcher.add(drive::Ended{.id = wish.id,
+                .outcome = drive::Outcome::Ok,
+                .reason = {},
+                .writes = {}});
+    } else if (m_phase == Phase::Open) {
         m_driven.submitted(wish, m_drive->armed(), now);
         m_drive->submit(wish, now);
     } else if (wish.id != 0) {
@@ -249,6 +277,7 @@ void Session::arm(TimePoint madeAt, TimePoint now)
 
 void Session::disarm()
 {
+    interruptExperiment("the drive was disarmed");
     // The user's own choice. Where the drive is not armed any more, this follows from something else.
     if (m_drive->armed())
         m_deadMan.disarmed();
@@ -350,6 +379,67 @@ void Session::runLink(TimePoint now)
     m_drive->handleTimeout(now);
     tellGuardian(now);
     exchange(now);
+    for (int round = 0; round < kMostRounds && runExperiment(now); ++round) {
+        tellGuardian(now);
+        exchange(now);
+    }
+}
+
+void Session::run(const lab::StepExperiment &experiment)
+{
+    const TimePoint now = wake();
+    const char *why = m_phase != Phase::Open ? "no port is open"
+        : m_experiment                       ? "another experiment is running"
+        : !m_drive->armed()                  ? "the drive is not armed"
+                                             : nullptr;
+    if (why != nullptr) {
+        Q_EMIT experimentEnded({lab::StepEnd::Refused, why, now});
+        return;
+    }
+    m_experiment = std::make_unique<lab::StepRunner>(experiment);
+    m_experiment->begin(now);
+    step(now);
+}
+
+/// Lets the experiment go on; true if it asked for something. Its Stop comes before all else.
+bool Session::runExperiment(TimePoint now)
+{
+    if (!m_experiment)
+        return false;
+    if (m_phase == Phase::Open && !m_drive->armed())
+        m_experiment->interrupt("the drive is not armed any more");
+    m_experiment->advance(now);
+    const bool stops = m_experiment->takeStop();
+    if (stops)
+        stopNow(now);
+    std::vector<drive::Wish> wishes = m_experiment->takeWishes();
+    for (const drive::Wish &wish : wishes) {
+        m_driven.submitted(wish, m_drive->armed(), now);
+        m_drive->submit(wish, now);
+    }
+    if (!m_experiment->over())
+        return stops || !wishes.empty();
+    endExperiment(now);
+    return true;
+}
+
+void Session::interruptExperiment(const std::string &why)
+{
+    if (m_experiment)
+        m_experiment->interrupt(why);
+}
+
+/// What was recorded and read before is again, whichever way it ended.
+void Session::endExperiment(TimePoint now)
+{
+    lab::StepOutcome outcome = m_experiment->outcome();
+    outcome.at = now;
+    m_experiment.reset();
+    if (m_phase == Phase::Open) {
+        m_drive->submit({.id = 0, .what = m_stream.value_or(drive::Stream{})}, now);
+        m_drive->submit({.id = 0, .what = m_watch.value_or(drive::Watch{})}, now);
+    }
+    Q_EMIT experimentEnded(outcome);
 }
 
 void Session::tellGuardian(TimePoint now)
@@ -422,6 +512,8 @@ void Session::collectEvents(TimePoint now)
             m_deadMan.takeStatus(*status);
         identified = identified || std::holds_alternative<drive::Identified>(event);
         m_driven.told(event, now);
+        if (m_experiment)
+            m_experiment->take(event, now);
         m_batcher.add(std::move(event));
     }
     if (identified && m_takeUpAgain)
@@ -447,6 +539,10 @@ void Session::afterFailure(TimePoint now)
         m_drive->disconnect(now);
     (void)m_drive->takeOutput();
     collectEvents(now);
+    if (m_experiment)
+        m_experiment->lose("the port was lost");
+    if (runExperiment(now))
+        collectEvents(now);
     const bool again =
         m_phase == Phase::Open && m_endpoint.reopen && m_endpoint.kind == Endpoint::Kind::Serial;
     dropLink();
@@ -500,6 +596,7 @@ void Session::stopNow(TimePoint now)
     if (m_phase == Phase::Closed)
         return; // no port is known that it could be for
     qCInfo(lcLink) << "stop";
+    interruptExperiment("every motor was stopped");
     m_stops.want(m_endpoint);
     m_stopUntil = now + kLastStop;
     if (m_phase == Phase::Reopening) {
@@ -573,6 +670,8 @@ std::optional<TimePoint> Session::nextStep() const
         sooner(m_drive->nextTimeout());
         sooner(m_outbox.nextDue());
         sooner(m_transport->nextWake());
+        if (m_experiment)
+            sooner(m_experiment->nextTimeout());
     }
     if (m_phase == Phase::Open)
         if (const auto wait = m_deadMan.nextLook(m_drive->armed(), m_elapsed()))

@@ -43,9 +43,9 @@ std::shared_ptr<const catalog::Catalog> catalogOf(
 StartTarget targetOf(
     const catalog::Catalog &catalog, int motor, const std::map<RegisterId, double> &held)
 {
-    return startTarget(catalog, {}, motor, [&](RegisterId id) {
+    return startTarget(catalog, {}, motor, [&](RegisterId id) -> std::optional<catalog::Value> {
         const auto found = held.find(id);
-        return found == held.end() ? std::nullopt : std::optional(found->second);
+        return found == held.end() ? std::nullopt : std::optional<catalog::Value>(found->second);
     });
 }
 
@@ -76,6 +76,37 @@ private Q_SLOTS:
             targetOf(*board, 2, {{id(kMode), 7.0}, {id(kSpeed), -1500.0}, {id(kCurrent), 2.0}});
         QVERIFY(other.control == ControlMode::Other);
         QVERIFY(!other.rpm && !other.amps);
+    }
+
+    /// A speed that was asked for while the motor rests is in no reference yet.
+    void theLastRampIsWhereAStartGoes()
+    {
+        constexpr std::uint32_t kRamp = 0x40;
+        std::vector<catalog::RegisterInfo> registers{
+            reference(kMode, "CONTROL_MODE", catalog::SetPoint::None, ""),
+            reference(kSpeed, "SPEED_REF", catalog::SetPoint::Speed, "rpm"),
+            reference(kRamp, "SPEED_RAMP", catalog::SetPoint::None, "")};
+        registers.back().type = catalog::ValueType::Raw;
+        const catalog::Catalog board(std::move(registers), 1, {{}});
+        const auto id = [&](std::uint32_t bare) {
+            return board.withMotor(*board.find(RegisterId{bare}), 1);
+        };
+        QCOMPARE(startRegisters(board, 1), (std::vector{id(kMode), id(kRamp), id(kSpeed)}));
+        std::map<RegisterId, catalog::Value> held{
+            {id(kMode), std::int64_t{3}}, {id(kSpeed), std::int64_t{1380}}};
+        const auto rpm = [&] {
+            return startTarget(board, {}, 1, [&](RegisterId of) -> std::optional<catalog::Value> {
+                const auto found = held.find(of);
+                return found == held.end() ? std::nullopt : std::optional(found->second);
+            }).rpm;
+        };
+        QCOMPARE(rpm(), 1380.0); // a board that does not tell its ramp
+        held[id(kRamp)] = Bytes{0x30, 0xF8, 0xFF, 0xFF, 0, 0}; // -2000 rpm at once
+        QCOMPARE(rpm(), -2000.0);
+        held[id(kRamp)] = Bytes{0x30, 0xF8}; // no such structure
+        QCOMPARE(rpm(), 1380.0);
+        held[id(kMode)] = std::int64_t{4};
+        QVERIFY(!rpm());
     }
 
     void whatIsNotThereOrNotReadIsNotGuessed()

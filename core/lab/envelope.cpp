@@ -1,0 +1,123 @@
+#include "lab/envelope.h"
+
+#include "drive/values.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace lab {
+
+namespace {
+
+std::string text(double value)
+{
+    std::array<char, 32> buffer{};
+    constexpr int kDigits = 4;
+    const auto end = std::to_chars(
+        buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, kDigits);
+    return {buffer.data(), end.ptr};
+}
+
+std::string broken(const char *what, double value, double bound, const char *unit)
+{
+    return std::string(what) + " of " + text(value) + ' ' + unit + " is beyond the "
+        + text(bound) + ' ' + unit + " that are allowed";
+}
+
+} // namespace
+
+void Envelope::set(const Caps &caps, TimePoint now)
+{
+    m_caps = caps;
+    m_heard = now;
+}
+
+std::optional<std::string> Envelope::take(
+    const drive::Event &event, const catalog::Catalog &catalog, TimePoint now)
+{
+    if (const auto *started = std::get_if<drive::StreamStarted>(&event)) {
+        m_stream = started->layout.id;
+        m_speed.reset();
+        m_current.reset();
+        for (std::size_t i = 0; i < started->layout.fast.size(); ++i) {
+            const capture::StreamSignal &signal = started->layout.fast[i];
+            if (signal.id == m_watched.speed)
+                m_speed = {i, signal.factor, signal.offset};
+            else if (signal.id == m_watched.current)
+                m_current = {i, signal.factor, signal.offset};
+        }
+    } else if (const auto *block = std::get_if<capture::SampleBlock>(&event)) {
+        if (block->stream != m_stream || block->count == 0)
+            return std::nullopt;
+        m_heard = now;
+        return samples(*block);
+    } else if (const auto *read = std::get_if<drive::RegistersRead>(&event)) {
+        for (const drive::Reading &one : read->readings)
+            if (auto found = reading(one, catalog))
+                return found;
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> Envelope::samples(const capture::SampleBlock &block)
+{
+    const auto visit = [&block](const Column &column, auto look) -> std::optional<std::string> {
+        for (std::size_t i = 0; i < block.count; ++i) {
+            const double stored = block.fast[column.place * block.count + i];
+            if (auto found = look((stored + column.offset) * column.factor))
+                return found;
+        }
+        return std::nullopt;
+    };
+    if (m_current && m_caps.mostAmps > 0.0) {
+        const auto found = visit(*m_current, [this](double amps) {
+            return std::abs(amps) > m_caps.mostAmps
+                ? std::optional(broken("a current", amps, m_caps.mostAmps, "A"))
+                : std::nullopt;
+        });
+        if (found)
+            return found;
+    }
+    if (!m_speed)
+        return std::nullopt;
+    return visit(*m_speed, [this](double rpm) -> std::optional<std::string> {
+        m_rpm = rpm;
+        if (m_caps.mostRpm == m_caps.leastRpm)
+            return std::nullopt;
+        if (rpm > m_caps.mostRpm)
+            return broken("a speed", rpm, m_caps.mostRpm, "rpm");
+        if (rpm < m_caps.leastRpm)
+            return broken("a speed", rpm, m_caps.leastRpm, "rpm");
+        return std::nullopt;
+    });
+}
+
+std::optional<std::string> Envelope::reading(
+    const drive::Reading &reading, const catalog::Catalog &catalog) const
+{
+    const auto number = drive::asNumber(reading.value);
+    if (reading.status != drive::ReadStatus::Ok || !number || reading.id == 0)
+        return std::nullopt;
+    const double value = *number * catalog.readScale(reading.id).factor;
+    if (reading.id == m_watched.bus) {
+        if (m_caps.mostBus_v > 0.0 && value > m_caps.mostBus_v)
+            return broken("a bus voltage", value, m_caps.mostBus_v, "V");
+        if (m_caps.leastBus_v > 0.0 && value < m_caps.leastBus_v)
+            return broken("a bus voltage", value, m_caps.leastBus_v, "V");
+    }
+    if (reading.id == m_watched.temperature && m_caps.mostTemperature_c > 0.0
+        && value > m_caps.mostTemperature_c)
+        return broken("a temperature", value, m_caps.mostTemperature_c, "\u00b0C");
+    return std::nullopt;
+}
+
+std::optional<std::string> Envelope::silence(TimePoint now) const
+{
+    const auto at = silentAt();
+    if (!at || now < *at)
+        return std::nullopt;
+    return "no samples came for " + text(toSeconds(m_caps.silence)) + " s";
+}
+
+} // namespace lab

@@ -1,0 +1,73 @@
+// The bounds within which a motor may be moved by a program alone: what breaks them ends the experiment with a Stop. Looked
+// at with every packet of samples and every reading, in the thread of the link. It sends nothing.
+//
+// Bounds of speed and current are absolute and of one sample each: none is averaged away. Silence is a bound, too, because
+// a motor that nobody hears of is not under control. A bound of zero holds nothing.
+#pragma once
+
+#include "drive/event.h"
+
+#include <optional>
+#include <string>
+
+namespace lab {
+
+struct Caps {
+    double leastRpm = 0.0, mostRpm = 0.0;
+    double mostAmps = 0.0; ///< magnitude of Iq
+    double leastBus_v = 0.0, mostBus_v = 0.0;
+    double mostTemperature_c = 0.0;
+    Duration silence = std::chrono::milliseconds(500);
+};
+
+/// What the envelope has to know of the motor's signals; registers of this motor, 0: not there.
+struct Watched {
+    int motor = 1;
+    drive::RegisterId speed = 0, current = 0; ///< streamed
+    drive::RegisterId bus = 0, temperature = 0; ///< polled
+};
+
+class Envelope {
+public:
+    explicit Envelope(Watched watched)
+        : m_watched(watched)
+    {
+    }
+
+    /// From now on these bounds hold; silence counts from now.
+    void set(const Caps &caps, TimePoint now);
+
+    /// @param unitOf  factor of a polled register's number to its unit
+    /// @return  which bound is broken, in words with its numbers; empty: none
+    std::optional<std::string> take(
+        const drive::Event &event, const catalog::Catalog &catalog, TimePoint now);
+    std::optional<std::string> silence(TimePoint now) const;
+    /// When silence breaks it; empty: it does not.
+    std::optional<TimePoint> silentAt() const
+    {
+        return m_caps.silence == Duration::zero() ? std::nullopt
+                                                  : std::optional(m_heard + m_caps.silence);
+    }
+
+    std::optional<double> rpm() const { return m_rpm; } ///< the newest
+
+private:
+    std::optional<std::string> samples(const capture::SampleBlock &block);
+    std::optional<std::string> reading(
+        const drive::Reading &reading, const catalog::Catalog &catalog) const;
+
+    /// Where a signal is in the blocks of the stream.
+    struct Column {
+        std::size_t place = 0;
+        double factor = 1.0, offset = 0.0;
+    };
+
+    Watched m_watched;
+    Caps m_caps;
+    capture::StreamId m_stream = 0;
+    std::optional<Column> m_speed, m_current;
+    std::optional<double> m_rpm;
+    TimePoint m_heard{};
+};
+
+} // namespace lab

@@ -1,0 +1,25 @@
+// What a few repeated measurements say together. Pure functions; values that are no numbers are the caller's to leave out.
+#pragma once
+
+#include "lab/estimate.h"
+
+#include <span>
+#include <vector>
+
+namespace lab {
+
+/// Mean with its 95 % interval by Student's t. Empty for no value; without an interval for one.
+std::optional<Estimate> meanOf(std::span<const double> values);
+
+/// The middle between the means of two kinds of measurement, such as steps up and down, which differ by more than chance:
+/// its interval tells of the spread inside each kind alone. As meanOf() where one kind is empty.
+std::optional<Estimate> meanOfBoth(std::span<const double> one, std::span<const double> other);
+
+double medianOf(std::vector<double> values); ///< of at least one
+
+/// Places of the values further from the median than 3.5 of its deviations, as a normal spread would have them (1.4826
+/// times the median deviation). They are named to the user, never left out of a mean.
+/// @param resolution  differences up to it are none, so that equal values and one that is a digit off are no outlier
+std::vector<std::size_t> outliersOf(std::span<const double> values, double resolution);
+
+} // namespace lab

@@ -1,0 +1,231 @@
+#include "lab/step_evaluation.h"
+
+#include "scope/step_response.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace lab {
+
+namespace {
+
+constexpr Nanos kMilli = 1'000'000;
+constexpr Nanos kBefore = 100 * kMilli; ///< of the speed before the step, for its mean
+/// A sample's time is that of its board, set to our clock by the packet that came soonest: it is late by what that took.
+constexpr Nanos kEarly = 5 * kMilli, kLate = 25 * kMilli;
+/// A mean over T makes a rise longer by (T / rise)^2 / 4; over an eighth of it, by 0.4 %. Encoders of few lines need more.
+constexpr double kSpeedWindow_s = 5e-3, kLeastWindow_s = 2e-3, kWindowsPerRise = 8.0;
+constexpr double kLikeExpected = 0.25; ///< a jump may differ by so much from the one that the gain tells
+constexpr double kAlone = 4.0; ///< without a gain: so much larger than every other one
+constexpr double kMinute_s = 60.0, kTurn_deg = 360.0;
+
+struct Jump {
+    double at_s = 0.0; ///< since the range began
+    double size = 0.0; ///< in the direction of the step
+    double behind = 0.0; ///< where it led to
+};
+
+struct Instant {
+    Nanos at = 0;
+    Nanos error = 0;
+};
+
+/// All jumps of the reference in the direction of the step, and what it is at its ends.
+std::vector<Jump> jumpsOf(const scope::SampleRange &range, double direction)
+{
+    std::vector<Jump> jumps;
+    double before = 0.0;
+    range.visit([&](double seconds, double value, bool joined) {
+        const double size = (value - before) * direction;
+        if (joined && size > 0.0)
+            jumps.push_back({seconds, size, value});
+        before = value;
+    });
+    return jumps;
+}
+
+/// Those that can be the step: as large as the gain tells, or cut short because they led to the end of the reference.
+std::vector<Jump> likeExpected(std::vector<Jump> jumps, double expected, double end, double digit)
+{
+    std::erase_if(jumps, [&](const Jump &jump) {
+        const bool asLarge = std::abs(jump.size - expected) <= kLikeExpected * expected;
+        const bool cut = jump.size < expected && jump.size > kLikeExpected * expected
+            && std::abs(jump.behind - end) <= digit;
+        return !asLarge && !cut;
+    });
+    return jumps;
+}
+
+/// The largest, if it stands out.
+std::vector<Jump> largest(std::vector<Jump> jumps)
+{
+    std::sort(jumps.begin(), jumps.end(), [](const Jump &a, const Jump &b) { return a.size > b.size; });
+    if (jumps.empty() || (jumps.size() > 1 && jumps[0].size < kAlone * jumps[1].size))
+        return {};
+    jumps.resize(1);
+    return jumps;
+}
+
+std::optional<Instant> findInstant(
+    const capture::Channel &reference, const StepAsked &asked, double jumpPerRpm)
+{
+    const double step = asked.toRpm - asked.fromRpm;
+    const double direction = step > 0.0 ? 1.0 : -1.0;
+    const scope::SampleRange range(reference, asked.asked - kEarly, asked.answered + kLate);
+    if (range.empty() || range.gapInside())
+        return std::nullopt;
+    const scope::SampleRange whole(reference, asked.asked - kEarly, asked.until);
+    const auto ends = whole.extremes();
+    const double expected = std::abs(jumpPerRpm * step);
+    std::vector<Jump> jumps = jumpsOf(range, direction);
+    jumps = expected > 0.0 ? likeExpected(std::move(jumps), expected,
+                direction > 0.0 ? ends.max : ends.min, std::abs(reference.info().digit()) * 1.5)
+                           : largest(std::move(jumps));
+    if (jumps.empty())
+        return std::nullopt;
+    // Where several could be it, the first is taken, because the loop answers to its own step; how far the others are says
+    // how sure that is.
+    const Nanos sample = range.end() - range.begin() > 1
+        ? reference.timeOf(range.begin() + 1) - reference.timeOf(range.begin())
+        : kMilli;
+    const Nanos spread = capture::toNanos(jumps.back().at_s - jumps.front().at_s);
+    return Instant{range.toNanos(jumps.front().at_s), std::max(sample, spread)};
+}
+
+std::optional<double> valueOf(const scope::StepResponse &response, scope::Quantity quantity)
+{
+    const auto measured = response.measure(quantity).value;
+    return measured ? std::optional(*measured) : std::nullopt;
+}
+
+/// Largest magnitude, if anything is there.
+std::optional<double> peakOf(const capture::Channel &channel, Nanos from, Nanos to)
+{
+    const scope::SampleRange range(channel, from, to);
+    if (range.empty())
+        return std::nullopt;
+    const auto ends = range.extremes();
+    return std::max(std::abs(ends.min), std::abs(ends.max));
+}
+
+/// How much of the time the reference stood at its end in the direction of the step: for two samples or more in a row.
+double shareAtLimit(const capture::Channel &reference, Nanos from, Nanos to, bool up)
+{
+    const scope::SampleRange range(reference, from, to);
+    if (range.end() < range.begin() + 2)
+        return 0.0;
+    const auto ends = range.extremes();
+    const double end = up ? ends.max : ends.min;
+    constexpr int kTurnSamples = 64; // a loop that turns once a millisecond holds each value for less
+    int row = 0, held = 0;
+    range.visit([&](double, double value, bool) {
+        row = value == end ? row + 1 : 0;
+        held += row == kTurnSamples ? kTurnSamples : row > kTurnSamples ? 1 : 0;
+    });
+    return static_cast<double>(held) / static_cast<double>(range.end() - range.begin());
+}
+
+} // namespace
+
+capture::Capture speedOf(
+    const capture::Channel &angle, double polePairs, double window_s, Nanos from, Nanos to)
+{
+    const scope::SampleRange range(angle, from, to);
+    std::vector<double> turned; // degrees since the range began
+    double before = 0.0;
+    range.visit([&](double, double value, bool) {
+        turned.push_back(
+            turned.empty() ? 0.0 : turned.back() + std::remainder(value - before, kTurn_deg));
+        before = value;
+    });
+    capture::Capture result;
+    if (turned.size() < 3 || range.gapInside() || !(polePairs > 0.0))
+        return result;
+    const double step_s = range.secondsOf(range.begin() + 1) - range.secondsOf(range.begin());
+    const auto window = static_cast<std::size_t>(std::max(1.0, std::round(window_s / step_s)));
+    if (turned.size() <= window)
+        return result;
+    std::vector<double> rpm;
+    double most = 1.0;
+    for (std::size_t i = window; i < turned.size(); ++i) {
+        const double turns = (turned[i] - turned[i - window]) / (kTurn_deg * polePairs);
+        rpm.push_back(turns / (static_cast<double>(window) * step_s) * kMinute_s);
+        most = std::max(most, std::abs(rpm.back()));
+    }
+    // As a signal of its own: its digits are a hundred times finer than what an encoder resolves.
+    capture::StreamLayout layout;
+    layout.id = 1;
+    layout.tickHz = 1.0 / step_s;
+    layout.originSeconds = capture::toSeconds(angle.timeOf(range.begin()))
+        + static_cast<double>(window) / 2.0 * step_s;
+    const double digit = most / 32000.0;
+    layout.fast = {{angle.info().registerId, "speed from the angle", "rpm", digit}};
+    capture::SampleBlock block;
+    block.stream = layout.id;
+    block.count = static_cast<std::uint32_t>(rpm.size());
+    for (const double value : rpm)
+        block.fast.push_back(static_cast<std::int16_t>(std::lround(value / digit)));
+    result.begin(layout);
+    result.append(block);
+    return result;
+}
+
+namespace {
+
+/// What the speed says, over [run.at - kBefore, until).
+void measureSpeed(StepRun &run, const capture::Channel &speed, Nanos until)
+{
+    scope::StepSettings settings;
+    settings.at = run.at;
+    const scope::StepResponse response({speed, run.at - kBefore, until}, settings);
+    run.unusable = response.whyNot();
+    if (!run.unusable && run.up != (response.final() > response.initial()))
+        run.unusable = scope::WhyNot::NoStep;
+    if (run.unusable)
+        return;
+    run.rise_s = valueOf(response, run.up ? scope::Quantity::Rise : scope::Quantity::Fall);
+    run.overshoot_pct = valueOf(response, scope::Quantity::Overshoot);
+    // Without the instant, what is counted from it is not known.
+    if (run.found)
+        run.settling_s = valueOf(response, scope::Quantity::Settling);
+}
+
+void measureByAngle(
+    StepRun &run, const capture::Channel &angle, double polePairs, double window_s, Nanos until)
+{
+    const capture::Capture turned = speedOf(angle, polePairs, window_s, run.at - kBefore, until);
+    const auto ids = turned.channels();
+    if (ids.empty())
+        run.unusable = scope::WhyNot::GapInside;
+    else
+        measureSpeed(run, *turned.channel(ids.front().id), until);
+}
+
+} // namespace
+
+StepRun evaluateStep(const StepChannels &channels, const StepAsked &asked, const StepFacts &facts)
+{
+    StepRun run;
+    run.up = asked.toRpm > asked.fromRpm;
+    const auto instant = findInstant(*channels.reference, asked, facts.jumpPerRpm);
+    run.found = instant.has_value();
+    // Not found, it lies anywhere in the range that was searched: what came before that is not the step's.
+    run.at = instant ? instant->at : asked.asked - kEarly;
+    run.instantError_s = capture::toSeconds(
+        instant ? instant->error : asked.answered - asked.asked + kEarly + kLate);
+    if (channels.current != nullptr)
+        run.peakIq_a = peakOf(*channels.current, run.at, asked.until);
+    run.atLimit = shareAtLimit(*channels.reference, run.at, asked.until, run.up);
+    if (channels.angle == nullptr || !(facts.polePairs > 0.0)) {
+        measureSpeed(run, *channels.speed, asked.until);
+        return run;
+    }
+    measureByAngle(run, *channels.angle, facts.polePairs, kSpeedWindow_s, asked.until);
+    if (run.rise_s && *run.rise_s < kWindowsPerRise * kSpeedWindow_s)
+        measureByAngle(run, *channels.angle, facts.polePairs,
+            std::max(kLeastWindow_s, *run.rise_s / kWindowsPerRise), asked.until);
+    return run;
+}
+
+} // namespace lab

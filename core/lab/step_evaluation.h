@@ -1,0 +1,61 @@
+// One speed step as its samples tell it: when it began, and how the speed followed. A pure function of what was recorded.
+//
+// The instant of a step is in the data: when the set-point jumps, the speed loop's proportional part makes the reference of
+// Iq jump by gain times step at its next turn. Found, it is known to a sample; clocks of board and computer play no part.
+// The speed is taken from the electrical angle where that was recorded, as the difference over 2 to 5 ms, the
+// shorter the faster the step: the speed signals of boards count in steps of 6 rpm and are averaged already.
+// Definitions of rise, overshoot and settling: scope/step_response.h.
+#pragma once
+
+#include "capture/capture.h"
+#include "scope/measurement.h"
+
+#include <optional>
+
+namespace lab {
+
+using capture::Nanos;
+
+/// Channels of one motor; they outlive the call and do not change meanwhile. `speed` and `reference` are there.
+struct StepChannels {
+    const capture::Channel *reference = nullptr; ///< of Iq
+    const capture::Channel *current = nullptr; ///< Iq as measured
+    const capture::Channel *speed = nullptr; ///< rpm
+    const capture::Channel *angle = nullptr; ///< electrical, degrees
+};
+
+/// A step as it was asked for.
+struct StepAsked {
+    int fromRpm = 0, toRpm = 0;
+    Nanos asked = 0; ///< when it was handed to the link
+    Nanos answered = 0; ///< when the board had agreed
+    Nanos until = 0; ///< the speed is held at least so long
+};
+
+struct StepFacts {
+    double polePairs = 0.0; ///< 0: not known; the speed signal is taken then
+    double speedStepRpm = 0.0; ///< what the speed signal resolves
+    double jumpPerRpm = 0.0; ///< A/rpm; 0: not known
+};
+
+struct StepRun {
+    bool up = true;
+    Nanos at = 0; ///< the instant of the step
+    bool found = false; ///< by the jump; else only when it was asked for is known
+    double instantError_s = 0.0; ///< to either side
+    std::optional<scope::WhyNot> unusable; ///< nothing of the speed can be told
+    std::optional<double> rise_s, overshoot_pct, settling_s; ///< empty: it does not have it, e.g. not settled
+    std::optional<double> peakIq_a; ///< magnitude
+    double atLimit = 0.0; ///< share of the time in which the current's reference stood at its end
+};
+
+StepRun evaluateStep(
+    const StepChannels &channels, const StepAsked &asked, const StepFacts &facts);
+
+/// The speed in rpm over [from, to) but for half a window at both ends, from the electrical angle in degrees: one channel.
+/// No channel if samples are missing in between, or too few: no difference is taken across a gap.
+/// @param window_s  of each difference; a value stands in its middle
+capture::Capture speedOf(
+    const capture::Channel &angle, double polePairs, double window_s, Nanos from, Nanos to);
+
+} // namespace lab

@@ -1,0 +1,131 @@
+// Carries out a series of steps: a machine without I/O between a drive's events and its wishes, in the session's thread.
+// While it runs, every packet of samples and every reading is held against the envelope; what breaks it asks for a Stop of
+// every motor at once, and that is the last thing the runner asks for.
+//
+// Every way out brings the motor back to what it was, as far as that is possible, and says in a sentence what is not as it
+// was: at the end and where a wish is refused, by the old set-point or by stopping the motor that it started; after a Stop
+// the motor rests, and the set-point is the one that stood when it was stopped.
+//
+// Call order: begin(); then take() for every event of the drive and advance() when nextTimeout() is due, each followed by
+// takeStop() and takeWishes(); until over().
+#pragma once
+
+#include "drive/start_target.h"
+#include "lab/envelope.h"
+#include "lab/step_plan.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lab {
+
+enum class StepEnd : std::uint8_t {
+    Complete,
+    Refused, ///< the board or the drive did not do what was asked; nothing is left moving that stood before
+    Aborted, ///< the envelope was broken, or the board reported a fault
+    Interrupted, ///< somebody stopped, disarmed or took the motor over, or the link went
+};
+
+struct StepOutcome {
+    StepEnd end = StepEnd::Complete;
+    /// Why it ended, and what is not as it was before; without a full stop. Empty: nothing to say.
+    std::string reason;
+    TimePoint at{}; ///< when it ended; the session says it
+    bool operator==(const StepOutcome &) const = default;
+};
+
+class StepRunner {
+public:
+    /// Wishes of a runner have ids from here on: nobody else's are as large.
+    static constexpr drive::WishId kFirstWish = drive::WishId{1} << 62;
+
+    explicit StepRunner(StepExperiment experiment);
+
+    void begin(TimePoint now);
+    void take(const drive::Event &event, TimePoint now);
+    void advance(TimePoint now); ///< early or repeated calls do nothing
+    /// Somebody else decided about the motor: nothing more is asked of it. @param why  in words
+    void interrupt(const std::string &why);
+    /// Nothing reaches the board any more: what it set going is to be stopped as soon as that is possible.
+    void lose(const std::string &why);
+
+    const catalog::Catalog &catalog() const { return *m_experiment.board.catalog; }
+
+    std::vector<drive::Wish> takeWishes();
+    /// Once true: every motor is to be stopped, before anything else leaves.
+    bool takeStop() { return std::exchange(m_stop, false); }
+    std::optional<TimePoint> nextTimeout() const;
+    bool over() const { return m_outcome.has_value(); }
+    const StepOutcome &outcome() const { return *m_outcome; } ///< once over()
+
+private:
+    enum class Phase : std::uint8_t {
+        Reading, ///< what the motor does now
+        Streaming, ///< until the board records
+        Watching, ///< until the rest is polled
+        Aiming, ///< of a motor at rest: until its start goes to `from`
+        Starting, ///< until it runs
+        Approaching, ///< until the speed is that of `from`
+        Stepping, ///< until the last speed was held
+        Returning, ///< to the speed of before, or to rest
+        Restoring, ///< of the set-point, while it rests
+        Comparing, ///< what the board has now
+        Over,
+    };
+
+    void ask(decltype(drive::Wish::what) what, TimePoint now);
+    void ramp(int rpm, milliseconds duration, TimePoint now);
+    void enter(Phase phase, Duration within, TimePoint now);
+    void onEnded(const drive::Ended &ended, TimePoint now);
+    void onStatus(const drive::MotorStatus &status, TimePoint now);
+    void onRead(TimePoint now);
+    void onReturned(TimePoint now);
+    void onCompared();
+    void onLate(TimePoint now);
+    void approach(TimePoint now);
+    void step(TimePoint now);
+    void giveBack(TimePoint now);
+    void restore(TimePoint now);
+    void giveUp(StepEnd end, const std::string &reason, TimePoint now);
+    void abort(const std::string &reason);
+    void finish();
+    bool steadyAt(double rpm, TimePoint now);
+    bool near(std::optional<double> speed, double rpm) const;
+    drive::StartTarget startTarget() const;
+    bool moves() const { return m_phase >= Phase::Starting && m_phase <= Phase::Returning; }
+    Caps caps() const;
+    Caps startCaps() const;
+    double allowedRpm() const;
+    double tolerated() const;
+    drive::Stream stream() const;
+    drive::Watch watch() const;
+    std::optional<double> shown(drive::RegisterId id) const;
+
+    StepExperiment m_experiment;
+    Envelope m_envelope;
+    Phase m_phase = Phase::Over;
+    TimePoint m_until{}; ///< the phase is over by then, or it has failed
+    TimePoint m_settledAt{}; ///< the speed has been right since then
+    bool m_settled = false;
+    int m_steps = 0; ///< made so far
+
+    drive::WishId m_lastWish = kFirstWish;
+    drive::WishId m_waiting = 0; ///< what the phase waits for; 0: it has ended
+    bool m_answered = false; ///< with ok
+    bool m_commanded = false; ///< something left that may move the motor
+    std::map<drive::RegisterId, catalog::Value> m_values; ///< the newest
+    std::optional<drive::MotorStatus> m_status;
+    double m_before_rpm = 0.0; ///< the set-point
+    int m_target_rpm = 0; ///< the set-point that the board may have taken last
+    std::optional<int> m_asked_rpm; ///< on its way
+    bool m_stands = false; ///< the start was refused
+    bool m_ran = false; ///< the motor did
+    StepOutcome m_soFar;
+
+    std::vector<drive::Wish> m_wishes;
+    bool m_stop = false;
+    std::optional<StepOutcome> m_outcome;
+};
+
+} // namespace lab

@@ -1,0 +1,229 @@
+#include "lab/step_series.h"
+
+#include "lab/statistics.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace lab {
+
+namespace {
+
+constexpr const char *kEnd = "experiment ended";
+
+std::string fieldOf(const record::Happening &happening, std::string_view key)
+{
+    for (const auto &[name, value] : happening.fields)
+        if (name == key)
+            return value;
+    return {};
+}
+
+std::optional<double> numberOf(const std::string &text)
+{
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    return whole && std::isfinite(value) && std::abs(value) < 1e9 ? std::optional(value)
+                                                                  : std::nullopt;
+}
+
+/// The steps between the plan and the end of the series: set-points without a ramp, each until the next one.
+class Finder {
+public:
+    explicit Finder(const RecordedPlan &plan)
+        : m_plan(plan)
+    {
+    }
+    void take(Nanos at, const record::Happening &what)
+    {
+        if (what.name == "speed ramp")
+            takeRamp(at, what);
+        else if (what.name == "motion" && fieldOf(what, "act") == "SPEED_RAMP")
+            takeAnswer(what);
+        else if (what.name == kEnd)
+            takeEnd(at, what);
+        else if (what.name == "stop" || what.name == "link")
+            end(at);
+    }
+    std::vector<StepAsked> steps;
+    std::string reason; ///< why it ended early; empty: it did not, or nothing says so
+    bool over = false;
+
+private:
+    void takeRamp(Nanos at, const record::Happening &what)
+    {
+        const auto motor = numberOf(fieldOf(what, "motor"));
+        const auto rpm = numberOf(fieldOf(what, "rpm"));
+        const auto ms = numberOf(fieldOf(what, "ms"));
+        end(at);
+        const StepPlan &plan = m_plan.plan;
+        if (!motor || !rpm || !ms || *motor != plan.motor || *ms != 0.0)
+            return;
+        const bool up = *rpm == plan.toRpm;
+        if (!up && *rpm != plan.fromRpm)
+            return;
+        const int from = up ? plan.fromRpm : plan.toRpm;
+        const Nanos until = at + std::chrono::nanoseconds(plan.hold).count();
+        steps.push_back({from, up ? plan.toRpm : plan.fromRpm, at, at, until});
+        m_open = true;
+    }
+    /// The motion log has when it was asked and answered, on the clock of the link.
+    void takeAnswer(const record::Happening &motion)
+    {
+        const auto asked = numberOf(fieldOf(motion, "asked s"));
+        const auto took = numberOf(fieldOf(motion, "took ms"));
+        if (!m_open || !asked || !took || *took < 0.0)
+            return;
+        StepAsked &step = steps.back();
+        const Nanos at = capture::toNanos(*asked);
+        if (std::abs(at - step.asked) > std::chrono::nanoseconds(std::chrono::seconds(1)).count())
+            return;
+        step.answered = std::max(step.asked, at + capture::toNanos(*took * 1e-3));
+    }
+    void takeEnd(Nanos at, const record::Happening &what)
+    {
+        end(at);
+        over = true;
+        if (fieldOf(what, "outcome") != "complete")
+            reason = fieldOf(what, "reason");
+    }
+    void end(Nanos at)
+    {
+        if (m_open)
+            steps.back().until = std::min(steps.back().until, at);
+        m_open = false;
+    }
+
+    const RecordedPlan &m_plan;
+    bool m_open = false; ///< the last step is still held
+};
+
+const capture::Channel *channelOf(const capture::Capture &capture, const std::string &name)
+{
+    if (name.empty())
+        return nullptr;
+    for (const capture::ChannelInfo &info : capture.channels())
+        if (info.name == name && info.kind == capture::ChannelInfo::Kind::Fast)
+            return capture.channel(info.id);
+    return nullptr;
+}
+
+std::string text(double value, int digits)
+{
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(
+        buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
+    return {buffer.data(), end.ptr};
+}
+
+std::string runName(const StepSeries &series, std::size_t run)
+{
+    return "run " + std::to_string(run + 1) + (series.runs[run].up ? " (up)" : " (down)");
+}
+
+/// The mean of one number of the runs; runs that stand apart from the others of their direction are named.
+std::optional<Estimate> meanOver(StepSeries &series, std::optional<double> StepRun::*member,
+    const std::string &what, double resolution)
+{
+    std::array<std::vector<double>, 2> values; // down, up
+    for (const bool up : {false, true}) {
+        std::vector<std::size_t> from;
+        for (std::size_t i = 0; i < series.runs.size(); ++i) {
+            const auto &value = series.runs[i].*member;
+            if (series.runs[i].up != up || !value)
+                continue;
+            values[up].push_back(*value);
+            from.push_back(i);
+        }
+        for (const std::size_t place : outliersOf(values[up], resolution))
+            series.notes.push_back(runName(series, from[place])
+                + " stands apart from the others by its " + what + "; it is part of the mean");
+    }
+    const std::size_t count = values[0].size() + values[1].size();
+    if (count > 0 && count < series.runs.size())
+        series.notes.push_back("the mean " + what + " is that of " + std::to_string(count) + " of "
+            + std::to_string(series.runs.size()) + " runs");
+    return meanOfBoth(values[0], values[1]);
+}
+
+void noteRuns(StepSeries &series)
+{
+    for (std::size_t i = 0; i < series.runs.size(); ++i) {
+        const StepRun &run = series.runs[i];
+        if (run.unusable == scope::WhyNot::GapInside)
+            series.notes.push_back("samples are missing in " + runName(series, i)
+                + ": nothing is told of its speed");
+        else if (run.unusable)
+            series.notes.push_back("the speed does not step in " + runName(series, i));
+        else if (!run.found)
+            series.notes.push_back("the instant of " + runName(series, i) + " is uncertain by "
+                + text(run.instantError_s * 1e3, 3) + " ms: its settling time is not told");
+        else if (!run.settling_s)
+            series.notes.push_back(runName(series, i) + " does not settle while its speed is held");
+        constexpr double kNoticeable = 0.02, kPercent = 100.0;
+        if (run.atLimit > kNoticeable)
+            series.notes.push_back("the current was at its limit in "
+                + text(run.atLimit * kPercent, 2) + " % of " + runName(series, i)
+                + ": it does not show the loop alone");
+    }
+}
+
+/// A step of few digits of the speed says little, also by the angle.
+void noteResolution(StepSeries &series, const RecordedPlan &plan)
+{
+    constexpr double kLeastDigits = 20.0;
+    const double step = std::abs(plan.plan.toRpm - plan.plan.fromRpm);
+    if (plan.speedStepRpm > 0.0 && step < kLeastDigits * plan.speedStepRpm)
+        series.notes.push_back("the step is only " + text(step / plan.speedStepRpm, 3)
+            + " digits of the set-point; " + text(kLeastDigits * plan.speedStepRpm, 4)
+            + " rpm or more say more");
+}
+
+} // namespace
+
+Result<StepSeries, std::string> stepSeries(
+    const capture::Capture &capture, const Happenings &happenings)
+{
+    std::optional<RecordedPlan> plan;
+    auto at = happenings.begin();
+    for (; at != happenings.end() && !plan; ++at)
+        plan = recordedPlan(at->second);
+    if (!plan)
+        return fail(std::string("it is no recording of a series of steps"));
+    Finder finder(*plan);
+    for (; at != happenings.end() && !finder.over; ++at)
+        finder.take(at->first, at->second);
+    const StepChannels channels{channelOf(capture, plan->reference),
+        channelOf(capture, plan->current), channelOf(capture, plan->speed),
+        channelOf(capture, plan->angle)};
+    if (channels.reference == nullptr || channels.speed == nullptr)
+        return fail(std::string("it holds no samples of the signals of its series of steps"));
+    StepSeries series;
+    series.plan = plan->plan;
+    const StepFacts facts{plan->polePairs, plan->speedStepRpm, plan->jumpPerRpm};
+    for (const StepAsked &asked : finder.steps)
+        series.runs.push_back(evaluateStep(channels, asked, facts));
+    if (!finder.reason.empty())
+        series.notes.push_back("the series ended early: " + finder.reason);
+    else if (!finder.over)
+        series.notes.emplace_back("the recording ends before the series does");
+    noteResolution(series, *plan);
+    noteRuns(series);
+    constexpr double kMilli = 1e-3;
+    series.rise_s = meanOver(series, &StepRun::rise_s, "rise time", kMilli);
+    series.overshoot_pct = meanOver(series, &StepRun::overshoot_pct, "overshoot", 1.0);
+    series.settling_s = meanOver(series, &StepRun::settling_s, "settling time", kMilli);
+    series.peakIq_a = meanOver(
+        series, &StepRun::peakIq_a, "peak current", 2.0 * channels.reference->info().digit());
+    return series;
+}
+
+record::Happening entryOfEnd(bool complete, const std::string &reason)
+{
+    return {kEnd, {{"outcome", complete ? "complete" : "ended early"}, {"reason", reason}}};
+}
+
+} // namespace lab

@@ -1,0 +1,34 @@
+// What a recording says of a series of steps: every run, and what they have in common. Pure: the same recording gives
+// the same numbers, on the day of the measurement and a year later.
+#pragma once
+
+#include "lab/estimate.h"
+#include "lab/step_evaluation.h"
+#include "lab/step_plan.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lab {
+
+/// What happened while it was recorded, by its time.
+using Happenings = std::vector<std::pair<Nanos, record::Happening>>;
+
+struct StepSeries {
+    StepPlan plan;
+    std::vector<StepRun> runs; ///< in the order in which they were made
+    /// In the middle between the mean of the steps up and that of the steps down, of all runs that have it.
+    std::optional<Estimate> rise_s, overshoot_pct, settling_s, peakIq_a;
+    /// What the user has to know of these numbers, a sentence each, without a full stop.
+    std::vector<std::string> notes;
+};
+
+/// The first series in a recording; or why there is none, in a sentence without a full stop.
+Result<StepSeries, std::string> stepSeries(
+    const capture::Capture &capture, const Happenings &happenings);
+
+/// How the series ended, as an entry of a recording.
+record::Happening entryOfEnd(bool complete, const std::string &reason);
+
+} // namespace lab

@@ -1,0 +1,372 @@
+// A series of steps on a simulated board: what it measures, what bounds it, and what it leaves behind on every way out.
+#include "support/step_bench.h"
+
+using namespace drive;
+using lab::StepEnd;
+using support::StepBench;
+using namespace std::chrono_literals;
+
+#define VERIFY_END(ended, wanted)                                                                  \
+    do {                                                                                           \
+        const lab::StepOutcome it = ended;                                                         \
+        QVERIFY2(it.end == (wanted), qPrintable(support::outcomeText(it)));                        \
+    } while (false)
+
+class TestStepRunner : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aStandingMotorIsStartedSteppedAndStopped();
+    void aRunningMotorGoesBackToItsSpeed();
+    void theNumbersAreThoseOfTheRotor();
+    void stepsArePlacedWithinAMillisecondHoweverTheHostStalls();
+    void theWayToTheEnvelopeIsShort_data();
+    void theWayToTheEnvelopeIsShort();
+    void silenceBreaksIt();
+    void aFaultEndsItAndIsNamed();
+    void aLostLinkStopsWhatMoves();
+    void whatIsNotAPlanMovesNothing_data();
+    void whatIsNotAPlanMovesNothing();
+    void aMotorInTorqueControlIsLeftAlone();
+    void aMotorThatIsNotAtItsSetPointIsLeftAlone();
+    void aRefusedStartLeavesTheMotorAlone();
+    void aBoardThatDoesNotObeyIsToldAtTheEnd();
+    void somebodyElsesActEndsItWithoutAnother();
+    void boardsThatRecordNothingSayWhy();
+};
+
+namespace {
+
+/// What a start goes to.
+Bytes setPoint(StepBench &bench)
+{
+    const RegisterId id = bench.pair.id("SPEED_RAMP");
+    const WishId read = bench.pair.submit(Read{{id}});
+    if (!bench.pair.runUntilEnded(read))
+        return {};
+    const auto *bytes = std::get_if<Bytes>(&bench.pair.values[id].value);
+    return bytes == nullptr ? Bytes{} : *bytes;
+}
+
+} // namespace
+
+void TestStepRunner::aStandingMotorIsStartedSteppedAndStopped()
+{
+    StepBench bench;
+    const Bytes before = setPoint(bench);
+    QCOMPARE(before.size(), 6U);
+    const lab::StepOutcome outcome = bench.run();
+    VERIFY_END(outcome, StepEnd::Complete);
+    QVERIFY2(outcome.reason.empty(), outcome.reason.c_str());
+    QCOMPARE(bench.stops, 0);
+    std::vector<int> steps;
+    for (const SpeedRamp &ramp : bench.asked<SpeedRamp>())
+        if (ramp.duration == 0ms)
+            steps.push_back(ramp.rpm);
+    steps.erase(steps.end() - 1); // the set-point of before
+    QCOMPARE(steps, (std::vector<int>{1500, 1000, 1500, 1000}));
+    QVERIFY(bench.pair.runUntilState(MotorState::Idle));
+    QVERIFY(bench.pair.board->truth(1).idle);
+    QCOMPARE(setPoint(bench), before);
+    const auto series = bench.series();
+    QVERIFY2(series, series ? "" : series.error().c_str());
+    QCOMPARE(series->runs.size(), 4U);
+    for (const lab::StepRun &run : series->runs)
+        QVERIFY(run.found && run.rise_s && run.settling_s);
+    QVERIFY(series->rise_s->low && *series->rise_s->low < *series->rise_s->high);
+}
+
+void TestStepRunner::aRunningMotorGoesBackToItsSpeed()
+{
+    StepBench bench;
+    QVERIFY(bench.pair.runAt(1800));
+    bench.pair.runFor(1s);
+    const lab::StepOutcome outcome = bench.run();
+    VERIFY_END(outcome, StepEnd::Complete);
+    QCOMPARE(outcome.reason, std::string());
+    QVERIFY(bench.pair.board->truth(1).driven);
+    QVERIFY2(std::abs(bench.pair.board->truth(1).rpm - 1800.0) < 60.0,
+        qPrintable(QString::number(bench.pair.board->truth(1).rpm)));
+    for (const Command &command : bench.asked<Command>())
+        QVERIFY(command.action != MotorAction::Start && command.action != MotorAction::StopMotor);
+}
+
+/// The board knows its rotor: looked at every 250 us, its rise and overshoot are those that were measured.
+void TestStepRunner::theNumbersAreThoseOfTheRotor()
+{
+    StepBench bench;
+    bench.experiment.plan.repeat = 1;
+    std::vector<std::pair<TimePoint, simulation::MotorTruth>> truth;
+    bench.eachTurn = [&] { truth.emplace_back(bench.pair.now, bench.pair.board->truth(1)); };
+    VERIFY_END(bench.run(), StepEnd::Complete);
+    const auto series = bench.series();
+    QVERIFY(series && series->runs.size() == 2);
+    const auto stepped = std::find_if(truth.begin(), truth.end(),
+        [](const auto &one) { return one.second.referenceRpm > 1400.0; });
+    QVERIFY(stepped != truth.end());
+    const auto when = [&](double rpm) {
+        return std::find_if(stepped, truth.end(),
+            [rpm](const auto &one) { return one.second.rpm >= rpm; })->first;
+    };
+    const double base = 1000.0, size = 500.0;
+    const double rise = toSeconds(when(base + 0.9 * size) - when(base + 0.1 * size));
+    double highest = 0.0;
+    for (auto at = stepped; at != truth.end(); ++at)
+        highest = std::max(highest, at->second.rpm);
+    const lab::StepRun &up = series->runs.front();
+    QVERIFY2(std::abs(*up.rise_s - rise) < 0.05 * rise,
+        qPrintable(QStringLiteral("%1 %2").arg(*up.rise_s).arg(rise)));
+    const double overshoot = (highest - base - size) / size * 100.0;
+    QVERIFY2(std::abs(*up.overshoot_pct - overshoot) < 2.0,
+        qPrintable(QStringLiteral("%1 %2").arg(*up.overshoot_pct).arg(overshoot)));
+}
+
+/// The time of a sample lags the board's clock by the same in a whole stream: what differs from step to step is how well
+/// each was placed.
+void TestStepRunner::stepsArePlacedWithinAMillisecondHoweverTheHostStalls()
+{
+    std::vector<double> late_ms;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        StepBench bench(support::servo(seed), seed);
+        support::Random random(seed);
+        bench.experiment.plan.repeat = 4;
+        std::vector<TimePoint> instants;
+        double reference = 0.0;
+        bench.eachTurn = [&] {
+            bench.held = std::chrono::milliseconds(random.below(300));
+            const double now = bench.pair.board->truth(1).referenceRpm;
+            if (std::abs(now - reference) > 400.0 && std::min(now, reference) > 900.0)
+                instants.push_back(bench.pair.now);
+            reference = now;
+        };
+        VERIFY_END(bench.run(), StepEnd::Complete);
+        const auto series = bench.series();
+        QVERIFY(series && series->runs.size() == 8);
+        QVERIFY(instants.size() >= 8);
+        std::vector<double> offsets;
+        for (std::size_t i = 0; i < 8; ++i) {
+            QVERIFY(series->runs[i].found);
+            offsets.push_back(
+                double(series->runs[i].at - instants[i].time_since_epoch().count()) * 1e-6);
+        }
+        const auto [least, most] = std::minmax_element(offsets.begin(), offsets.end());
+        late_ms.push_back(*most - *least);
+    }
+    for (const double spread : late_ms)
+        QVERIFY2(spread <= 2.0, qPrintable(QString::number(spread))); // 1 ms to either side
+}
+
+void TestStepRunner::theWayToTheEnvelopeIsShort_data()
+{
+    QTest::addColumn<QString>("cap");
+    for (const char *cap : {"current", "speed", "bus"})
+        QTest::addRow("%s", cap) << cap;
+}
+
+/// From the sample that breaks a cap to the STOP on the wire.
+void TestStepRunner::theWayToTheEnvelopeIsShort()
+{
+    QFETCH(const QString, cap);
+    StepBench bench;
+    bench.experiment.plan.toRpm = 2500;
+    if (cap == QLatin1String("current"))
+        bench.experiment.plan.maxAmps = 2.0;
+    else if (cap == QLatin1String("speed"))
+        bench.experiment.plan.maxRpm = 2500.0; // any overshoot
+    else
+        bench.experiment.plan.toRpm = 3400; // braking from there lifts the bus
+    std::optional<TimePoint> broken;
+    const auto isBroken = [&](const Event &event) {
+        if (const auto *read = std::get_if<RegistersRead>(&event)) {
+            for (const Reading &reading : read->readings)
+                if (reading.id == bench.experiment.board.registers.bus
+                    && asNumber(reading.value).value_or(0.0) > 26.4)
+                    return cap == QLatin1String("bus");
+            return false;
+        }
+        const auto *block = std::get_if<capture::SampleBlock>(&event);
+        if (block == nullptr || cap == QLatin1String("bus"))
+            return false;
+        const std::size_t column = cap == QLatin1String("current") ? 1 : 2;
+        const auto scale = bench.experiment.board.catalog->streamScale(column == 1
+                ? bench.experiment.board.registers.current
+                : bench.experiment.board.registers.speed);
+        const double most = column == 1 ? 2.0 : 2500.0;
+        for (std::size_t i = 0; i < block->count; ++i)
+            if (std::abs(block->fast[column * block->count + i] * scale.factor) > most)
+                return true;
+        return false;
+    };
+    const auto listen = bench.pair.onEvent;
+    bench.pair.onEvent = [&](const Event &event) {
+        if (!broken && bench.runner && bench.asked<Command>().size() > 0 && isBroken(event))
+            broken = bench.pair.now;
+        listen(event);
+    };
+    const lab::StepOutcome outcome = bench.run();
+    VERIFY_END(outcome, StepEnd::Aborted);
+    QCOMPARE(bench.stops, 1);
+    QVERIFY2(broken, qPrintable(support::outcomeText(outcome)));
+    const std::size_t asked = support::count(bench.pair.requests, mcp::CommandId::StopMotor);
+    QVERIFY(bench.pair.runUntil(
+        [&] {
+            return support::count(bench.pair.requests, mcp::CommandId::StopMotor) > asked;
+        },
+        100ms));
+    QVERIFY2(bench.pair.now - *broken <= 25ms,
+        qPrintable(QString::number(toSeconds(bench.pair.now - *broken))));
+    QVERIFY(bench.pair.runUntil([&] { return bench.pair.hasStopWord(StopWord::DriveIdle); }, 2s));
+    const std::size_t wishes = bench.wishes.size();
+    bench.runUntil([] { return false; }, 500ms);
+    QCOMPARE(bench.wishes.size(), wishes); // it is over
+    QVERIFY(QString::fromStdString(outcome.reason).contains(QStringLiteral("allowed")));
+}
+
+void TestStepRunner::silenceBreaksIt()
+{
+    StepBench bench;
+    bench.begin();
+    QVERIFY(bench.runUntil([&] { return bench.asked<SpeedRamp>().size() >= 3; }, 20s));
+    bench.pair.board->mute(5s);
+    const TimePoint since = bench.pair.now;
+    QVERIFY(bench.runUntil([&] { return bench.runner->over(); }, 5s));
+    VERIFY_END(bench.runner->outcome(), StepEnd::Aborted);
+    QVERIFY2(bench.pair.now - since <= 510ms,
+        qPrintable(QString::number(toSeconds(bench.pair.now - since))));
+    bench.turn();
+    QCOMPARE(bench.stops, 1);
+    bench.pair.runFor(6s);
+}
+
+void TestStepRunner::aFaultEndsItAndIsNamed()
+{
+    StepBench bench;
+    bench.begin();
+    QVERIFY(bench.runUntil([&] { return bench.asked<SpeedRamp>().size() >= 3; }, 20s));
+    bench.runUntil([] { return false; }, 100ms); // the step was answered
+    bench.pair.board->setFaults(0x0040);
+    QVERIFY(bench.runUntil([&] { return bench.runner->over(); }, 5s));
+    VERIFY_END(bench.runner->outcome(), StepEnd::Aborted);
+    QVERIFY2(bench.runner->outcome().reason.find("BREAK_IN") != std::string::npos
+            || bench.runner->outcome().reason.find("OVER_CURR") != std::string::npos,
+        bench.runner->outcome().reason.c_str());
+    QVERIFY(bench.runner->outcome().reason.find("set-point is 1500 rpm now") != std::string::npos);
+}
+
+void TestStepRunner::aLostLinkStopsWhatMoves()
+{
+    StepBench bench;
+    bench.begin();
+    QVERIFY(bench.runUntil([&] { return bench.asked<SpeedRamp>().size() >= 3; }, 20s));
+    bench.pair.toDrive.cut = bench.pair.toBoard.cut = true;
+    QVERIFY(bench.runUntil([&] { return bench.runner->over(); }, 10s));
+    VERIFY_END(bench.runner->outcome(), StepEnd::Aborted);
+    bench.turn();
+    QCOMPARE(bench.stops, 1);
+    bench.pair.toDrive.cut = bench.pair.toBoard.cut = false;
+    QVERIFY(bench.pair.runUntil([&] { return bench.pair.board->truth(1).idle; }, 10s));
+}
+
+void TestStepRunner::whatIsNotAPlanMovesNothing_data()
+{
+    QTest::addColumn<lab::StepPlan>("plan");
+    QTest::newRow("no step") << lab::StepPlan{.fromRpm = 1000, .toRpm = 1000};
+    QTest::newRow("too fast") << lab::StepPlan{.fromRpm = 1000, .toRpm = 100'000};
+    QTest::newRow("backwards too fast") << lab::StepPlan{.fromRpm = 1000, .toRpm = -100'000};
+    QTest::newRow("beyond one's own")
+        << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .maxRpm = 1400.0};
+    QTest::newRow("none") << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .repeat = 0};
+    QTest::newRow("too many") << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .repeat = 1'000'000};
+    QTest::newRow("too long")
+        << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .repeat = 20, .hold = 5s};
+    QTest::newRow("held for nothing")
+        << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .hold = 0ms};
+    QTest::newRow("reached at once")
+        << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .approach = 0ms};
+}
+
+void TestStepRunner::whatIsNotAPlanMovesNothing()
+{
+    QFETCH(const lab::StepPlan, plan);
+    StepBench bench;
+    bench.experiment.plan = plan;
+    VERIFY_END(bench.run(), StepEnd::Refused);
+    QVERIFY(!bench.runner->outcome().reason.empty());
+    QVERIFY(bench.wishes.empty());
+    QCOMPARE(bench.stops, 0);
+}
+
+void TestStepRunner::aMotorInTorqueControlIsLeftAlone()
+{
+    StepBench bench;
+    QVERIFY(bench.pair.runAt(1500));
+    QVERIFY(bench.pair.runUntilEnded(bench.pair.submit(TorqueRamp{1, 1.0, 100ms})));
+    VERIFY_END(bench.run(), StepEnd::Refused);
+    QVERIFY(bench.asked<SpeedRamp>().empty() && bench.asked<Command>().empty());
+    QVERIFY(bench.pair.board->truth(1).driven);
+}
+
+/// Where it was to go is not known: it could not be brought back.
+void TestStepRunner::aMotorThatIsNotAtItsSetPointIsLeftAlone()
+{
+    StepBench bench;
+    QVERIFY(bench.pair.runAt(1000));
+    bench.pair.runFor(500ms);
+    QVERIFY(bench.pair.runUntilEnded(bench.pair.submit(SpeedRamp{1, 3000, 3s})));
+    VERIFY_END(bench.run(), StepEnd::Refused);
+    QVERIFY(bench.asked<SpeedRamp>().empty() && bench.asked<Command>().empty());
+}
+
+void TestStepRunner::aRefusedStartLeavesTheMotorAlone()
+{
+    StepBench bench;
+    bench.pair.drive->disarm();
+    VERIFY_END(bench.run(), StepEnd::Refused);
+    QCOMPARE(bench.stops, 0);
+    QVERIFY(bench.pair.board->truth(1).idle);
+}
+
+/// Its STOPs are answered and do nothing: the series ends with a Stop that goes on, and says so.
+void TestStepRunner::aBoardThatDoesNotObeyIsToldAtTheEnd()
+{
+    StepBench bench;
+    bench.pair.verdictTaken = true; // the board goes on on purpose
+    bench.begin();
+    QVERIFY(bench.runUntil([&] { return !bench.asked<Command>().empty()
+            && bench.asked<Command>().back().action == MotorAction::StopMotor; }, 30s));
+    // The answer came; now the board runs on as if it had not heard it.
+    bench.pair.toDrive.cut = true;
+    QVERIFY(bench.runUntil([&] { return bench.runner->over(); }, 10s));
+    VERIFY_END(bench.runner->outcome(), StepEnd::Aborted);
+    bench.turn();
+    QCOMPARE(bench.stops, 1);
+    bench.pair.toDrive.cut = false;
+    bench.pair.runFor(3s);
+}
+
+void TestStepRunner::somebodyElsesActEndsItWithoutAnother()
+{
+    StepBench bench;
+    bench.begin();
+    QVERIFY(bench.runUntil([&] { return bench.asked<SpeedRamp>().size() >= 3; }, 20s));
+    bench.runner->interrupt("somebody else commanded the motor");
+    QVERIFY(bench.runner->over());
+    VERIFY_END(bench.runner->outcome(), StepEnd::Interrupted);
+    QVERIFY(bench.runner->takeWishes().empty());
+    QVERIFY(!bench.runner->takeStop());
+    QVERIFY(!bench.runner->nextTimeout());
+}
+
+void TestStepRunner::boardsThatRecordNothingSayWhy()
+{
+    simulation::BoardOptions older;
+    older.profile = "legacy";
+    older.baud = 115200;
+    support::Session pair(false, older);
+    QVERIFY(pair.ready);
+    const auto board = lab::stepBoardOf(*pair.identified, 1);
+    QVERIFY(!board && !board.error().empty());
+    QVERIFY(!lab::stepBoardOf(*pair.identified, 2));
+}
+
+QTEST_APPLESS_MAIN(TestStepRunner)
+#include "tst_step_runner.moc"

@@ -1,0 +1,307 @@
+// A series of steps carried out by a session, on virtual time and judged on the wire: what a person does meanwhile counts,
+// its Stop leaves in the turn in which a cap breaks, and what was recorded before is recorded again.
+#include "session/link/session.h"
+#include "support/judged_line.h"
+
+#include <QtTest>
+
+using namespace std::chrono_literals;
+using drive::MotorState;
+using lab::StepEnd;
+using session::Session;
+
+namespace {
+
+simulation::BoardOptions servo()
+{
+    simulation::BoardOptions options;
+    options.motor = "servo24";
+    return options;
+}
+
+struct World {
+    TimePoint now{1000s};
+    support::JudgedWorld line{servo(), drive::Protocol::Mcp, [this] { return now; }};
+    Session session;
+    std::vector<drive::Event> events;
+    std::vector<lab::StepOutcome> outcomes;
+    std::vector<std::pair<TimePoint, capture::StreamLayout>> layouts;
+    std::optional<drive::MotorStatus> status;
+
+    World()
+        : session(line.parts())
+    {
+        QObject::connect(
+            &session, &Session::batch, &session, [this](const session::BatchPtr &batch) {
+                for (const drive::Event &event : batch->events) {
+                    if (const auto *motor = std::get_if<drive::MotorStatus>(&event))
+                        status = *motor;
+                    else if (const auto *stream = std::get_if<drive::StreamStarted>(&event))
+                        layouts.emplace_back(now, stream->layout);
+                    if (!std::holds_alternative<capture::SampleBlock>(event))
+                        events.push_back(event);
+                }
+                session.acknowledge();
+            });
+        QObject::connect(&session, &Session::experimentEnded, &session,
+            [this](const lab::StepOutcome &outcome) { outcomes.push_back(outcome); });
+    }
+
+    bool runUntil(const std::function<bool()> &condition, Duration limit)
+    {
+        const TimePoint end = now + limit;
+        while (!condition()) {
+            const auto next = session.nextStep();
+            if (!next || *next > end) {
+                now = end;
+                session.step(now);
+                return condition();
+            }
+            now = std::max(*next, now + 1us);
+            session.step(now);
+        }
+        return true;
+    }
+    void run(Duration time)
+    {
+        (void)runUntil([] { return false; }, time);
+    }
+
+    const drive::Identified *board() const
+    {
+        for (auto at = events.rbegin(); at != events.rend(); ++at)
+            if (const auto *found = std::get_if<drive::Identified>(&*at))
+                return found;
+        return nullptr;
+    }
+    bool connect()
+    {
+        session.open({});
+        if (!runUntil([this] { return board() != nullptr && status.has_value(); }, 5s))
+            return false;
+        session.setArmed(true);
+        return true;
+    }
+    drive::RegisterId id(const char *name) const { return *board()->catalog->resolve(name); }
+    lab::StepExperiment experiment(lab::StepPlan plan = {.fromRpm = 1000, .toRpm = 1500}) const
+    {
+        return {plan, *lab::stepBoardOf(*board(), 1)};
+    }
+    template <class Event>
+    std::vector<Event> all() const
+    {
+        std::vector<Event> found;
+        for (const drive::Event &event : events)
+            if (const auto *match = std::get_if<Event>(&event))
+                found.push_back(*match);
+        return found;
+    }
+    bool steps(Duration limit = 20s)
+    {
+        return runUntil([this] { return status->state == MotorState::Running && status->speedRpm
+                && std::abs(*status->speedRpm - 1500.0) < 100.0; }, limit);
+    }
+    bool ends(Duration limit = 30s)
+    {
+        return runUntil([this] { return !outcomes.empty(); }, limit);
+    }
+    bool idles(Duration limit = 5s)
+    {
+        return runUntil([this] { return status->state == MotorState::Idle; }, limit);
+    }
+};
+
+#define VERIFY_END(world, wanted)                                                                  \
+    do {                                                                                           \
+        QCOMPARE((world).outcomes.size(), 1U);                                                     \
+        QVERIFY2((world).outcomes[0].end == (wanted),                                              \
+            qPrintable(QStringLiteral("%1: %2")                                                    \
+                           .arg(int((world).outcomes[0].end))                                      \
+                           .arg(QString::fromStdString((world).outcomes[0].reason))));             \
+    } while (false)
+
+} // namespace
+
+class TestSessionExperiment : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void itEndsOnceAndLeavesAllAsItWas()
+    {
+        World world;
+        QVERIFY(world.connect());
+        const drive::Stream own{.fast = {world.id("I_A")}, .slow = {}};
+        world.session.submit({.id = 5, .what = own});
+        world.run(500ms);
+        world.session.run(world.experiment());
+        QVERIFY(world.ends());
+        VERIFY_END(world, StepEnd::Complete);
+        QCOMPARE(world.outcomes[0].reason, std::string());
+        QVERIFY(world.idles());
+        world.run(1s);
+        QVERIFY(!world.layouts.empty());
+        const auto &last = world.layouts.back().second;
+        QCOMPARE(last.fast.size(), 1U);
+        QCOMPARE(last.fast[0].id, world.id("I_A"));
+        QCOMPARE(world.outcomes.size(), 1U);
+    }
+
+    /// Stored while it runs, and in effect afterwards: its wish ends at once.
+    void whatIsAskedToBeRecordedMeanwhileIsRecordedAfterwards()
+    {
+        World world;
+        QVERIFY(world.connect());
+        world.session.run(world.experiment());
+        QVERIFY(world.steps());
+        const drive::Stream own{.fast = {world.id("I_B")}, .slow = {}};
+        world.session.submit({.id = 6, .what = own});
+        QVERIFY(world.ends());
+        VERIFY_END(world, StepEnd::Complete);
+        world.run(1s);
+        QCOMPARE(world.layouts.back().second.fast.at(0).id, world.id("I_B"));
+        const auto ended = world.all<drive::Ended>();
+        QCOMPARE(std::count_if(ended.begin(), ended.end(),
+                     [](const drive::Ended &one) { return one.id == 6; }),
+            1);
+    }
+
+    void notArmedOrASecondOneIsRefused()
+    {
+        World world;
+        QVERIFY(world.connect());
+        world.session.setArmed(false);
+        world.session.run(world.experiment());
+        VERIFY_END(world, StepEnd::Refused);
+        world.session.setArmed(true);
+        world.outcomes.clear();
+        world.session.run(world.experiment());
+        world.run(100ms);
+        world.session.run(world.experiment());
+        VERIFY_END(world, StepEnd::Refused);
+        world.outcomes.clear();
+        QVERIFY(world.ends());
+        VERIFY_END(world, StepEnd::Complete);
+    }
+
+    void aPersonsStopEndsIt()
+    {
+        World world;
+        QVERIFY(world.connect());
+        world.session.run(world.experiment());
+        QVERIFY(world.steps());
+        world.session.stop();
+        QVERIFY(world.ends(100ms));
+        VERIFY_END(world, StepEnd::Interrupted);
+        QVERIFY(world.idles());
+        world.run(3s);
+        QVERIFY(world.status->state == MotorState::Idle);
+    }
+
+    void disarmingEndsItAndTheMotorGoesOn()
+    {
+        World world;
+        QVERIFY(world.connect());
+        world.session.run(world.experiment());
+        QVERIFY(world.steps());
+        world.session.setArmed(false);
+        QVERIFY(world.ends(100ms));
+        VERIFY_END(world, StepEnd::Interrupted);
+        QVERIFY(QString::fromStdString(world.outcomes[0].reason).contains(QStringLiteral("1500 rpm")));
+        const auto before = world.all<drive::MotionRecord>().size();
+        world.run(2s);
+        QVERIFY(world.status->state == MotorState::Running);
+        for (std::size_t i = before; i < world.all<drive::MotionRecord>().size(); ++i)
+            QVERIFY(world.all<drive::MotionRecord>()[i].act != drive::MotionAct::SpeedRamp);
+        world.session.stop();
+        QVERIFY(world.idles());
+    }
+
+    void somebodyElsesCommandTakesTheMotorOver()
+    {
+        World world;
+        QVERIFY(world.connect());
+        world.session.run(world.experiment());
+        QVERIFY(world.steps());
+        world.session.submit({.id = 7, .what = drive::SpeedRamp{1, 2000, 100ms}});
+        QVERIFY(world.ends(100ms));
+        VERIFY_END(world, StepEnd::Interrupted);
+        QVERIFY(world.runUntil([&] { return world.status->speedRpm
+                && std::abs(*world.status->speedRpm - 2000.0) < 100.0; }, 5s));
+        world.run(2s);
+        QVERIFY(std::abs(*world.status->speedRpm - 2000.0) < 100.0);
+        world.session.stop();
+        QVERIFY(world.idles());
+    }
+
+    void aGainMayBeWrittenMeanwhile()
+    {
+        World world;
+        QVERIFY(world.connect());
+        world.session.run(world.experiment());
+        QVERIFY(world.steps());
+        world.session.submit(
+            {.id = 8, .what = drive::Write{{{world.id("SPEED_KP"), std::int64_t{2000}}}}});
+        QVERIFY(world.ends());
+        VERIFY_END(world, StepEnd::Complete);
+    }
+
+    /// The Stop leaves within 25 ms; a session that lost it between two turns would let the motor run on.
+    void aBrokenCapStopsTheMotor()
+    {
+        World world;
+        QVERIFY(world.connect());
+        world.session.run(
+            world.experiment({.fromRpm = 1000, .toRpm = 1500, .maxRpm = 1500.0})); // any overshoot
+        QVERIFY(world.ends());
+        VERIFY_END(world, StepEnd::Aborted);
+        const TimePoint at = world.outcomes[0].at;
+        QVERIFY(world.runUntil(
+            [&] {
+                const auto stops = world.all<drive::StopProgress>();
+                return !stops.empty() && stops.back().word >= drive::StopWord::DriveIdle
+                    && stops.back().word != drive::StopWord::NotConfirmed;
+            },
+            2s));
+        const auto records = world.all<drive::MotionRecord>();
+        const auto stop = std::find_if(records.begin(), records.end(),
+            [](const auto &record) { return record.act == drive::MotionAct::Stop; });
+        QVERIFY(stop != records.end());
+        QVERIFY2(stop->asked - at <= 1ms, qPrintable(QString::number(toSeconds(stop->asked - at))));
+        QVERIFY(world.idles());
+        QVERIFY(!world.session.nextStep() || world.status->state == MotorState::Idle);
+    }
+
+    void closingEndsIt()
+    {
+        World world;
+        QVERIFY(world.connect());
+        world.session.run(world.experiment());
+        QVERIFY(world.steps());
+        world.session.stop();
+        world.session.close();
+        QVERIFY(world.runUntil([&] { return world.session.closed(); }, 5s));
+        VERIFY_END(world, StepEnd::Interrupted);
+    }
+
+    /// What it drove is wanted stopped when the port is back, before anything else.
+    void aLostPortLeavesAStopBehind()
+    {
+        World world;
+        QVERIFY(world.connect());
+        world.session.run(world.experiment());
+        QVERIFY(world.steps());
+        QSignalSpy wanted(&world.session, &Session::stopsWanted);
+        world.line.plugged = false;
+        QVERIFY(world.ends(5s));
+        VERIFY_END(world, StepEnd::Aborted);
+        QVERIFY(!wanted.isEmpty());
+        QVERIFY(!wanted.last().first().toStringList().isEmpty());
+        world.session.close();
+        world.run(1s);
+        world.line.plugged = true;
+        world.session.open({});
+        QVERIFY(world.idles(10s));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSessionExperiment)
+#include "tst_session_experiment.moc"

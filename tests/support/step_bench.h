@@ -1,0 +1,142 @@
+// A series of steps on a simulated board, on virtual time: the runner between a judged drive and its wishes, as a session
+// has it, and what a recording of it would hold.
+#pragma once
+
+#include "drive/values.h"
+#include "lab/step_runner.h"
+#include "lab/step_series.h"
+#include "record/drive_entries.h"
+#include "record/restore.h"
+#include "support/link_pair.h"
+
+namespace support {
+
+/// A board with an encoder.
+inline simulation::BoardOptions servo(std::uint64_t seed = 1)
+{
+    simulation::BoardOptions options;
+    options.motor = "servo24";
+    options.seed = seed;
+    return options;
+}
+
+inline QString outcomeText(const lab::StepOutcome &outcome)
+{
+    return QStringLiteral("%1: %2").arg(int(outcome.end)).arg(QString::fromStdString(outcome.reason));
+}
+
+struct StepBench {
+    Session pair;
+    lab::StepExperiment experiment;
+    std::optional<lab::StepRunner> runner;
+    capture::Capture capture;
+    lab::Happenings happenings;
+    std::vector<drive::Wish> wishes; ///< all that it asked for
+    int stops = 0;
+    Duration held{}; ///< a wish waits so long before it is handed on: a host that stalls
+    std::function<void()> eachTurn; ///< as the world goes on
+
+    explicit StepBench(const simulation::BoardOptions &options = servo(), std::uint64_t seed = 1)
+        : pair(true, options, seed)
+        , restorer(capture)
+    {
+        if (const auto board = pair.ready ? lab::stepBoardOf(*pair.identified, 1)
+                                          : Result<lab::StepBoard, std::string>(fail(std::string())))
+            experiment.board = *board;
+        experiment.plan = {.fromRpm = 1000, .toRpm = 1500, .repeat = 2};
+        pair.onEvent = [this](const drive::Event &event) {
+            for (record::Entry &entry : entries.take(event))
+                keep(entry);
+            if (runner)
+                runner->take(event, pair.now);
+        };
+    }
+
+    double number(drive::RegisterId id)
+    {
+        const drive::WishId read = pair.submit(drive::Read{{id}});
+        return pair.runUntilEnded(read) ? drive::asNumber(pair.values[id].value).value_or(0.0) : 0.0;
+    }
+
+    void begin()
+    {
+        const double jump = lab::jumpPerRpm(experiment.board, number(experiment.board.gain),
+            number(experiment.board.gainExponent));
+        keep(lab::entryOf(experiment, jump));
+        runner.emplace(experiment);
+        runner->begin(pair.now);
+    }
+
+    /// One turn of a session: what the runner wants is handed to the drive.
+    void turn()
+    {
+        runner->advance(pair.now);
+        if (runner->takeStop()) {
+            ++stops;
+            pair.drive->stop(pair.now);
+        }
+        for (drive::Wish &wish : runner->takeWishes())
+            waiting.push_back({pair.now + held, std::move(wish)});
+        while (!waiting.empty() && waiting.front().first <= pair.now) {
+            drive::Wish wish = std::move(waiting.front().second);
+            waiting.pop_front();
+            wishes.push_back(wish);
+            for (record::Entry &entry : entries.take(wish))
+                keep(entry);
+            wish.madeAt = pair.now;
+            pair.drive->submit(std::move(wish), pair.now);
+        }
+        pair.exchange();
+        if (eachTurn)
+            eachTurn();
+    }
+
+    bool runUntil(const std::function<bool()> &condition, Duration limit = 60s)
+    {
+        return pair.runUntil(
+            [&] {
+                turn();
+                return condition();
+            },
+            limit);
+    }
+    /// From begin() to the end.
+    lab::StepOutcome run()
+    {
+        begin();
+        if (!runUntil([this] { return runner->over(); }))
+            return {lab::StepEnd::Refused, "it never ended", {}};
+        const lab::StepOutcome outcome = runner->outcome();
+        keep(lab::entryOfEnd(outcome.end == lab::StepEnd::Complete, outcome.reason));
+        return outcome;
+    }
+    Result<lab::StepSeries, std::string> series() const
+    {
+        return lab::stepSeries(capture, happenings);
+    }
+
+    template <class What>
+    std::vector<What> asked() const
+    {
+        std::vector<What> found;
+        for (const drive::Wish &wish : wishes)
+            if (const auto *what = std::get_if<What>(&wish.what))
+                found.push_back(*what);
+        return found;
+    }
+
+private:
+    void keep(const record::Entry &entry)
+    {
+        if (const auto *happening = std::get_if<record::Happening>(&entry))
+            happenings.emplace_back(pair.now.time_since_epoch().count(), *happening);
+        else
+            restorer.take(entry);
+    }
+
+    record::DriveEntries entries;
+    record::Restorer restorer;
+    std::deque<std::pair<TimePoint, drive::Wish>> waiting;
+};
+
+} // namespace support
