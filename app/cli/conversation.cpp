@@ -58,7 +58,7 @@ Conversation::Conversation(const Arguments &arguments, const Interrupt &interrup
     QObject::connect(&m_session, &Session::portChanged, this, &Conversation::onPort);
     QObject::connect(&m_session, &Session::interrupted, this, &Conversation::onInterruption);
     QObject::connect(
-        &m_session, &Session::experimentEnded, this, [this](const lab::StepOutcome &outcome) {
+        &m_session, &Session::experimentEnded, this, [this](const lab::Outcome &outcome) {
             m_experimentEnded = outcome;
             Q_EMIT changed();
         });
@@ -225,12 +225,12 @@ Outcome<bool> Conversation::armToMove()
     return true;
 }
 
-Outcome<lab::StepOutcome> Conversation::run(const lab::StepExperiment &experiment)
+Outcome<lab::Outcome> Conversation::run(const lab::Experiment &experiment)
 {
     m_experimentEnded.reset();
     m_session.run(experiment);
     const auto waited = waitUntil([this] { return m_experimentEnded.has_value(); },
-        lab::lengthOf(experiment.plan) + kEndWithin);
+        lab::lengthOf(experiment) + kEndWithin);
     if (!waited)
         return tl::make_unexpected(waited.error());
     if (*waited == Waited::TimeOver)

@@ -67,8 +67,8 @@ public:
     /// What was asked of the motors, so far.
     const std::vector<session::LoggedMotion> &motionLog() const { return m_motionLog; }
     const drive::LinkCounters &lineCounters() const { return m_counters; } ///< the newest
-    /// Carries out a series of steps, which takes as long as its plan; armToMove() comes before it.
-    Outcome<lab::StepOutcome> run(const lab::StepExperiment &experiment);
+    /// Carries out an experiment, which takes as long as its plan; armToMove() comes before it.
+    Outcome<lab::Outcome> run(const lab::Experiment &experiment);
     /// Stops every motor; waits until the drive is idle (2 s at most), then up to `standstill` until they stand still.
     /// Works after an interrupt, too.
     /// @return  how far it was confirmed; a failure if the drive was not seen idle
@@ -117,7 +117,7 @@ private:
     std::vector<session::LoggedMotion> m_motionLog;
     drive::LinkCounters m_counters;
     std::optional<drive::Ended> m_ended;
-    std::optional<lab::StepOutcome> m_experimentEnded;
+    std::optional<lab::Outcome> m_experimentEnded;
     drive::WishId m_lastWish = 0;
 
 Q_SIGNALS:

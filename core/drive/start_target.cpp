@@ -36,16 +36,15 @@ const RegisterInfo *first(const Catalog &catalog, const std::array<std::string_v
 std::vector<catalog::RegisterId> startRegisters(const Catalog &catalog, int motor)
 {
     std::vector<catalog::RegisterId> ids;
-    for (const RegisterInfo *info :
-        {first(catalog, kModes), first(catalog, kRamps), first(catalog, kSpeeds),
-            first(catalog, kCurrents)})
+    for (const RegisterInfo *info : {first(catalog, kModes), first(catalog, kRamps),
+             first(catalog, kSpeeds), first(catalog, kCurrents)})
         if (info != nullptr)
             ids.push_back(catalog.withMotor(*info, motor));
     return ids;
 }
 
-StartTarget startTarget(const Catalog &catalog, const MotorLimits &limits, int motor,
-    const ValueSource &held)
+StartTarget startTarget(
+    const Catalog &catalog, const MotorLimits &limits, int motor, const ValueSource &held)
 {
     StartTarget target;
     const auto valueOf = [&](const RegisterInfo *info) {

@@ -25,7 +25,7 @@ struct StartTarget {
 std::vector<catalog::RegisterId> startRegisters(const catalog::Catalog &catalog, int motor);
 
 /// @param held  what a register holds, as it was read
-StartTarget startTarget(const catalog::Catalog &catalog, const MotorLimits &limits, int motor,
-    const ValueSource &held);
+StartTarget startTarget(
+    const catalog::Catalog &catalog, const MotorLimits &limits, int motor, const ValueSource &held);
 
 } // namespace drive

@@ -21,8 +21,8 @@ std::string text(double value)
 
 std::string broken(const char *what, double value, double bound, const char *unit)
 {
-    return std::string(what) + " of " + text(value) + ' ' + unit + " is beyond the "
-        + text(bound) + ' ' + unit + " that are allowed";
+    return std::string(what) + " of " + text(value) + ' ' + unit + " is beyond the " + text(bound)
+        + ' ' + unit + " that are allowed";
 }
 
 } // namespace
@@ -70,14 +70,17 @@ std::optional<std::string> Envelope::samples(const capture::SampleBlock &block)
         }
         return std::nullopt;
     };
-    if (m_current && m_caps.mostAmps > 0.0) {
-        const auto found = visit(*m_current, [this](double amps) {
-            return std::abs(amps) > m_caps.mostAmps
+    if (m_current) {
+        double sum = 0.0;
+        const auto found = visit(*m_current, [&](double amps) {
+            sum += amps;
+            return m_caps.mostAmps > 0.0 && std::abs(amps) > m_caps.mostAmps
                 ? std::optional(broken("a current", amps, m_caps.mostAmps, "A"))
                 : std::nullopt;
         });
         if (found)
             return found;
+        m_amps = sum / block.count;
     }
     if (!m_speed)
         return std::nullopt;

@@ -50,6 +50,7 @@ public:
     }
 
     std::optional<double> rpm() const { return m_rpm; } ///< the newest
+    std::optional<double> amps() const { return m_amps; } ///< over the newest packet
 
 private:
     std::optional<std::string> samples(const capture::SampleBlock &block);
@@ -66,7 +67,7 @@ private:
     Caps m_caps;
     capture::StreamId m_stream = 0;
     std::optional<Column> m_speed, m_current;
-    std::optional<double> m_rpm;
+    std::optional<double> m_rpm, m_amps;
     TimePoint m_heard{};
 };
 

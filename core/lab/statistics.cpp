@@ -6,8 +6,6 @@
 
 namespace lab {
 
-namespace {
-
 /// Two-sided 95 % of Student's distribution: a table up to 30 degrees of freedom, behind it the series of Cornish and
 /// Fisher, exact to 0.001 there. Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 26.7.5 and table 26.10.
 double studentOf(std::size_t freedom)
@@ -20,8 +18,6 @@ double studentOf(std::size_t freedom)
     constexpr double kNormal = 1.959964;
     return kNormal + (std::pow(kNormal, 3) + kNormal) / (4.0 * static_cast<double>(freedom));
 }
-
-} // namespace
 
 namespace {
 

@@ -8,6 +8,9 @@
 
 namespace lab {
 
+/// What an interval of 95 % has to either side, in standard errors that were taken from so many degrees of freedom.
+double studentOf(std::size_t freedom);
+
 /// Mean with its 95 % interval by Student's t. Empty for no value; without an interval for one.
 std::optional<Estimate> meanOf(std::span<const double> values);
 

@@ -16,7 +16,8 @@ constexpr Nanos kBefore = 100 * kMilli; ///< of the speed before the step, for i
 constexpr Nanos kEarly = 5 * kMilli, kLate = 25 * kMilli;
 /// A mean over T makes a rise longer by (T / rise)^2 / 4; over an eighth of it, by 0.4 %. Encoders of few lines need more.
 constexpr double kSpeedWindow_s = 5e-3, kLeastWindow_s = 2e-3, kWindowsPerRise = 8.0;
-constexpr double kLikeExpected = 0.25; ///< a jump may differ by so much from the one that the gain tells
+constexpr double kLikeExpected =
+    0.25; ///< a jump may differ by so much from the one that the gain tells
 constexpr double kAlone = 4.0; ///< without a gain: so much larger than every other one
 constexpr double kMinute_s = 60.0, kTurn_deg = 360.0;
 
@@ -60,7 +61,8 @@ std::vector<Jump> likeExpected(std::vector<Jump> jumps, double expected, double 
 /// The largest, if it stands out.
 std::vector<Jump> largest(std::vector<Jump> jumps)
 {
-    std::sort(jumps.begin(), jumps.end(), [](const Jump &a, const Jump &b) { return a.size > b.size; });
+    std::sort(
+        jumps.begin(), jumps.end(), [](const Jump &a, const Jump &b) { return a.size > b.size; });
     if (jumps.empty() || (jumps.size() > 1 && jumps[0].size < kAlone * jumps[1].size))
         return {};
     jumps.resize(1);
@@ -117,7 +119,8 @@ double shareAtLimit(const capture::Channel &reference, Nanos from, Nanos to, boo
         return 0.0;
     const auto ends = range.extremes();
     const double end = up ? ends.max : ends.min;
-    constexpr int kTurnSamples = 64; // a loop that turns once a millisecond holds each value for less
+    constexpr int kTurnSamples =
+        64; // a loop that turns once a millisecond holds each value for less
     int row = 0, held = 0;
     range.visit([&](double, double value, bool) {
         row = value == end ? row + 1 : 0;

@@ -44,13 +44,13 @@ struct StepRun {
     bool found = false; ///< by the jump; else only when it was asked for is known
     double instantError_s = 0.0; ///< to either side
     std::optional<scope::WhyNot> unusable; ///< nothing of the speed can be told
-    std::optional<double> rise_s, overshoot_pct, settling_s; ///< empty: it does not have it, e.g. not settled
+    std::optional<double> rise_s, overshoot_pct,
+        settling_s; ///< empty: it does not have it, e.g. not settled
     std::optional<double> peakIq_a; ///< magnitude
     double atLimit = 0.0; ///< share of the time in which the current's reference stood at its end
 };
 
-StepRun evaluateStep(
-    const StepChannels &channels, const StepAsked &asked, const StepFacts &facts);
+StepRun evaluateStep(const StepChannels &channels, const StepAsked &asked, const StepFacts &facts);
 
 /// The speed in rpm over [from, to) but for half a window at both ends, from the electrical angle in degrees: one channel.
 /// No channel if samples are missing in between, or too few: no difference is taken across a gap.

@@ -1,39 +1,20 @@
 #include "lab/step_series.h"
 
+#include "lab/fields.h"
 #include "lab/statistics.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace lab {
 
 namespace {
 
-constexpr const char *kEnd = "experiment ended";
-
-std::string fieldOf(const record::Happening &happening, std::string_view key)
-{
-    for (const auto &[name, value] : happening.fields)
-        if (name == key)
-            return value;
-    return {};
-}
-
-std::optional<double> numberOf(const std::string &text)
-{
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool whole = error == std::errc() && end == text.data() + text.size();
-    return whole && std::isfinite(value) && std::abs(value) < 1e9 ? std::optional(value)
-                                                                  : std::nullopt;
-}
-
 /// The steps between the plan and the end of the series: set-points without a ramp, each until the next one.
 class Finder {
 public:
-    explicit Finder(const RecordedPlan &plan)
+    explicit Finder(const RecordedSteps &plan)
         : m_plan(plan)
     {
     }
@@ -43,7 +24,7 @@ public:
             takeRamp(at, what);
         else if (what.name == "motion" && fieldOf(what, "act") == "SPEED_RAMP")
             takeAnswer(what);
-        else if (what.name == kEnd)
+        else if (what.name == kEndEntry)
             takeEnd(at, what);
         else if (what.name == "stop" || what.name == "link")
             end(at);
@@ -55,12 +36,12 @@ public:
 private:
     void takeRamp(Nanos at, const record::Happening &what)
     {
-        const auto motor = numberOf(fieldOf(what, "motor"));
-        const auto rpm = numberOf(fieldOf(what, "rpm"));
-        const auto ms = numberOf(fieldOf(what, "ms"));
+        const auto motor = numberOf(what, "motor");
+        const auto rpm = numberOf(what, "rpm");
+        const auto ms = numberOf(what, "ms");
         end(at);
         const StepPlan &plan = m_plan.plan;
-        if (!motor || !rpm || !ms || *motor != plan.motor || *ms != 0.0)
+        if (!motor || !rpm || !ms || *motor != m_plan.motor || *ms != 0.0)
             return;
         const bool up = *rpm == plan.toRpm;
         if (!up && *rpm != plan.fromRpm)
@@ -73,8 +54,8 @@ private:
     /// The motion log has when it was asked and answered, on the clock of the link.
     void takeAnswer(const record::Happening &motion)
     {
-        const auto asked = numberOf(fieldOf(motion, "asked s"));
-        const auto took = numberOf(fieldOf(motion, "took ms"));
+        const auto asked = numberOf(motion, "asked s");
+        const auto took = numberOf(motion, "took ms");
         if (!m_open || !asked || !took || *took < 0.0)
             return;
         StepAsked &step = steps.back();
@@ -97,27 +78,9 @@ private:
         m_open = false;
     }
 
-    const RecordedPlan &m_plan;
+    const RecordedSteps &m_plan;
     bool m_open = false; ///< the last step is still held
 };
-
-const capture::Channel *channelOf(const capture::Capture &capture, const std::string &name)
-{
-    if (name.empty())
-        return nullptr;
-    for (const capture::ChannelInfo &info : capture.channels())
-        if (info.name == name && info.kind == capture::ChannelInfo::Kind::Fast)
-            return capture.channel(info.id);
-    return nullptr;
-}
-
-std::string text(double value, int digits)
-{
-    std::array<char, 32> buffer{};
-    const auto end = std::to_chars(
-        buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
-    return {buffer.data(), end.ptr};
-}
 
 std::string runName(const StepSeries &series, std::size_t run)
 {
@@ -154,31 +117,31 @@ void noteRuns(StepSeries &series)
     for (std::size_t i = 0; i < series.runs.size(); ++i) {
         const StepRun &run = series.runs[i];
         if (run.unusable == scope::WhyNot::GapInside)
-            series.notes.push_back("samples are missing in " + runName(series, i)
-                + ": nothing is told of its speed");
+            series.notes.push_back(
+                "samples are missing in " + runName(series, i) + ": nothing is told of its speed");
         else if (run.unusable)
             series.notes.push_back("the speed does not step in " + runName(series, i));
         else if (!run.found)
             series.notes.push_back("the instant of " + runName(series, i) + " is uncertain by "
-                + text(run.instantError_s * 1e3, 3) + " ms: its settling time is not told");
+                + textOf(run.instantError_s * 1e3, 3) + " ms: its settling time is not told");
         else if (!run.settling_s)
             series.notes.push_back(runName(series, i) + " does not settle while its speed is held");
         constexpr double kNoticeable = 0.02, kPercent = 100.0;
         if (run.atLimit > kNoticeable)
             series.notes.push_back("the current was at its limit in "
-                + text(run.atLimit * kPercent, 2) + " % of " + runName(series, i)
+                + textOf(run.atLimit * kPercent, 2) + " % of " + runName(series, i)
                 + ": it does not show the loop alone");
     }
 }
 
 /// A step of few digits of the speed says little, also by the angle.
-void noteResolution(StepSeries &series, const RecordedPlan &plan)
+void noteResolution(StepSeries &series, const RecordedSteps &plan)
 {
     constexpr double kLeastDigits = 20.0;
     const double step = std::abs(plan.plan.toRpm - plan.plan.fromRpm);
     if (plan.speedStepRpm > 0.0 && step < kLeastDigits * plan.speedStepRpm)
-        series.notes.push_back("the step is only " + text(step / plan.speedStepRpm, 3)
-            + " digits of the set-point; " + text(kLeastDigits * plan.speedStepRpm, 4)
+        series.notes.push_back("the step is only " + textOf(step / plan.speedStepRpm, 3)
+            + " digits of the set-point; " + textOf(kLeastDigits * plan.speedStepRpm, 4)
             + " rpm or more say more");
 }
 
@@ -187,18 +150,18 @@ void noteResolution(StepSeries &series, const RecordedPlan &plan)
 Result<StepSeries, std::string> stepSeries(
     const capture::Capture &capture, const Happenings &happenings)
 {
-    std::optional<RecordedPlan> plan;
+    std::optional<RecordedSteps> plan;
     auto at = happenings.begin();
     for (; at != happenings.end() && !plan; ++at)
-        plan = recordedPlan(at->second);
+        plan = recordedSteps(at->second);
     if (!plan)
         return fail(std::string("it is no recording of a series of steps"));
     Finder finder(*plan);
     for (; at != happenings.end() && !finder.over; ++at)
         finder.take(at->first, at->second);
-    const StepChannels channels{channelOf(capture, plan->reference),
-        channelOf(capture, plan->current), channelOf(capture, plan->speed),
-        channelOf(capture, plan->angle)};
+    const StepChannels channels{fastChannel(capture, plan->reference),
+        fastChannel(capture, plan->current), fastChannel(capture, plan->speed),
+        fastChannel(capture, plan->angle)};
     if (channels.reference == nullptr || channels.speed == nullptr)
         return fail(std::string("it holds no samples of the signals of its series of steps"));
     StepSeries series;
@@ -219,11 +182,6 @@ Result<StepSeries, std::string> stepSeries(
     series.peakIq_a = meanOver(
         series, &StepRun::peakIq_a, "peak current", 2.0 * channels.reference->info().digit());
     return series;
-}
-
-record::Happening entryOfEnd(bool complete, const std::string &reason)
-{
-    return {kEnd, {{"outcome", complete ? "complete" : "ended early"}, {"reason", reason}}};
 }
 
 } // namespace lab

@@ -3,17 +3,15 @@
 #pragma once
 
 #include "lab/estimate.h"
+#include "lab/experiment.h"
+#include "lab/happenings.h"
 #include "lab/step_evaluation.h"
-#include "lab/step_plan.h"
 
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace lab {
-
-/// What happened while it was recorded, by its time.
-using Happenings = std::vector<std::pair<Nanos, record::Happening>>;
 
 struct StepSeries {
     StepPlan plan;
@@ -27,8 +25,5 @@ struct StepSeries {
 /// The first series in a recording; or why there is none, in a sentence without a full stop.
 Result<StepSeries, std::string> stepSeries(
     const capture::Capture &capture, const Happenings &happenings);
-
-/// How the series ended, as an entry of a recording.
-record::Happening entryOfEnd(bool complete, const std::string &reason);
 
 } // namespace lab

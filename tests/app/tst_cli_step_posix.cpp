@@ -11,9 +11,11 @@ using support::CliRun;
 using support::Simulator;
 
 #define COMPARE_STATUS(result, expected)                                                           \
-    QVERIFY2((result).status == (expected),                                                        \
-        qPrintable(QStringLiteral("status %1, stderr: %2")                                         \
-                       .arg(QString::number((result).status), (result).err)))
+    do {                                                                                           \
+        const CliRun it = result;                                                                  \
+        QVERIFY2(it.status == (expected),                                                          \
+            qPrintable(QStringLiteral("status %1, stderr: %2").arg(it.status).arg(it.err)));       \
+    } while (false)
 
 namespace {
 
@@ -29,8 +31,8 @@ private Q_SLOTS:
         const Simulator board(kServo);
         QVERIFY(board.ready());
         const QString file = board.file("run.pcapng");
-        const CliRun run = board.cli(
-            "step speed --from 1000 --to 1500 --repeat 2 --hold 300 --json -o", {file});
+        const CliRun run =
+            board.cli("step speed --from 1000 --to 1500 --repeat 2 --hold 300 --json -o", {file});
         COMPARE_STATUS(run, 0);
         const QJsonObject said = QJsonDocument::fromJson(run.out.toUtf8()).object();
         QCOMPARE(said.value(QStringLiteral("kind")).toString(), QStringLiteral("step"));
@@ -53,8 +55,8 @@ private Q_SLOTS:
                                      .toObject();
         QVERIFY(mean.value(QStringLiteral("low")).toDouble()
             < mean.value(QStringLiteral("high")).toDouble());
-        const CliRun again = support::runCli(
-            {QStringLiteral("evaluate"), QStringLiteral("--json"), file});
+        const CliRun again =
+            support::runCli({QStringLiteral("evaluate"), QStringLiteral("--json"), file});
         COMPARE_STATUS(again, 0);
         QCOMPARE(again.out, run.out);
     }
@@ -84,7 +86,8 @@ private Q_SLOTS:
         const CliRun run = board.cli("step speed --from 1000 --to 1500 --repeat 1 --max-rpm 1500");
         COMPARE_STATUS(run, 6);
         QVERIFY(run.out.isEmpty());
-        QVERIFY2(run.err.contains(QStringLiteral("1500 rpm that are allowed")), qPrintable(run.err));
+        QVERIFY2(
+            run.err.contains(QStringLiteral("1500 rpm that are allowed")), qPrintable(run.err));
         QVERIFY(board.cli("info").out.contains(QStringLiteral("IDLE")));
     }
 
@@ -95,8 +98,9 @@ private Q_SLOTS:
         QTest::newRow("too fast") << QStringLiteral("step speed --from 1000 --to 9000") << 1;
         QTest::newRow("beyond one's own")
             << QStringLiteral("step speed --from 1000 --to 1500 --max-rpm 1400") << 1;
-        QTest::newRow("too long")
-            << QStringLiteral("step speed --from 1000 --to 1500 --repeat 30 --hold 2000") << 1;
+        QTest::newRow("too long") << QStringLiteral(
+            "step speed --from 1000 --to 1500 --repeat 30 --hold 2000")
+                                  << 1;
         QTest::newRow("no step") << QStringLiteral("step speed --from 1000 --to 1000") << 1;
         QTest::newRow("no end") << QStringLiteral("step speed --from 1000") << 2;
         QTest::newRow("no number") << QStringLiteral("step speed --from x --to 1000") << 2;
@@ -129,20 +133,20 @@ private Q_SLOTS:
 
     void boardsThatRecordNothingAndFilesWithoutASeriesSayWhy()
     {
-        const CliRun older = support::runCli({QStringLiteral("--port"),
-            QStringLiteral("sim:legacy"), QStringLiteral("step"), QStringLiteral("speed"),
-            QStringLiteral("--from"), QStringLiteral("500"), QStringLiteral("--to"),
-            QStringLiteral("900")});
+        const CliRun older =
+            support::runCli({QStringLiteral("--port"), QStringLiteral("sim:legacy"),
+                QStringLiteral("step"), QStringLiteral("speed"), QStringLiteral("--from"),
+                QStringLiteral("500"), QStringLiteral("--to"), QStringLiteral("900")});
         COMPARE_STATUS(older, 1);
-        QVERIFY2(older.err.contains(QStringLiteral("No steps can be measured")),
-            qPrintable(older.err));
+        QVERIFY2(
+            older.err.contains(QStringLiteral("Nothing can be measured")), qPrintable(older.err));
         const Simulator board(kServo);
         QVERIFY(board.ready());
         const QString file = board.file("other.pcapng");
         COMPARE_STATUS(board.cli("capture --hf I_A --seconds 0.2 --record", {file}), 0);
         const CliRun none = support::runCli({QStringLiteral("evaluate"), file});
         COMPARE_STATUS(none, 1);
-        QVERIFY2(none.err.contains(QStringLiteral("no recording of a series of steps")),
+        QVERIFY2(none.err.contains(QStringLiteral("no recording of an experiment")),
             qPrintable(none.err));
     }
 };

@@ -1,6 +1,6 @@
 // evaluate: the numbers of an experiment, from its recording alone.
 #include "commands.h"
-#include "experiments/step_report.h"
+#include "experiments/reports.h"
 
 namespace cli {
 
@@ -8,16 +8,7 @@ namespace {
 
 Outcome<int> runEvaluate(const Arguments &arguments, Output &out)
 {
-    const QString &path = arguments.words.first();
-    const auto recording = openRecording(path);
-    if (!recording)
-        return tl::make_unexpected(recording.error());
-    const auto series = seriesIn(**recording, path);
-    if (!series)
-        return tl::make_unexpected(series.error());
-    if (const QString lack = lackText(**recording); !lack.isEmpty())
-        Output::error(path + QStringLiteral(": ") + lack + QLatin1Char('.'));
-    return report(*series, out);
+    return evaluate(arguments.words.first(), out);
 }
 
 } // namespace

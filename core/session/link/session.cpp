@@ -60,8 +60,8 @@ Session::Session(Parts parts, QObject *parent)
     qRegisterMetaType<Endpoint>("session::Endpoint");
     qRegisterMetaType<drive::Wish>("drive::Wish");
     qRegisterMetaType<Interruption>("session::Interruption");
-    qRegisterMetaType<lab::StepExperiment>("lab::StepExperiment");
-    qRegisterMetaType<lab::StepOutcome>("lab::StepOutcome");
+    qRegisterMetaType<lab::Experiment>("lab::Experiment");
+    qRegisterMetaType<lab::Outcome>("lab::Outcome");
     connect(&m_timer, &WakeTimer::due, this, [this] {
         m_wokenAt = m_parts.clock();
         step(m_wokenAt);
@@ -225,10 +225,8 @@ void Session::submit(const drive::Wish &wish)
         || std::holds_alternative<drive::Watch>(wish.what);
     if (m_experiment && isSignals) { // it needs its own until it ends; then these are taken up
         if (wish.id != 0)
-            m_batcher.add(drive::Ended{.id = wish.id,
-                .outcome = drive::Outcome::Ok,
-                .reason = {},
-                .writes = {}});
+            m_batcher.add(drive::Ended{
+                .id = wish.id, .outcome = drive::Outcome::Ok, .reason = {}, .writes = {}});
     } else if (m_phase == Phase::Open) {
         m_driven.submitted(wish, m_drive->armed(), now);
         m_drive->submit(wish, now);
@@ -385,7 +383,7 @@ void Session::runLink(TimePoint now)
     }
 }
 
-void Session::run(const lab::StepExperiment &experiment)
+void Session::run(const lab::Experiment &experiment)
 {
     const TimePoint now = wake();
     const char *why = m_phase != Phase::Open ? "no port is open"
@@ -393,10 +391,10 @@ void Session::run(const lab::StepExperiment &experiment)
         : !m_drive->armed()                  ? "the drive is not armed"
                                              : nullptr;
     if (why != nullptr) {
-        Q_EMIT experimentEnded({lab::StepEnd::Refused, why, now});
+        Q_EMIT experimentEnded({lab::End::Refused, why, now});
         return;
     }
-    m_experiment = std::make_unique<lab::StepRunner>(experiment);
+    m_experiment = std::make_unique<lab::Runner>(experiment);
     m_experiment->begin(now);
     step(now);
 }
@@ -432,7 +430,7 @@ void Session::interruptExperiment(const std::string &why)
 /// What was recorded and read before is again, whichever way it ended.
 void Session::endExperiment(TimePoint now)
 {
-    lab::StepOutcome outcome = m_experiment->outcome();
+    lab::Outcome outcome = m_experiment->outcome();
     outcome.at = now;
     m_experiment.reset();
     if (m_phase == Phase::Open) {

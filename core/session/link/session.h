@@ -22,7 +22,7 @@
 // session lives with every turn. If it has acted, this program did not run for seconds: nothing of before is sent any
 // more, and the port is opened anew like one that was unplugged.
 //
-// An experiment (lab/step_runner.h) is carried out between the drive and everybody else: it sees each event first, and what
+// An experiment (lab/runner.h) is carried out between the drive and everybody else: it sees each event first, and what
 // breaks its envelope stops every motor within the same turn. Its wishes take the way of everybody's. A person who stops,
 // disarms or commands the motor meanwhile ends it; whichever way it ends, what was streamed and watched before is again.
 //
@@ -32,7 +32,7 @@
 #pragma once
 
 #include "drive/drive.h"
-#include "lab/step_runner.h"
+#include "lab/runner.h"
 #include "session/link/batcher.h"
 #include "session/link/dead_man.h"
 #include "session/link/driven_motors.h"
@@ -111,9 +111,9 @@ public Q_SLOTS:
     /// end. Otherwise nothing.
     void stopOwn();
     void acknowledge(); ///< one batch has been taken in
-    /// Carries out a series of steps; exactly one experimentEnded() follows. Refused while another one runs, or where the
+    /// Carries out an experiment; exactly one experimentEnded() follows. Refused while another one runs, or where the
     /// drive is not armed.
-    void run(const lab::StepExperiment &experiment);
+    void run(const lab::Experiment &experiment);
 
 Q_SIGNALS:
     void batch(const session::BatchPtr &batch);
@@ -122,7 +122,7 @@ Q_SIGNALS:
     /// The ports at which a stop is wanted and cannot be carried out now, because they are not open.
     void stopsWanted(const QStringList &ports);
     void interrupted(const session::Interruption &what);
-    void experimentEnded(const lab::StepOutcome &outcome);
+    void experimentEnded(const lab::Outcome &outcome);
 
 protected:
     bool event(QEvent *event) override;
@@ -194,7 +194,7 @@ private:
     std::optional<drive::Watch> m_watch;
     std::optional<drive::UserLimits> m_limits; ///< the user's; for every drive from then on
     WantedStops m_stops;
-    std::unique_ptr<lab::StepRunner> m_experiment;
+    std::unique_ptr<lab::Runner> m_experiment;
     QStringList m_stopsTold;
     TimePoint m_stopUntil{}; ///< closing waits so long for a stop that is open
     std::map<QString, drive::LineMemory> m_memory; ///< by path
@@ -214,5 +214,5 @@ Q_DECLARE_METATYPE(session::BatchPtr)
 Q_DECLARE_METATYPE(session::PortState)
 Q_DECLARE_METATYPE(session::Interruption)
 Q_DECLARE_METATYPE(drive::Wish)
-Q_DECLARE_METATYPE(lab::StepExperiment)
-Q_DECLARE_METATYPE(lab::StepOutcome)
+Q_DECLARE_METATYPE(lab::Experiment)
+Q_DECLARE_METATYPE(lab::Outcome)

@@ -131,9 +131,9 @@ constexpr StepFacts kFacts{kPolePairs, 6.0, kJump};
 
 #define VERIFY_NEAR(value, expected, within)                                                       \
     QVERIFY2(std::abs((value) - (expected)) <= (within),                                           \
-        qPrintable(QStringLiteral("%1, not %2 +- %3")                                              \
-                       .arg(QString::number(value), QString::number(expected),                     \
-                           QString::number(within))))
+        qPrintable(                                                                                \
+            QStringLiteral("%1, not %2 +- %3")                                                     \
+                .arg(QString::number(value), QString::number(expected), QString::number(within))))
 
 } // namespace
 

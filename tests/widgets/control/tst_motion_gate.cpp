@@ -53,7 +53,7 @@ struct GateBench : facts::EditBench {
     }
     void look()
     {
-        for (const char *name : {"SPEED_REF", "I_Q_REF", "I_D_REF", "CONTROL_MODE"})
+        for (const char *name : {"SPEED_REF", "SPEED_RAMP", "I_Q_REF", "I_D_REF", "CONTROL_MODE"})
             held(name);
         QCoreApplication::processEvents();
     }

@@ -7,7 +7,7 @@
 
 using namespace std::chrono_literals;
 using drive::MotorState;
-using lab::StepEnd;
+using lab::End;
 using session::Session;
 
 namespace {
@@ -23,8 +23,9 @@ struct World {
     TimePoint now{1000s};
     support::JudgedWorld line{servo(), drive::Protocol::Mcp, [this] { return now; }};
     Session session;
+    session::Endpoint endpoint;
     std::vector<drive::Event> events;
-    std::vector<lab::StepOutcome> outcomes;
+    std::vector<lab::Outcome> outcomes;
     std::vector<std::pair<TimePoint, capture::StreamLayout>> layouts;
     std::optional<drive::MotorStatus> status;
 
@@ -44,7 +45,7 @@ struct World {
                 session.acknowledge();
             });
         QObject::connect(&session, &Session::experimentEnded, &session,
-            [this](const lab::StepOutcome &outcome) { outcomes.push_back(outcome); });
+            [this](const lab::Outcome &outcome) { outcomes.push_back(outcome); });
     }
 
     bool runUntil(const std::function<bool()> &condition, Duration limit)
@@ -76,16 +77,16 @@ struct World {
     }
     bool connect()
     {
-        session.open({});
+        session.open(endpoint);
         if (!runUntil([this] { return board() != nullptr && status.has_value(); }, 5s))
             return false;
         session.setArmed(true);
         return true;
     }
     drive::RegisterId id(const char *name) const { return *board()->catalog->resolve(name); }
-    lab::StepExperiment experiment(lab::StepPlan plan = {.fromRpm = 1000, .toRpm = 1500}) const
+    lab::Experiment experiment(lab::StepPlan plan = {.fromRpm = 1000, .toRpm = 1500}) const
     {
-        return {plan, *lab::stepBoardOf(*board(), 1)};
+        return {plan, *lab::subjectOf(*board(), 1)};
     }
     template <class Event>
     std::vector<Event> all() const
@@ -98,8 +99,12 @@ struct World {
     }
     bool steps(Duration limit = 20s)
     {
-        return runUntil([this] { return status->state == MotorState::Running && status->speedRpm
-                && std::abs(*status->speedRpm - 1500.0) < 100.0; }, limit);
+        return runUntil(
+            [this] {
+                return status->state == MotorState::Running && status->speedRpm
+                    && std::abs(*status->speedRpm - 1500.0) < 100.0;
+            },
+            limit);
     }
     bool ends(Duration limit = 30s)
     {
@@ -134,7 +139,7 @@ private Q_SLOTS:
         world.run(500ms);
         world.session.run(world.experiment());
         QVERIFY(world.ends());
-        VERIFY_END(world, StepEnd::Complete);
+        VERIFY_END(world, End::Complete);
         QCOMPARE(world.outcomes[0].reason, std::string());
         QVERIFY(world.idles());
         world.run(1s);
@@ -155,7 +160,7 @@ private Q_SLOTS:
         const drive::Stream own{.fast = {world.id("I_B")}, .slow = {}};
         world.session.submit({.id = 6, .what = own});
         QVERIFY(world.ends());
-        VERIFY_END(world, StepEnd::Complete);
+        VERIFY_END(world, End::Complete);
         world.run(1s);
         QCOMPARE(world.layouts.back().second.fast.at(0).id, world.id("I_B"));
         const auto ended = world.all<drive::Ended>();
@@ -170,16 +175,16 @@ private Q_SLOTS:
         QVERIFY(world.connect());
         world.session.setArmed(false);
         world.session.run(world.experiment());
-        VERIFY_END(world, StepEnd::Refused);
+        VERIFY_END(world, End::Refused);
         world.session.setArmed(true);
         world.outcomes.clear();
         world.session.run(world.experiment());
         world.run(100ms);
         world.session.run(world.experiment());
-        VERIFY_END(world, StepEnd::Refused);
+        VERIFY_END(world, End::Refused);
         world.outcomes.clear();
         QVERIFY(world.ends());
-        VERIFY_END(world, StepEnd::Complete);
+        VERIFY_END(world, End::Complete);
     }
 
     void aPersonsStopEndsIt()
@@ -190,7 +195,7 @@ private Q_SLOTS:
         QVERIFY(world.steps());
         world.session.stop();
         QVERIFY(world.ends(100ms));
-        VERIFY_END(world, StepEnd::Interrupted);
+        VERIFY_END(world, End::Interrupted);
         QVERIFY(world.idles());
         world.run(3s);
         QVERIFY(world.status->state == MotorState::Idle);
@@ -204,8 +209,9 @@ private Q_SLOTS:
         QVERIFY(world.steps());
         world.session.setArmed(false);
         QVERIFY(world.ends(100ms));
-        VERIFY_END(world, StepEnd::Interrupted);
-        QVERIFY(QString::fromStdString(world.outcomes[0].reason).contains(QStringLiteral("1500 rpm")));
+        VERIFY_END(world, End::Interrupted);
+        QVERIFY(
+            QString::fromStdString(world.outcomes[0].reason).contains(QStringLiteral("1500 rpm")));
         const auto before = world.all<drive::MotionRecord>().size();
         world.run(2s);
         QVERIFY(world.status->state == MotorState::Running);
@@ -223,9 +229,12 @@ private Q_SLOTS:
         QVERIFY(world.steps());
         world.session.submit({.id = 7, .what = drive::SpeedRamp{1, 2000, 100ms}});
         QVERIFY(world.ends(100ms));
-        VERIFY_END(world, StepEnd::Interrupted);
-        QVERIFY(world.runUntil([&] { return world.status->speedRpm
-                && std::abs(*world.status->speedRpm - 2000.0) < 100.0; }, 5s));
+        VERIFY_END(world, End::Interrupted);
+        QVERIFY(world.runUntil(
+            [&] {
+                return world.status->speedRpm && std::abs(*world.status->speedRpm - 2000.0) < 100.0;
+            },
+            5s));
         world.run(2s);
         QVERIFY(std::abs(*world.status->speedRpm - 2000.0) < 100.0);
         world.session.stop();
@@ -241,7 +250,7 @@ private Q_SLOTS:
         world.session.submit(
             {.id = 8, .what = drive::Write{{{world.id("SPEED_KP"), std::int64_t{2000}}}}});
         QVERIFY(world.ends());
-        VERIFY_END(world, StepEnd::Complete);
+        VERIFY_END(world, End::Complete);
     }
 
     /// The Stop leaves within 25 ms; a session that lost it between two turns would let the motor run on.
@@ -249,10 +258,10 @@ private Q_SLOTS:
     {
         World world;
         QVERIFY(world.connect());
-        world.session.run(
-            world.experiment({.fromRpm = 1000, .toRpm = 1500, .maxRpm = 1500.0})); // any overshoot
+        world.session.run(world.experiment(
+            {.fromRpm = 1000, .toRpm = 1500, .caps = {.maxRpm = 1500.0}})); // any overshoot
         QVERIFY(world.ends());
-        VERIFY_END(world, StepEnd::Aborted);
+        VERIFY_END(world, End::Aborted);
         const TimePoint at = world.outcomes[0].at;
         QVERIFY(world.runUntil(
             [&] {
@@ -279,26 +288,25 @@ private Q_SLOTS:
         world.session.stop();
         world.session.close();
         QVERIFY(world.runUntil([&] { return world.session.closed(); }, 5s));
-        VERIFY_END(world, StepEnd::Interrupted);
+        VERIFY_END(world, End::Interrupted);
     }
 
     /// What it drove is wanted stopped when the port is back, before anything else.
     void aLostPortLeavesAStopBehind()
     {
         World world;
+        world.endpoint.kind = session::Endpoint::Kind::Serial;
+        world.endpoint.path = QStringLiteral("bench");
         QVERIFY(world.connect());
         world.session.run(world.experiment());
         QVERIFY(world.steps());
         QSignalSpy wanted(&world.session, &Session::stopsWanted);
         world.line.plugged = false;
         QVERIFY(world.ends(5s));
-        VERIFY_END(world, StepEnd::Aborted);
-        QVERIFY(!wanted.isEmpty());
+        VERIFY_END(world, End::Aborted);
+        QVERIFY2(!wanted.isEmpty(), world.outcomes[0].reason.c_str());
         QVERIFY(!wanted.last().first().toStringList().isEmpty());
-        world.session.close();
-        world.run(1s);
-        world.line.plugged = true;
-        world.session.open({});
+        world.line.plugged = true; // it is opened again by itself
         QVERIFY(world.idles(10s));
     }
 };

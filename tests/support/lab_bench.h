@@ -1,9 +1,9 @@
-// A series of steps on a simulated board, on virtual time: the runner between a judged drive and its wishes, as a session
+// An experiment on a simulated board, on virtual time: the runner between a judged drive and its wishes, as a session
 // has it, and what a recording of it would hold.
 #pragma once
 
 #include "drive/values.h"
-#include "lab/step_runner.h"
+#include "lab/runner.h"
 #include "lab/step_series.h"
 #include "record/drive_entries.h"
 #include "record/restore.h"
@@ -20,15 +20,19 @@ inline simulation::BoardOptions servo(std::uint64_t seed = 1)
     return options;
 }
 
-inline QString outcomeText(const lab::StepOutcome &outcome)
+inline QString outcomeText(const lab::Outcome &outcome)
 {
-    return QStringLiteral("%1: %2").arg(int(outcome.end)).arg(QString::fromStdString(outcome.reason));
+    return QStringLiteral("%1: %2")
+        .arg(int(outcome.end))
+        .arg(QString::fromStdString(outcome.reason));
 }
 
-struct StepBench {
+struct LabBench {
     Session pair;
-    lab::StepExperiment experiment;
-    std::optional<lab::StepRunner> runner;
+    lab::Experiment experiment;
+    lab::StepPlan steps{
+        .fromRpm = 1000, .toRpm = 1500, .repeat = 2}; ///< unless told otherwise, what is tried
+    std::optional<lab::Runner> runner;
     capture::Capture capture;
     lab::Happenings happenings;
     std::vector<drive::Wish> wishes; ///< all that it asked for
@@ -36,14 +40,14 @@ struct StepBench {
     Duration held{}; ///< a wish waits so long before it is handed on: a host that stalls
     std::function<void()> eachTurn; ///< as the world goes on
 
-    explicit StepBench(const simulation::BoardOptions &options = servo(), std::uint64_t seed = 1)
+    explicit LabBench(const simulation::BoardOptions &options = servo(), std::uint64_t seed = 1)
         : pair(true, options, seed)
         , restorer(capture)
     {
-        if (const auto board = pair.ready ? lab::stepBoardOf(*pair.identified, 1)
-                                          : Result<lab::StepBoard, std::string>(fail(std::string())))
-            experiment.board = *board;
-        experiment.plan = {.fromRpm = 1000, .toRpm = 1500, .repeat = 2};
+        const auto subject = pair.ready ? lab::subjectOf(*pair.identified, 1)
+                                        : Result<lab::Subject, std::string>(fail(std::string()));
+        if (subject)
+            experiment.subject = *subject;
         pair.onEvent = [this](const drive::Event &event) {
             for (record::Entry &entry : entries.take(event))
                 keep(entry);
@@ -55,15 +59,23 @@ struct StepBench {
     double number(drive::RegisterId id)
     {
         const drive::WishId read = pair.submit(drive::Read{{id}});
-        return pair.runUntilEnded(read) ? drive::asNumber(pair.values[id].value).value_or(0.0) : 0.0;
+        return pair.runUntilEnded(read) ? drive::asNumber(pair.values[id].value).value_or(0.0)
+                                        : 0.0;
     }
 
     void begin()
     {
-        const double jump = lab::jumpPerRpm(experiment.board, number(experiment.board.gain),
-            number(experiment.board.gainExponent));
-        keep(lab::entryOf(experiment, jump));
+        if (std::holds_alternative<lab::StepPlan>(experiment.plan))
+            experiment.plan = steps;
+        const lab::Registers &registers = experiment.subject.registers;
+        if (const auto *spin = std::get_if<lab::SpinPlan>(&experiment.plan))
+            keep(lab::entryOf(*spin, experiment.subject));
+        else
+            keep(lab::entryOf(std::get<lab::StepPlan>(experiment.plan), experiment.subject,
+                lab::jumpPerRpm(
+                    experiment.subject, number(registers.gain), number(registers.gainExponent))));
         runner.emplace(experiment);
+
         runner->begin(pair.now);
     }
 
@@ -101,13 +113,13 @@ struct StepBench {
             limit);
     }
     /// From begin() to the end.
-    lab::StepOutcome run()
+    lab::Outcome run()
     {
         begin();
         if (!runUntil([this] { return runner->over(); }))
-            return {lab::StepEnd::Refused, "it never ended", {}};
-        const lab::StepOutcome outcome = runner->outcome();
-        keep(lab::entryOfEnd(outcome.end == lab::StepEnd::Complete, outcome.reason));
+            return {lab::End::Refused, "it never ended", {}};
+        const lab::Outcome outcome = runner->outcome();
+        keep(lab::entryOfEnd(outcome.end == lab::End::Complete, outcome.reason));
         return outcome;
     }
     Result<lab::StepSeries, std::string> series() const

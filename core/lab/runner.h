@@ -1,4 +1,4 @@
-// Carries out a series of steps: a machine without I/O between a drive's events and its wishes, in the session's thread.
+// Carries out an experiment: a machine without I/O between a drive's events and its wishes, in the session's thread.
 // While it runs, every packet of samples and every reading is held against the envelope; what breaks it asks for a Stop of
 // every motor at once, and that is the last thing the runner asks for.
 //
@@ -12,7 +12,7 @@
 
 #include "drive/start_target.h"
 #include "lab/envelope.h"
-#include "lab/step_plan.h"
+#include "lab/experiment.h"
 
 #include <map>
 #include <string>
@@ -20,27 +20,27 @@
 
 namespace lab {
 
-enum class StepEnd : std::uint8_t {
+enum class End : std::uint8_t {
     Complete,
     Refused, ///< the board or the drive did not do what was asked; nothing is left moving that stood before
     Aborted, ///< the envelope was broken, or the board reported a fault
     Interrupted, ///< somebody stopped, disarmed or took the motor over, or the link went
 };
 
-struct StepOutcome {
-    StepEnd end = StepEnd::Complete;
+struct Outcome {
+    End end = End::Complete;
     /// Why it ended, and what is not as it was before; without a full stop. Empty: nothing to say.
     std::string reason;
     TimePoint at{}; ///< when it ended; the session says it
-    bool operator==(const StepOutcome &) const = default;
+    bool operator==(const Outcome &) const = default;
 };
 
-class StepRunner {
+class Runner {
 public:
     /// Wishes of a runner have ids from here on: nobody else's are as large.
     static constexpr drive::WishId kFirstWish = drive::WishId{1} << 62;
 
-    explicit StepRunner(StepExperiment experiment);
+    explicit Runner(Experiment experiment);
 
     void begin(TimePoint now);
     void take(const drive::Event &event, TimePoint now);
@@ -50,31 +50,32 @@ public:
     /// Nothing reaches the board any more: what it set going is to be stopped as soon as that is possible.
     void lose(const std::string &why);
 
-    const catalog::Catalog &catalog() const { return *m_experiment.board.catalog; }
+    const catalog::Catalog &catalog() const { return *m_experiment.subject.catalog; }
 
     std::vector<drive::Wish> takeWishes();
     /// Once true: every motor is to be stopped, before anything else leaves.
     bool takeStop() { return std::exchange(m_stop, false); }
     std::optional<TimePoint> nextTimeout() const;
     bool over() const { return m_outcome.has_value(); }
-    const StepOutcome &outcome() const { return *m_outcome; } ///< once over()
+    const Outcome &outcome() const { return *m_outcome; } ///< once over()
 
 private:
     enum class Phase : std::uint8_t {
         Reading, ///< what the motor does now
         Streaming, ///< until the board records
         Watching, ///< until the rest is polled
-        Aiming, ///< of a motor at rest: until its start goes to `from`
+        Aiming, ///< of a motor at rest: until its start goes to the first speed
         Starting, ///< until it runs
-        Approaching, ///< until the speed is that of `from`
-        Stepping, ///< until the last speed was held
+        Approaching, ///< until the speed is the first one
+        Working, ///< until its course is over
         Returning, ///< to the speed of before, or to rest
         Restoring, ///< of the set-point, while it rests
         Comparing, ///< what the board has now
         Over,
     };
 
-    void ask(decltype(drive::Wish::what) what, TimePoint now);
+    void ask(Ask what, TimePoint now);
+    void again(TimePoint now);
     void ramp(int rpm, milliseconds duration, TimePoint now);
     void enter(Phase phase, Duration within, TimePoint now);
     void onEnded(const drive::Ended &ended, TimePoint now);
@@ -84,10 +85,10 @@ private:
     void onCompared();
     void onLate(TimePoint now);
     void approach(TimePoint now);
-    void step(TimePoint now);
+    void work(TimePoint now);
     void giveBack(TimePoint now);
     void restore(TimePoint now);
-    void giveUp(StepEnd end, const std::string &reason, TimePoint now);
+    void giveUp(End end, const std::string &reason, TimePoint now);
     void abort(const std::string &reason);
     void finish();
     bool steadyAt(double rpm, TimePoint now);
@@ -102,13 +103,14 @@ private:
     drive::Watch watch() const;
     std::optional<double> shown(drive::RegisterId id) const;
 
-    StepExperiment m_experiment;
+    Experiment m_experiment;
+    Conditions m_conditions;
+    std::unique_ptr<Course> m_course;
     Envelope m_envelope;
     Phase m_phase = Phase::Over;
     TimePoint m_until{}; ///< the phase is over by then, or it has failed
     TimePoint m_settledAt{}; ///< the speed has been right since then
     bool m_settled = false;
-    int m_steps = 0; ///< made so far
 
     drive::WishId m_lastWish = kFirstWish;
     drive::WishId m_waiting = 0; ///< what the phase waits for; 0: it has ended
@@ -118,14 +120,17 @@ private:
     std::optional<drive::MotorStatus> m_status;
     double m_before_rpm = 0.0; ///< the set-point
     int m_target_rpm = 0; ///< the set-point that the board may have taken last
+    Ask m_asked; ///< last
+    int m_tries = 0; ///< of it, that were too late
     std::optional<int> m_asked_rpm; ///< on its way
     bool m_stands = false; ///< the start was refused
+    bool m_byTorque = false; ///< a torque was asked for last
     bool m_ran = false; ///< the motor did
-    StepOutcome m_soFar;
+    Outcome m_soFar;
 
     std::vector<drive::Wish> m_wishes;
     bool m_stop = false;
-    std::optional<StepOutcome> m_outcome;
+    std::optional<Outcome> m_outcome;
 };
 
 } // namespace lab

@@ -1,18 +1,18 @@
-// A series of steps on a simulated board: what it measures, what bounds it, and what it leaves behind on every way out.
-#include "support/step_bench.h"
+// Experiments on a simulated board: what it measures, what bounds it, and what it leaves behind on every way out.
+#include "support/lab_bench.h"
 
 using namespace drive;
-using lab::StepEnd;
-using support::StepBench;
+using lab::End;
+using support::LabBench;
 using namespace std::chrono_literals;
 
 #define VERIFY_END(ended, wanted)                                                                  \
     do {                                                                                           \
-        const lab::StepOutcome it = ended;                                                         \
+        const lab::Outcome it = ended;                                                             \
         QVERIFY2(it.end == (wanted), qPrintable(support::outcomeText(it)));                        \
     } while (false)
 
-class TestStepRunner : public QObject {
+class TestRunner : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void aStandingMotorIsStartedSteppedAndStopped();
@@ -37,7 +37,7 @@ private Q_SLOTS:
 namespace {
 
 /// What a start goes to.
-Bytes setPoint(StepBench &bench)
+Bytes setPoint(LabBench &bench)
 {
     const RegisterId id = bench.pair.id("SPEED_RAMP");
     const WishId read = bench.pair.submit(Read{{id}});
@@ -49,13 +49,13 @@ Bytes setPoint(StepBench &bench)
 
 } // namespace
 
-void TestStepRunner::aStandingMotorIsStartedSteppedAndStopped()
+void TestRunner::aStandingMotorIsStartedSteppedAndStopped()
 {
-    StepBench bench;
+    LabBench bench;
     const Bytes before = setPoint(bench);
     QCOMPARE(before.size(), 6U);
-    const lab::StepOutcome outcome = bench.run();
-    VERIFY_END(outcome, StepEnd::Complete);
+    const lab::Outcome outcome = bench.run();
+    VERIFY_END(outcome, End::Complete);
     QVERIFY2(outcome.reason.empty(), outcome.reason.c_str());
     QCOMPARE(bench.stops, 0);
     std::vector<int> steps;
@@ -75,13 +75,13 @@ void TestStepRunner::aStandingMotorIsStartedSteppedAndStopped()
     QVERIFY(series->rise_s->low && *series->rise_s->low < *series->rise_s->high);
 }
 
-void TestStepRunner::aRunningMotorGoesBackToItsSpeed()
+void TestRunner::aRunningMotorGoesBackToItsSpeed()
 {
-    StepBench bench;
+    LabBench bench;
     QVERIFY(bench.pair.runAt(1800));
     bench.pair.runFor(1s);
-    const lab::StepOutcome outcome = bench.run();
-    VERIFY_END(outcome, StepEnd::Complete);
+    const lab::Outcome outcome = bench.run();
+    VERIFY_END(outcome, End::Complete);
     QCOMPARE(outcome.reason, std::string());
     QVERIFY(bench.pair.board->truth(1).driven);
     QVERIFY2(std::abs(bench.pair.board->truth(1).rpm - 1800.0) < 60.0,
@@ -91,21 +91,22 @@ void TestStepRunner::aRunningMotorGoesBackToItsSpeed()
 }
 
 /// The board knows its rotor: looked at every 250 us, its rise and overshoot are those that were measured.
-void TestStepRunner::theNumbersAreThoseOfTheRotor()
+void TestRunner::theNumbersAreThoseOfTheRotor()
 {
-    StepBench bench;
-    bench.experiment.plan.repeat = 1;
+    LabBench bench;
+    bench.steps.repeat = 1;
     std::vector<std::pair<TimePoint, simulation::MotorTruth>> truth;
     bench.eachTurn = [&] { truth.emplace_back(bench.pair.now, bench.pair.board->truth(1)); };
-    VERIFY_END(bench.run(), StepEnd::Complete);
+    VERIFY_END(bench.run(), End::Complete);
     const auto series = bench.series();
     QVERIFY(series && series->runs.size() == 2);
     const auto stepped = std::find_if(truth.begin(), truth.end(),
         [](const auto &one) { return one.second.referenceRpm > 1400.0; });
     QVERIFY(stepped != truth.end());
     const auto when = [&](double rpm) {
-        return std::find_if(stepped, truth.end(),
-            [rpm](const auto &one) { return one.second.rpm >= rpm; })->first;
+        return std::find_if(stepped, truth.end(), [rpm](const auto &one) {
+            return one.second.rpm >= rpm;
+        })->first;
     };
     const double base = 1000.0, size = 500.0;
     const double rise = toSeconds(when(base + 0.9 * size) - when(base + 0.1 * size));
@@ -122,13 +123,13 @@ void TestStepRunner::theNumbersAreThoseOfTheRotor()
 
 /// The time of a sample lags the board's clock by the same in a whole stream: what differs from step to step is how well
 /// each was placed.
-void TestStepRunner::stepsArePlacedWithinAMillisecondHoweverTheHostStalls()
+void TestRunner::stepsArePlacedWithinAMillisecondHoweverTheHostStalls()
 {
     std::vector<double> late_ms;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        StepBench bench(support::servo(seed), seed);
+        LabBench bench(support::servo(seed), seed);
         support::Random random(seed);
-        bench.experiment.plan.repeat = 4;
+        bench.steps.repeat = 4;
         std::vector<TimePoint> instants;
         double reference = 0.0;
         bench.eachTurn = [&] {
@@ -138,7 +139,7 @@ void TestStepRunner::stepsArePlacedWithinAMillisecondHoweverTheHostStalls()
                 instants.push_back(bench.pair.now);
             reference = now;
         };
-        VERIFY_END(bench.run(), StepEnd::Complete);
+        VERIFY_END(bench.run(), End::Complete);
         const auto series = bench.series();
         QVERIFY(series && series->runs.size() == 8);
         QVERIFY(instants.size() >= 8);
@@ -155,7 +156,7 @@ void TestStepRunner::stepsArePlacedWithinAMillisecondHoweverTheHostStalls()
         QVERIFY2(spread <= 2.0, qPrintable(QString::number(spread))); // 1 ms to either side
 }
 
-void TestStepRunner::theWayToTheEnvelopeIsShort_data()
+void TestRunner::theWayToTheEnvelopeIsShort_data()
 {
     QTest::addColumn<QString>("cap");
     for (const char *cap : {"current", "speed", "bus"})
@@ -163,22 +164,22 @@ void TestStepRunner::theWayToTheEnvelopeIsShort_data()
 }
 
 /// From the sample that breaks a cap to the STOP on the wire.
-void TestStepRunner::theWayToTheEnvelopeIsShort()
+void TestRunner::theWayToTheEnvelopeIsShort()
 {
     QFETCH(const QString, cap);
-    StepBench bench;
-    bench.experiment.plan.toRpm = 2500;
+    LabBench bench;
+    bench.steps.toRpm = 2500;
     if (cap == QLatin1String("current"))
-        bench.experiment.plan.maxAmps = 2.0;
+        bench.steps.caps.maxAmps = 2.0;
     else if (cap == QLatin1String("speed"))
-        bench.experiment.plan.maxRpm = 2500.0; // any overshoot
+        bench.steps.caps.maxRpm = 2500.0; // any overshoot
     else
-        bench.experiment.plan.toRpm = 3400; // braking from there lifts the bus
+        bench.steps.toRpm = 3400; // braking from there lifts the bus
     std::optional<TimePoint> broken;
     const auto isBroken = [&](const Event &event) {
         if (const auto *read = std::get_if<RegistersRead>(&event)) {
             for (const Reading &reading : read->readings)
-                if (reading.id == bench.experiment.board.registers.bus
+                if (reading.id == bench.experiment.subject.registers.bus
                     && asNumber(reading.value).value_or(0.0) > 26.4)
                     return cap == QLatin1String("bus");
             return false;
@@ -187,9 +188,9 @@ void TestStepRunner::theWayToTheEnvelopeIsShort()
         if (block == nullptr || cap == QLatin1String("bus"))
             return false;
         const std::size_t column = cap == QLatin1String("current") ? 1 : 2;
-        const auto scale = bench.experiment.board.catalog->streamScale(column == 1
-                ? bench.experiment.board.registers.current
-                : bench.experiment.board.registers.speed);
+        const auto scale = bench.experiment.subject.catalog->streamScale(column == 1
+                ? bench.experiment.subject.registers.current
+                : bench.experiment.subject.registers.speed);
         const double most = column == 1 ? 2.0 : 2500.0;
         for (std::size_t i = 0; i < block->count; ++i)
             if (std::abs(block->fast[column * block->count + i] * scale.factor) > most)
@@ -202,15 +203,13 @@ void TestStepRunner::theWayToTheEnvelopeIsShort()
             broken = bench.pair.now;
         listen(event);
     };
-    const lab::StepOutcome outcome = bench.run();
-    VERIFY_END(outcome, StepEnd::Aborted);
+    const lab::Outcome outcome = bench.run();
+    VERIFY_END(outcome, End::Aborted);
     QCOMPARE(bench.stops, 1);
     QVERIFY2(broken, qPrintable(support::outcomeText(outcome)));
     const std::size_t asked = support::count(bench.pair.requests, mcp::CommandId::StopMotor);
     QVERIFY(bench.pair.runUntil(
-        [&] {
-            return support::count(bench.pair.requests, mcp::CommandId::StopMotor) > asked;
-        },
+        [&] { return support::count(bench.pair.requests, mcp::CommandId::StopMotor) > asked; },
         100ms));
     QVERIFY2(bench.pair.now - *broken <= 25ms,
         qPrintable(QString::number(toSeconds(bench.pair.now - *broken))));
@@ -221,15 +220,15 @@ void TestStepRunner::theWayToTheEnvelopeIsShort()
     QVERIFY(QString::fromStdString(outcome.reason).contains(QStringLiteral("allowed")));
 }
 
-void TestStepRunner::silenceBreaksIt()
+void TestRunner::silenceBreaksIt()
 {
-    StepBench bench;
+    LabBench bench;
     bench.begin();
     QVERIFY(bench.runUntil([&] { return bench.asked<SpeedRamp>().size() >= 3; }, 20s));
     bench.pair.board->mute(5s);
     const TimePoint since = bench.pair.now;
     QVERIFY(bench.runUntil([&] { return bench.runner->over(); }, 5s));
-    VERIFY_END(bench.runner->outcome(), StepEnd::Aborted);
+    VERIFY_END(bench.runner->outcome(), End::Aborted);
     QVERIFY2(bench.pair.now - since <= 510ms,
         qPrintable(QString::number(toSeconds(bench.pair.now - since))));
     bench.turn();
@@ -237,136 +236,139 @@ void TestStepRunner::silenceBreaksIt()
     bench.pair.runFor(6s);
 }
 
-void TestStepRunner::aFaultEndsItAndIsNamed()
+void TestRunner::aFaultEndsItAndIsNamed()
 {
-    StepBench bench;
+    LabBench bench;
     bench.begin();
     QVERIFY(bench.runUntil([&] { return bench.asked<SpeedRamp>().size() >= 3; }, 20s));
     bench.runUntil([] { return false; }, 100ms); // the step was answered
     bench.pair.board->setFaults(0x0040);
     QVERIFY(bench.runUntil([&] { return bench.runner->over(); }, 5s));
-    VERIFY_END(bench.runner->outcome(), StepEnd::Aborted);
+    VERIFY_END(bench.runner->outcome(), End::Aborted);
     QVERIFY2(bench.runner->outcome().reason.find("BREAK_IN") != std::string::npos
             || bench.runner->outcome().reason.find("OVER_CURR") != std::string::npos,
         bench.runner->outcome().reason.c_str());
     QVERIFY(bench.runner->outcome().reason.find("set-point is 1500 rpm now") != std::string::npos);
 }
 
-void TestStepRunner::aLostLinkStopsWhatMoves()
+void TestRunner::aLostLinkStopsWhatMoves()
 {
-    StepBench bench;
+    LabBench bench;
     bench.begin();
     QVERIFY(bench.runUntil([&] { return bench.asked<SpeedRamp>().size() >= 3; }, 20s));
     bench.pair.toDrive.cut = bench.pair.toBoard.cut = true;
     QVERIFY(bench.runUntil([&] { return bench.runner->over(); }, 10s));
-    VERIFY_END(bench.runner->outcome(), StepEnd::Aborted);
+    VERIFY_END(bench.runner->outcome(), End::Aborted);
     bench.turn();
     QCOMPARE(bench.stops, 1);
     bench.pair.toDrive.cut = bench.pair.toBoard.cut = false;
     QVERIFY(bench.pair.runUntil([&] { return bench.pair.board->truth(1).idle; }, 10s));
 }
 
-void TestStepRunner::whatIsNotAPlanMovesNothing_data()
+void TestRunner::whatIsNotAPlanMovesNothing_data()
 {
     QTest::addColumn<lab::StepPlan>("plan");
     QTest::newRow("no step") << lab::StepPlan{.fromRpm = 1000, .toRpm = 1000};
     QTest::newRow("too fast") << lab::StepPlan{.fromRpm = 1000, .toRpm = 100'000};
     QTest::newRow("backwards too fast") << lab::StepPlan{.fromRpm = 1000, .toRpm = -100'000};
     QTest::newRow("beyond one's own")
-        << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .maxRpm = 1400.0};
+        << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .caps = {.maxRpm = 1400.0}};
     QTest::newRow("none") << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .repeat = 0};
     QTest::newRow("too many") << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .repeat = 1'000'000};
-    QTest::newRow("too long")
-        << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .repeat = 20, .hold = 5s};
-    QTest::newRow("held for nothing")
-        << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .hold = 0ms};
+    QTest::newRow("too long") << lab::StepPlan{
+        .fromRpm = 1000, .toRpm = 1500, .repeat = 20, .hold = 5s};
+    QTest::newRow("held for nothing") << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .hold = 0ms};
     QTest::newRow("reached at once")
         << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .approach = 0ms};
 }
 
-void TestStepRunner::whatIsNotAPlanMovesNothing()
+void TestRunner::whatIsNotAPlanMovesNothing()
 {
     QFETCH(const lab::StepPlan, plan);
-    StepBench bench;
-    bench.experiment.plan = plan;
-    VERIFY_END(bench.run(), StepEnd::Refused);
+    LabBench bench;
+    bench.steps = plan;
+    VERIFY_END(bench.run(), End::Refused);
     QVERIFY(!bench.runner->outcome().reason.empty());
     QVERIFY(bench.wishes.empty());
     QCOMPARE(bench.stops, 0);
 }
 
-void TestStepRunner::aMotorInTorqueControlIsLeftAlone()
+void TestRunner::aMotorInTorqueControlIsLeftAlone()
 {
-    StepBench bench;
+    LabBench bench;
     QVERIFY(bench.pair.runAt(1500));
     QVERIFY(bench.pair.runUntilEnded(bench.pair.submit(TorqueRamp{1, 1.0, 100ms})));
-    VERIFY_END(bench.run(), StepEnd::Refused);
+    VERIFY_END(bench.run(), End::Refused);
     QVERIFY(bench.asked<SpeedRamp>().empty() && bench.asked<Command>().empty());
     QVERIFY(bench.pair.board->truth(1).driven);
 }
 
 /// Where it was to go is not known: it could not be brought back.
-void TestStepRunner::aMotorThatIsNotAtItsSetPointIsLeftAlone()
+void TestRunner::aMotorThatIsNotAtItsSetPointIsLeftAlone()
 {
-    StepBench bench;
+    LabBench bench;
     QVERIFY(bench.pair.runAt(1000));
     bench.pair.runFor(500ms);
     QVERIFY(bench.pair.runUntilEnded(bench.pair.submit(SpeedRamp{1, 3000, 3s})));
-    VERIFY_END(bench.run(), StepEnd::Refused);
+    VERIFY_END(bench.run(), End::Refused);
     QVERIFY(bench.asked<SpeedRamp>().empty() && bench.asked<Command>().empty());
 }
 
-void TestStepRunner::aRefusedStartLeavesTheMotorAlone()
+void TestRunner::aRefusedStartLeavesTheMotorAlone()
 {
-    StepBench bench;
+    LabBench bench;
     bench.pair.drive->disarm();
-    VERIFY_END(bench.run(), StepEnd::Refused);
+    VERIFY_END(bench.run(), End::Refused);
     QCOMPARE(bench.stops, 0);
     QVERIFY(bench.pair.board->truth(1).idle);
 }
 
 /// Its STOPs are answered and do nothing: the series ends with a Stop that goes on, and says so.
-void TestStepRunner::aBoardThatDoesNotObeyIsToldAtTheEnd()
+void TestRunner::aBoardThatDoesNotObeyIsToldAtTheEnd()
 {
-    StepBench bench;
+    LabBench bench;
     bench.pair.verdictTaken = true; // the board goes on on purpose
     bench.begin();
-    QVERIFY(bench.runUntil([&] { return !bench.asked<Command>().empty()
-            && bench.asked<Command>().back().action == MotorAction::StopMotor; }, 30s));
+    QVERIFY(bench.runUntil(
+        [&] {
+            return !bench.asked<Command>().empty()
+                && bench.asked<Command>().back().action == MotorAction::StopMotor;
+        },
+        30s));
     // The answer came; now the board runs on as if it had not heard it.
     bench.pair.toDrive.cut = true;
     QVERIFY(bench.runUntil([&] { return bench.runner->over(); }, 10s));
-    VERIFY_END(bench.runner->outcome(), StepEnd::Aborted);
+    VERIFY_END(bench.runner->outcome(), End::Aborted);
     bench.turn();
     QCOMPARE(bench.stops, 1);
     bench.pair.toDrive.cut = false;
     bench.pair.runFor(3s);
 }
 
-void TestStepRunner::somebodyElsesActEndsItWithoutAnother()
+void TestRunner::somebodyElsesActEndsItWithoutAnother()
 {
-    StepBench bench;
+    LabBench bench;
     bench.begin();
     QVERIFY(bench.runUntil([&] { return bench.asked<SpeedRamp>().size() >= 3; }, 20s));
     bench.runner->interrupt("somebody else commanded the motor");
     QVERIFY(bench.runner->over());
-    VERIFY_END(bench.runner->outcome(), StepEnd::Interrupted);
+    VERIFY_END(bench.runner->outcome(), End::Interrupted);
     QVERIFY(bench.runner->takeWishes().empty());
     QVERIFY(!bench.runner->takeStop());
     QVERIFY(!bench.runner->nextTimeout());
 }
 
-void TestStepRunner::boardsThatRecordNothingSayWhy()
+void TestRunner::boardsThatRecordNothingSayWhy()
 {
     simulation::BoardOptions older;
     older.profile = "legacy";
     older.baud = 115200;
     support::Session pair(false, older);
     QVERIFY(pair.ready);
-    const auto board = lab::stepBoardOf(*pair.identified, 1);
+    const auto board = lab::subjectOf(*pair.identified, 1);
     QVERIFY(!board && !board.error().empty());
-    QVERIFY(!lab::stepBoardOf(*pair.identified, 2));
+    QVERIFY(!lab::subjectOf(*pair.identified, 2));
 }
 
-QTEST_APPLESS_MAIN(TestStepRunner)
-#include "tst_step_runner.moc"
+QTEST_APPLESS_MAIN(TestRunner)
+#include "tst_runner.moc"

@@ -1,4 +1,4 @@
-#include "lab/step_runner.h"
+#include "lab/runner.h"
 
 #include "drive/values.h"
 
@@ -17,13 +17,12 @@ constexpr Duration kRunsWithin = 10s; ///< a start, with its alignment and its r
 constexpr Duration kReachesWithin = 5s; ///< after the ramp
 constexpr Duration kRestsWithin = 5s; ///< after its stop
 constexpr Duration kSteadyFor = 200ms; ///< a speed that only passes by is not reached
+constexpr int kMostTries = 4; ///< of what could not leave in time
 constexpr Duration kPolls = 20ms; ///< of bus and temperature
-constexpr double kShareOfLink = 0.75; ///< for the samples; the rest is for commands and readings
 
 /// Margins of the envelope; what they leave room for is in the comment of each.
-constexpr double kOvershoot = 0.5; ///< of the step, to either side: loops that are being tuned overshoot
-constexpr double kLeastMargin_rpm = 120.0; ///< noise of a sensorless speed
-constexpr double kAboveBoard = 1.1; ///< of the greatest speed that a board tells: its own loop overshoots there
+constexpr double kAboveBoard =
+    1.1; ///< of the greatest speed that a board tells: its own loop overshoots there
 constexpr double kCurrentAboveBoard = 1.25; ///< its current loop does, too
 constexpr double kBusRise = 1.1, kBusSag = 0.7;
 constexpr double kHottest_c = 85.0;
@@ -38,81 +37,92 @@ std::string namesOf(const std::vector<std::string> &faults)
     return all;
 }
 
-Watched watchedOf(const StepExperiment &experiment)
+Watched watchedOf(const Experiment &experiment)
 {
-    const StepRegisters &registers = experiment.board.registers;
-    return {experiment.plan.motor, registers.speed, registers.current, registers.bus, registers.temperature};
+    const Registers &registers = experiment.subject.registers;
+    return {experiment.subject.motor, registers.speed, registers.current, registers.bus,
+        registers.temperature};
 }
 
 } // namespace
 
-StepRunner::StepRunner(StepExperiment experiment)
+Runner::Runner(Experiment experiment)
     : m_experiment(std::move(experiment))
+    , m_conditions(conditionsOf(m_experiment))
+    , m_course(courseOf(m_experiment))
     , m_envelope(watchedOf(m_experiment))
 {
 }
 
-void StepRunner::begin(TimePoint now)
+void Runner::begin(TimePoint now)
 {
-    const StepBoard &board = m_experiment.board;
-    if (const std::string why = objectionTo(m_experiment.plan, board.limits); !why.empty()) {
-        m_outcome = {StepEnd::Refused, why, {}};
+    const Subject &subject = m_experiment.subject;
+    if (const std::string why = objectionTo(m_experiment); !why.empty()) {
+        m_outcome = {End::Refused, why, {}};
         return;
     }
     enter(Phase::Reading, kAnswerWithin, now);
-    drive::Read read{board.setPoint};
-    for (const drive::RegisterId id : {board.registers.bus, board.registers.temperature})
+    drive::Read read{subject.setPoint};
+    for (const drive::RegisterId id : {subject.registers.bus, subject.registers.temperature})
         if (id != 0)
             read.registers.push_back(id);
     ask(std::move(read), now);
 }
 
-void StepRunner::enter(Phase phase, Duration within, TimePoint now)
+void Runner::enter(Phase phase, Duration within, TimePoint now)
 {
     m_phase = phase;
     m_until = now + within;
     m_settled = false;
 }
 
-void StepRunner::ask(decltype(drive::Wish::what) what, TimePoint now)
+void Runner::ask(Ask what, TimePoint now)
+{
+    if (const auto *ramp = std::get_if<drive::SpeedRamp>(&what))
+        m_asked_rpm = ramp->rpm;
+    const bool torque = std::holds_alternative<drive::TorqueRamp>(what);
+    m_byTorque = (m_byTorque || torque) && !m_asked_rpm;
+    m_commanded = m_commanded || torque || m_asked_rpm;
+    m_answered = false;
+    m_asked = std::move(what);
+    again(now);
+}
+
+/// What was asked for last.
+void Runner::again(TimePoint now)
 {
     m_waiting = ++m_lastWish;
-    m_answered = false;
-    m_wishes.push_back({.id = m_waiting,
-        .what = std::move(what),
-        .source = drive::Source::Script,
-        .madeAt = now});
+    m_wishes.push_back(
+        {.id = m_waiting, .what = m_asked, .source = drive::Source::Script, .madeAt = now});
 }
 
-void StepRunner::ramp(int rpm, milliseconds duration, TimePoint now)
+void Runner::ramp(int rpm, milliseconds duration, TimePoint now)
 {
-    m_asked_rpm = rpm;
-    m_commanded = true;
-    ask(drive::SpeedRamp{m_experiment.plan.motor, rpm, duration}, now);
+    ask(drive::SpeedRamp{m_experiment.subject.motor, rpm, duration}, now);
 }
 
-std::vector<drive::Wish> StepRunner::takeWishes() { return std::exchange(m_wishes, {}); }
+std::vector<drive::Wish> Runner::takeWishes() { return std::exchange(m_wishes, {}); }
 
-std::optional<double> StepRunner::shown(drive::RegisterId id) const
+std::optional<double> Runner::shown(drive::RegisterId id) const
 {
     const auto at = m_values.find(id);
     const auto number = at == m_values.end() ? std::nullopt : drive::asNumber(at->second);
     if (!number)
         return std::nullopt;
-    return *number * m_experiment.board.catalog->readScale(id).factor;
+    return *number * m_experiment.subject.catalog->readScale(id).factor;
 }
 
-void StepRunner::take(const drive::Event &event, TimePoint now)
+void Runner::take(const drive::Event &event, TimePoint now)
 {
     if (over())
         return;
-    const auto broken = m_envelope.take(event, *m_experiment.board.catalog, now);
+    const auto broken = m_envelope.take(event, *m_experiment.subject.catalog, now);
     if (broken && moves())
         return abort(*broken);
     if (const auto *ended = std::get_if<drive::Ended>(&event)) {
         onEnded(*ended, now);
     } else if (const auto *status = std::get_if<drive::MotorStatus>(&event)) {
-        if (status->motor == m_experiment.plan.motor)
+        if (status->motor == m_experiment.subject.motor)
             onStatus(*status, now);
     } else if (const auto *read = std::get_if<drive::RegistersRead>(&event)) {
         for (const drive::Reading &reading : read->readings)
@@ -128,51 +138,51 @@ void StepRunner::take(const drive::Event &event, TimePoint now)
     advance(now);
 }
 
-void StepRunner::onEnded(const drive::Ended &ended, TimePoint now)
+void Runner::onEnded(const drive::Ended &ended, TimePoint now)
 {
     if (ended.id != m_waiting)
         return;
     m_waiting = 0;
+    if (ended.outcome == drive::Outcome::NotSent && ended.reason == drive::kTooLate
+        && ++m_tries < kMostTries)
+        return again(now); // this computer stood still, and nothing has left
+    m_tries = 0;
     m_answered = ended.outcome == drive::Outcome::Ok;
     const bool mayHaveHappened = m_answered || ended.outcome == drive::Outcome::Unknown;
     if (m_asked_rpm && mayHaveHappened)
         m_target_rpm = *m_asked_rpm;
     m_asked_rpm.reset();
     m_stands = m_stands || (m_phase == Phase::Starting && !mayHaveHappened);
-    if (m_answered) {
-        if (m_phase == Phase::Stepping)
-            m_until = now + m_experiment.plan.hold;
+    if (m_answered)
         return;
-    }
-    std::string why = ended.outcome == drive::Outcome::Unknown
-        ? "the board's answer was lost"
-        : ended.outcome == drive::Outcome::NotSent ? "it was not sent" : "the board refused it";
+    std::string why = ended.outcome == drive::Outcome::Unknown ? "the board's answer was lost"
+        : ended.outcome == drive::Outcome::NotSent             ? "it was not sent"
+                                                               : "the board refused it";
     if (!ended.reason.empty())
         why += " (" + ended.reason + ")";
     constexpr const char *kAsked[] = {"reading the motor's state", "recording its signals",
-        "reading its bus voltage", "the first speed", "the start", "the way to the first speed", "a step",
-        "the way back", "the old set-point", "reading the set-point", ""};
-    giveUp(StepEnd::Refused, std::string(kAsked[static_cast<std::size_t>(m_phase)]) + ": " + why, now);
+        "reading its bus voltage", "the first speed", "the start", "the way to the first speed",
+        "a step of it", "the way back", "the old set-point", "reading the set-point", ""};
+    giveUp(End::Refused, std::string(kAsked[static_cast<std::size_t>(m_phase)]) + ": " + why, now);
 }
 
-void StepRunner::onStatus(const drive::MotorStatus &status, TimePoint)
+void Runner::onStatus(const drive::MotorStatus &status, TimePoint)
 {
     m_status = status;
     if (!moves())
         return;
     if (status.state == MotorState::FaultNow || status.state == MotorState::FaultOver) {
         const auto &faults = status.faultsNow.empty() ? status.faultsPast : status.faultsNow;
-        m_soFar = {StepEnd::Aborted, "the board reports a fault: " + namesOf(faults), {}};
+        m_soFar = {End::Aborted, "the board reports a fault: " + namesOf(faults), {}};
         return finish();
     }
     const bool rests = status.state == MotorState::Idle || status.state == MotorState::Stopping;
-    const bool mayRest =
-        m_phase == Phase::Starting || (m_phase == Phase::Returning && !m_ran);
+    const bool mayRest = m_phase == Phase::Starting || (m_phase == Phase::Returning && !m_ran);
     if (rests && !mayRest)
         interrupt("something else stopped the motor");
 }
 
-void StepRunner::advance(TimePoint now)
+void Runner::advance(TimePoint now)
 {
     if (over())
         return;
@@ -197,29 +207,27 @@ void StepRunner::advance(TimePoint now)
             return approach(now);
         // What is asked for at rest is where the start goes: not by way of the old set-point.
         enter(Phase::Aiming, kAnswerWithin, now);
-        return ramp(m_experiment.plan.fromRpm, m_experiment.plan.approach, now);
+        return ramp(m_conditions.firstRpm, m_conditions.approach, now);
     case Phase::Aiming:
         if (!m_answered)
             break;
         m_envelope.set(startCaps(), now);
         enter(Phase::Starting, kRunsWithin, now);
-        return ask(drive::Command{drive::MotorAction::Start, m_experiment.plan.motor}, now);
+        return ask(drive::Command{drive::MotorAction::Start, m_experiment.subject.motor}, now);
     case Phase::Starting:
         if (m_answered && m_status->state == MotorState::Running)
             return approach(now);
         break;
     case Phase::Approaching:
-        if (m_answered && steadyAt(m_experiment.plan.fromRpm, now)) {
-            m_phase = Phase::Stepping;
-            return step(now);
+        if (m_answered && steadyAt(m_conditions.firstRpm, now)) {
+            m_phase = Phase::Working;
+            return work(now);
         }
         break;
-    case Phase::Stepping:
-        if (!late)
-            return;
-        if (!m_answered)
-            break;
-        return m_steps == 2 * m_experiment.plan.repeat ? giveBack(now) : step(now);
+    case Phase::Working:
+        if (m_answered || !late)
+            return work(now);
+        break;
     case Phase::Returning:
         if (!m_answered)
             break;
@@ -230,7 +238,7 @@ void StepRunner::advance(TimePoint now)
         if (!m_answered)
             break;
         enter(Phase::Comparing, kAnswerWithin, now);
-        return ask(drive::Read{m_experiment.board.setPoint}, now);
+        return ask(drive::Read{m_experiment.subject.setPoint}, now);
     case Phase::Comparing:
         if (m_answered)
             return onCompared();
@@ -243,28 +251,28 @@ void StepRunner::advance(TimePoint now)
 }
 
 /// What the phase waits for did not come.
-void StepRunner::onLate(TimePoint now)
+void Runner::onLate(TimePoint now)
 {
     switch (m_phase) {
     case Phase::Starting:
-        return abort("the motor did not come to run within "
-            + std::to_string(kRunsWithin / 1s) + " s");
+        return abort(
+            "the motor did not come to run within " + std::to_string(kRunsWithin / 1s) + " s");
     case Phase::Approaching:
-        return giveUp(StepEnd::Refused,
-            "the speed did not come to rest at " + rpmText(m_experiment.plan.fromRpm), now);
+        return giveUp(End::Refused,
+            "the speed did not come to rest at " + rpmText(m_conditions.firstRpm), now);
     case Phase::Returning:
         return abort(m_ran ? "the speed did not come back to " + rpmText(m_before_rpm)
                            : std::string("the motor was not seen to stop"));
     default:
-        return giveUp(StepEnd::Refused, "no answer came in time", now);
+        return giveUp(End::Refused, "no answer came in time", now);
     }
 }
 
 /// What the motor does decides whether anything may be asked of it.
-void StepRunner::onRead(TimePoint now)
+void Runner::onRead(TimePoint now)
 {
     const auto refuse = [this](const std::string &why) {
-        m_soFar = {StepEnd::Refused, why, {}};
+        m_soFar = {End::Refused, why, {}};
         finish();
     };
     m_ran = m_status->state == MotorState::Running;
@@ -282,52 +290,47 @@ void StepRunner::onRead(TimePoint now)
     ask(stream(), now);
 }
 
-drive::Stream StepRunner::stream() const
+drive::Stream Runner::stream() const
 {
-    const StepRegisters &registers = m_experiment.board.registers;
     drive::Stream stream;
-    stream.fast = {registers.reference, registers.current, registers.speed};
-    if (registers.angle != 0)
-        stream.fast.push_back(registers.angle);
-    stream.fastEvery = m_experiment.board.fastEvery(stream.fast.size(), kShareOfLink);
+    stream.fast = m_conditions.recorded;
+    stream.fastEvery = m_experiment.subject.fastEvery(stream.fast.size());
     return stream;
 }
 
-drive::Watch StepRunner::watch() const
+drive::Watch Runner::watch() const
 {
     drive::Watch watch{.registers = {}, .period = kPolls};
     for (const drive::RegisterId id :
-        {m_experiment.board.registers.bus, m_experiment.board.registers.temperature})
+        {m_experiment.subject.registers.bus, m_experiment.subject.registers.temperature})
         if (id != 0)
             watch.registers.push_back(id);
     return watch;
 }
 
 /// From the first command to the last. A motor on its way to its speed passes 0 and the speed it had.
-Caps StepRunner::caps() const
+Caps Runner::caps() const
 {
-    const StepPlan &plan = m_experiment.plan;
-    const drive::MotorLimits &limits = m_experiment.board.limits;
-    const double from = plan.fromRpm, to = plan.toRpm;
-    const double margin = std::max(kLeastMargin_rpm, kOvershoot * std::abs(to - from));
-    const double other = m_ran ? m_before_rpm : 0.0;
+    const drive::MotorLimits &limits = m_experiment.subject.limits;
+    const double first = m_conditions.firstRpm, other = m_ran ? m_before_rpm : 0.0;
     Caps caps;
-    caps.leastRpm = std::min({from, to, other}) - margin;
-    caps.mostRpm = std::max({from, to, other}) + margin;
+    caps.leastRpm = std::min({m_conditions.leastRpm, first, other}) - m_conditions.margin_rpm;
+    caps.mostRpm = std::max({m_conditions.mostRpm, first, other}) + m_conditions.margin_rpm;
     caps.leastRpm = std::max(caps.leastRpm, -allowedRpm());
     caps.mostRpm = std::min(caps.mostRpm, allowedRpm());
-    caps.mostAmps = plan.maxAmps > 0.0 ? plan.maxAmps : limits.maxCurrentAmps * kCurrentAboveBoard;
-    if (const auto bus = shown(m_experiment.board.registers.bus)) {
+    caps.mostAmps = m_conditions.maxAmps > 0.0 ? m_conditions.maxAmps
+                                               : limits.maxCurrentAmps * kCurrentAboveBoard;
+    if (const auto bus = shown(m_experiment.subject.registers.bus)) {
         caps.leastBus_v = *bus * kBusSag;
         caps.mostBus_v = *bus * kBusRise;
     }
-    if (shown(m_experiment.board.registers.temperature).value_or(kHottest_c) < kHottest_c)
+    if (shown(m_experiment.subject.registers.temperature).value_or(kHottest_c) < kHottest_c)
         caps.mostTemperature_c = kHottest_c;
     return caps;
 }
 
 /// How a board aligns its rotor and brings it up is its own matter.
-Caps StepRunner::startCaps() const
+Caps Runner::startCaps() const
 {
     Caps wide = caps();
     wide.leastRpm = -allowedRpm();
@@ -336,67 +339,67 @@ Caps StepRunner::startCaps() const
 }
 
 /// Whatever the plan: what the board tells, and never more than the user allows.
-double StepRunner::allowedRpm() const
+double Runner::allowedRpm() const
 {
-    const double board = m_experiment.board.limits.maxSpeedRpm * kAboveBoard;
-    const double user = m_experiment.plan.maxRpm;
+    const double board = m_experiment.subject.limits.maxSpeedRpm * kAboveBoard;
+    const double user = m_conditions.maxRpm;
     return user > 0.0 && board > 0.0 ? std::min(user, board) : std::max(user, board);
 }
 
 /// What set-points differ by in the board's digits is no difference.
-double StepRunner::tolerated() const
-{
-    return std::max(1.0, m_experiment.board.limits.speedStepRpm);
-}
+double Runner::tolerated() const { return std::max(1.0, m_experiment.subject.limits.speedStepRpm); }
 
-void StepRunner::approach(TimePoint now)
+void Runner::approach(TimePoint now)
 {
-    const StepPlan &plan = m_experiment.plan;
     m_envelope.set(caps(), now);
-    enter(Phase::Approaching, plan.approach + kReachesWithin, now);
-    ramp(plan.fromRpm, plan.approach, now);
+    enter(Phase::Approaching, m_conditions.approach + kReachesWithin, now);
+    ramp(m_conditions.firstRpm, m_conditions.approach, now);
 }
 
-void StepRunner::step(TimePoint now)
+void Runner::work(TimePoint now)
 {
-    const StepPlan &plan = m_experiment.plan;
-    ++m_steps;
-    m_until = now + plan.hold + kAnswerWithin; // the hold begins with the answer
-    ramp(m_steps % 2 == 1 ? plan.toRpm : plan.fromRpm, 0ms, now);
+    if (auto what = m_course->next({now, m_envelope.rpm(), m_envelope.amps(), m_answered})) {
+        m_until = now + kAnswerWithin;
+        return ask(std::move(*what), now);
+    }
+    if (m_course->over())
+        return giveBack(now);
+    if (m_answered)
+        m_until = m_course->due();
 }
 
 /// The motor as it was: at its old speed, or at rest if this started it.
-void StepRunner::giveBack(TimePoint now)
+void Runner::giveBack(TimePoint now)
 {
-    const StepPlan &plan = m_experiment.plan;
-    enter(Phase::Returning, m_ran ? plan.approach + kReachesWithin : kRestsWithin, now);
+    enter(Phase::Returning, m_ran ? m_conditions.approach + kReachesWithin : kRestsWithin, now);
     if (m_ran)
-        return ramp(static_cast<int>(std::lround(m_before_rpm)), plan.approach, now);
+        return ramp(static_cast<int>(std::lround(m_before_rpm)), m_conditions.approach, now);
     Caps resting = caps(); // a board may record nothing while nothing is driven
     resting.silence = Duration::zero();
     m_envelope.set(resting, now);
-    ask(drive::Command{drive::MotorAction::StopMotor, plan.motor}, now);
+    ask(drive::Command{drive::MotorAction::StopMotor, m_experiment.subject.motor}, now);
 }
 
-void StepRunner::onReturned(TimePoint now)
+void Runner::onReturned(TimePoint now)
 {
     if (m_ran) {
         enter(Phase::Comparing, kAnswerWithin, now);
-        return ask(drive::Read{m_experiment.board.setPoint}, now);
+        return ask(drive::Read{m_experiment.subject.setPoint}, now);
     }
     restore(now);
 }
 
 /// Of the set-point, while the motor rests.
-void StepRunner::restore(TimePoint now)
+void Runner::restore(TimePoint now)
 {
     enter(Phase::Restoring, kAnswerWithin, now);
     ramp(static_cast<int>(std::lround(m_before_rpm)), 0ms, now);
 }
 
-void StepRunner::onCompared()
+void Runner::onCompared()
 {
     const drive::StartTarget target = startTarget();
+    m_byTorque = target.control == drive::ControlMode::Torque;
     if (target.rpm && std::abs(*target.rpm - m_before_rpm) <= tolerated())
         m_target_rpm = static_cast<int>(std::lround(m_before_rpm));
     else
@@ -405,7 +408,7 @@ void StepRunner::onCompared()
 }
 
 /// Something was refused or did not happen: back, as far as anything was begun.
-void StepRunner::giveUp(StepEnd end, const std::string &reason, TimePoint now)
+void Runner::giveUp(End end, const std::string &reason, TimePoint now)
 {
     if (m_phase > Phase::Returning) { // all was measured; what is not as it was is said
         m_soFar.reason += (m_soFar.reason.empty() ? "" : "; ") + reason;
@@ -422,23 +425,23 @@ void StepRunner::giveUp(StepEnd end, const std::string &reason, TimePoint now)
     giveBack(now);
 }
 
-void StepRunner::abort(const std::string &reason)
+void Runner::abort(const std::string &reason)
 {
     m_stop = true;
     const std::string first = m_soFar.reason.empty() ? std::string() : m_soFar.reason + "; then ";
-    m_soFar = {StepEnd::Aborted, first + reason + "; every motor is being stopped", {}};
+    m_soFar = {End::Aborted, first + reason + "; every motor is being stopped", {}};
     finish();
 }
 
-void StepRunner::interrupt(const std::string &why)
+void Runner::interrupt(const std::string &why)
 {
     if (over())
         return;
-    m_soFar = {StepEnd::Interrupted, why, {}};
+    m_soFar = {End::Interrupted, why, {}};
     finish();
 }
 
-void StepRunner::lose(const std::string &why)
+void Runner::lose(const std::string &why)
 {
     if (over() || !moves())
         return interrupt(why);
@@ -446,7 +449,7 @@ void StepRunner::lose(const std::string &why)
 }
 
 /// What is not as it was is said.
-void StepRunner::finish()
+void Runner::finish()
 {
     m_wishes.clear();
     m_phase = Phase::Over;
@@ -455,19 +458,23 @@ void StepRunner::finish()
         m_soFar.reason += std::string(m_soFar.reason.empty() ? "" : "; ") + "the set-point "
             + (m_asked_rpm ? "may be " : "is ") + rpmText(now_rpm) + " now, it was "
             + rpmText(m_before_rpm);
+    if (m_byTorque)
+        m_soFar.reason += std::string(m_soFar.reason.empty() ? "" : "; ")
+            + "the motor is in torque control now, it was in speed control";
     m_outcome = m_soFar;
 }
 
-bool StepRunner::near(std::optional<double> speed, double rpm) const
+bool Runner::near(std::optional<double> speed, double rpm) const
 {
     constexpr double kDigits = 3.0, kShare = 0.03;
-    return speed && std::abs(*speed - rpm) <= std::max(kDigits * tolerated(), kShare * std::abs(rpm));
+    return speed
+        && std::abs(*speed - rpm) <= std::max(kDigits * tolerated(), kShare * std::abs(rpm));
 }
 
-drive::StartTarget StepRunner::startTarget() const
+drive::StartTarget Runner::startTarget() const
 {
-    const StepBoard &board = m_experiment.board;
-    return drive::startTarget(*board.catalog, board.limits, m_experiment.plan.motor,
+    const Subject &subject = m_experiment.subject;
+    return drive::startTarget(*subject.catalog, subject.limits, m_experiment.subject.motor,
         [this](drive::RegisterId id) -> std::optional<catalog::Value> {
             const auto at = m_values.find(id);
             return at == m_values.end() ? std::nullopt : std::optional(at->second);
@@ -475,7 +482,7 @@ drive::StartTarget StepRunner::startTarget() const
 }
 
 /// The speed has been right for a while.
-bool StepRunner::steadyAt(double rpm, TimePoint now)
+bool Runner::steadyAt(double rpm, TimePoint now)
 {
     if (!near(m_envelope.rpm(), rpm)) {
         m_settled = false;
@@ -487,7 +494,7 @@ bool StepRunner::steadyAt(double rpm, TimePoint now)
     return now - m_settledAt >= kSteadyFor;
 }
 
-std::optional<TimePoint> StepRunner::nextTimeout() const
+std::optional<TimePoint> Runner::nextTimeout() const
 {
     if (over())
         return std::nullopt;

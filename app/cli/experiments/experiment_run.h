@@ -1,0 +1,40 @@
+// An experiment from the command line: recorded, carried out, and evaluated from its recording, as every later evaluation is.
+#pragma once
+
+#include "commands.h"
+#include "lab/experiment.h"
+#include "recording_work.h"
+
+#include <QTemporaryDir>
+
+namespace cli {
+
+class ExperimentRun {
+public:
+    /// @param file  keeps the recording; empty: none is kept
+    ExperimentRun(Desk &desk, const QString &file);
+
+    /// The motor that is meant; a failure if nothing can be measured with this board.
+    Outcome<lab::Subject> subject() const;
+    lab::UserCaps caps() const;
+    /// @param entry  the plan, as its recording has it
+    /// @return  the exit status of the evaluation's report; a failure if the experiment did not come to its end
+    Outcome<int> run(const lab::Experiment &experiment, const record::Happening &entry);
+
+private:
+    Outcome<lab::Outcome> carryOut(
+        const lab::Experiment &experiment, const record::Happening &entry);
+    Failure stopped(Failure why);
+
+    Desk &m_desk;
+    QTemporaryDir m_folder; ///< for a recording that is not kept
+    bool m_kept;
+    QString m_path;
+};
+
+/// -o RUN.pcapng of an experiment, into `path`; a failure if the file is there already.
+Outcome<bool> readRecordingPath(const Given &given, QString &path);
+constexpr OptionText kRunOption{
+    "o,output", "RUN.pcapng", "Keeps the recording, for rotorscope-cli evaluate."};
+
+} // namespace cli

@@ -1,0 +1,190 @@
+#include "experiments/reports.h"
+
+#include "json_text.h"
+#include "lab/mechanical_evaluation.h"
+#include "lab/step_series.h"
+
+#include <cmath>
+
+namespace cli {
+
+namespace {
+
+QString sentence(const std::string &words)
+{
+    QString text = QString::fromStdString(words);
+    if (!text.isEmpty())
+        text[0] = text[0].toUpper();
+    return text + QLatin1Char('.');
+}
+
+void put(JsonText &json, std::string_view name, const std::optional<double> &value)
+{
+    json.member(name, value.value_or(std::nan("")));
+}
+
+void put(JsonText &json, std::string_view name, const std::optional<lab::Estimate> &estimate)
+{
+    json.beginObject(name);
+    put(json, "value", estimate ? std::optional(estimate->value) : std::nullopt);
+    put(json, "low", estimate ? estimate->low : std::nullopt);
+    put(json, "high", estimate ? estimate->high : std::nullopt);
+    json.endObject();
+}
+
+QByteArray jsonOf(const lab::StepSeries &series)
+{
+    JsonText json;
+    json.beginObject();
+    json.member("kind", "step");
+    json.beginArray("runs");
+    for (const lab::StepRun &run : series.runs) {
+        json.beginObject();
+        json.member("direction", run.up ? "up" : "down");
+        put(json, "rise_s", run.rise_s);
+        put(json, "overshoot_pct", run.overshoot_pct);
+        put(json, "settling_s", run.settling_s);
+        put(json, "peak_iq_a", run.peakIq_a);
+        put(json, "instant_error_s", std::optional(run.instantError_s));
+        json.endObject();
+    }
+    json.endArray();
+    json.beginObject("mean");
+    put(json, "rise_s", series.rise_s);
+    put(json, "overshoot_pct", series.overshoot_pct);
+    put(json, "settling_s", series.settling_s);
+    put(json, "peak_iq_a", series.peakIq_a);
+    json.endObject();
+    json.endObject();
+    return json.text();
+}
+
+QString number(const std::optional<double> &value, double factor, int digits)
+{
+    return value ? QString::number(*value * factor, 'f', digits) : QStringLiteral("-");
+}
+
+QString row(const QString &name, const QStringList &cells)
+{
+    QString line = name.leftJustified(12);
+    for (const QString &cell : cells)
+        line += cell.rightJustified(20);
+    return line;
+}
+
+QString meanText(const std::optional<lab::Estimate> &mean, double factor, int digits)
+{
+    if (!mean)
+        return QStringLiteral("-");
+    const QString value = number(mean->value, factor, digits);
+    return mean->low
+        ? value + QStringLiteral(" +- ") + number(mean->value - *mean->low, factor, digits)
+        : value;
+}
+
+constexpr double kMilli = 1e3;
+
+void print(const lab::StepSeries &series, Output &out)
+{
+    out.line(row({},
+        {QStringLiteral("rise ms"), QStringLiteral("overshoot %"), QStringLiteral("settling ms"),
+            QStringLiteral("peak Iq A"), QStringLiteral("instant +- ms")}));
+    int count = 0;
+    for (const lab::StepRun &run : series.runs)
+        out.line(row(
+            QString::number(++count) + (run.up ? QStringLiteral(" up") : QStringLiteral(" down")),
+            {number(run.rise_s, kMilli, 2), number(run.overshoot_pct, 1.0, 1),
+                number(run.settling_s, kMilli, 1), number(run.peakIq_a, 1.0, 2),
+                number(run.instantError_s, kMilli, 2)}));
+    out.line(row(QStringLiteral("mean (95 %)"),
+        {meanText(series.rise_s, kMilli, 2), meanText(series.overshoot_pct, 1.0, 1),
+            meanText(series.settling_s, kMilli, 1), meanText(series.peakIq_a, 1.0, 2), {}}));
+}
+
+Outcome<int> report(const lab::StepSeries &series, Output &out)
+{
+    if (out.json())
+        out.json(jsonOf(series));
+    else
+        print(series, out);
+    for (const std::string &note : series.notes)
+        Output::error(sentence(note));
+    if (series.rise_s)
+        return kDone;
+    return failure(
+        kRefused, QStringLiteral("Not conclusive: no step of this series could be measured."));
+}
+
+const char *modelOf(const lab::Mechanics &found)
+{
+    return found.fan ? "viscous+dry+fan" : "viscous+dry";
+}
+
+QString line(const char *name, const lab::Estimate &estimate, const char *unit)
+{
+    constexpr int kDigits = 4;
+    const auto text = [](double value) { return QString::number(value, 'g', kDigits); };
+    return QStringLiteral("%1 %2 %3 (%4 to %5)")
+        .arg(QString::fromLatin1(name).leftJustified(17), text(estimate.value), QLatin1String(unit),
+            text(estimate.low.value_or(0.0)), text(estimate.high.value_or(0.0)));
+}
+
+Outcome<int> report(const lab::Mechanics &found, Output &out)
+{
+    if (out.json()) {
+        JsonText json;
+        json.beginObject();
+        json.member("kind", "mechanical");
+        put(json, "inertia_kgm2", std::optional(found.inertia_kgm2));
+        put(json, "viscous_nms", std::optional(found.viscous_nms));
+        put(json, "dry_nm", std::optional(found.dry_nm));
+        put(json, "fan_nms2", std::optional(found.fan_nms2));
+        json.member("model", modelOf(found));
+        json.endObject();
+        out.json(json.text());
+    } else {
+        out.line(line("Inertia", found.inertia_kgm2, "kg m\u00b2"));
+        out.line(line("Viscous friction", found.viscous_nms, "N m s"));
+        out.line(line("Dry friction", found.dry_nm, "N m"));
+        if (found.fan)
+            out.line(line("Fan", found.fan_nms2, "N m s\u00b2"));
+        constexpr double kPercent = 100.0;
+        out.line(QStringLiteral("Model: %1; it leaves %2 % of the torque")
+                     .arg(QLatin1String(modelOf(found)),
+                         QString::number(found.share * kPercent, 'g', 2)));
+    }
+    for (const std::string &note : found.notes)
+        Output::error(sentence(note));
+    return kDone;
+}
+
+} // namespace
+
+Outcome<int> evaluate(const QString &path, Output &out)
+{
+    const auto recording = openRecording(path);
+    if (!recording)
+        return tl::make_unexpected(recording.error());
+    if (const QString lack = lackText(**recording); !lack.isEmpty())
+        Output::error(path + QStringLiteral(": ") + lack + QLatin1Char('.'));
+    lab::Happenings happenings;
+    for (const auto &[at, what] : (*recording)->report.happenings)
+        happenings.emplace_back(at, what);
+    const capture::Capture &capture = (*recording)->capture;
+    const auto refused = [&](const std::string &why) {
+        return failure(kRefused, QStringLiteral("%1: %2").arg(path, sentence(why)));
+    };
+    for (const auto &[at, what] : happenings) {
+        if (lab::recordedSteps(what)) {
+            const auto series = lab::stepSeries(capture, happenings);
+            return series ? report(*series, out) : refused(series.error());
+        }
+        if (lab::recordedSpin(what)) {
+            const auto found = lab::evaluateMechanics(capture, happenings);
+            return found ? report(*found, out) : refused(found.error());
+        }
+    }
+    return refused("it is no recording of an experiment");
+}
+
+} // namespace cli

@@ -1,0 +1,30 @@
+// What the runner has to know of any plan: where the motor is brought first, which speeds the plan itself asks for, what the
+// user allows, and what is recorded.
+#pragma once
+
+#include "drive/wish.h"
+
+#include <chrono>
+#include <vector>
+
+namespace lab {
+
+using std::chrono::milliseconds;
+
+/// The user's caps; 0: what the board tells.
+struct UserCaps {
+    double maxRpm = 0.0, maxAmps = 0.0;
+    bool operator==(const UserCaps &) const = default;
+};
+
+struct Conditions {
+    int firstRpm = 0; ///< signed
+    milliseconds approach{500}; ///< the ramp there, and the way back
+    double leastRpm = 0.0, mostRpm = 0.0; ///< that are asked for
+    double margin_rpm = 0.0; ///< that the speed may go beyond
+    double maxRpm = 0.0, maxAmps = 0.0; ///< as in UserCaps
+    std::vector<drive::RegisterId> recorded; ///< to be recorded
+    milliseconds length{}; ///< of its course
+};
+
+} // namespace lab

@@ -1,0 +1,70 @@
+#include "lab/experiment.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lab {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr milliseconds kLongest = 60s; ///< of what moves a motor by itself
+constexpr milliseconds kReaching = 5s; ///< until a speed is that of the set-point, there and back
+
+std::string generalObjection(const Conditions &conditions, const drive::MotorLimits &limits)
+{
+    if (conditions.approach < 1ms || conditions.approach > 10s)
+        return "the way to the first speed takes 1 ms to 10 s";
+    const double user = conditions.maxRpm, board = limits.maxSpeedRpm;
+    const double allowed =
+        user > 0.0 && board > 0.0 ? std::min(user, board) : std::max(user, board);
+    if (!(allowed > 0.0))
+        return "nothing says how fast this motor may turn: give the greatest speed that it may "
+               "have";
+    const double highest = std::max(std::abs(conditions.leastRpm), std::abs(conditions.mostRpm));
+    if (!(highest <= allowed))
+        return std::to_string(std::lround(highest)) + " rpm are more than the "
+            + std::to_string(std::lround(allowed)) + " rpm that are allowed";
+    return {};
+}
+
+} // namespace
+
+milliseconds lengthOf(const Experiment &experiment)
+{
+    const Conditions conditions = conditionsOf(experiment);
+    return 2 * (conditions.approach + kReaching) + conditions.length;
+}
+
+std::string objectionTo(const Experiment &experiment)
+{
+    const std::string own = std::visit(
+        [&](const auto &plan) { return objectionTo(plan, experiment.subject); }, experiment.plan);
+    if (!own.empty())
+        return own;
+    if (lengthOf(experiment) > kLongest)
+        return "it could take " + std::to_string(lengthOf(experiment) / 1s)
+            + " s, and what moves a motor by itself ends within " + std::to_string(kLongest / 1s)
+            + " s: take fewer repetitions, or a shorter time for each";
+    return generalObjection(conditionsOf(experiment), experiment.subject.limits);
+}
+
+Conditions conditionsOf(const Experiment &experiment)
+{
+    return std::visit(
+        [&](const auto &plan) { return conditionsOf(plan, experiment.subject); }, experiment.plan);
+}
+
+std::unique_ptr<Course> courseOf(const Experiment &experiment)
+{
+    return std::visit(
+        [&](const auto &plan) { return courseOf(plan, experiment.subject); }, experiment.plan);
+}
+
+record::Happening entryOfEnd(bool complete, const std::string &reason)
+{
+    return {kEndEntry, {{"outcome", complete ? "complete" : "ended early"}, {"reason", reason}}};
+}
+
+} // namespace lab

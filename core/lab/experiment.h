@@ -1,0 +1,28 @@
+// An experiment: a plan of any kind and the motor that it is for. Plain values, which may cross threads.
+#pragma once
+
+#include "lab/course.h"
+#include "lab/spin_plan.h"
+#include "lab/step_plan.h"
+
+#include <variant>
+
+namespace lab {
+
+struct Experiment {
+    std::variant<StepPlan, SpinPlan> plan;
+    Subject subject;
+};
+
+/// Why it cannot be carried out as it stands, in a sentence without a full stop; empty if it can.
+std::string objectionTo(const Experiment &experiment);
+Conditions conditionsOf(const Experiment &experiment);
+/// The whole time that it takes at most, the start of the motor left out.
+milliseconds lengthOf(const Experiment &experiment);
+std::unique_ptr<Course> courseOf(const Experiment &experiment);
+
+/// How it ended, as an entry of its recording.
+record::Happening entryOfEnd(bool complete, const std::string &reason);
+inline constexpr const char *kEndEntry = "experiment ended";
+
+} // namespace lab

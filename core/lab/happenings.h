@@ -1,0 +1,21 @@
+// What happened while an experiment was recorded, and its signals, as a recording has them.
+#pragma once
+
+#include "capture/capture.h"
+#include "record/entry.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lab {
+
+using capture::Nanos;
+
+/// By their time.
+using Happenings = std::vector<std::pair<Nanos, record::Happening>>;
+
+/// The signal of this name that was recorded at the control rate; nullptr: none, or the name is empty.
+const capture::Channel *fastChannel(const capture::Capture &capture, const std::string &name);
+
+} // namespace lab

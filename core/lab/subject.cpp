@@ -1,0 +1,88 @@
+#include "lab/subject.h"
+
+#include "drive/start_target.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lab {
+
+namespace {
+
+constexpr double kShareOfLink = 0.75; ///< for the samples; the rest is for commands and readings
+
+/// A register of this motor that the board records or that can be read; 0: it has none of that name.
+drive::RegisterId idOf(const catalog::Catalog &catalog, std::string_view name, int motor)
+{
+    const catalog::RegisterInfo *info = name.empty() ? nullptr : catalog.find(name);
+    return info == nullptr ? 0 : catalog.withMotor(*info, motor);
+}
+
+/// The same, if the board records it.
+drive::RegisterId streamed(const catalog::Catalog &catalog, std::string_view name, int motor)
+{
+    const drive::RegisterId id = idOf(catalog, name, motor);
+    const catalog::RegisterInfo *info = id == 0 ? nullptr : catalog.find(id);
+    return info != nullptr && info->streaming != catalog::Streaming::Polled ? id : 0;
+}
+
+/// The angle that belongs to a speed: boards name both after the sensor.
+std::string angleNameOf(const std::string &speed)
+{
+    const std::size_t sensor = speed.find('_');
+    return sensor == std::string::npos ? std::string() : speed.substr(0, sensor) + "_EL_ANGLE";
+}
+
+} // namespace
+
+std::string Subject::nameOf(drive::RegisterId id) const
+{
+    return id == 0 ? std::string() : catalog->nameOf(id);
+}
+
+unsigned Subject::fastEvery(std::size_t signalCount) const
+{
+    constexpr double kSampleBytes = 2.0, kMostEvery = 256.0;
+    const double bytes = kSampleBytes * static_cast<double>(signalCount) * tickHz;
+    const double room = kShareOfLink * linkBytesPerSecond;
+    return room > 0.0 ? static_cast<unsigned>(std::clamp(std::ceil(bytes / room), 1.0, kMostEvery))
+                      : 1U;
+}
+
+Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor)
+{
+    if (!board.catalog || motor < 1 || motor > board.identity.motors)
+        return fail(std::string("there is no such motor"));
+    for (const drive::Capability &can : board.capabilities)
+        if (!can.available
+            && (can.feature == drive::Feature::SpeedRamp || can.feature == drive::Feature::Stream
+                || can.feature == drive::Feature::Start))
+            return fail(can.reason);
+    const auto at = static_cast<std::size_t>(motor - 1);
+    const catalog::Catalog &catalog = *board.catalog;
+    const std::string speed =
+        at < board.identity.speedSignals.size() ? board.identity.speedSignals[at] : std::string();
+    Subject found;
+    found.motor = motor;
+    found.catalog = board.catalog;
+    found.limits = at < board.limits.size() ? board.limits[at] : drive::MotorLimits{};
+    found.setPoint = drive::startRegisters(catalog, motor);
+    found.tickHz = board.streaming.tickHz;
+    found.linkBytesPerSecond = board.streaming.linkBytesPerSecond;
+    found.registers = {.reference = streamed(catalog, "I_Q_REF", motor),
+        .current = streamed(catalog, "I_Q_MEAS", motor),
+        .currentD = streamed(catalog, "I_D_MEAS", motor),
+        .speed = streamed(catalog, speed, motor),
+        .angle = streamed(catalog, angleNameOf(speed), motor),
+        .bus = idOf(catalog, "BUS_VOLTAGE", motor),
+        .temperature = idOf(catalog, "HEATS_TEMP", motor),
+        .gain = idOf(catalog, "SPEED_KP", motor),
+        .gainExponent = idOf(catalog, "SPEED_KP_DIV", motor)};
+    if (board.streaming.maxSignals < 4 || found.registers.reference == 0
+        || found.registers.current == 0 || found.registers.speed == 0)
+        return fail(std::string("this board does not record the speed and the current of its motor "
+                                "at the rate of its control loop"));
+    return found;
+}
+
+} // namespace lab

@@ -1,0 +1,39 @@
+// The motor that is measured, and what its board offers for that: registers to record, to poll, to compare afterwards. Plain
+// values, from the board's identification.
+#pragma once
+
+#include "base/result.h"
+#include "drive/event.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lab {
+
+/// Registers of the motor. 0: the board has none.
+struct Registers {
+    drive::RegisterId reference = 0; ///< Iq, wanted
+    drive::RegisterId current = 0, currentD = 0; ///< Iq and Id, measured
+    drive::RegisterId speed = 0, angle = 0; ///< of the main sensor
+    drive::RegisterId bus = 0, temperature = 0; ///< polled
+    drive::RegisterId gain = 0, gainExponent = 0; ///< of the speed loop's proportional part
+};
+
+struct Subject {
+    int motor = 1;
+    Registers registers;
+    std::shared_ptr<const catalog::Catalog> catalog;
+    drive::MotorLimits limits; ///< of the motor
+    std::vector<drive::RegisterId> setPoint; ///< drive::startRegisters()
+    double tickHz = 0.0, linkBytesPerSecond = 0.0;
+
+    std::string nameOf(drive::RegisterId id) const; ///< empty for 0
+    /// One sample every so many control periods, so that this many signals leave room on the link for everything else.
+    unsigned fastEvery(std::size_t signalCount) const;
+};
+
+/// The motor of this number; or why nothing can be measured with this board, in a sentence without a full stop.
+Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor);
+
+} // namespace lab
