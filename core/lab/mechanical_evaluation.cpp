@@ -1,10 +1,12 @@
 #include "lab/mechanical_evaluation.h"
 
 #include "lab/fields.h"
+#include "lab/flux_fit.h"
 #include "lab/least_squares.h"
-#include "scope/sample_range.h"
+#include "lab/segments.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -16,7 +18,12 @@ constexpr double kStretch_s = 0.5; ///< in which all is integrated from its begi
 constexpr double kRow_s = 10e-3;
 constexpr double kEdge_s = 5e-3; ///< to either side of an instant, for its speed
 constexpr std::size_t kInertia = 0, kViscous = 1, kDry = 2, kFan = 3, kTilt = 4, kUnknowns = 5;
-constexpr std::size_t kLeastStretches = 8;
+constexpr double kLeastStretch_s = 0.1; ///< between two gaps
+constexpr double kLeastTime_s = 3.0;
+/// What a fit does not see of itself: the current is known to a digit, which is a torque that is always there, and scales to
+/// a few parts in a thousand.
+constexpr double kScale = 5e-3;
+constexpr double kFluxDiffers = 0.03; ///< from what the board tells: more than its voltages are off
 
 /// When the motor was driven by torques: from the first one to whatever came then.
 struct Span {
@@ -50,72 +57,45 @@ std::optional<Span> spanOf(const RecordedSpin &plan, Happenings::const_iterator 
     return span;
 }
 
-/// The rows of all stretches without a gap.
+/// The rows of all stretches.
 class Stretches {
 public:
-    Stretches(
-        const RecordedSpin &plan, const capture::Channel &angle, const capture::Channel &current)
+    explicit Stretches(const RecordedSpin &plan)
         : m_plan(plan)
-        , m_angle(angle)
-        , m_current(current)
     {
     }
-    void take(Nanos from, Nanos to)
+
+    void take(const Segment &segment)
     {
-        // Signals of one stream have their samples at the same times.
-        const scope::SampleRange turns(m_angle, from, to), amps(m_current, from, to);
-        if (turns.end() - turns.begin() != amps.end() - amps.begin() || turns.empty())
+        const auto edge =
+            static_cast<std::size_t>(std::max(1L, std::lround(kEdge_s / segment.step_s)));
+        const std::size_t size = segment.turned_deg.size();
+        if (size <= 2 * edge)
             return;
-        std::vector<double> values;
-        amps.visit([&](double, double value, bool) { values.push_back(value); });
-        constexpr double kTurn_deg = 360.0;
-        std::vector<double> angle; // mechanical, rad
-        std::vector<double> current;
-        double before = 0.0, first_s = 0.0, last_s = 0.0;
-        std::size_t at = 0;
-        const auto flush = [&] {
-            if (angle.size() > 2)
-                cut(angle, current, (last_s - first_s) / static_cast<double>(angle.size() - 1));
-            angle.clear();
-            current.clear();
-        };
-        turns.visit([&](double seconds, double value, bool joined) {
-            if (!joined)
-                flush();
-            if (angle.empty())
-                first_s = seconds;
-            const double step = std::remainder(value - before, kTurn_deg) / kTurn_deg * 2.0
-                * std::numbers::pi / m_plan.polePairs;
-            angle.push_back(angle.empty() ? 0.0 : angle.back() + step);
-            current.push_back(values[at++]);
-            before = value;
-            last_s = seconds;
-        });
-        flush();
+        const double time = static_cast<double>(size - 2 * edge) * segment.step_s;
+        const auto parts = static_cast<std::size_t>(std::ceil(time / kStretch_s));
+        const std::size_t length = (size - 2 * edge) / parts;
+        for (std::size_t at = edge; at + length + edge <= size; at += length)
+            if (static_cast<double>(length) * segment.step_s >= kLeastStretch_s)
+                add(segment, at, at + length, edge);
     }
     Rows rows;
-    std::size_t count = 0;
+    double time_s = 0.0;
     double fastest = 0.0; ///< rad/s
 
 private:
-    void cut(const std::vector<double> &angle, const std::vector<double> &current, double step_s)
-    {
-        const auto length = static_cast<std::size_t>(std::lround(kStretch_s / step_s));
-        const auto edge = static_cast<std::size_t>(std::max(1L, std::lround(kEdge_s / step_s)));
-        for (std::size_t at = edge; at + length + edge < angle.size(); at += length)
-            stretch(angle, current, at, at + length, edge, step_s);
-    }
-
     /// Integrals from its beginning, less their means: what they were before it is not known, and need not be.
-    void stretch(const std::vector<double> &angle, const std::vector<double> &current,
-        std::size_t from, std::size_t to, std::size_t edge, double step_s)
+    void add(const Segment &segment, std::size_t from, std::size_t to, std::size_t edge)
     {
+        const double step_s = segment.step_s;
+        const double toRad = std::numbers::pi / 180.0 / m_plan.polePairs; // mechanical
+        const auto turned = [&](std::size_t at) { return segment.turned_deg[at] * toRad; };
         const auto speed = [&](std::size_t at) {
-            return (angle[at + edge] - angle[at - edge])
+            return (turned(at + edge) - turned(at - edge))
                 / (2.0 * static_cast<double>(edge) * step_s);
         };
         const auto every = static_cast<std::size_t>(std::max(1L, std::lround(kRow_s / step_s)));
-        const double sign = angle[to] < angle[from] ? -1.0 : 1.0;
+        const double sign = turned(to - 1) < turned(from) ? -1.0 : 1.0;
         const std::size_t first = rows.known.size();
         double impulse = 0.0, cubes = 0.0, squares = 0.0, before = speed(from);
         Row sum{};
@@ -128,16 +108,16 @@ private:
                         * static_cast<double>(every) * step_s;
                 before = now;
                 fastest = std::max(fastest, std::abs(now));
-                rows.known.push_back({now, angle[at] - angle[from],
+                rows.known.push_back({now, turned(at) - turned(from),
                     sign * static_cast<double>(at - from) * step_s, squares, cubes});
                 rows.wanted.push_back(m_plan.torquePerAmp * impulse);
-                rows.cluster.push_back(count);
+                rows.cluster.push_back(m_count);
                 for (std::size_t i = 0; i < kMostUnknowns; ++i)
                     sum[i] += rows.known.back()[i];
                 sumWanted += rows.wanted.back();
                 row += every;
             }
-            const double amps = (current[at] + current[at + 1]) / 2.0;
+            const double amps = (segment.values[0][at] + segment.values[0][at + 1]) / 2.0;
             impulse += amps * step_s;
             cubes += amps * amps * amps * step_s;
         }
@@ -147,12 +127,12 @@ private:
                 rows.known[row][i] -= sum[i] / many;
             rows.wanted[row] -= sumWanted / many;
         }
-        ++count;
+        time_s += static_cast<double>(to - from) * step_s;
+        ++m_count;
     }
 
     const RecordedSpin &m_plan;
-    const capture::Channel &m_angle;
-    const capture::Channel &m_current;
+    std::size_t m_count = 0;
 };
 
 /// What cannot be below 0 is left out where it would be.
@@ -166,6 +146,27 @@ std::optional<Fit> fitOf(const Rows &rows, std::vector<std::size_t> columns)
         fit = leastSquares(rows, columns);
     }
     return fit;
+}
+
+/// All torques are counted with the flux that the board tells. Where its voltages say clearly otherwise they are right.
+void compareFlux(Mechanics &found, double measured_wb, double told_wb)
+{
+    const double ratio = measured_wb / told_wb;
+    if (std::abs(ratio - 1.0) <= kFluxDiffers)
+        return;
+    for (Estimate *one :
+        {&found.inertia_kgm2, &found.viscous_nms, &found.dry_nm, &found.fan_nms2}) {
+        const double half = std::hypot((*one->high - *one->low) / 2.0, kFluxDiffers * one->value);
+        one->value *= ratio;
+        one->low = std::max(0.0, one->value - ratio * half);
+        one->high = one->value + ratio * half;
+    }
+    constexpr double kPercent = 100.0;
+    found.notes.push_back("the voltages tell magnets of " + textOf(measured_wb * 1e3, 3)
+        + " mWb, the board of " + textOf(told_wb * 1e3, 3) + " mWb ("
+        + textOf((ratio - 1.0) * kPercent, 2)
+        + " %): the voltages were believed; perhaps the angle of its rotor is off, as after an "
+          "alignment against friction");
 }
 
 } // namespace
@@ -186,32 +187,45 @@ Result<Mechanics, std::string> evaluateMechanics(
     const auto span = spanOf(*plan, at, happenings.end(), angle->timeOf(angle->end() - 1));
     if (!span)
         return fail(std::string("the motor was never driven by a torque in it"));
-    Stretches stretches(*plan, *angle, *current);
-    stretches.take(span->from, span->to);
+    const capture::Channel *voltage = fastChannel(capture, plan->voltage);
+    const std::array others{current, voltage == nullptr ? current : voltage};
+    const std::vector<Segment> segments = segmentsOf(*angle, others, span->from, span->to);
+    Stretches stretches(*plan);
+    for (const Segment &segment : segments)
+        stretches.take(segment);
     const Rows &rows = stretches.rows;
-    if (stretches.count < kLeastStretches)
-        return fail("it holds only " + std::to_string(stretches.count)
-            + " stretches of 0.5 s without a gap; " + std::to_string(kLeastStretches)
-            + " are needed");
+    if (stretches.time_s < kLeastTime_s)
+        return fail("only " + textOf(stretches.time_s, 2) + " s of it are without a gap; "
+            + textOf(kLeastTime_s, 2) + " s are needed");
     const auto plain = fitOf(rows, {kInertia, kViscous, kDry, kTilt});
     const auto fan = fitOf(rows, {kInertia, kViscous, kDry, kFan, kTilt});
     if (!plain || !fan || !(plain->values[kInertia] > 0.0))
         return fail(std::string("the speed hardly changed: no inertia follows from it"));
     Mechanics found;
+    const double fastest = stretches.fastest;
     // A friction below 0 in the plain model: something grows faster than the speed. A fan that takes next to nothing is none.
     const bool impossible = plain->unknowns < kUnknowns - 1;
     constexpr double kNoticeable = 0.05;
-    const double fastest = stretches.fastest;
     const double friction = fan->values[kViscous] * fastest + fan->values[kDry];
     found.fan = fan->estimate(kFan).low > 0.0
         && fan->values[kFan] * fastest * fastest > kNoticeable * friction
         && (impossible || fan->criterion() < plain->criterion());
     const Fit &chosen = found.fan ? *fan : *plain;
-    found.inertia_kgm2 = chosen.estimate(kInertia);
-    found.viscous_nms = chosen.estimate(kViscous);
-    found.dry_nm = chosen.estimate(kDry);
-    found.fan_nms2 = found.fan ? fan->estimate(kFan)
-                               : Estimate{0.0, 0.0, std::max(0.0, *fan->estimate(kFan).high)};
+    const double digit_nm = plan->torquePerAmp * std::abs(current->info().digit());
+    const auto told = [&](const Fit &fit, std::size_t unknown, double digit) {
+        const Estimate own = fit.estimate(unknown);
+        const double half = std::hypot((*own.high - *own.low) / 2.0, digit, kScale * own.value);
+        return Estimate{own.value, own.value - half, own.value + half};
+    };
+    found.inertia_kgm2 = told(chosen, kInertia, 0.0);
+    found.viscous_nms = told(chosen, kViscous, digit_nm / fastest);
+    found.dry_nm = told(chosen, kDry, digit_nm);
+    found.fan_nms2 = told(*fan, kFan, digit_nm / (fastest * fastest));
+    if (!found.fan)
+        found.fan_nms2 = {0.0, 0.0, std::max(0.0, *found.fan_nms2.high)};
+    const auto flux = voltage == nullptr ? std::nullopt : fitFlux(segments);
+    if (flux)
+        compareFlux(found, *flux, plan->torquePerAmp / (1.5 * plan->polePairs));
     double squares = 0.0;
     for (const double torque : rows.wanted)
         squares += torque * torque;

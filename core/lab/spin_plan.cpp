@@ -149,8 +149,9 @@ Conditions conditionsOf(const SpinPlan &plan, const Subject &subject)
         .maxAmps = plan.caps.maxAmps,
         .recorded = {registers.current, registers.speed, registers.angle},
         .length = plan.length};
-    if (registers.currentD != 0)
-        conditions.recorded.push_back(registers.currentD);
+    for (const drive::RegisterId id : {registers.voltage, registers.currentD})
+        if (id != 0)
+            conditions.recorded.push_back(id);
     return conditions;
 }
 
@@ -170,6 +171,7 @@ record::Happening entryOf(const SpinPlan &plan, const Subject &subject)
             {"seed", std::to_string(plan.seed)}, {"max rpm", textOf(plan.caps.maxRpm)},
             {"max A", textOf(plan.caps.maxAmps)}, {"current", subject.nameOf(registers.current)},
             {"current d", subject.nameOf(registers.currentD)},
+            {"voltage", subject.nameOf(registers.voltage)},
             {"speed", subject.nameOf(registers.speed)}, {"angle", subject.nameOf(registers.angle)},
             {"pole pairs", textOf(subject.limits.polePairs)},
             {"torque Nm per A", textOf(subject.limits.torquePerAmp)}}};
@@ -190,7 +192,7 @@ std::optional<RecordedSpin> recordedSpin(const record::Happening &happening)
         .seed = static_cast<std::uint32_t>(std::max(0, whole("seed"))),
         .caps = {number("max rpm"), number("max A")}};
     found.current = fieldOf(happening, "current");
-    found.currentD = fieldOf(happening, "current d");
+    found.voltage = fieldOf(happening, "voltage");
     found.speed = fieldOf(happening, "speed");
     found.angle = fieldOf(happening, "angle");
     found.polePairs = number("pole pairs");

@@ -36,7 +36,7 @@ record::Happening entryOf(const SpinPlan &plan, const Subject &subject);
 struct RecordedSpin {
     SpinPlan plan;
     int motor = 1;
-    std::string current, currentD, speed, angle; ///< names of signals; empty: none
+    std::string current, voltage, speed, angle; ///< names of signals; empty: none
     double polePairs = 0.0;
     double torquePerAmp = 0.0; ///< as the board tells it
 };

@@ -72,6 +72,7 @@ Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor
     found.registers = {.reference = streamed(catalog, "I_Q_REF", motor),
         .current = streamed(catalog, "I_Q_MEAS", motor),
         .currentD = streamed(catalog, "I_D_MEAS", motor),
+        .voltage = streamed(catalog, "V_Q", motor),
         .speed = streamed(catalog, speed, motor),
         .angle = streamed(catalog, angleNameOf(speed), motor),
         .bus = idOf(catalog, "BUS_VOLTAGE", motor),

@@ -15,6 +15,7 @@ namespace lab {
 struct Registers {
     drive::RegisterId reference = 0; ///< Iq, wanted
     drive::RegisterId current = 0, currentD = 0; ///< Iq and Id, measured
+    drive::RegisterId voltage = 0; ///< Vq, as it is asked for
     drive::RegisterId speed = 0, angle = 0; ///< of the main sensor
     drive::RegisterId bus = 0, temperature = 0; ///< polled
     drive::RegisterId gain = 0, gainExponent = 0; ///< of the speed loop's proportional part

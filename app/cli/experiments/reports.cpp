@@ -125,8 +125,9 @@ QString line(const char *name, const lab::Estimate &estimate, const char *unit)
     constexpr int kDigits = 4;
     const auto text = [](double value) { return QString::number(value, 'g', kDigits); };
     return QStringLiteral("%1 %2 %3 (%4 to %5)")
-        .arg(QString::fromLatin1(name).leftJustified(17), text(estimate.value), QLatin1String(unit),
-            text(estimate.low.value_or(0.0)), text(estimate.high.value_or(0.0)));
+        .arg(QString::fromLatin1(name).leftJustified(17), text(estimate.value),
+            QString::fromUtf8(unit), text(estimate.low.value_or(0.0)),
+            text(estimate.high.value_or(0.0)));
 }
 
 Outcome<int> report(const lab::Mechanics &found, Output &out)

@@ -1,5 +1,7 @@
 #include "session/link/session.h"
 
+#include "lab/runner.h"
+
 #include <QCoreApplication>
 #include <QEvent>
 #include <QLoggingCategory>

@@ -32,7 +32,7 @@
 #pragma once
 
 #include "drive/drive.h"
-#include "lab/runner.h"
+#include "lab/outcome.h"
 #include "session/link/batcher.h"
 #include "session/link/dead_man.h"
 #include "session/link/driven_motors.h"
@@ -51,6 +51,13 @@
 #include <map>
 #include <memory>
 #include <optional>
+
+namespace lab {
+struct Experiment;
+class Runner;
+} // namespace lab
+
+Q_MOC_INCLUDE("lab/experiment.h")
 
 namespace session {
 
@@ -214,5 +221,4 @@ Q_DECLARE_METATYPE(session::BatchPtr)
 Q_DECLARE_METATYPE(session::PortState)
 Q_DECLARE_METATYPE(session::Interruption)
 Q_DECLARE_METATYPE(drive::Wish)
-Q_DECLARE_METATYPE(lab::Experiment)
 Q_DECLARE_METATYPE(lab::Outcome)

@@ -1,5 +1,6 @@
 // A series of steps carried out by a session, on virtual time and judged on the wire: what a person does meanwhile counts,
 // its Stop leaves in the turn in which a cap breaks, and what was recorded before is recorded again.
+#include "lab/experiment.h"
 #include "session/link/session.h"
 #include "support/judged_line.h"
 

@@ -1,0 +1,22 @@
+// Signals of one stream side by side, without a gap inside: what evaluations integrate over.
+#pragma once
+
+#include "capture/channel.h"
+
+#include <span>
+#include <vector>
+
+namespace lab {
+
+struct Segment {
+    double step_s = 0.0;
+    std::vector<double> turned_deg; ///< electrical, since its beginning, turns included
+    std::vector<std::vector<double>> values; ///< one list a channel, as long
+};
+
+/// The segments of [from, to) with three samples or more. None if the channels are not of one stream.
+/// @param angle  electrical, in degrees, wrapped anyhow
+std::vector<Segment> segmentsOf(const capture::Channel &angle,
+    std::span<const capture::Channel *const> others, capture::Nanos from, capture::Nanos to);
+
+} // namespace lab

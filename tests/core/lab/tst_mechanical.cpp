@@ -1,0 +1,171 @@
+// Inertia and friction of simulated motors, whose truth is known: within the bars of the lab, and inside their intervals.
+#include "lab/mechanical_evaluation.h"
+#include "simulation/plant/presets.h"
+#include "support/lab_bench.h"
+
+using namespace lab;
+using simulation::PlantParameters;
+using support::LabBench;
+
+namespace {
+
+struct Measured {
+    Outcome outcome;
+    Result<Mechanics, std::string> found = fail(std::string());
+    std::vector<drive::TorqueRamp> torques;
+    double slowest_rpm = 1e9; ///< of the rotor while torques drove it
+};
+
+Measured measure(const PlantParameters &plant, std::string_view motor, std::uint64_t seed,
+    const std::function<void(LabBench &)> &also = {})
+{
+    simulation::BoardOptions options;
+    options.motor = motor;
+    options.load = plant.load;
+    options.seed = seed;
+    LabBench bench(options, seed);
+    SpinPlan plan = spinPlanFor(bench.experiment.subject, {});
+    plan.seed = static_cast<std::uint32_t>(seed);
+    bench.experiment.plan = plan;
+    Measured measured;
+    bool turning = false;
+    bench.eachTurn = [&] {
+        turning = turning || bench.pair.board->truth(1).rpm > plan.highRpm * 0.9;
+        if (turning && bench.asked<drive::Command>().size() < 2)
+            measured.slowest_rpm = std::min(measured.slowest_rpm, bench.pair.board->truth(1).rpm);
+    };
+    measured.outcome = bench.run();
+    if (also)
+        also(bench);
+    measured.found = evaluateMechanics(bench.capture, bench.happenings);
+    measured.torques = bench.asked<drive::TorqueRamp>();
+    return measured;
+}
+
+#define VERIFY_WITHIN(estimate, truth, percent)                                                    \
+    QVERIFY2(std::abs((estimate).value - (truth)) <= (percent) / 100.0 * (truth),                  \
+        qPrintable(QStringLiteral("%1 is %2 %% off")                                               \
+                       .arg(QLatin1String(#truth))                                                 \
+                       .arg(((estimate).value / (truth)-1.0) * 100.0)))
+#define VERIFY_HOLDS(estimate, truth)                                                              \
+    QVERIFY2(*(estimate).low <= (truth) && (truth) <= *(estimate).high,                            \
+        qPrintable(QStringLiteral("%1: %2 is not in %3 to %4")                                     \
+                       .arg(QLatin1String(#truth))                                                 \
+                       .arg(truth)                                                                 \
+                       .arg(*(estimate).low)                                                       \
+                       .arg(*(estimate).high)))
+
+} // namespace
+
+class TestMechanical : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void allPresetsAreMeasured_data()
+    {
+        QTest::addColumn<QString>("motor");
+        QTest::addColumn<quint64>("seed");
+        for (const simulation::Preset &preset : simulation::presets())
+            for (const quint64 seed : {1, 2})
+                QTest::addRow("%s, seed %llu", std::string(preset.name).c_str(), seed)
+                    << QString::fromStdString(std::string(preset.name)) << seed;
+    }
+    void allPresetsAreMeasured()
+    {
+        QFETCH(const QString, motor);
+        QFETCH(const quint64, seed);
+        const PlantParameters &truth = *simulation::findPreset(motor.toStdString());
+        const Measured measured = measure(truth, motor.toStdString(), seed);
+        QVERIFY2(measured.outcome.end == End::Complete && measured.outcome.reason.empty(),
+            qPrintable(support::outcomeText(measured.outcome)));
+        QVERIFY2(measured.found, measured.found ? "" : measured.found.error().c_str());
+        const Mechanics &found = *measured.found;
+        VERIFY_WITHIN(found.inertia_kgm2, truth.motor.inertia_kgm2, 1.5);
+        VERIFY_WITHIN(found.viscous_nms, truth.motor.viscous_nms, 6.0);
+        VERIFY_WITHIN(found.dry_nm, truth.motor.coulomb_nm, 5.0);
+        VERIFY_HOLDS(found.inertia_kgm2, truth.motor.inertia_kgm2);
+        QCOMPARE(found.fan, truth.load.fan_nms2 > 0.0);
+        if (found.fan)
+            VERIFY_WITHIN(found.fan_nms2, truth.load.fan_nms2, 5.0);
+        QVERIFY(found.notes.empty());
+        // Never braked, and not the same torque twice.
+        for (const drive::TorqueRamp &torque : measured.torques)
+            QVERIFY(torque.amps >= 0.0);
+        QVERIFY(measured.torques.size() >= 8);
+        QVERIFY2(measured.slowest_rpm > 0.15 * truth.motor.maxSpeed_rpm,
+            qPrintable(QString::number(measured.slowest_rpm)));
+    }
+
+    /// A rotor that is aligned against a brake stands aside: its torque is that of weaker magnets, and the voltages tell.
+    void anAngleThatIsOffIsSeenAndSaid()
+    {
+        PlantParameters plant = *simulation::findPreset("servo24");
+        plant.load.constant_nm = 0.05;
+        const Measured measured = measure(plant, "servo24", 1);
+        QVERIFY(measured.outcome.end == End::Complete);
+        QVERIFY2(measured.found, measured.found ? "" : measured.found.error().c_str());
+        VERIFY_WITHIN(measured.found->inertia_kgm2, plant.motor.inertia_kgm2, 3.0);
+        VERIFY_HOLDS(measured.found->inertia_kgm2, plant.motor.inertia_kgm2);
+        QCOMPARE(measured.found->notes.size(), 1U);
+        QVERIFY(
+            measured.found->notes[0].find("the angle of its rotor is off") != std::string::npos);
+    }
+
+    void aBrakeIsDryFriction()
+    {
+        PlantParameters plant = *simulation::findPreset("blower36");
+        plant.load.constant_nm = 0.05;
+        const Measured measured = measure(plant, "blower36", 1);
+        QVERIFY2(measured.found, measured.found ? "" : measured.found.error().c_str());
+        VERIFY_WITHIN(measured.found->dry_nm, plant.motor.coulomb_nm + 0.05, 5.0);
+        VERIFY_WITHIN(measured.found->inertia_kgm2, plant.motor.inertia_kgm2, 1.5);
+    }
+
+    void whatIsMissingIsSaid()
+    {
+        const PlantParameters &truth = *simulation::findPreset("pm24");
+        const Measured none = measure(truth, "pm24", 1, [](LabBench &bench) {
+            std::erase_if(
+                bench.happenings, [](const auto &one) { return one.second.name == "torque ramp"; });
+        });
+        QVERIFY(!none.found);
+        const Measured cut = measure(truth, "pm24", 1, [](LabBench &bench) {
+            std::size_t seen = 0;
+            std::erase_if(bench.happenings,
+                [&](const auto &one) { return one.second.name == "torque ramp" && ++seen > 3; });
+            for (auto &[at, what] : bench.happenings)
+                if (what.name == "torque ramp")
+                    bench.happenings.emplace_back(
+                        at + 1'000'000'000, entryOfEnd(false, "it was interrupted"));
+            std::stable_sort(bench.happenings.begin(), bench.happenings.end(),
+                [](const auto &a, const auto &b) { return a.first < b.first; });
+        });
+        QVERIFY(!cut.found);
+        QVERIFY2(
+            cut.found.error().find("are needed") != std::string::npos, cut.found.error().c_str());
+    }
+
+    void aPlanIsHeldAgainstTheMotor()
+    {
+        LabBench bench;
+        Subject subject = bench.experiment.subject;
+        const SpinPlan plan = spinPlanFor(subject, {});
+        QVERIFY(objectionTo(plan, subject).empty());
+        SpinPlan other = plan;
+        other.highRpm = -other.highRpm;
+        QVERIFY(!objectionTo(other, subject).empty());
+        other = plan;
+        other.lowRpm = other.highRpm;
+        QVERIFY(!objectionTo(other, subject).empty());
+        other = plan;
+        other.length = std::chrono::minutes(2);
+        QVERIFY(!objectionTo(other, subject).empty());
+        subject.limits.torquePerAmp = 0.0;
+        QVERIFY(!objectionTo(plan, subject).empty());
+        const SpinPlan slow = spinPlanFor(bench.experiment.subject, {.maxRpm = 1000.0});
+        QVERIFY(slow.highRpm < 1000);
+        QVERIFY(recordedSpin(entryOf(plan, bench.experiment.subject))->plan == plan);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestMechanical)
+#include "tst_mechanical.moc"
