@@ -2,7 +2,7 @@
 
 #include "widgets/base/flow_layout.h"
 #include "widgets/base/reading_text.h"
-#include "widgets/base/snug_combo_box.h"
+#include "widgets/scope/trigger/snug_combo_box.h"
 #include "widgets/base/value_edit.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/scope/scope_view.h"

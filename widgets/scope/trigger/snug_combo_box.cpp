@@ -1,4 +1,4 @@
-#include "widgets/base/snug_combo_box.h"
+#include "widgets/scope/trigger/snug_combo_box.h"
 
 #include <QAbstractItemView>
 #include <QStyleOptionComboBox>
