@@ -7485,6 +7485,11 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
         <source>Motor %1</source>
         <translation>Motor %1</translation>
     </message>
+    <message>
+        <source>Motor %1: %2</source>
+        <comment>number, word of a stop</comment>
+        <translation>Motor %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>widgets::ToolDocks</name>

@@ -7478,6 +7478,11 @@ A program on a PC is no replacement for a switch that removes the power.</source
         <source>Motor %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Motor %1: %2</source>
+        <comment>number, word of a stop</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::ToolDocks</name>

@@ -66,6 +66,14 @@ QList<int> FlowLayout::widths(int room) const
     return all;
 }
 
+int FlowLayout::trailingWidth(const QList<int> &widths) const
+{
+    int all = 0;
+    for (const int width : widths.mid(widths.size() - m_trailing))
+        all += width > 0 ? width + m_gap : 0;
+    return all - m_gap;
+}
+
 int FlowLayout::arrange(const QRect &rect, bool move) const
 {
     const QList<int> widths = this->widths(rect.width());
@@ -77,11 +85,15 @@ int FlowLayout::arrange(const QRect &rect, bool move) const
         if (item->isEmpty())
             continue;
         const QSize size(widths[i], item->sizeHint().height());
-        if (x > rect.x() && x + size.width() > rect.x() + rect.width()) {
+        const bool trails = m_trailing > 0 && i == static_cast<int>(m_items.size()) - m_trailing;
+        const int together = trails ? trailingWidth(widths) : size.width();
+        if (x > rect.x() && x + together > rect.x() + rect.width()) {
             x = rect.x();
             y += lineHeight + m_gap;
             lineHeight = 0;
         }
+        if (trails)
+            x = std::max(x, rect.x() + rect.width() - together);
         if (move)
             item->setGeometry(QRect(QPoint(x, y), size));
         x += size.width() + m_gap;

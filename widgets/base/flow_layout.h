@@ -11,6 +11,9 @@ public:
     explicit FlowLayout(int gap, QWidget *parent = nullptr);
     ~FlowLayout() override;
 
+    /// So many of the last ones stay together, at the right end of their line.
+    void setTrailing(int count) { m_trailing = count; }
+
     void addItem(QLayoutItem *item) override;
     int count() const override { return static_cast<int>(m_items.size()); }
     QLayoutItem *itemAt(int index) const override { return m_items.value(index); }
@@ -24,10 +27,12 @@ public:
 
 private:
     int arrange(const QRect &rect, bool move) const; ///< the height it takes
+    int trailingWidth(const QList<int> &widths) const;
     QList<int> widths(int room) const; ///< of the items, 0 for those that are not shown
 
     QList<QLayoutItem *> m_items;
     int m_gap;
+    int m_trailing = 0;
     int m_width = 0; ///< where it was placed last
 };
 

@@ -1,7 +1,8 @@
 #include "widgets/base/lamp.h"
 
+#include "widgets/base/steady_label.h"
+
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPainter>
 
 namespace widgets {
@@ -51,10 +52,9 @@ private:
 Lamp::Lamp(const QString &name, QWidget *parent)
     : QWidget(parent)
     , m_dot(new Dot(this))
-    , m_text(new QLabel(this))
+    , m_text(new SteadyLabel(this))
     , m_name(name)
 {
-    m_text->setTextFormat(Qt::PlainText);
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(5);
@@ -70,6 +70,8 @@ void Lamp::show(Light light, const QString &text)
     setAccessibleName(m_name + QStringLiteral(": ") + text);
     m_dot->update();
 }
+
+void Lamp::setRoomFor(const QStringList &texts) { m_text->setRoomFor(texts); }
 
 QString Lamp::text() const { return m_text->text(); }
 

@@ -3,9 +3,9 @@
 
 #include <QWidget>
 
-class QLabel;
-
 namespace widgets {
+
+class SteadyLabel;
 
 class Lamp : public QWidget {
     Q_OBJECT
@@ -20,6 +20,7 @@ public:
     explicit Lamp(const QString &name, QWidget *parent = nullptr);
 
     void show(Light light, const QString &text);
+    void setRoomFor(const QStringList &texts); ///< what it may have to say: it keeps its width
     Light light() const { return m_light; }
     QString text() const;
 
@@ -28,7 +29,7 @@ public:
 private:
     class Dot;
     Dot *m_dot;
-    QLabel *m_text;
+    SteadyLabel *m_text;
     QString m_name;
     Light m_light = Light::Off;
 };

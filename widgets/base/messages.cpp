@@ -33,6 +33,16 @@ QString linkStateText(drive::LinkState state)
     return {};
 }
 
+QStringList linkStateTexts()
+{
+    using drive::LinkState;
+    QStringList all{Messages::tr("no board found")};
+    for (const LinkState state : {LinkState::Closed, LinkState::Connecting, LinkState::Connected,
+             LinkState::Suspect, LinkState::Recovering, LinkState::Lost})
+        all.append(linkStateText(state));
+    return all;
+}
+
 bool noBoardFound(const drive::LinkChanged &link)
 {
     using drive::LinkReason;

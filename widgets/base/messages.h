@@ -9,12 +9,14 @@
 #include "session/transports/endpoint.h"
 
 #include <QString>
+#include <QStringList>
 
 namespace widgets {
 
 QString linkStateText(drive::LinkState state);
 /// The same, where the reason is known: what never answered is no link that was lost.
 QString linkStateText(const drive::LinkChanged &link);
+QStringList linkStateTexts(); ///< all that there are
 /// Whether the search for a board ended without one; nothing is known of a board that was there before.
 bool noBoardFound(const drive::LinkChanged &link);
 /// Why a link ended or came back, in one sentence; empty for None.

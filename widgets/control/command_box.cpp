@@ -35,6 +35,7 @@ CommandBox::CommandBox(Device &device, MotionGate &motion, QWidget *parent)
     m_start->setObjectName(QStringLiteral("start"));
     m_start->setAccessibleName(tr("Start motor"));
     m_start->setMinimumHeight(48);
+    m_start->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // wherever it goes to
     auto *stop = new StopButton(this);
     stop->setObjectName(QStringLiteral("stop"));
     stop->setText(tr("Stop (Esc)"));
@@ -43,6 +44,7 @@ CommandBox::CommandBox(Device &device, MotionGate &motion, QWidget *parent)
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(6);
+    grid->setVerticalSpacing(5);
     grid->addWidget(m_arm, 0, 0, 1, 2);
     grid->addWidget(m_start, 1, 0);
     grid->addWidget(stop, 1, 1);

@@ -1,10 +1,10 @@
 #include "widgets/control/readout_box.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
 
 #include <QGridLayout>
-#include <QLabel>
 
 #include <cmath>
 
@@ -36,7 +36,7 @@ ReadoutBox::ReadoutBox(Device &device, RegisterModel &registers, QWidget *parent
 {
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setVerticalSpacing(2);
+    grid->setVerticalSpacing(1);
     const std::pair<const char *, QString> rows[] = {
         {"SPEED_MEAS", tr("Measured speed")},
         {"SPEED_REF", tr("Speed reference")},
@@ -47,10 +47,11 @@ ReadoutBox::ReadoutBox(Device &device, RegisterModel &registers, QWidget *parent
     };
     for (const auto &[name, text] : rows) {
         auto *label = new QLabel(text, this);
-        auto *value = new QLabel(this);
-        value->setTextFormat(Qt::PlainText);
+        auto *value = new SteadyLabel(this);
         value->setObjectName(QLatin1String(name));
         value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        // All that the names leave, whatever the number is.
+        value->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         const int row = static_cast<int>(m_rows.size());
         grid->addWidget(label, row, 0);
         grid->addWidget(value, row, 1);

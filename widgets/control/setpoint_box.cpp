@@ -1,8 +1,8 @@
 #include "widgets/control/setpoint_box.h"
 
-#include "drive/control_mode.h"
 #include "drive/set_point_check.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/steady_label.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/control/command_box.h"
 #include "widgets/control/motion_gate.h"
@@ -37,7 +37,7 @@ SetpointBox::SetpointBox(
     , m_registers(registers)
     , m_motion(motion)
     , m_mode(new QComboBox(this))
-    , m_control(plainLabel(this, "controlMode"))
+    , m_control(new SteadyLabel(this))
     , m_firstLabel(plainLabel(this, "firstLabel"))
     , m_secondLabel(plainLabel(this, "secondLabel"))
     , m_timeLabel(plainLabel(this, "timeLabel"))
@@ -45,7 +45,7 @@ SetpointBox::SetpointBox(
     , m_torque(makeEdit("torque", tr("Torque set-point in ampere")))
     , m_iq(makeEdit("iqReference", tr("Reference of the current Iq in ampere")))
     , m_id(makeEdit("idReference", tr("Reference of the current Id in ampere")))
-    , m_echo(plainLabel(this, "speedEcho"))
+    , m_echo(new SteadyLabel(this))
     , m_rampTime(makeEdit("rampTime", tr("Ramp time in milliseconds")))
     , m_go(new MotorButton(tr("Go", "send the set-point"), this))
     , m_stopRamp(new MotorButton(tr("Stop ramp"), this))
@@ -56,9 +56,13 @@ SetpointBox::SetpointBox(
     m_mode->addItems({tr("Speed", "kind of set-point"), tr("Torque (Iq)", "kind of set-point"),
         tr("Currents (Iq, Id)", "kind of set-point")});
     new WheelGuard(m_mode);
-    m_echo->setWordWrap(true);
+    m_echo->setObjectName(QStringLiteral("speedEcho"));
     m_echo->setEnabled(false);
+    m_echo->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // whatever was typed
+    m_control->setObjectName(QStringLiteral("controlMode"));
     m_control->setEnabled(false);
+    m_control->setRoomFor(
+        {controlText(drive::ControlMode::Speed), controlText(drive::ControlMode::Torque)});
     m_rampTime->setLimits(
         static_cast<double>(drive::kLongestRamp.count()), 1.0, QStringLiteral("ms"));
     m_rampTime->setNegativeAllowed(false);
@@ -100,6 +104,7 @@ void SetpointBox::makeLayout()
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(6);
+    grid->setVerticalSpacing(5);
     grid->addWidget(m_mode, 0, 0);
     grid->addWidget(m_control, 0, 1, Qt::AlignRight);
     grid->addWidget(m_firstLabel, 1, 0);
@@ -132,6 +137,7 @@ void SetpointBox::showMode()
         widget->setVisible(shown != Mode::Currents);
     m_firstLabel->setText(shown == Mode::Speed ? tr("Speed [rpm]") : tr("Iq [A]"));
     m_firstLabel->setBuddy(shownEdits().first());
+    m_echo->setLines(shown == Mode::Currents ? 2 : 1); // each of them may have something to say
     follow();
 }
 
@@ -209,7 +215,12 @@ QString SetpointBox::controlText() const
         info->perMotor ? catalog->withMotor(*info, m_device.motor()) : info->id);
     if (!value)
         return {};
-    switch (drive::controlModeOf(static_cast<std::int64_t>(*value))) {
+    return controlText(drive::controlModeOf(static_cast<std::int64_t>(*value)));
+}
+
+QString SetpointBox::controlText(drive::ControlMode mode)
+{
+    switch (mode) {
     case drive::ControlMode::Speed:
         return tr("drive mode: speed", "the board does now");
     case drive::ControlMode::Torque:

@@ -2,6 +2,7 @@
 // Which one is shown is the user's choice and sends nothing; the board changes its control with the first set-point.
 #pragma once
 
+#include "drive/control_mode.h"
 #include "widgets/base/device.h"
 #include "widgets/registers/register_model.h"
 
@@ -16,6 +17,7 @@ namespace widgets {
 class MotionGate;
 class MotorButton;
 class SetpointEdit;
+class SteadyLabel;
 
 class SetpointBox : public QWidget {
     Q_OBJECT
@@ -51,12 +53,13 @@ private:
     QString saidOf(const SetpointEdit *edit) const;
     bool readable() const; ///< all shown fields hold a number that may be sent
     QString controlText() const;
+    static QString controlText(drive::ControlMode mode);
 
     Device &m_device;
     RegisterModel &m_registers;
     MotionGate &m_motion;
     QComboBox *m_mode;
-    QLabel *m_control; ///< what the board says it controls
+    SteadyLabel *m_control; ///< what the board says it controls
     QLabel *m_firstLabel;
     QLabel *m_secondLabel;
     QLabel *m_timeLabel;
@@ -64,7 +67,7 @@ private:
     SetpointEdit *m_torque;
     SetpointEdit *m_iq;
     SetpointEdit *m_id;
-    QLabel *m_echo;
+    SteadyLabel *m_echo;
     SetpointEdit *m_rampTime;
     MotorButton *m_go;
     MotorButton *m_stopRamp;

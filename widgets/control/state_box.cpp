@@ -3,22 +3,23 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/lamp.h"
 #include "widgets/base/messages.h"
+#include "widgets/base/steady_label.h"
 #include "widgets/control/fault_texts.h"
 #include "widgets/control/state_strip.h"
 
 #include <QEvent>
 #include <QGridLayout>
-#include <QLabel>
 #include <QToolButton>
 
 namespace widgets {
 namespace {
 
-QLabel *plainLabel(QWidget *parent, const char *objectName)
+/// One line as wide as the panel, whatever it says.
+SteadyLabel *lineLabel(QWidget *parent, const char *objectName)
 {
-    auto *label = new QLabel(parent);
-    label->setTextFormat(Qt::PlainText);
+    auto *label = new SteadyLabel(parent);
     label->setObjectName(QLatin1String(objectName));
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     return label;
 }
 
@@ -48,18 +49,16 @@ QColor stateColor(drive::MotorState state, const QPalette &palette)
 StateBox::StateBox(Device &device, QWidget *parent)
     : QWidget(parent)
     , m_device(device)
-    , m_state(plainLabel(this, "motorState"))
+    , m_state(lineLabel(this, "motorState"))
     , m_strip(new StateStrip(this))
-    , m_faultsNow(plainLabel(this, "faultsNow"))
-    , m_faultsPast(plainLabel(this, "faultsPast"))
+    , m_faultsNow(lineLabel(this, "faultsNow"))
+    , m_faultsPast(lineLabel(this, "faultsPast"))
     , m_causes(new QToolButton(this))
 {
     QFont large = m_state->font();
     large.setPointSizeF(large.pointSizeF() * 1.4);
     large.setBold(true);
     m_state->setFont(large);
-    m_faultsNow->setWordWrap(true);
-    m_faultsPast->setWordWrap(true);
     m_causes->setObjectName(QStringLiteral("faultCauses"));
     m_causes->setText(tr("Causes\u2026"));
     m_causes->setToolTip(tr("What these faults mean and what to try"));
@@ -76,7 +75,8 @@ StateBox::StateBox(Device &device, QWidget *parent)
     grid->addWidget(m_faultsPast, 3, 0, 1, 2);
     grid->setColumnStretch(0, 1);
     // What is below must not move when a fault comes or goes: a hand may be on its way to it.
-    for (QWidget *widget : std::initializer_list<QWidget *>{m_causes, m_strip}) {
+    for (QWidget *widget :
+        std::initializer_list<QWidget *>{m_causes, m_strip, m_faultsNow, m_faultsPast}) {
         QSizePolicy policy = widget->sizePolicy();
         policy.setRetainSizeWhenHidden(true);
         widget->setSizePolicy(policy);
@@ -137,14 +137,13 @@ void StateBox::showFaults(const drive::MotorStatus &status, bool believed)
 {
     QPalette red = palette();
     red.setColor(QPalette::WindowText, Lamp::colorOf(Lamp::Light::Bad, palette()));
-    m_faultsNow->setPalette(status.faultsNow.empty() ? palette() : red);
+    m_faultsNow->setPalette(status.faultsNow.empty() || !believed ? palette() : red);
     m_faultsNow->setText(!believed ? tr("Faults are not known")
             : status.faultsNow.empty()
             ? tr("No fault present")
             : QStringLiteral("\u2716 ") + tr("Present: %1").arg(joined(status.faultsNow)));
     m_faultsNow->setEnabled(believed);
     const std::vector<std::string> over = faultsOver(status);
-    // One row, whichever there are; two only where there are both.
     m_faultsNow->setVisible(!believed || !status.faultsNow.empty() || over.empty());
     m_faultsPast->setVisible(believed && !over.empty());
     m_faultsPast->setText(tr("To acknowledge: %1").arg(joined(over)));

@@ -5,12 +5,12 @@
 
 #include <QWidget>
 
-class QLabel;
 class QToolButton;
 
 namespace widgets {
 
 class StateStrip;
+class SteadyLabel;
 
 class StateBox : public QWidget {
     Q_OBJECT
@@ -31,10 +31,10 @@ private:
     void showFaults(const drive::MotorStatus &status, bool believed);
 
     Device &m_device;
-    QLabel *m_state;
+    SteadyLabel *m_state;
     StateStrip *m_strip;
-    QLabel *m_faultsNow;
-    QLabel *m_faultsPast;
+    SteadyLabel *m_faultsNow;
+    SteadyLabel *m_faultsPast;
     QToolButton *m_causes;
 };
 

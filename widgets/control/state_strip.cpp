@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kColumns = 3;
 constexpr int kGap = 3;
-constexpr int kPadding = 6; // above and below the text, together
+constexpr int kPadding = 4; // above and below the text, together
 constexpr double kSmaller = 0.86; // than the font around
 
 Lamp::Light lightOf(drive::MotorState state)

@@ -7,7 +7,14 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace widgets {
+namespace {
+
+constexpr int kLeastWidth = 300; ///< of the text
+
+} // namespace
 
 StopAlarm::StopAlarm(QWidget *parent)
     : QDialog(parent)
@@ -30,16 +37,21 @@ void StopAlarm::make()
     m_text->setFont(large);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setAlignment(Qt::AlignCenter);
+    m_text->setWordWrap(true);
     m_text->setObjectName(QStringLiteral("stopAlarmText"));
     m_detail->setTextFormat(Qt::PlainText);
-    m_detail->setAlignment(Qt::AlignCenter);
+    m_detail->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
     m_detail->setWordWrap(true);
+    m_detail->setObjectName(QStringLiteral("stopAlarmDetail"));
 
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     m_takeBack = buttons->addButton(tr("Take the Stop &back"), QDialogButtonBox::DestructiveRole);
     m_takeBack->setObjectName(QStringLiteral("takeStopBack"));
     m_takeBack->setAutoDefault(false);
+    QSizePolicy kept = m_takeBack->sizePolicy(); // the other button stays where it is
+    kept.setRetainSizeWhenHidden(true);
+    m_takeBack->setSizePolicy(kept);
     connect(m_takeBack, &QPushButton::clicked, this, [this] {
         Q_EMIT takenBack();
         reject();
@@ -47,7 +59,7 @@ void StopAlarm::make()
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(28, 24, 28, 20);
     layout->setSpacing(14);
-    // Always as large as its text: what a word-wrapped label needs in height is asked for by no other constraint.
+    // Always as large as what it has room for: what a word-wrapped label needs in height is asked for by no other constraint.
     layout->setSizeConstraint(QLayout::SetFixedSize);
     layout->addWidget(m_text);
     layout->addWidget(m_detail);
@@ -58,11 +70,86 @@ void StopAlarm::raiseWith(const QString &text)
 {
     if (!m_text)
         make();
-    m_text->setText(stopNotConfirmedText());
-    m_detail->setText(text);
     m_takeBack->setVisible(!m_ports.isEmpty());
+    if (!isVisible()) {
+        showHeadline();
+        m_detail->setMinimumHeight(0); // room for what was told another time
+    }
+    showDetail(text);
+    if (!isVisible())
+        place();
     open();
     raise();
+}
+
+/// In one line where that leaves what has to be seen free, else in as many as it takes.
+void StopAlarm::showHeadline()
+{
+    m_text->setText(stopNotConfirmedText());
+    const QFontMetrics metrics = m_text->fontMetrics();
+    const QMargins around = layout()->contentsMargins();
+    int width = metrics.horizontalAdvance(m_text->text()) + 2;
+    if (m_keepFree && m_keepFree->isVisible()) {
+        const int left = m_keepFree->mapTo(parentWidget(), QPoint()).x();
+        const int right = parentWidget()->width() - left - m_keepFree->width();
+        width = std::clamp(std::max(left, right) - around.left() - around.right(), kLeastWidth,
+            std::max(kLeastWidth, width));
+    }
+    m_text->setFixedSize(width,
+        metrics.boundingRect(QRect(0, 0, width, 1), Qt::TextWordWrap, m_text->text()).height());
+}
+
+/// With room for whatever the evidence may make of it, and never less than it has.
+void StopAlarm::showDetail(const QString &text)
+{
+    m_detail->setText(text);
+    const int width = m_text->width();
+    m_detail->setFixedWidth(width);
+    QStringList all{text};
+    for (const auto word : {drive::StopWord::NotConfirmed, drive::StopWord::DriveIdle,
+             drive::StopWord::Standstill, drive::StopWord::MayCoast}) {
+        Words one = m_motors;
+        for (auto &[motor, its] : one)
+            its = word;
+        all.append(detail(one));
+    }
+    int height = m_detail->minimumHeight();
+    for (const QString &one : all)
+        height = std::max(height,
+            m_detail->fontMetrics()
+                .boundingRect(QRect(0, 0, width, 1), Qt::TextWordWrap, one)
+                .height());
+    m_detail->setMinimumHeight(height);
+}
+
+void StopAlarm::setPlace(const QWidget *over, const QWidget *keepFree)
+{
+    m_over = over;
+    m_keepFree = keepFree;
+}
+
+void StopAlarm::place()
+{
+    if (!m_over || !m_over->isVisible())
+        return;
+    const auto onScreen = [](const QWidget *widget) {
+        return QRect(widget->mapToGlobal(QPoint()), widget->size());
+    };
+    layout()->activate();
+    const QRect over = onScreen(m_over);
+    const QRect window = onScreen(parentWidget());
+    QRect mine(QPoint(), sizeHint());
+    mine.moveCenter(over.center());
+    if (m_keepFree && m_keepFree->isVisible() && mine.intersects(onScreen(m_keepFree))) {
+        const QRect free = onScreen(m_keepFree);
+        if (free.center().x() > over.center().x())
+            mine.moveRight(free.left() - 1);
+        else
+            mine.moveLeft(free.right() + 1);
+    }
+    mine.moveLeft(std::clamp(
+        mine.left(), window.left(), std::max(window.left(), window.right() - mine.width() + 1)));
+    move(mine.topLeft());
 }
 
 void StopAlarm::raiseAlarm(int motor)
@@ -89,7 +176,7 @@ void StopAlarm::showWanted(const QStringList &ports)
         raiseWith(detail());
     } else if (isVisible()) {
         m_takeBack->setVisible(!ports.isEmpty());
-        m_detail->setText(detail());
+        showDetail(detail());
     }
 }
 
@@ -104,27 +191,29 @@ void StopAlarm::take(const drive::StopProgress &progress)
     else if (confirms && isVisible()) // of a port that is back
         m_motors[progress.motor] = progress.word;
     if (isVisible() && confirms)
-        m_detail->setText(detail());
+        showDetail(detail());
 }
 
-QString StopAlarm::detail() const
+QString StopAlarm::detail() const { return detail(m_motors); }
+
+QString StopAlarm::detail(const Words &motors) const
 {
     QStringList parts;
     if (!m_ports.isEmpty())
         parts.append(ofPorts());
-    if (!m_motors.empty())
-        parts.append(ofMotors());
+    if (!motors.empty())
+        parts.append(ofMotors(motors));
     if (parts.isEmpty())
         parts.append(tr("The port is open again, and the stop goes on."));
     return parts.join(QStringLiteral("\n\n"));
 }
 
 /// Each motor for itself: that one stands says nothing of another.
-QString StopAlarm::ofMotors() const
+QString StopAlarm::ofMotors(const Words &motors)
 {
     QStringList lines;
     bool trying = false;
-    for (const auto &[motor, word] : m_motors) {
+    for (const auto &[motor, word] : motors) {
         const QString number = QString::number(motor);
         if (word == drive::StopWord::Standstill)
             lines.append(tr("Motor %1: meanwhile standstill was measured.").arg(number));

@@ -1,5 +1,7 @@
-// StopAlarm: the red text that cannot be overlooked when a stop was not confirmed. Closing it restarts nothing. What is in
-// it is made when it is first raised, which takes a few milliseconds that a start of the program has no use for.
+// StopAlarm: the red text that cannot be overlooked when a stop was not confirmed. Closing it restarts nothing. It lies over the
+// picture and off the panel that controls the motors, and has room from the start for the evidence that may still come:
+// neither its buttons nor itself move then. What is in it is made when it is first raised, which takes a few milliseconds
+// that a start of the program has no use for.
 #pragma once
 
 #include "drive/event.h"
@@ -17,6 +19,8 @@ class StopAlarm : public QDialog {
     Q_OBJECT
 public:
     explicit StopAlarm(QWidget *parent = nullptr);
+    /// Both are in its window; it is laid over the one and does not cover the other where there is room.
+    void setPlace(const QWidget *over, const QWidget *keepFree);
 
     void raiseAlarm(int motor); ///< modal, without a loop of its own
     void raiseNotSent(); ///< the same, for a stop that nothing could carry
@@ -32,13 +36,19 @@ Q_SIGNALS:
 private:
     void make();
     void raiseWith(const QString &text);
+    using Words = std::map<int, drive::StopWord>;
+    void showHeadline();
+    void showDetail(const QString &text);
+    void place();
     QString detail() const;
-    QString ofMotors() const;
+    QString detail(const Words &motors) const;
+    static QString ofMotors(const Words &motors);
     QString ofPorts() const;
 
-    std::map<int, drive::StopWord>
-        m_motors; ///< what is known of those that the alarm was raised for
+    Words m_motors; ///< what is known of those that the alarm was raised for
     QStringList m_ports; ///< that are gone
+    const QWidget *m_over = nullptr;
+    const QWidget *m_keepFree = nullptr;
     QLabel *m_text = nullptr;
     QLabel *m_detail = nullptr;
     QPushButton *m_takeBack = nullptr;

@@ -1,5 +1,6 @@
 // StopWords: how far the last stop has got, in four words for each motor, each with its age and never ahead of its
-// evidence: that one motor stands says nothing of another.
+// evidence: that one motor stands says nothing of another. It has four lines: all words of one motor, or of several motors
+// the newest word of each; the others are in the tool tip then.
 #pragma once
 
 #include "drive/event.h"
@@ -11,7 +12,6 @@
 #include <map>
 #include <optional>
 
-class QGridLayout;
 class QLabel;
 
 namespace widgets {
@@ -29,21 +29,32 @@ public:
     bool rested() const; ///< every motor was idle, or more than that
     QString text() const; ///< all words that were reached, for tests and screen readers
 
+protected:
+    void changeEvent(QEvent *event) override;
+
 private:
+    struct Word {
+        QString text;
+        std::optional<Milliseconds> since; ///< empty: not reached
+    };
+    struct Motor {
+        std::array<Word, kWords> words;
+        bool mayCoast = false; ///< its last word is that nothing can be measured
+        QString reached() const;
+    };
     struct Line {
         QLabel *mark = nullptr;
         QLabel *age = nullptr;
         std::optional<Milliseconds> since;
     };
-    struct Motor {
-        QLabel *name = nullptr; ///< shown where there is more than one
-        std::array<Line, kWords> lines;
-    };
     Motor &motor(int number);
     static void clear(Motor &motor);
+    void showAll();
+    void showWord(std::size_t line, const Word &word, const QString &text);
+    void fitHeight();
 
-    QGridLayout *m_grid;
     std::map<int, Motor> m_motors;
+    std::array<Line, kWords> m_lines;
 };
 
 } // namespace widgets

@@ -88,6 +88,11 @@ RecordControl::RecordControl(Parts parts, const QString &folder, QWidget *window
     update();
 }
 
+QStringList RecordControl::signs()
+{
+    return {QStringLiteral("\u25cf REC"), QStringLiteral("\u25a0 REC")};
+}
+
 void RecordControl::update()
 {
     const bool running = m_parts.recording.running();
@@ -95,7 +100,7 @@ void RecordControl::update()
     m_toggle->setEnabled(running || m_parts.device.portOpen());
     m_toggle->setText(running ? tr("E&nd the recording") : tr("&Record to disk\u2026"));
     // The bar has little room; menus and screen readers get the words, and the shape says which it is.
-    m_toggle->setIconText(running ? QStringLiteral("\u25a0 REC") : QStringLiteral("\u25cf REC"));
+    m_toggle->setIconText(signs().at(running ? 1 : 0));
     m_toggle->setToolTip(running ? tr("Ends the file on the disk (Ctrl+R)")
             : m_parts.device.portOpen()
             ? tr("Writes all samples, values and events to a file while they come (Ctrl+R)")

@@ -35,6 +35,7 @@ public:
         return m_toggle;
     } ///< Ctrl+R: asks for a file and records; again: ends it
     QAction *withLink() const { return m_withLink; }
+    static QStringList signs(); ///< what the action shows where there is little room
     Lamp *line() const { return m_line; } ///< hidden until something is recorded
     QString folder() const { return m_folder; } ///< of the last recording
     /// True if all samples in it are in the last recording, which ended whole and is still on its disk.

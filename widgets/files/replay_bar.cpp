@@ -12,6 +12,8 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace widgets {
 
 ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
@@ -24,7 +26,10 @@ ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
 {
     setObjectName(QStringLiteral("replayBar"));
     m_pause->setObjectName(QStringLiteral("replayPause"));
-    m_pause->setText(tr("Pause"));
+    for (const QString &word : {tr("Go on"), tr("Pause")}) { // what is beside it stays where it is
+        m_pause->setText(word);
+        m_pause->setMinimumWidth(std::max(m_pause->minimumWidth(), m_pause->sizeHint().width()));
+    }
     m_pause->setAccessibleName(tr("Pause the replay"));
     m_pause->setToolTip(tr("Holds the replay; nothing is left out"));
     m_pause->setCheckable(true);

@@ -6,6 +6,7 @@
 #include "widgets/base/file_prompt.h"
 #include "widgets/base/lamp.h"
 #include "widgets/base/messages.h"
+#include "widgets/base/steady_label.h"
 #include "widgets/forms/motor_converter.h"
 #include "widgets/forms/motor_messages.h"
 
@@ -106,7 +107,11 @@ QWidget *MotorForm::makeLeft()
         buttons->addWidget(button);
     buttons->addStretch(1);
 
-    m_reason = makeText("motorReason", left);
+    m_reason = new SteadyLabel(left);
+    m_reason->setObjectName(QStringLiteral("motorReason"));
+    QSizePolicy kept(QSizePolicy::Ignored, QSizePolicy::Fixed); // what is below stays where it is
+    kept.setRetainSizeWhenHidden(true);
+    m_reason->setSizePolicy(kept);
     m_tree = new QTreeView(left);
     m_tree->setObjectName(QStringLiteral("motorTree"));
     m_tree->setAccessibleName(tr("Motor and drive"));

@@ -15,6 +15,7 @@ namespace widgets {
 
 class FilePrompt;
 class MotorConverter;
+class SteadyLabel;
 
 class MotorForm : public Form {
     Q_OBJECT
@@ -57,7 +58,8 @@ private:
     FilePrompt &m_files;
     MotorModel m_model;
     QTreeView *m_tree = nullptr;
-    QLabel *m_reason = nullptr, *m_told = nullptr, *m_warnings = nullptr;
+    SteadyLabel *m_reason = nullptr;
+    QLabel *m_told = nullptr, *m_warnings = nullptr;
     QPushButton *m_again = nullptr, *m_open = nullptr, *m_save = nullptr, *m_close = nullptr;
     MotorConverter *m_converter = nullptr;
     std::vector<catalog::RegisterId> m_ids; ///< what the board is asked for

@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/si_text.h"
+#include "widgets/base/steady_label.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/measuring/measure_text.h"
 #include "widgets/measuring/spectrum_peaks.h"
@@ -54,7 +55,7 @@ SpectrumPanel::SpectrumPanel(ScopeView &scope, const capture::Capture &capture,
     , m_axis(new QComboBox(this))
     , m_scale(new QComboBox(this))
     , m_average(new QSpinBox(this))
-    , m_note(new QLabel(this))
+    , m_note(new SteadyLabel(this))
 {
     setObjectName(QStringLiteral("spectrumPanel"));
     m_pool.setMaxThreadCount(1);
@@ -75,8 +76,7 @@ SpectrumPanel::SpectrumPanel(ScopeView &scope, const capture::Capture &capture,
     }
     m_list->setFixedWidth(width);
     m_note->setObjectName(QStringLiteral("spectrumNote"));
-    m_note->setTextFormat(Qt::PlainText);
-    m_note->setWordWrap(true);
+    m_note->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_plot->setMinimumWidth(240);
 
     auto *middle = new QVBoxLayout;

@@ -12,7 +12,6 @@
 
 class QComboBox;
 class QFormLayout;
-class QLabel;
 class QSpinBox;
 class QTreeView;
 
@@ -21,6 +20,7 @@ namespace widgets {
 class ScopeView;
 class SpectrumPeaks;
 class SpectrumPlot;
+class SteadyLabel;
 
 class SpectrumPanel : public Form {
     Q_OBJECT
@@ -78,7 +78,7 @@ private:
     QComboBox *m_axis;
     QComboBox *m_scale;
     QSpinBox *m_average;
-    QLabel *m_note;
+    SteadyLabel *m_note;
     SpectrumAnswer m_answer; ///< the newest
     std::optional<SpectrumWanted> m_answered; ///< it is of this
     std::vector<SpectrumWanted> m_averaged; ///< all of its mean: samples count once

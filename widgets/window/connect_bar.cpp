@@ -5,6 +5,7 @@
 #include "widgets/base/lamp.h"
 #include "widgets/base/messages.h"
 #include "widgets/base/replaying.h"
+#include "widgets/base/steady_label.h"
 #include "widgets/base/wheel_guard.h"
 
 #include <QComboBox>
@@ -12,10 +13,10 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPainter>
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -24,30 +25,9 @@ namespace {
 
 constexpr quint32 kBauds[] = {1843200, 921600, 460800, 230400, 115200};
 constexpr qsizetype kMostTyped = 8;
+constexpr int kConnectWidth = 110;
 constexpr quint32 kSlowestBaud = 1200;
 constexpr quint32 kFastestBaud = 12'000'000;
-
-/// A label that never asks for more room than it is given; its whole text is its tool tip.
-class ElidedLabel : public QLabel {
-public:
-    using QLabel::QLabel;
-    QSize minimumSizeHint() const override { return {24, QLabel::minimumSizeHint().height()}; }
-
-protected:
-    void resizeEvent(QResizeEvent *event) override
-    {
-        QLabel::resizeEvent(event);
-        update();
-    }
-    void paintEvent(QPaintEvent *) override
-    {
-        QPainter painter(this);
-        painter.setPen(palette().color(
-            isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::WindowText));
-        painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
-            fontMetrics().elidedText(text(), Qt::ElideRight, width()));
-    }
-};
 
 /// A box that tells before its list opens, so that the list has what was plugged in meanwhile.
 class PortBox : public QComboBox {
@@ -111,8 +91,8 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     , m_connect(new QPushButton(this))
     , m_portLamp(new Lamp(tr("Port"), this))
     , m_boardLamp(new Lamp(tr("Board"), this))
-    , m_firmware(new ElidedLabel(this))
-    , m_board(new ElidedLabel(this))
+    , m_firmware(new SteadyLabel(this))
+    , m_board(new SteadyLabel(this))
     , m_motor(new QComboBox(this))
 {
     setObjectName(QStringLiteral("connectBar"));
@@ -133,7 +113,11 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     m_protocol->setToolTip(tr("What the board speaks; Auto finds it out"));
     fillProtocols(*m_protocol);
     m_connect->setObjectName(QStringLiteral("connect"));
-    m_connect->setMinimumWidth(110);
+    for (const QString &word : {tr("Connect"), tr("Disconnect")}) { // it keeps its width
+        m_connect->setText(word);
+        m_connect->setMinimumWidth(
+            std::max({kConnectWidth, m_connect->minimumWidth(), m_connect->sizeHint().width()}));
+    }
     m_motor->setObjectName(QStringLiteral("motor"));
     m_motor->setAccessibleName(tr("Motor"));
     m_motor->hide();
@@ -141,10 +125,12 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
         new WheelGuard(choice);
     m_portLamp->setObjectName(QStringLiteral("portLamp"));
     m_boardLamp->setObjectName(QStringLiteral("boardLamp"));
-    for (QLabel *label : {m_firmware, m_board}) {
-        label->setTextFormat(Qt::PlainText);
+    m_portLamp->setRoomFor(
+        {tr("port open"), tr("port not open"), tr("port closed"), tr("replay, no port")});
+    m_boardLamp->setRoomFor(
+        QStringList{tr("board as recorded"), tr("no board")} + linkStateTexts());
+    for (QLabel *label : {m_firmware, m_board}) // whatever a board says
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    }
     m_firmware->setObjectName(QStringLiteral("firmware"));
     m_board->setObjectName(QStringLiteral("boardName"));
     m_board->setEnabled(false);
@@ -362,6 +348,7 @@ void ConnectBar::updateNames()
         || noBoardFound(m_device.link())) {
         m_firmware->clear();
         m_board->clear();
+        m_boardLamp->setToolTip({});
         return;
     }
     const drive::Identity &identity = identified->identity;
@@ -380,6 +367,8 @@ void ConnectBar::updateNames()
     boards.removeDuplicates();
     m_board->setText(boards.join(QStringLiteral(" + ")));
     m_board->setToolTip(boards.join(QStringLiteral(" + ")).toHtmlEscaped());
+    // Where the bar has no room for them.
+    m_boardLamp->setToolTip(m_firmware->toolTip() + QStringLiteral("<br>") + m_board->toolTip());
 }
 
 void ConnectBar::updateIdentity()

@@ -17,6 +17,7 @@ class QPushButton;
 namespace widgets {
 
 class Lamp;
+class SteadyLabel;
 
 class ConnectBar : public QWidget {
     Q_OBJECT
@@ -67,8 +68,8 @@ private:
     QPushButton *m_connect;
     Lamp *m_portLamp;
     Lamp *m_boardLamp;
-    QLabel *m_firmware;
-    QLabel *m_board;
+    SteadyLabel *m_firmware;
+    SteadyLabel *m_board;
     QComboBox *m_motor;
     std::function<void(std::function<void()>)> m_beforeOpening;
     QStringList m_typed;

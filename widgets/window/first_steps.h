@@ -1,15 +1,19 @@
 // FirstSteps: one small card at a time that leads through the first minute. It follows what the person does and goes
-// away for good when it is closed or finished; Help brings it back.
+// away for good when it is closed or finished; Help brings it back. All cards are as high as the highest of them, and the place
+// of one that has nothing to say stays free: what is below does not move until then.
 #pragma once
 
 #include "widgets/base/device.h"
 
 #include <QFrame>
 
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 
 namespace widgets {
+
+class SteadyLabel;
 
 class FirstSteps : public QFrame {
     Q_OBJECT
@@ -29,17 +33,28 @@ Q_SIGNALS:
     void exportWanted();
     void finished();
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
 private:
+    static QString textOf(Step step);
+    void fitHeight();
+    int heightWith(bool beside, bool inLine, int whole) const;
     void show(Step step);
     void follow();
     void place();
 
     Device &m_device;
-    QLabel *m_title;
+    SteadyLabel *m_title;
     QLabel *m_text;
     QPushButton *m_first;
     QPushButton *m_second;
     QPushButton *m_close;
+    QWidget *m_answers; ///< the buttons of a card
+    QBoxLayout *m_between = nullptr; ///< the buttons
+    QBoxLayout *m_rest = nullptr; ///< its text, and they beside or below it
     Step m_step = Step::Done;
     bool m_crowded = false;
 };

@@ -321,6 +321,7 @@ void MainWindow::finishTools() { m_tools->docks().makeAll(); }
 void MainWindow::connectParts()
 {
     connectFlows();
+    m_alarm->setPlace(m_scope, m_control);
     connectAlarm();
     connectWatchList();
     showMotionQuestions(m_workbench.motion(), m_device, this);

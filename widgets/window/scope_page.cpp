@@ -20,12 +20,15 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace widgets {
 namespace {
 
 /// Height of plots and what is around them, below which there is little room when cursors are read as well.
 constexpr int kCrowdedHeight = 480;
 constexpr int kButtonHeight = 26;
+constexpr int kLeastWidth = 360; ///< of the picture; the registers beside it give way first
 
 /// A green disc while the picture runs, a red square while it is held: told apart by shape, too.
 QIcon runIcon(bool running, bool live, const QPalette &palette)
@@ -57,6 +60,20 @@ QString barStyle(const QPalette &palette)
             palette.color(QPalette::Highlight).name());
 }
 
+/// What is beside a button stays where it is when it is pressed.
+void keepRoomFor(QToolButton &button, const QStringList &words)
+{
+    const QString now = button.text();
+    int widest = 0;
+    button.setMinimumWidth(0);
+    for (const QString &word : words) {
+        button.setText(word);
+        widest = std::max(widest, button.sizeHint().width());
+    }
+    button.setText(now);
+    button.setMinimumWidth(widest);
+}
+
 } // namespace
 
 ScopePage::ScopePage(const Parts &parts, QWidget *parent)
@@ -85,7 +102,7 @@ ScopePage::ScopePage(const Parts &parts, QWidget *parent)
         [this, &scope] { return scope.cursors().visible() && height() < kCrowdedHeight; });
     connect(&scope.cursors(), &Cursors::changed, m_strip, &ChannelStrip::room);
     connect(&scope, &ScopeView::drawn, m_strip, &ChannelStrip::room);
-    scope.setMinimumSize(320, 160);
+    scope.setMinimumSize(kLeastWidth, 160);
 }
 
 template <class Slot>
@@ -143,7 +160,11 @@ void ScopePage::showSource()
 {
     const bool running = m_parts.scope.running();
     m_run->setChecked(running);
-    m_run->setText(!running ? tr("Hold", "the scope's picture stands still") : sourceText());
+    const QString held = tr("Hold", "the scope's picture stands still");
+    const QString source = sourceText();
+    m_run->setText(running ? source : held);
+    if (m_runButton)
+        keepRoomFor(*m_runButton, {source, held});
     m_run->setIcon(runIcon(running, m_parts.workbench.device().answering(), palette()));
 }
 
@@ -177,21 +198,24 @@ QWidget *ScopePage::makeBar()
         connect(action, &QAction::changed, button,
             [button, action] { button->setAccessibleName(action->text()); });
         flow->addWidget(button);
+        if (action == m_run)
+            m_runButton = button;
     }
+    showSource();
+    const auto end = [bar, flow](QAction *action, const QString &name) {
+        auto *button = new QToolButton(bar);
+        button->setDefaultAction(action);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setMinimumHeight(kButtonHeight);
+        button->setAccessibleName(name);
+        flow->addWidget(button);
+        return button;
+    };
+    keepRoomFor(*end(m_parts.record.toggle(), tr("Record to disk")), RecordControl::signs());
+    end(m_parts.save, tr("Export"));
+    flow->setTrailing(2);
     layout->addWidget(buttons, 1);
-    addToBar(*layout, m_parts.record.toggle(), tr("Record to disk"));
-    addToBar(*layout, m_parts.save, tr("Export"));
     return bar;
-}
-
-void ScopePage::addToBar(QHBoxLayout &layout, QAction *action, const QString &name)
-{
-    auto *button = new QToolButton(layout.parentWidget());
-    button->setDefaultAction(action);
-    button->setFocusPolicy(Qt::TabFocus);
-    button->setMinimumHeight(kButtonHeight);
-    button->setAccessibleName(name);
-    layout.addWidget(button, 0, Qt::AlignTop);
 }
 
 /// Made when cursors are first shown.

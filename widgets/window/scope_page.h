@@ -5,7 +5,7 @@
 #include <QWidget>
 
 class QAction;
-class QHBoxLayout;
+class QToolButton;
 class QVBoxLayout;
 
 namespace widgets {
@@ -49,7 +49,6 @@ private:
     template <class Slot>
     QAction *make(const QString &text, const QKeySequence &keys, const QString &says, Slot slot);
     QWidget *makeBar();
-    void addToBar(QHBoxLayout &layout, QAction *action, const QString &name);
     void showCursorsIn(QVBoxLayout &layout);
     QString sourceText() const;
 
@@ -58,6 +57,7 @@ private:
     ChannelStrip *m_strip;
     QWidget *m_bar = nullptr;
     QAction *m_run = nullptr;
+    QToolButton *m_runButton = nullptr;
     QAction *m_follow = nullptr;
     QAction *m_fit = nullptr;
     QAction *m_fitValues = nullptr;

@@ -4,16 +4,42 @@
 #include "widgets/base/lamp.h"
 #include "widgets/base/messages.h"
 #include "widgets/base/replaying.h"
+#include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
 #include "widgets/control/fault_texts.h"
 
 #include <QFileInfo>
-#include <QLabel>
+#include <QResizeEvent>
+
+#include <initializer_list>
 
 namespace widgets {
 namespace {
 
 constexpr Milliseconds kRatePeriod{1000};
+constexpr std::uint64_t kMostCounted = 999'999; ///< that is written out in the line
+constexpr int kLongestPlace = 28; ///< characters of a port that the line has room for
+constexpr int kPartMargin = 8; ///< pixels at either side
+constexpr int kGap = 6; ///< of QStatusBar, between two parts
+
+/// A number that keeps to its room; the tool tip has it whole.
+QString countText(std::uint64_t count)
+{
+    return count > kMostCounted ? QStringLiteral("> ") + QString::number(kMostCounted)
+                                : QString::number(count);
+}
+
+QStringList motorTexts()
+{
+    using drive::MotorState;
+    QStringList all;
+    for (const MotorState state :
+        {MotorState::Unknown, MotorState::Idle, MotorState::Starting, MotorState::Running,
+            MotorState::Stopping, MotorState::FaultNow, MotorState::FaultOver})
+        all.append(StatusStrip::tr("Motor %1: %2", "number, state")
+                       .arg(QStringLiteral("0"), motorStateText(state)));
+    return all;
+}
 
 Lamp::Light lightOf(drive::LinkState state)
 {
@@ -44,13 +70,19 @@ StatusStrip::StatusStrip(Device &device, QWidget *parent)
     setSizeGripEnabled(false);
     setContentsMargins(8, 0, 8, 0);
     addWidget(m_link);
-    m_sizes = addPart("sizes");
-    m_motor = addPart("statusMotor");
-    m_faults = addPart("statusFaults");
-    m_rate = addPart("statusRate");
-    m_lost = addPart("statusLost");
-    m_bad = addPart("statusBad");
-    m_watchdog = addPart("statusWatchdog");
+    const QString most = countText(kMostCounted + 1);
+    m_sizes = addPart("sizes",
+        {tr("%1 / %2 / %3 B", "sizes in bytes: request, answer, stream")
+                .arg(QStringLiteral("2048"), QStringLiteral("4096"), QStringLiteral("8128"))});
+    m_motor = addPart("statusMotor", motorTexts());
+    m_faults = addPart("statusFaults", {tr("Faults: %1", "how many").arg(QStringLiteral("00"))});
+    m_rate = addPart("statusRate",
+        {tr("%1 kB/s (%2 %)", "received, percent of the link")
+                .arg(QStringLiteral("0000.0"), QStringLiteral("100"))});
+    m_lost = addPart("statusLost", {tr("Lost: %1", "control periods without samples").arg(most)});
+    m_bad = addPart("statusBad", {tr("Bad packets: %1").arg(most)});
+    m_watchdog = addPart("statusWatchdog",
+        {tr("Drive watchdog: none"), tr("Drive watchdog: %1 ms").arg(QStringLiteral("0000"))});
     m_sizes->setToolTip(tr("Negotiated packet sizes: request / answer / stream"));
     showHeld({});
 
@@ -66,14 +98,41 @@ StatusStrip::StatusStrip(Device &device, QWidget *parent)
     updateCounters();
 }
 
-QLabel *StatusStrip::addPart(const char *objectName)
+SteadyLabel *StatusStrip::addPart(const char *objectName, const QStringList &room)
 {
-    auto *label = new QLabel(this);
-    label->setTextFormat(Qt::PlainText);
+    auto *label = new SteadyLabel(this);
     label->setObjectName(QLatin1String(objectName));
-    label->setContentsMargins(8, 0, 8, 0);
+    label->setContentsMargins(kPartMargin, 0, kPartMargin, 0);
+    label->setRoomFor(room);
+    label->setMinimumWidth(1); // the window may be narrower than all of them
     addWidget(label);
     return label;
+}
+
+void StatusStrip::resizeEvent(QResizeEvent *event)
+{
+    QStatusBar::resizeEvent(event);
+    fit();
+}
+
+/// By what they have room for, not by what they say: nothing comes and goes while values change.
+void StatusStrip::fit()
+{
+    int left = contentsRect().width() - m_link->sizeHint().width() - kGap;
+    for (SteadyLabel *part : {m_motor, m_faults, m_watchdog, m_lost, m_rate, m_bad, m_sizes}) {
+        left -= part->sizeHint().width() + kGap;
+        part->setVisible(left >= 0);
+    }
+    tellHidden();
+}
+
+void StatusStrip::tellHidden()
+{
+    QStringList all;
+    for (const SteadyLabel *part : {m_motor, m_faults, m_watchdog, m_lost, m_rate, m_bad, m_sizes})
+        if (part->isHidden() && !part->text().isEmpty())
+            all.append(part->text());
+    m_link->setToolTip(all.join(QLatin1Char('\n')));
 }
 
 void StatusStrip::showHeld(const QString &text)
@@ -82,18 +141,26 @@ void StatusStrip::showHeld(const QString &text)
     m_rate->setToolTip(text.isEmpty() ? rate : rate + QLatin1Char('\n') + text);
 }
 
-void StatusStrip::updateLink()
+/// Of the port that is open, or was last.
+QString StatusStrip::endpointText() const
 {
     const session::Endpoint &endpoint = m_device.endpoint();
-    QString text = linkStateText(m_device.link());
-    if (m_device.portOpen()) {
-        const QString where = endpoint.kind == session::Endpoint::Kind::Simulator
-            ? tr("simulated board")
-            : deviceText(endpoint.path);
-        text = replaying(m_device)
-            ? tr("replay of %1").arg(deviceText(QFileInfo(endpoint.path).fileName()))
-            : QStringLiteral("%1 @ %2").arg(where, QString::number(endpoint.baud));
-    }
+    if (replaying(m_device))
+        return tr("replay of %1").arg(deviceText(QFileInfo(endpoint.path).fileName()));
+    const QString where = endpoint.kind == session::Endpoint::Kind::Simulator
+        ? tr("simulated board")
+        : deviceText(endpoint.path);
+    return QStringLiteral("%1 @ %2").arg(where, QString::number(endpoint.baud));
+}
+
+void StatusStrip::updateLink()
+{
+    const QString where = endpointText();
+    QStringList room = linkStateTexts();
+    room.append(where.left(kLongestPlace));
+    m_link->setRoomFor(room);
+    fit();
+    const QString text = m_device.portOpen() ? where : linkStateText(m_device.link());
     m_link->show(lightOf(m_device.link().state), text);
     updateWatchdog();
     updateCounters();
@@ -103,6 +170,7 @@ void StatusStrip::updateLink()
                                           QString::number(identified->responseBytes),
                                           QString::number(identified->streamBytes))
                                 : QString());
+    tellHidden();
 }
 
 /// What a board said of itself is of its connection.
@@ -143,6 +211,7 @@ void StatusStrip::updateMotor()
     m_faults->setText(
         tr("Faults: %1", "how many")
             .arg(QString::number(status.faultsNow.size() + faultsOver(status).size())));
+    tellHidden();
 }
 
 void StatusStrip::updateCounters()
@@ -150,16 +219,19 @@ void StatusStrip::updateCounters()
     const drive::LinkCounters &counters = m_device.counters();
     const bool open = m_device.portOpen();
     m_lost->setText(open ? tr("Lost: %1", "control periods without samples")
-                               .arg(QString::number(counters.streamLostTicks))
+                               .arg(countText(counters.streamLostTicks))
                          : QString());
-    QString lost = tr("Control periods that no packet holds");
+    QString lost = tr("Control periods that no packet holds") + QStringLiteral(": ")
+        + QString::number(counters.streamLostTicks);
     if (m_device.droppedForDisplay() > 0)
         lost += QLatin1Char('\n')
             + tr("%1 samples were recorded by the board but came too fast to be shown.")
                   .arg(QString::number(m_device.droppedForDisplay()));
     m_lost->setToolTip(lost);
-    m_bad->setText(
+    m_bad->setText(open ? tr("Bad packets: %1").arg(countText(counters.badPackets)) : QString());
+    m_bad->setToolTip(
         open ? tr("Bad packets: %1").arg(QString::number(counters.badPackets)) : QString());
+    tellHidden();
 }
 
 void StatusStrip::refresh(Milliseconds now)

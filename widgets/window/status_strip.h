@@ -1,16 +1,16 @@
 // StatusStrip: the line at the bottom of the window: link, packet sizes, motor, faults, how full the link is, what was
-// lost. It shows; it asks for nothing.
+// lost. It shows; it asks for nothing. Each part has its place, whatever it says; where there is not room for all of them the
+// least important ones are in the tool tip of the first.
 #pragma once
 
 #include "widgets/base/device.h"
 
 #include <QStatusBar>
 
-class QLabel;
-
 namespace widgets {
 
 class Lamp;
+class SteadyLabel;
 
 class StatusStrip : public QStatusBar {
     Q_OBJECT
@@ -20,8 +20,14 @@ public:
     void refresh(Milliseconds now); ///< rates, once a second
     void showHeld(const QString &text); ///< what the samples take, in the tool tip of the rate
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
-    QLabel *addPart(const char *objectName);
+    SteadyLabel *addPart(const char *objectName, const QStringList &room);
+    QString endpointText() const;
+    void fit();
+    void tellHidden();
     std::optional<drive::Identified> connected() const;
     void updateLink();
     void updateWatchdog();
@@ -30,13 +36,13 @@ private:
 
     Device &m_device;
     Lamp *m_link;
-    QLabel *m_sizes;
-    QLabel *m_motor;
-    QLabel *m_faults;
-    QLabel *m_rate;
-    QLabel *m_lost;
-    QLabel *m_bad;
-    QLabel *m_watchdog;
+    SteadyLabel *m_sizes;
+    SteadyLabel *m_motor;
+    SteadyLabel *m_faults;
+    SteadyLabel *m_rate;
+    SteadyLabel *m_lost;
+    SteadyLabel *m_bad;
+    SteadyLabel *m_watchdog;
     Milliseconds m_lastTime{};
     std::uint64_t m_lastBytes = 0;
 };

@@ -1,50 +1,153 @@
 // Nothing that one could be about to click changes its place while messages, faults, stops and recordings come and go.
+#include "support/still_places.h"
 #include "support/window_rig.h"
 #include "widgets/base/banner.h"
 #include "widgets/base/theme.h"
+#include "widgets/control/stop_alarm.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/scope/signals/signal_selection.h"
+#include "widgets/scope/trigger/trigger_control.h"
 
-#include <QAbstractButton>
-#include <QAbstractItemView>
 #include <QAction>
-#include <QComboBox>
+#include <QCheckBox>
 #include <QDockWidget>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
 #include <QScreen>
 #include <QTemporaryDir>
+#include <QTranslator>
 
 #include <cstdlib>
-#include <map>
 
+using drive::LinkReason;
+using drive::LinkState;
 using drive::MotorState;
 using drive::StopWord;
+
+namespace {
+
+constexpr std::uint32_t kReference = 0x98, kTorque = 0x8D0, kPower = 0x5A8, kHeat = 0x5D0,
+                        kMode = 0x42;
+
+/// A board that tells all that the panels have a place for.
+drive::Identified boardWith(int motors)
+{
+    using namespace catalog;
+    drive::Identified board = facts::identified();
+    const auto add = [](std::uint32_t id, const char *name, ValueType type, const char *unit) {
+        RegisterInfo info = facts::makeRegister(id, name, "Measurements");
+        info.type = type;
+        info.unit = unit;
+        return info;
+    };
+    std::vector<RegisterInfo> registers = board.catalog->registers();
+    registers.push_back(add(kReference, "SPEED_REF", ValueType::S32, "rpm"));
+    registers.push_back(add(kTorque, "I_Q_MEAS", ValueType::S16, ""));
+    registers.back().quantity = Quantity::Current;
+    registers.back().streaming = Streaming::Fast;
+    registers.push_back(add(kPower, "MOTOR_POWER", ValueType::F32, "W"));
+    registers.push_back(add(kHeat, "HEATS_TEMP", ValueType::S16, "\u00b0C"));
+    registers.push_back(add(kMode, "CONTROL_MODE", ValueType::U8, ""));
+    Scales scales;
+    scales.ampsPerDigit = 0.002;
+    board.catalog =
+        std::make_shared<const Catalog>(std::move(registers), 1, std::vector<Scales>{scales});
+    board.identity.motors = motors;
+    board.limits.resize(std::size_t(motors), board.limits.front());
+    board.requestBytes = board.responseBytes = 128;
+    board.streamBytes = 2048;
+    return board;
+}
+
+drive::MotorStatus named(MotorState state, const char *name)
+{
+    drive::MotorStatus status = facts::status(state);
+    status.stateName = name;
+    return status;
+}
+
+} // namespace
 
 class TestStillWindow : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init()
-    {
-        m_rig = std::make_unique<facts::WindowRig>();
-        m_rig->window.resize(1280, 720);
-        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
-        m_rig->workbench.setSessionClock([] { return TimePoint{}; });
-        facts::connectBoard(device());
-        facts::feed(device(), {facts::status(MotorState::Idle)});
-        settle();
-        m_before = places();
-        QVERIFY(m_before.size() > 25);
-    }
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
     void cleanup()
     {
-        device().portChanged(session::PortState::Closed, {});
+        if (m_rig)
+            device().portChanged(session::PortState::Closed, {});
         m_rig.reset();
+        QCoreApplication::removeTranslator(&m_german);
+    }
+
+    void nothingMoves_data()
+    {
+        QTest::addColumn<Happening>("happening");
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<bool>("german");
+        QTest::addColumn<QString>("tool"); // that is open below the scope; empty: none
+        const std::pair<const char *, Happening> all[] = {
+            {"messages", &TestStillWindow::messages},
+            {"armed", &TestStillWindow::armed},
+            {"run", &TestStillWindow::run},
+            {"faults", &TestStillWindow::faults},
+            {"stop", &TestStillWindow::stop},
+            {"stops of two motors", &TestStillWindow::stopsOfTwoMotors},
+            {"stop not confirmed", &TestStillWindow::stopNotConfirmed},
+            {"hiccup of the link", &TestStillWindow::hiccup},
+            {"link lost", &TestStillWindow::linkLost},
+            {"board reset", &TestStillWindow::boardReset},
+            {"recording", &TestStillWindow::recording},
+            {"trigger", &TestStillWindow::trigger},
+            {"values", &TestStillWindow::values},
+            {"counters", &TestStillWindow::counters},
+            {"polled signals", &TestStillWindow::polledSignals},
+            {"picture held", &TestStillWindow::pictureHeld},
+            {"first steps", &TestStillWindow::firstSteps},
+        };
+        for (const auto &[name, happening] : all) {
+            QTest::addRow("%s", name) << happening << QSize(1280, 720) << false << QString();
+            QTest::addRow("%s, German", name) << happening << QSize(1280, 720) << true << QString();
+            QTest::addRow("%s, small", name) << happening << QSize(960, 600) << false << QString();
+            QTest::addRow("%s, small and German", name)
+                << happening << QSize(960, 600) << true << QString();
+        }
+        const auto beside = [](const char *name, Happening happening, const char *tool) {
+            QTest::addRow("%s", name)
+                << happening << QSize(1280, 720) << true << QString::fromLatin1(tool);
+        };
+        beside("faults, listed", &TestStillWindow::faults, "eventDock");
+        beside("trigger, with a spectrum", &TestStillWindow::trigger, "spectrumDock");
+        beside("link lost, with what was read", &TestStillWindow::linkLost, "motorDock");
+    }
+    void nothingMoves()
+    {
+        QFETCH(Happening, happening);
+        QFETCH(QSize, size);
+        QFETCH(bool, german);
+        QFETCH(QString, tool);
+        if (german) {
+            QVERIFY(m_german.load(QStringLiteral(":/i18n/rotorscope_de")));
+            QCoreApplication::installTranslator(&m_german);
+        }
+        open(size, happening == &TestStillWindow::stopsOfTwoMotors ? 2 : 1,
+            happening == &TestStillWindow::firstSteps);
+        QCOMPARE(m_rig->window.size(), size);
+        if (!tool.isEmpty()) {
+            m_rig->find<QAction>(qPrintable(tool + QStringLiteral("Open")))->trigger();
+            settle();
+            remember();
+        }
+        (this->*happening)();
+        QVERIFY(m_steps > 0);
+        QVERIFY2(m_moved.isEmpty(), qPrintable(m_moved));
     }
 
     void messagesLieOverThePicture()
     {
+        open();
         for (const auto kind : {widgets::Banner::Kind::Note, widgets::Banner::Kind::Warning,
                  widgets::Banner::Kind::Bad}) {
             auto *banner = m_rig->find<widgets::Banner>("banner");
@@ -58,7 +161,7 @@ private Q_SLOTS:
             QVERIFY(picture.contains(banner->geometry()));
             const auto *text = m_rig->find<QLabel>("bannerText");
             QVERIFY(text->height() >= text->heightForWidth(text->width()));
-            QCOMPARE(moved(), QString());
+            QCOMPARE(m_places->moved(), QString());
             m_rig->window.resize(1100, 700); // it goes along
             settle();
             QCOMPARE(banner->width(), plot->width());
@@ -75,76 +178,41 @@ private Q_SLOTS:
             const QImage with = m_rig->window.scope()->grab().toImage();
             banner->clear();
             QVERIFY(with == m_rig->window.scope()->grab().toImage()); // no picture has it
-            QCOMPARE(moved(), QString());
+            QCOMPARE(m_places->moved(), QString());
         }
     }
 
-    void faultsComeAndGo()
+    /// The real session in its thread, all that a board tells while its motor is started, turns and stops.
+    void nothingMovesWhileASimulatedMotorRuns()
     {
-        drive::MotorStatus fault = facts::status(MotorState::FaultNow);
-        fault.faultsNow = {"OVER_VOLT"};
-        facts::feed(device(), {fault});
-        QCOMPARE(moved(), QString());
-        fault.state = MotorState::FaultOver;
-        fault.faultsNow.clear();
-        fault.faultsPast = {"OVER_VOLT"};
-        facts::feed(device(), {fault});
-        QCOMPARE(moved(), QString());
-        facts::feed(device(), {facts::status(MotorState::Idle)});
-        QCOMPARE(moved(), QString());
-    }
-
-    void armingRunningAndStopping()
-    {
-        device().armedChanged(true);
-        QCOMPARE(moved(), QString());
-        for (const MotorState state : {MotorState::Starting, MotorState::Running})
-            facts::feed(device(), {facts::status(state)});
-        QCOMPARE(moved(), QString());
-        for (const StopWord word :
-            {StopWord::Requested, StopWord::Accepted, StopWord::DriveIdle, StopWord::Standstill}) {
-            facts::feed(device(), {drive::StopProgress{1, word, {}}});
-            QCOMPARE(moved(), QString());
-        }
-        device().armedChanged(false);
-        facts::feed(device(), {facts::status(MotorState::Idle)});
-        QCOMPARE(moved(), QString());
-    }
-
-    void armingARealBoard()
-    {
-        device().disconnect(SIGNAL(openWished(session::Endpoint)));
-        device().disconnect(SIGNAL(closeWished()));
-        session::Endpoint endpoint;
-        endpoint.kind = session::Endpoint::Kind::Serial;
-        endpoint.path = QStringLiteral("/a/board");
-        device().open(endpoint);
-        facts::connectBoard(device());
+        m_rig = std::make_unique<facts::WindowRig>();
+        m_rig->sayYesToMotion();
+        m_rig->window.resize(1280, 720);
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        QTest::mouseClick(m_rig->find<QPushButton>("connect"), Qt::LeftButton);
+        QTRY_COMPARE(m_rig->window.scope()->channels().size(), 4);
+        QTRY_VERIFY(device().statusIsNow(1));
         settle();
-        m_before = places();
-        for (const bool armed : {true, false}) {
-            device().armedChanged(armed);
-            QCOMPARE(moved(), QString());
-        }
-    }
-
-    void recordingsBeginAndEnd()
-    {
-        QTemporaryDir folder;
-        m_rig->files.answer = folder.filePath(QStringLiteral("a.pcapng"));
-        auto *toggle = m_rig->find<QAction>("record");
-        auto *line = m_rig->find<QWidget>("recordLine");
-        toggle->trigger();
-        QTRY_VERIFY(line->isVisible());
-        QCOMPARE(moved(), QString());
-        toggle->trigger();
-        QTRY_VERIFY(!line->isVisible());
-        QCOMPARE(moved(), QString());
+        remember();
+        connect(&m_rig->workbench, &widgets::Workbench::heartbeat, this,
+            [this] { note(QStringLiteral("a heartbeat")); });
+        QTest::keyClick(m_rig->find<QCheckBox>("arm"), Qt::Key_Space);
+        QTRY_VERIFY(m_rig->find<QPushButton>("start")->isEnabled());
+        look(QStringLiteral("armed"));
+        QTest::mouseClick(m_rig->find<QPushButton>("start"), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(device().status(1).state, MotorState::Running, 15000);
+        look(QStringLiteral("runs"));
+        QTest::keyClick(&m_rig->window, Qt::Key_Escape);
+        QTRY_COMPARE_WITH_TIMEOUT(device().status(1).state, MotorState::Idle, 5000);
+        look(QStringLiteral("stopped"));
+        QVERIFY(m_steps > 5);
+        QVERIFY2(m_moved.isEmpty(), qPrintable(m_moved));
     }
 
     /// What it covers stays readable: a message has the colours of the theme that is on.
     void aMessageFollowsTheTheme()
     {
+        open();
         auto *banner = m_rig->find<widgets::Banner>("banner");
         widgets::applyTheme(widgets::Theme::Light);
         banner->say(widgets::Banner::Kind::Warning, QStringLiteral("Look."));
@@ -180,6 +248,7 @@ private Q_SLOTS:
 
     void theKeysFitSmallScreens()
     {
+        open();
         for (QAction *action : m_rig->window.findChildren<QAction *>())
             if (action->shortcut() == QKeySequence(Qt::Key_F1))
                 action->trigger();
@@ -193,59 +262,359 @@ private Q_SLOTS:
         keys->close();
     }
 
-    void aHiccupOfTheLink()
-    {
-        using drive::LinkReason;
-        using drive::LinkState;
-        for (const LinkState state :
-            {LinkState::Suspect, LinkState::Recovering, LinkState::Connected}) {
-            facts::feed(device(), {drive::LinkChanged{state, LinkReason::None}});
-            QCOMPARE(moved(), QString());
-        }
-    }
-
 private:
+    using Happening = void (TestStillWindow::*)();
+
     widgets::Device &device() { return m_rig->workbench.device(); }
     void settle()
     {
         for (int round = 0; round < 3; ++round) // a layout, and what its change asks for
             QCoreApplication::processEvents();
     }
-    /// What can be clicked or typed into, but for the message itself.
-    std::map<QString, QRect> places()
+
+    /// A window in which a board was met, and that has its layout for it.
+    void open(const QSize &size = {1280, 720}, int motors = 1, bool cards = false)
     {
-        std::map<QString, QRect> found;
-        const auto *banner = m_rig->find<QWidget>("banner");
-        for (const QWidget *widget : m_rig->window.findChildren<QWidget *>()) {
-            const bool used = qobject_cast<const QAbstractButton *>(widget)
-                || qobject_cast<const QLineEdit *>(widget)
-                || qobject_cast<const QComboBox *>(widget)
-                || qobject_cast<const QAbstractItemView *>(widget)
-                || widget->objectName() == QLatin1String("scopePlot");
-            if (used && !widget->objectName().isEmpty() && widget->isVisible()
-                && widget->window() == &m_rig->window && !banner->isAncestorOf(widget))
-                found[widget->objectName()] =
-                    QRect(widget->mapTo(&m_rig->window, QPoint()), widget->size());
+        widgets::Settings settings;
+        settings.firstStepsDone = !cards;
+        m_rig = std::make_unique<facts::WindowRig>(settings);
+        m_rig->window.resize(size);
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        m_rig->workbench.setSessionClock([] { return TimePoint{}; });
+        device().disconnect(SIGNAL(openWished(session::Endpoint)));
+        device().disconnect(SIGNAL(closeWished()));
+        session::Endpoint endpoint;
+        endpoint.kind = session::Endpoint::Kind::Serial;
+        endpoint.path = QStringLiteral("/dev/ttyACM0");
+        endpoint.baud = 1843200;
+        device().open(endpoint);
+        device().portChanged(session::PortState::Open, {});
+        facts::feed(device(),
+            {drive::LinkChanged{LinkState::Connected, LinkReason::None}, boardWith(motors)});
+        for (int motor = 1; motor <= motors; ++motor) {
+            drive::MotorStatus idle = named(MotorState::Idle, "IDLE");
+            idle.motor = motor;
+            facts::feed(device(), {idle});
         }
-        return found;
+        settle();
+        remember();
     }
-    /// The first one that is elsewhere, in words. What comes or goes itself is none of it.
-    QString moved()
+    void remember()
+    {
+        m_places = std::make_unique<facts::StillPlaces>(
+            m_rig->window, QStringList{QStringLiteral("banner"), QStringLiteral("staleMark")});
+        QVERIFY(m_places->count() > 40);
+        m_moved.clear();
+        m_steps = 0;
+    }
+    /// Looks what the last thing that happened has moved, and keeps the first that did.
+    void look(const QString &what)
     {
         settle();
-        const auto now = places();
-        for (const auto &[name, place] : m_before) {
-            const auto at = now.find(name);
-            if (at != now.end() && at->second.topLeft() != place.topLeft())
-                return QStringLiteral("%1 from %2,%3 to %4,%5")
-                    .arg(name, QString::number(place.x()), QString::number(place.y()),
-                        QString::number(at->second.x()), QString::number(at->second.y()));
+        note(what);
+    }
+    void note(const QString &what)
+    {
+        ++m_steps;
+        if (const QString moved = m_places->moved(); m_moved.isEmpty() && !moved.isEmpty())
+            m_moved = what + QStringLiteral(": ") + moved;
+    }
+    void tell(std::vector<drive::Event> events, const char *what)
+    {
+        facts::feed(device(), std::move(events));
+        look(QLatin1String(what));
+    }
+
+    // What can happen; each looks after each step.
+    void messages()
+    {
+        auto *banner = m_rig->find<widgets::Banner>("banner");
+        for (const auto kind : {widgets::Banner::Kind::Note, widgets::Banner::Kind::Warning,
+                 widgets::Banner::Kind::Bad}) {
+            banner->say(
+                kind, QStringLiteral("A sentence that needs more than one line. ").repeated(4));
+            look(QStringLiteral("said"));
+            banner->clear();
+            look(QStringLiteral("cleared"));
         }
-        return {};
+    }
+
+    void armed()
+    {
+        for (const bool on : {true, false}) {
+            device().armedChanged(on);
+            look(on ? QStringLiteral("armed") : QStringLiteral("disarmed"));
+        }
+    }
+
+    void run()
+    {
+        device().armedChanged(true);
+        for (const auto &[state, name] : {std::pair(MotorState::Starting, "CHARGE_BOOT_CAP"),
+                 std::pair(MotorState::Starting, "ALIGNMENT"),
+                 std::pair(MotorState::Starting, "SWITCH_OVER"),
+                 std::pair(MotorState::Running, "RUN"),
+                 std::pair(MotorState::Stopping, "A_STATE_THAT_NO_STRIP_HAS"),
+                 std::pair(MotorState::Idle, "IDLE")})
+            tell({named(state, name)}, name);
+        for (const int mode : {3, 4, 0})
+            tell({drive::RegistersRead{{facts::reading(kMode, std::int64_t{mode})}}},
+                "control mode");
+    }
+
+    void faults()
+    {
+        const std::vector<std::string> one{"OVER_VOLT"},
+            many{"OVER_VOLT", "UNDER_VOLT", "OVER_TEMP", "START_UP", "SPEED_FDBK", "OVER_CURR",
+                "SW_ERROR"};
+        drive::MotorStatus fault = named(MotorState::FaultNow, "FAULT_NOW");
+        fault.faultsNow = one;
+        tell({fault}, "a fault");
+        fault.faultsNow = many;
+        tell({fault}, "many faults");
+        fault.faultsPast = many;
+        fault.faultsNow = {"OVER_VOLT", "UNDER_VOLT", "OVER_TEMP", "START_UP"};
+        tell({fault}, "some are over");
+        fault = named(MotorState::FaultOver, "FAULT_OVER");
+        fault.faultsPast = many;
+        tell({fault}, "all are over");
+        fault.faultsPast = one;
+        tell({fault}, "one is over");
+        tell({named(MotorState::Idle, "IDLE")}, "acknowledged");
+    }
+
+    void stop()
+    {
+        tell({named(MotorState::Running, "RUN")}, "running");
+        for (const StopWord last : {StopWord::Standstill, StopWord::MayCoast}) {
+            for (const StopWord word :
+                {StopWord::Requested, StopWord::Accepted, StopWord::DriveIdle, last})
+                tell({drive::StopProgress{1, word, {}}}, "a word of a stop");
+            for (const int seconds : {1, 9, 10, 100, 1000, 100000}) {
+                Q_EMIT m_rig->workbench.heartbeat(widgets::Milliseconds(1000 * seconds));
+                look(QStringLiteral("%1 s after a stop").arg(seconds));
+            }
+            tell({named(MotorState::Starting, "ALIGNMENT"), named(MotorState::Running, "RUN")},
+                "running again");
+        }
+    }
+
+    void stopsOfTwoMotors()
+    {
+        for (const StopWord last : {StopWord::Standstill, StopWord::MayCoast}) {
+            for (const StopWord word :
+                {StopWord::Requested, StopWord::Accepted, StopWord::DriveIdle, last})
+                for (const int motor : {1, 2})
+                    tell({drive::StopProgress{motor, word, {}}}, "a word of a stop");
+        }
+    }
+
+    /// Neither the window, nor the alarm itself while evidence comes: a hand is on its way to its buttons.
+    void stopNotConfirmed()
+    {
+        tell({drive::StopProgress{1, StopWord::Requested, {}}}, "requested");
+        tell({drive::StopProgress{1, StopWord::NotConfirmed, {}}}, "not confirmed");
+        auto *alarm = m_rig->find<widgets::StopAlarm>("stopAlarm");
+        QVERIFY(alarm->isVisible());
+        const auto onScreen = [](const QWidget *widget) {
+            return QRect(widget->mapToGlobal(QPoint()), widget->size());
+        };
+        for (const char *name : {"stop", "stopMotors"}) // what stops is not to be hidden
+            QVERIFY2(
+                !alarm->frameGeometry().intersects(onScreen(m_rig->find<QWidget>(name))), name);
+        const facts::StillPlaces places(*alarm);
+        const QRect before = onScreen(alarm);
+        for (const StopWord word :
+            {StopWord::Accepted, StopWord::DriveIdle, StopWord::MayCoast, StopWord::Standstill}) {
+            tell({drive::StopProgress{1, word, {}}}, "evidence under an alarm");
+            QCOMPARE(onScreen(alarm), before);
+            QCOMPARE(places.moved(), QString());
+        }
+        alarm->close();
+        look(QStringLiteral("alarm closed"));
+    }
+
+    void hiccup()
+    {
+        for (const LinkState state :
+            {LinkState::Suspect, LinkState::Recovering, LinkState::Connected})
+            tell({drive::LinkChanged{state, LinkReason::None}}, "hiccup");
+        tell({named(MotorState::Idle, "IDLE")}, "heard again");
+    }
+
+    void linkLost()
+    {
+        tell({named(MotorState::Running, "RUN")}, "running");
+        tell({drive::LinkChanged{LinkState::Lost, LinkReason::Silence}}, "lost");
+        tell({drive::LinkChanged{LinkState::Connecting, LinkReason::None}}, "looked for");
+        tell({drive::LinkChanged{LinkState::Lost, LinkReason::RecoveryFailed}}, "lost again");
+        session::PortError pulled;
+        pulled.problem = session::PortProblem::Unplugged;
+        device().portChanged(session::PortState::Closed, pulled);
+        look(QStringLiteral("unplugged"));
+        device().portChanged(session::PortState::Open, {});
+        look(QStringLiteral("plugged in"));
+        tell({drive::LinkChanged{LinkState::Connecting, LinkReason::None}}, "looked for again");
+        tell({drive::LinkChanged{LinkState::Connected, LinkReason::None}, boardWith(1),
+                 named(MotorState::Idle, "IDLE")},
+            "back");
+    }
+
+    void boardReset()
+    {
+        device().armedChanged(true);
+        tell({drive::LinkChanged{LinkState::Recovering, LinkReason::None}}, "recovering");
+        tell({drive::LinkChanged{LinkState::Connected, LinkReason::BoardReset}}, "reset");
+        tell({named(MotorState::Idle, "IDLE")}, "idle");
+    }
+
+    void recording()
+    {
+        QTemporaryDir folder;
+        m_rig->files.answer = folder.filePath(QStringLiteral("a.pcapng"));
+        auto *toggle = m_rig->find<QAction>("record");
+        auto *line = m_rig->find<QWidget>("recordLine");
+        toggle->trigger();
+        QTRY_VERIFY(line->isVisible());
+        look(QStringLiteral("recording"));
+        session::RecordingProgress much;
+        much.counts.bytes = 123'456'789'012;
+        much.lost.samples = 123456;
+        Q_EMIT m_rig->workbench.recording().progressed(much);
+        look(QStringLiteral("much recorded"));
+        toggle->trigger();
+        QTRY_VERIFY(!line->isVisible());
+        look(QStringLiteral("ended"));
+    }
+
+    void record(int count, int digits, capture::Tick &tick)
+    {
+        capture::SampleBlock block{1, tick, static_cast<std::uint32_t>(count), {}, {}, 0};
+        for (int signal = 0; signal < 2; ++signal)
+            for (int i = 0; i < count; ++i)
+                block.fast.push_back(
+                    static_cast<std::int16_t>((tick + i) % 100 < 50 ? digits : -digits));
+        tick += count;
+        facts::feed(device(), {block});
+    }
+    void stream()
+    {
+        facts::feed(device(),
+            {drive::StreamStarted{capture::StreamLayout{1, 1000.0, 0.0, 1,
+                {{facts::kCurrentA, "I_A", "A", 0.002, 0.0},
+                    {facts::kCurrentB, "I_B", "A", 0.002, 0.0}},
+                {}}}});
+    }
+
+    void trigger()
+    {
+        capture::Tick tick = 0;
+        stream();
+        record(500, 5000, tick);
+        auto *control = m_rig->window.findChild<widgets::TriggerControl *>();
+        widgets::TriggerSetup setup = control->trigger().setup();
+        setup.mode = scope::Mode::Normal;
+        setup.length = 0.2;
+        setup.hysteresis = 0.001;
+        setup.level = 100.0; // nothing gets there
+        control->setSetup(setup); // the hand's own choice gives the bar its fields
+        settle();
+        remember();
+        record(500, 5000, tick);
+        look(QStringLiteral("armed"));
+        control->trigger().force();
+        record(50, 5000, tick);
+        look(QStringLiteral("forced"));
+        record(1000, 5000, tick);
+        look(QStringLiteral("fired"));
+        for (int more = 0; more < 30; ++more)
+            record(500, 5000, tick);
+        Q_EMIT m_rig->workbench.heartbeat(widgets::Milliseconds(100'000));
+        look(QStringLiteral("an old record"));
+        control->trigger().force();
+        record(1000, 5000, tick);
+        look(QStringLiteral("fired again"));
+        m_rig->window.scope()->setRunning(false);
+        look(QStringLiteral("held"));
+        m_rig->window.scope()->setRunning(true);
+        look(QStringLiteral("runs on"));
+    }
+
+    void values()
+    {
+        capture::Tick tick = 0;
+        stream();
+        record(500, 0, tick);
+        settle();
+        remember();
+        for (const double value : {0.0, 9.99, -99.9, 1234.5, -12345.6}) {
+            const auto whole = static_cast<std::int64_t>(value);
+            record(500, int(std::abs(whole)), tick);
+            tell({drive::RegistersRead{{facts::reading(facts::kSpeed, whole),
+                     facts::reading(kReference, whole), facts::reading(kTorque, whole),
+                     facts::reading(facts::kVoltage, std::abs(whole)),
+                     facts::reading(kPower, value), facts::reading(kHeat, whole)}}},
+                qPrintable(QString::number(value)));
+        }
+    }
+
+    void counters()
+    {
+        for (const std::uint64_t count : {9ULL, 1000ULL, 123'456'789ULL, 4'000'000'000'000ULL}) {
+            drive::LinkCounters counters;
+            counters.streamLostTicks = counters.badPackets = count;
+            counters.bytesIn = m_bytes += count;
+            facts::feed(device(), {counters});
+            Q_EMIT m_rig->workbench.heartbeat(widgets::Milliseconds(m_beat += 3600'000));
+            look(QStringLiteral("%1 counted").arg(count));
+        }
+    }
+
+    void polledSignals()
+    {
+        TimePoint at{};
+        for (const double hz : {0.4, 3.0, 9.8, 12.0, 250.0, 3.0}) {
+            std::vector<drive::Reading> readings;
+            for (int i = 0; i < 5; ++i) {
+                drive::Reading one = facts::reading(facts::kSpeed, std::int64_t{i});
+                one.at = at +=
+                    std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1.0 / hz));
+                readings.push_back(one);
+            }
+            facts::feed(device(), {drive::RegistersRead{readings}});
+            Q_EMIT m_rig->workbench.heartbeat(widgets::Milliseconds(m_beat += 3600'000));
+            look(QStringLiteral("%1 a second").arg(hz));
+        }
+    }
+
+    void pictureHeld()
+    {
+        for (const bool runs : {false, true}) {
+            m_rig->window.scope()->setRunning(runs);
+            look(runs ? QStringLiteral("runs") : QStringLiteral("held"));
+        }
+    }
+
+    /// The cards say something else, or nothing, without a place of their own.
+    void firstSteps()
+    {
+        const bool low = m_rig->window.height() < 720; // the scope needs the place then
+        QCOMPARE(m_rig->find<QWidget>("firstSteps")->isVisible(), !low);
+        tell({drive::LinkChanged{LinkState::Suspect, LinkReason::None}}, "silent");
+        tell({drive::LinkChanged{LinkState::Connected, LinkReason::None},
+                 named(MotorState::Idle, "IDLE")},
+            "heard again");
+        tell({named(MotorState::Running, "RUN")}, "running");
+        tell({named(MotorState::Idle, "IDLE")}, "idle again");
     }
 
     std::unique_ptr<facts::WindowRig> m_rig;
-    std::map<QString, QRect> m_before;
+    std::unique_ptr<facts::StillPlaces> m_places;
+    QTranslator m_german;
+    QString m_moved;
+    int m_steps = 0;
+    qint64 m_beat = 0;
+    std::uint64_t m_bytes = 0;
 };
 
 QTEST_MAIN(TestStillWindow)

@@ -50,6 +50,8 @@ EventPanel::EventPanel(ScopeView &scope, QWidget *parent)
     m_list->setAccessibleName(tr("Events and markers"));
     m_list->setRootIsDecorated(false);
     m_list->setUniformRowHeights(true);
+    m_list->setVerticalScrollBarPolicy(
+        Qt::ScrollBarAlwaysOn); // its columns stay when the list is full
     m_list->setAllColumnsShowFocus(true);
     m_list->setAlternatingRowColors(true);
     m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);

@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/flow_layout.h"
+#include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/scope/scope_drop.h"
@@ -24,10 +25,11 @@
 namespace widgets {
 namespace {
 
-/// Two digits, never three ("10.0"): a chip whose width changes from beat to beat moves the ones after it.
+/// Two digits, never three ("10.0").
 QString rateText(double hz) { return numberText(hz, hz < 9.95 ? 1 : 0); }
 
 constexpr unsigned kSlowestRate = 256;
+constexpr double kGreatestRate = 888.0; ///< a chip has room for, times a second
 constexpr Milliseconds kMeasureOver{1000};
 
 struct Channels {
@@ -46,6 +48,15 @@ QString routeText(Route route)
     }
     return {};
 }
+
+QString polledText(double hz)
+{
+    return routeText(Route::Polled) + QLatin1Char(' ')
+        + ChannelStrip::tr("%1/s", "times a second").arg(rateText(hz));
+}
+
+/// With the sign that there is more behind it.
+QString tagText(const QString &words) { return words + QStringLiteral(" \u25be"); }
 
 QString detourText(Detour detour)
 {
@@ -87,7 +98,7 @@ public:
         remove->setAccessibleName(ChannelStrip::tr("Remove %1").arg(name));
         remove->setToolTip(ChannelStrip::tr("Take it off the scope"));
         auto *layout = new QHBoxLayout(this);
-        layout->setContentsMargins(21, 1, 2, 1);
+        layout->setContentsMargins(19, 1, 2, 1);
         layout->setSpacing(2);
         layout->addWidget(label);
         layout->addWidget(tag);
@@ -113,7 +124,7 @@ protected:
         painter.setPen(Qt::NoPen);
         painter.setBrush(
             m_color.isValid() ? m_color : palette().color(QPalette::Disabled, QPalette::Text));
-        painter.drawRoundedRect(QRectF(6, height() / 2.0 - 5, 10, 10), 2, 2);
+        painter.drawRoundedRect(QRectF(5, height() / 2.0 - 5, 10, 10), 2, 2);
     }
 
 private:
@@ -128,23 +139,25 @@ ChannelStrip::ChannelStrip(SignalSelection &selection, Device &device, QWidget *
     , m_selection(selection)
     , m_device(device)
     , m_chips(new QWidget(this))
-    , m_flow(new FlowLayout(5, m_chips))
-    , m_empty(new QLabel(
-          tr("Drag registers here or onto the scope, or press Enter in the list."), this))
+    , m_flow(new FlowLayout(4, m_chips))
+    , m_empty(new SteadyLabel(this))
     , m_fold(new QToolButton(this))
     , m_rateLabel(new QLabel(tr("HF rate"), this))
     , m_rate(new QComboBox(this))
-    , m_budget(new QLabel(this))
+    , m_budget(new SteadyLabel(this))
 {
     setObjectName(QStringLiteral("channelStrip"));
     setAcceptDrops(true);
+    m_empty->setText(tr("Drag registers here or onto the scope, or press Enter in the list."));
     m_empty->setEnabled(false);
+    m_empty->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_rate->setObjectName(QStringLiteral("fastRate"));
     new WheelGuard(m_rate);
     m_rate->setAccessibleName(tr("Rate of the fast signals"));
     m_rate->setToolTip(tr("Samples a second of each HF signal"));
     m_budget->setObjectName(QStringLiteral("linkBudget"));
-    m_budget->setTextFormat(Qt::PlainText);
+    m_budget->setSizePolicy(
+        QSizePolicy::Ignored, QSizePolicy::Preferred); // never makes the window wider
 
     m_fold->setObjectName(QStringLiteral("foldChips"));
     m_fold->setAutoRaise(true);
@@ -229,7 +242,12 @@ QWidget *ChannelStrip::makeChip(const PlannedSignal &planned)
     tag->setAutoRaise(true);
     // The style's own arrow overlaps so short a text.
     tag->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
-    tag->setText(routeText(planned.route) + QStringLiteral(" \u25be"));
+    if (planned.route
+        == Route::Polled) { // the chips behind it stay where they are when its rate is known
+        tag->setText(tagText(polledText(kGreatestRate)));
+        tag->setMinimumWidth(tag->sizeHint().width());
+    }
+    tag->setText(tagText(routeText(planned.route)));
     tag->setPopupMode(QToolButton::InstantPopup);
     tag->setAccessibleName(tr("How %1 is recorded: %2").arg(name, routeText(planned.route)));
     tag->setToolTip(planned.detour == Detour::None ? tr("How this signal is recorded")
@@ -279,7 +297,7 @@ void ChannelStrip::showRates()
             tip.append(detourText(planned.detour));
         if (const auto reached = m_rates.reached(planned.id)) {
             const QString rate = rateText(reached->hz);
-            text += QLatin1Char(' ') + tr("%1/s", "times a second").arg(rate);
+            text = polledText(reached->hz);
             tip.append(tr("Read %1 times a second.").arg(rate));
             if (reached->spread_s > 0.0)
                 tip.append(
@@ -287,7 +305,7 @@ void ChannelStrip::showRates()
                        "question and answer lie so far apart.")
                         .arg(numberText(reached->spread_s * 1e3, 1)));
         }
-        tag->second->setText(text + QStringLiteral(" \u25be"));
+        tag->second->setText(tagText(text));
         tag->second->setToolTip(
             tip.isEmpty() ? tr("How this signal is recorded") : tip.join(QLatin1Char('\n')));
         tag->second->setAccessibleDescription(tip.join(QLatin1Char(' ')));

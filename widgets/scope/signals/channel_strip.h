@@ -18,6 +18,7 @@ class QToolButton;
 namespace widgets {
 
 class FlowLayout;
+class SteadyLabel;
 
 class ChannelStrip : public QWidget {
     Q_OBJECT
@@ -70,11 +71,11 @@ private:
     Device &m_device;
     QWidget *m_chips;
     FlowLayout *m_flow;
-    QLabel *m_empty;
+    SteadyLabel *m_empty;
     QToolButton *m_fold;
     QLabel *m_rateLabel;
     QComboBox *m_rate;
-    QLabel *m_budget;
+    SteadyLabel *m_budget;
     QList<Computed> m_computed;
     std::optional<double> m_measured; ///< bytes a second
     PolledRates m_rates;

@@ -2,10 +2,11 @@
 
 #include "widgets/base/flow_layout.h"
 #include "widgets/base/reading_text.h"
-#include "widgets/scope/trigger/snug_combo_box.h"
+#include "widgets/base/steady_label.h"
 #include "widgets/base/value_edit.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/scope/trigger/snug_combo_box.h"
 #include "widgets/scope/trigger/trigger_control.h"
 
 #include <QAbstractItemView>
@@ -31,6 +32,8 @@ constexpr int kNameLetters = 20; ///< the same of a trace's name
 constexpr double kLongestTime = 60.0; ///< seconds
 constexpr double kShortestRecord = 1e-5;
 constexpr QLatin1String kBeforeAge(" \xb7 ");
+
+QString fileText() { return TriggerBar::tr("File: replay it to trigger"); }
 
 /// The state's word with a sign of its own, so that its colour is never the only one.
 QString stateSign(scope::AcquisitionState state)
@@ -62,7 +65,7 @@ TriggerBar::TriggerBar(TriggerControl &control, ScopeView &scope, QWidget *paren
     , m_single(new QToolButton(this))
     , m_force(new QToolButton(this))
     , m_more(new QToolButton(this))
-    , m_state(new QLabel(this))
+    , m_state(new SteadyLabel(this))
 {
     setObjectName(QStringLiteral("triggerBar"));
     makeBar();
@@ -106,7 +109,6 @@ void TriggerBar::makeBar()
     button(m_force, "triggerForce", tr("Force"), tr("A trigger now (T)"));
     button(m_more, "triggerMore", QStringLiteral("\u22ef"), tr("All settings of the trigger"));
     m_state->setObjectName(QStringLiteral("triggerState"));
-    m_state->setTextFormat(Qt::PlainText);
 
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 0, 8, 4);
@@ -299,6 +301,7 @@ void TriggerBar::follow()
     m_mode->setEnabled(awaits || on); // back to Roll
     m_single->setEnabled(awaits);
     m_force->setEnabled(awaits);
+    m_state->setRoomFor(awaits ? stateTexts(!on) : QStringList{fileText()});
     shown(m_type, on);
     shown(m_force, on);
     shown(m_more, on);
@@ -357,16 +360,19 @@ void TriggerBar::followDetails(const QString &unit, double step)
     m_details->adjustSize();
 }
 
-/// In pixels: with a state that changes many times a second the fields beside it are not to move.
-int TriggerBar::widestState() const
+/// What it may say: with a state that changes many times a second the fields beside it are not to move.
+QStringList TriggerBar::stateTexts(bool roll)
 {
     using State = scope::AcquisitionState;
-    int widest = 0;
-    for (const State state : {State::Stop, State::Armed, State::Triggered, State::Auto}) {
-        const QString text = stateSign(state) + stateText(state) + kBeforeAge + ageText(0.0);
-        widest = std::max(widest, m_state->fontMetrics().horizontalAdvance(text));
-    }
-    return widest;
+    QStringList all;
+    if (roll)
+        for (const State state : {State::Stop, State::Roll})
+            all.append(stateSign(state) + stateText(state));
+    else
+        for (const State state : {State::Stop, State::Armed, State::Triggered, State::Auto})
+            for (const double age : {0.0, 119.0, 3599.0})
+                all.append(stateSign(state) + stateText(state) + kBeforeAge + ageText(age));
+    return all;
 }
 
 void TriggerBar::showState()
@@ -374,14 +380,13 @@ void TriggerBar::showState()
     const scope::AcquisitionState state = m_control.trigger().state();
     const bool roll = m_control.trigger().setup().mode == scope::Mode::Roll;
     const bool awaits = m_control.trigger().awaitsSamples();
-    QString text = awaits ? stateSign(state) + stateText(state) : tr("File: replay it to trigger");
+    QString text = awaits ? stateSign(state) + stateText(state) : fileText();
     if (awaits && m_control.trigger().error() && !roll)
         text = QStringLiteral("\u26a0 ") + conditionErrorText(*m_control.trigger().error());
     if (const scope::Record *record = m_control.shown(); record && !roll) {
         const double age = m_control.trigger().now() - capture::toSeconds(record->trigger);
         text += kBeforeAge + ageText(age);
     }
-    m_state->setMinimumWidth(roll || !awaits ? 0 : widestState());
     m_state->setText(text);
     m_state->setToolTip(awaits
             ? tr("State of the trigger, and how old the shown record is")

@@ -18,6 +18,7 @@ class QToolButton;
 namespace widgets {
 
 class ScopeView;
+class SteadyLabel;
 class TriggerControl;
 class ValueEdit;
 
@@ -39,7 +40,7 @@ private:
     void fillSources();
     void fillWays();
     void showState();
-    int widestState() const;
+    static QStringList stateTexts(bool roll);
     void change(const std::function<void(TriggerSetup &)> &edit);
     void openDetails();
 
@@ -53,7 +54,7 @@ private:
     QToolButton *m_single;
     QToolButton *m_force;
     QToolButton *m_more;
-    QLabel *m_state;
+    SteadyLabel *m_state;
     QWidget *m_details =
         nullptr; ///< made with the first mode that has some, and with it what is below
     QFormLayout *m_form = nullptr;

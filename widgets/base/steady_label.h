@@ -1,0 +1,34 @@
+// A label whose place does not depend on what it says: as wide as the widest that it was told to have room for, and always
+// as high as its lines. What does not fit is cut, and whole in its tool tip.
+#pragma once
+
+#include <QLabel>
+
+namespace widgets {
+
+class SteadyLabel : public QLabel {
+    Q_OBJECT
+public:
+    /// Plain text. @param lines  each paragraph has one; the last line takes what is left of them
+    explicit SteadyLabel(QWidget *parent = nullptr, int lines = 1);
+
+    /// What it may have to say. Without, it is as wide as what it says now: give it a policy that ignores that.
+    void setRoomFor(const QStringList &texts);
+    void setLines(int lines);
+    bool isCut() const; ///< not all of its text is seen
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    bool event(QEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    QStringList lines() const;
+
+    QStringList m_room;
+    int m_lines;
+};
+
+} // namespace widgets
