@@ -128,6 +128,7 @@ public:
         widgets::ScopeView *scope = m_rig.window.scope();
         scope->setVisibleRange(newest - kHour, newest);
         scope->time().setFollowing(true);
+        scope->setCalm(false); // as for a motor that is driven
         const quint64 drawn = scope->redraws();
         require(until([&] { return scope->redraws() > drawn + 20; }), "nothing is drawn");
     }

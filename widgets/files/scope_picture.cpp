@@ -82,7 +82,11 @@ constexpr PictureFormat kPictures[] = {
 
 } // namespace
 
-QImage scopeImage(ScopeView &scope) { return scope.grab().toImage(); }
+QImage scopeImage(ScopeView &scope)
+{
+    scope.catchUp();
+    return scope.grab().toImage();
+}
 
 std::span<const PictureFormat> pictureFormats() { return kPictures; }
 

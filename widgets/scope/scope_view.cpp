@@ -14,9 +14,11 @@
 #include "widgets/scope/scope_overview.h"
 
 #include <QCoreApplication>
+#include <QDockWidget>
 #include <QEvent>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <QWindow>
 
 #include <algorithm>
 
@@ -24,6 +26,15 @@ namespace widgets {
 
 namespace {
 constexpr int kFrameMs = 16;
+constexpr int kCalmFrameMs = 50; ///< while nothing is driven
+
+bool isSeen(const QWidget &window)
+{
+    const QWindow *screen = window.windowHandle();
+    // One that is not put on a screen is drawn all the same: somebody takes its picture.
+    return window.isVisible() && !window.isMinimized()
+        && (!screen || !screen->isVisible() || screen->isExposed());
+}
 } // namespace
 
 ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *parent)
@@ -77,7 +88,12 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
     m_hint->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_frame.setSingleShot(true);
     m_frame.setTimerType(Qt::PreciseTimer);
-    connect(&m_frame, &QTimer::timeout, this, &ScopeView::drawFrame);
+    connect(&m_frame, &QTimer::timeout, this, [this] {
+        if (seen())
+            drawFrame();
+        else
+            m_owed = true; // hidden meanwhile
+    });
     connect(m_plot, &QCustomPlot::beforeReplot, this, [this] { m_stack->layOut(); });
     connect(m_plot, &QCustomPlot::afterReplot, this, &ScopeView::placeHint);
     connectParts();
@@ -88,6 +104,7 @@ ScopeView::ScopeView(capture::Capture &capture, EventLog &events, QWidget *paren
     // would do so twice more, and paint the whole view again, right after the first picture.
     QCoreApplication::removePostedEvents(m_plot, QEvent::MetaCall);
     m_frame.stop();
+    m_owed = false;
 }
 
 void ScopeView::connectParts()
@@ -213,22 +230,79 @@ void ScopeView::captureChanged()
     if (m_capture.revision() != m_drawnRevision && m_stack->adoptChannels())
         updateDescription();
     if (m_running && m_capture.revision() != m_drawnRevision)
+        drawWithin(m_calm ? kCalmFrameMs : kFrameMs);
+}
+
+void ScopeView::setCalm(bool calm) { m_calm = calm; }
+
+void ScopeView::redraw() { drawWithin(kFrameMs); }
+
+/// The window that it is in is seen; or a tool that floats beside it and shows what follows the picture.
+bool ScopeView::seen() const
+{
+    if (isSeen(*window()))
+        return true;
+    const auto docks = window()->findChildren<QDockWidget *>();
+    return std::any_of(docks.begin(), docks.end(),
+        [](const QDockWidget *dock) { return dock->isFloating() && isSeen(*dock); });
+}
+
+void ScopeView::drawWithin(int frameMs)
+{
+    if (!seen()) {
+        m_owed = true;
+        return;
+    }
+    constexpr qint64 kMs = 1'000'000;
+    const qint64 frame = frameMs * kMs;
+    const qint64 since = m_lastFrame.isValid() ? m_lastFrame.nsecsElapsed() : frame;
+    const qint64 left = std::clamp<qint64>(frame - since, 0, frame);
+    // Rounded down: a frame that waited for the next whole millisecond each time would miss every few batches. There are
+    // fewer calm frames than batches: none is missed there, and they are never too many.
+    const auto wait = static_cast<int>((frameMs == kFrameMs ? left : left + kMs - 1) / kMs);
+    if (!m_frame.isActive() || m_frame.remainingTime() > wait)
+        m_frame.start(wait);
+}
+
+void ScopeView::showOwed()
+{
+    if (m_owed && seen())
         redraw();
 }
 
-void ScopeView::redraw()
+void ScopeView::catchUp()
 {
-    if (m_frame.isActive())
-        return;
-    // Rounded down: a frame that waited for the next whole millisecond each time would miss every few batches.
-    constexpr qint64 kFrameNanos = kFrameMs * 1'000'000LL;
-    const qint64 since = m_lastFrame.isValid() ? m_lastFrame.nsecsElapsed() : kFrameNanos;
-    m_frame.start(
-        static_cast<int>(std::clamp<qint64>(kFrameNanos - since, 0, kFrameNanos) / 1'000'000));
+    if (m_owed)
+        drawFrame();
+}
+
+void ScopeView::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    for (QObject *one : {static_cast<QObject *>(m_top), static_cast<QObject *>(m_onScreen)})
+        if (one)
+            one->removeEventFilter(this);
+    m_top = window();
+    m_onScreen = window()->windowHandle();
+    m_top->installEventFilter(this);
+    if (m_onScreen)
+        m_onScreen->installEventFilter(this);
+    showOwed();
+}
+
+bool ScopeView::eventFilter(QObject *watched, QEvent *event)
+{
+    const bool mayBeSeen = event->type() == QEvent::Expose
+        || event->type() == QEvent::WindowStateChange || event->type() == QEvent::Show;
+    if (mayBeSeen && (watched == m_top || watched == m_onScreen))
+        showOwed();
+    return QWidget::eventFilter(watched, event);
 }
 
 void ScopeView::drawFrame()
 {
+    m_frame.stop();
+    m_owed = false;
     m_lastFrame.start();
     m_drawnRevision = m_capture.revision();
     if (m_running && m_time->following())
@@ -248,6 +322,7 @@ QSize ScopeView::shapesSize() const
 
 void ScopeView::drawShapes(QPaintDevice &device)
 {
+    catchUp();
     QCPPainter painter(&device);
     painter.setMode(QCPPainter::pmVectorized);
     m_lane->paintOn(painter);

@@ -9,6 +9,7 @@
 #include "widgets/scope/time_window.h"
 
 #include <QElapsedTimer>
+#include <QPointer>
 #include <QTimer>
 #include <QWidget>
 
@@ -17,6 +18,7 @@
 class QCustomPlot;
 class QLabel;
 class QMenu;
+class QWindow;
 
 namespace widgets {
 
@@ -82,19 +84,24 @@ public:
 
     /// For the status bar and for tests: redraws since the view was made.
     quint64 redraws() const { return m_redraws; }
+    /// Draws now what waits for its window to be seen, for a picture that is taken of it.
+    void catchUp();
     /// The events and the plots with all that stands over them, as shapes, in pixels.
     void drawShapes(QPaintDevice &device);
     QSize shapesSize() const;
 
 public Q_SLOTS:
-    void captureChanged(); ///< new samples: redraws at the next frame (at most 60 Hz)
+    void
+    captureChanged(); ///< new samples: redraws at the next frame (at most 60 Hz, 20 Hz while calm)
+    void setCalm(bool calm); ///< nothing is driven: new samples need not be drawn so often
     void setRunning(bool running);
     void fitAll(); ///< F
     void fitValues(); ///< Shift+F
     void setVisibleRange(double from, double to); ///< ends following
     void setGridVisible(bool visible); ///< G
     void setOverviewVisible(bool visible); ///< O: the whole recording below the plots
-    void redraw(); ///< something that is drawn changed: redraws at the next frame
+    /// Something that is drawn changed: redraws at the next frame, or once its window is seen again.
+    void redraw();
     void setTriggerMarks(const TriggerMarks &marks);
     void setMeasureMarks(const MeasureMarks &marks); ///< what a measurement measured; empty ends it
     void showTime(double seconds); ///< moves the picture just so far; not while it follows
@@ -117,11 +124,16 @@ Q_SIGNALS:
 protected:
     void keyPressEvent(QKeyEvent *event) override;
     void changeEvent(QEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
     void connectParts();
+    bool seen() const;
+    void drawWithin(int frameMs);
     void drawFrame();
+    void showOwed();
     bool scopeKey(int key, bool shift);
     bool cursorKey(int key, bool shift);
     void removeSelected();
@@ -154,6 +166,11 @@ private:
     std::uint64_t m_drawnRevision = 0;
     TriggerMarks m_marks;
     bool m_running = true;
+    bool m_calm = false;
+    bool m_owed = false; ///< a frame, to a window that nobody sees
+    QPointer<QWidget>
+        m_top; ///< the window, and what it is on the screen: they tell when they are seen
+    QPointer<QWindow> m_onScreen;
 };
 
 } // namespace widgets

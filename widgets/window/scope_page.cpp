@@ -21,6 +21,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace widgets {
 namespace {
@@ -102,6 +103,10 @@ ScopePage::ScopePage(const Parts &parts, QWidget *parent)
         [this, &scope] { return scope.cursors().visible() && height() < kCrowdedHeight; });
     connect(&scope.cursors(), &Cursors::changed, m_strip, &ChannelStrip::room);
     connect(&scope, &ScopeView::drawn, m_strip, &ChannelStrip::room);
+    for (const auto changed : {&Device::identityChanged, &Device::linkStateChanged})
+        connect(&workbench.device(), changed, this, &ScopePage::pace);
+    connect(&workbench.device(), &Device::statusChanged, this, &ScopePage::pace);
+    pace();
     scope.setMinimumSize(kLeastWidth, 160);
 }
 
@@ -144,6 +149,14 @@ void ScopePage::makeActions()
     connect(&m_parts.selection, &SignalSelection::changed, this, &ScopePage::showSource);
     connect(&scope.time(), &TimeWindow::followingChanged, m_follow, &QAction::setChecked);
     showSource();
+}
+
+/// What nothing moves changes slowly enough.
+void ScopePage::pace()
+{
+    const bool calm = m_parts.workbench.device().allIdle();
+    if (std::exchange(m_calm, calm) != calm)
+        m_parts.scope.setCalm(calm);
 }
 
 QString ScopePage::sourceText() const

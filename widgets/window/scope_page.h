@@ -51,12 +51,14 @@ private:
     QWidget *makeBar();
     void showCursorsIn(QVBoxLayout &layout);
     QString sourceText() const;
+    void pace();
 
     Parts m_parts;
     ScopeTools *m_tools;
     ChannelStrip *m_strip;
     QWidget *m_bar = nullptr;
     QAction *m_run = nullptr;
+    bool m_calm = false; ///< no motor is driven
     QToolButton *m_runButton = nullptr;
     QAction *m_follow = nullptr;
     QAction *m_fit = nullptr;

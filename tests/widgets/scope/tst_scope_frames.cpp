@@ -1,0 +1,139 @@
+// How often the scope draws: not at all for nobody, seldom while nothing is driven, at once for a hand.
+#include "support/scope_bench.h"
+#include "support/scope_window.h"
+
+#include <QElapsedTimer>
+
+using drive::MotorState;
+
+class TestScopeFrames : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_rig = std::make_unique<facts::ScopeWindow>();
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        m_rig->record(7000, [](int, int tick) { return tick % 7; }); // more than fits
+        m_rig->draw();
+    }
+    void cleanup() { m_rig.reset(); }
+
+    void nobodySeesIt_data()
+    {
+        QTest::addColumn<bool>("minimised");
+        QTest::newRow("hidden") << false;
+        QTest::newRow("minimised") << true;
+    }
+    void nobodySeesIt()
+    {
+        QFETCH(bool, minimised);
+        whileAnotherDrawsSomeFrames(); // what was under way
+        if (minimised)
+            m_rig->window.showMinimized();
+        else
+            m_rig->window.hide();
+        const quint64 before = view().redraws();
+        const double then = view().visibleRange().to;
+        whileAnotherDrawsSomeFrames();
+        view().redraw(); // nor for anything else
+        whileAnotherDrawsSomeFrames();
+        QCOMPARE(view().redraws(), before);
+        m_rig->window.showNormal();
+        QTRY_COMPARE(view().redraws(), before + 1);
+        QVERIFY(view().visibleRange().to > then + 0.1); // with all that came meanwhile
+        settled();
+        QCOMPARE(view().redraws(), before + 1);
+    }
+
+    void aPictureThatIsTakenUnseenIsOfNow()
+    {
+        m_rig->window.hide();
+        const double then = view().visibleRange().to;
+        record();
+        QPixmap paper(view().shapesSize());
+        view().drawShapes(paper);
+        QVERIFY(view().visibleRange().to > then);
+    }
+
+    void atMostTwentyASecondWhileNoMotorIsDriven()
+    {
+        for (const MotorState state :
+            {MotorState::Idle, MotorState::FaultNow, MotorState::FaultOver}) {
+            facts::feed(m_rig->device(), {facts::status(state)});
+            whileAnotherDrawsSomeFrames();
+            const auto gaps = gapsOf(6);
+            QVERIFY2(gaps.first() >= 49, qPrintable(QString::number(gaps.first())));
+        }
+    }
+
+    void moreWhileOneIs()
+    {
+        facts::feed(m_rig->device(), {facts::status(MotorState::Running)});
+        QTRY_VERIFY(gapsOf(6).first() < 40);
+        facts::feed(m_rig->device(), {facts::status(MotorState::Idle)});
+        whileAnotherDrawsSomeFrames();
+        QVERIFY(gapsOf(4).first() >= 49);
+    }
+
+    void aHandIsFollowedAtOnce()
+    {
+        record(); // a frame that has time
+        const auto soon = [this] {
+            QElapsedTimer clock;
+            const quint64 before = view().redraws();
+            clock.start();
+            view().time().zoom(0.9);
+            while (view().redraws() == before)
+                QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+            return clock.elapsed() < 40;
+        };
+        QTRY_VERIFY(soon() && soon() && soon());
+    }
+
+private:
+    widgets::ScopeView &view() { return m_rig->scope(); }
+    void record()
+    {
+        m_rig->record(50, [](int, int tick) { return tick % 7; });
+    }
+    void settled()
+    {
+        for (int round = 0; round < 5; ++round)
+            QCoreApplication::processEvents();
+    }
+    /// Samples come, and time passes that can be counted in frames.
+    void whileAnotherDrawsSomeFrames()
+    {
+        facts::Bench other({facts::signal(1, "A")});
+        other.view.addChannel(other.id(1));
+        while (other.view.redraws() < 8) {
+            other.record(10, 1);
+            record();
+            QCoreApplication::processEvents();
+        }
+    }
+    /// Milliseconds between so many frames of a stream, in their order.
+    QList<qint64> gapsOf(int frames)
+    {
+        QElapsedTimer clock;
+        QList<qint64> gaps;
+        const auto seen = connect(&view(), &widgets::ScopeView::drawn, this, [&] {
+            if (clock.isValid())
+                gaps.append(clock.elapsed());
+            clock.start();
+        });
+        while (gaps.size() < frames) {
+            record();
+            QCoreApplication::processEvents();
+        }
+        disconnect(seen);
+        std::sort(gaps.begin(), gaps.end());
+        return gaps;
+    }
+
+    std::unique_ptr<facts::ScopeWindow> m_rig;
+};
+
+QTEST_MAIN(TestScopeFrames)
+#include "tst_scope_frames.moc"
