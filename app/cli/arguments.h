@@ -52,11 +52,19 @@ struct TuningArguments {
     int milliseconds = 0; ///< torque
 };
 
-/// Of step.
+/// Of step; the recording also of identify.
 struct StepArguments {
     int fromRpm = 0, toRpm = 0;
     int repeat = 5;
     int hold_ms = 500;
+    QString recording; ///< empty: none is kept
+};
+
+/// Of response.
+struct ResponseArguments {
+    int seconds = 0; ///< 0: as long as usual
+    std::optional<int> rpm; ///< around which it goes
+    int amplitude_rpm = 0; ///< 0: as usual
     QString recording; ///< empty: none is kept
 };
 
@@ -83,6 +91,7 @@ struct Arguments {
     CaptureArguments capture;
     RecordingArguments recording; ///< of show and export
     StepArguments step;
+    ResponseArguments response;
     drive::UserLimits limits; ///< --max-rpm and --max-amps
     bool cyclicSetPoints = false; ///< of ramp and capture: with every exchange
     double fullScaleCurrent_a = 0.0; ///< --full-scale-current; 0: not given

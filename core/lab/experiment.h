@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lab/course.h"
+#include "lab/response_plan.h"
 #include "lab/spin_plan.h"
 #include "lab/step_plan.h"
 
@@ -10,7 +11,7 @@
 namespace lab {
 
 struct Experiment {
-    std::variant<StepPlan, SpinPlan> plan;
+    std::variant<StepPlan, SpinPlan, ResponsePlan> plan;
     Subject subject;
 };
 

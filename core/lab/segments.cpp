@@ -35,8 +35,10 @@ std::vector<Segment> segmentsOf(const capture::Channel &angle,
     turns.visit([&](double seconds, double value, bool joined) {
         if (!joined)
             finish();
-        if (now.turned_deg.empty())
+        if (now.turned_deg.empty()) {
             first_s = seconds;
+            now.at = turns.toNanos(seconds);
+        }
         constexpr double kTurn_deg = 360.0;
         now.turned_deg.push_back(now.turned_deg.empty()
                 ? 0.0

@@ -1,5 +1,6 @@
 #include "lab/spin_plan.h"
 
+#include "lab/draw.h"
 #include "lab/fields.h"
 
 #include <algorithm>
@@ -20,25 +21,6 @@ constexpr double kLeastDraw = 0.7; ///< of what a way would take: no two are the
 constexpr double kWay_s = 0.25; ///< from one speed to the other
 constexpr double kMostGrowth = 2.0; ///< of the push from one way to the next
 constexpr Duration kPatience = 1s; ///< with a push that does not reach the other speed
-
-/// Small and the same everywhere (splitmix64).
-class Draw {
-public:
-    explicit Draw(std::uint64_t seed)
-        : m_state(seed)
-    {
-    }
-    double between(double least, double most)
-    {
-        std::uint64_t z = m_state += 0x9E3779B97F4A7C15ULL;
-        z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9ULL;
-        z = (z ^ z >> 27) * 0x94D049BB133111EBULL;
-        return least + (most - least) * static_cast<double>((z ^ z >> 31) >> 11) * 0x1p-53;
-    }
-
-private:
-    std::uint64_t m_state;
-};
 
 class SpinCourse : public Course {
 public:

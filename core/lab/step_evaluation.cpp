@@ -27,11 +27,6 @@ struct Jump {
     double behind = 0.0; ///< where it led to
 };
 
-struct Instant {
-    Nanos at = 0;
-    Nanos error = 0;
-};
-
 /// All jumps of the reference in the direction of the step, and what it is at its ends.
 std::vector<Jump> jumpsOf(const scope::SampleRange &range, double direction)
 {
@@ -69,32 +64,6 @@ std::vector<Jump> largest(std::vector<Jump> jumps)
     return jumps;
 }
 
-std::optional<Instant> findInstant(
-    const capture::Channel &reference, const StepAsked &asked, double jumpPerRpm)
-{
-    const double step = asked.toRpm - asked.fromRpm;
-    const double direction = step > 0.0 ? 1.0 : -1.0;
-    const scope::SampleRange range(reference, asked.asked - kEarly, asked.answered + kLate);
-    if (range.empty() || range.gapInside())
-        return std::nullopt;
-    const scope::SampleRange whole(reference, asked.asked - kEarly, asked.until);
-    const auto ends = whole.extremes();
-    const double expected = std::abs(jumpPerRpm * step);
-    std::vector<Jump> jumps = jumpsOf(range, direction);
-    jumps = expected > 0.0 ? likeExpected(std::move(jumps), expected,
-                direction > 0.0 ? ends.max : ends.min, std::abs(reference.info().digit()) * 1.5)
-                           : largest(std::move(jumps));
-    if (jumps.empty())
-        return std::nullopt;
-    // Where several could be it, the first is taken, because the loop answers to its own step; how far the others are says
-    // how sure that is.
-    const Nanos sample = range.end() - range.begin() > 1
-        ? reference.timeOf(range.begin() + 1) - reference.timeOf(range.begin())
-        : kMilli;
-    const Nanos spread = capture::toNanos(jumps.back().at_s - jumps.front().at_s);
-    return Instant{range.toNanos(jumps.front().at_s), std::max(sample, spread)};
-}
-
 std::optional<double> valueOf(const scope::StepResponse &response, scope::Quantity quantity)
 {
     const auto measured = response.measure(quantity).value;
@@ -130,6 +99,32 @@ double shareAtLimit(const capture::Channel &reference, Nanos from, Nanos to, boo
 }
 
 } // namespace
+
+std::optional<StepInstant> stepInstant(
+    const capture::Channel &reference, const StepAsked &asked, double jumpPerRpm)
+{
+    const double step = asked.toRpm - asked.fromRpm;
+    const double direction = step > 0.0 ? 1.0 : -1.0;
+    const scope::SampleRange range(reference, asked.asked - kEarly, asked.answered + kLate);
+    if (range.empty() || range.gapInside())
+        return std::nullopt;
+    const scope::SampleRange whole(reference, asked.asked - kEarly, asked.until);
+    const auto ends = whole.extremes();
+    const double expected = std::abs(jumpPerRpm * step);
+    std::vector<Jump> jumps = jumpsOf(range, direction);
+    jumps = expected > 0.0 ? likeExpected(std::move(jumps), expected,
+                direction > 0.0 ? ends.max : ends.min, std::abs(reference.info().digit()) * 1.5)
+                           : largest(std::move(jumps));
+    if (jumps.empty())
+        return std::nullopt;
+    // Where several could be it, the first is taken, because the loop answers to its own step; how far the others are says
+    // how sure that is.
+    const Nanos sample = range.end() - range.begin() > 1
+        ? reference.timeOf(range.begin() + 1) - reference.timeOf(range.begin())
+        : kMilli;
+    const Nanos spread = capture::toNanos(jumps.back().at_s - jumps.front().at_s);
+    return StepInstant{range.toNanos(jumps.front().at_s), std::max(sample, spread)};
+}
 
 capture::Capture speedOf(
     const capture::Channel &angle, double polePairs, double window_s, Nanos from, Nanos to)
@@ -211,7 +206,7 @@ StepRun evaluateStep(const StepChannels &channels, const StepAsked &asked, const
 {
     StepRun run;
     run.up = asked.toRpm > asked.fromRpm;
-    const auto instant = findInstant(*channels.reference, asked, facts.jumpPerRpm);
+    const auto instant = stepInstant(*channels.reference, asked, facts.jumpPerRpm);
     run.found = instant.has_value();
     // Not found, it lies anywhere in the range that was searched: what came before that is not the step's.
     run.at = instant ? instant->at : asked.asked - kEarly;

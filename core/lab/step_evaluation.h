@@ -50,6 +50,14 @@ struct StepRun {
     double atLimit = 0.0; ///< share of the time in which the current's reference stood at its end
 };
 
+/// The instant at which the reference jumps as much as a step makes it; empty if it does so nowhere around that time.
+struct StepInstant {
+    Nanos at = 0;
+    Nanos error = 0; ///< to either side
+};
+std::optional<StepInstant> stepInstant(
+    const capture::Channel &reference, const StepAsked &asked, double jumpPerRpm);
+
 StepRun evaluateStep(const StepChannels &channels, const StepAsked &asked, const StepFacts &facts);
 
 /// The speed in rpm over [from, to) but for half a window at both ends, from the electrical angle in degrees: one channel.

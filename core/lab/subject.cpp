@@ -78,7 +78,9 @@ Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor
         .bus = idOf(catalog, "BUS_VOLTAGE", motor),
         .temperature = idOf(catalog, "HEATS_TEMP", motor),
         .gain = idOf(catalog, "SPEED_KP", motor),
-        .gainExponent = idOf(catalog, "SPEED_KP_DIV", motor)};
+        .gainExponent = idOf(catalog, "SPEED_KP_DIV", motor),
+        .integral = idOf(catalog, "SPEED_KI", motor),
+        .integralExponent = idOf(catalog, "SPEED_KI_DIV", motor)};
     if (board.streaming.maxSignals < 4 || found.registers.reference == 0
         || found.registers.current == 0 || found.registers.speed == 0)
         return fail(std::string("this board does not record the speed and the current of its motor "

@@ -19,6 +19,7 @@ struct Registers {
     drive::RegisterId speed = 0, angle = 0; ///< of the main sensor
     drive::RegisterId bus = 0, temperature = 0; ///< polled
     drive::RegisterId gain = 0, gainExponent = 0; ///< of the speed loop's proportional part
+    drive::RegisterId integral = 0, integralExponent = 0; ///< of its integral part
 };
 
 struct Subject {

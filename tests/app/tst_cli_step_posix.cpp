@@ -61,6 +61,42 @@ private Q_SLOTS:
         QCOMPARE(again.out, run.out);
     }
 
+    /// Short ones: how good they are is for the tests of their evaluations.
+    void theOtherExperimentsSayTheSameFromTheirFiles()
+    {
+        const Simulator board(kServo);
+        QVERIFY(board.ready());
+        for (const char *line :
+            {"response speed --seconds 6 --json -o", "identify mechanical --json -o"}) {
+            const QString file = board.file(line[0] == 'r' ? "response.pcapng" : "spin.pcapng");
+            const CliRun run = board.cli(line, {file});
+            COMPARE_STATUS(run, 0);
+            const QJsonObject said = QJsonDocument::fromJson(run.out.toUtf8()).object();
+            if (line[0] == 'r') {
+                QVERIFY(said.value(QStringLiteral("points")).toArray().size() > 10);
+                const double crossover = said.value(QStringLiteral("crossover_hz"))
+                                             .toObject()
+                                             .value(QStringLiteral("value"))
+                                             .toDouble();
+                QVERIFY2(std::abs(crossover - 6.7) < 1.5, qPrintable(QString::number(crossover)));
+            } else {
+                const double inertia = said.value(QStringLiteral("inertia_kgm2"))
+                                           .toObject()
+                                           .value(QStringLiteral("value"))
+                                           .toDouble();
+                QVERIFY2(
+                    std::abs(inertia / 2.5e-5 - 1.0) < 0.03, qPrintable(QString::number(inertia)));
+                QCOMPARE(
+                    said.value(QStringLiteral("model")).toString(), QStringLiteral("viscous+dry"));
+            }
+            const CliRun again =
+                support::runCli({QStringLiteral("evaluate"), QStringLiteral("--json"), file});
+            COMPARE_STATUS(again, 0);
+            QCOMPARE(again.out, run.out);
+            QVERIFY(board.cli("info").out.contains(QStringLiteral("IDLE")));
+        }
+    }
+
     void aStandingMotorStandsAndARunningOneRunsAfterwards()
     {
         const Simulator board(kServo);

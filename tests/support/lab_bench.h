@@ -68,7 +68,14 @@ struct LabBench {
         if (std::holds_alternative<lab::StepPlan>(experiment.plan))
             experiment.plan = steps;
         const lab::Registers &registers = experiment.subject.registers;
-        if (const auto *spin = std::get_if<lab::SpinPlan>(&experiment.plan))
+        const auto gainOf = [&](drive::RegisterId id, drive::RegisterId exponent) {
+            return lab::jumpPerRpm(experiment.subject, number(id), number(exponent));
+        };
+        if (const auto *response = std::get_if<lab::ResponsePlan>(&experiment.plan))
+            keep(lab::entryOf(*response, experiment.subject,
+                {gainOf(registers.gain, registers.gainExponent),
+                    gainOf(registers.integral, registers.integralExponent), 1e-3}));
+        else if (const auto *spin = std::get_if<lab::SpinPlan>(&experiment.plan))
             keep(lab::entryOf(*spin, experiment.subject));
         else
             keep(lab::entryOf(std::get<lab::StepPlan>(experiment.plan), experiment.subject,

@@ -2,9 +2,11 @@
 
 #include "json_text.h"
 #include "lab/mechanical_evaluation.h"
+#include "lab/response_evaluation.h"
 #include "lab/step_series.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace cli {
 
@@ -159,6 +161,83 @@ Outcome<int> report(const lab::Mechanics &found, Output &out)
     return kDone;
 }
 
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+/// 95 % to either side.
+double half(const lab::ResponsePoint &point)
+{
+    constexpr double kNormal = 1.96;
+    return std::abs(point.plant) * std::min(1.0, kNormal * point.relative);
+}
+
+QByteArray jsonOf(const lab::SpeedResponse &found)
+{
+    JsonText json;
+    json.beginObject();
+    json.member("kind", "response");
+    json.beginArray("points");
+    for (const lab::ResponsePoint &point : found.points) {
+        if (!point.plantKnown)
+            continue;
+        const double gain = std::abs(point.plant);
+        json.beginObject();
+        json.member("hz", point.hz);
+        json.member("gain", gain);
+        json.member("gain_low", gain - half(point));
+        json.member("gain_high", gain + half(point));
+        json.member("phase_deg", std::arg(point.plant) * kDegrees);
+        json.member("coherence", point.coherence);
+        json.endObject();
+    }
+    json.endArray();
+    const auto scalar = [](const std::optional<double> &value) {
+        return value ? std::optional(lab::Estimate{*value, {}, {}}) : std::nullopt;
+    };
+    put(json, "crossover_hz", scalar(found.crossover_hz));
+    put(json, "phase_margin_deg", scalar(found.phaseMargin_deg));
+    put(json, "ms", scalar(found.ms));
+    json.endObject();
+    return json.text();
+}
+
+void print(const lab::SpeedResponse &found, Output &out)
+{
+    out.line(row(QStringLiteral("Hz"),
+        {QStringLiteral("(rad/s)/A"), QStringLiteral("+- %"), QStringLiteral("degrees"),
+            QStringLiteral("loop dB"), QStringLiteral("loop degrees"),
+            QStringLiteral("coherence")}));
+    constexpr double kPercent = 100.0, kDecibel = 20.0;
+    for (const lab::ResponsePoint &point : found.points) {
+        const auto known = [&](double value) {
+            return point.plantKnown ? std::optional(value) : std::nullopt;
+        };
+        const auto loop = [&](double value) {
+            return found.ms ? std::optional(value) : std::nullopt;
+        };
+        out.line(row(QString::number(point.hz, 'f', 1),
+            {number(known(std::abs(point.plant)), 1.0, 3),
+                number(known(half(point) / std::abs(point.plant)), kPercent, 1),
+                number(known(std::arg(point.plant)), kDegrees, 1),
+                number(loop(std::log10(std::abs(point.loop))), kDecibel, 1),
+                number(loop(std::arg(point.loop)), kDegrees, 1),
+                QString::number(point.coherence, 'f', 3)}));
+    }
+    out.line(QStringLiteral("Loop: crossover %1 Hz, phase margin %2 degrees, Ms %3")
+                 .arg(number(found.crossover_hz, 1.0, 2), number(found.phaseMargin_deg, 1.0, 1),
+                     number(found.ms, 1.0, 2)));
+}
+
+Outcome<int> report(const lab::SpeedResponse &found, Output &out)
+{
+    if (out.json())
+        out.json(jsonOf(found));
+    else
+        print(found, out);
+    for (const std::string &note : found.notes)
+        Output::error(sentence(note));
+    return kDone;
+}
+
 } // namespace
 
 Outcome<int> evaluate(const QString &path, Output &out)
@@ -182,6 +261,10 @@ Outcome<int> evaluate(const QString &path, Output &out)
         }
         if (lab::recordedSpin(what)) {
             const auto found = lab::evaluateMechanics(capture, happenings);
+            return found ? report(*found, out) : refused(found.error());
+        }
+        if (lab::recordedResponse(what)) {
+            const auto found = lab::evaluateResponse(capture, happenings);
             return found ? report(*found, out) : refused(found.error());
         }
     }

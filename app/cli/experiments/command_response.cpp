@@ -1,0 +1,106 @@
+// response: lets the speed go to and fro, and says how motor and speed loop follow each frequency. Afterwards the motor is as
+// it was.
+#include "drive/values.h"
+#include "experiments/experiment_run.h"
+#include "motor_facts.h"
+
+namespace cli {
+
+namespace {
+
+/// What closes the loop; its gains are 0 where the board does not tell them.
+Outcome<lab::SpeedRegulator> regulatorOf(Desk &desk, const lab::Subject &subject)
+{
+    const lab::Registers &registers = subject.registers;
+    const std::vector<drive::RegisterId> ids{
+        registers.gain, registers.gainExponent, registers.integral, registers.integralExponent};
+    lab::SpeedRegulator regulator;
+    if (std::find(ids.begin(), ids.end(), 0U) != ids.end())
+        return regulator;
+    const auto read = desk.talk.read(ids);
+    if (!read)
+        return tl::make_unexpected(read.error());
+    const auto gain = [&](std::size_t at) {
+        const auto number = drive::asNumber((*read)[at].value);
+        const auto exponent = drive::asNumber((*read)[at + 1].value);
+        return number && exponent ? lab::jumpPerRpm(subject, *number, *exponent) : 0.0;
+    };
+    regulator.proportional = gain(0);
+    regulator.integral = gain(2);
+    const auto facts = readMotorFacts(desk, subject.motor);
+    if (!facts)
+        return tl::make_unexpected(facts.error());
+    if (facts->speedPeriod_s > 0.0)
+        regulator.period_s = facts->speedPeriod_s;
+    return regulator;
+}
+
+Outcome<int> runResponse(Desk &desk)
+{
+    const ResponseArguments &asked = desk.arguments.response;
+    ExperimentRun run(desk, asked.recording);
+    const auto subject = run.subject();
+    if (!subject)
+        return tl::make_unexpected(subject.error());
+    lab::ResponsePlan plan = lab::responsePlanFor(*subject, run.caps());
+    if (asked.seconds > 0)
+        plan.length = std::chrono::seconds(asked.seconds);
+    if (asked.rpm)
+        plan.rpm = *asked.rpm;
+    if (asked.amplitude_rpm > 0)
+        plan.amplitudeRpm = asked.amplitude_rpm;
+    const auto regulator = regulatorOf(desk, *subject);
+    if (!regulator)
+        return tl::make_unexpected(regulator.error());
+    return run.run({plan, *subject}, lab::entryOf(plan, *subject, *regulator));
+}
+
+constexpr OptionText kOptions[] = {
+    {"seconds", "S", "How long it takes, 4 to 40; 16 if not given."},
+    {"speed", "RPM", "Around which it goes; 0.4 of what is allowed if not given."},
+    {"amplitude", "RPM",
+        "How far to either side; 3 % of the speed, at least ten digits, if not given."},
+    kRunOption,
+};
+
+Outcome<bool> readResponse(const Given &given, Arguments &arguments)
+{
+    if (given.words().first() != QLatin1String("speed"))
+        return usage(QStringLiteral("Only the response of the speed is measured, not \"%1\": write "
+                                    "response speed.")
+                         .arg(given.words().first()));
+    ResponseArguments &response = arguments.response;
+    constexpr int kMostRpm = 1'000'000;
+    int rpm = 0;
+    for (const auto &[option, value, least, most] :
+        {std::tuple{"seconds", &response.seconds, 4, 40},
+            std::tuple{"speed", &rpm, -kMostRpm, kMostRpm},
+            std::tuple{"amplitude", &response.amplitude_rpm, 1, kMostRpm}}) {
+        if (!given.has(option))
+            continue;
+        const auto number = wholeNumber(
+            given.value(option), least, most, QStringLiteral("--") + QLatin1String(option));
+        if (!number)
+            return tl::make_unexpected(number.error());
+        *value = *number;
+    }
+    if (given.has("speed"))
+        response.rpm = rpm;
+    return readRecordingPath(given, response.recording);
+}
+
+} // namespace
+
+const Command kResponse{.name = "response",
+    .words = "speed",
+    .help = "Measures how motor and speed loop follow each frequency; then all is as before.",
+    .least = 1,
+    .most = 1,
+    .options = kOptions,
+    .read = readResponse,
+    .canMove = true,
+    .ownsMotor = true,
+    .ofOneMotor = true,
+    .run = runResponse};
+
+} // namespace cli

@@ -1,0 +1,251 @@
+#include "lab/response_evaluation.h"
+
+#include "lab/cross_spectra.h"
+#include "lab/fields.h"
+#include "lab/segments.h"
+#include "lab/statistics.h"
+#include "lab/step_evaluation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace lab {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double kSample_s = 1e-3;
+constexpr std::size_t kTransform =
+    2048; ///< shorter ones leak from below, where the speed moves most
+constexpr double kBand =
+    0.25; ///< of a frequency: bins this near are taken together, at most so many:
+constexpr std::size_t kMostBins = 4;
+constexpr double kLowest_hz = 2.0, kHighest_hz = 60.0; ///< what the course excites
+constexpr double kObserved_hz = 10.0; ///< beyond it an observed speed says little of the shaft's
+constexpr double kLeastCoherence = 0.5;
+constexpr int kLeastSegments = 4;
+constexpr double kRpm = 60.0 / (2.0 * std::numbers::pi);
+enum Signal : std::size_t { Speed, Current, Reference, Sensed, kSignals };
+
+struct Edge {
+    Nanos at = 0;
+    double rpm = 0.0; ///< from then on
+};
+
+/// When each set-point took effect: by the jump that it makes, or as late as the others where that is not found.
+class Edges {
+public:
+    Edges(const RecordedResponse &plan, const capture::Channel &reference)
+        : m_plan(plan)
+        , m_reference(reference)
+    {
+    }
+    void take(Nanos at, const record::Happening &what)
+    {
+        if (what.name == "speed ramp" && numberOf(what, "motor") == m_plan.motor
+            && numberOf(what, "ms") == 0.0) {
+            finish(at);
+            const auto rpm = static_cast<int>(numberOf(what, "rpm").value_or(0.0));
+            m_open = StepAsked{m_last, rpm, at, at, at};
+            m_last = rpm;
+        } else if (what.name == "motion" && m_open && fieldOf(what, "act") == "SPEED_RAMP") {
+            const Nanos asked = capture::toNanos(numberOf(what, "asked s").value_or(0.0));
+            const Nanos took = capture::toNanos(numberOf(what, "took ms").value_or(0.0) * 1e-3);
+            m_open->answered = std::clamp(asked + took, m_open->asked, m_open->asked + kSecond);
+        } else if (what.name == "speed ramp" || what.name == "command" || what.name == "stop"
+            || what.name == "link" || what.name == kEndEntry) {
+            finish(at);
+            over = over || what.name == kEndEntry;
+            if (over && fieldOf(what, "outcome") != "complete")
+                reason = fieldOf(what, "reason");
+        }
+    }
+    std::vector<Edge> edges;
+    std::string reason; ///< why it ended early
+    bool over = false;
+    Nanos end = 0; ///< of what the last edge holds for
+
+    void settle()
+    {
+        if (m_late.empty())
+            return;
+        const double late = medianOf(m_late);
+        for (const std::size_t edge : m_unsure)
+            edges[edge].at += static_cast<Nanos>(late);
+    }
+
+private:
+    static constexpr Nanos kSecond = 1'000'000'000;
+
+    void finish(Nanos at)
+    {
+        if (!m_open)
+            return;
+        StepAsked asked = *m_open;
+        m_open.reset();
+        asked.until = end = at;
+        const auto instant = asked.fromRpm == 0
+            ? std::nullopt
+            : stepInstant(m_reference, asked, m_plan.regulator.proportional);
+        if (instant)
+            m_late.push_back(static_cast<double>(instant->at - asked.asked));
+        else
+            m_unsure.push_back(edges.size());
+        edges.push_back({instant ? instant->at : asked.asked, double(asked.toRpm)});
+    }
+
+    const RecordedResponse &m_plan;
+    const capture::Channel &m_reference;
+    std::optional<StepAsked> m_open;
+    int m_last = 0;
+    std::vector<double> m_late; ///< from being asked for to the jump
+    std::vector<std::size_t> m_unsure;
+};
+
+double sinc(double x)
+{
+    const double phase = std::numbers::pi * x;
+    return std::abs(phase) < 1e-9 ? 1.0 : std::sin(phase) / phase;
+}
+
+/// Signals once a millisecond: the set-point, then those of Signal. A sample is the mean over a millisecond around its time,
+/// the speed of the shaft over two.
+std::array<std::vector<double>, kSignals + 1> resampled(
+    const Segment &segment, const std::vector<Edge> &edges, double polePairs)
+{
+    std::array<std::vector<double>, kSignals + 1> signals;
+    const auto every =
+        static_cast<std::size_t>(std::max(2L, std::lround(kSample_s / segment.step_s)));
+    const double toRad = std::numbers::pi / 180.0 / polePairs;
+    const auto mean = [&](std::size_t value, std::size_t from) {
+        const std::vector<double> &samples = segment.values[value];
+        double sum = (samples[from] + samples[from + every]) / 2.0;
+        for (std::size_t i = from + 1; i < from + every; ++i)
+            sum += samples[i];
+        return sum / static_cast<double>(every);
+    };
+    auto edge = edges.begin();
+    for (std::size_t at = every; at + 2 * every < segment.turned_deg.size(); at += every) {
+        const std::size_t centre = at + every / 2;
+        const Nanos time =
+            segment.at + capture::toNanos(static_cast<double>(centre) * segment.step_s);
+        while (edge + 1 != edges.end() && (edge + 1)->at <= time)
+            ++edge;
+        signals[0].push_back(edge->rpm);
+        signals[1 + Speed].push_back(
+            (segment.turned_deg[centre + every] - segment.turned_deg[centre - every]) * toRad
+            / (2.0 * static_cast<double>(every) * segment.step_s));
+        signals[1 + Current].push_back(mean(1, at));
+        signals[1 + Reference].push_back(mean(0, at));
+        signals[1 + Sensed].push_back(mean(2, at));
+    }
+    return signals;
+}
+
+/// What the regulator makes of an error, with the hold of its output.
+Complex regulatorAt(const SpeedRegulator &regulator, double hz)
+{
+    const Complex delay = std::polar(1.0, -2.0 * std::numbers::pi * hz * regulator.period_s);
+    const Complex hold = sinc(hz * regulator.period_s)
+        * std::polar(1.0, -std::numbers::pi * hz * regulator.period_s);
+    return (regulator.proportional + regulator.integral / (1.0 - delay)) * hold;
+}
+
+double varianceOf(double coherence, int averages)
+{
+    return coherence > 0.0 ? (1.0 - coherence) / (2.0 * averages * coherence) : 1.0;
+}
+
+void addMargins(SpeedResponse &found)
+{
+    for (std::size_t i = 1; i < found.points.size() && !found.crossover_hz; ++i) {
+        const ResponsePoint &a = found.points[i - 1], &b = found.points[i];
+        const double from = std::log(std::abs(a.loop)), to = std::log(std::abs(b.loop));
+        if (!(from >= 0.0 && to < 0.0))
+            continue;
+        const double share = from / (from - to);
+        found.crossover_hz = a.hz + share * (b.hz - a.hz);
+        const double phase = std::arg(a.loop)
+            + share * std::remainder(std::arg(b.loop) - std::arg(a.loop), 2.0 * std::numbers::pi);
+        found.phaseMargin_deg = std::remainder(phase * 180.0 / std::numbers::pi + 180.0, 360.0);
+    }
+    for (const ResponsePoint &point : found.points)
+        found.ms = std::max(found.ms.value_or(0.0), 1.0 / std::abs(1.0 + point.loop));
+    if (!found.crossover_hz)
+        found.notes.emplace_back("the loop's gain does not fall through 1 where it could be "
+                                 "measured: no margin is told");
+}
+
+} // namespace
+
+Result<SpeedResponse, std::string> evaluateResponse(
+    const capture::Capture &capture, const Happenings &happenings)
+{
+    std::optional<RecordedResponse> plan;
+    auto at = happenings.begin();
+    for (; at != happenings.end() && !plan; ++at)
+        plan = recordedResponse(at->second);
+    if (!plan)
+        return fail(std::string("it is no recording of a frequency response"));
+    const std::array others{fastChannel(capture, plan->reference),
+        fastChannel(capture, plan->current), fastChannel(capture, plan->speed)};
+    const capture::Channel *angle = fastChannel(capture, plan->angle);
+    if (angle == nullptr || std::find(others.begin(), others.end(), nullptr) != others.end())
+        return fail(std::string("it holds no samples of the signals that it needs"));
+    Edges edges(*plan, *others[0]);
+    for (; at != happenings.end() && !edges.over; ++at)
+        edges.take(at->first, at->second);
+    edges.settle();
+    if (edges.edges.empty())
+        return fail(std::string("the set-point was never moved in it"));
+    CrossSpectrum sum(kTransform, 1.0 / kSample_s, kSignals);
+    for (const Segment &segment : segmentsOf(*angle, others, edges.edges.front().at, edges.end))
+        if (static_cast<double>(segment.turned_deg.size()) * segment.step_s
+            > static_cast<double>(kTransform + 4) * kSample_s)
+            sum.add(resampled(segment, edges.edges, plan->polePairs));
+    if (sum.count() < kLeastSegments)
+        return fail(
+            std::string("too little of it is without a gap: stretches of two seconds are needed"));
+    SpeedResponse found;
+    const bool byEncoder = plan->angle.starts_with("ENCODER");
+    if (!byEncoder)
+        found.notes.emplace_back(
+            "above 10 Hz the motor's own response is not told: what is taken for the "
+            "angle of a rotor without an encoder follows its current, too");
+    const bool knownGains = plan->regulator.proportional != 0.0;
+    const CrossSpectra fine = sum.result();
+    for (std::size_t first = static_cast<std::size_t>(kLowest_hz / fine.binHz), width = 1;
+         first + width <= fine.instrument.size(); first += width) {
+        const double lowest = static_cast<double>(first) * fine.binHz;
+        width = std::clamp<std::size_t>(
+            static_cast<std::size_t>(kBand * lowest / fine.binHz), 1, kMostBins);
+        const CrossSpectra spectra = fine.band(first, width);
+        constexpr std::size_t bin = 0;
+        ResponsePoint point;
+        point.hz = lowest + static_cast<double>(width - 1) / 2.0 * fine.binHz;
+        point.coherence = std::min(spectra.coherence(Speed, bin), spectra.coherence(Current, bin));
+        if (point.hz < kLowest_hz || point.hz > kHighest_hz || point.coherence < kLeastCoherence)
+            continue;
+        const auto cross = [&](Signal signal) { return spectra.cross[signal][bin]; };
+        point.plant = cross(Speed) / cross(Current) * sinc(point.hz * kSample_s)
+            / sinc(2.0 * point.hz * kSample_s);
+        point.relative = std::sqrt(varianceOf(spectra.coherence(Speed, bin), spectra.averages)
+            + varianceOf(spectra.coherence(Current, bin), spectra.averages));
+        point.plantKnown = byEncoder || point.hz <= kObserved_hz;
+        if (knownGains)
+            point.loop = cross(Sensed) / cross(Reference) * regulatorAt(plan->regulator, point.hz);
+        found.points.push_back(point);
+    }
+    if (found.points.empty())
+        return fail(std::string("nothing in it follows the set-point"));
+    if (!edges.reason.empty())
+        found.notes.push_back("the run ended early: " + edges.reason);
+    if (knownGains)
+        addMargins(found);
+    return found;
+}
+
+} // namespace lab

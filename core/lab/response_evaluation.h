@@ -1,0 +1,41 @@
+// The frequency response of a motor and of its speed loop, from a recording in which the set-point went to and fro
+// (lab/response_plan.h). Pure.
+//
+// In a closed loop noise goes round, and the ratio of speed to current is biased by it; the ratio of what both share with the
+// set-point is not: G = Sry / Sru. A constant delay of the set-point cancels. Source: the instrument of H. Akaike, Ann.
+// Inst. Stat. Math. 18 (1966); errors: Bendat and Piersol, Random Data, ch. 9.
+#pragma once
+
+#include "lab/experiment.h"
+#include "lab/happenings.h"
+
+#include <complex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lab {
+
+struct ResponsePoint {
+    double hz = 0.0;
+    std::complex<double> plant; ///< speed of the shaft by Iq: (rad/s)/A
+    bool plantKnown =
+        true; ///< else the speed is observed, and follows the current in other ways, too
+    double relative = 0.0; ///< standard error of its gain, and of its phase in rad
+    double coherence = 0.0; ///< the smaller one of both signals with the set-point
+    std::complex<double>
+        loop; ///< of the speed loop as the regulator closes it; 0: its gains are not known
+};
+
+struct SpeedResponse {
+    std::vector<ResponsePoint> points; ///< with a coherence of a half or more, by frequency
+    std::optional<double> crossover_hz, phaseMargin_deg;
+    std::optional<double> ms; ///< largest of 1 / |1 + loop|
+    std::vector<std::string> notes; ///< sentences without a full stop
+};
+
+/// The first such experiment in a recording; or why there is none, or nothing follows from it, without a full stop.
+Result<SpeedResponse, std::string> evaluateResponse(
+    const capture::Capture &capture, const Happenings &happenings);
+
+} // namespace lab

@@ -1,0 +1,151 @@
+#include "lab/response_plan.h"
+
+#include "lab/draw.h"
+#include "lab/fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace lab {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char *kEntry = "response plan";
+constexpr double kShare = 0.4; ///< of the allowed speed
+constexpr double kLeastDigits = 10.0, kSpeedShare = 0.03; ///< of the amplitude
+constexpr double kMargin = 3.0; ///< amplitudes beyond both
+constexpr double kLeastMargin_rpm = 120.0;
+
+class ResponseCourse : public Course {
+public:
+    ResponseCourse(const ResponsePlan &plan, int motor)
+        : m_plan(plan)
+        , m_motor(motor)
+        , m_draw(plan.seed)
+    {
+    }
+    std::optional<Ask> next(const Moment &moment) override
+    {
+        if (!m_began)
+            m_began = m_due = moment.now;
+        if (!moment.answered || moment.now < m_due)
+            return std::nullopt;
+        if (moment.now - *m_began >= m_plan.length) {
+            m_over = true;
+            return std::nullopt;
+        }
+        // From when it was due, so that the link's pace is not in it; but never two at once.
+        m_due = std::max(m_due, moment.now - 10ms) + (m_draw.between(0.0, 1.0) < 0.5 ? 30ms : 60ms);
+        if (std::exchange(m_up, m_draw.between(0.0, 1.0) < 0.5) == m_up && m_moved)
+            return std::nullopt;
+        m_moved = true;
+        return drive::SpeedRamp{
+            m_motor, m_plan.rpm + (m_up ? m_plan.amplitudeRpm : -m_plan.amplitudeRpm), 0ms};
+    }
+    TimePoint due() const override { return m_due; }
+    bool over() const override { return m_over; }
+
+private:
+    ResponsePlan m_plan;
+    int m_motor;
+    Draw m_draw;
+    std::optional<TimePoint> m_began;
+    TimePoint m_due{};
+    bool m_up = false, m_moved = false, m_over = false;
+};
+
+} // namespace
+
+ResponsePlan responsePlanFor(const Subject &subject, const UserCaps &caps)
+{
+    double allowed = subject.limits.maxSpeedRpm;
+    if (caps.maxRpm > 0.0)
+        allowed = allowed > 0.0 ? std::min(allowed, caps.maxRpm) : caps.maxRpm;
+    ResponsePlan plan;
+    plan.rpm = static_cast<int>(std::lround(kShare * allowed));
+    plan.amplitudeRpm = static_cast<int>(
+        std::lround(std::max(kLeastDigits * subject.limits.speedStepRpm, kSpeedShare * plan.rpm)));
+    plan.caps = caps;
+    return plan;
+}
+
+std::string objectionTo(const ResponsePlan &plan, const Subject &subject)
+{
+    if (subject.registers.angle == 0 || !(subject.limits.polePairs > 0.0))
+        return "this board does not record the angle of its rotor";
+    if (plan.length < 4s || plan.length > 40s)
+        return "it takes 4 to 40 s";
+    if (plan.amplitudeRpm < 1 || 2 * plan.amplitudeRpm >= std::abs(plan.rpm))
+        return "the speed may go to and fro by less than half of it";
+    return {};
+}
+
+Conditions conditionsOf(const ResponsePlan &plan, const Subject &subject)
+{
+    const Registers &registers = subject.registers;
+    return {.firstRpm = plan.rpm,
+        .approach = plan.approach,
+        .leastRpm = double(plan.rpm) - plan.amplitudeRpm,
+        .mostRpm = double(plan.rpm) + plan.amplitudeRpm,
+        .margin_rpm = std::max(kLeastMargin_rpm, kMargin * plan.amplitudeRpm),
+        .maxRpm = plan.caps.maxRpm,
+        .maxAmps = plan.caps.maxAmps,
+        .recorded = {registers.reference, registers.current, registers.speed, registers.angle},
+        .length = plan.length};
+}
+
+std::unique_ptr<Course> courseOf(const ResponsePlan &plan, const Subject &subject)
+{
+    return std::make_unique<ResponseCourse>(plan, subject.motor);
+}
+
+record::Happening entryOf(
+    const ResponsePlan &plan, const Subject &subject, const SpeedRegulator &regulator)
+{
+    const Registers &registers = subject.registers;
+    return {kEntry,
+        {{"motor", std::to_string(subject.motor)}, {"rpm", std::to_string(plan.rpm)},
+            {"amplitude rpm", std::to_string(plan.amplitudeRpm)},
+            {"length ms", std::to_string(plan.length.count())},
+            {"approach ms", std::to_string(plan.approach.count())},
+            {"seed", std::to_string(plan.seed)}, {"max rpm", textOf(plan.caps.maxRpm)},
+            {"max A", textOf(plan.caps.maxAmps)},
+            {"reference", subject.nameOf(registers.reference)},
+            {"current", subject.nameOf(registers.current)},
+            {"speed", subject.nameOf(registers.speed)}, {"angle", subject.nameOf(registers.angle)},
+            {"pole pairs", textOf(subject.limits.polePairs)},
+            {"proportional A per rpm", textOf(regulator.proportional)},
+            {"integral A per rpm", textOf(regulator.integral)},
+            {"period s", textOf(regulator.period_s)}}};
+}
+
+std::optional<RecordedResponse> recordedResponse(const record::Happening &happening)
+{
+    if (happening.name != kEntry)
+        return std::nullopt;
+    const auto number = [&](const char *key) { return numberOf(happening, key).value_or(0.0); };
+    const auto whole = [&](const char *key) { return static_cast<int>(number(key)); };
+    RecordedResponse found;
+    found.motor = whole("motor");
+    found.plan = {.rpm = whole("rpm"),
+        .amplitudeRpm = whole("amplitude rpm"),
+        .length = milliseconds(whole("length ms")),
+        .approach = milliseconds(whole("approach ms")),
+        .seed = static_cast<std::uint32_t>(std::max(0, whole("seed"))),
+        .caps = {number("max rpm"), number("max A")}};
+    found.reference = fieldOf(happening, "reference");
+    found.current = fieldOf(happening, "current");
+    found.speed = fieldOf(happening, "speed");
+    found.angle = fieldOf(happening, "angle");
+    found.polePairs = number("pole pairs");
+    found.regulator = {
+        number("proportional A per rpm"), number("integral A per rpm"), number("period s")};
+    if (found.motor < 1 || !(found.polePairs > 0.0) || found.plan.amplitudeRpm < 1)
+        return std::nullopt;
+    return found;
+}
+
+} // namespace lab

@@ -1,0 +1,51 @@
+// The course by which the frequency response of a speed loop is measured: the set-point is above or below a speed at random,
+// each time for 30 or 60 ms, so that every frequency up to some 60 Hz is in it; the two lengths fill each other's zeros.
+#pragma once
+
+#include "lab/conditions.h"
+#include "lab/course.h"
+#include "lab/subject.h"
+#include "record/entry.h"
+
+#include <optional>
+#include <string>
+
+namespace lab {
+
+struct ResponsePlan {
+    int rpm = 0; ///< around which it goes, signed
+    int amplitudeRpm = 60;
+    milliseconds length{16000};
+    milliseconds approach{500};
+    std::uint32_t seed = 1; ///< of the times
+    UserCaps caps = {};
+    bool operator==(const ResponsePlan &) const = default;
+};
+
+/// Around 0.4 of what is allowed, forwards, by ten digits of the set-point or 3 % of the speed.
+ResponsePlan responsePlanFor(const Subject &subject, const UserCaps &caps);
+
+std::string objectionTo(const ResponsePlan &plan, const Subject &subject);
+Conditions conditionsOf(const ResponsePlan &plan, const Subject &subject);
+std::unique_ptr<Course> courseOf(const ResponsePlan &plan, const Subject &subject);
+
+/// What the speed regulator does: reference of Iq = proportional x error + integral x sum of errors, once a period.
+struct SpeedRegulator {
+    double proportional = 0.0, integral = 0.0; ///< A/rpm
+    double period_s = 1e-3;
+    bool operator==(const SpeedRegulator &) const = default;
+};
+
+/// The plan as an entry of a recording, and back; empty for any other entry, or one that is no plan.
+record::Happening entryOf(
+    const ResponsePlan &plan, const Subject &subject, const SpeedRegulator &regulator);
+struct RecordedResponse {
+    ResponsePlan plan;
+    int motor = 1;
+    std::string reference, current, speed, angle; ///< names of signals; empty: none
+    double polePairs = 0.0;
+    SpeedRegulator regulator;
+};
+std::optional<RecordedResponse> recordedResponse(const record::Happening &happening);
+
+} // namespace lab

@@ -1,0 +1,186 @@
+// The frequency response of simulated motors and their speed loops, against the model that they are.
+#include "lab/cross_spectra.h"
+#include "lab/response_evaluation.h"
+#include "simulation/plant/presets.h"
+#include "support/lab_bench.h"
+
+#include <numbers>
+
+using namespace lab;
+using support::LabBench;
+using Complex = std::complex<double>;
+
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+struct Measured {
+    Outcome outcome;
+    ResponsePlan plan;
+    Result<SpeedResponse, std::string> found = fail(std::string());
+};
+
+Measured measure(std::string_view motor, const std::function<void(LabBench &)> &also = {})
+{
+    simulation::BoardOptions options;
+    options.motor = motor;
+    LabBench bench(options);
+    Measured measured;
+    measured.plan = responsePlanFor(bench.experiment.subject, {});
+    bench.experiment.plan = measured.plan;
+    measured.outcome = bench.run();
+    if (also)
+        also(bench);
+    measured.found = evaluateResponse(bench.capture, bench.happenings);
+    return measured;
+}
+
+/// Of the shaft's speed by Iq, around the plan's speed.
+Complex truthAt(const simulation::PlantParameters &plant, const ResponsePlan &plan, double hz)
+{
+    const double kt = 1.5 * plant.motor.polePairs * plant.motor.flux_wb;
+    const double speed = plan.rpm * 2.0 * std::numbers::pi / 60.0;
+    return kt
+        / Complex(plant.motor.viscous_nms + 2.0 * plant.load.fan_nms2 * speed,
+            plant.motor.inertia_kgm2 * 2.0 * std::numbers::pi * hz);
+}
+
+#define VERIFY_COMPLETE(measured)                                                                  \
+    QVERIFY2((measured).outcome.end == End::Complete && (measured).outcome.reason.empty(),         \
+        qPrintable(support::outcomeText((measured).outcome)));                                     \
+    QVERIFY2((measured).found, (measured).found ? "" : (measured).found.error().c_str())
+
+} // namespace
+
+class TestResponse : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void anEncoderTellsTheMotorUpTo40Hz()
+    {
+        const Measured measured = measure("servo24");
+        VERIFY_COMPLETE(measured);
+        const auto &plant = *simulation::findPreset("servo24");
+        int clear = 0, within = 0;
+        for (const ResponsePoint &point : measured.found->points) {
+            const Complex ratio = point.plant / truthAt(plant, measured.plan, point.hz);
+            const double sigmas = std::abs(std::abs(ratio) - 1.0) / point.relative;
+            within += sigmas <= 1.96 ? 1 : 0;
+            QVERIFY2(sigmas < 4.0, qPrintable(QString::number(point.hz)));
+            if (point.hz < 4.0 || point.hz > 40.0 || point.coherence < 0.95)
+                continue;
+            ++clear;
+            QVERIFY2(std::abs(std::abs(ratio) - 1.0) < 0.03,
+                qPrintable(QStringLiteral("%1 Hz: %2").arg(point.hz).arg(std::abs(ratio))));
+            QVERIFY2(std::abs(std::arg(ratio)) * kDegrees < 3.0,
+                qPrintable(QStringLiteral("%1 Hz: %2").arg(point.hz).arg(std::arg(ratio))));
+        }
+        QVERIFY2(clear >= 15, qPrintable(QString::number(clear)));
+        QVERIFY(within >= 0.9 * double(measured.found->points.size()));
+        QVERIFY(std::abs(*measured.found->crossover_hz - 6.7) < 0.5);
+        QVERIFY(std::abs(*measured.found->phaseMargin_deg - 63.0) < 4.0);
+        QVERIFY(*measured.found->ms > 1.1 && *measured.found->ms < 1.4);
+        QVERIFY(measured.found->notes.empty());
+    }
+
+    void anObservedSpeedTellsItUpTo10Hz_data()
+    {
+        QTest::addColumn<QString>("motor");
+        for (const char *motor : {"pm24", "prop12", "ipm48", "blower36"})
+            QTest::newRow(motor) << QString::fromLatin1(motor);
+    }
+    void anObservedSpeedTellsItUpTo10Hz()
+    {
+        QFETCH(const QString, motor);
+        const Measured measured = measure(motor.toStdString());
+        VERIFY_COMPLETE(measured);
+        const auto &plant = *simulation::findPreset(motor.toStdString());
+        int known = 0;
+        for (const ResponsePoint &point : measured.found->points) {
+            QCOMPARE(point.plantKnown, point.hz <= 10.0);
+            if (!point.plantKnown || point.coherence < 0.95)
+                continue;
+            ++known;
+            const Complex ratio = point.plant / truthAt(plant, measured.plan, point.hz);
+            QVERIFY2(std::abs(std::abs(ratio) - 1.0) < 0.06,
+                qPrintable(QStringLiteral("%1 Hz: %2").arg(point.hz).arg(std::abs(ratio))));
+        }
+        QVERIFY(known >= 4);
+        QVERIFY(measured.found->crossover_hz.has_value());
+        QCOMPARE(measured.found->notes.size(), 1U);
+    }
+
+    void withoutGainsTheLoopIsNotTold()
+    {
+        const Measured measured = measure("servo24", [](LabBench &bench) {
+            for (auto &[at, what] : bench.happenings)
+                for (auto &[key, value] : what.fields)
+                    if (key == "proportional A per rpm" || key == "integral A per rpm")
+                        value = "0";
+        });
+        QVERIFY(measured.found);
+        QVERIFY(!measured.found->crossover_hz && !measured.found->ms);
+    }
+
+    void whatIsMissingIsSaid()
+    {
+        const Measured none = measure("servo24", [](LabBench &bench) {
+            std::erase_if(
+                bench.happenings, [](const auto &one) { return one.second.name == "speed ramp"; });
+        });
+        QVERIFY(!none.found && !none.found.error().empty());
+        const Measured other =
+            measure("servo24", [](LabBench &bench) { bench.happenings.clear(); });
+        QVERIFY(!other.found);
+    }
+
+    void aPlanIsHeldAgainstTheMotor()
+    {
+        const LabBench bench;
+        const Subject &subject = bench.experiment.subject;
+        const ResponsePlan plan = responsePlanFor(subject, {});
+        QVERIFY(objectionTo(plan, subject).empty());
+        ResponsePlan other = plan;
+        other.amplitudeRpm = plan.rpm / 2;
+        QVERIFY(!objectionTo(other, subject).empty());
+        other = plan;
+        other.length = std::chrono::minutes(1);
+        QVERIFY(!objectionTo(other, subject).empty());
+        const auto read = recordedResponse(entryOf(plan, subject, {0.1, 0.02, 1e-3}));
+        QVERIFY(read && read->plan == plan && (read->regulator == SpeedRegulator{0.1, 0.02, 1e-3}));
+    }
+
+    /// A known filter: twice the instrument, two samples late, with noise that has nothing to do with it.
+    void crossSpectraTellGainDelayAndCoherence()
+    {
+        support::Random random(5);
+        const auto uniform = [&] {
+            return static_cast<double>(random.next() >> 11) * 0x1p-52 - 1.0;
+        };
+        std::vector<double> r, y;
+        for (int i = 0; i < 64 * 1024; ++i) {
+            r.push_back(uniform());
+            y.push_back((i >= 2 ? 2.0 * r[static_cast<std::size_t>(i - 2)] : 0.0) + uniform());
+        }
+        CrossSpectrum sum(256, 1000.0, 1);
+        sum.add(std::vector{r, y});
+        const CrossSpectra all = sum.result();
+        QCOMPARE(all.binHz, 1000.0 / 256.0);
+        QCOMPARE(sum.count(), 511);
+        for (const std::size_t bin : {10U, 40U, 100U}) {
+            const Complex gain = all.cross[0][bin] / all.instrument[bin];
+            QVERIFY(std::abs(std::abs(gain) - 2.0) < 0.1);
+            const double late = 2.0 * std::numbers::pi * double(bin) / 256.0 * 2.0;
+            QVERIFY(std::abs(std::remainder(std::arg(gain) + late, 2.0 * std::numbers::pi)) < 0.05);
+            QVERIFY(std::abs(all.coherence(0, bin) - 0.8) < 0.05); // 4 of 5 parts
+        }
+        const CrossSpectra band = all.band(10, 4);
+        QCOMPARE(band.averages, 4 * all.averages);
+        QVERIFY(std::abs(band.instrument[0]
+                    - (all.instrument[10] + all.instrument[11] + all.instrument[12]
+                        + all.instrument[13]))
+            < 1e-6 * band.instrument[0]);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestResponse)
+#include "tst_response.moc"
