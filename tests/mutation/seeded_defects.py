@@ -92,8 +92,8 @@ DEFECTS = [
     ("words of rest stay beside a motor that turns", "tst_monkey", "untrue", [
         ("widgets/control/control_panel.cpp", "!turns(before.second))", "turns(before.second))")]),
     ("a pulled cable is called a disconnection", "tst_monkey", "untrue", [
-        ("widgets/files/event_recorder.cpp", "        error.problem != session::PortProblem::None)\n        note(EventKind::Loss",
-         "        error.problem == session::PortProblem::TakenOver)\n        note(EventKind::Loss")]),
+        ("widgets/files/event_recorder.cpp", "        error.problem != session::PortProblem::None)\n        noteLoss(Trouble::Port",
+         "        error.problem == session::PortProblem::TakenOver)\n        noteLoss(Trouble::Port")]),
     ("a port without a board is called a lost link", "tst_monkey", "untrue", [
         ("widgets/base/messages.cpp", "LinkState::Lost && !met;", "LinkState::Closed && !met;")]),
     ("the last board is named at a closed port", "tst_monkey", "untrue", [

@@ -42,6 +42,7 @@ EventRecorder::EventRecorder(Device &device, const capture::Capture &capture, Ev
     connect(&device, &Device::statusChanged, this, &EventRecorder::status);
     connect(&device, &Device::linkStateChanged, this, &EventRecorder::link);
     connect(&device, &Device::portStateChanged, this, &EventRecorder::port);
+    connect(&device, &Device::openWished, this, [this] { m_loss.reset(); });
     connect(&device, &Device::streamStarted, this,
         [this](const capture::StreamLayout &layout) { m_tickHz = layout.tickHz; });
     connect(&device, &Device::stopWished, this,
@@ -232,13 +233,17 @@ void EventRecorder::link()
                 status = {};
         else if (before != LinkState::Suspect && before != LinkState::Recovering)
             m_status.clear();
+        m_loss.reset();
         note(EventKind::Recovery, now(),
             link.reason == drive::LinkReason::BoardReset ? linkReasonText(link.reason) : word);
         break;
     case LinkState::Suspect:
     case LinkState::Recovering:
     case LinkState::Lost:
-        note(EventKind::Loss, now(), word);
+        noteLoss(link.state == LinkState::Lost     ? Trouble::Lost
+                : link.state == LinkState::Suspect ? Trouble::Silent
+                                                   : Trouble::Recovering,
+            word);
         break;
     case LinkState::Closed:
         m_closing = wasThere;
@@ -251,13 +256,24 @@ void EventRecorder::link()
     }
 }
 
+/// One line from the first doubt to the contact that ends it: it says the worst, at the time of the first.
+void EventRecorder::noteLoss(Trouble how, const QString &text)
+{
+    if (!m_loss) {
+        m_loss = {how, m_log.add(EventKind::Loss, now(), text)};
+    } else if (how > m_loss->how) {
+        m_loss->how = how;
+        m_log.setText(m_loss->id, text);
+    }
+}
+
 void EventRecorder::port()
 {
     if (m_device.portOpen() || !std::exchange(m_closing, false))
         return;
     if (const session::PortError &error = m_device.portError();
         error.problem != session::PortProblem::None)
-        note(EventKind::Loss, now(), portProblemText(error, m_device.endpoint().path));
+        noteLoss(Trouble::Port, portProblemText(error, m_device.endpoint().path));
     else
         note(EventKind::Command, now(), tr("Disconnected"));
 }

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 
 namespace widgets {
 
@@ -46,6 +47,12 @@ private:
         double seconds = 0.0;
         quint32 event = 0; ///< in the log; 0: a write, noted when it has ended
     };
+    enum class Trouble : std::uint8_t { Recovering, Silent, Lost, Port }; ///< the later, the worse
+    struct Loss {
+        Trouble how;
+        quint32 id; ///< its line
+    };
+    void noteLoss(Trouble how, const QString &text);
     void note(EventKind kind, double seconds, const QString &text);
     void wished(const drive::Wish &wish);
     void ended(const drive::Ended &ended);
@@ -64,6 +71,7 @@ private:
     std::map<drive::WishId, Asked> m_asked;
     std::map<int, drive::MotorStatus> m_status;
     drive::LinkState m_link = drive::LinkState::Closed;
+    std::optional<Loss> m_loss; ///< that goes on
     bool m_closing = false; ///< the link is closed, and its port has not told why
     double m_tickHz = 0.0;
 };

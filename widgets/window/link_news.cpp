@@ -30,22 +30,58 @@ void LinkNews::portChanged()
         m_banner.clear();
         m_told = Told::Other;
     }
-    linkChanged();
+    follow();
 }
 
 void LinkNews::linkChanged()
 {
+    const drive::LinkChanged link = m_device.link();
+    if (!alive())
+        m_reset = false;
+    if (link.state == drive::LinkState::Connected && link.reason == drive::LinkReason::BoardReset) {
+        m_reset = true;
+        m_said.clear(); // also if it is the second one
+    }
+    follow();
+}
+
+void LinkNews::identityChanged() { follow(); }
+
+void LinkNews::armedChanged(bool armed)
+{
+    if (armed)
+        m_reset = false;
+    follow();
+}
+
+/// Connected, though the board may be silent for a moment.
+bool LinkNews::alive() const
+{
+    const drive::LinkState state = m_device.link().state;
+    return state == drive::LinkState::Connected || state == drive::LinkState::Suspect
+        || state == drive::LinkState::Recovering;
+}
+
+void LinkNews::follow()
+{
     const Message now = message();
-    // Contact that was lost stays told until there is contact again, not until the next attempt.
-    const bool stillLost =
-        tellsLoss() && m_device.identified() && !m_device.answering() && m_connecting();
     const bool notOfTheLink = m_told == Told::Other || m_told == Told::Done;
-    if (!now.sentence.isEmpty())
+    if (!now.sentence.isEmpty()) {
+        // What was read and closed is not told again by the same happening; what is bad comes back from behind other words.
+        if (now.sentence == m_said && (!notOfTheLink || now.kind != Banner::Kind::Bad))
+            return;
         m_banner.say(now.kind, now.sentence);
-    else if (stillLost || notOfTheLink)
+        m_said = now.sentence;
+        m_told = now.told;
         return;
-    else
-        m_banner.clear();
+    }
+    // Contact that was lost stays told until there is contact again, not until the next attempt.
+    if (tellsLoss() && m_device.identified() && !m_device.answering() && m_connecting())
+        return;
+    m_said.clear();
+    if (notOfTheLink)
+        return;
+    m_banner.clear();
     m_told = now.told;
 }
 
@@ -70,9 +106,9 @@ LinkNews::Message LinkNews::message() const
         return {Banner::Kind::Bad, linkReasonText(link.reason), Told::Link};
     if (link.state == LinkState::Connecting && link.reason != drive::LinkReason::None)
         return {Banner::Kind::Note, linkReasonText(link.reason), Told::Link};
-    if (link.reason == drive::LinkReason::BoardReset && link.state == LinkState::Connected)
-        return {Banner::Kind::Warning, linkReasonText(link.reason), Told::Link};
-    if (known && m_device.answering() && !m_device.identified()->identity.knownFirmware)
+    if (m_reset)
+        return {Banner::Kind::Warning, linkReasonText(drive::LinkReason::BoardReset), Told::Link};
+    if (known && alive() && !m_device.identified()->identity.knownFirmware)
         return {Banner::Kind::Note,
             tr("This firmware is not known: registers are shown raw and nothing is written."),
             Told::Link};

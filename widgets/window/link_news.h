@@ -1,5 +1,5 @@
 // LinkNews: which sentence the banner shows: what was done, what went wrong, or what the link does, and which of them gives
-// way to which.
+// way to which. Each happening of the link is told once: who has closed its message has read it.
 #pragma once
 
 #include "widgets/base/banner.h"
@@ -26,6 +26,8 @@ public Q_SLOTS:
     void say(widgets::Banner::Kind kind, const QString &sentence);
     void warn(const QString &sentence);
     void linkChanged();
+    void identityChanged();
+    void armedChanged(bool armed); ///< a reset is known then
     void portChanged(); ///< what was done before a connection is no news beside what comes now
 
 private:
@@ -41,11 +43,15 @@ private:
         Told told = Told::Other;
     };
     Message message() const;
+    bool alive() const;
+    void follow();
 
     const Device &m_device;
     std::function<bool()> m_connecting;
     Banner &m_banner;
     Told m_told = Told::Other;
+    QString m_said; ///< of the link, in this happening
+    bool m_reset = false; ///< the board was, and has not been armed since
 };
 
 } // namespace widgets

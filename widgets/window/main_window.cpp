@@ -354,6 +354,8 @@ void MainWindow::connectParts()
         linkChanged();
     });
     connect(&m_device, &Device::armedStateChanged, this, &MainWindow::updateFrame);
+    connect(&m_device, &Device::armedStateChanged, m_news, &LinkNews::armedChanged);
+    connect(&m_device, &Device::identityChanged, m_news, &LinkNews::identityChanged);
     connect(&m_workbench.signalPlan(), &SignalPlan::changed, this, &MainWindow::updateFrame);
 }
 

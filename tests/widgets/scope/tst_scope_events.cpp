@@ -45,6 +45,7 @@ private Q_SLOTS:
     void lostSamplesAreNotedWhereTheyAreMissing();
     void soAreThoseOfABoardWithSlowSignalsOnly();
     void aLinkThatGoesAndComesBackIsNoted();
+    void aLossIsOneLineHoweverItGoesOn();
     void aStopIsNoted();
     void mSetsAMarkerAtTheMouse();
     void aDoubleClickOnTheTimeAxisOrTheLaneSetsAMarker();
@@ -248,6 +249,35 @@ void TestScopeEvents::aLinkThatGoesAndComesBackIsNoted()
         session::PortState::Closed, {session::PortProblem::Unplugged, QStringLiteral("gone")});
     QCOMPARE(noted().size(), 5);
     QVERIFY2(noted().last().startsWith(QStringLiteral("Loss ")), qPrintable(noted().last()));
+}
+
+void TestScopeEvents::aLossIsOneLineHoweverItGoesOn()
+{
+    using drive::LinkReason;
+    using drive::LinkState;
+    const auto link = [this](LinkState state, LinkReason reason = LinkReason::None) {
+        facts::feed(m_rig->device(), {drive::LinkChanged{state, reason}});
+    };
+    m_before = lastId();
+    link(LinkState::Recovering);
+    QCOMPARE(noted(), QStringList{QStringLiteral("Loss recovering")});
+    link(LinkState::Suspect);
+    QCOMPARE(noted(), QStringList{QStringLiteral("Loss board silent")});
+    link(LinkState::Recovering); // less than is known already
+    QCOMPARE(noted(), QStringList{QStringLiteral("Loss board silent")});
+    link(LinkState::Lost, LinkReason::Silence);
+    QCOMPARE(noted(), QStringList{QStringLiteral("Loss link lost")});
+    link(LinkState::Connecting);
+    link(LinkState::Lost, LinkReason::Silence);
+    QCOMPARE(noted(), QStringList{QStringLiteral("Loss link lost")});
+    link(LinkState::Connected, LinkReason::BoardReset);
+    QCOMPARE(noted().size(), 2);
+    m_before = lastId();
+    link(LinkState::Suspect); // the next one is one of its own
+    m_rig->device().portChanged(
+        session::PortState::Closed, {session::PortProblem::Unplugged, QStringLiteral("gone")});
+    QCOMPARE(noted().size(), 1);
+    QVERIFY2(noted().first().contains(QStringLiteral("unplugged")), qPrintable(noted().first()));
 }
 
 void TestScopeEvents::aStopIsNoted()
