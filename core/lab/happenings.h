@@ -15,6 +15,9 @@ using capture::Nanos;
 /// By their time.
 using Happenings = std::vector<std::pair<Nanos, record::Happening>>;
 
+/// Nothing reached the board any more. One that is out of step for a moment goes on with what it was told.
+bool endsLink(const record::Happening &what);
+
 /// The signal of this name that was recorded at the control rate; nullptr: none, or the name is empty.
 const capture::Channel *fastChannel(const capture::Capture &capture, const std::string &name);
 

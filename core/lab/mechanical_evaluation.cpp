@@ -42,7 +42,7 @@ std::optional<Span> spanOf(const RecordedSpin &plan, Happenings::const_iterator 
             if (!span)
                 span = Span{time, last, {}, false};
         } else if (what.name == "speed ramp" || what.name == "command" || what.name == "stop"
-            || what.name == "link") {
+            || endsLink(what)) {
             if (span)
                 span->to = std::min(span->to, time);
         } else if (what.name == kEndEntry) {

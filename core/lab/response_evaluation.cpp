@@ -56,7 +56,7 @@ public:
             const Nanos took = capture::toNanos(numberOf(what, "took ms").value_or(0.0) * 1e-3);
             m_open->answered = std::clamp(asked + took, m_open->asked, m_open->asked + kSecond);
         } else if (what.name == "speed ramp" || what.name == "command" || what.name == "stop"
-            || what.name == "link" || what.name == kEndEntry) {
+            || endsLink(what) || what.name == kEndEntry) {
             finish(at);
             over = over || what.name == kEndEntry;
             if (over && fieldOf(what, "outcome") != "complete")

@@ -26,7 +26,7 @@ public:
             takeAnswer(what);
         else if (what.name == kEndEntry)
             takeEnd(at, what);
-        else if (what.name == "stop" || what.name == "link")
+        else if (what.name == "stop" || endsLink(what))
             end(at);
     }
     std::vector<StepAsked> steps;

@@ -84,8 +84,7 @@ private Q_SLOTS:
                                            .toObject()
                                            .value(QStringLiteral("value"))
                                            .toDouble();
-                QVERIFY2(
-                    std::abs(inertia / 2.5e-5 - 1.0) < 0.03, qPrintable(QString::number(inertia)));
+                QVERIFY2(std::abs(inertia / 2.5e-5 - 1.0) < 0.03, qPrintable(run.out + run.err));
                 QCOMPARE(
                     said.value(QStringLiteral("model")).toString(), QStringLiteral("viscous+dry"));
             }
