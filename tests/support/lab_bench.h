@@ -96,6 +96,8 @@ struct LabBench {
         }
         for (drive::Wish &wish : runner->takeWishes())
             waiting.push_back({pair.now + held, std::move(wish)});
+        if (runner->over())
+            waiting.clear(); // a host that stalls does so as a whole
         while (!waiting.empty() && waiting.front().first <= pair.now) {
             drive::Wish wish = std::move(waiting.front().second);
             waiting.pop_front();

@@ -50,7 +50,7 @@ private:
     Motor &motor(int number);
     static void clear(Motor &motor);
     void showAll();
-    void showWord(std::size_t line, const Word &word, const QString &text);
+    void showWord(std::size_t at, const Word &word, const QString &text);
     void fitHeight();
 
     std::map<int, Motor> m_motors;
