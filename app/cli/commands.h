@@ -31,7 +31,8 @@ struct Command {
         const Given &given, Arguments &arguments) = nullptr; ///< its own words and options
     bool needsPort = true;
     bool canMove = false; ///< it can move a motor, or write what moves it
-    bool ownsMotor = false; ///< a motor that it moved goes back to what it was, or is stopped if this program dies
+    bool ownsMotor =
+        false; ///< a motor that it moved goes back to what it was, or is stopped if this program dies
     bool ofOneMotor = false; ///< it has --motor
     bool numbers = false; ///< its words may be negative
     Outcome<int> (*run)(Desk &) = nullptr; ///< with a board

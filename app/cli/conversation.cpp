@@ -229,8 +229,8 @@ Outcome<lab::Outcome> Conversation::run(const lab::Experiment &experiment)
 {
     m_experimentEnded.reset();
     m_session.run(experiment);
-    const auto waited = waitUntil([this] { return m_experimentEnded.has_value(); },
-        lab::lengthOf(experiment) + kEndWithin);
+    const auto waited = waitUntil(
+        [this] { return m_experimentEnded.has_value(); }, lab::lengthOf(experiment) + kEndWithin);
     if (!waited)
         return tl::make_unexpected(waited.error());
     if (*waited == Waited::TimeOver)

@@ -50,8 +50,8 @@ Outcome<bool> addOwnLimits(Arguments &arguments, const QString &file)
 /// What stops what it started stops it also if it is killed. All else is meant to last longer than the program.
 std::shared_ptr<session::Guardian> guardianFor(const Arguments &arguments)
 {
-    const bool owns = arguments.command->ownsMotor
-        || (arguments.capture.start && !arguments.capture.keepRunning);
+    const bool owns =
+        arguments.command->ownsMotor || (arguments.capture.start && !arguments.capture.keepRunning);
     const char *why = nullptr;
     std::shared_ptr<session::Guardian> guardian;
     if (owns && !(guardian = session::startGuardian(why)))

@@ -8,7 +8,7 @@
 
 namespace lab {
 
-std::optional<double> fitFlux(std::span<const Segment> segments)
+std::optional<Estimate> fitFlux(std::span<const Segment> segments)
 {
     constexpr double kWindow_s = 20e-3, kLeastCurrent = 0.15; // of the largest
     constexpr double kLeastRange = 0.3; // of the fastest speed
@@ -44,7 +44,7 @@ std::optional<double> fitFlux(std::span<const Segment> segments)
     const auto fit = leastSquares(rows, std::array{kCurrent, kConstant, kSpeed});
     if (!fit || !(fit->values[kSpeed] > 0.0))
         return std::nullopt;
-    return fit->values[kSpeed];
+    return fit->estimate(kSpeed);
 }
 
 } // namespace lab

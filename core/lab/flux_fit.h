@@ -5,6 +5,7 @@
 // R and D only take up what is not the flux's: two levels of current do not tell them apart.
 #pragma once
 
+#include "lab/estimate.h"
 #include "lab/segments.h"
 
 #include <optional>
@@ -13,6 +14,6 @@ namespace lab {
 
 /// @param segments  with Iq and Vq as their first two values
 /// @return  Wb; empty where the speed hardly varied. Its scale is that of the board's voltages, 1 to 2 %.
-std::optional<double> fitFlux(std::span<const Segment> segments);
+std::optional<Estimate> fitFlux(std::span<const Segment> segments);
 
 } // namespace lab

@@ -149,20 +149,22 @@ std::optional<Fit> fitOf(const Rows &rows, std::vector<std::size_t> columns)
 }
 
 /// All torques are counted with the flux that the board tells. Where its voltages say clearly otherwise they are right.
-void compareFlux(Mechanics &found, double measured_wb, double told_wb)
+void compareFlux(Mechanics &found, const Estimate &measured_wb, double told_wb)
 {
-    const double ratio = measured_wb / told_wb;
-    if (std::abs(ratio - 1.0) <= kFluxDiffers)
+    const double ratio = measured_wb.value / told_wb;
+    const double unsure = (*measured_wb.high - *measured_wb.low) / 2.0 / told_wb;
+    if (std::abs(ratio - 1.0) <= kFluxDiffers + unsure)
         return;
     for (Estimate *one :
         {&found.inertia_kgm2, &found.viscous_nms, &found.dry_nm, &found.fan_nms2}) {
-        const double half = std::hypot((*one->high - *one->low) / 2.0, kFluxDiffers * one->value);
+        const double half =
+            std::hypot((*one->high - *one->low) / 2.0, (kFluxDiffers + unsure) * one->value);
         one->value *= ratio;
         one->low = std::max(0.0, one->value - ratio * half);
         one->high = one->value + ratio * half;
     }
     constexpr double kPercent = 100.0;
-    found.notes.push_back("the voltages tell magnets of " + textOf(measured_wb * 1e3, 3)
+    found.notes.push_back("the voltages tell magnets of " + textOf(measured_wb.value * 1e3, 3)
         + " mWb, the board of " + textOf(told_wb * 1e3, 3) + " mWb ("
         + textOf((ratio - 1.0) * kPercent, 2)
         + " %): the voltages were believed; perhaps the angle of its rotor is off, as after an "

@@ -112,8 +112,8 @@ private Q_SLOTS:
         recording.make();
         const auto flux = fitFlux(recording.segments());
         QVERIFY(flux);
-        QVERIFY2(
-            std::abs(*flux / recording.flux_wb - 1.0) < 2e-3, qPrintable(QString::number(*flux)));
+        QVERIFY2(std::abs(flux->value / recording.flux_wb - 1.0) < 2e-3,
+            qPrintable(QString::number(flux->value)));
     }
 
     void aSpeedThatStaysTellsNoFlux()
