@@ -16,11 +16,11 @@ namespace {
 constexpr auto kStandstillWithin = 10s; ///< a motor may coast
 
 /// Carries out a wish for the motor that is meant and prints the state that follows.
-Outcome<int> commandMotor(Desk &desk, decltype(drive::Wish::what) wish, const QString &what)
+Outcome<int> commandMotor(Desk &desk, const decltype(drive::Wish::what) &wish, const QString &what)
 {
     if (const auto armed = desk.talk.armToMove(); !armed)
         return tl::make_unexpected(armed.error());
-    const auto ended = desk.talk.command(std::move(wish), what);
+    const auto ended = desk.talk.command(wish, what);
     if (!ended)
         return tl::make_unexpected(ended.error());
     const auto status = desk.talk.nextStatus(desk.arguments.motor);

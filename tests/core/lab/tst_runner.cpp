@@ -199,7 +199,7 @@ void TestRunner::theWayToTheEnvelopeIsShort()
     };
     const auto listen = bench.pair.onEvent;
     bench.pair.onEvent = [&](const Event &event) {
-        if (!broken && bench.runner && bench.asked<Command>().size() > 0 && isBroken(event))
+        if (!broken && bench.runner && !bench.asked<Command>().empty() && isBroken(event))
             broken = bench.pair.now;
         listen(event);
     };
