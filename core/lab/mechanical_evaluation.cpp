@@ -75,6 +75,8 @@ public:
         const double time = static_cast<double>(size - 2 * edge) * segment.step_s;
         const auto parts = static_cast<std::size_t>(std::ceil(time / kStretch_s));
         const std::size_t length = (size - 2 * edge) / parts;
+        if (length == 0)
+            return; // samples so far apart are no board's, but a file may hold them
         for (std::size_t at = edge; at + length + edge <= size; at += length)
             if (static_cast<double>(length) * segment.step_s >= kLeastStretch_s)
                 add(segment, at, at + length, edge);

@@ -144,6 +144,31 @@ private Q_SLOTS:
             cut.found.error().find("are needed") != std::string::npos, cut.found.error().c_str());
     }
 
+    /// Files are foreign: one sample a second is no recording of a control loop, and ends no program.
+    void samplesThatAreFarApartTellNothing()
+    {
+        const LabBench bench;
+        const SpinPlan plan = spinPlanFor(bench.experiment.subject, {});
+        const record::Happening entry = entryOf(plan, bench.experiment.subject);
+        const RecordedSpin names = *recordedSpin(entry);
+        capture::Capture capture;
+        capture::StreamLayout layout;
+        layout.id = 1;
+        layout.tickHz = 1.0;
+        layout.fast = {{1, names.current, "A", 1e-3}, {2, names.angle, "deg", 360.0 / 65536.0},
+            {3, names.voltage, "V", 1e-3}};
+        capture.begin(layout);
+        capture::SampleBlock block;
+        block.stream = 1;
+        block.count = 100;
+        block.fast.assign(300, 7);
+        capture.append(block);
+        const Happenings happenings{
+            {0, entry}, {1, {"torque ramp", {{"motor", "1"}, {"A", "1"}, {"ms", "0"}}}}};
+        const auto found = evaluateMechanics(capture, happenings);
+        QVERIFY(!found && !found.error().empty());
+    }
+
     void aPlanIsHeldAgainstTheMotor()
     {
         LabBench bench;
