@@ -52,12 +52,11 @@ struct TuningArguments {
     int milliseconds = 0; ///< torque
 };
 
-/// Of step; the recording also of identify.
+/// Of step.
 struct StepArguments {
     int fromRpm = 0, toRpm = 0;
     int repeat = 5;
     int hold_ms = 500;
-    QString recording; ///< empty: none is kept
 };
 
 /// Of response.
@@ -65,7 +64,6 @@ struct ResponseArguments {
     int seconds = 0; ///< 0: as long as usual
     std::optional<int> rpm; ///< around which it goes
     int amplitude_rpm = 0; ///< 0: as usual
-    QString recording; ///< empty: none is kept
 };
 
 /// Of show and export.
@@ -92,6 +90,7 @@ struct Arguments {
     RecordingArguments recording; ///< of show and export
     StepArguments step;
     ResponseArguments response;
+    QString runFile; ///< the recording of an experiment; empty: none is kept
     drive::UserLimits limits; ///< --max-rpm and --max-amps
     bool cyclicSetPoints = false; ///< of ramp and capture: with every exchange
     double fullScaleCurrent_a = 0.0; ///< --full-scale-current; 0: not given

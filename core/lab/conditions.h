@@ -11,18 +11,12 @@ namespace lab {
 
 using std::chrono::milliseconds;
 
-/// The user's caps; 0: what the board tells.
-struct UserCaps {
-    double maxRpm = 0.0, maxAmps = 0.0;
-    bool operator==(const UserCaps &) const = default;
-};
-
 struct Conditions {
     int firstRpm = 0; ///< signed
     milliseconds approach{500}; ///< the ramp there, and the way back
     double leastRpm = 0.0, mostRpm = 0.0; ///< that are asked for
     double margin_rpm = 0.0; ///< that the speed may go beyond
-    double maxRpm = 0.0, maxAmps = 0.0; ///< as in UserCaps
+    drive::UserLimits user; ///< the user's caps; 0: what the board tells
     std::vector<drive::RegisterId> recorded; ///< to be recorded
     milliseconds length{}; ///< of its course
 };

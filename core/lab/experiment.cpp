@@ -1,5 +1,7 @@
 #include "lab/experiment.h"
 
+#include "drive/motion_limits.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,9 +18,7 @@ std::string generalObjection(const Conditions &conditions, const drive::MotorLim
 {
     if (conditions.approach < 1ms || conditions.approach > 10s)
         return "the way to the first speed takes 1 ms to 10 s";
-    const double user = conditions.maxRpm, board = limits.maxSpeedRpm;
-    const double allowed =
-        user > 0.0 && board > 0.0 ? std::min(user, board) : std::max(user, board);
+    const double allowed = drive::realBoundsOf(limits, conditions.user).rpm;
     if (!(allowed > 0.0))
         return "nothing says how fast this motor may turn: give the greatest speed that it may "
                "have";

@@ -1,5 +1,6 @@
 #include "lab/response_plan.h"
 
+#include "drive/motion_limits.h"
 #include "lab/draw.h"
 #include "lab/fields.h"
 
@@ -59,11 +60,9 @@ private:
 
 } // namespace
 
-ResponsePlan responsePlanFor(const Subject &subject, const UserCaps &caps)
+ResponsePlan responsePlanFor(const Subject &subject, const drive::UserLimits &caps)
 {
-    double allowed = subject.limits.maxSpeedRpm;
-    if (caps.maxRpm > 0.0)
-        allowed = allowed > 0.0 ? std::min(allowed, caps.maxRpm) : caps.maxRpm;
+    const double allowed = drive::realBoundsOf(subject.limits, caps).rpm;
     ResponsePlan plan;
     plan.rpm = static_cast<int>(std::lround(kShare * allowed));
     plan.amplitudeRpm = static_cast<int>(
@@ -91,8 +90,7 @@ Conditions conditionsOf(const ResponsePlan &plan, const Subject &subject)
         .leastRpm = double(plan.rpm) - plan.amplitudeRpm,
         .mostRpm = double(plan.rpm) + plan.amplitudeRpm,
         .margin_rpm = std::max(kLeastMargin_rpm, kMargin * plan.amplitudeRpm),
-        .maxRpm = plan.caps.maxRpm,
-        .maxAmps = plan.caps.maxAmps,
+        .user = plan.caps,
         .recorded = {registers.reference, registers.current, registers.speed, registers.angle},
         .length = plan.length};
 }
@@ -111,8 +109,8 @@ record::Happening entryOf(
             {"amplitude rpm", std::to_string(plan.amplitudeRpm)},
             {"length ms", std::to_string(plan.length.count())},
             {"approach ms", std::to_string(plan.approach.count())},
-            {"seed", std::to_string(plan.seed)}, {"max rpm", textOf(plan.caps.maxRpm)},
-            {"max A", textOf(plan.caps.maxAmps)},
+            {"seed", std::to_string(plan.seed)}, {"max rpm", textOf(plan.caps.maxSpeedRpm)},
+            {"max A", textOf(plan.caps.maxCurrentAmps)},
             {"reference", subject.nameOf(registers.reference)},
             {"current", subject.nameOf(registers.current)},
             {"speed", subject.nameOf(registers.speed)}, {"angle", subject.nameOf(registers.angle)},

@@ -18,12 +18,12 @@ struct ResponsePlan {
     milliseconds length{16000};
     milliseconds approach{500};
     std::uint32_t seed = 1; ///< of the times
-    UserCaps caps = {};
+    drive::UserLimits caps = {}; ///< the user's
     bool operator==(const ResponsePlan &) const = default;
 };
 
 /// Around 0.4 of what is allowed, forwards, by ten digits of the set-point or 3 % of the speed.
-ResponsePlan responsePlanFor(const Subject &subject, const UserCaps &caps);
+ResponsePlan responsePlanFor(const Subject &subject, const drive::UserLimits &caps);
 
 std::string objectionTo(const ResponsePlan &plan, const Subject &subject);
 Conditions conditionsOf(const ResponsePlan &plan, const Subject &subject);

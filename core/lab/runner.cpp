@@ -318,8 +318,9 @@ Caps Runner::caps() const
     caps.mostRpm = std::max({m_conditions.mostRpm, first, other}) + m_conditions.margin_rpm;
     caps.leastRpm = std::max(caps.leastRpm, -allowedRpm());
     caps.mostRpm = std::min(caps.mostRpm, allowedRpm());
-    caps.mostAmps = m_conditions.maxAmps > 0.0 ? m_conditions.maxAmps
-                                               : limits.maxCurrentAmps * kCurrentAboveBoard;
+    caps.mostAmps = m_conditions.user.maxCurrentAmps > 0.0
+        ? m_conditions.user.maxCurrentAmps
+        : limits.maxCurrentAmps * kCurrentAboveBoard;
     if (const auto bus = shown(m_experiment.subject.registers.bus)) {
         caps.leastBus_v = *bus * kBusSag;
         caps.mostBus_v = *bus * kBusRise;
@@ -342,7 +343,7 @@ Caps Runner::startCaps() const
 double Runner::allowedRpm() const
 {
     const double board = m_experiment.subject.limits.maxSpeedRpm * kAboveBoard;
-    const double user = m_conditions.maxRpm;
+    const double user = m_conditions.user.maxSpeedRpm;
     return user > 0.0 && board > 0.0 ? std::min(user, board) : std::max(user, board);
 }
 

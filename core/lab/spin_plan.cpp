@@ -1,5 +1,6 @@
 #include "lab/spin_plan.h"
 
+#include "drive/motion_limits.h"
 #include "lab/draw.h"
 #include "lab/fields.h"
 
@@ -31,8 +32,8 @@ public:
         , m_nominal(subject.limits.nominalCurrentAmps)
         , m_draw(plan.seed)
     {
-        if (plan.caps.maxAmps > 0.0)
-            m_nominal = std::min(m_nominal, plan.caps.maxAmps);
+        if (plan.caps.maxCurrentAmps > 0.0)
+            m_nominal = std::min(m_nominal, plan.caps.maxCurrentAmps);
         m_push = kFirstPush * m_nominal;
     }
 
@@ -92,11 +93,9 @@ private:
 
 } // namespace
 
-SpinPlan spinPlanFor(const Subject &subject, const UserCaps &caps)
+SpinPlan spinPlanFor(const Subject &subject, const drive::UserLimits &caps)
 {
-    double allowed = subject.limits.maxSpeedRpm;
-    if (caps.maxRpm > 0.0)
-        allowed = allowed > 0.0 ? std::min(allowed, caps.maxRpm) : caps.maxRpm;
+    const double allowed = drive::realBoundsOf(subject.limits, caps).rpm;
     return {.lowRpm = static_cast<int>(std::lround(kLowShare * allowed)),
         .highRpm = static_cast<int>(std::lround(kHighShare * allowed)),
         .caps = caps};
@@ -127,8 +126,7 @@ Conditions conditionsOf(const SpinPlan &plan, const Subject &subject)
         .leastRpm = double(std::min(plan.lowRpm, plan.highRpm)),
         .mostRpm = double(std::max(plan.lowRpm, plan.highRpm)),
         .margin_rpm = kMargin * std::abs(plan.highRpm - plan.lowRpm),
-        .maxRpm = plan.caps.maxRpm,
-        .maxAmps = plan.caps.maxAmps,
+        .user = plan.caps,
         .recorded = {registers.current, registers.speed, registers.angle},
         .length = plan.length};
     for (const drive::RegisterId id : {registers.voltage, registers.currentD})
@@ -150,8 +148,9 @@ record::Happening entryOf(const SpinPlan &plan, const Subject &subject)
             {"high rpm", std::to_string(plan.highRpm)},
             {"length ms", std::to_string(plan.length.count())},
             {"approach ms", std::to_string(plan.approach.count())},
-            {"seed", std::to_string(plan.seed)}, {"max rpm", textOf(plan.caps.maxRpm)},
-            {"max A", textOf(plan.caps.maxAmps)}, {"current", subject.nameOf(registers.current)},
+            {"seed", std::to_string(plan.seed)}, {"max rpm", textOf(plan.caps.maxSpeedRpm)},
+            {"max A", textOf(plan.caps.maxCurrentAmps)},
+            {"current", subject.nameOf(registers.current)},
             {"current d", subject.nameOf(registers.currentD)},
             {"voltage", subject.nameOf(registers.voltage)},
             {"speed", subject.nameOf(registers.speed)}, {"angle", subject.nameOf(registers.angle)},

@@ -20,12 +20,12 @@ struct SpinPlan {
     milliseconds length{8000};
     milliseconds approach{500};
     std::uint32_t seed = 1; ///< of the torques
-    UserCaps caps = {};
+    drive::UserLimits caps = {}; ///< the user's
     bool operator==(const SpinPlan &) const = default;
 };
 
 /// Between 0.3 and 0.6 of what is allowed, forwards.
-SpinPlan spinPlanFor(const Subject &subject, const UserCaps &caps);
+SpinPlan spinPlanFor(const Subject &subject, const drive::UserLimits &caps);
 
 std::string objectionTo(const SpinPlan &plan, const Subject &subject);
 Conditions conditionsOf(const SpinPlan &plan, const Subject &subject);

@@ -70,8 +70,7 @@ Conditions conditionsOf(const StepPlan &plan, const Subject &subject)
         .leastRpm = double(std::min(plan.fromRpm, plan.toRpm)),
         .mostRpm = double(std::max(plan.fromRpm, plan.toRpm)),
         .margin_rpm = std::max(kLeastMargin_rpm, kOvershoot * step),
-        .maxRpm = plan.caps.maxRpm,
-        .maxAmps = plan.caps.maxAmps,
+        .user = plan.caps,
         .recorded = {subject.registers.reference, subject.registers.current,
             subject.registers.speed},
         .length = 2 * plan.repeat * plan.hold};
@@ -103,7 +102,7 @@ record::Happening entryOf(const StepPlan &plan, const Subject &subject, double j
             {"to rpm", std::to_string(plan.toRpm)}, {"repeat", std::to_string(plan.repeat)},
             {"hold ms", std::to_string(plan.hold.count())},
             {"approach ms", std::to_string(plan.approach.count())},
-            {"max rpm", textOf(plan.caps.maxRpm)}, {"max A", textOf(plan.caps.maxAmps)},
+            {"max rpm", textOf(plan.caps.maxSpeedRpm)}, {"max A", textOf(plan.caps.maxCurrentAmps)},
             {"reference", subject.nameOf(registers.reference)},
             {"current", subject.nameOf(registers.current)},
             {"speed", subject.nameOf(registers.speed)}, {"angle", subject.nameOf(registers.angle)},

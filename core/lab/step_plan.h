@@ -17,7 +17,7 @@ struct StepPlan {
     int repeat = 1; ///< steps up and as many down
     milliseconds hold{500}; ///< of each speed
     milliseconds approach{500}; ///< the ramp to `from`, and the way back
-    UserCaps caps = {};
+    drive::UserLimits caps = {}; ///< the user's
     bool operator==(const StepPlan &) const = default;
 };
 

@@ -7,11 +7,11 @@ namespace {
 
 Outcome<int> runIdentify(Desk &desk)
 {
-    ExperimentRun run(desk, desk.arguments.step.recording);
+    ExperimentRun run(desk);
     const auto subject = run.subject();
     if (!subject)
         return tl::make_unexpected(subject.error());
-    const lab::SpinPlan plan = lab::spinPlanFor(*subject, run.caps());
+    const lab::SpinPlan plan = lab::spinPlanFor(*subject, desk.arguments.limits);
     return run.run({plan, *subject}, lab::entryOf(plan, *subject));
 }
 
@@ -23,7 +23,7 @@ Outcome<bool> readIdentify(const Given &given, Arguments &arguments)
         return usage(QStringLiteral("Only the mechanics can be identified, not \"%1\": write "
                                     "identify mechanical.")
                          .arg(given.words().first()));
-    return readRecordingPath(given, arguments.step.recording);
+    return readRunFile(given, arguments);
 }
 
 } // namespace

@@ -38,11 +38,11 @@ Outcome<lab::SpeedRegulator> regulatorOf(Desk &desk, const lab::Subject &subject
 Outcome<int> runResponse(Desk &desk)
 {
     const ResponseArguments &asked = desk.arguments.response;
-    ExperimentRun run(desk, asked.recording);
+    ExperimentRun run(desk);
     const auto subject = run.subject();
     if (!subject)
         return tl::make_unexpected(subject.error());
-    lab::ResponsePlan plan = lab::responsePlanFor(*subject, run.caps());
+    lab::ResponsePlan plan = lab::responsePlanFor(*subject, desk.arguments.limits);
     if (asked.seconds > 0)
         plan.length = std::chrono::seconds(asked.seconds);
     if (asked.rpm)
@@ -72,21 +72,14 @@ Outcome<bool> readResponse(const Given &given, Arguments &arguments)
     ResponseArguments &response = arguments.response;
     constexpr int kMostRpm = 1'000'000;
     int rpm = 0;
-    for (const auto &[option, value, least, most] :
-        {std::tuple{"seconds", &response.seconds, 4, 40},
-            std::tuple{"speed", &rpm, -kMostRpm, kMostRpm},
-            std::tuple{"amplitude", &response.amplitude_rpm, 1, kMostRpm}}) {
-        if (!given.has(option))
-            continue;
-        const auto number = wholeNumber(
-            given.value(option), least, most, QStringLiteral("--") + QLatin1String(option));
-        if (!number)
-            return tl::make_unexpected(number.error());
-        *value = *number;
-    }
+    const auto numbers = readNumbers(given,
+        {{"seconds", &response.seconds, 4, 40}, {"speed", &rpm, -kMostRpm, kMostRpm},
+            {"amplitude", &response.amplitude_rpm, 1, kMostRpm}});
+    if (!numbers)
+        return numbers;
     if (given.has("speed"))
         response.rpm = rpm;
-    return readRecordingPath(given, response.recording);
+    return readRunFile(given, arguments);
 }
 
 } // namespace

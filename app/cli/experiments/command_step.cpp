@@ -24,7 +24,7 @@ Outcome<double> jump(Desk &desk, const lab::Subject &subject)
 Outcome<int> runStep(Desk &desk)
 {
     const StepArguments &asked = desk.arguments.step;
-    ExperimentRun run(desk, asked.recording);
+    ExperimentRun run(desk);
     const auto subject = run.subject();
     if (!subject)
         return tl::make_unexpected(subject.error());
@@ -32,7 +32,7 @@ Outcome<int> runStep(Desk &desk)
         .toRpm = asked.toRpm,
         .repeat = asked.repeat,
         .hold = std::chrono::milliseconds(asked.hold_ms),
-        .caps = run.caps()};
+        .caps = desk.arguments.limits};
     const auto jumpSize = jump(desk, *subject);
     if (!jumpSize)
         return tl::make_unexpected(jumpSize.error());
@@ -59,20 +59,12 @@ Outcome<bool> readStep(const Given &given, Arguments &arguments)
             QStringLiteral("Say between which speeds, for example --from 1000 --to 1500."));
     constexpr int kMostRpm = 1'000'000;
     constexpr int kMostRepeats = 100, kMostHold_ms = 10'000;
-    for (const auto &[option, value, least, most] :
-        {std::tuple{"from", &step.fromRpm, -kMostRpm, kMostRpm},
-            std::tuple{"to", &step.toRpm, -kMostRpm, kMostRpm},
-            std::tuple{"repeat", &step.repeat, 1, kMostRepeats},
-            std::tuple{"hold", &step.hold_ms, 50, kMostHold_ms}}) {
-        if (!given.has(option))
-            continue;
-        const auto number = wholeNumber(
-            given.value(option), least, most, QStringLiteral("--") + QLatin1String(option));
-        if (!number)
-            return tl::make_unexpected(number.error());
-        *value = *number;
-    }
-    return readRecordingPath(given, step.recording);
+    const auto numbers = readNumbers(given,
+        {{"from", &step.fromRpm, -kMostRpm, kMostRpm}, {"to", &step.toRpm, -kMostRpm, kMostRpm},
+            {"repeat", &step.repeat, 1, kMostRepeats}, {"hold", &step.hold_ms, 50, kMostHold_ms}});
+    if (!numbers)
+        return numbers;
+    return readRunFile(given, arguments);
 }
 
 } // namespace

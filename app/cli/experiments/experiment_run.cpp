@@ -17,10 +17,10 @@ QString text(const std::string &words) { return QString::fromStdString(words); }
 
 } // namespace
 
-ExperimentRun::ExperimentRun(Desk &desk, const QString &file)
+ExperimentRun::ExperimentRun(Desk &desk)
     : m_desk(desk)
-    , m_kept(!file.isEmpty())
-    , m_path(m_kept ? file : m_folder.filePath(QStringLiteral("run.pcapng")))
+    , m_kept(!desk.arguments.runFile.isEmpty())
+    , m_path(m_kept ? desk.arguments.runFile : m_folder.filePath(QStringLiteral("run.pcapng")))
 {
 }
 
@@ -34,12 +34,6 @@ Outcome<lab::Subject> ExperimentRun::subject() const
         return failure(
             kRefused, QStringLiteral("Nothing can be measured: %1.").arg(text(found.error())));
     return *found;
-}
-
-lab::UserCaps ExperimentRun::caps() const
-{
-    const drive::UserLimits &limits = m_desk.arguments.limits;
-    return {limits.maxSpeedRpm, limits.maxCurrentAmps};
 }
 
 Outcome<int> ExperimentRun::run(const lab::Experiment &experiment, const record::Happening &entry)
@@ -104,9 +98,23 @@ Failure ExperimentRun::stopped(Failure why)
     return why;
 }
 
-Outcome<bool> readRecordingPath(const Given &given, QString &path)
+Outcome<bool> readNumbers(const Given &given, std::initializer_list<NumberOption> options)
 {
-    path = given.value("output");
+    for (const NumberOption &option : options) {
+        if (!given.has(option.name))
+            continue;
+        const auto number = wholeNumber(given.value(option.name), option.least, option.most,
+            QStringLiteral("--") + QLatin1String(option.name));
+        if (!number)
+            return tl::make_unexpected(number.error());
+        *option.value = *number;
+    }
+    return true;
+}
+
+Outcome<bool> readRunFile(const Given &given, Arguments &arguments)
+{
+    const QString path = arguments.runFile = given.value("output");
     if (path.isEmpty() || !QFileInfo::exists(path))
         return true;
     return failure(

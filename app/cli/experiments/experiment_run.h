@@ -11,12 +11,10 @@ namespace cli {
 
 class ExperimentRun {
 public:
-    /// @param file  keeps the recording; empty: none is kept
-    ExperimentRun(Desk &desk, const QString &file);
+    explicit ExperimentRun(Desk &desk);
 
     /// The motor that is meant; a failure if nothing can be measured with this board.
     Outcome<lab::Subject> subject() const;
-    lab::UserCaps caps() const;
     /// @param entry  the plan, as its recording has it
     /// @return  the exit status of the evaluation's report; a failure if the experiment did not come to its end
     Outcome<int> run(const lab::Experiment &experiment, const record::Happening &entry);
@@ -32,8 +30,15 @@ private:
     QString m_path;
 };
 
-/// -o RUN.pcapng of an experiment, into `path`; a failure if the file is there already.
-Outcome<bool> readRecordingPath(const Given &given, QString &path);
+/// A whole number of an experiment's own options.
+struct NumberOption {
+    const char *name = "";
+    int *value = nullptr; ///< stays as it is where the option was not given
+    int least = 0, most = 0;
+};
+Outcome<bool> readNumbers(const Given &given, std::initializer_list<NumberOption> options);
+/// -o RUN.pcapng of an experiment; a failure if the file is there already.
+Outcome<bool> readRunFile(const Given &given, Arguments &arguments);
 constexpr OptionText kRunOption{
     "o,output", "RUN.pcapng", "Keeps the recording, for rotorscope-cli evaluate."};
 

@@ -186,7 +186,7 @@ private Q_SLOTS:
         QVERIFY(!objectionTo(other, subject).empty());
         subject.limits.torquePerAmp = 0.0;
         QVERIFY(!objectionTo(plan, subject).empty());
-        const SpinPlan slow = spinPlanFor(bench.experiment.subject, {.maxRpm = 1000.0});
+        const SpinPlan slow = spinPlanFor(bench.experiment.subject, {.maxSpeedRpm = 1000.0});
         QVERIFY(slow.highRpm < 1000);
         QVERIFY(recordedSpin(entryOf(plan, bench.experiment.subject))->plan == plan);
     }

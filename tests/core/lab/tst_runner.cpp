@@ -170,9 +170,9 @@ void TestRunner::theWayToTheEnvelopeIsShort()
     LabBench bench;
     bench.steps.toRpm = 2500;
     if (cap == QLatin1String("current"))
-        bench.steps.caps.maxAmps = 2.0;
+        bench.steps.caps.maxCurrentAmps = 2.0;
     else if (cap == QLatin1String("speed"))
-        bench.steps.caps.maxRpm = 2500.0; // any overshoot
+        bench.steps.caps.maxSpeedRpm = 2500.0; // any overshoot
     else
         bench.steps.toRpm = 3400; // braking from there lifts the bus
     std::optional<TimePoint> broken;
@@ -272,7 +272,7 @@ void TestRunner::whatIsNotAPlanMovesNothing_data()
     QTest::newRow("too fast") << lab::StepPlan{.fromRpm = 1000, .toRpm = 100'000};
     QTest::newRow("backwards too fast") << lab::StepPlan{.fromRpm = 1000, .toRpm = -100'000};
     QTest::newRow("beyond one's own")
-        << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .caps = {.maxRpm = 1400.0}};
+        << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .caps = {.maxSpeedRpm = 1400.0}};
     QTest::newRow("none") << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .repeat = 0};
     QTest::newRow("too many") << lab::StepPlan{.fromRpm = 1000, .toRpm = 1500, .repeat = 1'000'000};
     QTest::newRow("too long") << lab::StepPlan{

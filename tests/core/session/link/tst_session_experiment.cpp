@@ -260,7 +260,7 @@ private Q_SLOTS:
         World world;
         QVERIFY(world.connect());
         world.session.run(world.experiment(
-            {.fromRpm = 1000, .toRpm = 1500, .caps = {.maxRpm = 1500.0}})); // any overshoot
+            {.fromRpm = 1000, .toRpm = 1500, .caps = {.maxSpeedRpm = 1500.0}})); // any overshoot
         QVERIFY(world.ends());
         VERIFY_END(world, End::Aborted);
         const TimePoint at = world.outcomes[0].at;
