@@ -426,11 +426,11 @@ void Runner::giveUp(End end, const std::string &reason, TimePoint now)
     giveBack(now);
 }
 
-void Runner::abort(const std::string &reason)
+void Runner::abort(const std::string &reason, const char *stopping)
 {
     m_stop = true;
     const std::string first = m_soFar.reason.empty() ? std::string() : m_soFar.reason + "; then ";
-    m_soFar = {End::Aborted, first + reason + "; every motor is being stopped", {}};
+    m_soFar = {End::Aborted, first + reason + "; " + stopping, {}};
     finish();
 }
 
@@ -446,7 +446,7 @@ void Runner::lose(const std::string &why)
 {
     if (over() || !moves())
         return interrupt(why);
-    abort(why);
+    abort(why, "a Stop waits for the board to be reached");
 }
 
 /// What is not as it was is said.

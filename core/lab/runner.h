@@ -75,7 +75,7 @@ private:
     void giveBack(TimePoint now);
     void restore(TimePoint now);
     void giveUp(End end, const std::string &reason, TimePoint now);
-    void abort(const std::string &reason);
+    void abort(const std::string &reason, const char *stopping = "every motor is being stopped");
     void finish();
     bool steadyAt(double rpm, TimePoint now);
     bool near(std::optional<double> speed, double rpm) const;

@@ -306,6 +306,7 @@ private Q_SLOTS:
         QVERIFY(world.ends(5s));
         VERIFY_END(world, End::Aborted);
         QVERIFY2(!wanted.isEmpty(), world.outcomes[0].reason.c_str());
+        QVERIFY(world.outcomes[0].reason.find("being stopped") == std::string::npos); // nobody can
         QVERIFY(!wanted.last().first().toStringList().isEmpty());
         world.line.plugged = true; // it is opened again by itself
         QVERIFY(world.idles(10s));
