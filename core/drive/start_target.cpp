@@ -76,10 +76,13 @@ StartTarget startTarget(
         const auto ramp = valueOf(first(catalog, kRamps));
         const auto *bytes = ramp ? std::get_if<Bytes>(&*ramp) : nullptr;
         constexpr std::size_t kRampBytes = 6;
-        if (bytes != nullptr && bytes->size() == kRampBytes)
-            target.rpm = ByteReader(*bytes).s32();
-        else
+        if (bytes != nullptr && bytes->size() == kRampBytes) {
+            ByteReader reader(*bytes);
+            target.rpm = reader.s32();
+            target.ramp = std::chrono::milliseconds(reader.u16());
+        } else {
             target.rpm = reference(first(catalog, kSpeeds));
+        }
     } else if (target.control == ControlMode::Torque) {
         target.amps = reference(first(catalog, kCurrents));
     }

@@ -10,6 +10,7 @@
 #include "drive/motion_limits.h"
 #include "drive/motor_view.h"
 
+#include <chrono>
 #include <optional>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct StartTarget {
     ControlMode control = ControlMode::Other; ///< Other: also where it is not known
     std::optional<double> rpm; ///< of Speed, signed
     std::optional<double> amps; ///< of Torque: Iq, signed
+    std::optional<std::chrono::milliseconds> ramp = {}; ///< in which a start goes there, where a board tells it
 };
 
 /// The registers that startTarget() looks at; empty for a board without them.

@@ -1,17 +1,26 @@
 // What the runner has to know of any plan: where the motor is brought first, which speeds the plan itself asks for, what the
-// user allows, and what is recorded.
+// user allows, what is recorded, and which registers it borrows.
 #pragma once
 
-#include "drive/wish.h"
+#include "lab/course.h"
 
 #include <chrono>
+#include <cstdint>
 #include <vector>
 
 namespace lab {
 
 using std::chrono::milliseconds;
 
+/// What the motor does when the course begins.
+enum class Beginning : std::uint8_t {
+    AtSpeed, ///< it turns at the first speed
+    AtRest, ///< driven, without any current asked for; it stood before
+    WhileStarting, ///< in its start-up, which the course ends; it stood before
+};
+
 struct Conditions {
+    Beginning beginning = Beginning::AtSpeed;
     int firstRpm = 0; ///< signed
     milliseconds approach{500}; ///< the ramp there, and the way back
     double leastRpm = 0.0, mostRpm = 0.0; ///< that are asked for
@@ -19,6 +28,8 @@ struct Conditions {
     drive::UserLimits user; ///< the user's caps; 0: what the board tells
     std::vector<drive::RegisterId> recorded; ///< to be recorded
     milliseconds length{}; ///< of its course
+    /// Written before the motor is started, while it rests; afterwards they are what they were.
+    std::vector<drive::RegisterWrite> lent = {};
 };
 
 } // namespace lab

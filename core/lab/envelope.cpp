@@ -2,6 +2,7 @@
 
 #include "drive/values.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -40,12 +41,19 @@ std::optional<std::string> Envelope::take(
         m_stream = started->layout.id;
         m_speed.reset();
         m_current.reset();
+        m_currentD.reset();
+        m_angle.reset();
+        m_sampleHz = started->layout.tickHz / std::max(1U, started->layout.fastStep);
         for (std::size_t i = 0; i < started->layout.fast.size(); ++i) {
             const capture::StreamSignal &signal = started->layout.fast[i];
             if (signal.id == m_watched.speed)
                 m_speed = {i, signal.factor, signal.offset};
             else if (signal.id == m_watched.current)
                 m_current = {i, signal.factor, signal.offset};
+            else if (signal.id == m_watched.currentD)
+                m_currentD = {i, signal.factor, signal.offset};
+            else if (signal.id == m_watched.angle)
+                m_angle = {i, signal.factor, signal.offset};
         }
     } else if (const auto *block = std::get_if<capture::SampleBlock>(&event)) {
         if (block->stream != m_stream || block->count == 0)
@@ -70,30 +78,52 @@ std::optional<std::string> Envelope::samples(const capture::SampleBlock &block)
         }
         return std::nullopt;
     };
+    double sum = 0.0;
+    const auto current = [&](double amps) {
+        sum += amps;
+        return m_caps.mostAmps > 0.0 && std::abs(amps) > m_caps.mostAmps
+            ? std::optional(broken("a current", amps, m_caps.mostAmps, "A"))
+            : std::nullopt;
+    };
+    if (m_currentD)
+        if (auto found = visit(*m_currentD, current))
+            return found;
     if (m_current) {
-        double sum = 0.0;
-        const auto found = visit(*m_current, [&](double amps) {
-            sum += amps;
-            return m_caps.mostAmps > 0.0 && std::abs(amps) > m_caps.mostAmps
-                ? std::optional(broken("a current", amps, m_caps.mostAmps, "A"))
-                : std::nullopt;
-        });
-        if (found)
+        sum = 0.0;
+        if (auto found = visit(*m_current, current))
             return found;
         m_amps = sum / block.count;
     }
-    if (!m_speed)
+    if (m_speed)
+        return visit(*m_speed, [this](double rpm) { return speed(rpm); });
+    const auto rpm = turnedRpm(block);
+    return rpm ? speed(*rpm) : std::nullopt;
+}
+
+/// Over the whole packet.
+std::optional<double> Envelope::turnedRpm(const capture::SampleBlock &block) const
+{
+    constexpr double kTurn_deg = 360.0, kSeconds = 60.0;
+    if (!m_angle || block.count < 2 || !(m_watched.polePairs > 0.0))
         return std::nullopt;
-    return visit(*m_speed, [this](double rpm) -> std::optional<std::string> {
-        m_rpm = rpm;
-        if (m_caps.mostRpm == m_caps.leastRpm)
-            return std::nullopt;
-        if (rpm > m_caps.mostRpm)
-            return broken("a speed", rpm, m_caps.mostRpm, "rpm");
-        if (rpm < m_caps.leastRpm)
-            return broken("a speed", rpm, m_caps.leastRpm, "rpm");
+    const std::int16_t *stored = block.fast.data() + m_angle->place * block.count;
+    double turned_deg = 0.0;
+    for (std::size_t i = 1; i < block.count; ++i)
+        turned_deg +=
+            std::remainder((stored[i] - stored[i - 1]) * std::abs(m_angle->factor), kTurn_deg);
+    return turned_deg / kTurn_deg / m_watched.polePairs * m_sampleHz / (block.count - 1) * kSeconds;
+}
+
+std::optional<std::string> Envelope::speed(double rpm)
+{
+    m_rpm = rpm;
+    if (m_caps.mostRpm == m_caps.leastRpm)
         return std::nullopt;
-    });
+    if (rpm > m_caps.mostRpm)
+        return broken("a speed", rpm, m_caps.mostRpm, "rpm");
+    if (rpm < m_caps.leastRpm)
+        return broken("a speed", rpm, m_caps.leastRpm, "rpm");
+    return std::nullopt;
 }
 
 std::optional<std::string> Envelope::reading(

@@ -14,7 +14,7 @@ namespace lab {
 
 struct Caps {
     double leastRpm = 0.0, mostRpm = 0.0;
-    double mostAmps = 0.0; ///< magnitude of Iq
+    double mostAmps = 0.0; ///< magnitude of Iq, and of Id
     double leastBus_v = 0.0, mostBus_v = 0.0;
     double mostTemperature_c = 0.0;
     Duration silence = std::chrono::milliseconds(500);
@@ -23,8 +23,10 @@ struct Caps {
 /// What the envelope has to know of the motor's signals; registers of this motor, 0: not there.
 struct Watched {
     int motor = 1;
-    drive::RegisterId speed = 0, current = 0; ///< streamed
+    drive::RegisterId speed = 0, current = 0, currentD = 0; ///< streamed
     drive::RegisterId bus = 0, temperature = 0; ///< polled
+    drive::RegisterId angle = 0; ///< streamed; where the speed is not, it is how far this goes in a packet
+    double polePairs = 0.0;
 };
 
 class Envelope {
@@ -54,6 +56,8 @@ public:
 
 private:
     std::optional<std::string> samples(const capture::SampleBlock &block);
+    std::optional<std::string> speed(double rpm);
+    std::optional<double> turnedRpm(const capture::SampleBlock &block) const;
     std::optional<std::string> reading(
         const drive::Reading &reading, const catalog::Catalog &catalog) const;
 
@@ -66,7 +70,8 @@ private:
     Watched m_watched;
     Caps m_caps;
     capture::StreamId m_stream = 0;
-    std::optional<Column> m_speed, m_current;
+    std::optional<Column> m_speed, m_current, m_currentD, m_angle;
+    double m_sampleHz = 0.0;
     std::optional<double> m_rpm, m_amps;
     TimePoint m_heard{};
 };

@@ -3,6 +3,7 @@
 
 #include "lab/course.h"
 #include "lab/response_plan.h"
+#include "lab/rest_plan.h"
 #include "lab/spin_plan.h"
 #include "lab/step_plan.h"
 
@@ -10,8 +11,10 @@
 
 namespace lab {
 
+using Plan = std::variant<StepPlan, SpinPlan, ResponsePlan, RestPlan>;
+
 struct Experiment {
-    std::variant<StepPlan, SpinPlan, ResponsePlan> plan;
+    Plan plan;
     Subject subject;
 };
 

@@ -1,6 +1,6 @@
 #include "lab/flux_fit.h"
 
-#include "lab/least_squares.h"
+#include "lab/maths/least_squares.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,9 @@
 #include "lab/mechanical_evaluation.h"
 
+#include "lab/driven_span.h"
 #include "lab/fields.h"
 #include "lab/flux_fit.h"
-#include "lab/least_squares.h"
+#include "lab/maths/least_squares.h"
 #include "lab/segments.h"
 
 #include <algorithm>
@@ -24,38 +25,6 @@ constexpr double kLeastTime_s = 3.0;
 /// a few parts in a thousand.
 constexpr double kScale = 5e-3;
 constexpr double kFluxDiffers = 0.03; ///< from what the board tells: more than its voltages are off
-
-/// When the motor was driven by torques: from the first one to whatever came then.
-struct Span {
-    Nanos from = 0, to = 0;
-    std::string reason; ///< why it ended early; empty: it did not, or nothing says so
-    bool complete = false;
-};
-
-std::optional<Span> spanOf(const RecordedSpin &plan, Happenings::const_iterator at,
-    Happenings::const_iterator end, Nanos last)
-{
-    std::optional<Span> span;
-    for (; at != end; ++at) {
-        const auto &[time, what] = *at;
-        if (what.name == "torque ramp" && numberOf(what, "motor") == plan.motor) {
-            if (!span)
-                span = Span{time, last, {}, false};
-        } else if (what.name == "speed ramp" || what.name == "command" || what.name == "stop"
-            || endsLink(what)) {
-            if (span)
-                span->to = std::min(span->to, time);
-        } else if (what.name == kEndEntry) {
-            if (span) {
-                span->to = std::min(span->to, time);
-                span->complete = fieldOf(what, "outcome") == "complete";
-                span->reason = span->complete ? std::string() : fieldOf(what, "reason");
-            }
-            break;
-        }
-    }
-    return span;
-}
 
 /// The rows of all stretches.
 class Stretches {
@@ -188,7 +157,8 @@ Result<Mechanics, std::string> evaluateMechanics(
     const capture::Channel *current = fastChannel(capture, plan->current);
     if (angle == nullptr || current == nullptr || angle->empty())
         return fail(std::string("it holds no samples of the signals that it needs"));
-    const auto span = spanOf(*plan, at, happenings.end(), angle->timeOf(angle->end() - 1));
+    const auto span =
+        drivenSpan(plan->motor, at, happenings.end(), angle->timeOf(angle->end() - 1));
     if (!span)
         return fail(std::string("the motor was never driven by a torque in it"));
     const capture::Channel *voltage = fastChannel(capture, plan->voltage);

@@ -9,7 +9,7 @@
 // Hinkkanen, IEEE Trans. Ind. Appl. 51 (2015), doi 10.1109/TIA.2015.2416128, without its second mass.
 #pragma once
 
-#include "lab/estimate.h"
+#include "lab/maths/estimate.h"
 #include "lab/experiment.h"
 #include "lab/happenings.h"
 

@@ -2,7 +2,7 @@
 
 #include "drive/motion_limits.h"
 #include "lab/draw.h"
-#include "lab/fields.h"
+#include "lab/plan_fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +19,26 @@ constexpr double kShare = 0.4; ///< of the allowed speed
 constexpr double kLeastDigits = 10.0, kSpeedShare = 0.03; ///< of the amplitude
 constexpr double kMargin = 3.0; ///< amplitudes beyond both
 constexpr double kLeastMargin_rpm = 120.0;
+
+template <class Plan, class Field>
+void eachField(Plan &plan, Field &&field)
+{
+    field("rpm", plan.rpm);
+    field("amplitude rpm", plan.amplitudeRpm);
+    field("length ms", plan.length);
+    field("approach ms", plan.approach);
+    field("seed", plan.seed);
+    field("max rpm", plan.caps.maxSpeedRpm);
+    field("max A", plan.caps.maxCurrentAmps);
+}
+
+template <class Regulator, class Field>
+void eachGain(Regulator &regulator, Field &&field)
+{
+    field("proportional A per rpm", regulator.proportional);
+    field("integral A per rpm", regulator.integral);
+    field("period s", regulator.period_s);
+}
 
 class ResponseCourse : public Course {
 public:
@@ -103,44 +123,20 @@ std::unique_ptr<Course> courseOf(const ResponsePlan &plan, const Subject &subjec
 record::Happening entryOf(
     const ResponsePlan &plan, const Subject &subject, const SpeedRegulator &regulator)
 {
-    const Registers &registers = subject.registers;
-    return {kEntry,
-        {{"motor", std::to_string(subject.motor)}, {"rpm", std::to_string(plan.rpm)},
-            {"amplitude rpm", std::to_string(plan.amplitudeRpm)},
-            {"length ms", std::to_string(plan.length.count())},
-            {"approach ms", std::to_string(plan.approach.count())},
-            {"seed", std::to_string(plan.seed)}, {"max rpm", textOf(plan.caps.maxSpeedRpm)},
-            {"max A", textOf(plan.caps.maxCurrentAmps)},
-            {"reference", subject.nameOf(registers.reference)},
-            {"current", subject.nameOf(registers.current)},
-            {"speed", subject.nameOf(registers.speed)}, {"angle", subject.nameOf(registers.angle)},
-            {"pole pairs", textOf(subject.limits.polePairs)},
-            {"proportional A per rpm", textOf(regulator.proportional)},
-            {"integral A per rpm", textOf(regulator.integral)},
-            {"period s", textOf(regulator.period_s)}}};
+    record::Happening entry{kEntry, {}};
+    putMotor(entry, subject);
+    eachField(plan, PutFields(entry));
+    eachGain(regulator, PutFields(entry));
+    return entry;
 }
 
 std::optional<RecordedResponse> recordedResponse(const record::Happening &happening)
 {
     if (happening.name != kEntry)
         return std::nullopt;
-    const auto number = [&](const char *key) { return numberOf(happening, key).value_or(0.0); };
-    const auto whole = [&](const char *key) { return static_cast<int>(number(key)); };
-    RecordedResponse found;
-    found.motor = whole("motor");
-    found.plan = {.rpm = whole("rpm"),
-        .amplitudeRpm = whole("amplitude rpm"),
-        .length = milliseconds(whole("length ms")),
-        .approach = milliseconds(whole("approach ms")),
-        .seed = static_cast<std::uint32_t>(std::max(0, whole("seed"))),
-        .caps = {number("max rpm"), number("max A")}};
-    found.reference = fieldOf(happening, "reference");
-    found.current = fieldOf(happening, "current");
-    found.speed = fieldOf(happening, "speed");
-    found.angle = fieldOf(happening, "angle");
-    found.polePairs = number("pole pairs");
-    found.regulator = {
-        number("proportional A per rpm"), number("integral A per rpm"), number("period s")};
+    RecordedResponse found{recordedMotor(happening), {}, {}};
+    eachField(found.plan, TakeFields(happening));
+    eachGain(found.regulator, TakeFields(happening));
     if (found.motor < 1 || !(found.polePairs > 0.0) || found.plan.amplitudeRpm < 1)
         return std::nullopt;
     return found;

@@ -4,8 +4,7 @@
 
 #include "lab/conditions.h"
 #include "lab/course.h"
-#include "lab/subject.h"
-#include "record/entry.h"
+#include "lab/recorded_motor.h"
 
 #include <optional>
 #include <string>
@@ -39,11 +38,8 @@ struct SpeedRegulator {
 /// The plan as an entry of a recording, and back; empty for any other entry, or one that is no plan.
 record::Happening entryOf(
     const ResponsePlan &plan, const Subject &subject, const SpeedRegulator &regulator);
-struct RecordedResponse {
+struct RecordedResponse : RecordedMotor {
     ResponsePlan plan;
-    int motor = 1;
-    std::string reference, current, speed, angle; ///< names of signals; empty: none
-    double polePairs = 0.0;
     SpeedRegulator regulator;
 };
 std::optional<RecordedResponse> recordedResponse(const record::Happening &happening);

@@ -40,8 +40,8 @@ std::string namesOf(const std::vector<std::string> &faults)
 Watched watchedOf(const Experiment &experiment)
 {
     const Registers &registers = experiment.subject.registers;
-    return {experiment.subject.motor, registers.speed, registers.current, registers.bus,
-        registers.temperature};
+    return {experiment.subject.motor, registers.speed, registers.current, registers.currentD,
+        registers.bus, registers.temperature, registers.angle, experiment.subject.limits.polePairs};
 }
 
 } // namespace
@@ -61,11 +61,15 @@ void Runner::begin(TimePoint now)
         m_outcome = {End::Refused, why, {}};
         return;
     }
+    // No wish of an experiment before this one has the same: a wish takes longer than a nanosecond.
+    m_lastWish = kFirstWish + static_cast<drive::WishId>(now.time_since_epoch().count());
     enter(Phase::Reading, kAnswerWithin, now);
     drive::Read read{subject.setPoint};
     for (const drive::RegisterId id : {subject.registers.bus, subject.registers.temperature})
         if (id != 0)
             read.registers.push_back(id);
+    for (const drive::RegisterWrite &lent : m_conditions.lent)
+        read.registers.push_back(lent.id);
     ask(std::move(read), now);
 }
 
@@ -80,7 +84,10 @@ void Runner::ask(Ask what, TimePoint now)
 {
     if (const auto *ramp = std::get_if<drive::SpeedRamp>(&what))
         m_asked_rpm = ramp->rpm;
-    const bool torque = std::holds_alternative<drive::TorqueRamp>(what);
+    const auto *currents = std::get_if<drive::CurrentReference>(&what);
+    if (currents != nullptr)
+        m_currents = *currents;
+    const bool torque = currents != nullptr || std::holds_alternative<drive::TorqueRamp>(what);
     m_byTorque = (m_byTorque || torque) && !m_asked_rpm;
     m_commanded = m_commanded || torque || m_asked_rpm;
     m_answered = false;
@@ -161,12 +168,13 @@ void Runner::onEnded(const drive::Ended &ended, TimePoint now)
     if (!ended.reason.empty())
         why += " (" + ended.reason + ")";
     constexpr const char *kAsked[] = {"reading the motor's state", "recording its signals",
-        "reading its bus voltage", "the first speed", "the start", "the way to the first speed",
-        "a step of it", "the way back", "the old set-point", "reading the set-point", ""};
+        "reading its bus voltage", "what it writes", "what the start goes to", "the start",
+        "the way to the first speed", "a step of it", "the way back", "what was there before",
+        "reading what is there afterwards", ""};
     giveUp(End::Refused, std::string(kAsked[static_cast<std::size_t>(m_phase)]) + ": " + why, now);
 }
 
-void Runner::onStatus(const drive::MotorStatus &status, TimePoint)
+void Runner::onStatus(const drive::MotorStatus &status, TimePoint now)
 {
     m_status = status;
     if (!moves())
@@ -179,7 +187,11 @@ void Runner::onStatus(const drive::MotorStatus &status, TimePoint)
     const bool rests = status.state == MotorState::Idle || status.state == MotorState::Stopping;
     const bool mayRest = m_phase == Phase::Starting || (m_phase == Phase::Returning && !m_ran);
     if (rests && !mayRest)
-        interrupt("something else stopped the motor");
+        return interrupt("something else stopped the motor");
+    const bool atWork = m_phase == Phase::Working;
+    if (m_conditions.beginning == Beginning::WhileStarting && atWork
+        && status.state == MotorState::Running)
+        giveUp(End::Refused, "the start-up went on to turn the motor", now);
 }
 
 void Runner::advance(TimePoint now)
@@ -203,20 +215,20 @@ void Runner::advance(TimePoint now)
     case Phase::Watching:
         if (!m_answered)
             break;
-        if (m_ran)
-            return approach(now);
-        // What is asked for at rest is where the start goes: not by way of the old set-point.
-        enter(Phase::Aiming, kAnswerWithin, now);
-        return ramp(m_conditions.firstRpm, m_conditions.approach, now);
+        return m_ran ? approach(now) : lend(now);
+    case Phase::Lending:
+        if (m_answered)
+            return aim(now);
+        break;
     case Phase::Aiming:
-        if (!m_answered)
-            break;
-        m_envelope.set(startCaps(), now);
-        enter(Phase::Starting, kRunsWithin, now);
-        return ask(drive::Command{drive::MotorAction::Start, m_experiment.subject.motor}, now);
+        if (m_answered)
+            return start(now);
+        break;
     case Phase::Starting:
-        if (m_answered && m_status->state == MotorState::Running)
-            return approach(now);
+        if (m_answered)
+            onStarted(now);
+        if (m_phase != Phase::Starting)
+            return;
         break;
     case Phase::Approaching:
         if (m_answered && steadyAt(m_conditions.firstRpm, now)) {
@@ -231,14 +243,15 @@ void Runner::advance(TimePoint now)
     case Phase::Returning:
         if (!m_answered)
             break;
+        if (m_ran && m_byTorque)
+            return ramp(static_cast<int>(std::lround(m_before_rpm)), m_conditions.approach, now);
         if (m_ran ? steadyAt(m_before_rpm, now) : m_status->state == MotorState::Idle)
-            return onReturned(now);
+            return restore(now);
         break;
     case Phase::Restoring:
-        if (!m_answered)
-            break;
-        enter(Phase::Comparing, kAnswerWithin, now);
-        return ask(drive::Read{m_experiment.subject.setPoint}, now);
+        if (m_answered)
+            return restoreNext(now);
+        break;
     case Phase::Comparing:
         if (m_answered)
             return onCompared();
@@ -278,10 +291,20 @@ void Runner::onRead(TimePoint now)
     m_ran = m_status->state == MotorState::Running;
     if (!m_ran && m_status->state != MotorState::Idle)
         return refuse("the motor neither runs nor rests: it is in " + m_status->stateName);
+    if (m_ran && m_conditions.beginning != Beginning::AtSpeed)
+        return refuse("the motor turns, and this is measured while it rests: stop it first");
+    for (const drive::RegisterWrite &lent : m_conditions.lent) {
+        const auto old = m_values.find(lent.id);
+        if (old == m_values.end())
+            return refuse("the board does not give " + m_experiment.subject.nameOf(lent.id)
+                + ", which would be written");
+        m_old.push_back({lent.id, old->second});
+    }
     const drive::StartTarget target = startTarget();
     if (target.control != drive::ControlMode::Speed || !target.rpm)
         return refuse("the motor is not in speed control, so a speed cannot be stepped");
     m_before_rpm = *target.rpm;
+    m_beforeRamp = target.ramp.value_or(0ms);
     // On its way, or held by the end of a ramp, it would be brought back to a speed that it did not have.
     if (m_ran && !near(m_status->speedRpm, m_before_rpm))
         return refuse("the motor does not turn at its set-point of " + rpmText(m_before_rpm));
@@ -350,6 +373,46 @@ double Runner::allowedRpm() const
 /// What set-points differ by in the board's digits is no difference.
 double Runner::tolerated() const { return std::max(1.0, m_experiment.subject.limits.speedStepRpm); }
 
+void Runner::lend(TimePoint now)
+{
+    if (m_conditions.lent.empty())
+        return aim(now);
+    enter(Phase::Lending, kAnswerWithin, now);
+    m_lent = true;
+    ask(drive::Write{m_conditions.lent, drive::Reach::Parameters}, now);
+}
+
+/// What is asked for at rest is where the start goes: not by way of the old set-point.
+void Runner::aim(TimePoint now)
+{
+    if (m_conditions.beginning == Beginning::WhileStarting)
+        return start(now);
+    enter(Phase::Aiming, kAnswerWithin, now);
+    if (m_conditions.beginning == Beginning::AtRest)
+        return ask(drive::CurrentReference{m_experiment.subject.motor, 0.0, 0.0}, now);
+    ramp(m_conditions.firstRpm, m_conditions.approach, now);
+}
+
+void Runner::start(TimePoint now)
+{
+    m_envelope.set(startCaps(), now);
+    enter(Phase::Starting, kRunsWithin, now);
+    ask(drive::Command{drive::MotorAction::Start, m_experiment.subject.motor}, now);
+    m_commanded = true;
+}
+
+void Runner::onStarted(TimePoint now)
+{
+    const bool early = m_conditions.beginning == Beginning::WhileStarting;
+    if (m_status->state != (early ? MotorState::Starting : MotorState::Running))
+        return;
+    if (m_conditions.beginning == Beginning::AtSpeed)
+        return approach(now);
+    m_envelope.set(early ? startCaps() : caps(), now);
+    m_phase = Phase::Working;
+    work(now);
+}
+
 void Runner::approach(TimePoint now)
 {
     m_envelope.set(caps(), now);
@@ -373,6 +436,10 @@ void Runner::work(TimePoint now)
 void Runner::giveBack(TimePoint now)
 {
     enter(Phase::Returning, m_ran ? m_conditions.approach + kReachesWithin : kRestsWithin, now);
+    if (m_ran && m_currents.idAmps != 0.0) { // speed control would keep it
+        m_currents.idAmps = 0.0;
+        return ask(m_currents, now);
+    }
     if (m_ran)
         return ramp(static_cast<int>(std::lround(m_before_rpm)), m_conditions.approach, now);
     Caps resting = caps(); // a board may record nothing while nothing is driven
@@ -381,20 +448,40 @@ void Runner::giveBack(TimePoint now)
     ask(drive::Command{drive::MotorAction::StopMotor, m_experiment.subject.motor}, now);
 }
 
-void Runner::onReturned(TimePoint now)
-{
-    if (m_ran) {
-        enter(Phase::Comparing, kAnswerWithin, now);
-        return ask(drive::Read{m_experiment.subject.setPoint}, now);
-    }
-    restore(now);
-}
-
-/// Of the set-point, while the motor rests.
+/// Of what was written: while the motor rests, or turns as before. A start goes its way in the time of the last ramp.
 void Runner::restore(TimePoint now)
 {
+    if (m_lent)
+        m_restores.push_back(drive::Write{m_old, drive::Reach::Parameters});
+    if (m_conditions.beginning != Beginning::WhileStarting)
+        m_restores.push_back(drive::SpeedRamp{
+            m_experiment.subject.motor, static_cast<int>(std::lround(m_before_rpm)), m_beforeRamp});
+    restoreNext(now);
+}
+
+void Runner::restoreNext(TimePoint now)
+{
+    if (m_restores.empty())
+        return compare(now);
     enter(Phase::Restoring, kAnswerWithin, now);
-    ramp(static_cast<int>(std::lround(m_before_rpm)), 0ms, now);
+    Ask next = std::move(m_restores.front());
+    m_restores.pop_front();
+    ask(std::move(next), now);
+}
+
+void Runner::compare(TimePoint now)
+{
+    enter(Phase::Comparing, kAnswerWithin, now);
+    drive::Read read{m_experiment.subject.setPoint};
+    for (const drive::RegisterWrite &old : m_old)
+        read.registers.push_back(old.id);
+    ask(std::move(read), now);
+}
+
+bool Runner::isAsBefore(const drive::RegisterWrite &old) const
+{
+    const auto at = m_values.find(old.id);
+    return at != m_values.end() && drive::sameValue(old.value, at->second);
 }
 
 void Runner::onCompared()
@@ -405,6 +492,9 @@ void Runner::onCompared()
         m_target_rpm = static_cast<int>(std::lround(m_before_rpm));
     else
         m_target_rpm = static_cast<int>(std::lround(target.rpm.value_or(m_target_rpm)));
+    m_lent = m_lent && !std::all_of(m_old.begin(), m_old.end(), [this](const auto &old) {
+        return isAsBefore(old);
+    });
     finish();
 }
 
@@ -417,9 +507,9 @@ void Runner::giveUp(End end, const std::string &reason, TimePoint now)
     }
     if (m_soFar.reason.empty())
         m_soFar = {end, reason, {}};
-    if (!m_commanded)
+    if (!m_commanded && !m_lent)
         return finish();
-    if (m_phase == Phase::Aiming || (m_phase == Phase::Starting && m_stands))
+    if (m_phase == Phase::Lending || m_phase == Phase::Aiming || (m_phase == Phase::Starting && m_stands))
         return restore(now);
     if (m_phase == Phase::Returning || m_phase == Phase::Starting)
         return abort(reason);
@@ -459,6 +549,10 @@ void Runner::finish()
         m_soFar.reason += std::string(m_soFar.reason.empty() ? "" : "; ") + "the set-point "
             + (m_asked_rpm ? "may be " : "is ") + rpmText(now_rpm) + " now, it was "
             + rpmText(m_before_rpm);
+    if (m_lent)
+        for (const drive::RegisterWrite &old : m_old)
+            m_soFar.reason += std::string(m_soFar.reason.empty() ? "" : "; ")
+                + m_experiment.subject.nameOf(old.id) + " may hold what the experiment wrote";
     if (m_byTorque)
         m_soFar.reason += std::string(m_soFar.reason.empty() ? "" : "; ")
             + "the motor is in torque control now, it was in speed control";

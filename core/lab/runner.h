@@ -15,6 +15,7 @@
 #include "lab/experiment.h"
 #include "lab/outcome.h"
 
+#include <deque>
 #include <map>
 #include <string>
 #include <vector>
@@ -50,12 +51,13 @@ private:
         Reading, ///< what the motor does now
         Streaming, ///< until the board records
         Watching, ///< until the rest is polled
-        Aiming, ///< of a motor at rest: until its start goes to the first speed
+        Lending, ///< of the registers that the plan writes, while the motor rests
+        Aiming, ///< of a motor at rest: until its start goes to the first speed, or to no current
         Starting, ///< until it runs
         Approaching, ///< until the speed is the first one
         Working, ///< until its course is over
         Returning, ///< to the speed of before, or to rest
-        Restoring, ///< of the set-point, while it rests
+        Restoring, ///< of the borrowed registers and of the set-point, while it rests
         Comparing, ///< what the board has now
         Over,
     };
@@ -64,22 +66,28 @@ private:
     void again(TimePoint now);
     void ramp(int rpm, milliseconds duration, TimePoint now);
     void enter(Phase phase, Duration within, TimePoint now);
+    void lend(TimePoint now);
+    void aim(TimePoint now);
+    void start(TimePoint now);
+    void onStarted(TimePoint now);
     void onEnded(const drive::Ended &ended, TimePoint now);
     void onStatus(const drive::MotorStatus &status, TimePoint now);
     void onRead(TimePoint now);
-    void onReturned(TimePoint now);
     void onCompared();
     void onLate(TimePoint now);
     void approach(TimePoint now);
     void work(TimePoint now);
     void giveBack(TimePoint now);
     void restore(TimePoint now);
+    void restoreNext(TimePoint now);
+    void compare(TimePoint now);
     void giveUp(End end, const std::string &reason, TimePoint now);
     void abort(const std::string &reason, const char *stopping = "every motor is being stopped");
     void finish();
     bool steadyAt(double rpm, TimePoint now);
     bool near(std::optional<double> speed, double rpm) const;
     drive::StartTarget startTarget() const;
+    bool isAsBefore(const drive::RegisterWrite &old) const;
     bool moves() const { return m_phase >= Phase::Starting && m_phase <= Phase::Returning; }
     Caps caps() const;
     Caps startCaps() const;
@@ -104,13 +112,18 @@ private:
     bool m_commanded = false; ///< something left that may move the motor
     std::map<drive::RegisterId, catalog::Value> m_values; ///< the newest
     std::optional<drive::MotorStatus> m_status;
+    std::vector<drive::RegisterWrite> m_old; ///< of the borrowed registers
+    bool m_lent = false; ///< they may hold what the experiment wrote
+    std::deque<Ask> m_restores; ///< still to be asked for
     double m_before_rpm = 0.0; ///< the set-point
+    milliseconds m_beforeRamp{}; ///< in which it was to be reached
     int m_target_rpm = 0; ///< the set-point that the board may have taken last
     Ask m_asked; ///< last
     int m_tries = 0; ///< of it, that were too late
     std::optional<int> m_asked_rpm; ///< on its way
     bool m_stands = false; ///< the start was refused
     bool m_byTorque = false; ///< a torque was asked for last
+    drive::CurrentReference m_currents; ///< that were asked for last
     bool m_ran = false; ///< the motor did
     Outcome m_soFar;
 

@@ -37,6 +37,7 @@ std::vector<Segment> segmentsOf(const capture::Channel &angle,
             finish();
         if (now.turned_deg.empty()) {
             first_s = seconds;
+            now.first_deg = value;
             now.at = turns.toNanos(seconds);
         }
         constexpr double kTurn_deg = 360.0;

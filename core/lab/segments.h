@@ -11,6 +11,7 @@ namespace lab {
 struct Segment {
     capture::Nanos at = 0; ///< its first sample
     double step_s = 0.0;
+    double first_deg = 0.0; ///< the angle at its beginning
     std::vector<double> turned_deg; ///< electrical, since its beginning, turns included
     std::vector<std::vector<double>> values; ///< one list a channel, as long
 };

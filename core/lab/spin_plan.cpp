@@ -2,7 +2,7 @@
 
 #include "drive/motion_limits.h"
 #include "lab/draw.h"
-#include "lab/fields.h"
+#include "lab/plan_fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +14,31 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr const char *kEntry = "spin plan";
-constexpr double kLowShare = 0.25, kHighShare = 0.7; ///< of the allowed speed
-constexpr double kMargin = 0.6; ///< of the way between both speeds
+constexpr double kLowShare = 0.25, kHighShare = 0.6; ///< of the allowed speed
+constexpr double kFluxLowShare = 0.4, kFluxHighShare = 0.6; ///< inductances take fast turns
+constexpr double kFluxShare = 0.4; ///< of the nominal current
+constexpr double kMargin = 1.0, kFluxMargin = 1.3; ///< of the way between both speeds: a quarter of a second for a host that stalls
 constexpr double kFirstPush = 0.05, kMostPush = 0.7; ///< of the nominal current
 constexpr double kFirstDrop = 0.2, kMostDrop = 0.95; ///< of the current that holds the speed
 constexpr double kLeastDraw = 0.7; ///< of what a way would take: no two are the same
 constexpr double kWay_s = 0.25; ///< from one speed to the other
 constexpr double kMostGrowth = 2.0; ///< of the push from one way to the next
+constexpr Duration kShake = 50ms; ///< with currents along the magnets, until all of them jump
+constexpr double kJump = 0.5; ///< to either side, of what accelerates, or of what is left while it coasts
 constexpr Duration kPatience = 1s; ///< with a push that does not reach the other speed
+
+template <class Plan, class Field>
+void eachField(Plan &plan, Field &&field)
+{
+    field("low rpm", plan.lowRpm);
+    field("high rpm", plan.highRpm);
+    field("length ms", plan.length);
+    field("flux A", plan.fluxAmps);
+    field("approach ms", plan.approach);
+    field("seed", plan.seed);
+    field("max rpm", plan.caps.maxSpeedRpm);
+    field("max A", plan.caps.maxCurrentAmps);
+}
 
 class SpinCourse : public Course {
 public:
@@ -54,7 +71,9 @@ public:
             m_pushing ? rpm >= std::abs(m_plan.highRpm) : rpm <= std::abs(m_plan.lowRpm);
         const double took_s = toSeconds(moment.now - m_turned);
         if (!there && moment.now - m_turned < kPatience)
-            return std::nullopt;
+            return m_plan.fluxAmps > 0.0 && moment.now - m_shaken >= kShake
+                ? std::optional(shake(moment.now))
+                : std::nullopt;
         const double change = there ? std::min(kMostGrowth, took_s / kWay_s) : kMostGrowth;
         if (m_pushing)
             m_push = std::min(m_used * change, kMostPush * m_nominal);
@@ -73,7 +92,20 @@ private:
         m_used = (push ? m_push : m_drop) * m_draw.between(kLeastDraw, 1.0);
         const double amps =
             push ? std::min(m_hold + m_used, kMostPush * m_nominal) : m_hold * (1.0 - m_used);
-        return drive::TorqueRamp{m_motor, m_sign * amps, 0ms};
+        if (m_plan.fluxAmps == 0.0)
+            return drive::TorqueRamp{m_motor, m_sign * amps, 0ms};
+        m_mean = amps;
+        return shake(now);
+    }
+
+    /// The same torque on the whole, in jumps, and another current along the magnets with each.
+    Ask shake(TimePoint now)
+    {
+        m_shaken = now;
+        m_above = !m_above;
+        const double jump = kJump * std::abs(m_mean - m_hold * (m_pushing ? 1.0 : 0.0));
+        return drive::CurrentReference{m_motor, m_sign * (m_mean + (m_above ? jump : -jump)),
+            m_draw.between(-m_plan.fluxAmps, m_plan.fluxAmps)};
     }
 
     SpinPlan m_plan;
@@ -86,7 +118,9 @@ private:
     double m_used = 0.0; ///< of one of the two, last
     double m_drop = kFirstDrop; ///< share of it that is taken away
     std::optional<TimePoint> m_began;
-    TimePoint m_turned{}, m_due{};
+    double m_mean = 0.0; ///< A, of this way
+    TimePoint m_turned{}, m_shaken{}, m_due{};
+    bool m_above = false;
     bool m_pushing = true;
     bool m_over = false;
 };
@@ -101,6 +135,21 @@ SpinPlan spinPlanFor(const Subject &subject, const drive::UserLimits &caps)
         .caps = caps};
 }
 
+SpinPlan fluxPlanFor(const Subject &subject, const drive::UserLimits &caps)
+{
+    SpinPlan plan = spinPlanFor(subject, caps);
+    double nominal = subject.limits.nominalCurrentAmps;
+    if (caps.maxCurrentAmps > 0.0)
+        nominal = std::min(nominal, caps.maxCurrentAmps);
+    plan.lowRpm = static_cast<int>(std::lround(
+        kFluxLowShare * drive::realBoundsOf(subject.limits, caps).rpm));
+    plan.highRpm = static_cast<int>(std::lround(
+        kFluxHighShare * drive::realBoundsOf(subject.limits, caps).rpm));
+    plan.fluxAmps = kFluxShare * nominal;
+    plan.length = 12s;
+    return plan;
+}
+
 std::string objectionTo(const SpinPlan &plan, const Subject &subject)
 {
     if (subject.registers.angle == 0 || !(subject.limits.polePairs > 0.0))
@@ -110,6 +159,11 @@ std::string objectionTo(const SpinPlan &plan, const Subject &subject)
                "known";
     if (!(subject.limits.nominalCurrentAmps > 0.0))
         return "the board does not tell the nominal current of its motor";
+    if (!(plan.fluxAmps >= 0.0) || plan.fluxAmps > kMostPush * subject.limits.nominalCurrentAmps)
+        return "at most " + textOf(kMostPush * subject.limits.nominalCurrentAmps, 3)
+            + " A flow along the magnets";
+    if (plan.fluxAmps > 0.0 && (subject.registers.voltage == 0 || subject.registers.currentD == 0))
+        return "this board does not record its voltage and both of its currents";
     if (plan.length < 1s || plan.length > 30s)
         return "it takes 1 to 30 s";
     const bool sameSign = (plan.lowRpm > 0) == (plan.highRpm > 0);
@@ -125,13 +179,18 @@ Conditions conditionsOf(const SpinPlan &plan, const Subject &subject)
         .approach = plan.approach,
         .leastRpm = double(std::min(plan.lowRpm, plan.highRpm)),
         .mostRpm = double(std::max(plan.lowRpm, plan.highRpm)),
-        .margin_rpm = kMargin * std::abs(plan.highRpm - plan.lowRpm),
+        .margin_rpm = (plan.fluxAmps > 0.0 ? kFluxMargin : kMargin)
+            * std::abs(plan.highRpm - plan.lowRpm),
         .user = plan.caps,
         .recorded = {registers.current, registers.speed, registers.angle},
         .length = plan.length};
-    for (const drive::RegisterId id : {registers.voltage, registers.currentD})
-        if (id != 0)
-            conditions.recorded.push_back(id);
+    if (plan.fluxAmps > 0.0) // at the full rate of the control loop, which leaves room for no more
+        conditions.recorded = {
+            registers.current, registers.currentD, registers.voltage, registers.angle};
+    else
+        for (const drive::RegisterId id : {registers.voltage, registers.currentD})
+            if (id != 0)
+                conditions.recorded.push_back(id);
     return conditions;
 }
 
@@ -142,42 +201,18 @@ std::unique_ptr<Course> courseOf(const SpinPlan &plan, const Subject &subject)
 
 record::Happening entryOf(const SpinPlan &plan, const Subject &subject)
 {
-    const Registers &registers = subject.registers;
-    return {kEntry,
-        {{"motor", std::to_string(subject.motor)}, {"low rpm", std::to_string(plan.lowRpm)},
-            {"high rpm", std::to_string(plan.highRpm)},
-            {"length ms", std::to_string(plan.length.count())},
-            {"approach ms", std::to_string(plan.approach.count())},
-            {"seed", std::to_string(plan.seed)}, {"max rpm", textOf(plan.caps.maxSpeedRpm)},
-            {"max A", textOf(plan.caps.maxCurrentAmps)},
-            {"current", subject.nameOf(registers.current)},
-            {"current d", subject.nameOf(registers.currentD)},
-            {"voltage", subject.nameOf(registers.voltage)},
-            {"speed", subject.nameOf(registers.speed)}, {"angle", subject.nameOf(registers.angle)},
-            {"pole pairs", textOf(subject.limits.polePairs)},
-            {"torque Nm per A", textOf(subject.limits.torquePerAmp)}}};
+    record::Happening entry{kEntry, {}};
+    putMotor(entry, subject);
+    eachField(plan, PutFields(entry));
+    return entry;
 }
 
 std::optional<RecordedSpin> recordedSpin(const record::Happening &happening)
 {
     if (happening.name != kEntry)
         return std::nullopt;
-    const auto number = [&](const char *key) { return numberOf(happening, key).value_or(0.0); };
-    const auto whole = [&](const char *key) { return static_cast<int>(number(key)); };
-    RecordedSpin found;
-    found.motor = whole("motor");
-    found.plan = {.lowRpm = whole("low rpm"),
-        .highRpm = whole("high rpm"),
-        .length = milliseconds(whole("length ms")),
-        .approach = milliseconds(whole("approach ms")),
-        .seed = static_cast<std::uint32_t>(std::max(0, whole("seed"))),
-        .caps = {number("max rpm"), number("max A")}};
-    found.current = fieldOf(happening, "current");
-    found.voltage = fieldOf(happening, "voltage");
-    found.speed = fieldOf(happening, "speed");
-    found.angle = fieldOf(happening, "angle");
-    found.polePairs = number("pole pairs");
-    found.torquePerAmp = number("torque Nm per A");
+    RecordedSpin found{recordedMotor(happening), {}};
+    eachField(found.plan, TakeFields(happening));
     if (found.motor < 1 || !(found.polePairs > 0.0) || !(found.torquePerAmp > 0.0))
         return std::nullopt;
     return found;

@@ -2,13 +2,12 @@
 // two speeds, with torques that differ from time to time. It is never braked: what a motor returns lifts the bus of a supply
 // that takes nothing back. How hard it accelerates, and how much of the torque that held its speed is taken away, follow from how
 // it went before: a way from one speed to the other takes about a quarter of a second, so that the link is fast enough to
-// end it.
+// end it. With currents along the magnets beside them, inductances follow from the same course.
 #pragma once
 
 #include "lab/conditions.h"
 #include "lab/course.h"
-#include "lab/subject.h"
-#include "record/entry.h"
+#include "lab/recorded_motor.h"
 
 #include <optional>
 #include <string>
@@ -19,13 +18,17 @@ struct SpinPlan {
     int lowRpm = 0, highRpm = 0; ///< of the same sign; low is nearer to 0
     milliseconds length{8000};
     milliseconds approach{500};
+    double fluxAmps = 0.0; ///< most along the magnets, to either side; each way has another. 0: none
     std::uint32_t seed = 1; ///< of the torques
     drive::UserLimits caps = {}; ///< the user's
     bool operator==(const SpinPlan &) const = default;
 };
 
-/// Between 0.3 and 0.6 of what is allowed, forwards.
+/// Between 0.25 and 0.6 of what is allowed, forwards.
 SpinPlan spinPlanFor(const Subject &subject, const drive::UserLimits &caps);
+
+/// Faster, and with currents along the magnets: what inductances are measured by.
+SpinPlan fluxPlanFor(const Subject &subject, const drive::UserLimits &caps);
 
 std::string objectionTo(const SpinPlan &plan, const Subject &subject);
 Conditions conditionsOf(const SpinPlan &plan, const Subject &subject);
@@ -33,12 +36,8 @@ std::unique_ptr<Course> courseOf(const SpinPlan &plan, const Subject &subject);
 
 /// The plan as an entry of a recording, and back; empty for any other entry, or one that is no plan.
 record::Happening entryOf(const SpinPlan &plan, const Subject &subject);
-struct RecordedSpin {
+struct RecordedSpin : RecordedMotor {
     SpinPlan plan;
-    int motor = 1;
-    std::string current, voltage, speed, angle; ///< names of signals; empty: none
-    double polePairs = 0.0;
-    double torquePerAmp = 0.0; ///< as the board tells it
 };
 std::optional<RecordedSpin> recordedSpin(const record::Happening &happening);
 

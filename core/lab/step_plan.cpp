@@ -1,6 +1,6 @@
 #include "lab/step_plan.h"
 
-#include "lab/fields.h"
+#include "lab/plan_fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +12,22 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char *kEntry = "step plan";
+constexpr const char *kEntry = "step plan", *kJump = "jump A per rpm";
 constexpr int kMostRepeats = 100;
 constexpr double kOvershoot = 0.5; ///< of the step: loops that are being tuned overshoot
 constexpr double kLeastMargin_rpm = 120.0; ///< noise of a sensorless speed
+
+template <class Plan, class Field>
+void eachField(Plan &plan, Field &&field)
+{
+    field("from rpm", plan.fromRpm);
+    field("to rpm", plan.toRpm);
+    field("repeat", plan.repeat);
+    field("hold ms", plan.hold);
+    field("approach ms", plan.approach);
+    field("max rpm", plan.caps.maxSpeedRpm);
+    field("max A", plan.caps.maxCurrentAmps);
+}
 
 class StepCourse : public Course {
 public:
@@ -96,46 +108,22 @@ double jumpPerRpm(const Subject &subject, double gain, double exponent)
 
 record::Happening entryOf(const StepPlan &plan, const Subject &subject, double jump)
 {
-    const Registers &registers = subject.registers;
-    return {kEntry,
-        {{"motor", std::to_string(subject.motor)}, {"from rpm", std::to_string(plan.fromRpm)},
-            {"to rpm", std::to_string(plan.toRpm)}, {"repeat", std::to_string(plan.repeat)},
-            {"hold ms", std::to_string(plan.hold.count())},
-            {"approach ms", std::to_string(plan.approach.count())},
-            {"max rpm", textOf(plan.caps.maxSpeedRpm)}, {"max A", textOf(plan.caps.maxCurrentAmps)},
-            {"reference", subject.nameOf(registers.reference)},
-            {"current", subject.nameOf(registers.current)},
-            {"speed", subject.nameOf(registers.speed)}, {"angle", subject.nameOf(registers.angle)},
-            {"pole pairs", textOf(subject.limits.polePairs)},
-            {"speed step rpm", textOf(subject.limits.speedStepRpm)},
-            {"jump A per rpm", textOf(jump)}}};
+    record::Happening entry{kEntry, {}};
+    putMotor(entry, subject);
+    eachField(plan, PutFields(entry));
+    entry.fields.emplace_back(kJump, textOf(jump));
+    return entry;
 }
 
 std::optional<RecordedSteps> recordedSteps(const record::Happening &happening)
 {
     if (happening.name != kEntry)
         return std::nullopt;
-    const auto number = [&](const char *key) { return numberOf(happening, key).value_or(0.0); };
-    const auto whole = [&](const char *key) {
-        constexpr double kMost = 1e6;
-        return static_cast<int>(std::clamp(number(key), -kMost, kMost));
-    };
-    RecordedSteps found;
+    RecordedSteps found{recordedMotor(happening), {}, 0.0};
     StepPlan &plan = found.plan;
-    found.motor = whole("motor");
-    plan.fromRpm = whole("from rpm");
-    plan.toRpm = whole("to rpm");
-    plan.repeat = std::min(whole("repeat"), kMostRepeats);
-    plan.hold = milliseconds(whole("hold ms"));
-    plan.approach = milliseconds(whole("approach ms"));
-    plan.caps = {number("max rpm"), number("max A")};
-    found.reference = fieldOf(happening, "reference");
-    found.current = fieldOf(happening, "current");
-    found.speed = fieldOf(happening, "speed");
-    found.angle = fieldOf(happening, "angle");
-    found.polePairs = number("pole pairs");
-    found.speedStepRpm = number("speed step rpm");
-    found.jumpPerRpm = number("jump A per rpm");
+    eachField(plan, TakeFields(happening));
+    plan.repeat = std::min(plan.repeat, kMostRepeats);
+    found.jumpPerRpm = numberOf(happening, kJump).value_or(0.0);
     if (found.motor < 1 || plan.fromRpm == plan.toRpm || plan.repeat < 1 || plan.hold < 1ms)
         return std::nullopt;
     return found;

@@ -4,8 +4,7 @@
 
 #include "lab/conditions.h"
 #include "lab/course.h"
-#include "lab/subject.h"
-#include "record/entry.h"
+#include "lab/recorded_motor.h"
 
 #include <optional>
 #include <string>
@@ -31,11 +30,8 @@ double jumpPerRpm(const Subject &subject, double gain, double exponent);
 
 /// The plan as an entry of a recording, and back; empty for any other entry, or one that is no plan.
 record::Happening entryOf(const StepPlan &plan, const Subject &subject, double jumpPerRpm);
-struct RecordedSteps {
+struct RecordedSteps : RecordedMotor {
     StepPlan plan;
-    int motor = 1;
-    std::string reference, current, speed, angle; ///< names of signals; empty: none
-    double polePairs = 0.0, speedStepRpm = 0.0;
     double jumpPerRpm = 0.0; ///< A/rpm; 0: not known
 };
 std::optional<RecordedSteps> recordedSteps(const record::Happening &happening);

@@ -1,7 +1,7 @@
 #include "lab/step_series.h"
 
 #include "lab/fields.h"
-#include "lab/statistics.h"
+#include "lab/maths/statistics.h"
 
 #include <algorithm>
 #include <array>

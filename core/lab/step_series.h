@@ -2,7 +2,7 @@
 // the same numbers, on the day of the measurement and a year later.
 #pragma once
 
-#include "lab/estimate.h"
+#include "lab/maths/estimate.h"
 #include "lab/experiment.h"
 #include "lab/happenings.h"
 #include "lab/step_evaluation.h"

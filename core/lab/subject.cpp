@@ -70,9 +70,11 @@ Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor
     found.tickHz = board.streaming.tickHz;
     found.linkBytesPerSecond = board.streaming.linkBytesPerSecond;
     found.registers = {.reference = streamed(catalog, "I_Q_REF", motor),
+        .referenceD = streamed(catalog, "I_D_REF", motor),
         .current = streamed(catalog, "I_Q_MEAS", motor),
         .currentD = streamed(catalog, "I_D_MEAS", motor),
         .voltage = streamed(catalog, "V_Q", motor),
+        .voltageD = streamed(catalog, "V_D", motor),
         .speed = streamed(catalog, speed, motor),
         .angle = streamed(catalog, angleNameOf(speed), motor),
         .bus = idOf(catalog, "BUS_VOLTAGE", motor),
@@ -80,7 +82,8 @@ Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor
         .gain = idOf(catalog, "SPEED_KP", motor),
         .gainExponent = idOf(catalog, "SPEED_KP_DIV", motor),
         .integral = idOf(catalog, "SPEED_KI", motor),
-        .integralExponent = idOf(catalog, "SPEED_KI_DIV", motor)};
+        .integralExponent = idOf(catalog, "SPEED_KI_DIV", motor),
+        .startUp = idOf(catalog, "REVUP_DATA", motor)};
     if (board.streaming.maxSignals < 4 || found.registers.reference == 0
         || found.registers.current == 0 || found.registers.speed == 0)
         return fail(std::string("this board does not record the speed and the current of its motor "

@@ -13,13 +13,14 @@ namespace lab {
 
 /// Registers of the motor. 0: the board has none.
 struct Registers {
-    drive::RegisterId reference = 0; ///< Iq, wanted
+    drive::RegisterId reference = 0, referenceD = 0; ///< Iq and Id, wanted
     drive::RegisterId current = 0, currentD = 0; ///< Iq and Id, measured
-    drive::RegisterId voltage = 0; ///< Vq, as it is asked for
+    drive::RegisterId voltage = 0, voltageD = 0; ///< Vq and Vd, as they are asked for
     drive::RegisterId speed = 0, angle = 0; ///< of the main sensor
     drive::RegisterId bus = 0, temperature = 0; ///< polled
     drive::RegisterId gain = 0, gainExponent = 0; ///< of the speed loop's proportional part
     drive::RegisterId integral = 0, integralExponent = 0; ///< of its integral part
+    drive::RegisterId startUp = 0; ///< the stages of a start without a sensor; written, not recorded
 };
 
 struct Subject {

@@ -77,6 +77,8 @@ struct LabBench {
                     gainOf(registers.integral, registers.integralExponent), 1e-3}));
         else if (const auto *spin = std::get_if<lab::SpinPlan>(&experiment.plan))
             keep(lab::entryOf(*spin, experiment.subject));
+        else if (const auto *rest = std::get_if<lab::RestPlan>(&experiment.plan))
+            keep(lab::entryOf(*rest, experiment.subject));
         else
             keep(lab::entryOf(std::get<lab::StepPlan>(experiment.plan), experiment.subject,
                 lab::jumpPerRpm(

@@ -1,9 +1,12 @@
-// identify: measures the motor itself; so far its inertia and its friction. Afterwards the motor is as it was.
+// identify: measures the motor itself: its inertia and its friction, or what its windings and its magnets are. Afterwards the
+// motor is as it was.
 #include "experiments/experiment_run.h"
 
 namespace cli {
 
 namespace {
+
+constexpr QLatin1String kMechanical("mechanical"), kElectrical("electrical");
 
 Outcome<int> runIdentify(Desk &desk)
 {
@@ -11,26 +14,35 @@ Outcome<int> runIdentify(Desk &desk)
     const auto subject = run.subject();
     if (!subject)
         return tl::make_unexpected(subject.error());
-    const lab::SpinPlan plan = lab::spinPlanFor(*subject, desk.arguments.limits);
-    return run.run({plan, *subject}, lab::entryOf(plan, *subject));
+    const drive::UserLimits &limits = desk.arguments.limits;
+    if (desk.arguments.words.first() == kMechanical) {
+        const lab::SpinPlan plan = lab::spinPlanFor(*subject, limits);
+        return run.run({{{plan, *subject}, lab::entryOf(plan, *subject)}});
+    }
+    const lab::RestPlan rest = lab::restPlanFor(*subject, limits);
+    const lab::SpinPlan turning = lab::fluxPlanFor(*subject, limits);
+    return run.run({{{rest, *subject}, lab::entryOf(rest, *subject)},
+        {{turning, *subject}, lab::entryOf(turning, *subject)}});
 }
 
 constexpr OptionText kOptions[] = {kRunOption};
 
 Outcome<bool> readIdentify(const Given &given, Arguments &arguments)
 {
-    if (given.words().first() != QLatin1String("mechanical"))
-        return usage(QStringLiteral("Only the mechanics can be identified, not \"%1\": write "
-                                    "identify mechanical.")
-                         .arg(given.words().first()));
+    const QString &what = given.words().first();
+    if (what != kMechanical && what != kElectrical)
+        return usage(QStringLiteral("There is no \"%1\" to identify: write identify mechanical or "
+                                    "identify electrical.")
+                         .arg(what));
     return readRunFile(given, arguments);
 }
 
 } // namespace
 
 const Command kIdentify{.name = "identify",
-    .words = "mechanical",
-    .help = "Accelerates the motor and lets it coast: inertia and friction; then all is as before.",
+    .words = "mechanical|electrical",
+    .help = "Measures inertia and friction, or resistance, inductances and flux; then all is as "
+            "before.",
     .least = 1,
     .most = 1,
     .options = kOptions,

@@ -52,7 +52,7 @@ Outcome<int> runResponse(Desk &desk)
     const auto regulator = regulatorOf(desk, *subject);
     if (!regulator)
         return tl::make_unexpected(regulator.error());
-    return run.run({plan, *subject}, lab::entryOf(plan, *subject, *regulator));
+    return run.run({{{plan, *subject}, lab::entryOf(plan, *subject, *regulator)}});
 }
 
 constexpr OptionText kOptions[] = {

@@ -36,7 +36,7 @@ Outcome<int> runStep(Desk &desk)
     const auto jumpSize = jump(desk, *subject);
     if (!jumpSize)
         return tl::make_unexpected(jumpSize.error());
-    return run.run({plan, *subject}, lab::entryOf(plan, *subject, *jumpSize));
+    return run.run({{{plan, *subject}, lab::entryOf(plan, *subject, *jumpSize)}});
 }
 
 constexpr OptionText kOptions[] = {

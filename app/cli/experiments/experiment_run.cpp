@@ -36,11 +36,12 @@ Outcome<lab::Subject> ExperimentRun::subject() const
     return *found;
 }
 
-Outcome<int> ExperimentRun::run(const lab::Experiment &experiment, const record::Happening &entry)
+Outcome<int> ExperimentRun::run(const std::vector<Part> &parts)
 {
-    if (const std::string why = lab::objectionTo(experiment); !why.empty())
-        return failure(kRefused, QStringLiteral("Not begun: %1.").arg(text(why)));
-    const auto outcome = carryOut(experiment, entry);
+    for (const Part &part : parts)
+        if (const std::string why = lab::objectionTo(part.experiment); !why.empty())
+            return failure(kRefused, QStringLiteral("Not begun: %1.").arg(text(why)));
+    const auto outcome = carryOut(parts);
     if (!outcome)
         return tl::make_unexpected(outcome.error());
     const QString reason = text(outcome->reason);
@@ -61,8 +62,7 @@ Outcome<int> ExperimentRun::run(const lab::Experiment &experiment, const record:
         stopped({kRefused, QStringLiteral("The experiment was interrupted: %1.").arg(reason)}));
 }
 
-Outcome<lab::Outcome> ExperimentRun::carryOut(
-    const lab::Experiment &experiment, const record::Happening &entry)
+Outcome<lab::Outcome> ExperimentRun::carryOut(const std::vector<Part> &parts)
 {
     Conversation &talk = m_desk.talk;
     ConversationRecording recording(talk, m_path, false);
@@ -72,19 +72,38 @@ Outcome<lab::Outcome> ExperimentRun::carryOut(
     if (!board)
         return tl::make_unexpected(board.error());
     recording.add(board->at, board->snapshot);
-    recording.add(board->at, entry);
+    recording.add(board->at, parts.front().entry);
     if (const auto armed = talk.armToMove(); !armed)
         return tl::make_unexpected(armed.error());
-    const auto outcome = talk.run(experiment);
-    if (outcome)
-        recording.add(
-            outcome->at, lab::entryOfEnd(outcome->end == lab::End::Complete, outcome->reason));
+    const auto outcome = runAll(parts, recording);
     const auto finished = recording.finish();
     if (!outcome) // Ctrl-C, or the connection broke: the motor is this run's to stop
         return tl::make_unexpected(stopped(outcome.error()));
     if (!finished)
         return tl::make_unexpected(finished.error());
     return *outcome;
+}
+
+/// @return  the last one's; those before it were complete, and what is to be said of them is said with it
+Outcome<lab::Outcome> ExperimentRun::runAll(
+    const std::vector<Part> &parts, ConversationRecording &recording)
+{
+    lab::Outcome all;
+    for (const Part &part : parts) {
+        if (&part != &parts.front())
+            recording.add(all.at, part.entry);
+        auto outcome = m_desk.talk.run(part.experiment);
+        if (!outcome)
+            return outcome;
+        recording.add(
+            outcome->at, lab::entryOfEnd(outcome->end == lab::End::Complete, outcome->reason));
+        const std::string before = all.reason.empty() ? std::string() : all.reason + "; ";
+        all = *outcome;
+        all.reason = before + all.reason;
+        if (all.end != lab::End::Complete)
+            break;
+    }
+    return all;
 }
 
 Failure ExperimentRun::stopped(Failure why)

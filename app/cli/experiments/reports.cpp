@@ -1,10 +1,12 @@
 #include "experiments/reports.h"
 
 #include "json_text.h"
+#include "lab/electrical_evaluation.h"
 #include "lab/mechanical_evaluation.h"
 #include "lab/response_evaluation.h"
 #include "lab/step_series.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -161,6 +163,37 @@ Outcome<int> report(const lab::Mechanics &found, Output &out)
     return kDone;
 }
 
+Outcome<int> report(const lab::Electrics &found, Output &out)
+{
+    struct Line {
+        const char *key, *name, *unit;
+        const std::optional<lab::Estimate> &estimate;
+    };
+    const std::array lines{Line{"rs_ohm", "Resistance", "\u03a9", found.rs_ohm},
+        Line{"ld_h", "Inductance Ld", "H", found.ld_h},
+        Line{"lq_h", "Inductance Lq", "H", found.lq_h},
+        Line{"flux_wb", "Flux", "Wb", found.flux_wb},
+        Line{"dead_time_v", "Dead time", "V", found.deadTime_v}};
+    if (out.json()) {
+        JsonText json;
+        json.beginObject();
+        json.member("kind", "electrical");
+        for (const Line &one : lines)
+            put(json, one.key, one.estimate);
+        json.endObject();
+        out.json(json.text());
+    } else {
+        for (const Line &one : lines)
+            if (one.estimate)
+                out.line(line(one.name, *one.estimate, one.unit));
+    }
+    for (const std::string &note : found.notes)
+        Output::error(sentence(note));
+    if (found.rs_ohm && found.ld_h)
+        return kDone;
+    return failure(kRefused, QStringLiteral("Not conclusive: not all of it could be measured."));
+}
+
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// 95 % to either side.
@@ -259,7 +292,12 @@ Outcome<int> evaluate(const QString &path, Output &out)
             const auto series = lab::stepSeries(capture, happenings);
             return series ? report(*series, out) : refused(series.error());
         }
-        if (lab::recordedSpin(what)) {
+        const auto spin = lab::recordedSpin(what);
+        if (lab::recordedRest(what) || (spin && spin->plan.fluxAmps > 0.0)) {
+            const auto found = lab::evaluateElectrics(capture, happenings);
+            return found ? report(*found, out) : refused(found.error());
+        }
+        if (spin) {
             const auto found = lab::evaluateMechanics(capture, happenings);
             return found ? report(*found, out) : refused(found.error());
         }

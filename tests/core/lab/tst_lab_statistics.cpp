@@ -1,5 +1,5 @@
 // Means with their intervals, and values that stand apart.
-#include "lab/statistics.h"
+#include "lab/maths/statistics.h"
 #include "support/link_pair.h"
 
 #include <QTest>

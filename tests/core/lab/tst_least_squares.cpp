@@ -1,5 +1,5 @@
 // Least squares whose answers are known.
-#include "lab/least_squares.h"
+#include "lab/maths/least_squares.h"
 #include "support/link_pair.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
-#include "lab/least_squares.h"
+#include "lab/maths/least_squares.h"
 
-#include "lab/statistics.h"
+#include "lab/maths/statistics.h"
 
 #include <algorithm>
 #include <cmath>

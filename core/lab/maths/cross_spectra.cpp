@@ -1,4 +1,4 @@
-#include "lab/cross_spectra.h"
+#include "lab/maths/cross_spectra.h"
 
 #include <kissfft/kissfft.hh>
 

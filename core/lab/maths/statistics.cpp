@@ -1,4 +1,4 @@
-#include "lab/statistics.h"
+#include "lab/maths/statistics.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // What a few repeated measurements say together. Pure functions; values that are no numbers are the caller's to leave out.
 #pragma once
 
-#include "lab/estimate.h"
+#include "lab/maths/estimate.h"
 
 #include <span>
 #include <vector>

@@ -4,7 +4,7 @@
 // and rows that are not independent would promise too much. Source: C. Cameron and D. Miller, J. Human Resources 50 (2015).
 #pragma once
 
-#include "lab/estimate.h"
+#include "lab/maths/estimate.h"
 
 #include <array>
 #include <optional>
@@ -14,7 +14,7 @@
 namespace lab {
 
 /// The most unknowns that a model here has.
-inline constexpr std::size_t kMostUnknowns = 5;
+inline constexpr std::size_t kMostUnknowns = 9;
 using Row = std::array<double, kMostUnknowns>;
 
 struct Rows {

@@ -1,0 +1,87 @@
+// The fields of a plan by their names, each said once in its plan's eachField(): how a recording holds it, and a plan file.
+#pragma once
+
+#include "lab/fields.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace lab {
+
+/// Puts fields into an entry.
+class PutFields {
+public:
+    explicit PutFields(record::Happening &into)
+        : m_into(into)
+    {
+    }
+    void operator()(const char *name, double value) { put(name, textOf(value)); }
+    void operator()(const char *name, int value) { put(name, std::to_string(value)); }
+    void operator()(const char *name, std::uint32_t value) { put(name, std::to_string(value)); }
+    void operator()(const char *name, std::chrono::milliseconds value)
+    {
+        put(name, std::to_string(value.count()));
+    }
+
+private:
+    void put(const char *name, std::string text)
+    {
+        m_into.fields.emplace_back(name, std::move(text));
+    }
+    record::Happening &m_into;
+};
+
+/// Takes fields out of one; what it does not have stays as it is. Whole numbers beyond a million are a million.
+class TakeFields {
+public:
+    explicit TakeFields(const record::Happening &from)
+        : m_from(from)
+    {
+    }
+    void operator()(const char *name, double &value)
+    {
+        if (const auto number = take(name))
+            value = *number;
+    }
+    void operator()(const char *name, int &value)
+    {
+        constexpr double kMost = 1e6;
+        if (const auto number = take(name))
+            value = static_cast<int>(std::lround(std::clamp(*number, -kMost, kMost)));
+    }
+    void operator()(const char *name, std::uint32_t &value)
+    {
+        int whole = static_cast<int>(value);
+        (*this)(name, whole);
+        value = static_cast<std::uint32_t>(std::max(0, whole));
+    }
+    void operator()(const char *name, std::chrono::milliseconds &value)
+    {
+        int whole = static_cast<int>(value.count());
+        (*this)(name, whole);
+        value = std::chrono::milliseconds(whole);
+    }
+
+    /// The names that were asked for.
+    const std::vector<std::string> &names() const { return m_names; }
+    /// A field that was asked for and is no number; empty: none.
+    const std::string &wrong() const { return m_wrong; }
+
+private:
+    std::optional<double> take(const char *name)
+    {
+        m_names.emplace_back(name);
+        const auto number = numberOf(m_from, name);
+        if (!number && !fieldOf(m_from, name).empty())
+            m_wrong = name;
+        return number;
+    }
+    const record::Happening &m_from;
+    std::vector<std::string> m_names;
+    std::string m_wrong;
+};
+
+} // namespace lab

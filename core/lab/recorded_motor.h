@@ -1,0 +1,25 @@
+// The motor of an experiment as its recording has it: the names of its signals and what its board tells of it, so that the
+// file alone can be evaluated.
+#pragma once
+
+#include "lab/subject.h"
+#include "record/entry.h"
+
+#include <string>
+
+namespace lab {
+
+struct RecordedMotor {
+    int motor = 0;
+    std::string reference, referenceD, current, currentD, voltage, voltageD, speed,
+        angle; ///< names of signals; empty: none
+    double polePairs = 0.0;
+    double nominalAmps = 0.0; ///< peak
+    double torquePerAmp = 0.0; ///< Nm
+    double speedStepRpm = 0.0;
+};
+
+void putMotor(record::Happening &into, const Subject &subject);
+RecordedMotor recordedMotor(const record::Happening &from);
+
+} // namespace lab

@@ -1,0 +1,193 @@
+#include "lab/rest_plan.h"
+
+#include "drive/motion_limits.h"
+#include "lab/plan_fields.h"
+#include "motor/rev_up.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lab {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char *kEntry = "rest plan";
+constexpr double kLowShare = 0.25, kHighShare = 0.5; ///< of the nominal current
+constexpr int kLevels = 4; ///< along the magnets
+constexpr milliseconds kSpare = 2s; ///< of the last stage: a host that stalls must not let a start-up fail
+constexpr double kMargin = 0.2; ///< of the allowed speed: a rotor that is drawn to its place
+
+/// Boards name a speed after its sensor.
+bool seesRotor(const Subject &subject)
+{
+    const std::string speed = subject.nameOf(subject.registers.speed);
+    return speed.starts_with("ENCODER") || speed.starts_with("HALL");
+}
+
+/// No speed in any of them.
+drive::RegisterWrite stagesOf(const RestPlan &plan, const Subject &subject)
+{
+    const double ampsPerDigit = subject.catalog->streamScale(subject.registers.current).factor;
+    const auto digits = [&](double amps) {
+        constexpr double kMost = 32767.0;
+        return static_cast<std::int16_t>(std::lround(std::min(amps / ampsPerDigit, kMost)));
+    };
+    const auto time = [](milliseconds value) { return static_cast<std::uint16_t>(value.count()); };
+    const std::int16_t low = digits(plan.lowAmps), high = digits(plan.highAmps);
+    return {subject.registers.startUp,
+        motor::bytesOf({{0, low, time(plan.rise)}, {0, low, time(plan.hold)},
+            {0, high, time(plan.rise)}, {0, high, time(plan.hold)}, {0, high, time(kSpare)}})};
+}
+
+/// Waits until the start-up has held its strongest current.
+class StartUpCourse : public Course {
+public:
+    explicit StartUpCourse(const RestPlan &plan)
+        : m_plan(plan)
+    {
+    }
+    std::optional<Ask> next(const Moment &moment) override
+    {
+        constexpr double kThere = 0.95;
+        constexpr Duration kCalibration = 2s; ///< before the first stage
+        m_due = moment.now + 20ms;
+        if (!m_began)
+            m_began = moment.now;
+        if (!m_there && std::abs(moment.amps.value_or(0.0)) >= kThere * m_plan.highAmps)
+            m_there = moment.now;
+        m_over = (m_there && moment.now - *m_there >= m_plan.hold)
+            || moment.now - *m_began > 2 * (m_plan.rise + m_plan.hold) + kCalibration;
+        return std::nullopt;
+    }
+    TimePoint due() const override { return m_due; }
+    bool over() const override { return m_over; }
+
+private:
+    RestPlan m_plan;
+    std::optional<TimePoint> m_began, m_there;
+    TimePoint m_due{};
+    bool m_over = false;
+};
+
+/// One current after the other along the magnets.
+class LevelCourse : public Course {
+public:
+    LevelCourse(const RestPlan &plan, int motor)
+        : m_plan(plan)
+        , m_motor(motor)
+    {
+    }
+    std::optional<Ask> next(const Moment &moment) override
+    {
+        if (!moment.answered || (m_level > 0 && moment.now < m_due))
+            return std::nullopt;
+        m_over = m_level > kLevels;
+        if (m_over)
+            return std::nullopt;
+        m_due = moment.now + m_plan.rise + m_plan.hold;
+        const double share = static_cast<double>(m_level) / (kLevels - 1);
+        const double amps = m_plan.lowAmps + share * (m_plan.highAmps - m_plan.lowAmps);
+        const bool last = m_level++ == kLevels;
+        if (last)
+            m_due = moment.now;
+        return drive::CurrentReference{m_motor, 0.0, last ? 0.0 : amps};
+    }
+    TimePoint due() const override { return m_due; }
+    bool over() const override { return m_over; }
+
+private:
+    RestPlan m_plan;
+    int m_motor;
+    int m_level = 0; ///< asked for
+    TimePoint m_due{};
+    bool m_over = false;
+};
+
+template <class Plan, class Field>
+void eachField(Plan &plan, Field &&field)
+{
+    field("low A", plan.lowAmps);
+    field("high A", plan.highAmps);
+    field("rise ms", plan.rise);
+    field("hold ms", plan.hold);
+    field("max rpm", plan.caps.maxSpeedRpm);
+    field("max A", plan.caps.maxCurrentAmps);
+}
+
+} // namespace
+
+RestPlan restPlanFor(const Subject &subject, const drive::UserLimits &caps)
+{
+    double nominal = subject.limits.nominalCurrentAmps;
+    if (caps.maxCurrentAmps > 0.0)
+        nominal = std::min(nominal, caps.maxCurrentAmps);
+    return {.lowAmps = kLowShare * nominal, .highAmps = kHighShare * nominal, .caps = caps};
+}
+
+std::string objectionTo(const RestPlan &plan, const Subject &subject)
+{
+    const Registers &registers = subject.registers;
+    const std::array all{
+        registers.voltage, registers.voltageD, registers.currentD, registers.angle};
+    if (std::find(all.begin(), all.end(), 0U) != all.end())
+        return "this board does not record voltages, currents and the angle of its rotor";
+    if (seesRotor(subject) ? registers.referenceD == 0 : registers.startUp == 0)
+        return "this board holds no current through a motor that rests";
+    if (!(subject.limits.nominalCurrentAmps > 0.0))
+        return "the board does not tell the nominal current of its motor";
+    if (!(plan.lowAmps > 0.0) || !(plan.highAmps >= 1.5 * plan.lowAmps))
+        return "it needs two currents, the second at least 1.5 times as strong as the first";
+    const double allowed = drive::realBoundsOf(subject.limits, plan.caps).amps;
+    if (plan.highAmps > std::min(allowed, subject.limits.nominalCurrentAmps))
+        return textOf(plan.highAmps, 3) + " A are more than a motor at rest is given here";
+    if (plan.rise < 10ms || plan.rise > 2s || plan.hold < 100ms || plan.hold > 2s)
+        return "a current rises within 10 ms to 2 s and is held for 100 ms to 2 s";
+    return {};
+}
+
+Conditions conditionsOf(const RestPlan &plan, const Subject &subject)
+{
+    const Registers &registers = subject.registers;
+    const bool sees = seesRotor(subject);
+    Conditions conditions{.beginning = sees ? Beginning::AtRest : Beginning::WhileStarting,
+        .margin_rpm = kMargin * drive::realBoundsOf(subject.limits, plan.caps).rpm,
+        .user = plan.caps,
+        .recorded = {sees ? registers.referenceD : registers.reference, registers.current,
+            registers.currentD, registers.voltage, registers.voltageD, registers.speed,
+            registers.angle},
+        .length = (sees ? kLevels : 2) * (plan.rise + plan.hold)};
+    if (!sees)
+        conditions.lent.push_back(stagesOf(plan, subject));
+    return conditions;
+}
+
+std::unique_ptr<Course> courseOf(const RestPlan &plan, const Subject &subject)
+{
+    if (seesRotor(subject))
+        return std::make_unique<LevelCourse>(plan, subject.motor);
+    return std::make_unique<StartUpCourse>(plan);
+}
+
+record::Happening entryOf(const RestPlan &plan, const Subject &subject)
+{
+    record::Happening entry{kEntry, {}};
+    putMotor(entry, subject);
+    eachField(plan, PutFields(entry));
+    return entry;
+}
+
+std::optional<RecordedRest> recordedRest(const record::Happening &happening)
+{
+    if (happening.name != kEntry)
+        return std::nullopt;
+    RecordedRest found{recordedMotor(happening), {}};
+    eachField(found.plan, TakeFields(happening));
+    if (found.motor < 1 || !(found.plan.lowAmps > 0.0))
+        return std::nullopt;
+    return found;
+}
+
+} // namespace lab

@@ -1,0 +1,39 @@
+// The course by which the resistance of the windings is measured: currents of different strength through a motor that rests.
+// One current would not do: what a bridge loses by its dead time hardly depends on the current, and would count as
+// resistance.
+//
+// A board that sees its rotor holds them along the magnets, where they turn nothing. One that does not see it holds them in its
+// start-up, whose stages are borrowed for that: none of them turns, and the motor is stopped before the last one is over.
+#pragma once
+
+#include "lab/conditions.h"
+#include "lab/recorded_motor.h"
+
+#include <optional>
+#include <string>
+
+namespace lab {
+
+struct RestPlan {
+    double lowAmps = 0.0, highAmps = 0.0; ///< the weakest and the strongest, peak
+    milliseconds rise{200}; ///< from one to the next
+    milliseconds hold{400};
+    drive::UserLimits caps = {}; ///< the user's
+    bool operator==(const RestPlan &) const = default;
+};
+
+/// A quarter and half of the nominal current, or less where less is allowed.
+RestPlan restPlanFor(const Subject &subject, const drive::UserLimits &caps);
+
+std::string objectionTo(const RestPlan &plan, const Subject &subject);
+Conditions conditionsOf(const RestPlan &plan, const Subject &subject);
+std::unique_ptr<Course> courseOf(const RestPlan &plan, const Subject &subject);
+
+/// The plan as an entry of a recording, and back; empty for any other entry, or one that is no plan.
+record::Happening entryOf(const RestPlan &plan, const Subject &subject);
+struct RecordedRest : RecordedMotor {
+    RestPlan plan;
+};
+std::optional<RecordedRest> recordedRest(const record::Happening &happening);
+
+} // namespace lab

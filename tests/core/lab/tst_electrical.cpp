@@ -1,0 +1,196 @@
+// Resistance, inductances and flux of simulated motors, whose truth is known: within the bars of the lab, and inside their
+// intervals; and that a motor is afterwards what it was.
+#include "lab/electrical_evaluation.h"
+#include "simulation/plant/presets.h"
+#include "support/lab_bench.h"
+
+using namespace lab;
+using simulation::PlantParameters;
+using support::LabBench;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr double kColdest_c = 20.0, kAmbient_c = 25.0, kCopper = 0.00393; ///< per degree
+
+simulation::BoardOptions boardOf(const QString &motor, std::uint64_t seed)
+{
+    simulation::BoardOptions options;
+    options.motor = motor.toStdString();
+    options.load = simulation::findPreset(options.motor)->load;
+    options.seed = seed;
+    return options;
+}
+
+void verifyWithin(const char *what, const std::optional<Estimate> &found, double truth,
+    double percent)
+{
+    QVERIFY2(found, what);
+    QVERIFY2(std::abs(found->value / truth - 1.0) <= percent / 100.0,
+        qPrintable(QStringLiteral("%1 is %2 %% off")
+                       .arg(QLatin1String(what))
+                       .arg((found->value / truth - 1.0) * 100.0)));
+    QVERIFY2(*found->low <= truth && truth <= *found->high,
+        qPrintable(QStringLiteral("%1: %2 is not in %3 to %4")
+                       .arg(QLatin1String(what))
+                       .arg(truth)
+                       .arg(*found->low)
+                       .arg(*found->high)));
+}
+
+/// Control mode, last speed ramp, and the stages of a start-up.
+std::vector<catalog::Value> held(LabBench &bench)
+{
+    const catalog::Catalog &catalog = *bench.experiment.subject.catalog;
+    std::vector<drive::RegisterId> ids;
+    for (const char *name : {"CONTROL_MODE", "SPEED_RAMP", "REVUP_DATA"})
+        ids.push_back(catalog.withMotor(*catalog.find(name), 1));
+    bench.pair.runUntilEnded(bench.pair.submit(drive::Read{ids}));
+    std::vector<catalog::Value> values;
+    for (const drive::RegisterId id : ids)
+        values.push_back(bench.pair.values[id].value);
+    return values;
+}
+
+} // namespace
+
+class TestElectrical : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void allPresetsAreMeasured_data()
+    {
+        QTest::addColumn<QString>("motor");
+        QTest::addColumn<quint64>("seed");
+        for (const simulation::Preset &preset : simulation::presets())
+            for (const quint64 seed : {1, 2})
+                QTest::addRow("%s, seed %llu", std::string(preset.name).c_str(), seed)
+                    << QString::fromStdString(std::string(preset.name)) << seed;
+    }
+    void allPresetsAreMeasured()
+    {
+        QFETCH(const QString, motor);
+        QFETCH(const quint64, seed);
+        const PlantParameters &truth = *simulation::findPreset(motor.toStdString());
+        LabBench bench(boardOf(motor, seed), seed);
+        const std::vector<catalog::Value> before = held(bench);
+        const RestPlan rest = restPlanFor(bench.experiment.subject, {});
+        SpinPlan turning = fluxPlanFor(bench.experiment.subject, {});
+        turning.seed = static_cast<std::uint32_t>(seed);
+        for (const auto &plan : {Plan(rest), Plan(turning)}) {
+            bench.experiment.plan = plan;
+            const Outcome outcome = bench.run();
+            QVERIFY2(outcome.end == End::Complete && outcome.reason.empty(),
+                qPrintable(support::outcomeText(outcome)));
+        }
+        QCOMPARE(held(bench), before);
+        const auto found = evaluateElectrics(bench.capture, bench.happenings);
+        QVERIFY2(found, found ? "" : found.error().c_str());
+        const double warm = 1.0 + kCopper * (kAmbient_c - kColdest_c);
+        verifyWithin("Rs", found->rs_ohm,
+            truth.motor.rs_ohm * warm + truth.inverter.switchResistance_ohm, 2.0);
+        verifyWithin("Ld", found->ld_h, truth.motor.ld_h, 2.0);
+        verifyWithin("Lq", found->lq_h, truth.motor.lq_h, truth.sensors.hall ? 10.0 : 5.0);
+        verifyWithin("flux", found->flux_wb, truth.motor.flux_wb, 1.5);
+        QVERIFY(found->deadTime_v->value > 0.0);
+        QVERIFY(found->notes.empty());
+    }
+
+    /// A start goes its way in the time of the last ramp: that, too, is part of what was there.
+    void theRampOfBeforeIsRestored()
+    {
+        LabBench bench;
+        bench.pair.runUntilEnded(bench.pair.submit(drive::SpeedRamp{1, 1500, 700ms}));
+        const std::vector<catalog::Value> before = held(bench);
+        bench.experiment.plan = restPlanFor(bench.experiment.subject, {});
+        QCOMPARE(bench.run().end, End::Complete);
+        QCOMPARE(held(bench), before);
+    }
+
+    void aTurningMotorIsNotMeasuredAtRest()
+    {
+        LabBench bench;
+        bench.pair.runUntilEnded(
+            bench.pair.submit(drive::Command{drive::MotorAction::Start, 1}));
+        QVERIFY(bench.pair.runUntilState(drive::MotorState::Running));
+        bench.pair.runFor(3s);
+        bench.experiment.plan = restPlanFor(bench.experiment.subject, {});
+        const Outcome outcome = bench.run();
+        QCOMPARE(outcome.end, End::Refused);
+        QVERIFY2(outcome.reason.find("stop it first") != std::string::npos, outcome.reason.c_str());
+        QVERIFY(bench.asked<drive::Write>().empty());
+        QVERIFY(bench.asked<drive::CurrentReference>().empty());
+    }
+
+    /// Nothing is written behind a Stop: what is still borrowed then is said.
+    void whatIsNotGivenBackIsSaid()
+    {
+        LabBench bench(boardOf(QStringLiteral("pm24"), 1));
+        bench.experiment.plan = restPlanFor(bench.experiment.subject, {});
+        bench.begin();
+        QVERIFY(bench.runUntil([&] { return !bench.asked<drive::Command>().empty(); }));
+        bench.runner->interrupt("somebody stopped the motor");
+        const std::string &reason = bench.runner->outcome().reason;
+        QVERIFY2(reason.find("REVUP_DATA may hold what the experiment wrote") != std::string::npos,
+            reason.c_str());
+    }
+
+    /// While the speed itself is not recorded, it is the angle that breaks its bound.
+    void aSpeedIsBoundedByItsAngle()
+    {
+        LabBench bench;
+        SpinPlan plan = fluxPlanFor(bench.experiment.subject, {});
+        plan.caps.maxSpeedRpm = plan.highRpm + 40.0;
+        bench.experiment.plan = plan;
+        const Outcome outcome = bench.run();
+        QCOMPARE(outcome.end, End::Aborted);
+        QVERIFY2(outcome.reason.find("a speed of") == 0, outcome.reason.c_str());
+        QCOMPARE(bench.stops, 1);
+        QVERIFY(bench.pair.board->truth(1).rpm < plan.highRpm * 1.2);
+    }
+
+    void aPlanIsHeldAgainstTheMotor()
+    {
+        LabBench bench;
+        const Subject &subject = bench.experiment.subject;
+        const RestPlan plan = restPlanFor(subject, {});
+        QVERIFY(objectionTo(plan, subject).empty());
+        QCOMPARE(recordedRest(entryOf(plan, subject))->plan, plan);
+        RestPlan other = plan;
+        other.highAmps = subject.limits.nominalCurrentAmps * 1.1;
+        QVERIFY(!objectionTo(other, subject).empty());
+        other = plan;
+        other.lowAmps = other.highAmps;
+        QVERIFY(!objectionTo(other, subject).empty());
+        other = plan;
+        other.hold = std::chrono::minutes(1);
+        QVERIFY(!objectionTo(other, subject).empty());
+        Subject blind = subject;
+        blind.registers.voltageD = 0;
+        QVERIFY(!objectionTo(plan, blind).empty());
+        SpinPlan turning = fluxPlanFor(subject, {});
+        QVERIFY(objectionTo(turning, subject).empty());
+        QCOMPARE(recordedSpin(entryOf(turning, subject))->plan, turning);
+        turning.fluxAmps = subject.limits.nominalCurrentAmps;
+        QVERIFY(!objectionTo(turning, subject).empty());
+        const RestPlan bounded = restPlanFor(subject, {.maxCurrentAmps = 1.0});
+        QVERIFY(bounded.highAmps <= 1.0);
+    }
+
+    void whatIsMissingIsSaid()
+    {
+        const LabBench bench;
+        const Subject &subject = bench.experiment.subject;
+        const capture::Capture nothing;
+        QVERIFY(!evaluateElectrics(nothing, {}));
+        const auto rest = evaluateElectrics(nothing, {{1, entryOf(restPlanFor(subject, {}), subject)}});
+        QVERIFY(!rest);
+        QVERIFY2(rest.error().find("no two different currents") != std::string::npos,
+            rest.error().c_str());
+        const auto turning =
+            evaluateElectrics(nothing, {{1, entryOf(fluxPlanFor(subject, {}), subject)}});
+        QVERIFY(!turning && turning.error().find("never driven") != std::string::npos);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestElectrical)
+#include "tst_electrical.moc"
