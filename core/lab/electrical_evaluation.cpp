@@ -22,7 +22,7 @@ constexpr double kScale = 0.015;
 constexpr double kScaleAtRest = 0.02;
 /// A jump of the current lasts a few samples, and its inductance is told by those alone; less well where the angle, too, is
 /// known in jumps. Source: simulated motors (docs/experiments.md).
-constexpr double kJump = 0.025, kJumpByHall = 0.1;
+constexpr double kJump = 0.035, kJumpByHall = 0.1;
 constexpr std::size_t kCurrentQ = 0, kCurrentD = 1, kVoltageQ = 2, kVoltageD = 3, kReference = 4;
 
 Estimate withScale(const Estimate &own, double scale)
@@ -118,8 +118,7 @@ Rows rowsOf(const std::vector<TurningSlices> &slices, double least_a)
             cluster += at % length == 0 ? 1 : 0;
             if (std::hypot(w.q_a, w.d_a) < least_a)
                 continue;
-            rows.known.push_back(
-                {w.q_a, w.lossQ, w.speed * w.d_a, w.dq, w.rotorSpeed});
+            rows.known.push_back({w.q_a, w.lossQ, w.speed * w.d_a, w.dq, w.rotorSpeed});
             rows.wanted.push_back(w.q_v);
             rows.cluster.push_back(cluster);
         }

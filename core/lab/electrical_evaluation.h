@@ -11,9 +11,9 @@
 // R and the dead time are told apart badly there; they only keep out of the way of the others.
 #pragma once
 
-#include "lab/maths/estimate.h"
 #include "lab/experiment.h"
 #include "lab/happenings.h"
+#include "lab/maths/estimate.h"
 
 #include <string>
 #include <vector>

@@ -25,7 +25,8 @@ struct Watched {
     int motor = 1;
     drive::RegisterId speed = 0, current = 0, currentD = 0; ///< streamed
     drive::RegisterId bus = 0, temperature = 0; ///< polled
-    drive::RegisterId angle = 0; ///< streamed; where the speed is not, it is how far this goes in a packet
+    drive::RegisterId angle =
+        0; ///< streamed; where the speed is not, it is how far this goes in a packet
     double polePairs = 0.0;
 };
 

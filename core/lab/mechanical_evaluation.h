@@ -9,9 +9,9 @@
 // Hinkkanen, IEEE Trans. Ind. Appl. 51 (2015), doi 10.1109/TIA.2015.2416128, without its second mass.
 #pragma once
 
-#include "lab/maths/estimate.h"
 #include "lab/experiment.h"
 #include "lab/happenings.h"
+#include "lab/maths/estimate.h"
 
 #include <string>
 #include <vector>

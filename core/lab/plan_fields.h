@@ -34,6 +34,13 @@ private:
     record::Happening &m_into;
 };
 
+template <class Plan>
+void putFields(record::Happening &into, Plan plan)
+{
+    PutFields put(into);
+    eachField(plan, put);
+}
+
 /// Takes fields out of one; what it does not have stays as it is. Whole numbers beyond a million are a million.
 class TakeFields {
 public:
@@ -49,8 +56,11 @@ public:
     void operator()(const char *name, int &value)
     {
         constexpr double kMost = 1e6;
-        if (const auto number = take(name))
-            value = static_cast<int>(std::lround(std::clamp(*number, -kMost, kMost)));
+        const auto number = take(name);
+        if (number && *number == std::round(*number))
+            value = static_cast<int>(std::clamp(*number, -kMost, kMost));
+        else if (number)
+            m_wrong = name;
     }
     void operator()(const char *name, std::uint32_t &value)
     {

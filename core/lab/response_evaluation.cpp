@@ -1,9 +1,9 @@
 #include "lab/response_evaluation.h"
 
-#include "lab/maths/cross_spectra.h"
 #include "lab/fields.h"
-#include "lab/segments.h"
+#include "lab/maths/cross_spectra.h"
 #include "lab/maths/statistics.h"
+#include "lab/segments.h"
 #include "lab/step_evaluation.h"
 
 #include <algorithm>

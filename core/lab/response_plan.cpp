@@ -20,18 +20,6 @@ constexpr double kLeastDigits = 10.0, kSpeedShare = 0.03; ///< of the amplitude
 constexpr double kMargin = 3.0; ///< amplitudes beyond both
 constexpr double kLeastMargin_rpm = 120.0;
 
-template <class Plan, class Field>
-void eachField(Plan &plan, Field &&field)
-{
-    field("rpm", plan.rpm);
-    field("amplitude rpm", plan.amplitudeRpm);
-    field("length ms", plan.length);
-    field("approach ms", plan.approach);
-    field("seed", plan.seed);
-    field("max rpm", plan.caps.maxSpeedRpm);
-    field("max A", plan.caps.maxCurrentAmps);
-}
-
 template <class Regulator, class Field>
 void eachGain(Regulator &regulator, Field &&field)
 {
@@ -125,7 +113,7 @@ record::Happening entryOf(
 {
     record::Happening entry{kEntry, {}};
     putMotor(entry, subject);
-    eachField(plan, PutFields(entry));
+    putFields(entry, plan);
     eachGain(regulator, PutFields(entry));
     return entry;
 }

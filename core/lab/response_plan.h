@@ -24,6 +24,19 @@ struct ResponsePlan {
 /// Around 0.4 of what is allowed, forwards, by ten digits of the set-point or 3 % of the speed.
 ResponsePlan responsePlanFor(const Subject &subject, const drive::UserLimits &caps);
 
+/// Its fields by the names that recordings and files have them by.
+template <class Field>
+void eachField(ResponsePlan &plan, Field &&field)
+{
+    field("rpm", plan.rpm);
+    field("amplitude rpm", plan.amplitudeRpm);
+    field("length ms", plan.length);
+    field("approach ms", plan.approach);
+    field("seed", plan.seed);
+    field("max rpm", plan.caps.maxSpeedRpm);
+    field("max A", plan.caps.maxCurrentAmps);
+}
+
 std::string objectionTo(const ResponsePlan &plan, const Subject &subject);
 Conditions conditionsOf(const ResponsePlan &plan, const Subject &subject);
 std::unique_ptr<Course> courseOf(const ResponsePlan &plan, const Subject &subject);

@@ -17,7 +17,8 @@ using namespace std::chrono_literals;
 constexpr const char *kEntry = "rest plan";
 constexpr double kLowShare = 0.25, kHighShare = 0.5; ///< of the nominal current
 constexpr int kLevels = 4; ///< along the magnets
-constexpr milliseconds kSpare = 2s; ///< of the last stage: a host that stalls must not let a start-up fail
+constexpr milliseconds kSpare =
+    2s; ///< of the last stage: a host that stalls must not let a start-up fail
 constexpr double kMargin = 0.2; ///< of the allowed speed: a rotor that is drawn to its place
 
 /// Boards name a speed after its sensor.
@@ -106,17 +107,6 @@ private:
     bool m_over = false;
 };
 
-template <class Plan, class Field>
-void eachField(Plan &plan, Field &&field)
-{
-    field("low A", plan.lowAmps);
-    field("high A", plan.highAmps);
-    field("rise ms", plan.rise);
-    field("hold ms", plan.hold);
-    field("max rpm", plan.caps.maxSpeedRpm);
-    field("max A", plan.caps.maxCurrentAmps);
-}
-
 } // namespace
 
 RestPlan restPlanFor(const Subject &subject, const drive::UserLimits &caps)
@@ -175,7 +165,7 @@ record::Happening entryOf(const RestPlan &plan, const Subject &subject)
 {
     record::Happening entry{kEntry, {}};
     putMotor(entry, subject);
-    eachField(plan, PutFields(entry));
+    putFields(entry, plan);
     return entry;
 }
 

@@ -25,6 +25,18 @@ struct RestPlan {
 /// A quarter and half of the nominal current, or less where less is allowed.
 RestPlan restPlanFor(const Subject &subject, const drive::UserLimits &caps);
 
+/// Its fields by the names that recordings and files have them by.
+template <class Field>
+void eachField(RestPlan &plan, Field &&field)
+{
+    field("low A", plan.lowAmps);
+    field("high A", plan.highAmps);
+    field("rise ms", plan.rise);
+    field("hold ms", plan.hold);
+    field("max rpm", plan.caps.maxSpeedRpm);
+    field("max A", plan.caps.maxCurrentAmps);
+}
+
 std::string objectionTo(const RestPlan &plan, const Subject &subject);
 Conditions conditionsOf(const RestPlan &plan, const Subject &subject);
 std::unique_ptr<Course> courseOf(const RestPlan &plan, const Subject &subject);

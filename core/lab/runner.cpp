@@ -509,7 +509,8 @@ void Runner::giveUp(End end, const std::string &reason, TimePoint now)
         m_soFar = {end, reason, {}};
     if (!m_commanded && !m_lent)
         return finish();
-    if (m_phase == Phase::Lending || m_phase == Phase::Aiming || (m_phase == Phase::Starting && m_stands))
+    if (m_phase == Phase::Lending || m_phase == Phase::Aiming
+        || (m_phase == Phase::Starting && m_stands))
         return restore(now);
     if (m_phase == Phase::Returning || m_phase == Phase::Starting)
         return abort(reason);

@@ -17,28 +17,22 @@ constexpr const char *kEntry = "spin plan";
 constexpr double kLowShare = 0.25, kHighShare = 0.6; ///< of the allowed speed
 constexpr double kFluxLowShare = 0.4, kFluxHighShare = 0.6; ///< inductances take fast turns
 constexpr double kFluxShare = 0.4; ///< of the nominal current
-constexpr double kMargin = 1.0, kFluxMargin = 1.3; ///< of the way between both speeds: a quarter of a second for a host that stalls
+constexpr double
+    kMargin = 1.0,
+    kFluxMargin =
+        1.3; ///< of the way between both speeds: a quarter of a second for a host that stalls
 constexpr double kFirstPush = 0.05, kMostPush = 0.7; ///< of the nominal current
-constexpr double kFirstDrop = 0.2, kMostDrop = 0.95; ///< of the current that holds the speed
+constexpr double kFirstDrop = 0.6, kMostDrop = 0.95; ///< of the current that holds the speed
 constexpr double kLeastDraw = 0.7; ///< of what a way would take: no two are the same
 constexpr double kWay_s = 0.25; ///< from one speed to the other
 constexpr double kMostGrowth = 2.0; ///< of the push from one way to the next
 constexpr Duration kShake = 50ms; ///< with currents along the magnets, until all of them jump
-constexpr double kJump = 0.5; ///< to either side, of what accelerates, or of what is left while it coasts
+constexpr double kJump =
+    0.5; ///< to either side, of what accelerates, or of what is left while it coasts
+/// What held the first speed was measured for a moment only: if too much of it is left, the motor goes on to accelerate.
+constexpr double kAway = 0.2; ///< of the way, beyond the upper speed
+constexpr Duration kNoticed = 100ms;
 constexpr Duration kPatience = 1s; ///< with a push that does not reach the other speed
-
-template <class Plan, class Field>
-void eachField(Plan &plan, Field &&field)
-{
-    field("low rpm", plan.lowRpm);
-    field("high rpm", plan.highRpm);
-    field("length ms", plan.length);
-    field("flux A", plan.fluxAmps);
-    field("approach ms", plan.approach);
-    field("seed", plan.seed);
-    field("max rpm", plan.caps.maxSpeedRpm);
-    field("max A", plan.caps.maxCurrentAmps);
-}
 
 class SpinCourse : public Course {
 public:
@@ -70,7 +64,10 @@ public:
         const bool there =
             m_pushing ? rpm >= std::abs(m_plan.highRpm) : rpm <= std::abs(m_plan.lowRpm);
         const double took_s = toSeconds(moment.now - m_turned);
-        if (!there && moment.now - m_turned < kPatience)
+        const double beyond = rpm - std::abs(m_plan.highRpm);
+        const bool runsAway = !m_pushing && moment.now - m_turned >= kNoticed
+            && beyond > kAway * std::abs(m_plan.highRpm - m_plan.lowRpm);
+        if (!there && !runsAway && moment.now - m_turned < kPatience)
             return m_plan.fluxAmps > 0.0 && moment.now - m_shaken >= kShake
                 ? std::optional(shake(moment.now))
                 : std::nullopt;
@@ -141,10 +138,10 @@ SpinPlan fluxPlanFor(const Subject &subject, const drive::UserLimits &caps)
     double nominal = subject.limits.nominalCurrentAmps;
     if (caps.maxCurrentAmps > 0.0)
         nominal = std::min(nominal, caps.maxCurrentAmps);
-    plan.lowRpm = static_cast<int>(std::lround(
-        kFluxLowShare * drive::realBoundsOf(subject.limits, caps).rpm));
-    plan.highRpm = static_cast<int>(std::lround(
-        kFluxHighShare * drive::realBoundsOf(subject.limits, caps).rpm));
+    plan.lowRpm = static_cast<int>(
+        std::lround(kFluxLowShare * drive::realBoundsOf(subject.limits, caps).rpm));
+    plan.highRpm = static_cast<int>(
+        std::lround(kFluxHighShare * drive::realBoundsOf(subject.limits, caps).rpm));
     plan.fluxAmps = kFluxShare * nominal;
     plan.length = 12s;
     return plan;
@@ -179,8 +176,8 @@ Conditions conditionsOf(const SpinPlan &plan, const Subject &subject)
         .approach = plan.approach,
         .leastRpm = double(std::min(plan.lowRpm, plan.highRpm)),
         .mostRpm = double(std::max(plan.lowRpm, plan.highRpm)),
-        .margin_rpm = (plan.fluxAmps > 0.0 ? kFluxMargin : kMargin)
-            * std::abs(plan.highRpm - plan.lowRpm),
+        .margin_rpm =
+            (plan.fluxAmps > 0.0 ? kFluxMargin : kMargin) * std::abs(plan.highRpm - plan.lowRpm),
         .user = plan.caps,
         .recorded = {registers.current, registers.speed, registers.angle},
         .length = plan.length};
@@ -203,7 +200,7 @@ record::Happening entryOf(const SpinPlan &plan, const Subject &subject)
 {
     record::Happening entry{kEntry, {}};
     putMotor(entry, subject);
-    eachField(plan, PutFields(entry));
+    putFields(entry, plan);
     return entry;
 }
 

@@ -18,7 +18,8 @@ struct SpinPlan {
     int lowRpm = 0, highRpm = 0; ///< of the same sign; low is nearer to 0
     milliseconds length{8000};
     milliseconds approach{500};
-    double fluxAmps = 0.0; ///< most along the magnets, to either side; each way has another. 0: none
+    double fluxAmps =
+        0.0; ///< most along the magnets, to either side; each way has another. 0: none
     std::uint32_t seed = 1; ///< of the torques
     drive::UserLimits caps = {}; ///< the user's
     bool operator==(const SpinPlan &) const = default;
@@ -29,6 +30,20 @@ SpinPlan spinPlanFor(const Subject &subject, const drive::UserLimits &caps);
 
 /// Faster, and with currents along the magnets: what inductances are measured by.
 SpinPlan fluxPlanFor(const Subject &subject, const drive::UserLimits &caps);
+
+/// Its fields by the names that recordings and files have them by.
+template <class Field>
+void eachField(SpinPlan &plan, Field &&field)
+{
+    field("low rpm", plan.lowRpm);
+    field("high rpm", plan.highRpm);
+    field("length ms", plan.length);
+    field("flux A", plan.fluxAmps);
+    field("approach ms", plan.approach);
+    field("seed", plan.seed);
+    field("max rpm", plan.caps.maxSpeedRpm);
+    field("max A", plan.caps.maxCurrentAmps);
+}
 
 std::string objectionTo(const SpinPlan &plan, const Subject &subject);
 Conditions conditionsOf(const SpinPlan &plan, const Subject &subject);

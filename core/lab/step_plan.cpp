@@ -17,18 +17,6 @@ constexpr int kMostRepeats = 100;
 constexpr double kOvershoot = 0.5; ///< of the step: loops that are being tuned overshoot
 constexpr double kLeastMargin_rpm = 120.0; ///< noise of a sensorless speed
 
-template <class Plan, class Field>
-void eachField(Plan &plan, Field &&field)
-{
-    field("from rpm", plan.fromRpm);
-    field("to rpm", plan.toRpm);
-    field("repeat", plan.repeat);
-    field("hold ms", plan.hold);
-    field("approach ms", plan.approach);
-    field("max rpm", plan.caps.maxSpeedRpm);
-    field("max A", plan.caps.maxCurrentAmps);
-}
-
 class StepCourse : public Course {
 public:
     StepCourse(const StepPlan &plan, int motor)
@@ -110,7 +98,7 @@ record::Happening entryOf(const StepPlan &plan, const Subject &subject, double j
 {
     record::Happening entry{kEntry, {}};
     putMotor(entry, subject);
-    eachField(plan, PutFields(entry));
+    putFields(entry, plan);
     entry.fields.emplace_back(kJump, textOf(jump));
     return entry;
 }

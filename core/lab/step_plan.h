@@ -20,6 +20,19 @@ struct StepPlan {
     bool operator==(const StepPlan &) const = default;
 };
 
+/// Its fields by the names that recordings and files have them by.
+template <class Field>
+void eachField(StepPlan &plan, Field &&field)
+{
+    field("from rpm", plan.fromRpm);
+    field("to rpm", plan.toRpm);
+    field("repeat", plan.repeat);
+    field("hold ms", plan.hold);
+    field("approach ms", plan.approach);
+    field("max rpm", plan.caps.maxSpeedRpm);
+    field("max A", plan.caps.maxCurrentAmps);
+}
+
 std::string objectionTo(const StepPlan &plan, const Subject &subject);
 Conditions conditionsOf(const StepPlan &plan, const Subject &subject);
 std::unique_ptr<Course> courseOf(const StepPlan &plan, const Subject &subject);

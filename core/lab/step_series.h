@@ -2,9 +2,9 @@
 // the same numbers, on the day of the measurement and a year later.
 #pragma once
 
-#include "lab/maths/estimate.h"
 #include "lab/experiment.h"
 #include "lab/happenings.h"
+#include "lab/maths/estimate.h"
 #include "lab/step_evaluation.h"
 
 #include <string>

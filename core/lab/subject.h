@@ -20,7 +20,8 @@ struct Registers {
     drive::RegisterId bus = 0, temperature = 0; ///< polled
     drive::RegisterId gain = 0, gainExponent = 0; ///< of the speed loop's proportional part
     drive::RegisterId integral = 0, integralExponent = 0; ///< of its integral part
-    drive::RegisterId startUp = 0; ///< the stages of a start without a sensor; written, not recorded
+    drive::RegisterId startUp =
+        0; ///< the stages of a start without a sensor; written, not recorded
 };
 
 struct Subject {

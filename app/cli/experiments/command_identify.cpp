@@ -15,14 +15,10 @@ Outcome<int> runIdentify(Desk &desk)
     if (!subject)
         return tl::make_unexpected(subject.error());
     const drive::UserLimits &limits = desk.arguments.limits;
-    if (desk.arguments.words.first() == kMechanical) {
-        const lab::SpinPlan plan = lab::spinPlanFor(*subject, limits);
-        return run.run({{{plan, *subject}, lab::entryOf(plan, *subject)}});
-    }
-    const lab::RestPlan rest = lab::restPlanFor(*subject, limits);
-    const lab::SpinPlan turning = lab::fluxPlanFor(*subject, limits);
-    return run.run({{{rest, *subject}, lab::entryOf(rest, *subject)},
-        {{turning, *subject}, lab::entryOf(turning, *subject)}});
+    if (desk.arguments.words.first() == kMechanical)
+        return run.run(*subject, {lab::spinPlanFor(*subject, limits)});
+    return run.run(
+        *subject, {lab::restPlanFor(*subject, limits), lab::fluxPlanFor(*subject, limits)});
 }
 
 constexpr OptionText kOptions[] = {kRunOption};

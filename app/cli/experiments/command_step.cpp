@@ -1,25 +1,10 @@
 // step: brings the motor to one speed, steps it to another and back, and says how its speed loop followed. Afterwards the
 // motor is as it was.
-#include "drive/values.h"
 #include "experiments/experiment_run.h"
 
 namespace cli {
 
 namespace {
-
-/// What the loop's gain makes of a step at once, by which the instant of each is found.
-Outcome<double> jump(Desk &desk, const lab::Subject &subject)
-{
-    const lab::Registers &registers = subject.registers;
-    if (registers.gain == 0 || registers.gainExponent == 0)
-        return 0.0;
-    const auto read = desk.talk.read({registers.gain, registers.gainExponent});
-    if (!read)
-        return tl::make_unexpected(read.error());
-    const auto gain = drive::asNumber(read->at(0).value);
-    const auto exponent = drive::asNumber(read->at(1).value);
-    return gain && exponent ? lab::jumpPerRpm(subject, *gain, *exponent) : 0.0;
-}
 
 Outcome<int> runStep(Desk &desk)
 {
@@ -33,10 +18,7 @@ Outcome<int> runStep(Desk &desk)
         .repeat = asked.repeat,
         .hold = std::chrono::milliseconds(asked.hold_ms),
         .caps = desk.arguments.limits};
-    const auto jumpSize = jump(desk, *subject);
-    if (!jumpSize)
-        return tl::make_unexpected(jumpSize.error());
-    return run.run({{{plan, *subject}, lab::entryOf(plan, *subject, *jumpSize)}});
+    return run.run(*subject, {plan});
 }
 
 constexpr OptionText kOptions[] = {

@@ -1,5 +1,6 @@
 #include "experiments/experiment_run.h"
 
+#include "experiments/plan_entry.h"
 #include "experiments/reports.h"
 #include "snapshot_work.h"
 
@@ -36,11 +37,18 @@ Outcome<lab::Subject> ExperimentRun::subject() const
     return *found;
 }
 
-Outcome<int> ExperimentRun::run(const std::vector<Part> &parts)
+Outcome<int> ExperimentRun::run(const lab::Subject &subject, const std::vector<lab::Plan> &plans)
 {
-    for (const Part &part : parts)
-        if (const std::string why = lab::objectionTo(part.experiment); !why.empty())
+    std::vector<Part> parts;
+    for (const lab::Plan &plan : plans) {
+        const lab::Experiment experiment{plan, subject};
+        if (const std::string why = lab::objectionTo(experiment); !why.empty())
             return failure(kRefused, QStringLiteral("Not begun: %1.").arg(text(why)));
+        const auto entry = entryOf(m_desk, experiment);
+        if (!entry)
+            return tl::make_unexpected(entry.error());
+        parts.push_back({experiment, *entry});
+    }
     const auto outcome = carryOut(parts);
     if (!outcome)
         return tl::make_unexpected(outcome.error());

@@ -15,15 +15,15 @@ public:
 
     /// The motor that is meant; a failure if nothing can be measured with this board.
     Outcome<lab::Subject> subject() const;
+    /// One after the other, each from where the motor was before; in one recording.
+    /// @return  the exit status of the evaluation's report; a failure if one of them did not come to its end
+    Outcome<int> run(const lab::Subject &subject, const std::vector<lab::Plan> &plans);
+
+private:
     struct Part {
         lab::Experiment experiment;
         record::Happening entry; ///< the plan, as its recording has it
     };
-    /// One after the other, each from where the motor was before; in one recording.
-    /// @return  the exit status of the evaluation's report; a failure if one of them did not come to its end
-    Outcome<int> run(const std::vector<Part> &parts);
-
-private:
     Outcome<lab::Outcome> carryOut(const std::vector<Part> &parts);
     Outcome<lab::Outcome> runAll(const std::vector<Part> &parts, ConversationRecording &recording);
     Failure stopped(Failure why);

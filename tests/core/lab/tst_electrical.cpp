@@ -22,8 +22,8 @@ simulation::BoardOptions boardOf(const QString &motor, std::uint64_t seed)
     return options;
 }
 
-void verifyWithin(const char *what, const std::optional<Estimate> &found, double truth,
-    double percent)
+void verifyWithin(
+    const char *what, const std::optional<Estimate> &found, double truth, double percent)
 {
     QVERIFY2(found, what);
     QVERIFY2(std::abs(found->value / truth - 1.0) <= percent / 100.0,
@@ -109,8 +109,7 @@ private Q_SLOTS:
     void aTurningMotorIsNotMeasuredAtRest()
     {
         LabBench bench;
-        bench.pair.runUntilEnded(
-            bench.pair.submit(drive::Command{drive::MotorAction::Start, 1}));
+        bench.pair.runUntilEnded(bench.pair.submit(drive::Command{drive::MotorAction::Start, 1}));
         QVERIFY(bench.pair.runUntilState(drive::MotorState::Running));
         bench.pair.runFor(3s);
         bench.experiment.plan = restPlanFor(bench.experiment.subject, {});
@@ -182,7 +181,8 @@ private Q_SLOTS:
         const Subject &subject = bench.experiment.subject;
         const capture::Capture nothing;
         QVERIFY(!evaluateElectrics(nothing, {}));
-        const auto rest = evaluateElectrics(nothing, {{1, entryOf(restPlanFor(subject, {}), subject)}});
+        const auto rest =
+            evaluateElectrics(nothing, {{1, entryOf(restPlanFor(subject, {}), subject)}});
         QVERIFY(!rest);
         QVERIFY2(rest.error().find("no two different currents") != std::string::npos,
             rest.error().c_str());

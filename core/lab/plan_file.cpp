@@ -1,0 +1,72 @@
+#include "lab/plan_file.h"
+
+#include "drive/motion_limits.h"
+#include "lab/plan_fields.h"
+
+#include <algorithm>
+
+namespace lab {
+
+namespace {
+
+std::string keyOf(const std::string &name)
+{
+    std::string key;
+    for (const char letter : name)
+        key += letter == ' '                 ? '_'
+            : letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a')
+                                             : letter;
+    return key;
+}
+
+/// The fields of the file over those of the usual plan.
+template <class Which>
+Result<Plan, std::string> withNumbers(Which plan, const PlanNumbers &numbers)
+{
+    record::Happening names;
+    putFields(names, plan);
+    record::Happening wanted;
+    for (const auto &[key, number] : numbers) {
+        const auto name = std::find_if(names.fields.begin(), names.fields.end(),
+            [&](const auto &field) { return keyOf(field.first) == key; });
+        if (name == names.fields.end())
+            return fail("its plan has no \"" + key + "\"");
+        wanted.fields.emplace_back(name->first, textOf(number));
+    }
+    TakeFields take(wanted);
+    eachField(plan, take);
+    if (!take.wrong().empty())
+        return fail("its \"" + keyOf(take.wrong()) + "\" is no number that can be meant");
+    return Plan(plan);
+}
+
+} // namespace
+
+Result<Plan, std::string> planOf(const std::string &kind, const PlanNumbers &numbers,
+    const Subject &subject, const drive::UserLimits &caps)
+{
+    auto plan = [&]() -> Result<Plan, std::string> {
+        if (kind == "step")
+            return withNumbers(StepPlan{.caps = caps}, numbers);
+        if (kind == "spin")
+            return withNumbers(spinPlanFor(subject, caps), numbers);
+        if (kind == "response")
+            return withNumbers(responsePlanFor(subject, caps), numbers);
+        if (kind == "rest")
+            return withNumbers(restPlanFor(subject, caps), numbers);
+        return fail("there is no experiment \"" + kind + "\"");
+    }();
+    if (!plan)
+        return plan;
+    // Of a file's bounds and the user's the lower ones count.
+    const auto lower = [](double one, double other) {
+        return one > 0.0 && other > 0.0 ? std::min(one, other) : std::max(one, other);
+    };
+    drive::UserLimits &own =
+        std::visit([](auto &of) -> drive::UserLimits & { return of.caps; }, *plan);
+    own = {
+        lower(own.maxSpeedRpm, caps.maxSpeedRpm), lower(own.maxCurrentAmps, caps.maxCurrentAmps)};
+    return plan;
+}
+
+} // namespace lab

@@ -1,0 +1,80 @@
+// Plans from files, which are foreign: what they say is taken, and what they cannot mean is refused by its name.
+#include "lab/plan_file.h"
+#include "support/lab_bench.h"
+
+using namespace lab;
+
+class TestPlanFile : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void itsNumbersStandOverTheUsualOnes()
+    {
+        const Subject &subject = m_bench.experiment.subject;
+        const auto step =
+            planOf("step", {{"from_rpm", 1000}, {"to_rpm", -500}, {"hold_ms", 300}}, subject, {});
+        QVERIFY(step);
+        QCOMPARE(std::get<StepPlan>(*step),
+            (StepPlan{.fromRpm = 1000, .toRpm = -500, .hold = std::chrono::milliseconds(300)}));
+        const auto spin = planOf("spin", {{"flux_a", 1.5}, {"seed", 7}}, subject, {});
+        QVERIFY(spin);
+        SpinPlan expected = spinPlanFor(subject, {});
+        expected.fluxAmps = 1.5;
+        expected.seed = 7;
+        QCOMPARE(std::get<SpinPlan>(*spin), expected);
+        const auto rest = planOf("rest", {}, subject, {});
+        QVERIFY(rest);
+        QCOMPARE(std::get<RestPlan>(*rest), restPlanFor(subject, {}));
+        const auto response = planOf("response", {{"amplitude_rpm", 90}}, subject, {});
+        QVERIFY(response);
+        QCOMPARE(std::get<ResponsePlan>(*response).amplitudeRpm, 90);
+    }
+
+    void ofTwoBoundsTheLowerOneCounts()
+    {
+        const Subject &subject = m_bench.experiment.subject;
+        const drive::UserLimits own{.maxSpeedRpm = 2000.0, .maxCurrentAmps = 3.0};
+        const auto wider = planOf("rest", {{"max_rpm", 9000}, {"max_a", 100}}, subject, own);
+        QVERIFY(wider);
+        QCOMPARE(std::get<RestPlan>(*wider).caps, own);
+        const auto narrower = planOf("rest", {{"max_rpm", 1000}}, subject, own);
+        QVERIFY(narrower);
+        QCOMPARE(std::get<RestPlan>(*narrower).caps.maxSpeedRpm, 1000.0);
+    }
+
+    void whatItCannotMeanIsNamed_data()
+    {
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<double>("number");
+        QTest::addColumn<QString>("named");
+        QTest::newRow("kind") << "stop"
+                              << "from_rpm" << 1.0 << "\"stop\"";
+        QTest::newRow("key") << "step"
+                             << "speed" << 1.0 << "\"speed\"";
+        QTest::newRow("a register") << "rest"
+                                    << "SPEED_KP" << 1.0 << "\"SPEED_KP\"";
+        QTest::newRow("half a step") << "step"
+                                     << "repeat" << 2.5 << "\"repeat\"";
+        QTest::newRow("no number") << "step"
+                                   << "from_rpm" << std::nan("") << "\"from_rpm\"";
+        QTest::newRow("endless") << "rest"
+                                 << "max_a" << 1e300 << "\"max_a\"";
+    }
+    void whatItCannotMeanIsNamed()
+    {
+        QFETCH(const QString, kind);
+        QFETCH(const QString, key);
+        QFETCH(const double, number);
+        QFETCH(const QString, named);
+        const auto plan = planOf(
+            kind.toStdString(), {{key.toStdString(), number}}, m_bench.experiment.subject, {});
+        QVERIFY(!plan);
+        QVERIFY2(plan.error().find(named.toStdString()) != std::string::npos, plan.error().c_str());
+    }
+
+private:
+    const support::LabBench m_bench;
+};
+
+QTEST_APPLESS_MAIN(TestPlanFile)
+#include "tst_plan_file.moc"
