@@ -444,9 +444,13 @@ void Runner::interrupt(const std::string &why)
 
 void Runner::lose(const std::string &why)
 {
-    if (over() || !moves())
-        return interrupt(why);
-    abort(why, "a Stop waits for the board to be reached");
+    if (over())
+        return;
+    if (moves())
+        abort(why, "a Stop waits for the board to be reached");
+    else
+        interrupt(why);
+    m_outcome->end = End::Lost;
 }
 
 /// What is not as it was is said.

@@ -180,7 +180,8 @@ private Q_SLOTS:
             const bool same = truth.driven == scenario.runs
                 && (!scenario.runs || std::abs(truth.referenceRpm - 1500.0) <= 12.0);
             const bool says = outcome.reason.find("set-point") != std::string::npos
-                || outcome.end == End::Aborted || outcome.end == End::Interrupted;
+                || outcome.end == End::Aborted || outcome.end == End::Interrupted
+                || outcome.end == End::Lost;
             QVERIFY2(same || says || scenario.trouble == Trouble::Load
                     || scenario.trouble == Trouble::Fault || scenario.trouble == Trouble::Reset,
                 told.constData());

@@ -304,7 +304,7 @@ private Q_SLOTS:
         QSignalSpy wanted(&world.session, &Session::stopsWanted);
         world.line.plugged = false;
         QVERIFY(world.ends(5s));
-        VERIFY_END(world, End::Aborted);
+        VERIFY_END(world, End::Lost);
         QVERIFY2(!wanted.isEmpty(), world.outcomes[0].reason.c_str());
         QVERIFY(world.outcomes[0].reason.find("being stopped") == std::string::npos); // nobody can
         QVERIFY(!wanted.last().first().toStringList().isEmpty());
