@@ -4,6 +4,7 @@
 
 #include "drive/wish.h"
 
+#include <algorithm>
 #include <chrono>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct Conditions {
     drive::UserLimits user; ///< the user's caps; 0: what the board tells
     std::vector<drive::RegisterId> recorded; ///< to be recorded
     milliseconds length{}; ///< of its course
+    /// As `approach`, where it brakes and nothing says that the bus takes what comes back.
+    milliseconds gently() const { return std::max(approach, milliseconds(3000)); }
 };
 
 } // namespace lab

@@ -15,6 +15,8 @@ using namespace std::chrono_literals;
 
 constexpr const char *kEntry = "spin plan";
 constexpr double kLowShare = 0.25, kHighShare = 0.7; ///< of the allowed speed
+constexpr double kAboveObserved =
+    0.25; ///< of the way from what an observer needs to the higher speed
 constexpr double kMargin = 0.6; ///< of the way between both speeds
 constexpr double kFirstPush = 0.05, kMostPush = 0.7; ///< of the nominal current
 constexpr double kFirstDrop = 0.2, kMostDrop = 0.95; ///< of the current that holds the speed
@@ -96,8 +98,10 @@ private:
 SpinPlan spinPlanFor(const Subject &subject, const drive::UserLimits &caps)
 {
     const double allowed = drive::realBoundsOf(subject.limits, caps).rpm;
-    return {.lowRpm = static_cast<int>(std::lround(kLowShare * allowed)),
-        .highRpm = static_cast<int>(std::lround(kHighShare * allowed)),
+    const double high = kHighShare * allowed, observed = subject.leastObservedRpm();
+    const double low = std::max(kLowShare * allowed, observed + kAboveObserved * (high - observed));
+    return {.lowRpm = static_cast<int>(std::lround(low)),
+        .highRpm = static_cast<int>(std::lround(high)),
         .caps = caps};
 }
 

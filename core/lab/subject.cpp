@@ -1,6 +1,7 @@
 #include "lab/subject.h"
 
 #include "drive/start_target.h"
+#include "motor/rev_up.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,14 @@ unsigned Subject::fastEvery(std::size_t signalCount) const
     const double room = kShareOfLink * linkBytesPerSecond;
     return room > 0.0 ? static_cast<unsigned>(std::clamp(std::ceil(bytes / room), 1.0, kMostEvery))
                       : 1U;
+}
+
+double Subject::leastObservedRpm() const
+{
+    constexpr double kSafely = 2.0;
+    const std::string sensor = nameOf(registers.speed);
+    const bool measured = sensor.starts_with("ENCODER") || sensor.starts_with("HALL");
+    return measured ? 0.0 : kSafely * motor::minimumStartSpeed_rpm(limits.maxSpeedRpm);
 }
 
 Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor)
