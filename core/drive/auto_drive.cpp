@@ -49,6 +49,7 @@ public:
         m_stop.end();
         m_turnEnds.reset();
         m_proven.reset();
+        m_stopBefore = false;
         planRound(true);
         tryNext(now);
     }
@@ -83,10 +84,11 @@ public:
     }
     void handleSent(TimePoint now) override
     {
+        m_stopBefore = false;
         m_drive->handleSent(now);
         sift(now);
     }
-    std::vector<Output> takeOutput() override { return m_drive->takeOutput(); }
+    std::vector<Output> takeOutput() override;
     std::vector<Event> takeEvents() override { return std::exchange(m_events, {}); }
     std::optional<TimePoint> nextTimeout() const override
     {
@@ -186,6 +188,7 @@ private:
     StopSequence m_stop; ///< asked for before any board had answered: its times and its alarm
     TimePoint m_stopAsked;
     std::optional<TimePoint> m_turnEnds; ///< of a candidate that stops blind
+    bool m_stopBefore = false; ///< of the candidate before: it may not have left yet
     bool m_repeating = false; ///< that a stop is wanted has been told
     std::optional<LinkReason> m_toldLost; ///< of the round before
     LinkReason m_reason = LinkReason::None; ///< the most telling one of this round's failures
@@ -194,6 +197,15 @@ private:
     TimePoint m_now;
     std::vector<Event> m_events;
 };
+
+/// A candidate's own STOP is more urgent than all before it, but for that of another language.
+std::vector<Output> AutoDrive::takeOutput()
+{
+    std::vector<Output> outputs = m_drive->takeOutput();
+    for (Output &output : outputs)
+        output.dropsEarlier = output.dropsEarlier && !m_stopBefore;
+    return outputs;
+}
 
 void AutoDrive::planRound(bool first)
 {
@@ -237,6 +249,7 @@ void AutoDrive::startCandidate(std::size_t which, TimePoint now)
 {
     m_which = which;
     m_settled = false;
+    m_stopBefore = m_repeating;
     m_drive = make(which, m_hasty);
     if (m_limits != UserLimits{})
         m_drive->submit({0, m_limits, Source::Person}, now);

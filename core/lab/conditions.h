@@ -4,6 +4,7 @@
 
 #include "lab/course.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <vector>
@@ -30,6 +31,8 @@ struct Conditions {
     milliseconds length{}; ///< of its course
     /// Written before the motor is started, while it rests; afterwards they are what they were.
     std::vector<drive::RegisterWrite> lent = {};
+    /// As `approach`, where it brakes and nothing says that the bus takes what comes back.
+    milliseconds gently() const { return std::max(approach, milliseconds(3000)); }
 };
 
 } // namespace lab

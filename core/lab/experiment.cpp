@@ -14,11 +14,11 @@ using namespace std::chrono_literals;
 constexpr milliseconds kLongest = 60s; ///< of what moves a motor by itself
 constexpr milliseconds kReaching = 5s; ///< until a speed is that of the set-point, there and back
 
-std::string generalObjection(const Conditions &conditions, const drive::MotorLimits &limits)
+std::string generalObjection(const Conditions &conditions, const Subject &subject)
 {
     if (conditions.approach < 1ms || conditions.approach > 10s)
         return "the way to the first speed takes 1 ms to 10 s";
-    const double allowed = drive::realBoundsOf(limits, conditions.user).rpm;
+    const double allowed = drive::realBoundsOf(subject.limits, conditions.user).rpm;
     if (!(allowed > 0.0))
         return "nothing says how fast this motor may turn: give the greatest speed that it may "
                "have";
@@ -26,6 +26,13 @@ std::string generalObjection(const Conditions &conditions, const drive::MotorLim
     if (!(highest <= allowed))
         return std::to_string(std::lround(highest)) + " rpm are more than the "
             + std::to_string(std::lround(allowed)) + " rpm that are allowed";
+    const bool turnsBack = conditions.leastRpm < 0.0 && conditions.mostRpm > 0.0;
+    const double lowest =
+        turnsBack ? 0.0 : std::min(std::abs(conditions.leastRpm), std::abs(conditions.mostRpm));
+    if (highest > 0.0 && lowest < subject.leastObservedRpm())
+        return "this motor has no sensor, and at " + std::to_string(std::lround(lowest))
+            + " rpm its rotor might be lost: stay above "
+            + std::to_string(std::lround(subject.leastObservedRpm())) + " rpm";
     return {};
 }
 
@@ -34,7 +41,7 @@ std::string generalObjection(const Conditions &conditions, const drive::MotorLim
 milliseconds lengthOf(const Experiment &experiment)
 {
     const Conditions conditions = conditionsOf(experiment);
-    return 2 * (conditions.approach + kReaching) + conditions.length;
+    return 2 * (conditions.gently() + kReaching) + conditions.length;
 }
 
 std::string objectionTo(const Experiment &experiment)
@@ -47,7 +54,7 @@ std::string objectionTo(const Experiment &experiment)
         return "it could take " + std::to_string(lengthOf(experiment) / 1s)
             + " s, and what moves a motor by itself ends within " + std::to_string(kLongest / 1s)
             + " s: take fewer repetitions, or a shorter time for each";
-    return generalObjection(conditionsOf(experiment), experiment.subject.limits);
+    return generalObjection(conditionsOf(experiment), experiment.subject);
 }
 
 Conditions conditionsOf(const Experiment &experiment)

@@ -12,7 +12,8 @@ enum class End : std::uint8_t {
     Complete,
     Refused, ///< the board or the drive did not do what was asked; nothing is left moving that stood before
     Aborted, ///< the envelope was broken, or the board reported a fault
-    Interrupted, ///< somebody stopped, disarmed or took the motor over, or the link went
+    Interrupted, ///< somebody stopped, disarmed or took the motor over
+    Lost, ///< the link or the port went
 };
 
 struct Outcome {

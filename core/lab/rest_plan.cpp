@@ -21,13 +21,6 @@ constexpr milliseconds kSpare =
     2s; ///< of the last stage: a host that stalls must not let a start-up fail
 constexpr double kMargin = 0.2; ///< of the allowed speed: a rotor that is drawn to its place
 
-/// Boards name a speed after its sensor.
-bool seesRotor(const Subject &subject)
-{
-    const std::string speed = subject.nameOf(subject.registers.speed);
-    return speed.starts_with("ENCODER") || speed.starts_with("HALL");
-}
-
 /// No speed in any of them.
 drive::RegisterWrite stagesOf(const RestPlan &plan, const Subject &subject)
 {
@@ -124,7 +117,7 @@ std::string objectionTo(const RestPlan &plan, const Subject &subject)
         registers.voltage, registers.voltageD, registers.currentD, registers.angle};
     if (std::find(all.begin(), all.end(), 0U) != all.end())
         return "this board does not record voltages, currents and the angle of its rotor";
-    if (seesRotor(subject) ? registers.referenceD == 0 : registers.startUp == 0)
+    if (subject.seesRotor() ? registers.referenceD == 0 : registers.startUp == 0)
         return "this board holds no current through a motor that rests";
     if (!(subject.limits.nominalCurrentAmps > 0.0))
         return "the board does not tell the nominal current of its motor";
@@ -141,7 +134,7 @@ std::string objectionTo(const RestPlan &plan, const Subject &subject)
 Conditions conditionsOf(const RestPlan &plan, const Subject &subject)
 {
     const Registers &registers = subject.registers;
-    const bool sees = seesRotor(subject);
+    const bool sees = subject.seesRotor();
     Conditions conditions{.beginning = sees ? Beginning::AtRest : Beginning::WhileStarting,
         .margin_rpm = kMargin * drive::realBoundsOf(subject.limits, plan.caps).rpm,
         .user = plan.caps,
@@ -156,7 +149,7 @@ Conditions conditionsOf(const RestPlan &plan, const Subject &subject)
 
 std::unique_ptr<Course> courseOf(const RestPlan &plan, const Subject &subject)
 {
-    if (seesRotor(subject))
+    if (subject.seesRotor())
         return std::make_unique<LevelCourse>(plan, subject.motor);
     return std::make_unique<StartUpCourse>(plan);
 }

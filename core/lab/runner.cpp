@@ -145,6 +145,15 @@ void Runner::take(const drive::Event &event, TimePoint now)
     advance(now);
 }
 
+/// A motor that is slowed down gives its energy to the bus. Only what was taken before is known to be taken.
+milliseconds Runner::wayTo(double rpm) const
+{
+    const double now_rpm = m_envelope.rpm().value_or(0.0);
+    const double kept = now_rpm * rpm > 0.0 ? rpm * rpm : 0.0;
+    const bool gently = m_ran && now_rpm * now_rpm - kept > m_braked;
+    return gently ? m_conditions.gently() : m_conditions.approach;
+}
+
 void Runner::onEnded(const drive::Ended &ended, TimePoint now)
 {
     if (ended.id != m_waiting)
@@ -233,6 +242,7 @@ void Runner::advance(TimePoint now)
     case Phase::Approaching:
         if (m_answered && steadyAt(m_conditions.firstRpm, now)) {
             m_phase = Phase::Working;
+            m_envelope.set(courseCaps(), now);
             return work(now);
         }
         break;
@@ -244,7 +254,7 @@ void Runner::advance(TimePoint now)
         if (!m_answered)
             break;
         if (m_ran && m_byTorque)
-            return ramp(static_cast<int>(std::lround(m_before_rpm)), m_conditions.approach, now);
+            return ramp(static_cast<int>(std::lround(m_before_rpm)), wayTo(m_before_rpm), now);
         if (m_ran ? steadyAt(m_before_rpm, now) : m_status->state == MotorState::Idle)
             return restore(now);
         break;
@@ -305,6 +315,7 @@ void Runner::onRead(TimePoint now)
         return refuse("the motor is not in speed control, so a speed cannot be stepped");
     m_before_rpm = *target.rpm;
     m_beforeRamp = target.ramp.value_or(0ms);
+    m_before_v = shown(m_experiment.subject.registers.bus);
     // On its way, or held by the end of a ramp, it would be brought back to a speed that it did not have.
     if (m_ran && !near(m_status->speedRpm, m_before_rpm))
         return refuse("the motor does not turn at its set-point of " + rpmText(m_before_rpm));
@@ -344,9 +355,9 @@ Caps Runner::caps() const
     caps.mostAmps = m_conditions.user.maxCurrentAmps > 0.0
         ? m_conditions.user.maxCurrentAmps
         : limits.maxCurrentAmps * kCurrentAboveBoard;
-    if (const auto bus = shown(m_experiment.subject.registers.bus)) {
-        caps.leastBus_v = *bus * kBusSag;
-        caps.mostBus_v = *bus * kBusRise;
+    if (m_before_v) {
+        caps.leastBus_v = *m_before_v * kBusSag;
+        caps.mostBus_v = *m_before_v * kBusRise;
     }
     if (shown(m_experiment.subject.registers.temperature).value_or(kHottest_c) < kHottest_c)
         caps.mostTemperature_c = kHottest_c;
@@ -360,6 +371,18 @@ Caps Runner::startCaps() const
     wide.leastRpm = -allowedRpm();
     wide.mostRpm = allowedRpm();
     return wide;
+}
+
+/// Where the plan goes, and where an observer still sees the rotor.
+Caps Runner::courseCaps() const
+{
+    Caps narrow = caps();
+    const double observed = m_experiment.subject.leastObservedRpm();
+    if (observed > 0.0 && m_conditions.leastRpm > 0.0)
+        narrow.leastRpm = std::max(observed, m_conditions.leastRpm - m_conditions.margin_rpm);
+    if (observed > 0.0 && m_conditions.mostRpm < 0.0)
+        narrow.mostRpm = std::min(-observed, m_conditions.mostRpm + m_conditions.margin_rpm);
+    return narrow;
 }
 
 /// Whatever the plan: what the board tells, and never more than the user allows.
@@ -416,14 +439,19 @@ void Runner::onStarted(TimePoint now)
 void Runner::approach(TimePoint now)
 {
     m_envelope.set(caps(), now);
-    enter(Phase::Approaching, m_conditions.approach + kReachesWithin, now);
-    ramp(m_conditions.firstRpm, m_conditions.approach, now);
+    const milliseconds way = wayTo(m_conditions.firstRpm);
+    enter(Phase::Approaching, way + kReachesWithin, now);
+    ramp(m_conditions.firstRpm, way, now);
 }
 
 void Runner::work(TimePoint now)
 {
     if (auto what = m_course->next({now, m_envelope.rpm(), m_envelope.amps(), m_answered})) {
         m_until = now + kAnswerWithin;
+        const auto *to = std::get_if<drive::SpeedRamp>(&*what);
+        const double rpm = m_envelope.rpm().value_or(0.0);
+        if (to != nullptr)
+            m_braked = std::max(m_braked, rpm * rpm - double(to->rpm) * to->rpm);
         return ask(std::move(*what), now);
     }
     if (m_course->over())
@@ -435,13 +463,15 @@ void Runner::work(TimePoint now)
 /// The motor as it was: at its old speed, or at rest if this started it.
 void Runner::giveBack(TimePoint now)
 {
-    enter(Phase::Returning, m_ran ? m_conditions.approach + kReachesWithin : kRestsWithin, now);
-    if (m_ran && m_currents.idAmps != 0.0) { // speed control would keep it
-        m_currents.idAmps = 0.0;
+    const milliseconds way = wayTo(m_before_rpm);
+    enter(Phase::Returning, m_ran ? way + kReachesWithin : kRestsWithin, now);
+    if (m_ran) {
+        m_envelope.set(caps(), now);
+        if (m_currents.idAmps == 0.0)
+            return ramp(static_cast<int>(std::lround(m_before_rpm)), way, now);
+        m_currents.idAmps = 0.0; // speed control would keep it
         return ask(m_currents, now);
     }
-    if (m_ran)
-        return ramp(static_cast<int>(std::lround(m_before_rpm)), m_conditions.approach, now);
     Caps resting = caps(); // a board may record nothing while nothing is driven
     resting.silence = Duration::zero();
     m_envelope.set(resting, now);
@@ -535,9 +565,13 @@ void Runner::interrupt(const std::string &why)
 
 void Runner::lose(const std::string &why)
 {
-    if (over() || !moves())
-        return interrupt(why);
-    abort(why, "a Stop waits for the board to be reached");
+    if (over())
+        return;
+    if (moves())
+        abort(why, "a Stop waits for the board to be reached");
+    else
+        interrupt(why);
+    m_outcome->end = End::Lost;
 }
 
 /// What is not as it was is said.

@@ -15,12 +15,12 @@ using namespace std::chrono_literals;
 
 constexpr const char *kEntry = "spin plan";
 constexpr double kLowShare = 0.25, kHighShare = 0.6; ///< of the allowed speed
-constexpr double kFluxLowShare = 0.4, kFluxHighShare = 0.6; ///< inductances take fast turns
+constexpr double kFluxLowShare = 0.45, kFluxHighShare = 0.65; ///< inductances take fast turns
+constexpr double kAboveObserved =
+    0.25; ///< of the way from what an observer needs to the higher speed
 constexpr double kFluxShare = 0.4; ///< of the nominal current
-constexpr double
-    kMargin = 1.0,
-    kFluxMargin =
-        1.3; ///< of the way between both speeds: a quarter of a second for a host that stalls
+/// Of the way between both speeds: a quarter of a second for a host that stalls.
+constexpr double kMargin = 1.0, kFluxMargin = 1.3;
 constexpr double kFirstPush = 0.05, kMostPush = 0.7; ///< of the nominal current
 constexpr double kFirstDrop = 0.6, kMostDrop = 0.95; ///< of the current that holds the speed
 constexpr double kLeastDraw = 0.7; ///< of what a way would take: no two are the same
@@ -127,8 +127,10 @@ private:
 SpinPlan spinPlanFor(const Subject &subject, const drive::UserLimits &caps)
 {
     const double allowed = drive::realBoundsOf(subject.limits, caps).rpm;
-    return {.lowRpm = static_cast<int>(std::lround(kLowShare * allowed)),
-        .highRpm = static_cast<int>(std::lround(kHighShare * allowed)),
+    const double high = kHighShare * allowed, observed = subject.leastObservedRpm();
+    const double low = std::max(kLowShare * allowed, observed + kAboveObserved * (high - observed));
+    return {.lowRpm = static_cast<int>(std::lround(low)),
+        .highRpm = static_cast<int>(std::lround(high)),
         .caps = caps};
 }
 

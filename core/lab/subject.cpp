@@ -1,6 +1,7 @@
 #include "lab/subject.h"
 
 #include "drive/start_target.h"
+#include "motor/rev_up.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,19 @@ unsigned Subject::fastEvery(std::size_t signalCount) const
     const double room = kShareOfLink * linkBytesPerSecond;
     return room > 0.0 ? static_cast<unsigned>(std::clamp(std::ceil(bytes / room), 1.0, kMostEvery))
                       : 1U;
+}
+
+/// Boards name a speed after its sensor.
+bool Subject::seesRotor() const
+{
+    const std::string speed = nameOf(registers.speed);
+    return speed.starts_with("ENCODER") || speed.starts_with("HALL");
+}
+
+double Subject::leastObservedRpm() const
+{
+    constexpr double kSafely = 2.0;
+    return seesRotor() ? 0.0 : kSafely * motor::minimumStartSpeed_rpm(limits.maxSpeedRpm);
 }
 
 Result<Subject, std::string> subjectOf(const drive::Identified &board, int motor)

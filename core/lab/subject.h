@@ -35,6 +35,10 @@ struct Subject {
     std::string nameOf(drive::RegisterId id) const; ///< empty for 0
     /// One sample every so many control periods, so that this many signals leave room on the link for everything else.
     unsigned fastEvery(std::size_t signalCount) const;
+    bool seesRotor() const; ///< by a sensor, also at rest
+    /// Below it a motor without a sensor is not measured: twice the least speed at which its observer is believed. 0: it has
+    /// a sensor, or nothing is known of its speeds.
+    double leastObservedRpm() const;
 };
 
 /// The motor of this number; or why nothing can be measured with this board, in a sentence without a full stop.

@@ -2,6 +2,7 @@
 #include "support/programs_posix.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -120,6 +121,28 @@ private Q_SLOTS:
         QVERIFY2(
             run.err.contains(QStringLiteral("1500 rpm that are allowed")), qPrintable(run.err));
         QVERIFY(board.cli("info").out.contains(QStringLiteral("IDLE")));
+    }
+
+    /// No bound was broken: there is nobody any more.
+    void oneWhoseBoardVanishesEndsWithThree()
+    {
+        Simulator board(kServo);
+        QVERIFY(board.ready());
+        const QString file = board.file("run.pcapng");
+        QProcess process;
+        support::startCli(process,
+            {QStringLiteral("--port"), board.port(), QStringLiteral("step"),
+                QStringLiteral("speed"), QStringLiteral("--from"), QStringLiteral("1000"),
+                QStringLiteral("--to"), QStringLiteral("1500"), QStringLiteral("-o"), file});
+        constexpr qint64 kSomeSamples = 300'000; // of seven times as many: the motor turns
+        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(file).size() > kSomeSamples, 20'000);
+        board.vanish();
+        QVERIFY(process.waitForFinished(support::kProgramTime_ms));
+        const CliRun run = support::resultOf(process);
+        COMPARE_STATUS(run, 3);
+        QVERIFY2(run.err.contains(QStringLiteral("The experiment was ended: the port was lost"))
+                && run.err.contains(QStringLiteral("Stop NOT confirmed")),
+            qPrintable(run.err));
     }
 
     void whatCannotBeDoneMovesNothing_data()

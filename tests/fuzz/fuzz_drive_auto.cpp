@@ -1,5 +1,7 @@
 // AutoDrive through any script of acts, faults and time, and boards of each serial protocol: drive_script.h has the rules.
 #include "drive/protocol_table.h"
+#include "fuzz/legacy_peer.h"
+#include "fuzz/mcp_peer.h"
 #include "support/wire/either.h"
 
 using namespace std::chrono_literals;

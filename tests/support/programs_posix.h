@@ -86,6 +86,13 @@ public:
         m_process.waitForFinished(kProgramTime_ms);
     }
 
+    /// As if its cable were pulled.
+    void vanish()
+    {
+        m_process.kill();
+        m_process.waitForFinished(kProgramTime_ms);
+    }
+
     bool ready() const { return m_ready; }
     QString port() const { return m_folder.filePath(QStringLiteral("port")); }
     QString file(const char *name) const { return m_folder.filePath(QLatin1String(name)); }

@@ -63,6 +63,9 @@ Outcome<int> ExperimentRun::run(const lab::Subject &subject, const std::vector<l
     case lab::End::Aborted:
         return tl::make_unexpected(
             stopped({kAborted, QStringLiteral("The experiment was ended: %1.").arg(reason)}));
+    case lab::End::Lost:
+        return tl::make_unexpected(
+            stopped({kNoConnection, QStringLiteral("The experiment was ended: %1.").arg(reason)}));
     case lab::End::Interrupted:
         break;
     }

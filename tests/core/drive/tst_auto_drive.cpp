@@ -56,6 +56,7 @@ private Q_SLOTS:
     void whateverIsBeingTriedTheBoardIsStoppedSoon_data();
     void whateverIsBeingTriedTheBoardIsStoppedSoon();
     void betweenTwoRoundsAStopGoesOutAtOnce();
+    void aTurnDropsNoStopOfTheLanguageBefore();
     void whatWasSpokenBeforeIsTriedFirst();
     void whatIsSpokenIsTold();
     void aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall_data();
@@ -142,6 +143,32 @@ void TestAutoDrive::betweenTwoRoundsAStopGoesOutAtOnce()
     line.runFor(250ms);
     QVERIFY(std::count(line.requests.begin(), line.requests.end(), kLegacyStop) >= 1);
     QCOMPARE(line.told(StopWord::Requested), 1);
+}
+
+/// A host that stalled sends the blind STOP late: the next language begins before it has left.
+void TestAutoDrive::aTurnDropsNoStopOfTheLanguageBefore()
+{
+    const auto drive = makeDrive({Protocol::Auto, 115200, {}});
+    TimePoint now{1s};
+    drive->connect(now);
+    drive->handleTimeout(now += 50ms); // bytes of the search may wait
+    static_cast<void>(drive->takeOutput());
+    drive->stop(now);
+    std::vector<Output> newer = drive->takeOutput();
+    for (const Duration late : {30ms, 67ms}) {
+        drive->handleTimeout(now += late);
+        for (Output &output : drive->takeOutput())
+            newer.push_back(std::move(output));
+    }
+    QVERIFY(std::any_of(newer.begin(), newer.end(),
+        [](const Output &output) { return output.bytes == mcpStop(); }));
+    QVERIFY(newer.front().dropsEarlier); // what is older than the Stop
+    drive->handleTimeout(now += 3ms);
+    const std::vector<Output> older = drive->takeOutput();
+    QVERIFY(std::any_of(older.begin(), older.end(),
+        [](const Output &output) { return output.bytes == kLegacyStop; }));
+    for (const Output &output : older)
+        QVERIFY(!output.dropsEarlier);
 }
 
 void TestAutoDrive::whatWasSpokenBeforeIsTriedFirst()

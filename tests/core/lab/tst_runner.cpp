@@ -22,6 +22,8 @@ private Q_SLOTS:
     void theWayToTheEnvelopeIsShort_data();
     void theWayToTheEnvelopeIsShort();
     void silenceBreaksIt();
+    void withoutASensorTheSpeedStaysAboveWhatItsObserverNeeds();
+    void onlyABusThatWasSeenToTakeItIsBrakedOntoFast();
     void aFaultEndsItAndIsNamed();
     void aLostLinkStopsWhatMoves();
     void whatIsNotAPlanMovesNothing_data();
@@ -234,6 +236,64 @@ void TestRunner::silenceBreaksIt()
     bench.turn();
     QCOMPARE(bench.stops, 1);
     bench.pair.runFor(6s);
+}
+
+/// Twice the least speed at which it starts: 0.3 of the greatest, where nothing else is told.
+void TestRunner::withoutASensorTheSpeedStaysAboveWhatItsObserverNeeds()
+{
+    simulation::BoardOptions options;
+    options.motor = "pm24";
+    {
+        LabBench bench(options);
+        const double least = bench.experiment.subject.leastObservedRpm();
+        QCOMPARE(least, 0.3 * bench.experiment.subject.limits.maxSpeedRpm);
+        for (const auto &[from, to] :
+            {std::pair(least - 10.0, least + 600.0), std::pair(-least - 600.0, -least + 10.0),
+                std::pair(least + 600.0, -least - 600.0)}) {
+            bench.steps.fromRpm = static_cast<int>(from);
+            bench.steps.toRpm = static_cast<int>(to);
+            VERIFY_END(bench.run(), End::Refused);
+            QVERIFY2(bench.runner->outcome().reason.find("has no sensor") != std::string::npos,
+                bench.runner->outcome().reason.c_str());
+        }
+        QVERIFY(bench.wishes.empty());
+        const lab::SpinPlan spin = lab::spinPlanFor(bench.experiment.subject, {});
+        QVERIFY(spin.lowRpm > least && lab::objectionTo({spin, bench.experiment.subject}).empty());
+        QCOMPARE(LabBench().experiment.subject.leastObservedRpm(), 0.0); // an encoder sees it
+    }
+    LabBench bench(options);
+    const double least = bench.experiment.subject.leastObservedRpm();
+    bench.steps.fromRpm = static_cast<int>(least) + 300;
+    bench.steps.toRpm = bench.steps.fromRpm + 600;
+    bench.begin();
+    QVERIFY(bench.runUntil([&] { return bench.asked<SpeedRamp>().size() >= 4; }, 30s));
+    bench.pair.board->setLoadTorque(1, 0.5); // the motor slows down, whatever it is asked for
+    double slowest = 1e9;
+    bench.eachTurn = [&] { slowest = std::min(slowest, bench.pair.board->truth(1).rpm); };
+    QVERIFY(bench.runUntil([&] { return bench.runner->over(); }, 30s));
+    VERIFY_END(bench.runner->outcome(), End::Aborted);
+    const std::string bound = std::to_string(std::lround(least)) + " rpm that are allowed";
+    QVERIFY2(bench.runner->outcome().reason.find(bound) != std::string::npos,
+        bench.runner->outcome().reason.c_str());
+    bench.turn();
+    QCOMPARE(bench.stops, 1);
+}
+
+void TestRunner::onlyABusThatWasSeenToTakeItIsBrakedOntoFast()
+{
+    {
+        LabBench bench; // steps between 1000 and 1500 rpm brake more than the way to 1400 and back
+        QVERIFY(bench.pair.runAt(1400));
+        bench.pair.runFor(1s);
+        VERIFY_END(bench.run(), End::Complete);
+        QVERIFY(bench.asked<SpeedRamp>().back().duration == 500ms);
+    }
+    LabBench bench;
+    QVERIFY(bench.pair.runAt(600)); // from 1000 to there more is given back than by any step
+    bench.pair.runFor(1s);
+    bench.steps.toRpm = 1100;
+    VERIFY_END(bench.run(), End::Complete);
+    QVERIFY(bench.asked<SpeedRamp>().back().duration == 3s);
 }
 
 void TestRunner::aFaultEndsItAndIsNamed()

@@ -280,6 +280,26 @@ private Q_SLOTS:
         QVERIFY(!world.session.nextStep() || world.status->state == MotorState::Idle);
     }
 
+    /// Two trips in a row end a series: here the first one does.
+    void aTripDisarmsSoThatNothingFollowsIt()
+    {
+        World world;
+        QVERIFY(world.connect());
+        const auto tooTight =
+            world.experiment({.fromRpm = 1000, .toRpm = 1500, .caps = {.maxSpeedRpm = 1500.0}});
+        world.session.run(tooTight);
+        QVERIFY(world.ends());
+        VERIFY_END(world, End::Aborted);
+        QVERIFY(world.idles());
+        world.outcomes.clear();
+        world.session.run(tooTight);
+        QVERIFY(world.ends(10ms));
+        VERIFY_END(world, End::Refused);
+        QVERIFY(world.outcomes[0].reason.find("not armed") != std::string::npos);
+        world.run(5s);
+        QVERIFY(world.status->state == MotorState::Idle);
+    }
+
     void closingEndsIt()
     {
         World world;
@@ -304,7 +324,7 @@ private Q_SLOTS:
         QSignalSpy wanted(&world.session, &Session::stopsWanted);
         world.line.plugged = false;
         QVERIFY(world.ends(5s));
-        VERIFY_END(world, End::Aborted);
+        VERIFY_END(world, End::Lost);
         QVERIFY2(!wanted.isEmpty(), world.outcomes[0].reason.c_str());
         QVERIFY(world.outcomes[0].reason.find("being stopped") == std::string::npos); // nobody can
         QVERIFY(!wanted.last().first().toStringList().isEmpty());
