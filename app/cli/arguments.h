@@ -4,6 +4,7 @@
 #include "drive/protocol.h"
 #include "drive/wish.h"
 #include "failure.h"
+#include "lab/tuning.h"
 
 #include <QStringList>
 
@@ -66,6 +67,12 @@ struct ResponseArguments {
     int amplitude_rpm = 0; ///< 0: as usual
 };
 
+/// Of autotune.
+struct AutotuneArguments {
+    lab::Goal goal = lab::Goal::Medium;
+    bool apply = false;
+};
+
 /// Of show and export.
 struct RecordingArguments {
     QString file; ///< export: what to write; its ending says the format
@@ -90,6 +97,7 @@ struct Arguments {
     RecordingArguments recording; ///< of show and export
     StepArguments step;
     ResponseArguments response;
+    AutotuneArguments autotune;
     QString runFile; ///< the recording of an experiment; empty: none is kept
     drive::UserLimits limits; ///< --max-rpm and --max-amps
     bool cyclicSetPoints = false; ///< of ramp and capture: with every exchange

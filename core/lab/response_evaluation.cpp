@@ -145,15 +145,6 @@ std::array<std::vector<double>, kSignals + 1> resampled(
     return signals;
 }
 
-/// What the regulator makes of an error, with the hold of its output.
-Complex regulatorAt(const SpeedRegulator &regulator, double hz)
-{
-    const Complex delay = std::polar(1.0, -2.0 * std::numbers::pi * hz * regulator.period_s);
-    const Complex hold = sinc(hz * regulator.period_s)
-        * std::polar(1.0, -std::numbers::pi * hz * regulator.period_s);
-    return (regulator.proportional + regulator.integral / (1.0 - delay)) * hold;
-}
-
 double varianceOf(double coherence, int averages)
 {
     return coherence > 0.0 ? (1.0 - coherence) / (2.0 * averages * coherence) : 1.0;
@@ -179,7 +170,26 @@ void addMargins(SpeedResponse &found)
                                  "measured: no margin is told");
 }
 
+/// What does not follow the set-point, of one signal; Hann's window takes 3/8 of the power.
+double noiseOf(const CrossSpectra &spectra, std::size_t signal, int transforms)
+{
+    constexpr double kHann = 0.375, kBothSides = 2.0;
+    double sum = 0.0;
+    for (std::size_t bin = 1; bin < spectra.instrument.size(); ++bin)
+        sum += (1.0 - spectra.coherence(signal, bin)) * spectra.own[signal][bin];
+    return std::sqrt(kBothSides * sum
+        / (kHann * static_cast<double>(kTransform) * static_cast<double>(kTransform) * transforms));
+}
+
 } // namespace
+
+Complex regulatorAt(const SpeedRegulator &regulator, double hz)
+{
+    const Complex delay = std::polar(1.0, -2.0 * std::numbers::pi * hz * regulator.period_s);
+    const Complex hold = sinc(hz * regulator.period_s)
+        * std::polar(1.0, -std::numbers::pi * hz * regulator.period_s);
+    return (regulator.proportional + regulator.integral / (1.0 - delay)) * hold;
+}
 
 Result<SpeedResponse, std::string> evaluateResponse(
     const capture::Capture &capture, const Happenings &happenings)
@@ -217,6 +227,8 @@ Result<SpeedResponse, std::string> evaluateResponse(
             "angle of a rotor without an encoder follows its current, too");
     const bool knownGains = plan->regulator.proportional != 0.0;
     const CrossSpectra fine = sum.result();
+    found.regulator = plan->regulator;
+    found.referenceNoise_a = noiseOf(fine, Reference, sum.count());
     for (std::size_t first = static_cast<std::size_t>(kLowest_hz / fine.binHz), width = 1;
          first + width <= fine.instrument.size(); first += width) {
         const double lowest = static_cast<double>(first) * fine.binHz;

@@ -31,8 +31,14 @@ struct SpeedResponse {
     std::vector<ResponsePoint> points; ///< with a coherence of a half or more, by frequency
     std::optional<double> crossover_hz, phaseMargin_deg;
     std::optional<double> ms; ///< largest of 1 / |1 + loop|
+    SpeedRegulator regulator; ///< that closed it
+    double referenceNoise_a =
+        0.0; ///< rms of the current's reference that does not follow the set-point
     std::vector<std::string> notes; ///< sentences without a full stop
 };
+
+/// What a regulator makes of an error, with the hold of its output: A/rpm.
+std::complex<double> regulatorAt(const SpeedRegulator &regulator, double hz);
 
 /// The first such experiment in a recording; or why there is none, or nothing follows from it, without a full stop.
 Result<SpeedResponse, std::string> evaluateResponse(

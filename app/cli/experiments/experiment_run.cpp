@@ -39,6 +39,13 @@ Outcome<lab::Subject> ExperimentRun::subject() const
 
 Outcome<int> ExperimentRun::run(const lab::Subject &subject, const std::vector<lab::Plan> &plans)
 {
+    const auto path = record(subject, plans);
+    return path ? evaluate(*path, m_desk.out) : tl::make_unexpected(path.error());
+}
+
+Outcome<QString> ExperimentRun::record(
+    const lab::Subject &subject, const std::vector<lab::Plan> &plans)
+{
     std::vector<Part> parts;
     for (const lab::Plan &plan : plans) {
         const lab::Experiment experiment{plan, subject};
@@ -57,7 +64,7 @@ Outcome<int> ExperimentRun::run(const lab::Subject &subject, const std::vector<l
     case lab::End::Complete:
         if (!reason.isEmpty())
             Output::error(QStringLiteral("Afterwards: %1.").arg(reason));
-        return evaluate(m_path, m_desk.out);
+        return m_path;
     case lab::End::Refused:
         return failure(kRefused, QStringLiteral("The experiment ended: %1.").arg(reason));
     case lab::End::Aborted:

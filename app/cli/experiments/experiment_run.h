@@ -18,6 +18,8 @@ public:
     /// One after the other, each from where the motor was before; in one recording.
     /// @return  the exit status of the evaluation's report; a failure if one of them did not come to its end
     Outcome<int> run(const lab::Subject &subject, const std::vector<lab::Plan> &plans);
+    /// The same, without an evaluation. @return  the file of its recording, which lives as long as this
+    Outcome<QString> record(const lab::Subject &subject, const std::vector<lab::Plan> &plans);
 
 private:
     struct Part {

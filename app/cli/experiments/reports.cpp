@@ -273,6 +273,14 @@ Outcome<int> report(const lab::SpeedResponse &found, Output &out)
 
 } // namespace
 
+lab::Happenings happeningsOf(const OpenedRecording &recording)
+{
+    lab::Happenings happenings;
+    for (const auto &[at, what] : recording.report.happenings)
+        happenings.emplace_back(at, what);
+    return happenings;
+}
+
 Outcome<int> evaluate(const QString &path, Output &out)
 {
     const auto recording = openRecording(path);
@@ -280,9 +288,7 @@ Outcome<int> evaluate(const QString &path, Output &out)
         return tl::make_unexpected(recording.error());
     if (const QString lack = lackText(**recording); !lack.isEmpty())
         Output::error(path + QStringLiteral(": ") + lack + QLatin1Char('.'));
-    lab::Happenings happenings;
-    for (const auto &[at, what] : (*recording)->report.happenings)
-        happenings.emplace_back(at, what);
+    const lab::Happenings happenings = happeningsOf(**recording);
     const capture::Capture &capture = (*recording)->capture;
     const auto refused = [&](const std::string &why) {
         return failure(kRefused, QStringLiteral("%1: %2").arg(path, sentence(why)));

@@ -1,0 +1,277 @@
+// autotune: measures the response of the speed, proposes gains from it, and with --apply writes them and proves them by a fresh
+// response and a step. The motor is afterwards as it was, but for its gains.
+#include "drive/values.h"
+#include "experiments/experiment_run.h"
+#include "experiments/plan_entry.h"
+#include "experiments/reports.h"
+#include "json_text.h"
+#include "lab/step_series.h"
+#include "lab/tuning.h"
+
+#include <algorithm>
+
+namespace cli {
+
+namespace {
+
+constexpr double kMilli = 1e3;
+
+/// What the gains are in now, and how many digits make an ampere of it.
+struct Loop {
+    int proportional = 0, integral = 0;
+    lab::GainDigits digits;
+};
+
+Outcome<Loop> readLoop(Desk &desk, const lab::Subject &subject)
+{
+    const lab::Registers &registers = subject.registers;
+    const std::vector<drive::RegisterId> ids{
+        registers.gain, registers.gainExponent, registers.integral, registers.integralExponent};
+    if (std::find(ids.begin(), ids.end(), 0U) != ids.end())
+        return failure(kRefused, QStringLiteral("This board has no gains of a speed loop."));
+    const auto read = desk.talk.read(ids);
+    if (!read)
+        return tl::make_unexpected(read.error());
+    const auto number = [&](std::size_t at) {
+        return drive::asNumber((*read)[at].value).value_or(0.0);
+    };
+    return Loop{static_cast<int>(number(0)), static_cast<int>(number(2)),
+        {lab::jumpPerRpm(subject, 1.0, number(1)), lab::jumpPerRpm(subject, 1.0, number(3))}};
+}
+
+Outcome<lab::SpeedResponse> respond(Desk &desk, const lab::Subject &subject)
+{
+    ExperimentRun run(desk);
+    const auto path = run.record(subject, {lab::responsePlanFor(subject, desk.arguments.limits)});
+    if (!path)
+        return tl::make_unexpected(path.error());
+    const auto recording = openRecording(*path);
+    if (!recording)
+        return tl::make_unexpected(recording.error());
+    auto found = lab::evaluateResponse((*recording)->capture, happeningsOf(**recording));
+    if (!found)
+        return failure(kRefused,
+            QStringLiteral("Not conclusive: %1.").arg(QString::fromStdString(found.error())));
+    return *found;
+}
+
+/// Small, so that no limit of the current is in it.
+Outcome<lab::StepSeries> step(Desk &desk, const lab::Subject &subject)
+{
+    constexpr int kStep_rpm = 200, kRepeats = 5;
+    const int from = lab::responsePlanFor(subject, desk.arguments.limits).rpm;
+    ExperimentRun run(desk);
+    const auto path = run.record(subject,
+        {lab::StepPlan{.fromRpm = from,
+            .toRpm = from + kStep_rpm,
+            .repeat = kRepeats,
+            .caps = desk.arguments.limits}});
+    if (!path)
+        return tl::make_unexpected(path.error());
+    const auto recording = openRecording(*path);
+    if (!recording)
+        return tl::make_unexpected(recording.error());
+    auto found = lab::stepSeries((*recording)->capture, happeningsOf(**recording));
+    if (!found)
+        return failure(kRefused,
+            QStringLiteral("Not conclusive: %1.").arg(QString::fromStdString(found.error())));
+    return *found;
+}
+
+Outcome<bool> writeGains(Desk &desk, const lab::Subject &subject, const lab::GainCandidate &gains)
+{
+    const drive::Write write{{{subject.registers.gain, std::int64_t{gains.proportional}},
+                                 {subject.registers.integral, std::int64_t{gains.integral}}},
+        drive::Reach::Parameters};
+    const Conversation::Asked asked = desk.talk.askToTheEnd(write);
+    if (asked.broken)
+        return tl::make_unexpected(*asked.broken);
+    if (asked.ended->outcome == drive::Outcome::Ok)
+        return true;
+    return failure(kRefused,
+        QStringLiteral("The gains were not written: %1.")
+            .arg(QString::fromStdString(asked.ended->reason)));
+}
+
+struct Proof {
+    lab::SpeedResponse response;
+    lab::StepSeries step;
+};
+
+struct Tuned {
+    Loop before;
+    std::vector<lab::GainCandidate> candidates;
+    lab::GainCandidate chosen;
+    std::optional<Proof> proof; ///< if they were written
+};
+
+void put(JsonText &json, const lab::GainCandidate &one)
+{
+    json.beginObject();
+    json.member("goal", lab::nameOf(one.goal));
+    json.member("speed_kp", one.proportional);
+    json.member("speed_ki", one.integral);
+    json.member("crossover_hz", one.crossover_hz);
+    json.member("phase_margin_deg", one.phaseMargin_deg);
+    json.member("ms", one.ms);
+    json.member("rise_s", one.rise_s);
+    json.member("overshoot_pct", one.overshoot_pct);
+    json.endObject();
+}
+
+QByteArray jsonOf(const Tuned &tuned)
+{
+    JsonText json;
+    json.beginObject();
+    json.member("kind", "autotune");
+    json.member("goal", lab::nameOf(tuned.chosen.goal));
+    json.beginObject("before");
+    json.member("speed_kp", tuned.before.proportional);
+    json.member("speed_ki", tuned.before.integral);
+    json.endObject();
+    json.beginArray("candidates");
+    for (const lab::GainCandidate &one : tuned.candidates)
+        put(json, one);
+    json.endArray();
+    json.member("applied", tuned.proof.has_value());
+    if (tuned.proof) {
+        const auto value = [](const auto &known) { return known.value_or(std::nan("")); };
+        const auto mean = [](const std::optional<lab::Estimate> &known) {
+            return known ? known->value : std::nan("");
+        };
+        json.beginObject("proof");
+        json.member("crossover_hz", value(tuned.proof->response.crossover_hz));
+        json.member("phase_margin_deg", value(tuned.proof->response.phaseMargin_deg));
+        json.member("ms", value(tuned.proof->response.ms));
+        json.member("rise_s", mean(tuned.proof->step.rise_s));
+        json.member("overshoot_pct", mean(tuned.proof->step.overshoot_pct));
+        json.endObject();
+    }
+    json.endObject();
+    return json.text();
+}
+
+QString line(const char *name, int proportional, int integral, double crossover_hz,
+    double margin_deg, double ms, double rise_s, double overshoot_pct)
+{
+    constexpr int kWidth = 10;
+    QString text = QString::fromLatin1(name).leftJustified(kWidth);
+    for (const QString &cell : {QString::number(proportional), QString::number(integral),
+             QString::number(crossover_hz, 'f', 1), QString::number(margin_deg, 'f', 0),
+             QString::number(ms, 'f', 2), QString::number(rise_s * kMilli, 'f', 1),
+             QString::number(overshoot_pct, 'f', 1)})
+        text += cell.rightJustified(kWidth);
+    return text;
+}
+
+void print(const Tuned &tuned, Output &out)
+{
+    out.line(
+        QStringLiteral("             speed_kp  speed_ki  cross Hz  margin \u00b0        Ms   rise "
+                       "ms    over %"));
+    for (const lab::GainCandidate &one : tuned.candidates)
+        out.line(line(lab::nameOf(one.goal), one.proportional, one.integral, one.crossover_hz,
+            one.phaseMargin_deg, one.ms, one.rise_s, one.overshoot_pct));
+    if (!tuned.proof)
+        return;
+    const lab::SpeedResponse &got = tuned.proof->response;
+    const lab::StepSeries &step = tuned.proof->step;
+    out.line(line("measured", tuned.chosen.proportional, tuned.chosen.integral,
+        got.crossover_hz.value_or(0.0), got.phaseMargin_deg.value_or(0.0), got.ms.value_or(0.0),
+        step.rise_s ? step.rise_s->value : 0.0,
+        step.overshoot_pct ? step.overshoot_pct->value : 0.0));
+}
+
+/// Whether the loop keeps what was promised, and else the way back.
+Outcome<int> verdict(const Tuned &tuned)
+{
+    constexpr double kTolerated = 1.1;
+    if (!tuned.proof)
+        return kDone;
+    const double promised = lab::distanceOf(tuned.chosen.goal).ms;
+    const auto &ms = tuned.proof->response.ms;
+    if (ms && *ms <= kTolerated * promised)
+        return kDone;
+    return failure(kRefused,
+        QStringLiteral(
+            "The loop is worse than predicted: Ms %1 instead of at most %2. The way back: "
+            "rotorscope-cli set SPEED_KP=%3 SPEED_KI=%4.")
+            .arg(ms ? QString::number(*ms, 'f', 2) : QStringLiteral("unknown"))
+            .arg(promised)
+            .arg(tuned.before.proportional)
+            .arg(tuned.before.integral));
+}
+
+Outcome<int> runAutotune(Desk &desk)
+{
+    const auto subject = ExperimentRun(desk).subject();
+    if (!subject)
+        return tl::make_unexpected(subject.error());
+    const auto loop = readLoop(desk, *subject);
+    if (!loop)
+        return tl::make_unexpected(loop.error());
+    const auto measured = respond(desk, *subject);
+    if (!measured)
+        return tl::make_unexpected(measured.error());
+    const auto proposed =
+        lab::proposeGains(*measured, loop->digits, subject->limits.nominalCurrentAmps);
+    if (!proposed)
+        return failure(kRefused,
+            QStringLiteral("Not conclusive: %1.").arg(QString::fromStdString(proposed.error())));
+    const auto chosen = std::find_if(proposed->begin(), proposed->end(),
+        [&](const lab::GainCandidate &one) { return one.goal == desk.arguments.autotune.goal; });
+    if (chosen == proposed->end())
+        return failure(kRefused,
+            QStringLiteral("Not conclusive: no gains keep the distance that is asked for."));
+    Tuned tuned{*loop, *proposed, *chosen, std::nullopt};
+    if (desk.arguments.autotune.apply) {
+        if (const auto written = writeGains(desk, *subject, tuned.chosen); !written)
+            return tl::make_unexpected(written.error());
+        auto response = respond(desk, *subject);
+        if (!response)
+            return tl::make_unexpected(response.error());
+        auto series = step(desk, *subject);
+        if (!series)
+            return tl::make_unexpected(series.error());
+        tuned.proof = Proof{std::move(*response), std::move(*series)};
+    }
+    if (desk.out.json())
+        desk.out.json(jsonOf(tuned));
+    else
+        print(tuned, desk.out);
+    return verdict(tuned);
+}
+
+constexpr OptionText kOptions[] = {
+    {"goal", "GOAL", "stiff, medium or quick: how near to instability; medium if not given."},
+    {"apply", "", "Writes the gains, and proves them by a fresh response and steps."},
+};
+
+Outcome<bool> readAutotune(const Given &given, Arguments &arguments)
+{
+    arguments.autotune.apply = given.has("apply");
+    if (!given.has("goal"))
+        return true;
+    for (const lab::Goal goal : lab::kGoals)
+        if (given.value("goal") == QLatin1String(lab::nameOf(goal))) {
+            arguments.autotune.goal = goal;
+            return true;
+        }
+    return usage(
+        QStringLiteral("A --goal is stiff, medium or quick, not \"%1\".").arg(given.value("goal")));
+}
+
+} // namespace
+
+const Command kAutotune{.name = "autotune",
+    .help =
+        "Proposes gains of the speed loop from its measured response; --apply writes and proves "
+        "them.",
+    .options = kOptions,
+    .read = readAutotune,
+    .canMove = true,
+    .ownsMotor = true,
+    .ofOneMotor = true,
+    .run = runAutotune};
+
+} // namespace cli

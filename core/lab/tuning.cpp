@@ -1,0 +1,240 @@
+#include "lab/tuning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numbers>
+
+namespace lab {
+
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+/// K exp(-s T) / (s + a): rpm for each ampere.
+struct Model {
+    double gain = 0.0, pole = 0.0, delay_s = 0.0;
+    Complex at(double hz) const
+    {
+        const Complex s(0.0, kTurn * hz);
+        return gain * std::exp(-s * delay_s) / (s + pole);
+    }
+};
+
+struct Known {
+    double hz = 0.0;
+    Complex motor; ///< as the regulator sees it: rpm for each ampere
+    double relative = 0.0; ///< standard error
+};
+
+/// The best gain for a pole and a delay, and how badly that fits; what is far above `around_hz` counts for little.
+double fitGain(Model &model, const std::vector<Known> &points, double around_hz)
+{
+    model.gain = 1.0;
+    double along = 0.0, squares = 0.0, weights = 0.0;
+    for (const Known &point : points) {
+        const double above = point.hz / around_hz;
+        const double weight =
+            1.0 / (1e-4 + point.relative * point.relative) / (1.0 + above * above * above * above);
+        const Complex ratio = model.at(point.hz) / point.motor;
+        along += weight * ratio.real();
+        squares += weight * std::norm(ratio);
+        weights += weight;
+    }
+    model.gain = along / squares;
+    return weights - along * along / squares;
+}
+
+Model fitted(const std::vector<Known> &points, double around_hz)
+{
+    constexpr double kLeastPole = 0.02, kMostPole = 500.0, kMostDelay_s = 20e-3;
+    constexpr int kSteps = 40, kTurns = 4;
+    Model best{0.0, 1.0, 0.0};
+    double least = fitGain(best, points, around_hz);
+    double poleSpan = std::log(kMostPole / kLeastPole), delaySpan = kMostDelay_s;
+    double poleMiddle = std::log(std::sqrt(kMostPole * kLeastPole)), delayMiddle = kMostDelay_s / 2;
+    for (int turn = 0; turn < kTurns; ++turn) {
+        for (int i = 0; i <= kSteps; ++i)
+            for (int k = 0; k <= kSteps; ++k) {
+                Model model{0.0, std::exp(poleMiddle + poleSpan * (i / double(kSteps) - 0.5)),
+                    std::max(0.0, delayMiddle + delaySpan * (k / double(kSteps) - 0.5))};
+                const double left = fitGain(model, points, around_hz);
+                if (left < least && model.gain > 0.0) {
+                    least = left;
+                    best = model;
+                }
+            }
+        poleMiddle = std::log(best.pole);
+        delayMiddle = best.delay_s;
+        poleSpan /= 8.0;
+        delaySpan /= 8.0;
+    }
+    return best;
+}
+
+/// The measured points, with the model's around them.
+std::vector<Known> wholeBand(const std::vector<Known> &measured, const Model &model)
+{
+    constexpr double kLowest_hz = 0.1, kHighest_hz = 300.0, kStep = 1.1;
+    std::vector<Known> all;
+    for (double hz = kLowest_hz; hz < measured.front().hz; hz *= kStep)
+        all.push_back({hz, model.at(hz), 0.0});
+    all.insert(all.end(), measured.begin(), measured.end());
+    for (double hz = measured.back().hz * kStep; hz < kHighest_hz; hz *= kStep)
+        all.push_back({hz, model.at(hz), 0.0});
+    return all;
+}
+
+struct Margins {
+    double crossover_hz = 0.0, phaseMargin_deg = 0.0;
+    double ms = 0.0; ///< with every point as it was measured
+    double worstMs = 0.0; ///< at the worst end of each point's error
+};
+
+Margins marginsOf(const std::vector<Known> &band, const SpeedRegulator &regulator)
+{
+    constexpr double kNormal = 1.96, kLeastDistance = 1e-3;
+    Margins margins;
+    Complex before;
+    double before_hz = 0.0;
+    for (const Known &point : band) {
+        const Complex loop = point.motor * regulatorAt(regulator, point.hz);
+        const double distance = std::abs(1.0 + loop);
+        const double worst = distance - kNormal * point.relative * std::abs(loop);
+        margins.ms = std::max(margins.ms, 1.0 / std::max(kLeastDistance, distance));
+        margins.worstMs = std::max(margins.worstMs, 1.0 / std::max(kLeastDistance, worst));
+        if (&point != &band.front() && std::abs(before) >= 1.0 && std::abs(loop) < 1.0) {
+            // The last one counts: beyond it the gain stays below 1.
+            const double from = std::log(std::abs(before)), to = std::log(std::abs(loop));
+            const double share = from / (from - to);
+            margins.crossover_hz = before_hz * std::pow(point.hz / before_hz, share);
+            const double phase =
+                std::arg(before) + share * std::remainder(std::arg(loop) - std::arg(before), kTurn);
+            margins.phaseMargin_deg = std::remainder(phase * 360.0 / kTurn + 180.0, 360.0);
+        }
+        before = loop;
+        before_hz = point.hz;
+    }
+    return margins;
+}
+
+SpeedRegulator regulatorOf(
+    const GainDigits &digits, int proportional, int integral, double period_s)
+{
+    return {proportional * digits.proportional, integral * digits.integral, period_s};
+}
+
+/// A small step: no current limit, no dry friction.
+void predictStep(GainCandidate &candidate, const Model &model, const SpeedRegulator &regulator)
+{
+    constexpr double kPart_s = 1e-4, kLength_s = 2.0, kLow = 0.1, kHigh = 0.9;
+    const auto each = static_cast<int>(std::max(1L, std::lround(regulator.period_s / kPart_s)));
+    std::deque<double> late(static_cast<std::size_t>(std::lround(model.delay_s / kPart_s)) + 1);
+    double speed = 0.0, sum = 0.0, amps = 0.0, most = 0.0, low_s = -1.0, high_s = -1.0;
+    for (int part = 0; part * kPart_s < kLength_s; ++part) {
+        if (part % each == 0) {
+            const double error = 1.0 - late.front();
+            sum += error;
+            amps = regulator.proportional * error + regulator.integral * sum;
+        }
+        speed += (model.gain * amps - model.pole * speed) * kPart_s;
+        late.pop_front();
+        late.push_back(speed);
+        most = std::max(most, speed);
+        if (low_s < 0.0 && speed >= kLow)
+            low_s = part * kPart_s;
+        if (high_s < 0.0 && speed >= kHigh)
+            high_s = part * kPart_s;
+    }
+    candidate.rise_s = high_s - low_s;
+    candidate.overshoot_pct = std::max(0.0, most - 1.0) * 100.0;
+}
+
+/// The greatest integral gain that keeps the distance; 0: none does.
+int greatestIntegral(const std::vector<Known> &band, const GainDigits &digits, int proportional,
+    double period_s, const Distance &distance)
+{
+    const auto keeps = [&](int integral) {
+        const Margins margins =
+            marginsOf(band, regulatorOf(digits, proportional, integral, period_s));
+        return margins.crossover_hz > 0.0 && margins.worstMs <= distance.ms
+            && margins.phaseMargin_deg >= distance.phaseMargin_deg;
+    };
+    if (!keeps(1))
+        return 0;
+    int least = 1, most = digits.most + 1;
+    while (most - least > 1) {
+        const int middle = least + (most - least) / 2;
+        (keeps(middle) ? least : most) = middle;
+    }
+    return least;
+}
+
+} // namespace
+
+const char *nameOf(Goal goal)
+{
+    constexpr std::array kNames{"stiff", "medium", "quick"};
+    return kNames[static_cast<std::size_t>(goal)];
+}
+
+Distance distanceOf(Goal goal)
+{
+    constexpr std::array kDistances{Distance{1.4, 60.0}, Distance{1.7, 50.0}, Distance{2.0, 45.0}};
+    return kDistances[static_cast<std::size_t>(goal)];
+}
+
+Result<std::vector<GainCandidate>, std::string> proposeGains(
+    const SpeedResponse &measured, const GainDigits &digits, double nominalAmps)
+{
+    const SpeedRegulator &now = measured.regulator;
+    if (!(now.proportional > 0.0) || !(digits.proportional > 0.0) || !(digits.integral > 0.0))
+        return fail(std::string("the board does not tell its gains, so its loop is not known"));
+    constexpr double kLeastCoherence = 0.8;
+    constexpr std::size_t kLeastPoints = 5;
+    std::vector<Known> points;
+    for (const ResponsePoint &point : measured.points)
+        if (point.coherence >= kLeastCoherence)
+            points.push_back({point.hz, point.loop / regulatorAt(now, point.hz), point.relative});
+    if (points.size() < kLeastPoints)
+        return fail(std::string("too few frequencies of the response are clear enough"));
+    constexpr double kUsual_hz = 15.0;
+    const Model model = fitted(points, kUsual_hz);
+    const std::vector<Known> band = wholeBand(points, model);
+    constexpr double kRange = 16.0, kStep = 1.06, kNoise = 0.05;
+    const double nowDigits = now.proportional / digits.proportional;
+    double most = std::min<double>(digits.most, nowDigits * kRange);
+    if (nominalAmps > 0.0 && measured.referenceNoise_a > 0.0)
+        most = std::min(most,
+            std::max(
+                nowDigits / kRange, nowDigits * kNoise * nominalAmps / measured.referenceNoise_a));
+    std::vector<GainCandidate> all;
+    for (const Goal goal : kGoals) {
+        GainCandidate best{.goal = goal};
+        for (double at = std::max(1.0, nowDigits / kRange); at <= most; at *= kStep) {
+            const int proportional = static_cast<int>(std::lround(at));
+            const int integral =
+                greatestIntegral(band, digits, proportional, now.period_s, distanceOf(goal));
+            if (integral > best.integral) {
+                best.proportional = proportional;
+                best.integral = integral;
+            }
+        }
+        if (best.integral == 0)
+            continue;
+        const SpeedRegulator regulator =
+            regulatorOf(digits, best.proportional, best.integral, now.period_s);
+        const Margins margins = marginsOf(band, regulator);
+        best.crossover_hz = margins.crossover_hz;
+        best.phaseMargin_deg = margins.phaseMargin_deg;
+        best.ms = margins.ms;
+        predictStep(best, fitted(points, best.crossover_hz), regulator);
+        all.push_back(best);
+    }
+    if (all.empty())
+        return fail(std::string("no gains keep the distance from instability that is asked for"));
+    return all;
+}
+
+} // namespace lab

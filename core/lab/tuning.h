@@ -1,0 +1,43 @@
+// Gains of a speed loop from the measured response of its motor: the greatest integral gain whose loop keeps a distance from
+// instability, with what its step would look like. Pure; it proposes, and writes nothing.
+//
+// The distance is Ms, the largest of 1 / |1 + loop|, together with the phase margin, held at the worst end of each measured
+// point's error. Below and above the measured points a motor K exp(-s T) / (s + a), fitted to them, stands in. Source: K.
+// Astrom and T. Hagglund, Advanced PID Control (2006), ch. 4 and 6: integral gain under a bound on the sensitivity.
+#pragma once
+
+#include "lab/response_evaluation.h"
+
+#include <array>
+
+namespace lab {
+
+enum class Goal : std::uint8_t { Stiff, Medium, Quick };
+inline constexpr std::array kGoals{Goal::Stiff, Goal::Medium, Goal::Quick};
+const char *nameOf(Goal goal); ///< as command lines have it
+/// What its loop keeps.
+struct Distance {
+    double ms = 0.0, phaseMargin_deg = 0.0;
+};
+Distance distanceOf(Goal goal);
+
+/// Registers hold whole digits.
+struct GainDigits {
+    double proportional = 0.0, integral = 0.0; ///< A/rpm for each
+    int most = 32767;
+};
+
+struct GainCandidate {
+    Goal goal = Goal::Medium;
+    int proportional = 0, integral = 0; ///< digits
+    double crossover_hz = 0.0, phaseMargin_deg = 0.0, ms = 0.0; ///< as measured points tell them
+    double rise_s = 0.0, overshoot_pct = 0.0; ///< of a small step
+};
+
+/// One for each goal that can be kept, in the order of kGoals.
+/// @param nominalAmps  of the motor: the noise of the current's reference stays below a twentieth of it; 0: not known
+/// @return  or why nothing can be proposed, in a sentence without a full stop
+Result<std::vector<GainCandidate>, std::string> proposeGains(
+    const SpeedResponse &measured, const GainDigits &digits, double nominalAmps);
+
+} // namespace lab
