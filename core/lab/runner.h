@@ -83,7 +83,6 @@ private:
     bool moves() const { return m_phase >= Phase::Starting && m_phase <= Phase::Returning; }
     Caps caps() const;
     Caps startCaps() const;
-    double allowedRpm() const;
     double tolerated() const;
     drive::Stream stream() const;
     drive::Watch watch() const;
