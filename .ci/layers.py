@@ -20,6 +20,7 @@ ROWS = {
                 'registers scope',
                 'control files measuring snapshots',
                 'forms',
+                'lab',
                 'window'],
 }
 NEVER = {('core/lab', 'core/simulation')}  # what measures a motor must not know the one that is simulated

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of the window that docs/tuning.md shows: the real program on its simulated board, driven by the
+# Makes the pictures of the window that docs/tuning.md and docs/tuning-lab.md show: the real program on its simulated board, driven by the
 # keyboard alone, on a screen of its own.
 #
 #   docs/pictures.sh [FOLDER]     FOLDER has the programs; build/release/bin, else build/dev/bin if not given
@@ -22,7 +22,6 @@ work=$(mktemp -d)
 started=()
 trap 'kill "${started[@]}" 2>/dev/null || true; rm -rf "$work"' EXIT
 mkdir -p "$work/rotorscope"
-echo '{"theme":"light","firstStepsDone":true}' >"$work/rotorscope/settings.json"
 
 Xvfb -displayfd 3 -screen 0 1280x720x24 -nolisten tcp 3>"$work/display" 2>/dev/null &
 started+=($!)
@@ -31,19 +30,27 @@ DISPLAY=:$(cat "$work/display")
 export DISPLAY XDG_CONFIG_HOME=$work XDG_RUNTIME_DIR=$work LC_ALL=C.UTF-8
 openbox 2>/dev/null &
 started+=($!)
-"$bin/rotorscope" --connect --language en 2>/dev/null &
-started+=($!)
 
-window=
-for _ in $(seq 100); do
-    window=$(xdotool search --onlyvisible --name Rotorscope 2>/dev/null | tail -1) && [ -n "$window" ] && break
-    sleep 0.2
-done
-[ -n "$window" ] || fail "the window did not open"
-xdotool windowsize "$window" 1280 720 windowmove "$window" 0 0
-sleep 3 # the board has told what it is
+program=
+# open_window PORT: a new window, as nobody has used one before, connected.
+open_window() {
+    local window=
+    [ -z "$program" ] || { kill "$program"; wait "$program" || true; }
+    echo '{"theme":"light","firstStepsDone":true,"port":"'"$1"'"}' >"$work/rotorscope/settings.json"
+    "$bin/rotorscope" --connect --language en 2>/dev/null &
+    program=$!
+    started+=("$program")
+    for _ in $(seq 100); do
+        window=$(xdotool search --onlyvisible --name Rotorscope 2>/dev/null | tail -1) && [ -n "$window" ] && break
+        sleep 0.2
+    done
+    [ -n "$window" ] || fail "the window did not open"
+    xdotool windowsize "$window" 1280 720 windowmove "$window" 0 0
+    sleep 3 # the board has told what it is
+}
 
 keys() { for key in "$@"; do xdotool key "$key"; sleep 0.2; done; }
+open_window ""
 keys ctrl+1 alt+l
 keys Tab Tab Tab Tab Tab Tab # from Rs to the inertia
 xdotool type 500
@@ -53,3 +60,25 @@ keys alt+p
 sleep 1
 import -window root +dither -colors 128 "PNG8:$images/gain-lab.png"
 echo "pictures: $images/gain-lab.png"
+
+# Steps of the speed with three gains, for docs/tuning-lab.md.
+"$bin/rotorscope-sim" mcp --motor servo24 --link "$work/board" </dev/null >/dev/null 2>&1 &
+started+=($!)
+open_window "$work/board"
+keys ctrl+t
+xdotool type 1000
+keys Tab
+xdotool type 1500
+keys alt+m r # Arm
+sleep 1
+keys ctrl+shift+t Tab space # the question is answered once
+sleep 8
+steps() {
+    keys alt+k "$@" ctrl+shift+t
+    sleep 7
+}
+steps Prior
+steps Next Next
+import -window root +dither -colors 128 "PNG8:$images/step.png"
+echo "pictures: $images/step.png"
+keys Escape

@@ -151,6 +151,10 @@
         <source>Keep the traces as reference A, B; with Shift: back</source>
         <translation>Kurven als Referenz A, B behalten; mit Umschalt: zurück</translation>
     </message>
+    <message>
+        <source>Steps of the speed; run them</source>
+        <translation>Sprünge der Drehzahl; ausführen</translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -1884,6 +1888,41 @@
     </message>
 </context>
 <context>
+    <name>RunMark</name>
+    <message>
+        <source>circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>square</source>
+        <translation>Quadrat</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>diamond</source>
+        <translation>Raute</translation>
+    </message>
+    <message>
+        <source>cross</source>
+        <translation>Kreuz</translation>
+    </message>
+    <message>
+        <source>triangle upside down</source>
+        <translation>Dreieck auf der Spitze</translation>
+    </message>
+    <message>
+        <source>plus</source>
+        <translation>Plus</translation>
+    </message>
+    <message>
+        <source>star</source>
+        <translation>Stern</translation>
+    </message>
+</context>
+<context>
     <name>Setpoint</name>
     <message>
         <source>Type a number.</source>
@@ -2008,6 +2047,65 @@
     <message>
         <source>Firmware gives it in another form than it takes it.</source>
         <translation>Firmware gibt es in anderer Form aus, als sie es annimmt.</translation>
+    </message>
+</context>
+<context>
+    <name>StepQuestion</name>
+    <message>
+        <source>rpm</source>
+        <translation>rpm</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Sprünge</translation>
+    </message>
+    <message>
+        <source>This will move motor %1 by itself. Go on?</source>
+        <translation>Dies bewegt Motor %1 von selbst. Fortfahren?</translation>
+    </message>
+    <message>
+        <source>It runs: from %1 to %2 in %3.</source>
+        <translation>Er läuft: von %1 auf %2 in %3.</translation>
+    </message>
+    <message>
+        <source>It rests: start, then to %1 in %2.</source>
+        <translation>Er steht: Start, dann auf %1 in %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n time(s): at once to %1, and at once back to %2, each held for %3.</source>
+        <translation>
+            <numerusform>Einmal: sofort auf %1 und sofort zurück auf %2, jeweils %3 gehalten.</numerusform>
+            <numerusform>%n-mal: sofort auf %1 und sofort zurück auf %2, jeweils %3 gehalten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Then back to %1 in %2.</source>
+        <translation>Danach zurück auf %1 in %2.</translation>
+    </message>
+    <message>
+        <source>Then the motor is stopped, and its old set-point comes back.</source>
+        <translation>Danach wird der Motor gestoppt und bekommt seinen alten Sollwert zurück.</translation>
+    </message>
+    <message>
+        <source>no bound</source>
+        <comment>of the current</comment>
+        <translation>keine Grenze</translation>
+    </message>
+    <message>
+        <source>Stopped at once: below %1 or above %2, beyond %3 of Iq, and where the bus voltage, the temperature or the link is not as it should be.</source>
+        <translation>Sofort gestoppt wird unter %1 oder über %2, jenseits von %3 Iq, und wenn Zwischenkreisspannung, Temperatur oder Verbindung nicht sind, wie sie sein sollen.</translation>
+    </message>
+    <message>
+        <source>While it starts, only %1 and the current bound it.</source>
+        <translation>Während des Starts begrenzen ihn nur %1 und der Strom.</translation>
+    </message>
+    <message>
+        <source>Series within these caps are not asked about again until disarmed. Esc stops every motor at any time.</source>
+        <translation>Nach Reihen innerhalb dieser Grenzen wird bis zum Aufheben der Freigabe nicht mehr gefragt. Esc stoppt jederzeit jeden Motor.</translation>
+    </message>
+    <message>
+        <source>Run steps</source>
+        <translation>Springen</translation>
     </message>
 </context>
 <context>
@@ -3013,6 +3111,25 @@
     </message>
 </context>
 <context>
+    <name>widgets::Experiments</name>
+    <message>
+        <source>An experiment is running.</source>
+        <translation>Ein Versuch läuft.</translation>
+    </message>
+    <message>
+        <source>This board does not tell all limits of the motor: start it by hand once, and agree to expert mode.</source>
+        <translation>Dieses Board nennt nicht alle Grenzen des Motors: Starten Sie ihn einmal von Hand und stimmen Sie dem Expertenmodus zu.</translation>
+    </message>
+    <message>
+        <source>Acknowledge the faults first.</source>
+        <translation>Quittieren Sie zuerst die Fehler.</translation>
+    </message>
+    <message>
+        <source>The motor has to rest or to run.</source>
+        <translation>Der Motor muss stehen oder laufen.</translation>
+    </message>
+</context>
+<context>
     <name>widgets::ExportDialog</name>
     <message>
         <source>What the scope shows</source>
@@ -3783,6 +3900,13 @@
     <message>
         <source>This firmware is not known: registers are shown raw and nothing is written.</source>
         <translation>Diese Firmware ist nicht bekannt: Register werden roh gezeigt, und nichts wird geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::LiveGain</name>
+    <message>
+        <source>Arrow keys or the wheel: 5 % a notch, written at once. Undo takes it back.</source>
+        <translation>Pfeiltasten oder Rad: 5 % je Raste, sofort geschrieben. Rückgängig nimmt es zurück.</translation>
     </message>
 </context>
 <context>
@@ -4839,6 +4963,25 @@
     <message>
         <source>Your own limits hold now, but could not be stored in %1 (%2).</source>
         <translation>Ihre eigenen Grenzen gelten jetzt, konnten aber nicht in %1 gespeichert werden (%2).</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::PlanPicture</name>
+    <message>
+        <source>Picture of the plan</source>
+        <translation>Bild des Plans</translation>
+    </message>
+    <message>
+        <source>Time without the start [s]</source>
+        <translation>Zeit ohne den Start [s]</translation>
+    </message>
+    <message>
+        <source>Speed [rpm]</source>
+        <translation>Drehzahl [rpm]</translation>
+    </message>
+    <message>
+        <source>cap %1 rpm</source>
+        <translation>Grenze %1 rpm</translation>
     </message>
 </context>
 <context>
@@ -7296,6 +7439,27 @@ mN·m</translation>
     </message>
 </context>
 <context>
+    <name>widgets::SpeedGains</name>
+    <message>
+        <source>&amp;Kp</source>
+        <translation>&amp;Kp</translation>
+    </message>
+    <message>
+        <source>K&amp;i</source>
+        <translation>K&amp;i</translation>
+    </message>
+    <message>
+        <source>%1 of the speed loop</source>
+        <comment>Kp or Ki</comment>
+        <translation>%1 des Drehzahlreglers</translation>
+    </message>
+    <message>
+        <source>%1 digits</source>
+        <comment>a gain whose unit is not known</comment>
+        <translation>%1 Digit</translation>
+    </message>
+</context>
+<context>
     <name>widgets::StateBox</name>
     <message>
         <source>Causes…</source>
@@ -7412,6 +7576,241 @@ mN·m</translation>
     <message>
         <source>This drive stops its motor by itself when it has not been fed for that time. It is fed by a live window, only while armed: disarming stops what turns. It is not a safety function.</source>
         <translation>Dieser Antrieb hält seinen Motor von selbst an, wenn er so lange nicht gefüttert wurde. Ein lebendes Fenster füttert ihn, und nur solange freigegeben ist: Ohne Freigabe hält an, was sich dreht. Das ist keine Sicherheitsfunktion.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StepFields</name>
+    <message>
+        <source>How long each speed is held: longer than the loop takes to settle</source>
+        <translation>Wie lange jede Drehzahl gehalten wird: länger, als der Regler zum Ausregeln braucht</translation>
+    </message>
+    <message>
+        <source>Of the ramp to the first speed, and of the way back</source>
+        <translation>Der Rampe zur ersten Drehzahl und des Rückwegs</translation>
+    </message>
+    <message>
+        <source>So many steps up, and as many down</source>
+        <translation>So viele Sprünge aufwärts und ebenso viele abwärts</translation>
+    </message>
+    <message>
+        <source>%1, rpm</source>
+        <comment>a field</comment>
+        <translation>%1, rpm</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>rpm</translation>
+    </message>
+    <message>
+        <source>Fr&amp;om</source>
+        <translation>V&amp;on</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <comment>a speed</comment>
+        <translation>auf</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Anzahl</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StepOverlay</name>
+    <message>
+        <source>No step yet.</source>
+        <translation>Noch kein Sprung.</translation>
+    </message>
+    <message>
+        <source>Steps over one another</source>
+        <translation>Sprünge übereinander</translation>
+    </message>
+    <message>
+        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
+        <translation>Rad oder + und −: Zoom. Ziehen oder Pfeile: verschieben. F: alles.</translation>
+    </message>
+    <message>
+        <source>Time since the step [ms]</source>
+        <translation>Zeit seit dem Sprung [ms]</translation>
+    </message>
+    <message>
+        <source>Speed [rpm]</source>
+        <translation>Drehzahl [rpm]</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StepPage</name>
+    <message>
+        <source>Done; the motor is as it was.</source>
+        <translation>Fertig; der Motor ist wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Done; afterwards: %1.</source>
+        <translation>Fertig; danach: %1.</translation>
+    </message>
+    <message>
+        <source>Not carried out: %1.</source>
+        <translation>Nicht ausgeführt: %1.</translation>
+    </message>
+    <message>
+        <source>Ended with a Stop: %1.</source>
+        <translation>Mit einem Stopp beendet: %1.</translation>
+    </message>
+    <message>
+        <source>Interrupted: %1.</source>
+        <translation>Unterbrochen: %1.</translation>
+    </message>
+    <message>
+        <source>Steps in the picture</source>
+        <translation>Sprünge im Bild</translation>
+    </message>
+    <message>
+        <source>steps up</source>
+        <translation>Sprünge aufwärts</translation>
+    </message>
+    <message>
+        <source>steps down</source>
+        <translation>Sprünge abwärts</translation>
+    </message>
+    <message>
+        <source>Series of steps</source>
+        <translation>Reihen von Sprüngen</translation>
+    </message>
+    <message>
+        <source>The others show their difference to the chosen series (Enter)</source>
+        <translation>Die anderen zeigen ihren Unterschied zur gewählten Reihe (Enter)</translation>
+    </message>
+    <message>
+        <source>Takes the chosen series out of the table and the picture (Delete)</source>
+        <translation>Nimmt die gewählten Reihen aus Tabelle und Bild (Entf)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stops every motor and disarms, as Esc does.</source>
+        <translation>Stoppt jeden Motor und hebt die Freigabe auf, wie Esc.</translation>
+    </message>
+    <message>
+        <source>Progress of the series</source>
+        <translation>Fortschritt der Reihe</translation>
+    </message>
+    <message>
+        <source>Not begun: the gain was not written in time.</source>
+        <translation>Nicht begonnen: Die Verstärkung wurde nicht rechtzeitig geschrieben.</translation>
+    </message>
+    <message>
+        <source>The gains are being read.</source>
+        <translation>Die Verstärkungen werden gelesen.</translation>
+    </message>
+    <message>
+        <source>Not begun: %1</source>
+        <translation>Nicht begonnen: %1</translation>
+    </message>
+    <message>
+        <source>On the way to the first speed…</source>
+        <translation>Auf dem Weg zur ersten Drehzahl…</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <comment>numbers</comment>
+        <translation>Sprung %1 von %2</translation>
+    </message>
+    <message>
+        <source>The gains were changed meanwhile: the row has the first.</source>
+        <translation>Die Verstärkungen wurden unterdessen geändert: Die Zeile nennt die ersten.</translation>
+    </message>
+    <message>
+        <source>In the picture</source>
+        <translation>Im Bild</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Bezug</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Run steps</source>
+        <translation>Springen</translation>
+    </message>
+    <message>
+        <source>Steps the speed up and down; then the motor is as it was (Ctrl+Shift+T).</source>
+        <translation>Lässt die Drehzahl auf und ab springen; danach ist der Motor wie zuvor (Strg+Umschalt+T).</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StepRuns</name>
+    <message>
+        <source>rpm</source>
+        <translation>rpm</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>Kp</source>
+        <translation>Kp</translation>
+    </message>
+    <message>
+        <source>Ki</source>
+        <translation>Ki</translation>
+    </message>
+    <message>
+        <source>Rise</source>
+        <translation>Anstieg</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation>Ausregeln</translation>
+    </message>
+    <message>
+        <source>Peak Iq</source>
+        <translation>Spitze Iq</translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation>Zwischenkreis</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>least and greatest voltage</comment>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Step %1, up: %2</source>
+        <comment>number, what was measured</comment>
+        <translation>Sprung %1, aufwärts: %2</translation>
+    </message>
+    <message>
+        <source>Step %1, down: %2</source>
+        <comment>number, what was measured</comment>
+        <translation>Sprung %1, abwärts: %2</translation>
+    </message>
+    <message>
+        <source>%1, ref.</source>
+        <comment>number of the run that others are compared with</comment>
+        <translation>%1, Bezug</translation>
     </message>
 </context>
 <context>
@@ -7575,6 +7974,10 @@ Ein Programm auf einem PC ersetzt keinen Schalter, der die Spannung wegnimmt.</t
     <message>
         <source>&amp;XY, upward</source>
         <translation>&amp;XY, nach oben</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Sprung</translation>
     </message>
 </context>
 <context>

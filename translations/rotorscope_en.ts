@@ -151,6 +151,10 @@
         <source>Keep the traces as reference A, B; with Shift: back</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Steps of the speed; run them</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Channels</name>
@@ -1884,6 +1888,41 @@
     </message>
 </context>
 <context>
+    <name>RunMark</name>
+    <message>
+        <source>circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>square</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>diamond</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cross</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangle upside down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>star</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Setpoint</name>
     <message>
         <source>Type a number.</source>
@@ -2007,6 +2046,65 @@
     </message>
     <message>
         <source>Firmware gives it in another form than it takes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StepQuestion</name>
+    <message>
+        <source>rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This will move motor %1 by itself. Go on?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It runs: from %1 to %2 in %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It rests: start, then to %1 in %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n time(s): at once to %1, and at once back to %2, each held for %3.</source>
+        <translation>
+            <numerusform>Once: at once to %1, and at once back to %2, each held for %3.</numerusform>
+            <numerusform>%n times: at once to %1, and at once back to %2, each held for %3.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Then back to %1 in %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then the motor is stopped, and its old set-point comes back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no bound</source>
+        <comment>of the current</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped at once: below %1 or above %2, beyond %3 of Iq, and where the bus voltage, the temperature or the link is not as it should be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While it starts, only %1 and the current bound it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series within these caps are not asked about again until disarmed. Esc stops every motor at any time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run steps</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3013,6 +3111,25 @@
     </message>
 </context>
 <context>
+    <name>widgets::Experiments</name>
+    <message>
+        <source>An experiment is running.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board does not tell all limits of the motor: start it by hand once, and agree to expert mode.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acknowledge the faults first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motor has to rest or to run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::ExportDialog</name>
     <message>
         <source>What the scope shows</source>
@@ -3782,6 +3899,13 @@
     <name>widgets::LinkNews</name>
     <message>
         <source>This firmware is not known: registers are shown raw and nothing is written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::LiveGain</name>
+    <message>
+        <source>Arrow keys or the wheel: 5 % a notch, written at once. Undo takes it back.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4838,6 +4962,25 @@
     </message>
     <message>
         <source>Your own limits hold now, but could not be stored in %1 (%2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::PlanPicture</name>
+    <message>
+        <source>Picture of the plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time without the start [s]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed [rpm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cap %1 rpm</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7290,6 +7433,27 @@ mN·m</source>
     </message>
 </context>
 <context>
+    <name>widgets::SpeedGains</name>
+    <message>
+        <source>&amp;Kp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>K&amp;i</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the speed loop</source>
+        <comment>Kp or Ki</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 digits</source>
+        <comment>a gain whose unit is not known</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::StateBox</name>
     <message>
         <source>Causes…</source>
@@ -7405,6 +7569,241 @@ mN·m</source>
     </message>
     <message>
         <source>This drive stops its motor by itself when it has not been fed for that time. It is fed by a live window, only while armed: disarming stops what turns. It is not a safety function.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StepFields</name>
+    <message>
+        <source>How long each speed is held: longer than the loop takes to settle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the ramp to the first speed, and of the way back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So many steps up, and as many down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, rpm</source>
+        <comment>a field</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fr&amp;om</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <comment>a speed</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StepOverlay</name>
+    <message>
+        <source>No step yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps over one another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wheel or + and −: zoom. Drag or arrows: move. F: everything.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time since the step [ms]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed [rpm]</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StepPage</name>
+    <message>
+        <source>Done; the motor is as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done; afterwards: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not carried out: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ended with a Stop: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Interrupted: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps in the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>steps up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>steps down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series of steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The others show their difference to the chosen series (Enter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the chosen series out of the table and the picture (Delete)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops every motor and disarms, as Esc does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of the series</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not begun: the gain was not written in time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gains are being read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not begun: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the way to the first speed…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <comment>numbers</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gains were changed meanwhile: the row has the first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps the speed up and down; then the motor is as it was (Ctrl+Shift+T).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StepRuns</name>
+    <message>
+        <source>rpm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ki</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak Iq</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>least and greatest voltage</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step %1, up: %2</source>
+        <comment>number, what was measured</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step %1, down: %2</source>
+        <comment>number, what was measured</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, ref.</source>
+        <comment>number of the run that others are compared with</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7567,6 +7966,10 @@ A program on a PC is no replacement for a switch that removes the power.</source
     </message>
     <message>
         <source>&amp;XY, upward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1,6 +1,7 @@
 #include "lab/runner.h"
 
 #include "drive/values.h"
+#include "lab/caps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +21,7 @@ constexpr Duration kSteadyFor = 200ms; ///< a speed that only passes by is not r
 constexpr int kMostTries = 4; ///< of what could not leave in time
 constexpr Duration kPolls = 20ms; ///< of bus and temperature
 
-/// Margins of the envelope; what they leave room for is in the comment of each.
-constexpr double kAboveBoard =
-    1.1; ///< of the greatest speed that a board tells: its own loop overshoots there
-constexpr double kCurrentAboveBoard = 1.25; ///< its current loop does, too
+/// Of what only the board tells; the other margins are in lab/caps.h.
 constexpr double kBusRise = 1.1, kBusSag = 0.7;
 constexpr double kHottest_c = 85.0;
 
@@ -342,19 +340,10 @@ drive::Watch Runner::watch() const
     return watch;
 }
 
-/// From the first command to the last. A motor on its way to its speed passes 0 and the speed it had.
+/// From the first command to the last.
 Caps Runner::caps() const
 {
-    const drive::MotorLimits &limits = m_experiment.subject.limits;
-    const double first = m_conditions.firstRpm, other = m_ran ? m_before_rpm : 0.0;
-    Caps caps;
-    caps.leastRpm = std::min({m_conditions.leastRpm, first, other}) - m_conditions.margin_rpm;
-    caps.mostRpm = std::max({m_conditions.mostRpm, first, other}) + m_conditions.margin_rpm;
-    caps.leastRpm = std::max(caps.leastRpm, -allowedRpm());
-    caps.mostRpm = std::min(caps.mostRpm, allowedRpm());
-    caps.mostAmps = m_conditions.user.maxCurrentAmps > 0.0
-        ? m_conditions.user.maxCurrentAmps
-        : limits.maxCurrentAmps * kCurrentAboveBoard;
+    Caps caps = capsOf(m_experiment, m_ran ? m_before_rpm : 0.0);
     if (m_before_v) {
         caps.leastBus_v = *m_before_v * kBusSag;
         caps.mostBus_v = *m_before_v * kBusRise;
@@ -368,8 +357,8 @@ Caps Runner::caps() const
 Caps Runner::startCaps() const
 {
     Caps wide = caps();
-    wide.leastRpm = -allowedRpm();
-    wide.mostRpm = allowedRpm();
+    wide.mostRpm = allowedRpm(m_experiment);
+    wide.leastRpm = -wide.mostRpm;
     return wide;
 }
 
@@ -383,14 +372,6 @@ Caps Runner::courseCaps() const
     if (observed > 0.0 && m_conditions.mostRpm < 0.0)
         narrow.mostRpm = std::min(-observed, m_conditions.mostRpm + m_conditions.margin_rpm);
     return narrow;
-}
-
-/// Whatever the plan: what the board tells, and never more than the user allows.
-double Runner::allowedRpm() const
-{
-    const double board = m_experiment.subject.limits.maxSpeedRpm * kAboveBoard;
-    const double user = m_conditions.user.maxSpeedRpm;
-    return user > 0.0 && board > 0.0 ? std::min(user, board) : std::max(user, board);
 }
 
 /// What set-points differ by in the board's digits is no difference.

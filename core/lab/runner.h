@@ -93,7 +93,6 @@ private:
     Caps startCaps() const;
     Caps courseCaps() const;
     milliseconds wayTo(double rpm) const;
-    double allowedRpm() const;
     double tolerated() const;
     drive::Stream stream() const;
     drive::Watch watch() const;

@@ -192,6 +192,7 @@ void measureSpeed(StepRun &run, const capture::Channel &speed, Nanos until)
 void measureByAngle(
     StepRun &run, const capture::Channel &angle, double polePairs, double window_s, Nanos until)
 {
+    run.speedWindow_s = window_s;
     const capture::Capture turned = speedOf(angle, polePairs, window_s, run.at - kBefore, until);
     const auto ids = turned.channels();
     if (ids.empty())

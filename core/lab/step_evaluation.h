@@ -47,6 +47,7 @@ struct StepRun {
     std::optional<double> rise_s, overshoot_pct,
         settling_s; ///< empty: it does not have it, e.g. not settled
     std::optional<double> peakIq_a; ///< magnitude
+    double speedWindow_s = 0.0; ///< of speedOf(), by which it was measured; 0: the speed signal
     double atLimit = 0.0; ///< share of the time in which the current's reference stood at its end
 };
 

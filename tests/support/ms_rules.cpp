@@ -185,6 +185,16 @@ void MsRules::act(const Act &act)
     case Act::Kind::Confirm:
         m_confirmed = act.at;
         return;
+    case Act::Kind::AgreeToSeries:
+        m_seriesAgreed = m_armed;
+        m_confirmed = act.at;
+        [[fallthrough]];
+    case Act::Kind::Series:
+        if (m_seriesAgreed) {
+            m_acts.push_back({act});
+            m_acts.back().act.kind = Act::Kind::Series;
+        }
+        return;
     case Act::Kind::AgreeToHold:
         m_holdAgreed = true;
         return;
@@ -243,6 +253,7 @@ void MsRules::onStop(const Act &act)
 void MsRules::forgetActs()
 {
     m_armedEarly.reset();
+    m_seriesAgreed = false;
     if (std::exchange(m_armed, false)) {
         m_disarmed = m_moment;
         m_disarmedAt = m_now;

@@ -70,6 +70,8 @@ struct Act {
         Input, ///< any input event of a window: allows one thing that acts of each kind, and writes
         Confirm, ///< yes to a question
         AgreeToHold, ///< yes to what moves while it is held; moves nothing by itself, and lasts until a Stop
+        AgreeToSeries, ///< yes to what moves by itself, and to more of the like until disarmed or stopped
+        Series, ///< begins one: allows set-points while it may last, where it was agreed to
         Hold, ///< an input that moves a motor while it is held
         Restore, ///< yes to writing what a file holds: allows writes, and what came before it allows no more
         Leave, ///< a motor that turns is to go on without us
@@ -134,6 +136,8 @@ public:
 class MsRules {
 public:
     static constexpr Duration kOldest = std::chrono::seconds(10); ///< that an act counts at most
+    static constexpr Duration kSeries =
+        std::chrono::seconds(75); ///< one that moves by itself, with its start
     static constexpr Duration kGap = std::chrono::milliseconds(250); ///< longer: nobody ran
     static constexpr Duration kBlind = std::chrono::seconds(2); ///< STOPs without a link
     static constexpr Duration kEvidence = std::chrono::milliseconds(500);
@@ -258,6 +262,7 @@ private:
     std::map<int, TimePoint> m_stopSent; ///< by motor
     std::optional<TimePoint> m_leave, m_confirmed, m_held;
     std::optional<TimePoint> m_armedEarly; ///< when a person armed before the Stop was over
+    bool m_seriesAgreed = false; ///< since it was armed
     bool m_holdAgreed = false; ///< since the connection or the last Stop
     bool m_startedOnce = false; ///< since the connection or the last Stop
     struct Bounds {

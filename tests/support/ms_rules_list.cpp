@@ -72,11 +72,16 @@ std::vector<MsRules::Pending>::iterator MsRules::pendingFor(const Sent &sent)
             act.id != 0 && std::any_of(m_acts.begin(), m_acts.end(), [&](const Pending &other) {
                 return other.act.id == act.id && !other.used.empty();
             });
-        const bool fresh =
-            m_now - std::max(act.at, m_answeredAt) <= m_line.fresh && m_now - act.at <= kOldest;
+        const bool series = act.kind == Act::Kind::Series;
+        const bool fresh = series
+            ? m_now - act.at <= kSeries
+            : m_now - std::max(act.at, m_answeredAt) <= m_line.fresh && m_now - act.at <= kOldest;
         if ((!fresh && !begun)
             || (one.voided && m_packetBegan >= *one.voided && m_now >= one.voidedAt + m_line.grace))
             return false;
+        if (series)
+            return sent.kind == Kind::SetPoint
+                || (sent.kind == Kind::Start && !one.used.contains(Kind::Start));
         if (act.kind == Act::Kind::Restore)
             return sent.kind == Kind::Write;
         if (act.kind == Act::Kind::Input)

@@ -63,7 +63,8 @@ private:
         case QEvent::ShortcutOverride:
         case QEvent::KeyPress:
             if (widget != nullptr && isNew(*static_cast<QKeyEvent *>(event)))
-                key(*widget, static_cast<QKeyEvent *>(event)->key());
+                key(*widget, static_cast<QKeyEvent *>(event)->key(),
+                    static_cast<QKeyEvent *>(event)->modifiers());
             break;
         case QEvent::KeyRelease:
             m_key = {QEvent::None, 0};
@@ -110,16 +111,19 @@ private:
         input(m_restores ? Kind::Restore : inputOn(widget));
         answer(widget);
         const bool stops = name == QLatin1String("stop") || name == QLatin1String("stopMotors")
-            || name == QLatin1String("faultHelpStop") || name.endsWith(QLatin1String("DockStop"));
+            || name == QLatin1String("faultHelpStop") || name == QLatin1String("stepCancel")
+            || name.endsWith(QLatin1String("DockStop"));
         if (stops && widget.isEnabled())
             m_sink.act(Kind::Stop);
     }
-    void key(const QWidget &widget, int which)
+    void key(const QWidget &widget, int which, Qt::KeyboardModifiers modifiers)
     {
         if (which == Qt::Key_Escape)
             return input(Kind::Stop);
         input(inputOn(widget));
         answer(widget);
+        if (which == Qt::Key_T && modifiers == (Qt::ControlModifier | Qt::ShiftModifier))
+            m_sink.act(Kind::Series);
     }
     /// A yes; the one to a jog moves nothing.
     void answer(const QWidget &widget)
@@ -129,6 +133,10 @@ private:
             return;
         if (button->objectName() == QLatin1String("motionConfirm"))
             m_sink.act(button->text() == QLatin1String("Jog") ? Kind::AgreeToHold : Kind::Confirm);
+        if (button->objectName() == QLatin1String("stepConfirm"))
+            m_sink.act(Kind::AgreeToSeries);
+        if (button->objectName() == QLatin1String("stepRun"))
+            m_sink.act(Kind::Series);
         for (const char *words : {"all the same", "eave running", "without"})
             if (button->text().contains(QLatin1String(words)))
                 m_sink.act(Kind::Leave);

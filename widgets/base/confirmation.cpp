@@ -44,6 +44,20 @@ private:
     QPushButton *m_yes;
 };
 
+/// Above the buttons, which the box keeps in its last row.
+void addAboveButtons(QMessageBox *box, std::initializer_list<QWidget *> widgets)
+{
+    auto *grid = qobject_cast<QGridLayout *>(box->layout());
+    auto *buttons = box->findChild<QDialogButtonBox *>();
+    if (!grid || !buttons)
+        return;
+    grid->removeWidget(buttons);
+    int row = grid->rowCount();
+    for (QWidget *widget : widgets)
+        grid->addWidget(widget, row++, 0, 1, grid->columnCount());
+    grid->addWidget(buttons, row, 0, 1, grid->columnCount());
+}
+
 /// A line that enables `yes` once it holds the word.
 QLineEdit *addTypedLine(QMessageBox *box, QPushButton *yes, const QString &word)
 {
@@ -57,16 +71,7 @@ QLineEdit *addTypedLine(QMessageBox *box, QPushButton *yes, const QString &word)
     yes->setEnabled(false);
     QObject::connect(edit, &QLineEdit::textChanged, yes,
         [yes, word](const QString &text) { yes->setEnabled(text.trimmed() == word); });
-    // Above the buttons, which the box keeps in its last row.
-    auto *grid = qobject_cast<QGridLayout *>(box->layout());
-    auto *buttons = box->findChild<QDialogButtonBox *>();
-    if (grid && buttons) {
-        const int row = grid->rowCount();
-        grid->removeWidget(buttons);
-        grid->addWidget(label, row, 0, 1, grid->columnCount());
-        grid->addWidget(edit, row + 1, 0, 1, grid->columnCount());
-        grid->addWidget(buttons, row + 2, 0, 1, grid->columnCount());
-    }
+    addAboveButtons(box, {label, edit});
     return edit;
 }
 
@@ -91,6 +96,8 @@ QDialog *askToConfirm(
         box->setCheckBox(new QCheckBox(question.offer));
         box->checkBox()->setObjectName(QStringLiteral("confirmationOffer"));
     }
+    if (question.picture != nullptr)
+        addAboveButtons(box, {question.picture});
     QWidget *first = cancel;
     if (!question.typed.isEmpty())
         first = addTypedLine(box, yes, question.typed);

@@ -16,6 +16,7 @@ struct Confirmation {
     QString title;
     QString text; ///< why it is asked, one sentence
     QStringList lines; ///< what is to be done; plain text
+    QWidget *picture = nullptr; ///< of what is to be done; the box takes it. nullptr: none
     const char *yesName = "confirmationYes"; ///< of the button
     QString yes; ///< its text, a verb
     QString typed; ///< has to be typed before yes can be pressed; empty: nothing

@@ -63,6 +63,7 @@ public:
     drive::WishId submit(decltype(drive::Wish::what) what);
     /// Tells when the act of the user that is being done was made; without it wishes are as old as their submission.
     void setActClock(std::function<TimePoint()> clock) { m_actClock = std::move(clock); }
+    std::optional<TimePoint> madeAt() const; ///< that act; empty: nothing tells
 
 public Q_SLOTS:
     void open(const session::Endpoint &endpoint);
@@ -122,7 +123,6 @@ private:
     void onEnd(const drive::Ended &ended);
     void forgetBoard();
     void disarm();
-    std::optional<TimePoint> madeAt() const;
 
     session::Endpoint m_endpoint;
     session::PortState m_port = session::PortState::Closed;

@@ -15,6 +15,21 @@ SteppedEdit::SteppedEdit(QWidget *parent)
     setFocusPolicy(Qt::StrongFocus); // not by the wheel
 }
 
+/// The keys that step are the scope's, too, which has them in the whole window: here they are the field's.
+bool SteppedEdit::event(QEvent *event)
+{
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        const bool plain = (key->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+        for (const int own : {Qt::Key_Up, Qt::Key_Down, Qt::Key_PageUp, Qt::Key_PageDown})
+            if (plain && key->key() == own) {
+                event->accept();
+                return true;
+            }
+    }
+    return QLineEdit::event(event);
+}
+
 void SteppedEdit::keyPressEvent(QKeyEvent *event)
 {
     switch (event->key()) {

@@ -23,6 +23,7 @@ protected:
     virtual bool wheelWanted() const { return hasFocus(); }
     void showProblem();
 
+    bool event(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
     void focusInEvent(QFocusEvent *event) override;

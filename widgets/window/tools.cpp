@@ -8,6 +8,7 @@
 #include "widgets/forms/motor_form.h"
 #include "widgets/forms/ramp_form.h"
 #include "widgets/forms/rev_up_form.h"
+#include "widgets/lab/step_page.h"
 #include "widgets/measuring/math_panel.h"
 #include "widgets/measuring/math_traces.h"
 #include "widgets/measuring/measure_panel.h"
@@ -240,6 +241,10 @@ void Tools::addForms()
         m_ramps = new RampForm(m_device, workbench.registers(), workbench.motion());
         m_ramps->setPresets(m_settings.ramps);
         return m_ramps;
+    });
+    m_docks.add(tr("Step"), "stepDock", Qt::CTRL | Qt::Key_T, [this, &workbench] {
+        return new StepPage({m_device, workbench.registers(), workbench.edits(), workbench.motion(),
+            workbench.experiments()});
     });
     m_docks.add(tr("Motor and drive"), "motorDock", Qt::CTRL | Qt::Key_4, [this, &workbench] {
         auto *motor = new MotorForm(m_device, workbench.registers(), m_parts.files);

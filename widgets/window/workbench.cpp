@@ -31,13 +31,17 @@ Workbench::Workbench(session::MakeSink makeSink, session::Parts parts, QObject *
     , m_watchList(m_device, m_registers)
     , m_tap(std::make_shared<session::RecordingTap>())
     , m_recording(m_tap, {}, std::move(makeSink))
-    , m_thread(session::tapped(session::replaying(m_parts, m_replay), m_tap))
+    , m_experimentTap(std::make_shared<session::RecordingTap>())
+    , m_experiments(m_device, m_experimentTap, m_parts.clock)
+    , m_thread(session::tapped(
+          session::tapped(session::replaying(m_parts, m_replay), m_tap), m_experimentTap))
 {
     m_clock.start();
     connectSession();
     connectModels();
     connectTrigger();
     connectReplay();
+    connectExperiments();
     m_edits.keepBeforeWriting(m_snapshots);
     connect(&m_heart, &QTimer::timeout, this, [this] {
         m_registers.refresh(now());
@@ -189,6 +193,16 @@ void Workbench::connectReplay()
             if (std::holds_alternative<record::Note>(entry.entry))
                 Q_EMIT noteReplayed(entry.seconds);
         });
+}
+
+void Workbench::connectExperiments()
+{
+    session::Session *session = m_thread.session();
+    connect(&m_experiments, &Experiments::wished, session, &session::Session::run);
+    connect(session, &session::Session::experimentEnded, &m_experiments, &Experiments::end);
+    // A file that is being written holds them as one of the command line does.
+    connect(&m_experiments, &Experiments::noted, this,
+        [this](qint64 at, const record::Happening &what) { m_recording.add(at, what); });
 }
 
 } // namespace widgets

@@ -15,6 +15,7 @@
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/motion_log_model.h"
 #include "widgets/files/event_recorder.h"
+#include "widgets/lab/experiments.h"
 #include "widgets/measuring/math_channels.h"
 #include "widgets/registers/register_edits.h"
 #include "widgets/registers/register_model.h"
@@ -46,6 +47,7 @@ public:
     RegisterEdits &edits() { return m_edits; }
     AutoSnapshots &snapshots() { return m_snapshots; }
     MotionGate &motion() { return m_motion; } ///< what moves a motor goes through here
+    Experiments &experiments() { return m_experiments; } ///< what moves it by itself, here
     MotionLogModel &motionLog() { return m_motionLog; }
     capture::Capture &capture() { return m_capture; }
     SignalPlan &signalPlan() { return m_signalPlan; }
@@ -85,6 +87,7 @@ private:
     void connectSession();
     void connectModels();
     void connectReplay();
+    void connectExperiments();
 
     session::Parts m_parts; ///< one clock for the session and for what it is asked
     InputAge m_inputAge;
@@ -110,6 +113,8 @@ private:
     std::shared_ptr<session::Replay> m_replay = std::make_shared<session::Replay>();
     std::shared_ptr<session::RecordingTap> m_tap;
     session::Recording m_recording;
+    std::shared_ptr<session::RecordingTap> m_experimentTap;
+    Experiments m_experiments;
     SnapshotRecorder m_snapshotRecorder{
         m_device, m_recording, m_snapshots, [this] { return m_recorder.now(); }};
     session::SessionThread m_thread; // last: ends first, while the device it tells still exists

@@ -117,6 +117,7 @@ private Q_SLOTS:
     void whoArmsWhileTheMotorComesToRestMayBeHeard();
     void theOrderOfStopsIsTheDrives();
     void aListOfParametersTakesNothingFromOthers();
+    void aSeriesMayStepAsLongAsItLasts();
     void aMotorNobodyKnowsOfIsStoppedWhenItIsKnown();
     void theTwoSecondsOfAStopGoOnInAGap();
     void framesOfTheOlderProtocolAreTakenApart();
@@ -237,6 +238,32 @@ void TestMsRules::aBrokenRuleSpeaks_data()
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::Start);
         b.now += 600ms;
+        b.request({kStart | 1});
+    });
+    story("a series that nobody agreed to", "asked for", [](Bench &b) {
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::Series);
+        b.ramp(1500);
+    });
+    story("a series after a Stop", "armed", [](Bench &b) {
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::AgreeToSeries);
+        b.act(Act::Kind::Stop);
+        b.act(Act::Kind::Series);
+        b.ramp(1500);
+    });
+    story("a series that was agreed to before it was disarmed", "asked for", [](Bench &b) {
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::AgreeToSeries);
+        b.act(Act::Kind::Disarm);
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::Series);
+        b.ramp(1500);
+    });
+    story("a series that starts twice", "asked for", [](Bench &b) {
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::AgreeToSeries);
+        b.request({kStart | 1});
         b.request({kStart | 1});
     });
     story("gone from a motor that turns", "stops before it goes", [](Bench &b) {
@@ -401,6 +428,26 @@ void TestMsRules::aListOfParametersTakesNothingFromOthers()
     b.request({kStart | 1});
     QCOMPARE(b.judge.verdict(), std::string());
     b.request({kSet, 0x91, 5});
+    QVERIFY(QString::fromStdString(b.judge.verdict()).startsWith(QLatin1String("asked for: ")));
+}
+
+void TestMsRules::aSeriesMayStepAsLongAsItLasts()
+{
+    Bench b;
+    b.act(Act::Kind::Arm);
+    b.act(Act::Kind::AgreeToSeries);
+    b.ramp(1000);
+    b.request({kStart | 1});
+    b.drive();
+    for (int i = 0; i < 10; ++i) {
+        b.ramp(i % 2 == 0 ? 1500 : 1000);
+        b.run(1s);
+    }
+    b.act(Act::Kind::Series); // one more is not asked about
+    b.ramp(1500);
+    QCOMPARE(b.judge.verdict(), std::string());
+    b.run(MsRules::kSeries);
+    b.ramp(1000);
     QVERIFY(QString::fromStdString(b.judge.verdict()).startsWith(QLatin1String("asked for: ")));
 }
 

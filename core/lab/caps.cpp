@@ -1,0 +1,47 @@
+#include "lab/caps.h"
+
+#include <algorithm>
+
+namespace lab {
+
+namespace {
+
+/// What they leave room for is in the comment of each.
+constexpr double kAboveBoard =
+    1.1; ///< of the greatest speed that a board tells: its own loop overshoots there
+constexpr double kCurrentAboveBoard = 1.25; ///< its current loop does, too
+
+} // namespace
+
+double allowedRpm(const Experiment &experiment)
+{
+    const double board = experiment.subject.limits.maxSpeedRpm * kAboveBoard;
+    const double user = conditionsOf(experiment).user.maxSpeedRpm;
+    return user > 0.0 && board > 0.0 ? std::min(user, board) : std::max(user, board);
+}
+
+/// A motor on its way to its speed passes 0 and the speed it had.
+Caps capsOf(const Experiment &experiment, double before_rpm)
+{
+    const Conditions conditions = conditionsOf(experiment);
+    const double first = conditions.firstRpm, allowed = allowedRpm(experiment);
+    Caps caps;
+    caps.leastRpm = std::min({conditions.leastRpm, first, before_rpm}) - conditions.margin_rpm;
+    caps.mostRpm = std::max({conditions.mostRpm, first, before_rpm}) + conditions.margin_rpm;
+    caps.leastRpm = std::max(caps.leastRpm, -allowed);
+    caps.mostRpm = std::min(caps.mostRpm, allowed);
+    caps.mostAmps = conditions.user.maxCurrentAmps > 0.0
+        ? conditions.user.maxCurrentAmps
+        : experiment.subject.limits.maxCurrentAmps * kCurrentAboveBoard;
+    return caps;
+}
+
+bool covers(const Caps &agreed, const Caps &wanted)
+{
+    // Zero bounds nothing.
+    const bool amps =
+        !(agreed.mostAmps > 0.0) || (wanted.mostAmps > 0.0 && wanted.mostAmps <= agreed.mostAmps);
+    return amps && wanted.leastRpm >= agreed.leastRpm && wanted.mostRpm <= agreed.mostRpm;
+}
+
+} // namespace lab

@@ -1,0 +1,20 @@
+// The bounds of an experiment that are known before it begins: a person agrees to them, and its runner holds the motor to
+// the same ones. What only a board can tell, its bus voltage and its temperature, is left to the runner.
+#pragma once
+
+#include "lab/envelope.h"
+#include "lab/experiment.h"
+
+namespace lab {
+
+/// From the first command to the last.
+/// @param before_rpm  the set-point of a motor that runs, which passes it on its way back; 0: it stands
+Caps capsOf(const Experiment &experiment, double before_rpm);
+
+/// Whatever the plan: what the board tells, and never more than the user allows.
+double allowedRpm(const Experiment &experiment);
+
+/// Whoever agreed to the one has agreed to the other.
+bool covers(const Caps &agreed, const Caps &wanted);
+
+} // namespace lab

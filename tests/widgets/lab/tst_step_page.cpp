@@ -1,0 +1,428 @@
+// Steps of the speed through the real window on a simulated board with an encoder: what is asked, what a series leaves in
+// the table, how a gain and its new step are two actions, and what ends one. The judge of the wire watches all of it.
+#include "session/recording/recording_reader.h"
+#include "support/judged_line.h"
+#include "support/window_rig.h"
+#include "widgets/lab/experiments.h"
+#include "widgets/lab/live_gain.h"
+#include "widgets/lab/plan_picture.h"
+#include "widgets/lab/step_overlay.h"
+#include "widgets/lab/step_runs.h"
+#include "widgets/scope/scope_view.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTreeView>
+#include <QUndoStack>
+#include <QWheelEvent>
+
+using drive::MotorState;
+using namespace std::chrono_literals;
+
+namespace {
+
+simulation::BoardOptions boardWithEncoder()
+{
+    simulation::BoardOptions options;
+    options.motor = "servo24";
+    return options;
+}
+
+widgets::Settings settings()
+{
+    widgets::Settings settings = facts::WindowRig::quietSettings();
+    settings.port = QStringLiteral("/dev/ttyServo");
+    settings.protocol = QStringLiteral("mcp");
+    settings.samplesOnDiskGB = 0.0;
+    return settings;
+}
+
+constexpr int kSeriesMs = 30'000; ///< a busy computer takes its time
+
+/// The window, connected, and the page open.
+struct Bench {
+    support::JudgedWorld world;
+    facts::WindowRig rig;
+    support::WindowActs acts;
+    int actions = 0; ///< of a person, since the test set it to 0
+
+    explicit Bench(const simulation::BoardOptions &board = boardWithEncoder())
+        : world(board, drive::Protocol::Mcp)
+        , rig(settings(), session::makeDiskSink, world.parts())
+        , acts(world, rig.window, rig.workbench.device())
+    {
+        rig.window.resize(1280, 720);
+        QApplication::setActiveWindow(&rig.window);
+        QTest::keyClick(&rig.window, Qt::Key_T, Qt::ControlModifier);
+    }
+    ~Bench() { world.act(judge::Act::Kind::Leave); }
+
+    widgets::Device &device() { return rig.workbench.device(); }
+    MotorState state() { return device().status(1).state; }
+    template <class T = QWidget>
+    T *find(const char *name) const
+    {
+        return rig.find<T>(name);
+    }
+    QPushButton *run() const { return find<QPushButton>("stepRun"); }
+    QString said() const { return find<QLabel>("stepSentence")->text(); }
+    const QAbstractItemModel &rows() const { return *find<QTreeView>("stepRuns")->model(); }
+    QString cell(int row, int column) const { return rows().index(row, column).data().toString(); }
+    widgets::LiveGain *kp() const { return rig.window.findChild<widgets::LiveGain *>(); }
+
+    bool connectBoard()
+    {
+        QTest::mouseClick(find<QPushButton>("connect"), Qt::LeftButton);
+        return QTest::qWaitFor([this] {
+            return device().identified() && state() == MotorState::Idle && kp()->digits();
+        });
+    }
+    bool arm()
+    {
+        QTest::mouseClick(find<QCheckBox>("arm"), Qt::LeftButton, {},
+            QPoint(8, find<QCheckBox>("arm")->height() / 2));
+        acts.noteArming();
+        return QTest::qWaitFor([this] { return device().armed() && run()->isEnabled(); });
+    }
+    /// Short ones.
+    void plan(int from, int to, int repeat = 1)
+    {
+        find<QLineEdit>("stepFrom")->setText(QString::number(from));
+        find<QLineEdit>("stepTo")->setText(QString::number(to));
+        find<QSpinBox>("stepHold")->setValue(200);
+        find<QSpinBox>("stepApproach")->setValue(200);
+        find<QSpinBox>("stepRepeat")->setValue(repeat);
+    }
+    void press(const char *name)
+    {
+        ++actions;
+        QTest::mouseClick(find<QPushButton>(name), Qt::LeftButton);
+        acts.noteArming();
+    }
+    void answer(const char *name)
+    {
+        auto *dialog = find<QDialog>("stepQuestion");
+        QVERIFY(dialog);
+        QTest::mouseClick(dialog->findChild<QPushButton *>(QLatin1String(name)), Qt::LeftButton);
+        QTRY_VERIFY(!asks());
+        QApplication::setActiveWindow(&rig.window); // which a window manager does
+    }
+    bool asks() const { return find<QDialog>("stepQuestion") != nullptr; }
+    bool running() { return rig.workbench.experiments().running(); }
+    bool runToItsEnd()
+    {
+        const int before = rows().rowCount();
+        press("stepRun");
+        if (asks())
+            answer("stepConfirm");
+        return QTest::qWaitFor([&] { return rows().rowCount() > before; }, kSeriesMs);
+    }
+    std::int64_t held(const char *name)
+    {
+        const auto id = rig.workbench.registers().idOf(name);
+        const auto value = id ? rig.workbench.registers().known(*id) : std::nullopt;
+        return value ? std::get<std::int64_t>(*value) : 0;
+    }
+    /// As a person turns the wheel over a field, one notch.
+    void wheel(QWidget *over, int notches)
+    {
+        ++actions;
+        const QPointF at = over->rect().center();
+        QWheelEvent event(at, over->mapToGlobal(at), {}, QPoint(0, 120 * notches), Qt::NoButton,
+            Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(over, &event);
+    }
+};
+
+} // namespace
+
+class TestStepPage : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void itSaysWhyItCannotRun()
+    {
+        Bench bench;
+        QVERIFY(bench.find("stepPage")->isVisible()); // by its key
+        const auto refused = [&](const char *why) {
+            return !bench.run()->isEnabled() && bench.run()->toolTip().contains(QLatin1String(why))
+                && bench.said().contains(QLatin1String(why));
+        };
+        QVERIFY(refused("Connect to a board first."));
+        QVERIFY(bench.connectBoard());
+        QTRY_VERIFY(refused("Arm first."));
+        QVERIFY(bench.arm());
+        QVERIFY(bench.said().isEmpty());
+        bench.plan(1000, 1000);
+        QTRY_VERIFY(refused("there is no step"));
+        bench.plan(1000, 1500, 100);
+        bench.find<QSpinBox>("stepHold")->setValue(1000);
+        QTRY_VERIFY(refused("ends within 60 s"));
+        bench.find<QLineEdit>("stepTo")->setText(QStringLiteral("99999"));
+        QTRY_VERIFY(refused("The limit is"));
+        bench.plan(1000, 1500);
+        QTRY_VERIFY(bench.run()->isEnabled());
+        QTest::mouseClick(bench.find<QPushButton>("connect"), Qt::LeftButton);
+        QTRY_VERIFY(refused("Connect to a board first."));
+    }
+
+    void theQuestionShowsThePlanAndNoMovesNothing()
+    {
+        Bench bench;
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm());
+        bench.plan(1000, 1500, 3);
+        bench.press("stepRun");
+        QVERIFY(bench.asks());
+        auto *dialog = bench.find<QMessageBox>("stepQuestion");
+        const QString words = dialog->informativeText();
+        for (const char *word : {"1000", "1500", "3 time", "200", "1750", "-250"})
+            QVERIFY2(words.contains(QLatin1String(word)), qPrintable(words));
+        QVERIFY(dialog->findChild<widgets::PlanPicture *>()->isVisible());
+        QTest::keyClick(dialog, Qt::Key_Return); // Enter does not say yes
+        QTRY_VERIFY(!bench.asks());
+        QVERIFY(!bench.running());
+        QVERIFY(bench.state() == MotorState::Idle);
+        QCOMPARE(bench.world.counts().setPoints + bench.world.counts().starts, 0);
+        bench.press("stepRun"); // and Esc takes the question away
+        QVERIFY(bench.asks());
+        QTest::keyClick(bench.find("stepQuestion"), Qt::Key_Escape);
+        QTRY_VERIFY(!bench.asks());
+        QVERIFY(!bench.device().armed());
+        QCOMPARE(bench.world.counts().setPoints + bench.world.counts().starts, 0);
+    }
+
+    void aSeriesBecomesARowOfTheNumbersInItsRecording()
+    {
+        Bench bench;
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm());
+        bench.plan(1000, 1500);
+        const auto wanted = bench.rig.workbench.signalPlan().named();
+        const auto shown = bench.rig.window.scope()->channels();
+        const auto streamed = streaming(bench);
+        QVERIFY(!streamed.isEmpty());
+
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("run.pcapng"));
+        session::Recording &recording = bench.rig.workbench.recording();
+        recording.start(path, session::RecordingTap::Content::Samples, QStringLiteral("test"),
+            QStringLiteral("sim"));
+        QSignalSpy finished(&recording, &session::Recording::finished);
+        QVERIFY(bench.runToItsEnd());
+        QVERIFY2(bench.said().contains(QLatin1String("the motor is as it was")),
+            qPrintable(bench.said()));
+        QTRY_COMPARE(bench.state(), MotorState::Idle);
+        recording.stop();
+        QTRY_COMPARE(finished.size(), 1);
+
+        // The same numbers as evaluate tells from the file.
+        capture::Capture capture;
+        const auto report = session::readRecording(path, capture);
+        QVERIFY(report);
+        lab::Happenings happenings;
+        for (const auto &[at, what] : report->happenings)
+            happenings.emplace_back(at, what);
+        const auto series = lab::stepSeries(capture, happenings);
+        QVERIFY2(series, series ? "" : series.error().c_str());
+        const auto *runs = bench.rig.window.findChild<widgets::StepRuns *>();
+        const lab::StepSeries &told = runs->results().front().series;
+        QCOMPARE(told.runs.size(), 2U);
+        QVERIFY(told.rise_s && told.overshoot_pct && told.peakIq_a);
+        QVERIFY(told.rise_s == series->rise_s);
+        QVERIFY(told.overshoot_pct == series->overshoot_pct);
+        QVERIFY(told.settling_s == series->settling_s);
+        QVERIFY(told.peakIq_a == series->peakIq_a);
+        QVERIFY(told.runs[0].at == series->runs[0].at && told.runs[0].found);
+
+        using Runs = widgets::StepRuns;
+        QVERIFY(bench.cell(0, Runs::RiseColumn).endsWith(QLatin1String("ms")));
+        QVERIFY(bench.cell(0, Runs::OvershootColumn).endsWith(QLatin1Char('%')));
+        QVERIFY(bench.cell(0, Runs::PeakColumn).endsWith(QLatin1Char('A')));
+        QVERIFY(bench.cell(0, Runs::KpColumn).endsWith(QLatin1String("A/(rad/s)")));
+        QVERIFY2(bench.cell(0, Runs::KiColumn).endsWith(QLatin1String("A/rad")),
+            qPrintable(bench.cell(0, Runs::KiColumn)));
+        QVERIFY(bench.cell(0, Runs::BusColumn).endsWith(QLatin1Char('V')));
+        QCOMPARE(bench.rig.window.findChild<widgets::StepOverlay *>()->curves(), 1);
+
+        // The scope goes on with what was recorded before.
+        QTRY_COMPARE(streaming(bench), streamed);
+        QVERIFY(bench.rig.workbench.signalPlan().named() == wanted);
+        QCOMPARE(bench.rig.window.scope()->channels(), shown);
+    }
+
+    /// The measure of issue I: change a gain and see the new step, in two actions.
+    void aChangedGainAndItsNewStepAreTwoActions()
+    {
+        Bench bench;
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm());
+        bench.plan(1000, 1500);
+        bench.kp()->setFocus();
+        QVERIFY(bench.runToItsEnd());
+        QTRY_VERIFY(bench.run()->isEnabled());
+        const auto before = bench.held("SPEED_KP");
+        const int steps = bench.rig.workbench.edits().steps().count();
+        using Runs = widgets::StepRuns;
+        const QString first = bench.cell(0, Runs::KpColumn);
+
+        QVERIFY(bench.kp()->hasFocus());
+        bench.actions = 0;
+        bench.wheel(bench.kp(), 1);
+        QVERIFY(bench.runToItsEnd()); // asks nothing: the caps are the same
+        QCOMPARE(bench.actions, 2);
+        QVERIFY(!bench.asks());
+
+        QCOMPARE(bench.held("SPEED_KP"), std::int64_t(std::llround(double(before) * 1.05)));
+        QCOMPARE(bench.rows().rowCount(), 2);
+        QVERIFY(bench.cell(1, Runs::KpColumn) != first);
+        QVERIFY(bench.cell(1, Runs::RiseColumn).contains(QLatin1Char('('))); // the difference
+        QVERIFY(!bench.cell(0, Runs::RiseColumn).contains(QLatin1Char('(')));
+        QCOMPARE(bench.rig.window.findChild<widgets::StepOverlay *>()->curves(), 2);
+
+        // The same by keys alone.
+        QVERIFY(bench.kp()->hasFocus());
+        QTRY_VERIFY(bench.run()->isEnabled());
+        QTest::keyClick(bench.kp(), Qt::Key_Down);
+        QTest::keyClick(bench.kp(), Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.rows().rowCount(), 3, kSeriesMs);
+        QCOMPARE(bench.cell(2, Runs::KpColumn), first);
+
+        // Each notch is a step of the list that can be taken back.
+        QCOMPARE(bench.rig.workbench.edits().steps().count(), steps + 2);
+        bench.rig.workbench.edits().undo();
+        QTRY_COMPARE(bench.held("SPEED_KP"), std::int64_t(std::llround(double(before) * 1.05)));
+        bench.rig.workbench.edits().undo();
+        QTRY_COMPARE(bench.held("SPEED_KP"), before);
+    }
+
+    /// Also the keys that the scope has in the whole window, and as fast as they come.
+    void everyNotchIsWrittenWhileArmedAndNoneBefore()
+    {
+        Bench bench;
+        QVERIFY(bench.connectBoard());
+        QVERIFY(!bench.kp()->isEnabled());
+        QVERIFY(bench.kp()->toolTip().contains(QLatin1String("Arm first")));
+        QVERIFY(bench.arm());
+        const auto before = bench.held("SPEED_KP");
+        bench.kp()->setFocus();
+        std::int64_t wanted = before;
+        const auto notches = [&](int count) {
+            wanted = std::llround(double(wanted) * std::pow(1.05, count));
+        };
+        for (int i = 0; i < 4; ++i) { // the board is slower than these
+            QTest::keyClick(bench.kp(), Qt::Key_Up);
+            notches(1);
+        }
+        QTest::keyClick(bench.kp(), Qt::Key_PageDown);
+        notches(-10);
+        QTRY_COMPARE(bench.held("SPEED_KP"), wanted);
+        QTRY_VERIFY(bench.kp()->settled());
+        QCOMPARE(bench.kp()->text(), QString::number(wanted));
+
+        bench.kp()->selectAll(); // typed, it is written with Enter alone
+        QTest::keyClicks(bench.kp(), QStringLiteral("4000"));
+        QTest::keyClick(bench.kp(), Qt::Key_Tab);
+        QTRY_COMPARE(bench.kp()->text(), QString::number(wanted));
+        bench.kp()->setFocus();
+        bench.kp()->selectAll();
+        QTest::keyClicks(bench.kp(), QStringLiteral("4000"));
+        QTest::keyClick(bench.kp(), Qt::Key_Return);
+        QTRY_COMPARE(bench.held("SPEED_KP"), 4000);
+        QCOMPARE(bench.world.counts().setPoints + bench.world.counts().starts, 0);
+    }
+
+    void widerCapsAreAskedAboutAgainAndSoIsEverythingAfterDisarming()
+    {
+        Bench bench;
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm());
+        bench.plan(1000, 1500);
+        QVERIFY(bench.runToItsEnd());
+        bench.plan(1200, 1700); // beyond what was agreed to
+        QTRY_VERIFY(bench.run()->isEnabled());
+        bench.press("stepRun");
+        QVERIFY(bench.asks());
+        bench.answer("stepConfirm");
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.running() && bench.rows().rowCount() == 2, kSeriesMs);
+        QTest::mouseClick(bench.find<QCheckBox>("arm"), Qt::LeftButton, {},
+            QPoint(8, bench.find<QCheckBox>("arm")->height() / 2));
+        QTRY_VERIFY(!bench.device().armed());
+        QVERIFY2(bench.arm(), qPrintable(bench.said()));
+        bench.plan(1000, 1500);
+        QTRY_VERIFY(bench.run()->isEnabled());
+        bench.press("stepRun");
+        QVERIFY(bench.asks());
+    }
+
+    void escAndCancelStopTheMotorInTheMiddle_data()
+    {
+        QTest::addColumn<bool>("byKey");
+        QTest::newRow("Esc") << true;
+        QTest::newRow("Cancel") << false;
+    }
+    void escAndCancelStopTheMotorInTheMiddle()
+    {
+        QFETCH(bool, byKey);
+        Bench bench;
+        QVERIFY(bench.connectBoard());
+        QVERIFY(bench.arm());
+        bench.plan(1000, 1500, 20);
+        bench.press("stepRun");
+        bench.answer("stepConfirm");
+        QTRY_VERIFY_WITH_TIMEOUT(bench.said().startsWith(QLatin1String("Step 2 of 40")), kSeriesMs);
+        if (byKey)
+            QTest::keyClick(&bench.rig.window, Qt::Key_Escape);
+        else
+            bench.press("stepCancel");
+        QVERIFY(!bench.device().armed());
+        QTRY_VERIFY(!bench.running());
+        QTRY_COMPARE_WITH_TIMEOUT(bench.state(), MotorState::Idle, 10'000);
+        QVERIFY2(bench.said().contains(QLatin1String("Interrupted: ")), qPrintable(bench.said()));
+        const int setPoints = bench.world.counts().setPoints;
+        const auto since = bench.rig.workbench.now();
+        QTRY_VERIFY(bench.rig.workbench.now() > since + 500ms);
+        QCOMPARE(bench.world.counts().setPoints, setPoints);
+        QVERIFY(!bench.run()->isEnabled());
+    }
+
+    void aBoardThatRecordsNothingIsGreyWithTheReason()
+    {
+        facts::WindowRig rig; // the old protocol, in the program's own simulated board
+        QApplication::setActiveWindow(&rig.window);
+        QTest::keyClick(&rig.window, Qt::Key_T, Qt::ControlModifier);
+        session::Endpoint endpoint;
+        endpoint.board = "legacy";
+        endpoint.baud = 115200;
+        endpoint.protocol = drive::Protocol::Legacy;
+        rig.workbench.device().open(endpoint);
+        QTRY_VERIFY_WITH_TIMEOUT(rig.workbench.device().identified(), 10'000);
+        auto *run = rig.find<QPushButton>("stepRun");
+        QTRY_VERIFY(!run->toolTip().contains(QLatin1String("Connect")));
+        QVERIFY(!run->isEnabled());
+        QVERIFY(!rig.workbench.experiments().obstacle().isEmpty());
+        QCOMPARE(rig.find<QLabel>("stepSentence")->text(), rig.workbench.experiments().obstacle());
+    }
+
+private:
+    static QStringList streaming(Bench &bench)
+    {
+        QStringList names;
+        const capture::Capture &capture = bench.rig.workbench.capture();
+        for (const auto id : capture.streaming())
+            names.append(QString::fromStdString(capture.info(id)->name));
+        return names;
+    }
+};
+
+QTEST_MAIN(TestStepPage)
+#include "tst_step_page.moc"

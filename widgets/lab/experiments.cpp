@@ -1,0 +1,128 @@
+#include "widgets/lab/experiments.h"
+
+#include "widgets/base/device_text.h"
+#include "widgets/control/motion_allowed.h"
+
+#include <algorithm>
+
+namespace widgets {
+
+Experiments::Experiments(Device &device, std::shared_ptr<session::RecordingTap> tap,
+    session::Clock clock, QObject *parent)
+    : QObject(parent)
+    , m_device(device)
+    , m_tap(std::move(tap))
+    , m_clock(std::move(clock))
+{
+    connect(
+        m_tap.get(), &session::RecordingTap::told, this, &Experiments::take, Qt::QueuedConnection);
+    connect(&device, &Device::armedStateChanged, this, [this](bool armed) {
+        if (!armed)
+            forgetAgreement();
+    });
+    connect(&device, &Device::identityChanged, this, &Experiments::forgetAgreement);
+    connect(&device, &Device::motorChanged, this, &Experiments::forgetAgreement);
+}
+
+void Experiments::forgetAgreement()
+{
+    m_agreed.clear();
+    Q_EMIT agreementEnded();
+}
+
+Result<lab::Subject, QString> Experiments::subject() const
+{
+    if (!m_device.answering() || !m_device.identified())
+        return fail(motionAllowed(m_device, drive::Feature::SpeedRamp).why);
+    auto found = lab::subjectOf(*m_device.identified(), m_device.motor());
+    if (found)
+        return *found;
+    QString why = QString::fromStdString(found.error());
+    if (!why.isEmpty())
+        why[0] = why[0].toUpper();
+    return fail(why.endsWith(QLatin1Char('.')) ? why : why + QLatin1Char('.'));
+}
+
+QString Experiments::obstacle() const
+{
+    if (running())
+        return tr("An experiment is running.");
+    const auto motor = subject();
+    if (!motor)
+        return motor.error();
+    if (!m_device.expert(m_device.motor()) && !drive::gapsIn(motor->limits).empty())
+        return tr("This board does not tell all limits of the motor: start it by hand once, and "
+                  "agree to expert mode.");
+    if (const MotionAllowed can = motionAllowed(m_device, drive::Feature::SpeedRamp); !can.yes)
+        return can.why;
+    using drive::MotorState;
+    const MotorState state = m_device.status(m_device.motor()).state;
+    if (state == MotorState::FaultNow || state == MotorState::FaultOver)
+        return tr("Acknowledge the faults first.");
+    if (state != MotorState::Idle && state != MotorState::Running)
+        return tr("The motor has to rest or to run.");
+    return {};
+}
+
+bool Experiments::agreed(const lab::Experiment &experiment, double before_rpm) const
+{
+    const lab::Caps wanted = lab::capsOf(experiment, before_rpm);
+    return std::any_of(m_agreed.begin(), m_agreed.end(),
+        [&](const lab::Caps &caps) { return lab::covers(caps, wanted); });
+}
+
+void Experiments::agree(const lab::Experiment &experiment, double before_rpm)
+{
+    if (m_device.armed())
+        m_agreed.push_back(lab::capsOf(experiment, before_rpm));
+}
+
+void Experiments::begin(const lab::Experiment &experiment, const record::Happening &plan)
+{
+    if (running())
+        return;
+    m_record = std::make_unique<Record>();
+    m_restorer = std::make_unique<record::Restorer>(m_record->capture);
+    const TimePoint now = m_clock();
+    Q_EMIT began();
+    if (const auto made = m_device.madeAt(); made && now - *made > drive::kWishExpiresAfter)
+        return end({lab::End::Refused, drive::kTooLate, now});
+    m_tap->switchOn(++m_number, session::RecordingTap::Content::Samples);
+    note(now, plan);
+    Q_EMIT wished(experiment);
+}
+
+void Experiments::note(TimePoint at, const record::Happening &what)
+{
+    const capture::Nanos nanos = at.time_since_epoch().count();
+    m_record->happenings.emplace_back(nanos, what);
+    Q_EMIT noted(nanos, what);
+}
+
+void Experiments::take(const session::ToldPtr &told)
+{
+    m_tap->release(told->bytes);
+    if (!running() || told->recording != m_number)
+        return;
+    for (const record::Entry &entry : told->entries) {
+        if (const auto *happening = std::get_if<record::Happening>(&entry))
+            m_record->happenings.emplace_back(told->at, *happening);
+        else
+            m_restorer->take(entry);
+    }
+    Q_EMIT progressed();
+}
+
+void Experiments::end(const lab::Outcome &outcome)
+{
+    if (!running())
+        return;
+    m_tap->switchOff();
+    m_record->outcome = outcome;
+    note(outcome.at, lab::entryOfEnd(outcome.end == lab::End::Complete, outcome.reason));
+    const std::unique_ptr<Record> record = std::move(m_record);
+    m_restorer.reset();
+    Q_EMIT ended(*record);
+}
+
+} // namespace widgets

@@ -1,0 +1,189 @@
+#include "widgets/lab/live_gain.h"
+
+#include "drive/values.h"
+#include "widgets/base/device_text.h"
+
+#include <QKeyEvent>
+#include <QTimer>
+
+#include <algorithm>
+#include <cmath>
+
+namespace widgets {
+namespace {
+
+constexpr double kNotch = 1.05;
+
+std::optional<std::int64_t> wholeOf(
+    const RegisterModel &model, std::optional<catalog::RegisterId> id)
+{
+    const auto value = id ? model.known(*id) : std::nullopt;
+    const auto *whole = value ? std::get_if<std::int64_t>(&*value) : nullptr;
+    return whole ? std::optional(*whole) : std::nullopt;
+}
+
+} // namespace
+
+LiveGain::LiveGain(RegisterModel &model, RegisterEdits &edits, const char *name, QWidget *parent)
+    : SteppedEdit(parent)
+    , m_model(model)
+    , m_edits(edits)
+    , m_name(name)
+{
+    setObjectName(QStringLiteral("live_") + QLatin1String(name));
+    setMaxLength(12);
+    connect(this, &QLineEdit::textEdited, this, [this] { showProblem(); });
+    connect(&model, &QAbstractItemModel::modelReset, this, [this] {
+        m_wanted.reset();
+        m_sent.reset();
+        follow();
+    });
+    connect(&model, &QAbstractItemModel::dataChanged, this,
+        [this](const QModelIndex &from, const QModelIndex &to) {
+            for (const auto &mine : {id(), divisor()}) {
+                const QModelIndex at = mine ? m_model.indexOf(*mine) : QModelIndex();
+                if (at.isValid() && at.parent() == from.parent() && at.row() >= from.row()
+                    && at.row() <= to.row())
+                    return follow();
+            }
+        });
+    connect(&edits, &RegisterEdits::changed, this, &LiveGain::follow);
+    // Behind the end of the write that tells it: the next one must not begin inside of it.
+    connect(&edits, &RegisterEdits::changed, this, &LiveGain::send, Qt::QueuedConnection);
+    follow();
+}
+
+std::optional<catalog::RegisterId> LiveGain::id() const { return m_model.idOf(m_name); }
+
+std::optional<catalog::RegisterId> LiveGain::divisor() const
+{
+    return m_model.idOf(m_name + "_DIV");
+}
+
+std::optional<std::int64_t> LiveGain::digits() const { return wholeOf(m_model, id()); }
+
+std::optional<std::int64_t> LiveGain::exponent() const { return wholeOf(m_model, divisor()); }
+
+std::optional<double> LiveGain::value() const
+{
+    const auto held = m_wanted ? m_wanted : digits();
+    if (!held)
+        return std::nullopt;
+    constexpr std::int64_t kMostExponent = 31;
+    const std::int64_t power = std::clamp<std::int64_t>(exponent().value_or(0), 0, kMostExponent);
+    return static_cast<double>(*held) / std::exp2(static_cast<double>(power));
+}
+
+std::optional<std::int64_t> LiveGain::typed() const
+{
+    const auto gain = id();
+    if (!gain)
+        return std::nullopt;
+    const auto read = m_model.readEntry(*gain, RegisterModel::RawColumn, text());
+    const auto *whole = read ? std::get_if<std::int64_t>(&*read) : nullptr;
+    return whole ? std::optional(*whole) : std::nullopt;
+}
+
+QString LiveGain::problem() const
+{
+    const auto gain = id();
+    if (!gain || text().isEmpty())
+        return {};
+    const auto read = m_model.readEntry(*gain, RegisterModel::RawColumn, text());
+    const auto rules = m_model.rulesOf(*gain);
+    return read || !rules ? QString() : entryErrorText(read.error(), *rules);
+}
+
+/// 5 % a notch, and at least one digit.
+void LiveGain::stepBy(int steps)
+{
+    const auto rules = id() ? m_model.rulesOf(*id()) : std::nullopt;
+    const auto from = m_wanted ? m_wanted : digits();
+    if (!rules || !from || isReadOnly())
+        return;
+    std::int64_t next = std::llround(static_cast<double>(*from) * std::pow(kNotch, steps));
+    if (next == *from)
+        next += steps > 0 ? 1 : -1;
+    const double least = *from >= 0 ? std::max(rules->limits.least, 0.0) : rules->limits.least;
+    const double inside = std::clamp(static_cast<double>(next), least, rules->limits.greatest);
+    want(std::llround(inside));
+}
+
+void LiveGain::want(std::int64_t digits)
+{
+    m_wanted = digits;
+    setText(QString::number(digits));
+    setModified(false);
+    showProblem();
+    send();
+    Q_EMIT changed();
+}
+
+void LiveGain::send()
+{
+    if (m_sent && !m_edits.underWay()) { // it has ended, well or not
+        const bool newer = m_wanted && *m_wanted != *m_sent;
+        m_sent.reset();
+        if (!newer)
+            m_wanted.reset();
+        show();
+        Q_EMIT changed();
+    }
+    if (!m_wanted || m_sent || m_edits.underWay())
+        return;
+    const auto gain = id();
+    if (!gain || !m_edits.writeHint().isEmpty() || digits() == m_wanted) {
+        m_wanted.reset();
+        show();
+        Q_EMIT changed();
+        return;
+    }
+    m_sent = m_wanted;
+    m_edits.write(
+        QStringLiteral("%1 %2").arg(QString::fromStdString(m_name), QString::number(*m_wanted)),
+        {{*gain, catalog::Value(*m_wanted)}});
+}
+
+void LiveGain::follow()
+{
+    show();
+    const std::pair now(digits(), exponent());
+    if (std::exchange(m_told, now) != now)
+        Q_EMIT changed();
+}
+
+void LiveGain::show()
+{
+    const QString why = m_edits.underWay() ? QString() : m_edits.writeHint();
+    setReadOnly(!why.isEmpty());
+    setEnabled(id() && digits() && (why.isEmpty() || hasFocus())); // a hiccup takes no focus away
+    setToolTip(plainToolTip(why.isEmpty()
+            ? tr("Arrow keys or the wheel: 5 % a notch, written at once. Undo takes it back.")
+            : why));
+    const auto held = m_wanted ? m_wanted : digits();
+    if (hasFocus() && isModified())
+        return; // it is being typed
+    setText(held ? QString::number(*held) : QString());
+    showProblem();
+}
+
+void LiveGain::keyPressEvent(QKeyEvent *event)
+{
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (!enter || event->modifiers() & Qt::ControlModifier)
+        return SteppedEdit::keyPressEvent(event);
+    event->accept();
+    if (const auto whole = typed();
+        whole && isModified() && !isReadOnly() && !event->isAutoRepeat())
+        want(*whole);
+}
+
+/// What was typed and not entered is dropped: nothing is written by walking past a field.
+void LiveGain::focusOutEvent(QFocusEvent *event)
+{
+    SteppedEdit::focusOutEvent(event);
+    setModified(false);
+    show();
+}
+
+} // namespace widgets

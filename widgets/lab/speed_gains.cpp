@@ -1,0 +1,145 @@
+#include "widgets/lab/speed_gains.h"
+
+#include "drive/gain_plant.h"
+#include "lab/step_plan.h"
+#include "widgets/forms/gain_number.h"
+#include "widgets/forms/gain_texts.h"
+#include "widgets/lab/live_gain.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+#include <algorithm>
+
+namespace widgets {
+
+using motor::GainId;
+
+SpeedGains::SpeedGains(Device &device, RegisterModel &model, RegisterEdits &edits, QWidget *parent)
+    : QWidget(parent)
+    , m_device(device)
+    , m_model(model)
+    , m_edits(edits)
+    , m_kpText(new QLabel(this))
+    , m_kiText(new QLabel(this))
+{
+    setObjectName(QStringLiteral("speedGains"));
+    auto *grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(6);
+    grid->setVerticalSpacing(2);
+    m_kp = addGain(grid, 0, tr("&Kp"), gainRegister(GainId::SpeedKp));
+    m_ki = addGain(grid, 1, tr("K&i"), gainRegister(GainId::SpeedKi));
+    m_kpText->setObjectName(QStringLiteral("stepKpText"));
+    m_kiText->setObjectName(QStringLiteral("stepKiText"));
+    for (QLabel *text : {m_kpText, m_kiText})
+        text->setTextFormat(Qt::PlainText);
+    grid->addWidget(m_kpText, 0, 2);
+    grid->addWidget(m_kiText, 1, 2);
+    grid->setColumnStretch(2, 1);
+    connect(&model, &QAbstractItemModel::modelReset, this, &SpeedGains::takeFacts);
+    for (const LiveGain *gain : {m_kp, m_ki})
+        connect(gain, &LiveGain::changed, this, &SpeedGains::updateTexts);
+    takeFacts();
+}
+
+LiveGain *SpeedGains::addGain(QGridLayout *grid, int row, const QString &text, const char *name)
+{
+    auto *gain = new LiveGain(m_model, m_edits, name, this);
+    auto *label = new QLabel(text, this);
+    label->setBuddy(gain);
+    gain->setAccessibleName(
+        tr("%1 of the speed loop", "Kp or Ki").arg(QString(text).remove(QLatin1Char('&'))));
+    gain->setFixedWidth(gain->fontMetrics().horizontalAdvance(QStringLiteral("-0000000")));
+    grid->addWidget(label, row, 0);
+    grid->addWidget(gain, row, 1);
+    return gain;
+}
+
+std::vector<catalog::RegisterId> SpeedGains::watchedRegisters() const
+{
+    std::vector<catalog::RegisterId> ids;
+    for (const LiveGain *gain : {m_kp, m_ki})
+        for (const auto id : {gain->id(), gain->divisor()})
+            if (id)
+                ids.push_back(*id);
+    for (const catalog::RegisterId id : m_factRegisters)
+        if (m_model.pollable(id))
+            ids.push_back(id);
+    return ids;
+}
+
+/// What a board says of itself does not change: it is asked for until it is known.
+bool SpeedGains::refresh()
+{
+    const bool news = std::any_of(m_factRegisters.begin(), m_factRegisters.end(),
+        [this](catalog::RegisterId id) { return m_model.known(id) || !m_model.pollable(id); });
+    if (news)
+        takeFacts();
+    return news;
+}
+
+void SpeedGains::takeFacts()
+{
+    m_facts = {};
+    m_factRegisters.clear();
+    if (const auto catalog = m_model.catalog()) {
+        m_facts = drive::motorFacts(*catalog, m_device.motor(),
+            [this](catalog::RegisterId id) { return m_model.known(id); });
+        for (const catalog::RegisterId id : drive::motorRegisters(*catalog, m_device.motor()))
+            if (!m_model.known(id) && m_model.pollable(id))
+                m_factRegisters.push_back(id);
+    }
+    updateTexts();
+}
+
+bool SpeedGains::there() const { return m_kp->id() && m_ki->id(); }
+
+bool SpeedGains::known() const
+{
+    const auto told = [](const LiveGain &gain) {
+        return gain.digits() && (!gain.divisor() || gain.exponent());
+    };
+    return told(*m_kp) && told(*m_ki) && m_factRegisters.empty();
+}
+
+bool SpeedGains::settled() const { return m_kp->settled() && m_ki->settled(); }
+
+SpeedGains::Values SpeedGains::values() const { return {m_kp->value(), m_ki->value()}; }
+
+QString SpeedGains::kpText(std::optional<double> value) const
+{
+    return textOf(value, GainId::SpeedKp);
+}
+
+QString SpeedGains::kiText(std::optional<double> value) const
+{
+    return textOf(value, GainId::SpeedKi);
+}
+
+QString SpeedGains::textOf(std::optional<double> value, GainId id) const
+{
+    if (!value)
+        return {};
+    if (const auto physical = motor::physicalGain(id, *value, drive::gainPlant(m_facts)))
+        return gainWithUnit(*physical, gainUnit(id));
+    return tr("%1 digits", "a gain whose unit is not known").arg(significantText(*value));
+}
+
+double SpeedGains::jumpPerRpm(const lab::Subject &subject) const
+{
+    if (!m_kp->digits())
+        return 0.0;
+    return lab::jumpPerRpm(subject, static_cast<double>(*m_kp->digits()),
+        static_cast<double>(m_kp->exponent().value_or(-1)));
+}
+
+void SpeedGains::updateTexts()
+{
+    setVisible(there() || !m_model.catalog());
+    m_kpText->setText(kpText(m_kp->value()));
+    m_kiText->setText(kiText(m_ki->value()));
+    Q_EMIT changed();
+}
+
+} // namespace widgets

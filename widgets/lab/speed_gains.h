@@ -1,0 +1,59 @@
+// SpeedGains: the two gains of the speed loop as fields that move the board's own, and what their digits come to.
+#pragma once
+
+#include "drive/motor_view.h"
+#include "lab/subject.h"
+#include "motor/gain_plan.h"
+#include "widgets/registers/register_edits.h"
+
+#include <QWidget>
+
+class QGridLayout;
+class QLabel;
+
+namespace widgets {
+
+class LiveGain;
+
+class SpeedGains : public QWidget {
+    Q_OBJECT
+public:
+    SpeedGains(
+        Device &device, RegisterModel &model, RegisterEdits &edits, QWidget *parent = nullptr);
+
+    std::vector<catalog::RegisterId> watchedRegisters() const;
+    bool refresh(); ///< true: other registers are to be watched from now on
+    bool there() const; ///< the board has such gains
+    bool known() const; ///< and has told them, and what they are worth
+    bool settled() const; ///< none is on its way to the board
+    /// Digits over divisors, as the board has them or is to have them.
+    struct Values {
+        std::optional<double> kp, ki;
+        bool operator==(const Values &) const = default;
+    };
+    Values values() const;
+    QString kpText(
+        std::optional<double> value) const; ///< with its unit; as digits where that is not known
+    QString kiText(std::optional<double> value) const;
+    /// What the loop adds to the current's reference at once: A/rpm. 0: not known.
+    double jumpPerRpm(const lab::Subject &subject) const;
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    LiveGain *addGain(QGridLayout *grid, int row, const QString &text, const char *name);
+    void takeFacts();
+    void updateTexts();
+    QString textOf(std::optional<double> value, motor::GainId id) const;
+
+    Device &m_device;
+    RegisterModel &m_model;
+    RegisterEdits &m_edits;
+    drive::MotorFacts m_facts;
+    std::vector<catalog::RegisterId> m_factRegisters; ///< not read yet
+    LiveGain *m_kp, *m_ki;
+    QLabel *m_kpText, *m_kiText;
+};
+
+} // namespace widgets

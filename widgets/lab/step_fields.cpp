@@ -1,0 +1,134 @@
+#include "widgets/lab/step_fields.h"
+
+#include "widgets/base/wheel_guard.h"
+#include "widgets/control/setpoint_edit.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSpinBox>
+
+#include <cmath>
+
+namespace widgets {
+namespace {
+
+constexpr double kAnyRpm = 1e6; ///< where no board has told its limit
+constexpr double kUsualRpm = 4000.0;
+constexpr double kNotch_rpm = 50.0;
+constexpr double kFromShare = 0.25, kToShare = 0.375; ///< of the limit, offered at first
+constexpr int kNotch_ms = 50, kUsual_ms = 500, kLeastHold_ms = 50, kMost_ms = 10'000,
+              kMostRepeats = 100;
+
+} // namespace
+
+StepFields::StepFields(QWidget *parent)
+    : QWidget(parent)
+    , m_grid(new QGridLayout(this))
+{
+    setObjectName(QStringLiteral("stepFields"));
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid->setHorizontalSpacing(6);
+    m_grid->setVerticalSpacing(2);
+    m_from = addSpeed(0, tr("Fr&om"), "stepFrom");
+    m_to = addSpeed(2, tr("to", "a speed"), "stepTo");
+    m_hold = addSpin(1, 0, tr("Hold"), "stepHold");
+    m_hold->setToolTip(tr("How long each speed is held: longer than the loop takes to settle"));
+    m_approach = addSpin(1, 2, tr("ramp"), "stepApproach");
+    m_approach->setToolTip(tr("Of the ramp to the first speed, and of the way back"));
+    m_repeat = addSpin(2, 0, tr("Repeat"), "stepRepeat");
+    m_repeat->setToolTip(tr("So many steps up, and as many down"));
+    m_hold->setRange(kLeastHold_ms, kMost_ms);
+    m_approach->setRange(1, kMost_ms);
+    for (QSpinBox *time : {m_hold, m_approach}) {
+        time->setSuffix(QStringLiteral("\u202fms"));
+        time->setSingleStep(kNotch_ms);
+        time->setValue(kUsual_ms);
+    }
+    m_repeat->setRange(1, kMostRepeats);
+    m_repeat->setSuffix(QStringLiteral("\u202f\u00d7"));
+    setLimit(0.0);
+}
+
+SetpointEdit *StepFields::addSpeed(int column, const QString &text, const char *name)
+{
+    auto *edit = new SetpointEdit(this);
+    edit->setObjectName(QLatin1String(name));
+    edit->setFixedWidth(edit->fontMetrics().horizontalAdvance(QStringLiteral("-0000000")));
+    edit->setWheelAllowed(true); // moves nothing by itself
+    edit->setNotch(kNotch_rpm);
+    auto *label = new QLabel(text, this);
+    label->setBuddy(edit);
+    edit->setAccessibleName(tr("%1, rpm", "a field").arg(QString(text).remove(QLatin1Char('&'))));
+    auto *unit = new QLabel(tr("rpm"), this);
+    auto *both = new QHBoxLayout;
+    both->setSpacing(4);
+    both->addWidget(edit);
+    both->addWidget(unit);
+    m_grid->addWidget(label, 0, column);
+    m_grid->addLayout(both, 0, column + 1);
+    connect(edit, &SetpointEdit::echoChanged, this, [this] {
+        m_offered = m_offered && m_offering;
+        Q_EMIT changed();
+    });
+    return edit;
+}
+
+QSpinBox *StepFields::addSpin(int row, int column, const QString &text, const char *name)
+{
+    auto *spin = new QSpinBox(this);
+    spin->setObjectName(QLatin1String(name));
+    new WheelGuard(spin);
+    auto *label = new QLabel(text, this);
+    label->setBuddy(spin);
+    spin->setAccessibleName(QString(text).remove(QLatin1Char('&')));
+    m_grid->addWidget(label, row, column);
+    m_grid->addWidget(spin, row, column + 1);
+    connect(spin, &QSpinBox::valueChanged, this, &StepFields::changed);
+    return spin;
+}
+
+void StepFields::setLimit(double limitRpm)
+{
+    m_offering = true;
+    const double limit = limitRpm > 0.0 ? limitRpm : kAnyRpm;
+    for (SetpointEdit *edit : {m_from, m_to})
+        edit->setLimits(limit, 1.0, tr("rpm")); // the board rounds to its own steps
+    if (m_offered) {
+        const auto round = [](double rpm) { return kNotch_rpm * std::round(rpm / kNotch_rpm); };
+        const double greatest = limitRpm > 0.0 ? limitRpm : kUsualRpm;
+        m_from->setValue(round(kFromShare * greatest));
+        m_to->setValue(round(kToShare * greatest));
+    }
+    m_offering = false;
+}
+
+std::optional<lab::StepPlan> StepFields::plan() const
+{
+    const auto from = m_from->value(), to = m_to->value();
+    if (!from || !to)
+        return std::nullopt;
+    lab::StepPlan plan;
+    plan.fromRpm = static_cast<int>(std::lround(*from));
+    plan.toRpm = static_cast<int>(std::lround(*to));
+    plan.hold = std::chrono::milliseconds(m_hold->value());
+    plan.approach = std::chrono::milliseconds(m_approach->value());
+    plan.repeat = m_repeat->value();
+    return plan;
+}
+
+QString StepFields::problem() const
+{
+    for (const SetpointEdit *edit : {m_from, m_to})
+        if (!edit->value())
+            return edit->echo();
+    return {};
+}
+
+void StepFields::focusFirst()
+{
+    m_from->setFocus(Qt::ShortcutFocusReason);
+    m_from->selectAll();
+}
+
+} // namespace widgets

@@ -1,0 +1,43 @@
+// StepFields: what is to be stepped, as it is typed: from which speed to which, how long each is held, the ramp to the first
+// one and back, how often.
+#pragma once
+
+#include "lab/step_plan.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QGridLayout;
+class QSpinBox;
+
+namespace widgets {
+
+class SetpointEdit;
+
+class StepFields : public QWidget {
+    Q_OBJECT
+public:
+    explicit StepFields(QWidget *parent = nullptr);
+
+    /// Empty: a speed is not understood, or beyond the limit.
+    std::optional<lab::StepPlan> plan() const;
+    QString problem() const; ///< why, in a sentence
+    void setLimit(double limitRpm); ///< of the motor that is shown; 0: not known
+    void focusFirst();
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    SetpointEdit *addSpeed(int column, const QString &text, const char *name);
+    QSpinBox *addSpin(int row, int column, const QString &text, const char *name);
+
+    QGridLayout *m_grid;
+    SetpointEdit *m_from, *m_to;
+    QSpinBox *m_hold, *m_approach, *m_repeat;
+    bool m_offered = true; ///< the speeds are not a person's
+    bool m_offering = false;
+};
+
+} // namespace widgets

@@ -1,0 +1,52 @@
+// StepOverlay: the steps of all series over one another, each in the colour and with the tick of its row, from their instants
+// on. The wheel, dragging and keys move the time axis; the speeds fit themselves.
+#pragma once
+
+#include "widgets/lab/step_result.h"
+#include "widgets/measuring/keyed_plot.h"
+
+class QCPRange;
+class QCustomPlot;
+class QLabel;
+
+namespace widgets {
+
+class StepOverlay : public KeyedPlot {
+    Q_OBJECT
+public:
+    explicit StepOverlay(QWidget *parent = nullptr);
+
+    void showSteps(const std::vector<StepResult> &results, bool up);
+    void fit(); ///< all of the time
+    int curves() const; ///< that are drawn
+
+    QSize minimumSizeHint() const override { return {220, 110}; }
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    bool takeKey(int key) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    struct Drawn {
+        int number = 0; ///< of its series
+        StepCurve curve;
+    };
+    void applyPalette();
+    void draw();
+    void drawCurve(const Drawn &drawn, bool dark);
+    void bound(const QCPRange &range);
+    void setLimits(double least, double most);
+    void zoom(double factor);
+    void pan(double share);
+
+    QCustomPlot *m_plot;
+    QLabel *m_none;
+    std::vector<Drawn> m_curves;
+    double m_least_s = 0.0, m_most_s = 0.1; ///< that there are points of
+    double m_from_s = 0.0, m_to_s = 0.0; ///< shown; both 0: all
+    bool m_setting = false;
+};
+
+} // namespace widgets

@@ -1,0 +1,37 @@
+// A series of steps as its row and its curves show it. The numbers are those of core/lab, from the record of the
+// experiment alone; a curve is the speed by which they were measured.
+#pragma once
+
+#include "lab/step_series.h"
+#include "widgets/lab/experiments.h"
+
+#include <QString>
+#include <QVector>
+
+#include <optional>
+#include <utility>
+
+namespace widgets {
+
+/// One step: the speed over the time since its instant.
+struct StepCurve {
+    bool up = true;
+    QVector<double> seconds, rpm;
+};
+
+struct StepResult {
+    int number = 0; ///< of the series in its table, from 1
+    QString kp, ki; ///< with which it was made, with units
+    lab::StepSeries series;
+    QVector<StepCurve> curves;
+    std::optional<std::pair<double, double>> bus_v; ///< least and greatest; empty: not known
+
+    bool told() const; ///< at least one of its numbers is known
+};
+
+/// @param bus  name of the register that tells the bus voltage; empty: there is none
+/// @return  why there is none, in a sentence without a full stop
+Result<StepResult, std::string> stepResult(
+    const Experiments::Record &record, const std::string &bus);
+
+} // namespace widgets

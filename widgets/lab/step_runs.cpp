@@ -1,0 +1,250 @@
+#include "widgets/lab/step_runs.h"
+
+#include "widgets/base/value_text.h"
+#include "widgets/lab/run_mark.h"
+
+#include <QFont>
+#include <QStringList>
+
+#include <algorithm>
+#include <array>
+
+namespace widgets {
+namespace {
+
+constexpr int kMarkHeight = 14; ///< pixels
+constexpr double kMilli = 1e3;
+const QChar kMinus(0x2212), kNarrow(0x202f);
+
+/// What a column shows of a series, and of one of its runs.
+struct Shown {
+    std::optional<lab::Estimate> lab::StepSeries::*mean;
+    std::optional<double> lab::StepRun::*run;
+    double factor;
+    int decimals;
+    const char *unit;
+};
+constexpr std::array<Shown, 4> kShown{{
+    {&lab::StepSeries::rise_s, &lab::StepRun::rise_s, kMilli, 1, "ms"},
+    {&lab::StepSeries::overshoot_pct, &lab::StepRun::overshoot_pct, 1.0, 1, "%"},
+    {&lab::StepSeries::settling_s, &lab::StepRun::settling_s, kMilli, 0, "ms"},
+    {&lab::StepSeries::peakIq_a, &lab::StepRun::peakIq_a, 1.0, 2, "A"},
+}};
+
+const Shown *shownIn(int column)
+{
+    const int at = column - StepRuns::RiseColumn;
+    return at >= 0 && at < int(kShown.size()) ? &kShown[std::size_t(at)] : nullptr;
+}
+
+QString signedText(double value, int decimals)
+{
+    QString text = numberText(std::abs(value), decimals);
+    const bool zero = text == numberText(0.0, decimals);
+    return zero ? QStringLiteral("\u00b1") + text
+                : (value < 0.0 ? QString(kMinus) : QStringLiteral("+")) + text;
+}
+
+QString stepText(const lab::StepPlan &plan)
+{
+    const auto number = [](int rpm) {
+        return QString::number(rpm).replace(QLatin1Char('-'), kMinus);
+    };
+    return QStringLiteral("%1 \u2192 %2").arg(number(plan.fromRpm), number(plan.toRpm)) + kNarrow
+        + StepRuns::tr("rpm") + QStringLiteral(", %1\u00d7").arg(plan.repeat);
+}
+
+} // namespace
+
+void StepRuns::add(StepResult result)
+{
+    if (rowCount() >= kMost)
+        remove(reference() == 0 ? 1 : 0);
+    result.number = ++m_last;
+    beginInsertRows({}, rowCount(), rowCount());
+    m_results.push_back(std::move(result));
+    endInsertRows();
+    if (reference() < 0)
+        setReference(rowCount() - 1);
+    Q_EMIT changed();
+}
+
+void StepRuns::remove(int row)
+{
+    if (row < 0 || row >= rowCount())
+        return;
+    const bool was = row == reference();
+    beginRemoveRows({}, row, row);
+    m_results.erase(m_results.begin() + row);
+    endRemoveRows();
+    if (was)
+        setReference(0);
+    Q_EMIT changed();
+}
+
+int StepRuns::reference() const
+{
+    const auto at = std::find_if(m_results.begin(), m_results.end(),
+        [this](const StepResult &result) { return result.number == m_reference; });
+    return at == m_results.end() ? -1 : static_cast<int>(at - m_results.begin());
+}
+
+void StepRuns::setReference(int row)
+{
+    m_reference = row >= 0 && row < rowCount() ? m_results[std::size_t(row)].number : 0;
+    if (rowCount() > 0)
+        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+    Q_EMIT changed();
+}
+
+void StepRuns::setDark(bool dark)
+{
+    m_dark = dark;
+    if (rowCount() > 0)
+        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, 0));
+}
+
+int StepRuns::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_results.size());
+}
+
+int StepRuns::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : kColumns;
+}
+
+QVariant StepRuns::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case RunColumn:
+        return tr("Run");
+    case StepColumn:
+        return tr("Step");
+    case KpColumn:
+        return tr("Kp");
+    case KiColumn:
+        return tr("Ki");
+    case RiseColumn:
+        return tr("Rise");
+    case OvershootColumn:
+        return tr("Overshoot");
+    case SettlingColumn:
+        return tr("Settling");
+    case PeakColumn:
+        return tr("Peak Iq");
+    case BusColumn:
+        return tr("Bus");
+    }
+    return {};
+}
+
+/// The mean of a series, with half of the interval where it is known, and the difference to the reference.
+QString StepRuns::number(const StepResult &result, int column) const
+{
+    const Shown *shown = shownIn(column);
+    const auto &mean = result.series.*(shown->mean);
+    if (!mean)
+        return QStringLiteral("\u2013");
+    QString text = numberText(mean->value * shown->factor, shown->decimals);
+    if (mean->low)
+        text += QStringLiteral(" \u00b1 ")
+            + numberText((mean->value - *mean->low) * shown->factor, shown->decimals);
+    text += kNarrow + QLatin1String(shown->unit);
+    const int row = reference();
+    if (row < 0 || result.number == m_reference)
+        return text;
+    const auto &other = m_results[std::size_t(row)].series.*(shown->mean);
+    if (!other)
+        return text;
+    return text
+        + QStringLiteral("  (%1)").arg(
+            signedText((mean->value - other->value) * shown->factor, shown->decimals));
+}
+
+QString StepRuns::text(const StepResult &result, int column) const
+{
+    switch (column) {
+    case RunColumn:
+        return result.number == m_reference
+            ? tr("%1, ref.", "number of the run that others are compared with")
+                  .arg(QString::number(result.number))
+            : QString::number(result.number);
+    case StepColumn:
+        return stepText(result.series.plan);
+    case KpColumn:
+        return result.kp;
+    case KiColumn:
+        return result.ki;
+    case BusColumn:
+        return result.bus_v
+            ? tr("%1 to %2", "least and greatest voltage")
+                    .arg(numberText(result.bus_v->first, 0), numberText(result.bus_v->second, 0))
+                + kNarrow + QLatin1Char('V')
+            : QStringLiteral("\u2013");
+    default:
+        return number(result, column);
+    }
+}
+
+/// Every step of the series, and what has to be known of its numbers.
+QString StepRuns::tip(const StepResult &result) const
+{
+    QStringList lines;
+    int count = 0;
+    for (const lab::StepRun &run : result.series.runs) {
+        QStringList values;
+        for (int column = RiseColumn; column <= PeakColumn; ++column) {
+            const Shown &shown = *shownIn(column);
+            const auto &value = run.*(shown.run);
+            values.append(headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()
+                + QLatin1Char(' ')
+                + (value ? numberText(*value * shown.factor, shown.decimals) + kNarrow
+                            + QLatin1String(shown.unit)
+                         : QStringLiteral("\u2013")));
+        }
+        lines.append((run.up ? tr("Step %1, up: %2", "number, what was measured")
+                             : tr("Step %1, down: %2", "number, what was measured"))
+                         .arg(QString::number(++count), values.join(QStringLiteral(", "))));
+    }
+    for (const std::string &note : result.series.notes)
+        lines.append(QString::fromStdString(note));
+    constexpr qsizetype kMostLines = 24;
+    if (lines.size() > kMostLines)
+        lines = lines.mid(0, kMostLines) << QStringLiteral("\u2026");
+    return QStringLiteral("<p style='white-space:pre'>%1</p>")
+        .arg(lines.join(QLatin1Char('\n')).toHtmlEscaped());
+}
+
+QVariant StepRuns::data(const QModelIndex &index, int role) const
+{
+    if (!index.isValid() || index.row() >= rowCount())
+        return {};
+    const StepResult &result = m_results[std::size_t(index.row())];
+    switch (role) {
+    case Qt::DisplayRole:
+        return text(result, index.column());
+    case Qt::ToolTipRole:
+        return tip(result);
+    case Qt::DecorationRole:
+        return index.column() == RunColumn ? runMark(result.number, m_dark, kMarkHeight, 1.0)
+                                           : QVariant();
+    case Qt::AccessibleTextRole:
+        return index.column() == RunColumn
+            ? text(result, RunColumn) + QStringLiteral(", ") + runTickName(result.number)
+            : text(result, index.column());
+    case Qt::FontRole:
+        if (index.column() == RunColumn && result.number == m_reference) {
+            QFont bold;
+            bold.setBold(true);
+            return bold;
+        }
+        return {};
+    default:
+        return {};
+    }
+}
+
+} // namespace widgets
