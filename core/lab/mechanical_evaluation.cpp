@@ -106,14 +106,13 @@ private:
     std::size_t m_count = 0;
 };
 
-/// What cannot be below 0 is left out where it would be.
+/// What cannot be below 0 is left out where it would be, which may push the other one there.
 std::optional<Fit> fitOf(const Rows &rows, std::vector<std::size_t> columns)
 {
     auto fit = leastSquares(rows, columns);
-    for (const std::size_t column : {kViscous, kDry}) {
-        if (!fit || fit->values[column] >= 0.0)
-            continue;
-        std::erase(columns, column);
+    const auto below = [&](std::size_t column) { return fit->values[column] < 0.0; };
+    while (fit && (below(kViscous) || below(kDry))) {
+        std::erase(columns, below(kViscous) ? kViscous : kDry);
         fit = leastSquares(rows, columns);
     }
     return fit;

@@ -6,7 +6,6 @@ namespace record {
 
 namespace {
 constexpr std::size_t kMostRegisters = 65536;
-constexpr Nanos kFarthest = 100'000'000'000'000'000; ///< three years from the session's 0 s
 } // namespace
 
 void Restorer::take(const Entry &entry)

@@ -21,6 +21,8 @@ using support::Simulator;
 namespace {
 
 const QStringList kServo{QStringLiteral("--motor"), QStringLiteral("servo24")};
+constexpr qint64 kSomeSamples =
+    300'000; ///< bytes of a recording with seven times as many: the motor turns
 
 } // namespace
 
@@ -134,7 +136,6 @@ private Q_SLOTS:
             {QStringLiteral("--port"), board.port(), QStringLiteral("step"),
                 QStringLiteral("speed"), QStringLiteral("--from"), QStringLiteral("1000"),
                 QStringLiteral("--to"), QStringLiteral("1500"), QStringLiteral("-o"), file});
-        constexpr qint64 kSomeSamples = 300'000; // of seven times as many: the motor turns
         QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(file).size() > kSomeSamples, 20'000);
         board.vanish();
         QVERIFY(process.waitForFinished(support::kProgramTime_ms));
@@ -143,6 +144,28 @@ private Q_SLOTS:
         QVERIFY2(run.err.contains(QStringLiteral("The experiment was ended: the port was lost"))
                 && run.err.contains(QStringLiteral("Stop NOT confirmed")),
             qPrintable(run.err));
+    }
+
+    /// Nobody restores its set-point: whoever starts the motor again is told where it goes.
+    void whatAKilledRunLeavesIsNamedAtTheNextStart()
+    {
+        const Simulator board(kServo);
+        QVERIFY(board.ready());
+        const QString file = board.file("run.pcapng");
+        QProcess process;
+        support::startCli(process,
+            {QStringLiteral("--port"), board.port(), QStringLiteral("step"),
+                QStringLiteral("speed"), QStringLiteral("--from"), QStringLiteral("1200"),
+                QStringLiteral("--to"), QStringLiteral("1206"), QStringLiteral("-o"), file});
+        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(file).size() > kSomeSamples, 20'000);
+        process.kill();
+        QVERIFY(process.waitForFinished(support::kProgramTime_ms));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            board.cli("info").out.contains(QStringLiteral("IDLE")), 10'000); // by the guardian
+        const CliRun start = board.cli("start");
+        COMPARE_STATUS(start, 0);
+        QVERIFY2(start.out.contains(QStringLiteral("Start -> 120")), qPrintable(start.out));
+        COMPARE_STATUS(board.cli("stop"), 0);
     }
 
     void whatCannotBeDoneMovesNothing_data()

@@ -41,6 +41,9 @@
 #define LLVMFuzzerTestOneInput fuzzCsv
 #include "fuzz/fuzz_csv.cpp"
 #undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput fuzzExperiment
+#include "fuzz/fuzz_experiment.cpp"
+#undef LLVMFuzzerTestOneInput
 
 class TestCorpus : public QObject {
     Q_OBJECT
@@ -68,6 +71,7 @@ const QMap<QString, support::FuzzTarget> kTargets{
     {QStringLiteral("fuzz_drive_mcb"), fuzzDriveMcb},
     {QStringLiteral("fuzz_drive_auto"), fuzzDriveAuto},
     {QStringLiteral("fuzz_csv"), fuzzCsv},
+    {QStringLiteral("fuzz_experiment"), fuzzExperiment},
 };
 
 /// Those that need more than core: tst_corpus_files and tst_corpus_settings.

@@ -51,7 +51,8 @@ public:
         } else if (const auto *link = std::get_if<record::LinkBytes>(&item.entry)) {
             m_report.linkBytes += link->bytes.size();
         } else if (const auto *happening = std::get_if<record::Happening>(&item.entry)) {
-            if (hasRoom(memoryOf(*happening)))
+            const bool near = item.at > -record::kFarthest && item.at < record::kFarthest;
+            if (near && hasRoom(memoryOf(*happening)))
                 m_report.happenings.push_back({item.at, *happening});
         } else if (const auto *snapshot = std::get_if<record::RegisterSnapshot>(&item.entry)) {
             if (hasRoom(memoryOf(*snapshot)))

@@ -1,10 +1,14 @@
 // A recording on a disk that fails at any block: what was counted stays, the file says how it ended, and nothing more
 // is asked of the disk.
+#include "record/restore.h"
 #include "session/recording/recording_file.h"
+#include "session/recording/recording_reader.h"
 #include "support/recording_facts.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
+
+#include <limits>
 
 using namespace session;
 
@@ -18,6 +22,7 @@ private Q_SLOTS:
     void hardlyAnyRoomLeftEndsItCleanly();
     void aFailedSyncEndsIt();
     void anEntryThatFitsNoBlockIsLeftOutAndCounted();
+    void whatHappenedYearsAwayIsPassedOver();
 };
 
 namespace {
@@ -202,6 +207,25 @@ void TestRecordingFile::anEntryThatFitsNoBlockIsLeftOutAndCounted()
     QCOMPARE(file.leftOut(), 1U);
     QVERIFY(file.end());
     QVERIFY(read(disk.file).all<record::Note>().empty());
+}
+
+/// Times of a file that nobody wrote: differences of them would not fit any number.
+void TestRecordingFile::whatHappenedYearsAwayIsPassedOver()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.pcapng"));
+    QString text;
+    RecordingFile file(makeDiskSink(path, text), {0, "test", "board"});
+    file.open();
+    for (const record::Nanos at : {std::numeric_limits<record::Nanos>::min(), -record::kFarthest,
+             record::Nanos{5}, record::kFarthest, std::numeric_limits<record::Nanos>::max()})
+        file.add(at, record::Happening{"stop", {}});
+    file.end();
+    capture::Capture capture;
+    const auto report = readRecording(path, capture);
+    QVERIFY(report);
+    QCOMPARE(report->happenings.size(), std::size_t(1));
+    QCOMPARE(report->happenings[0].at, record::Nanos{5});
 }
 
 QTEST_APPLESS_MAIN(TestRecordingFile)
