@@ -19,6 +19,7 @@ constexpr Duration kReachesWithin = 5s; ///< after the ramp
 constexpr Duration kRestsWithin = 5s; ///< after its stop
 constexpr Duration kSteadyFor = 200ms; ///< a speed that only passes by is not reached
 constexpr int kMostTries = 4; ///< of what could not leave in time
+constexpr const char *kNoAnswer = "no answer"; ///< to what is read before a set-point is sent
 constexpr Duration kPolls = 20ms; ///< of bus and temperature
 
 /// Of what only the board tells; the other margins are in lab/caps.h.
@@ -157,9 +158,9 @@ void Runner::onEnded(const drive::Ended &ended, TimePoint now)
     if (ended.id != m_waiting)
         return;
     m_waiting = 0;
-    if (ended.outcome == drive::Outcome::NotSent && ended.reason == drive::kTooLate
-        && ++m_tries < kMostTries)
-        return again(now); // this computer stood still, and nothing has left
+    const bool mayBeRepeated = ended.reason == drive::kTooLate || ended.reason == kNoAnswer;
+    if (ended.outcome == drive::Outcome::NotSent && mayBeRepeated && ++m_tries < kMostTries)
+        return again(now); // this computer or the line stood still, and nothing has left
     m_tries = 0;
     m_answered = ended.outcome == drive::Outcome::Ok;
     const bool mayHaveHappened = m_answered || ended.outcome == drive::Outcome::Unknown;
