@@ -19,6 +19,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QShortcut>
 #include <QSplitter>
 #include <QTreeView>
 #include <QVBoxLayout>
@@ -141,7 +142,6 @@ QWidget *StepPage::makeFooter()
     auto *footer = new QWidget(this);
     m_run = new MotorButton(tr("Run steps"), footer);
     m_run->setObjectName(QStringLiteral("stepRun"));
-    m_run->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_T);
     m_run->setEnabled(false);
     m_run->setFocusPolicy(Qt::TabFocus); // a click leaves the focus in the gain that is tuned
     m_cancel = new MotorButton(tr("Cancel"), footer);
@@ -182,6 +182,9 @@ void StepPage::connectParts()
 {
     Device &device = m_parts.device;
     connect(m_run, &QPushButton::clicked, this, &StepPage::run);
+    auto *keys = new QShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_T, this);
+    keys->setAutoRepeat(false); // one that is held is no wish for another series
+    connect(keys, &QShortcut::activated, this, &StepPage::run);
     connect(m_cancel, &QPushButton::pressed, &device, &Device::stop); // as a Stop does
     connect(m_fields, &StepFields::changed, this, &StepPage::updateAll);
     connect(m_gains, &SpeedGains::changed, this, [this] {

@@ -4,6 +4,7 @@
 #include "widgets/lab/run_mark.h"
 
 #include <QFont>
+#include <QGuiApplication>
 #include <QStringList>
 
 #include <algorithm>
@@ -229,8 +230,9 @@ QVariant StepRuns::data(const QModelIndex &index, int role) const
     case Qt::ToolTipRole:
         return tip(result);
     case Qt::DecorationRole:
-        return index.column() == RunColumn ? runMark(result.number, m_dark, kMarkHeight, 1.0)
-                                           : QVariant();
+        return index.column() == RunColumn
+            ? runMark(result.number, m_dark, kMarkHeight, qGuiApp->devicePixelRatio())
+            : QVariant();
     case Qt::AccessibleTextRole:
         return index.column() == RunColumn
             ? text(result, RunColumn) + QStringLiteral(", ") + runTickName(result.number)

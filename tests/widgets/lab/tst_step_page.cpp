@@ -203,6 +203,16 @@ private Q_SLOTS:
 
     void aSeriesBecomesARowOfTheNumbersInItsRecording()
     {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("run.pcapng"));
+        recordASeries(path);
+        if (!QTest::currentTestFailed())
+            aReplayMovesNothing(path);
+    }
+
+private:
+    void recordASeries(const QString &path)
+    {
         Bench bench;
         QVERIFY(bench.connectBoard());
         QVERIFY(bench.arm());
@@ -212,8 +222,6 @@ private Q_SLOTS:
         const auto streamed = streaming(bench);
         QVERIFY(!streamed.isEmpty());
 
-        QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("run.pcapng"));
         session::Recording &recording = bench.rig.workbench.recording();
         recording.start(path, session::RecordingTap::Content::Samples, QStringLiteral("test"),
             QStringLiteral("sim"));
@@ -260,6 +268,22 @@ private Q_SLOTS:
         QCOMPARE(bench.rig.window.scope()->channels(), shown);
     }
 
+    void aReplayMovesNothing(const QString &path)
+    {
+        facts::WindowRig rig;
+        QApplication::setActiveWindow(&rig.window);
+        QTest::keyClick(&rig.window, Qt::Key_T, Qt::ControlModifier);
+        session::Endpoint replay;
+        replay.kind = session::Endpoint::Kind::Trace;
+        replay.path = path;
+        rig.workbench.device().open(replay);
+        QTRY_VERIFY(rig.find<QLabel>("stepSentence")
+                        ->text()
+                        .contains(QLatin1String("This is a replay of a recording")));
+        QVERIFY(!rig.find<QPushButton>("stepRun")->isEnabled());
+    }
+
+private Q_SLOTS:
     /// The measure of issue I: change a gain and see the new step, in two actions.
     void aChangedGainAndItsNewStepAreTwoActions()
     {
