@@ -14,13 +14,13 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr const char *kEntry = "spin plan";
-constexpr double kLowShare = 0.25, kHighShare = 0.65; ///< of the allowed speed
+constexpr double kLowShare = 0.25, kHighShare = 0.7; ///< of the allowed speed
 constexpr double kFluxLowShare = 0.45, kFluxHighShare = 0.65; ///< inductances take fast turns
 constexpr double kAboveObserved =
     0.25; ///< of the way from what an observer needs to the higher speed
 constexpr double kFluxShare = 0.4; ///< of the nominal current
-/// Of the way between both speeds: a fifth of a second for a host that stalls.
-constexpr double kMargin = 0.8, kFluxMargin = 1.3;
+/// Of the way between both speeds: for a host that stalls.
+constexpr double kMargin = 0.6, kFluxMargin = 1.3;
 constexpr double kFirstPush = 0.05, kMostPush = 0.7; ///< of the nominal current
 constexpr double kFirstDrop = 0.6, kMostDrop = 0.95; ///< of the current that holds the speed
 constexpr double kLeastDraw = 0.7; ///< of what a way would take: no two are the same

@@ -25,7 +25,7 @@ struct SpinPlan {
     bool operator==(const SpinPlan &) const = default;
 };
 
-/// Between 0.25 and 0.65 of what is allowed, forwards; without a sensor from 0.39 on.
+/// Between 0.25 and 0.7 of what is allowed, forwards; without a sensor from 0.4 on.
 SpinPlan spinPlanFor(const Subject &subject, const drive::UserLimits &caps);
 
 /// Faster, and with currents along the magnets: what inductances are measured by.
