@@ -30,6 +30,8 @@ DISPLAY=:$(cat "$work/display")
 export DISPLAY XDG_CONFIG_HOME=$work XDG_RUNTIME_DIR=$work LC_ALL=C.UTF-8
 openbox 2>/dev/null &
 started+=($!)
+# A window that comes while its manager does is never shown.
+for _ in $(seq 100); do xdotool get_num_desktops >/dev/null 2>&1 && break; sleep 0.1; done
 
 program=
 # open_window PORT: a new window, as nobody has used one before, connected.
@@ -66,9 +68,6 @@ echo "pictures: $images/gain-lab.png"
 started+=($!)
 open_window "$work/board"
 keys ctrl+t
-xdotool type 1000
-keys Tab
-xdotool type 1500
 keys alt+m r # Arm
 sleep 1
 keys ctrl+shift+t Tab space # the question is answered once

@@ -7758,7 +7758,7 @@ mN·m</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation>Nr.</translation>
+        <translation>Reihe</translation>
     </message>
     <message>
         <source>Step</source>
@@ -7810,7 +7810,7 @@ mN·m</translation>
     <message>
         <source>%1, ref.</source>
         <comment>number of the run that others are compared with</comment>
-        <translation>%1, Bezug</translation>
+        <translation>%1, Bez.</translation>
     </message>
 </context>
 <context>
