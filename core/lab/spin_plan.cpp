@@ -1,7 +1,7 @@
 #include "lab/spin_plan.h"
 
 #include "drive/motion_limits.h"
-#include "lab/draw.h"
+#include "lab/maths/draw.h"
 #include "lab/plan_fields.h"
 
 #include <algorithm>

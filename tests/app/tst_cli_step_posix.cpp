@@ -64,6 +64,47 @@ private Q_SLOTS:
         QCOMPARE(again.out, run.out);
     }
 
+    void gainsAreProposedWrittenAndProved()
+    {
+        const Simulator board(kServo);
+        QVERIFY(board.ready());
+        const CliRun run = board.cli("autotune --goal stiff --apply --json");
+        COMPARE_STATUS(run, 0);
+        const QJsonObject said = QJsonDocument::fromJson(run.out.toUtf8()).object();
+        QCOMPARE(said.value(QStringLiteral("applied")).toBool(), true);
+        const QJsonObject stiff =
+            said.value(QStringLiteral("candidates")).toArray().first().toObject();
+        QCOMPARE(stiff.value(QStringLiteral("goal")).toString(), QStringLiteral("stiff"));
+        const double ms =
+            said.value(QStringLiteral("proof")).toObject().value(QStringLiteral("ms")).toDouble();
+        QVERIFY2(ms > 1.0 && ms < 1.55, qPrintable(run.out));
+        const CliRun now = board.cli("get SPEED_KP --raw");
+        QVERIFY2(now.out.contains(QString::number(stiff.value(QStringLiteral("speed_kp")).toInt())),
+            qPrintable(now.out));
+        QVERIFY(board.cli("info").out.contains(QStringLiteral("IDLE")));
+    }
+
+    void aFilePlansAnExperiment()
+    {
+        const Simulator board(kServo);
+        QVERIFY(board.ready());
+        const auto plan = [&](const QByteArray &text) {
+            QFile file(board.file("plan.json"));
+            return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+        };
+        QVERIFY(plan(R"({"experiment":"step","from_rpm":1000,"to_rpm":1300,"hold_ms":200})"));
+        const CliRun run = board.cli("experiment --json", {board.file("plan.json")});
+        COMPARE_STATUS(run, 0);
+        QVERIFY(run.out.startsWith(QStringLiteral("{\"kind\":\"step\"")));
+        for (const char *bad : {R"({"experiment":"step","register":1})", R"({"experiment":"go"})",
+                 R"({"experiment":"step","from_rpm":"fast"})", "[]", "{"}) {
+            QVERIFY(plan(bad));
+            const CliRun refused = board.cli("experiment", {board.file("plan.json")});
+            COMPARE_STATUS(refused, 5);
+            QVERIFY2(refused.oneLineOfError(), qPrintable(refused.err));
+        }
+    }
+
     /// Short ones: how good they are is for the tests of their evaluations.
     void theOtherExperimentsSayTheSameFromTheirFiles()
     {

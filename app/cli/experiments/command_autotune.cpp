@@ -196,10 +196,9 @@ Outcome<int> verdict(const Tuned &tuned)
         QStringLiteral(
             "The loop is worse than predicted: Ms %1 instead of at most %2. The way back: "
             "rotorscope-cli set SPEED_KP=%3 SPEED_KI=%4.")
-            .arg(ms ? QString::number(*ms, 'f', 2) : QStringLiteral("unknown"))
-            .arg(promised)
-            .arg(tuned.before.proportional)
-            .arg(tuned.before.integral));
+            .arg(ms ? QString::number(*ms, 'f', 2) : QStringLiteral("unknown"),
+                QString::number(promised), QString::number(tuned.before.proportional),
+                QString::number(tuned.before.integral)));
 }
 
 Outcome<int> runAutotune(Desk &desk)

@@ -25,9 +25,8 @@ Outcome<QJsonObject> readPlan(const QString &path)
     if (bytes.size() > kMost || error.error != QJsonParseError::NoError)
         return failure(kFileError,
             QStringLiteral("%1 is no plan: at byte %2: %3.")
-                .arg(path)
-                .arg(error.offset)
-                .arg(bytes.size() > kMost ? QStringLiteral("too long") : error.errorString()));
+                .arg(path, QString::number(error.offset),
+                    bytes.size() > kMost ? QStringLiteral("too long") : error.errorString()));
     if (!document.isObject() || !document.object().value(kKind).isString())
         return failure(kFileError,
             QStringLiteral("%1 is no plan: it has no \"experiment\", such as \"step\".").arg(path));
