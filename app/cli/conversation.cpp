@@ -260,12 +260,14 @@ Outcome<StopWord> Conversation::stop(Milliseconds standstill)
 {
     m_stopping = true;
     m_stopWords.clear();
+    m_status.clear();
     m_session.stop();
     const auto idle = waitUntil([this] { return allStopped(StopWord::DriveIdle); }, kIdleWithin);
     if (!idle)
         return tl::make_unexpected(idle.error());
     if (*idle == Waited::TimeOver)
-        return failure(kRefused, QStringLiteral("Stop NOT confirmed. Use the hardware stop."));
+        return failure(m_status.empty() ? kNoConnection : kRefused,
+            QStringLiteral("Stop NOT confirmed. Use the hardware stop."));
     return standstillWithin(standstill);
 }
 

@@ -9,6 +9,8 @@
 #include <QTemporaryDir>
 #include <QTimer>
 
+#include <csignal>
+
 namespace support {
 
 constexpr int kProgramTime_ms = 60'000;
@@ -92,6 +94,9 @@ public:
         m_process.kill();
         m_process.waitForFinished(kProgramTime_ms);
     }
+
+    /// As if its firmware stood still.
+    void freeze() const { ::kill(static_cast<pid_t>(m_process.processId()), SIGSTOP); }
 
     bool ready() const { return m_ready; }
     QString port() const { return m_folder.filePath(QStringLiteral("port")); }

@@ -126,10 +126,13 @@ Outcome<lab::Outcome> ExperimentRun::runAll(
 
 Failure ExperimentRun::stopped(Failure why)
 {
-    if (!m_desk.talk.stop(kStandstillWithin))
+    if (const auto stopped = m_desk.talk.stop(kStandstillWithin); !stopped) {
         why.sentence += QStringLiteral(" Stop NOT confirmed. Use the hardware stop.");
-    else
+        if (stopped.error().status == kNoConnection) // the bound that broke was that of silence
+            why.status = kNoConnection;
+    } else {
         why.sentence += QStringLiteral(" The drive is idle.");
+    }
     if (m_kept && QFileInfo::exists(m_path))
         why.sentence += QStringLiteral(" What was recorded until then is in %1.").arg(m_path);
     return why;

@@ -103,6 +103,8 @@ std::string McpWriteTask::check(const Item &item, mcp::Value &encoded) const
     auto value = wireValue(*m_board.catalog->find(item.write.id), item.write.value);
     if (!value)
         return value.error();
+    if (const auto *raw = std::get_if<Bytes>(&*value); raw != nullptr && raw->empty())
+        return "takes a byte or more";
     if (sizeOf(*value, item.write.id) + 4 > m_board.requestBytes)
         return "is longer than a request";
     encoded = std::move(*value);

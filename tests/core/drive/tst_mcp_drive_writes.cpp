@@ -228,7 +228,7 @@ void TestMcpDriveWrites::valuesThatDoNotFitNeverLeave()
         {mode, std::int64_t{256}}, {mode, std::int64_t{-1}},
         {session.id("SPEED_RAMP"), std::int64_t{5}}, {session.id("SPEED_RAMP"), Bytes{0}},
         {session.id("SPEED_RAMP"), Bytes(7)}, {session.id("TORQUE_RAMP"), Bytes(4)},
-        {session.id("CURRENT_REF"), Bytes(3)}};
+        {session.id("CURRENT_REF"), Bytes(3)}, {session.id("REVUP_DATA"), Bytes{}}};
     for (const RegisterWrite &write : bad) {
         const WishId wish = session.submit(Write{{write}});
         QVERIFY(session.runUntilEnded(wish));
