@@ -50,6 +50,7 @@ QString endText(const lab::Outcome &outcome)
     case lab::End::Aborted:
         return StepPage::tr("Ended with a Stop: %1.").arg(reason);
     case lab::End::Interrupted:
+    case lab::End::Lost:
         break;
     }
     return StepPage::tr("Interrupted: %1.").arg(reason);
