@@ -20,7 +20,8 @@ struct StartTarget {
     ControlMode control = ControlMode::Other; ///< Other: also where it is not known
     std::optional<double> rpm; ///< of Speed, signed
     std::optional<double> amps; ///< of Torque: Iq, signed
-    std::optional<std::chrono::milliseconds> ramp = {}; ///< in which a start goes there, where a board tells it
+    std::optional<std::chrono::milliseconds> ramp =
+        {}; ///< in which a start goes there, where a board tells it
 };
 
 /// The registers that startTarget() looks at; empty for a board without them.

@@ -119,7 +119,8 @@ private:
     double m_before_rpm = 0.0; ///< the set-point
     milliseconds m_beforeRamp{}; ///< in which it was to be reached
     std::optional<double> m_before_v; ///< of the bus
-    double m_braked = 0.0; ///< most square of speed, rpm^2, that a step took away, and no bound was broken
+    double m_braked =
+        0.0; ///< most square of speed, rpm^2, that a step took away, and no bound was broken
     int m_target_rpm = 0; ///< the set-point that the board may have taken last
     Ask m_asked; ///< last
     int m_tries = 0; ///< of it, that were too late

@@ -116,7 +116,7 @@ private Q_SLOTS:
         };
         for (const Expected &one :
             {Expected{"response speed --seconds 6 --json -o", "a.pcapng", "crossover_hz", 6.7, 1.5},
-                Expected{"identify mechanical --json -o", "b.pcapng", "inertia_kgm2", 2.5e-5, 1e-6},
+                Expected{"identify mechanical --json -o", "b.pcapng", "inertia_kgm2", 2.5e-5, 5e-6},
                 Expected{"identify electrical --json -o", "c.pcapng", "ld_h", 3.5e-4, 1e-5}}) {
             const QString file = board.file(one.file);
             const CliRun run = board.cli(one.line, {file});
