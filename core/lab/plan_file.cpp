@@ -26,12 +26,13 @@ Result<Plan, std::string> withNumbers(Which plan, const PlanNumbers &numbers)
     record::Happening names;
     putFields(names, plan);
     record::Happening wanted;
-    for (const auto &[key, number] : numbers) {
+    for (const auto &number : numbers) {
+        const std::string &key = number.first;
         const auto name = std::find_if(names.fields.begin(), names.fields.end(),
             [&](const auto &field) { return keyOf(field.first) == key; });
         if (name == names.fields.end())
             return fail("its plan has no \"" + key + "\"");
-        wanted.fields.emplace_back(name->first, textOf(number));
+        wanted.fields.emplace_back(name->first, textOf(number.second));
     }
     TakeFields take(wanted);
     eachField(plan, take);
