@@ -166,10 +166,13 @@ std::string addTurning(Electrics &found, const RecordedSpin &spin, const capture
     const auto span = drivenSpan(spin.motor, at, end, std::numeric_limits<Nanos>::max());
     if (!span)
         return "the motor was never driven by a current while it turned";
+    if (!(spin.nominalAmps > 0.0))
+        return "it does not tell the nominal current of the motor";
     constexpr double kLeast = 0.1, kSmall = 0.02, kLeastRange = 0.2; // of the nominal current
     std::vector<TurningSlices> slices;
     for (const Segment &segment : segmentsFor(spin, capture, span->from, span->to, false))
-        slices.push_back(slicesOf(segment, kSmall * spin.nominalAmps));
+        if (TurningSlices one = slicesOf(segment, kSmall * spin.nominalAmps); !one.all.empty())
+            slices.push_back(std::move(one));
     if (!(rangeAlongD(slices) > kLeastRange * spin.nominalAmps))
         return "while it turned the current along the magnets hardly changed";
     rotorSpeeds(slices);

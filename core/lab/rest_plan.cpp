@@ -168,7 +168,7 @@ std::optional<RecordedRest> recordedRest(const record::Happening &happening)
         return std::nullopt;
     RecordedRest found{recordedMotor(happening), {}};
     eachField(found.plan, TakeFields(happening));
-    if (found.motor < 1 || !(found.plan.lowAmps > 0.0))
+    if (found.motor < 1 || !(found.plan.lowAmps > 0.0) || !(found.nominalAmps > 0.0))
         return std::nullopt;
     return found;
 }

@@ -191,6 +191,9 @@ Result<std::vector<GainCandidate>, std::string> proposeGains(
     const SpeedRegulator &now = measured.regulator;
     if (!(now.proportional > 0.0) || !(digits.proportional > 0.0) || !(digits.integral > 0.0))
         return fail(std::string("the board does not tell its gains, so its loop is not known"));
+    constexpr double kLeast_s = 1e-5, kMost_s = 0.1;
+    if (!(now.period_s >= kLeast_s && now.period_s <= kMost_s))
+        return fail(std::string("no speed loop has the period that the board tells"));
     constexpr double kLeastCoherence = 0.8;
     constexpr std::size_t kLeastPoints = 5;
     std::vector<Known> points;

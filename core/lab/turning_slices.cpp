@@ -37,7 +37,7 @@ TurningSlice sliceOf(const Segment &segment, std::size_t from, std::size_t to, d
     slice.rotorSpeed = slice.speed;
     slice.dq = (q[to] - q[from]) / time_s;
     for (std::size_t at = from; at <= to; ++at) {
-        constexpr double kHalf = 0.5; // currents go in straight lines between samples,
+        constexpr double kHalf = 0.5; // currents go in straight lines from sample to sample
         const double share = (at == from || at == to ? kHalf : 1.0) / many;
         slice.q_a += share * q[at];
         slice.d_a += share * d[at];
@@ -45,7 +45,7 @@ TurningSlice sliceOf(const Segment &segment, std::size_t from, std::size_t to, d
             * lossAlongQ(
                 (segment.first_deg + segment.turned_deg[at]) * kRadians, q[at], d[at], small_a);
         if (at < to)
-            slice.q_v += segment.values[2][at] / many; // voltages are held
+            slice.q_v += segment.values[2][at] / many; // voltages are held until the next one
     }
     return slice;
 }

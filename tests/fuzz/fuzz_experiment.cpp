@@ -1,9 +1,10 @@
 // Any plan and any events of a recording, through what evaluates experiments. The first byte says how the recorded signals
 // look; the rest is text: a line is an event, "MILLISECONDS name;key=value;key=value".
 #include "fuzz/script.h"
+#include "lab/electrical_evaluation.h"
 #include "lab/mechanical_evaluation.h"
-#include "lab/response_evaluation.h"
 #include "lab/step_series.h"
+#include "lab/tuning.h"
 #include "record/restore.h"
 
 #include <array>
@@ -16,7 +17,7 @@ using capture::Nanos;
 
 constexpr std::size_t kSamples = 9000;
 constexpr std::array kSignals{
-    "I_Q_REF", "I_Q_MEAS", "ENCODER_SPEED", "ENCODER_EL_ANGLE", "V_Q", "I_D_MEAS"};
+    "I_Q_REF", "I_Q_MEAS", "ENCODER_SPEED", "ENCODER_EL_ANGLE", "V_Q", "I_D_MEAS", "V_D"};
 
 /// Bits 0 and 1: standing still, at a speed, to and fro, noise. Bit 2: samples are missing. Bits 3 and 4: the rate.
 void fill(capture::Capture &capture, unsigned look)
@@ -44,7 +45,8 @@ void fill(capture::Capture &capture, unsigned look)
         recorded[2].push_back(static_cast<std::int16_t>(value / 3 + i % 5));
         recorded[3].push_back(static_cast<std::int16_t>(angle));
         recorded[4].push_back(static_cast<std::int16_t>(value / 4 + 7));
-        recorded[5].push_back(static_cast<std::int16_t>(i % 2));
+        recorded[5].push_back(static_cast<std::int16_t>(i / 50 % 7 * 40));
+        recorded[6].push_back(static_cast<std::int16_t>(value / 5 + i % 2));
     }
     constexpr std::size_t kBlock = 3000;
     for (std::size_t at = 0; at < kSamples; at += kBlock) {
@@ -115,8 +117,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         for (const auto &number :
             {found->inertia_kgm2, found->viscous_nms, found->dry_nm, found->fan_nms2})
             check(number);
-    if (const auto found = lab::evaluateResponse(capture, happenings))
+    if (const auto found = lab::evaluateElectrics(capture, happenings))
+        for (const auto &number :
+            {found->rs_ohm, found->deadTime_v, found->ld_h, found->lq_h, found->flux_wb})
+            check(number);
+    if (const auto found = lab::evaluateResponse(capture, happenings)) {
         for (const lab::ResponsePoint &point : found->points)
             fuzz::require(point.coherence >= 0.0 && point.coherence <= 1.0);
+        constexpr lab::GainDigits kDigits{1e-5, 1e-6};
+        if (const auto proposed = lab::proposeGains(*found, kDigits, 5.0))
+            for (const lab::GainCandidate &one : *proposed)
+                fuzz::require(one.proportional > 0 && one.proportional <= kDigits.most
+                    && one.integral > 0 && one.integral <= kDigits.most);
+    }
     return 0;
 }
