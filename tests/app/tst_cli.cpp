@@ -45,7 +45,7 @@ struct Run {
     QJsonDocument json() const { return QJsonDocument::fromJson(out.toUtf8()); }
 };
 
-QString program() { return QStringLiteral(ROTORSCOPE_BIN "/rotorscope-cli"); }
+QString program() { return support::programFile(QStringLiteral("rotorscope-cli")); }
 
 QStringList words(const char *line)
 {
@@ -430,4 +430,5 @@ void TestCli::decodeOfWhatIsNoPacketIsExitStatus5()
 }
 
 QTEST_GUILESS_MAIN(TestCli)
+#include "support/places.h"
 #include "tst_cli.moc"

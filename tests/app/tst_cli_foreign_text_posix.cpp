@@ -2,6 +2,7 @@
 // them, JSON stays JSON, and what a file makes of memory is bounded and told.
 #include "record/entry.h"
 #include "session/recording/recording_file.h"
+#include "support/places.h"
 #include "support/programs_posix.h"
 
 #include <QtTest>
@@ -98,7 +99,7 @@ private Q_SLOTS:
     void theSimulatorsErrorsAreHarmless()
     {
         QProcess process;
-        process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-sim"),
+        process.start(support::programFile(QStringLiteral("rotorscope-sim")),
             {QStringLiteral("mcp"), QStringLiteral("--motor"), QString::fromStdString(kNasty)});
         QVERIFY(process.waitForFinished(support::kProgramTime_ms));
         const CliRun run = support::resultOf(process);

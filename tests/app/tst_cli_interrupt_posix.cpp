@@ -37,7 +37,7 @@ void TestCliInterrupt::everySignalStopsTheMotorAndLeavesNoFile()
             QStringLiteral("QT_LOGGING_RULES"), QStringLiteral("cli.progress.info=true"));
         return environment;
     }());
-    process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-cli"),
+    process.start(support::programFile(QStringLiteral("rotorscope-cli")),
         {QStringLiteral("--port"), QStringLiteral("sim"), QStringLiteral("capture"),
             QStringLiteral("--start"), QStringLiteral("--hf"), QStringLiteral("I_A"),
             QStringLiteral("--seconds"), QStringLiteral("60"), QStringLiteral("-o"), file});
@@ -61,7 +61,7 @@ void TestCliInterrupt::whatWasRecordedUntilThenIsCalledAsLongAsItIs()
     const QString file = folder.filePath(QStringLiteral("x.csv"));
     const QString recording = folder.filePath(QStringLiteral("x.pcapng"));
     QProcess process;
-    process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-cli"),
+    process.start(support::programFile(QStringLiteral("rotorscope-cli")),
         {QStringLiteral("--port"), QStringLiteral("sim"), QStringLiteral("--json"),
             QStringLiteral("capture"), QStringLiteral("--hf"), QStringLiteral("I_A"),
             QStringLiteral("--seconds"), QStringLiteral("60"), QStringLiteral("-o"), file,
@@ -82,4 +82,5 @@ void TestCliInterrupt::whatWasRecordedUntilThenIsCalledAsLongAsItIs()
 }
 
 QTEST_GUILESS_MAIN(TestCliInterrupt)
+#include "support/places.h"
 #include "tst_cli_interrupt_posix.moc"

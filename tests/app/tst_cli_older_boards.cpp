@@ -17,7 +17,7 @@ struct Run {
 Run run(const QString &line)
 {
     QProcess process;
-    process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-cli"),
+    process.start(support::programFile(QStringLiteral("rotorscope-cli")),
         line.split(QLatin1Char(' '), Qt::SkipEmptyParts));
     if (!process.waitForFinished(60000))
         return {};
@@ -169,4 +169,5 @@ void TestCliOlderBoards::anUnknownProtocolIsWrongUsage()
 }
 
 QTEST_GUILESS_MAIN(TestCliOlderBoards)
+#include "support/places.h"
 #include "tst_cli_older_boards.moc"

@@ -1,5 +1,6 @@
 // Recordings as scripts see them: capture --record, show and export. The real program, against its own simulated board.
 #include "session/files/snapshot_json.h"
+#include "support/places.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -42,7 +43,7 @@ struct Run {
 Run run(const QStringList &arguments)
 {
     QProcess process;
-    process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-cli"), arguments);
+    process.start(support::programFile(QStringLiteral("rotorscope-cli")), arguments);
     if (!process.waitForFinished(60'000))
         process.kill();
     return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
@@ -200,7 +201,7 @@ void TestCliRecording::aMatlabFileIsReadByOthers()
     COMPARE_STATUS(result, 0);
     QProcess reader;
     reader.start(QStandardPaths::findExecutable(QStringLiteral("python3")),
-        {QStringLiteral(ROTORSCOPE_SOURCE "/tests/support/read_mat.py"), path("a.mat")});
+        {support::sourceFile(QStringLiteral("tests/support/read_mat.py")), path("a.mat")});
     QVERIFY2(reader.waitForFinished(30'000), "python3 is missing; ./dev setup installs it");
     const QJsonObject mat = QJsonDocument::fromJson(reader.readAllStandardOutput()).object();
     const QJsonObject fast = mat.value(QLatin1String("fast")).toObject();

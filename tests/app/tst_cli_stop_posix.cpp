@@ -1,6 +1,7 @@
 // rotorscope-cli stop, as the wire sees it: the STOPs leave before anything else is asked, and whether or not anybody
 // answers.
 #include "support/board_on_terminal.h"
+#include "support/places.h"
 #include "support/programs_posix.h"
 
 #include <QtTest>
@@ -48,7 +49,7 @@ CliRun stopAt(const QString &path, const QStringList &more = {})
     QEventLoop loop;
     QObject::connect(&process, &QProcess::finished, &loop, &QEventLoop::quit);
     QTimer::singleShot(support::kProgramTime_ms, &loop, &QEventLoop::quit);
-    process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-cli"),
+    process.start(support::programFile(QStringLiteral("rotorscope-cli")),
         QStringList{QStringLiteral("--port"), path} + more + QStringList{QStringLiteral("stop")});
     loop.exec();
     if (process.state() != QProcess::NotRunning)

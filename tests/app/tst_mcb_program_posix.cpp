@@ -1,5 +1,6 @@
 // rotorscope-sim mcb as a program: a session of the vectors through its pseudo-terminal, and the words it obeys.
 #include "support/mcb/vectors.h"
+#include "support/places.h"
 
 #include <QProcess>
 #include <QTemporaryDir>
@@ -31,7 +32,7 @@ public:
             rig.write(R"({"protocol": "mcb", "registers": {"0x011":
                 {"type": "UINT16", "size": 2, "cyclic": "tx", "access": "rw", "words": ["1637"]}}})");
         rig.close();
-        process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-sim"),
+        process.start(support::programFile(QStringLiteral("rotorscope-sim")),
             {QStringLiteral("mcb"), QStringLiteral("--control"), QStringLiteral("--rig"),
                 rig.fileName()});
         while (!process.canReadLine() && process.waitForReadyRead(kPatience_ms)) { }

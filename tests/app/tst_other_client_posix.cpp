@@ -39,7 +39,7 @@ void TestOtherClient::itConnectsReadsDrivesRecordsAndStops()
     QFETCH(QString, options);
     constexpr int kPatience_ms = 60'000;
     Simulator simulator;
-    simulator.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-sim"),
+    simulator.start(support::programFile(QStringLiteral("rotorscope-sim")),
         QStringList{QStringLiteral("mcp"), QStringLiteral("--control")}
             + options.split(QLatin1Char(' ')));
     while (!simulator.canReadLine() && simulator.waitForReadyRead(kPatience_ms)) { }
@@ -53,7 +53,7 @@ void TestOtherClient::itConnectsReadsDrivesRecordsAndStops()
     QProcess client;
     client.setProcessChannelMode(QProcess::MergedChannels);
     client.start(QStringLiteral("python3"),
-        {QStringLiteral(ROTORSCOPE_SOURCE "/tests/support/other_client.py"), place});
+        {support::sourceFile(QStringLiteral("tests/support/other_client.py")), place});
     QVERIFY2(client.waitForFinished(kPatience_ms), qPrintable(client.errorString()));
     const QString said = QString::fromUtf8(client.readAll());
     QVERIFY2(
@@ -73,4 +73,5 @@ void TestOtherClient::itConnectsReadsDrivesRecordsAndStops()
 }
 
 QTEST_GUILESS_MAIN(TestOtherClient)
+#include "support/places.h"
 #include "tst_other_client_posix.moc"

@@ -22,7 +22,7 @@ namespace {
 struct Program {
     explicit Program(const QStringList &arguments)
     {
-        process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-sim"), arguments);
+        process.start(support::programFile(QStringLiteral("rotorscope-sim")), arguments);
         process.waitForStarted();
     }
     ~Program()
@@ -72,17 +72,18 @@ void TestSimulatorProgram::aWrongCommandLineIsOneSentenceAndStatus2_data()
 {
     QTest::addColumn<QStringList>("arguments");
     const auto row = [](const char *name, const char *words) {
-        QTest::newRow(name) << QString::fromLatin1(words).split(
-            QLatin1Char(' '), Qt::SkipEmptyParts);
+        QString line = QString::fromLatin1(words);
+        line.replace(QStringLiteral("DATA/"), support::dataFile({}));
+        QTest::newRow(name) << line.split(QLatin1Char(' '), Qt::SkipEmptyParts);
     };
     row("nothing", "");
     row("unknown protocol", "quantum");
     row("a profile of the newer protocol", "legacy --profile mcsdk-6.4");
     row("no such rig", "powerpc --rig /nowhere/rig.json");
-    row("a rig that is none", "legacy --rig " ROTORSCOPE_TEST_DATA "/vectors/legacy.jsonl");
-    row("a rig for another protocol", "mcp --rig " ROTORSCOPE_TEST_DATA "/rigs/legacy-A.json");
+    row("a rig that is none", "legacy --rig DATA/vectors/legacy.jsonl");
+    row("a rig for another protocol", "mcp --rig DATA/rigs/legacy-A.json");
     row("a motor for a rig of the older protocol",
-        "legacy --motor pm24 --rig " ROTORSCOPE_TEST_DATA "/rigs/legacy-A.json");
+        "legacy --motor pm24 --rig DATA/rigs/legacy-A.json");
     row("unknown flag", "mcp --colour red");
     row("unknown profile", "mcp --profile mcsdk-9.9");
     row("no value", "mcp --baud");
@@ -379,7 +380,7 @@ void TestSimulatorProgram::aClientIsAnsweredAndTheNextOneToo()
 void TestSimulatorProgram::aRigIsAnsweredAndObeysItsWords()
 {
     Program program({QStringLiteral("legacy"), QStringLiteral("--control"), QStringLiteral("--rig"),
-        QStringLiteral(ROTORSCOPE_TEST_DATA "/rigs/legacy-P.json")});
+        support::dataFile(QStringLiteral("rigs/legacy-P.json"))});
     const QByteArray path = program.firstLine().mid(6).toLocal8Bit();
     const int fd = ::open(path.constData(), O_RDWR | O_NOCTTY | O_NONBLOCK);
     QVERIFY(fd >= 0);
@@ -439,4 +440,5 @@ void TestSimulatorProgram::withoutControlItNeverReadsItsInput()
 }
 
 QTEST_GUILESS_MAIN(TestSimulatorProgram)
+#include "support/places.h"
 #include "tst_simulator_program_posix.moc"

@@ -3,6 +3,7 @@
 #include "catalog/csv.h"
 #include "catalog/names.h"
 #include "catalog/tables.h"
+#include "support/places.h"
 
 #include <QFile>
 #include <QMap>
@@ -42,7 +43,7 @@ void readTranslation(QXmlStreamReader &xml, Message &message)
 
 QList<Message> readMessages(const QString &name)
 {
-    QFile file(QStringLiteral(ROTORSCOPE_SOURCE "/translations/%1.ts").arg(name));
+    QFile file(support::sourceFile(QStringLiteral("translations/%1.ts")).arg(name));
     if (!file.open(QIODevice::ReadOnly))
         return {};
     QXmlStreamReader xml(&file);

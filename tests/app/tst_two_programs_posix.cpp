@@ -1,5 +1,6 @@
 // rotorscope-cli and rotorscope-sim as two programs with a pseudo-terminal between them, and ports behind which there
 // is no board, or not any more.
+#include "support/places.h"
 #include "support/pseudo_terminal.h"
 
 #include <QProcess>
@@ -32,7 +33,7 @@ struct Simulator {
     Simulator()
         : port(folder.filePath(QStringLiteral("port")))
     {
-        process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-sim"),
+        process.start(support::programFile(QStringLiteral("rotorscope-sim")),
             {QStringLiteral("mcp"), QStringLiteral("--link"), port});
     }
     bool ready()
@@ -61,7 +62,7 @@ struct Cli {
         environment.insert(QStringLiteral("QT_LOGGING_RULES"),
             QStringLiteral("link.info=true;cli.progress.info=true"));
         process.setProcessEnvironment(environment);
-        process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-cli"),
+        process.start(support::programFile(QStringLiteral("rotorscope-cli")),
             QStringList{
                 QStringLiteral("--patience"), QStringLiteral("500"), QStringLiteral("--port"), port}
                 + line.split(QLatin1Char(' ')));

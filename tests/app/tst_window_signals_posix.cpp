@@ -1,5 +1,6 @@
 // The program rotorscope itself, without a screen: asked to end by a signal while a motor turns, it stops the motor,
 // waits for the evidence and goes.
+#include "support/places.h"
 #include "support/programs_posix.h"
 
 #include <QtTest>
@@ -54,7 +55,7 @@ void TestWindowSignals::aSignalStopsTheMotorBeforeTheProgramEnds()
     environment.insert(QStringLiteral("QT_LOGGING_RULES"), QStringLiteral("link.info=true"));
     window.setProcessEnvironment(environment);
     window.setProcessChannelMode(QProcess::MergedChannels);
-    window.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope"),
+    window.start(support::programFile(QStringLiteral("rotorscope")),
         {QStringLiteral("--port"), board.port(), QStringLiteral("--connect")});
     QVERIFY(says(window, "stream of ")); // asked for by the window once it knows the board
     QCOMPARE(::kill(static_cast<pid_t>(window.processId()), signal), 0);

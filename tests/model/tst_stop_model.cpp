@@ -6,6 +6,7 @@
 // What the models leave open is left open here, too: how many STOPs and reads there are, and on a line that loses
 // packets whether an OK is heard (accepted) and whether half a second passes (the alarm) before the state is.
 #include "drive/stop_sequence.h"
+#include "support/places.h"
 #include "support/scripted_boards.h"
 
 #include <QFile>
@@ -403,7 +404,7 @@ private Q_SLOTS:
     {
         QFETCH(QByteArray, model);
         QFile file(
-            QStringLiteral(ROTORSCOPE_TEST_DATA "/model/%1.txt").arg(QString::fromLatin1(model)));
+            support::dataFile(QStringLiteral("model/%1.txt")).arg(QString::fromLatin1(model)));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArrayList traces = file.readAll().trimmed().split('\n');
         QVERIFY(traces.size() >= 100);
@@ -422,7 +423,7 @@ private Q_SLOTS:
         for (int first = kFirst; first < kFirst + count; first += kAtOnce) {
             QProcess spin;
             spin.start(QStringLiteral("python3"),
-                {QStringLiteral(ROTORSCOPE_SOURCE "/tests/model/traces.py"),
+                {support::sourceFile(QStringLiteral("tests/model/traces.py")),
                     QString::fromLatin1(model), QString::number(first),
                     QString::number(std::min(count, kAtOnce))});
             QVERIFY(spin.waitForFinished(600'000));

@@ -2,6 +2,8 @@
 // one function; a finding aborts.
 #pragma once
 
+#include "support/places.h"
+
 #include <QDir>
 #include <QtTest>
 
@@ -17,7 +19,7 @@ inline int play(FuzzTarget target, const QByteArray &bytes)
         static_cast<std::size_t>(bytes.size()));
 }
 
-inline QString corpora() { return QStringLiteral(ROTORSCOPE_TEST_DATA "/corpus"); }
+inline QString corpora() { return support::dataFile(QStringLiteral("corpus")); }
 
 inline QByteArray contentOf(const QString &path)
 {

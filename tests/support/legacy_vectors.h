@@ -4,6 +4,7 @@
 
 #include "base/bytes.h"
 #include "legacy/protocol.h"
+#include "support/places.h"
 
 #include <QByteArray>
 #include <QFile>
@@ -37,7 +38,7 @@ using LegacyConversation = std::vector<LegacyVector>;
 
 inline std::vector<LegacyConversation> readLegacyVectors()
 {
-    QFile file(QStringLiteral(ROTORSCOPE_TEST_DATA "/vectors/legacy.jsonl"));
+    QFile file(support::dataFile(QStringLiteral("vectors/legacy.jsonl")));
     std::vector<LegacyConversation> conversations;
     if (!file.open(QIODevice::ReadOnly))
         return conversations;

@@ -1,6 +1,8 @@
 // The command line and the simulated board as programs, for tests that run them. POSIX only.
 #pragma once
 
+#include "support/places.h"
+
 #include <QEventLoop>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -43,7 +45,7 @@ inline CliRun resultOf(QProcess &process)
 /// With patience: a machine that stalls for a moment must not look like a board that lost a command.
 inline void startCli(QProcess &process, const QStringList &words)
 {
-    process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-cli"),
+    process.start(support::programFile(QStringLiteral("rotorscope-cli")),
         QStringList{QStringLiteral("--patience"), QStringLiteral("1000")} + words);
 }
 
@@ -75,7 +77,7 @@ class Simulator {
 public:
     explicit Simulator(const QStringList &options = {})
     {
-        m_process.start(QStringLiteral(ROTORSCOPE_BIN "/rotorscope-sim"),
+        m_process.start(support::programFile(QStringLiteral("rotorscope-sim")),
             QStringList{QStringLiteral("mcp"), QStringLiteral("--link"), port()} + options);
         while (!m_process.canReadLine() && m_process.waitForReadyRead(kProgramTime_ms)) { }
         m_ready = m_process.readLine().startsWith("ready ");

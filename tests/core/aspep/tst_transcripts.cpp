@@ -2,6 +2,7 @@
 #include "catalog/catalog.h"
 #include "catalog/tables.h"
 #include "mcp/trace_decoder.h"
+#include "support/places.h"
 
 #include <QDir>
 #include <QFile>
@@ -309,8 +310,8 @@ void TestTranscripts::theDecoderReproducesWhatWasExpected_data()
     QVERIFY(table.has_value());
     m_catalog = catalog::Catalog(std::move(*table), 1, {});
     QTest::addColumn<QString>("path");
-    QStringList folders{QStringLiteral(ROTORSCOPE_TEST_DATA "/transcripts")};
-    if (const QString captures = QStringLiteral(ROTORSCOPE_CAPTURES); !captures.isEmpty())
+    QStringList folders{support::dataFile(QStringLiteral("transcripts"))};
+    if (const QString captures = support::capturesFolder(); !captures.isEmpty())
         folders << captures;
     for (const QString &folder : folders) {
         const auto files = QDir(folder).entryInfoList({"*.jsonl"}, QDir::Files, QDir::Name);

@@ -11,6 +11,7 @@
 #include "snapshots/restore.h"
 #include "support/legacy_bench.h"
 #include "support/mcb/pair.h"
+#include "support/places.h"
 
 #include <QFile>
 #include <QTest>
@@ -53,7 +54,7 @@ struct Decision {
 
 std::set<Decision> decided()
 {
-    QFile file(QStringLiteral(ROTORSCOPE_TEST_DATA "/register_effects.txt"));
+    QFile file(support::dataFile(QStringLiteral("register_effects.txt")));
     std::set<Decision> all;
     if (!file.open(QIODevice::ReadOnly))
         return all;

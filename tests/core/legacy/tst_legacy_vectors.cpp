@@ -4,6 +4,7 @@
 #include "legacy/reply.h"
 #include "legacy/request.h"
 #include "support/legacy_vectors.h"
+#include "support/places.h"
 #include "support/start_notice.h"
 
 #include <QtTest>
@@ -181,7 +182,7 @@ void TestLegacyVectors::thereAreAll()
     std::size_t rows = 0;
     for (const LegacyConversation &conversation : support::readLegacyVectors())
         rows += conversation.size();
-    QFile file(QStringLiteral(ROTORSCOPE_TEST_DATA "/vectors/legacy.jsonl"));
+    QFile file(support::dataFile(QStringLiteral("vectors/legacy.jsonl")));
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(qsizetype(rows), file.readAll().count('\n') - 1); // all but the head
     QVERIFY(rows > 140);

@@ -3,6 +3,7 @@
 
 #include "mcb/value.h"
 #include "simulation/mcb/mcb_registers.h"
+#include "support/places.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -39,7 +40,7 @@ inline mcb::Words wordsOfHex(const QJsonArray &list)
 /// Row 0 describes the slave. Empty if the file cannot be read.
 inline std::vector<QJsonObject> mcbVectors()
 {
-    QFile file(QStringLiteral(ROTORSCOPE_TEST_DATA "/vectors/mcb.jsonl"));
+    QFile file(support::dataFile(QStringLiteral("vectors/mcb.jsonl")));
     std::vector<QJsonObject> rows;
     if (file.open(QIODevice::ReadOnly)) {
         while (!file.atEnd())

@@ -183,7 +183,7 @@ private:
     std::unique_ptr<QSignalSpy> m_stops;
 };
 
-int main(int argc, char *argv[])
+static int runTest(int argc, char *argv[])
 {
     const support::XServer server;
     if (!server.runs())
@@ -194,4 +194,5 @@ int main(int argc, char *argv[])
     TestStopUnderX11 test;
     return QTest::qExec(&test, argc, argv);
 }
+static const support::NamedTest namedTest(__FILE__, runTest);
 #include "tst_stop_under_x11_posix.moc"

@@ -1,5 +1,6 @@
 // Every model of the program under QAbstractItemModelTester, in the real window on simulated boards, through all that
 // makes models change: connecting, editing, refusal, another motor, another board, a cable that is pulled.
+#include "support/places.h"
 #include "support/window_rig.h"
 #include "widgets/registers/register_panel.h"
 #include "widgets/scope/cursor_actions.h"
@@ -42,7 +43,7 @@ QList<std::pair<QString, QString>> modelClasses()
         QStringLiteral("^class (\\w+)(?: final)? : public (Q\\w+Model)\\b"),
         QRegularExpression::MultilineOption);
     QList<std::pair<QString, QString>> classes;
-    QDirIterator files(QStringLiteral(ROTORSCOPE_SOURCE "/widgets"),
+    QDirIterator files(support::sourceFile(QStringLiteral("widgets")),
         {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
         QDirIterator::Subdirectories);
     while (files.hasNext()) {

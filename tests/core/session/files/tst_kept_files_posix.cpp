@@ -173,8 +173,8 @@ void TestKeptFiles::aKilledSaveLeavesAWholeFile()
     std::mt19937 random(20261122);
     for (int kill = 0; kill < kills; ++kill) {
         QProcess saver;
-        saver.start(
-            QCoreApplication::applicationFilePath(), {QStringLiteral("--save"), what, path});
+        saver.start(QCoreApplication::applicationFilePath(),
+            {QStringLiteral("tst_kept_files_posix"), QStringLiteral("--save"), what, path});
         QVERIFY(saver.waitForStarted());
         const auto versions = 1 + random() % 4;
         QByteArray said;
@@ -232,8 +232,8 @@ void TestKeptFiles::noLocaleChangesAFile()
         environment.insert(QStringLiteral("LC_ALL"), QString::fromLatin1(locale));
         environment.insert(QStringLiteral("LANG"), QString::fromLatin1(locale));
         writer.setProcessEnvironment(environment);
-        writer.start(
-            QCoreApplication::applicationFilePath(), {QStringLiteral("--write"), folder.path()});
+        writer.start(QCoreApplication::applicationFilePath(),
+            {QStringLiteral("tst_kept_files_posix"), QStringLiteral("--write"), folder.path()});
         QVERIFY(writer.waitForFinished());
         const QList<QByteArray> said = writer.readAllStandardOutput().simplified().split(' ');
         QCOMPARE(said.size(), 2);
@@ -245,7 +245,7 @@ void TestKeptFiles::noLocaleChangesAFile()
     QVERIFY2(marks.size() > 1, "no locale had another decimal mark: this shows nothing");
 }
 
-int main(int argc, char *argv[])
+static int runTest(int argc, char *argv[])
 {
     QCoreApplication app(argc, argv);
     const QStringList arguments = QCoreApplication::arguments();
@@ -256,4 +256,5 @@ int main(int argc, char *argv[])
     TestKeptFiles test;
     return QTest::qExec(&test, argc, argv);
 }
+static const support::NamedTest namedTest(__FILE__, runTest);
 #include "tst_kept_files_posix.moc"

@@ -3,6 +3,7 @@
 #include "session/files/legacy_rig_file.h"
 #include "simulation/legacy/legacy_board.h"
 #include "support/legacy_vectors.h"
+#include "support/places.h"
 
 #include <QJsonArray>
 #include <QTest>
@@ -26,7 +27,7 @@ constexpr Duration kPatience = std::chrono::milliseconds(100);
 
 QString rigPath(const QString &name)
 {
-    return QStringLiteral(ROTORSCOPE_TEST_DATA "/rigs/legacy-") + name + QStringLiteral(".json");
+    return support::dataFile(QStringLiteral("rigs/legacy-")) + name + QStringLiteral(".json");
 }
 
 void tell(simulation::LegacyBoard &board, const QString &event)

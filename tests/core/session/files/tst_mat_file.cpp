@@ -1,5 +1,6 @@
 // The MATLAB file, read back by a reader that shares no code with its writer (support/read_mat.py).
 #include "session/files/mat_file.h"
+#include "support/places.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -30,7 +31,7 @@ QJsonObject read(const QString &path)
 {
     QProcess python;
     python.start(QStandardPaths::findExecutable(QStringLiteral("python3")),
-        {QStringLiteral(ROTORSCOPE_SOURCE "/tests/support/read_mat.py"), path});
+        {support::sourceFile(QStringLiteral("tests/support/read_mat.py")), path});
     if (!python.waitForFinished(60'000) || python.exitCode() != 0)
         qWarning() << "python3 says:" << python.readAllStandardError();
     return QJsonDocument::fromJson(python.readAllStandardOutput()).object();

@@ -14,7 +14,7 @@ using session::PortState;
 using session::Session;
 using support::BoardOnTerminal;
 
-class TestFirstSession : public QObject {
+class TestFirstSessionByLine : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void connectStartStreamStop();
@@ -87,7 +87,7 @@ struct User {
 
 } // namespace
 
-void TestFirstSession::connectStartStreamStop()
+void TestFirstSessionByLine::connectStartStreamStop()
 {
     BoardOnTerminal board;
     User user;
@@ -106,7 +106,7 @@ void TestFirstSession::connectStartStreamStop()
     QTRY_COMPARE(user.ports.back(), std::pair(PortState::Closed, PortProblem::None));
 }
 
-void TestFirstSession::unpluggedInTheMiddleOfAPacketAndPluggedInAgain()
+void TestFirstSessionByLine::unpluggedInTheMiddleOfAPacketAndPluggedInAgain()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("port"));
@@ -136,7 +136,7 @@ void TestFirstSession::unpluggedInTheMiddleOfAPacketAndPluggedInAgain()
     QCOMPARE(user.ports.size(), 3U);
 }
 
-void TestFirstSession::aSecondSessionIsRefusedAndTheFirstGoesOn()
+void TestFirstSessionByLine::aSecondSessionIsRefusedAndTheFirstGoesOn()
 {
     BoardOnTerminal board;
     User first, second;
@@ -148,5 +148,5 @@ void TestFirstSession::aSecondSessionIsRefusedAndTheFirstGoesOn()
     QTRY_VERIFY(first.batches > batches + 3);
 }
 
-QTEST_GUILESS_MAIN(TestFirstSession)
+QTEST_GUILESS_MAIN(TestFirstSessionByLine)
 #include "tst_first_session_posix.moc"

@@ -3,6 +3,7 @@
 // thousand random instants in several lanes and prints a table; with ROTORSCOPE_PART, so many per cent of them.
 #include "aspep/packet.h"
 #include "support/link_pair.h"
+#include "support/places.h"
 #include "support/pseudo_terminal.h"
 
 #include <QtTest>
@@ -390,8 +391,8 @@ private:
     QByteArray m_name;
 };
 
-const QString kGuarded = QStringLiteral(ROTORSCOPE_BIN "/../tests/guarded_program");
-const QString kCli = QStringLiteral(ROTORSCOPE_BIN "/rotorscope-cli");
+const QString kGuarded = support::programFile(QStringLiteral("../tests/guarded_program"));
+const QString kCli = support::programFile(QStringLiteral("rotorscope-cli"));
 const QString kNoScreen = QStringLiteral("QT_QPA_PLATFORM=offscreen");
 
 QStringList captureLine(const HeardBoard &board, const char *more = nullptr)

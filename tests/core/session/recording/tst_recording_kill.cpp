@@ -60,8 +60,8 @@ void TestRecordingKill::everyBlockReportedAsWrittenReadsBack()
     for (int kill = 0; kill < kills; ++kill) {
         const QString path = folder.filePath(QStringLiteral("%1.pcapng").arg(kill));
         QProcess recorder;
-        recorder.start(
-            QCoreApplication::applicationFilePath(), {QStringLiteral("--recorder"), path});
+        recorder.start(QCoreApplication::applicationFilePath(),
+            {QStringLiteral("tst_recording_kill"), QStringLiteral("--recorder"), path});
         QVERIFY(recorder.waitForStarted());
         const std::uint64_t until = random() % 400'000;
         std::uint64_t written = 0;
@@ -105,7 +105,7 @@ void TestRecordingKill::everyBlockReportedAsWrittenReadsBack()
     qInfo("%d kills, %d files cut within a block, no block lost", kills, cut);
 }
 
-int main(int argc, char *argv[])
+static int runTest(int argc, char *argv[])
 {
     QCoreApplication app(argc, argv);
     const QStringList arguments = QCoreApplication::arguments();
@@ -114,4 +114,5 @@ int main(int argc, char *argv[])
     TestRecordingKill test;
     return QTest::qExec(&test, argc, argv);
 }
+static const support::NamedTest namedTest(__FILE__, runTest);
 #include "tst_recording_kill.moc"

@@ -4,6 +4,7 @@
 #include "simulation/maths/transforms.h"
 #include "simulation/maths/trig.h"
 #include "simulation/maths/voltage.h"
+#include "support/places.h"
 
 #include <QProcess>
 #include <QTest>
@@ -110,10 +111,9 @@ private slots:
 
 void TestMathsExact::everyVectorOfTheExactModelIsMet()
 {
-    const QString python = QStringLiteral(ROTORSCOPE_PYTHON);
-    QVERIFY2(!python.isEmpty(), "python3 was not found when this was configured: run ./dev setup");
+    const QString python = QStringLiteral("python3");
     QProcess model;
-    model.start(python, {QStringLiteral(ROTORSCOPE_SOURCE "/tests/support/exact_loops.py")});
+    model.start(python, {support::sourceFile(QStringLiteral("tests/support/exact_loops.py"))});
     QVERIFY2(model.waitForFinished(kPatience_ms),
         qPrintable(python + QStringLiteral(": ") + model.errorString()));
     const QByteArray complaint = model.readAllStandardError();

@@ -3,6 +3,7 @@
 // time and what was lost. Nothing here depends on how fast the machine is.
 #include "base/crc.h"
 #include "mcp/protocol.h"
+#include "support/places.h"
 #include "support/transcript.h"
 
 #include <QDir>
@@ -444,7 +445,7 @@ private slots:
 void TestReplay::answersAsTheFirmwareDid_data()
 {
     QTest::addColumn<QString>("path");
-    const QDir folder(QStringLiteral(ROTORSCOPE_TEST_DATA "/transcripts"));
+    const QDir folder(support::dataFile(QStringLiteral("transcripts")));
     const QStringList names =
         folder.entryList({QStringLiteral("*.jsonl")}, QDir::Files, QDir::Name);
     QVERIFY(names.size() >= 45);

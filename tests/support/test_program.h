@@ -1,0 +1,29 @@
+// What makes the tests of a folder one program: each is linked and compiled with the others, and still runs alone, by its name.
+// Included before everything else in each test, by tests/CMakeLists.txt.
+#pragma once
+
+#include <QtTest>
+
+namespace support {
+
+using TestMain = int (*)(int argc, char *argv[]);
+
+/// Makes a test known to its program under the name of its file, without folder and ending.
+class NamedTest {
+public:
+    NamedTest(const char *file, TestMain main);
+};
+
+} // namespace support
+
+// Qt's QTEST_MAIN and its kin are made of this one. `...` are the lines that make an application object.
+#undef QTEST_MAIN_WRAPPER
+#define QTEST_MAIN_WRAPPER(TestObject, ...)                                                        \
+    static int runTest(int argc, char *argv[])                                                     \
+    {                                                                                              \
+        QTest::Internal::callInitMain<TestObject>();                                               \
+        __VA_ARGS__                                                                                \
+        TestObject test;                                                                           \
+        return QTest::qExec(&test, argc, argv);                                                    \
+    }                                                                                              \
+    static const support::NamedTest namedTest(__FILE__, runTest);
