@@ -70,6 +70,7 @@ void Controller::connect(TimePoint now)
     m_heardBytes = m_heardAnswer = m_afterReset = false;
     m_firstHeard.clear();
     m_dialogueStart = m_lastByte = m_lastValid = now;
+    m_lineFree = std::min(m_lineFree, now);
     m_rounds = 0;
     m_echoesLeft = 1;
     m_attempts = 0;
@@ -178,8 +179,7 @@ void Controller::onData(const Data &data, Bytes &payload, TimePoint now)
         return;
     }
     // What begins before the payload can have left answers something else: the request before, for the second time.
-    const bool tooSoon = m_packetBegan < m_answerableAt;
-    if (m_step != Step::Waiting || tooSoon) {
+    if (m_step != Step::Waiting || tooSoon()) {
         ++m_stats.unexpected;
         return;
     }
@@ -418,13 +418,20 @@ std::optional<TimePoint> Controller::nextTimeout() const
     return due;
 }
 
+/// Nothing answers these bytes that began before they can have begun to leave, behind all that left before them.
+void Controller::hand(Bytes bytes, Duration gap, TimePoint now)
+{
+    m_answerableAt = std::max(now, m_lineFree + gap);
+    m_lineFree = m_answerableAt + wireTime(bytes.size(), m_config.baud);
+    m_stats.bytesOut += bytes.size();
+    m_output.push_back({std::move(bytes), gap});
+}
+
 void Controller::sendPacket(const Header &header, Duration gap, TimePoint now)
 {
     const HeaderBytes bytes = encodeHeader(header);
-    m_output.push_back({Bytes(bytes.begin(), bytes.end()), gap});
-    m_stats.bytesOut += bytes.size();
+    hand({bytes.begin(), bytes.end()}, gap, now);
     ++m_stats.packetsOut;
-    m_answerableAt = now + gap;
     awaitReply(now + gap + wireTime(bytes.size(), m_config.baud));
 }
 
@@ -432,12 +439,12 @@ void Controller::sendData(ByteView payload, Duration gap, TimePoint now)
 {
     sendPacket(Data{false, static_cast<std::uint16_t>(payload.size())}, gap, now);
     Bytes body = bodyOf(payload);
-    m_stats.bytesOut += body.size();
-    m_answerableAt = now + gap + m_config.payloadPause;
     awaitReply(
         now + gap + m_config.payloadPause + wireTime(kHeaderSize + body.size(), m_config.baud));
-    m_output.push_back({std::move(body), m_config.payloadPause});
+    hand(std::move(body), m_config.payloadPause, now);
 }
+
+bool Controller::tooSoon() const { return m_packetBegan < m_answerableAt; }
 
 Bytes Controller::bodyOf(ByteView payload) const
 {
@@ -464,6 +471,7 @@ void Controller::handleSent(TimePoint now)
     m_sentPending = false;
     m_askedAt = now;
     m_answerableAt = std::min(m_answerableAt, now);
+    m_lineFree = std::min(m_lineFree, now);
     if (m_replyDue)
         m_replyDue = now + responseTimeout();
 }

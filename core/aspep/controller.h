@@ -170,10 +170,12 @@ private:
     };
 
     // controller.cpp: what goes out, what comes in, what time brings
+    void hand(Bytes bytes, Duration gap, TimePoint now);
     void sendPacket(const Header &header, Duration gap, TimePoint now);
     void sendData(ByteView payload, Duration gap, TimePoint now);
     Bytes bodyOf(ByteView payload) const; ///< with the CRC that was agreed
     void awaitReply(TimePoint from);
+    bool tooSoon() const; ///< the packet under way began before what it would answer had left
     void onPacket(Packet &packet, TimePoint now);
     void onData(const Data &data, Bytes &payload, TimePoint now);
     void withdrawResponse();
@@ -193,7 +195,7 @@ private:
 
     // controller_dialogue.cpp: how a link comes about and is mended
     void negotiate(TimePoint now);
-    void offer(TimePoint now);
+    void offer(TimePoint now, Duration gap = {});
     void probe(TimePoint now);
     void ping(TimePoint now);
     void onBeacon(const Beacon &answer, TimePoint now);
@@ -240,6 +242,7 @@ private:
     std::optional<TimePoint> m_replyDue; ///< until then nothing else may be sent
     TimePoint m_askedAt; ///< when the last packet left
     TimePoint m_answerableAt; ///< what began before answers something else than the last packet
+    TimePoint m_lineFree; ///< when all that was handed over has left, at the earliest
     bool m_sentPending = false; ///< m_replyDue is an estimate until handleSent()
     bool m_requestOpen = false; ///< its end has not been told yet
     std::optional<Urgent> m_urgent;

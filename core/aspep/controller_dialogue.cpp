@@ -46,7 +46,7 @@ void Controller::negotiate(TimePoint now)
     offer(now);
 }
 
-void Controller::offer(TimePoint now)
+void Controller::offer(TimePoint now, Duration gap)
 {
     const bool recovering = m_state == State::Recovering;
     const int most = m_heardBytes ? m_config.attempts
@@ -58,7 +58,7 @@ void Controller::offer(TimePoint now)
         m_state = State::Negotiating;
     m_step = Step::Offering;
     ++m_attempts;
-    sendPacket(recovering ? m_agreed : m_offer, {}, now);
+    sendPacket(recovering ? m_agreed : m_offer, gap, now);
 }
 
 void Controller::probe(TimePoint now)
@@ -79,6 +79,10 @@ void Controller::ping(TimePoint now)
 
 void Controller::onBeacon(const Beacon &answer, TimePoint now)
 {
+    if (m_step == Step::Offering && tooSoon()) { // the late echo of one before: ours has not left
+        ++m_stats.unexpected;
+        return;
+    }
     if (m_step == Step::Offering) {
         const Beacon &mine = m_state == State::Recovering ? m_agreed : m_offer;
         if (answer == mine && (m_state == State::Recovering || answer.version == 0))
@@ -148,7 +152,7 @@ void Controller::onPing(const Ping &reply, TimePoint now)
         ++m_stats.unexpected;
         return;
     }
-    if (m_step == Step::Pinging && m_packetBegan < m_answerableAt) { // the end is of another
+    if (m_step == Step::Pinging && tooSoon()) { // the end is of another
         ++m_stats.unexpected;
         return damage();
     }

@@ -91,8 +91,8 @@ void Controller::startUrgentDialogue(TimePoint now)
     else if (m_state == State::Idle)
         m_offer = m_config.offer;
     m_step = Step::Offering;
-    offer(now);
-    m_output.back().gapBefore = kBlindGap;
+    m_lineFree = std::min(m_lineFree, now); // what has not left never does
+    offer(now, kBlindGap);
     m_output.back().dropsEarlier = true;
 }
 

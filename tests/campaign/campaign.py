@@ -3,7 +3,8 @@
 
 Parts, in this order; what there is no time left for is named and left out:
   fuzz      every fuzz target for its share of half the time, with ASan and UBSan
-  long      the seeded campaigns, soaks, kills and the monkey, each test program with ROTORSCOPE_LONG=1
+  sessions  the seeded campaigns of sessions with faults, from the first seed that no row of theirs has
+  long      soaks, kills and the monkey, each test program with ROTORSCOPE_LONG=1
   asan      every test with ASan and UBSan
   tsan      every test with TSan
   locales   every test without a window, in German, Turkish and Arabic
@@ -25,12 +26,21 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 TABLE = ROOT / "docs" / "reliability.md"
 ROWS = ("<!-- campaign rows -->", "<!-- end of campaign rows -->")
 SUMS = ("<!-- campaign sums -->", "<!-- end of campaign sums -->")
-PARTS = ("fuzz", "long", "asan", "tsan", "locales")
+PARTS = ("fuzz", "sessions", "long", "asan", "tsan", "locales")
 LOCALES = ("de_DE.UTF-8", "tr_TR.UTF-8", "ar_EG.UTF-8")
-# The tests that have a long form of their own; each is a row.
-LONG = ("tst_controller_faults", "tst_mcp_drive_faults", "tst_legacy_drive_faults", "tst_mcb_sessions", "tst_liars",
-        "tst_fault_classes", "tst_unplug_anywhere", "tst_recording_kill", "tst_kept_files_posix", "tst_setpoints",
-        "tst_soak", "tst_monkey", "tst_guardian_posix")
+# The campaigns of sessions, and the function that plays them. Which seeds: tests/support/seeds.h. A program that has
+# played n sessions by its rows has had no seed above n, so the next run begins at n + 1 and repeats nothing.
+SESSIONS = {"tst_mcb_sessions": "everythingEndsOnceWhateverHappens",
+            "tst_controller_faults": "everyRequestEndsOnceAndTheLinkComesBack",
+            "tst_mcp_drive_faults": "underRandomFaultsEachWishEndsOnceAndTheLinkComesBack",
+            "tst_legacy_drive_faults": "everyWishEndsOnceAndNoValueGoesAstray",
+            "tst_liars": "noLieMisleadsTheDrive",
+            "tst_experiment_faults": "whateverHappensNothingIsLeftWithoutASentence"}
+PLAYED = "sessions with faults"
+# The tests that have another long form, and its functions where not all of them; each is a row.
+LONG = {"tst_mcp_drive_faults": ["oneFaultAtAnyByteIsOvercome", "aStopGetsThroughABadLine"],
+        "tst_fault_classes": [], "tst_unplug_anywhere": [], "tst_recording_kill": [], "tst_kept_files_posix": [],
+        "tst_setpoints": [], "tst_soak": [], "tst_monkey": [], "tst_guardian_posix": []}
 
 
 def commit():
@@ -161,11 +171,38 @@ def environment(preset, **more):
             **folders, **more}
 
 
-def run_program(program, preset, what, how, **more):
+def run_sessions(program, seeds=None):
+    """A campaign of sessions, with seeds that are not on record. @return whether something failed"""
+    name = program.name
+    first = 1 + sum(int(row[4].replace(",", "")) for row in rows_of(TABLE.read_text(encoding="utf-8"))
+                    if row[2:4] == [name, PLAYED])
+    more = {"ROTORSCOPE_LONG": "1", "ROTORSCOPE_FIRST_SEED": str(first)}
+    if seeds:
+        more["ROTORSCOPE_SEEDS"] = str(seeds)
+    begin, at = time.monotonic(), commit()
+    result = subprocess.run(["nice", "-n", "19", str(program), SESSIONS[name]], cwd=ROOT,
+                            env=environment(program.parts[-3], **more), capture_output=True, text=True, errors="replace")
+    sums = [(int(played), int(failed))
+            for played, failed in re.findall(PLAYED + r": (\d+), failed: (\d+)", result.stdout + result.stderr)]
+    played, failed = sum(one for one, _ in sums), sum(one for _, one in sums)
+    if failed or result.returncode != 0:
+        print(result.stdout[-8000:], result.stderr[-2000:], file=sys.stderr)
+    add_row(name, PLAYED, played, time.monotonic() - begin, "-", max(failed, 1 if result.returncode else 0), at)
+    return failed > 0 or result.returncode != 0
+
+
+def sessions(budget):
+    if not budget.allows("sessions"):
+        return False
+    build("dev", *SESSIONS)
+    return any([run_sessions(ROOT / "build" / "dev" / "tests" / name) for name in SESSIONS if budget.allows(name)])
+
+
+def run_program(program, functions, preset, what, how, **more):
     """One test program, its own sums counted. @return whether something failed"""
     begin, at = time.monotonic(), commit()
-    result = subprocess.run([str(program)], cwd=ROOT, env=environment(preset, **more), capture_output=True, text=True,
-                            errors="replace")
+    result = subprocess.run([str(program), *functions], cwd=ROOT, env=environment(preset, **more), capture_output=True,
+                            text=True, errors="replace")
     totals = re.findall(r"Totals: (\d+) passed, (\d+) failed", result.stdout)
     passed, failed = (int(number) for number in totals[-1]) if totals else (0, 1)
     if failed or result.returncode != 0:
@@ -179,10 +216,10 @@ def long(budget):
         return False
     build("dev")
     found = False
-    for name in LONG:
+    for name, functions in LONG.items():
         program = ROOT / "build" / "dev" / "tests" / name
         if program.exists() and budget.allows(name):
-            found |= run_program(program, "dev", "cases, long form", "-", ROTORSCOPE_LONG="1")
+            found |= run_program(program, functions, "dev", "cases, long form", "-", ROTORSCOPE_LONG="1")
     return found
 
 
@@ -227,13 +264,16 @@ def main():
     arguments.add_argument("hours", nargs="?", type=float, default=4.0, help="how long, about (4)")
     arguments.add_argument("--only", nargs="+", choices=PARTS, help="these parts alone")
     arguments.add_argument("--target", metavar="PROGRAM", type=pathlib.Path,
-                           help="this fuzz program alone, for all the time")
+                           help="this fuzz program alone, for all the time, or this campaign of sessions")
     arguments.add_argument("--how", default="ASan, UBSan", help="what the program of --target was built with")
+    arguments.add_argument("--seeds", type=int, help="how many for each function and row of a campaign of sessions")
     chosen = arguments.parse_args()
     budget = Budget(chosen.hours)
+    if chosen.target and chosen.target.name in SESSIONS:
+        return run_sessions(chosen.target.resolve(), chosen.seeds)
     if chosen.target:
         return run_fuzzer(chosen.target.resolve(), budget.left(), ROOT / "build" / "fuzz", chosen.how, nice=19)
-    run = {"fuzz": fuzz, "long": long, "asan": lambda b: whole_tree(b, "asan", "ASan, UBSan"),
+    run = {"fuzz": fuzz, "sessions": sessions, "long": long, "asan": lambda b: whole_tree(b, "asan", "ASan, UBSan"),
            "tsan": lambda b: whole_tree(b, "tsan", "TSan"), "locales": locales}
     found = [run[part](budget) for part in chosen.only or PARTS]
     if budget.left_out:

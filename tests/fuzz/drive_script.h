@@ -276,6 +276,8 @@ private:
             if (outputs.empty())
                 break;
             for (Output &output : outputs) {
+                if (output.dropsEarlier)
+                    m_sending.clear();
                 bytes += output.bytes.size();
                 require(bytes <= kMostOutput && output.gapBefore >= Duration{});
                 for (const std::uint8_t byte : output.bytes)
@@ -342,6 +344,8 @@ private:
     void stop()
     {
         m_drive->stop(m_now);
+        m_closed = m_closed
+            && m_link == drive::LinkState::Closed; // a Stop goes on with what was to be closed
         require(!m_drive->armed());
         drain();
     }

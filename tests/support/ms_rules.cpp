@@ -167,6 +167,7 @@ void MsRules::act(const Act &act)
     case Act::Kind::Close:
         m_open = false;
         m_stop.reset();
+        m_alarming.clear();
         return forgetActs();
     case Act::Kind::Arm:
         if (!stopGoesOn())
@@ -244,7 +245,7 @@ void MsRules::onStop(const Act &act)
     if (!stopGoesOn()) {
         m_stop = OpenStop{act.at, act.at, m_moment, act.at, {}};
         for (int motor = 1; motor <= m_line.motors; ++motor)
-            m_stop->motors[motor];
+            m_stop->motors[motor].alarmed = m_alarming.contains(motor);
     }
     m_stop->latest = act.at;
 }
@@ -335,15 +336,19 @@ void MsRules::look(TimePoint now, const std::vector<Motor> &truth)
     if (!watching())
         return;
     m_now = std::max(m_now, now);
-    if (const Duration gap = now - m_lookedAt; gap > kGap && m_lookedAt != TimePoint{}) {
+    const auto pass = [&](TimePoint &since) { // what came within a gap waited for its end only
+        const Duration gap = now - std::max(m_lookedAt, since);
+        since += gap > kGap ? gap : Duration{};
+        return gap > kGap;
+    };
+    if (m_lookedAt != TimePoint{}) {
         if (m_heardAt)
-            *m_heardAt += gap;
-        if (m_stop) {
-            m_stop->first += gap;
-            m_stop->latest += gap;
+            pass(*m_heardAt);
+        if (m_stop)
+            pass(m_stop->latest);
+        if (m_stop && pass(m_stop->first))
             for (auto &of : m_stop->motors)
                 of.second.allowed = now;
-        }
     }
     m_lookedAt = now;
     for (std::size_t i = 0; i < truth.size(); ++i) {

@@ -260,6 +260,8 @@ private:
 
     std::vector<Pending> m_acts;
     std::map<int, TimePoint> m_stopSent; ///< by motor
+    std::set<int>
+        m_alarming; ///< motors whose Stop was said to be unconfirmed, and nothing else since
     std::optional<TimePoint> m_leave, m_confirmed, m_held;
     std::optional<TimePoint> m_armedEarly; ///< when a person armed before the Stop was over
     bool m_seriesAgreed = false; ///< since it was armed

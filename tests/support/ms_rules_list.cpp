@@ -287,6 +287,10 @@ void MsRules::said(Word word, int motor, TimePoint at)
     m_now = std::max(m_now, at);
     if (word == Word::NotConfirmed && m_stop)
         m_stop->motors[motor].alarmed = true;
+    if (word == Word::NotConfirmed)
+        m_alarming.insert(motor);
+    else if (word != Word::Accepted)
+        m_alarming.erase(motor);
     if (word == Word::DriveIdle && !restedLately(motor, 0.0, at))
         violate("true words",
             "\"drive idle\" for motor " + std::to_string(motor) + ", which is driven");

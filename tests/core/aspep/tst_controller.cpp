@@ -117,13 +117,14 @@ void TestController::anAnswerThatBeganBeforeTheRequestHadLeftIsNone()
 {
     const Bytes stale = packet(true, hex("02 00"));
     for (const bool toldEarly : {false, true}) {
-        VirtualLink link;
+        VirtualLink link({.baud = 9600}); // 4 ms for the header
         link.connect();
+        link.now += 10ms;
         link.controller.sendRequest(hex("10 00 49 00"), link.now);
         static_cast<void>(link.controller.takeOutput());
-        link.now += 1ms;
+        link.now += 5ms;
         link.hear(Bytes(stale.begin(), stale.begin() + 5));
-        link.now += 1ms; // the payload has left by now
+        link.now += 5ms; // the payload has left by now
         if (toldEarly)
             link.controller.handleSent(link.now);
         link.hear(Bytes(stale.begin() + 5, stale.end()));

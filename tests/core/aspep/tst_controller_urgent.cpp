@@ -16,6 +16,8 @@ private Q_SLOTS:
     void onALinkThatNeverWasItOffersTheMost();
     void unheardItUsesWhatWasAgreedBefore();
     void aBlindStopThatIsAnsweredSaysSo();
+    void nothingAnswersABlindStopThatHasNotLeft();
+    void theEchoOfAnEarlierBeaconIsNotTheAnswer();
     void everyUrgentRequestEndsOnce();
     void noiseDoesNotHoldItUp();
     void aBeaconThatHasJustLeftIsNotSentAgain();
@@ -227,6 +229,49 @@ void TestControllerUrgent::aBlindStopThatIsAnsweredSaysSo()
     QCOMPARE(link.count<Controller::Response>(), 1);
     QCOMPARE(ends(link), 2);
     QCOMPARE(link.controller.state(), Controller::State::Recovering);
+}
+
+/// A Beacon, a Ping and its header go before it, each with its pause.
+void TestControllerUrgent::nothingAnswersABlindStopThatHasNotLeft()
+{
+    VirtualLink link;
+    link.connect();
+    link.controller.sendRequest(kGetStatus, link.now);
+    (void)link.sent();
+    link.controller.sendUrgent(kStop, link.now);
+    (void)link.nextSent();
+    link.wait(20ms);
+    QCOMPARE(link.controller.takeOutput().size(), std::size_t{4});
+    link.now += 5ms; // the header has left
+    link.hear(packet(true, hex("00")));
+    QCOMPARE(link.count<Controller::Response>(), 0);
+    link.now += 1ms;
+    link.controller.handleSent(link.now);
+    link.hear(packet(true, hex("00")));
+    QCOMPARE(link.count<Controller::Response>(), 1);
+}
+
+/// Else the Ping would follow a Beacon that has not left, and the board, which answers one packet after the other,
+/// would miss both.
+void TestControllerUrgent::theEchoOfAnEarlierBeaconIsNotTheAnswer()
+{
+    VirtualLink link;
+    link.connect();
+    link.controller.sendRequest(kGetStatus, link.now);
+    (void)link.sent();
+    link.controller.sendUrgent(kStop, link.now);
+    (void)link.nextSent();
+    QVERIFY(endsWithStop(link.nextSent())); // blind, and behind a Beacon
+    link.controller.sendUrgent(kStop, link.now);
+    link.collect();
+    const auto offered = link.controller.takeOutput();
+    QCOMPARE(offered.size(), std::size_t{1});
+    QCOMPARE(offered[0].bytes, kBoard);
+    link.hear(kBoard);
+    QVERIFY(link.controller.takeOutput().empty());
+    link.now += offered[0].gapBefore;
+    link.hear(kBoard);
+    QVERIFY(isPing(link.sent()));
 }
 
 void TestControllerUrgent::everyUrgentRequestEndsOnce()

@@ -2,8 +2,9 @@
 // does, each wish ends once, every Stop is kept (the judge of the wire sees to that), nothing is written before the board is
 // identified, and no value appears under a register's name that it does not have.
 // Faults come singly: two that cancel each other in the sum of a frame are beyond what this protocol can notice.
-// ROTORSCOPE_LONG=1 runs 10,000 sessions a dialect. A failure names its seed; ROTORSCOPE_SEED=n runs that one.
+// ROTORSCOPE_LONG=1 runs 10,000 sessions a dialect; support/seeds.h says which others. A failure names its seed.
 #include "support/link_pair.h"
+#include "support/seeds.h"
 
 #include <QTest>
 
@@ -185,15 +186,9 @@ void TestLegacyDriveFaults::everyWishEndsOnceAndNoValueGoesAstray_data()
 void TestLegacyDriveFaults::everyWishEndsOnceAndNoValueGoesAstray()
 {
     QFETCH(QByteArray, profile);
-    const bool one = qEnvironmentVariableIsSet("ROTORSCOPE_SEED");
-    const bool all = qEnvironmentVariableIntValue("ROTORSCOPE_LONG") != 0;
-    const std::uint64_t first =
-        one ? static_cast<std::uint64_t>(qEnvironmentVariableIntValue("ROTORSCOPE_SEED")) : 1;
-    const std::uint64_t last = one ? first : all ? 10'000 : 40;
-    for (std::uint64_t seed = first; seed <= last; ++seed) {
-        const std::string complaints = runSession(profile, seed);
-        QVERIFY2(complaints.empty(), ("seed " + std::to_string(seed) + ":" + complaints).c_str());
-    }
+    const std::string wrong = support::playSeeds(support::seedsOf(40, 10'000),
+        [&](std::uint64_t seed) { return runSession(profile, seed); });
+    QVERIFY2(wrong.empty(), wrong.c_str());
 }
 
 void TestLegacyDriveFaults::onAGoodLineTheSameSessionsReadTheirValues()

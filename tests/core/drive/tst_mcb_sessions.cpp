@@ -1,8 +1,9 @@
 // Sessions with a drive and a wire that do wrong, from seeds, on virtual time: whatever happens, every wish ends once,
 // nothing is written to a drive that was not identified, no sample is stored under a name that is not its own, and a
 // set-point that travels with the frames does not outlive a stop, a reset or the link.
-// All 10,000 with ROTORSCOPE_LONG=1; ROTORSCOPE_SEED=n runs that one.
+// All 10,000 with ROTORSCOPE_LONG=1; support/seeds.h says which others.
 #include "support/mcb/pair.h"
+#include "support/seeds.h"
 
 #include <QtTest>
 
@@ -229,21 +230,20 @@ struct Session {
 
 void TestMcbSessions::everythingEndsOnceWhateverHappens()
 {
-    const bool all = qEnvironmentVariableIsSet("ROTORSCOPE_LONG");
-    const auto only = static_cast<std::uint64_t>(qEnvironmentVariableIntValue("ROTORSCOPE_SEED"));
-    const std::uint64_t sessions = only > 0 ? 1 : all ? 10'000 : 150;
+    const support::Seeds seeds = support::seedsOf(150, 10'000);
     std::uint64_t identified = 0, samples = 0, travelled = 0;
-    for (std::uint64_t seed = only > 0 ? only : 1;
-         seed < sessions + std::max<std::uint64_t>(only, 1); ++seed) {
+    const std::string wrong = support::playSeeds(seeds, [&](std::uint64_t seed) {
         Session session(seed);
-        const QString wrong = session.run();
-        QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("seed %1: %2").arg(seed).arg(wrong)));
+        const QString what = session.run();
         identified += session.pair.identified ? 1 : 0;
         samples += session.samples;
         travelled += session.travelled;
-    }
-    if (only > 0)
+        return what.toStdString();
+    });
+    QVERIFY2(wrong.empty(), wrong.c_str());
+    if (seeds.one)
         return;
+    const std::uint64_t sessions = seeds.count;
     // That nothing went wrong because nothing went on would prove nothing.
     QVERIFY2(identified * 10 >= sessions * 8, qPrintable(QString::number(identified)));
     QVERIFY2(samples >= sessions * 20, qPrintable(QString::number(samples)));

@@ -1,9 +1,10 @@
 // McpDrive on a line that is being spoilt: seeded campaigns. Whatever the line does, each wish ends once, nothing
 // moves that nobody asked for, every Stop is kept (the judge of the wire sees to that), samples stay with their
 // channels, and when the faults end the link is there again. Boards have one motor or two.
-// ROTORSCOPE_LONG=1 runs a hundred times as much. A failure names its seed; ROTORSCOPE_SEED=n runs that one.
+// ROTORSCOPE_LONG=1 runs a hundred times as much; support/seeds.h says which others. A failure names its seed.
 #include "mcp/protocol.h"
 #include "support/link_pair.h"
+#include "support/seeds.h"
 
 #include <QTest>
 
@@ -262,34 +263,33 @@ private Q_SLOTS:
 
 void TestMcpDriveFaults::underRandomFaultsEachWishEndsOnceAndTheLinkComesBack_data()
 {
-    QTest::addColumn<int>("first");
-    QTest::addColumn<int>("last");
-    if (const int only = qEnvironmentVariableIntValue("ROTORSCOPE_SEED"); only > 0) {
-        QTest::addRow("seed %d", only) << only << only;
-        return;
-    }
-    constexpr int kRow = 200;
-    for (int row = 0; row < times(1); ++row)
-        QTest::addRow("seeds from %d", row * kRow + 1) << row * kRow + 1 << (row + 1) * kRow;
+    QTest::addColumn<quint64>("first");
+    QTest::addColumn<quint64>("count");
+    constexpr quint64 kRow = 200;
+    const support::Seeds seeds = support::seedsOf(kRow, 100 * kRow);
+    for (quint64 played = 0; played < seeds.count; played += kRow)
+        QTest::addRow("seeds from %llu", seeds.first + played)
+            << quint64{seeds.first + played} << std::min<quint64>(kRow, seeds.count - played);
 }
 
 void TestMcpDriveFaults::underRandomFaultsEachWishEndsOnceAndTheLinkComesBack()
 {
-    QFETCH(int, first);
-    QFETCH(int, last);
-    int started = 0, stopped = 0;
-    for (int seed = first; seed <= last; ++seed) {
-        Campaign campaign(static_cast<std::uint64_t>(seed));
-        const std::string wrong = campaign.run();
-        QVERIFY2(wrong.empty(), ("seed " + std::to_string(seed) + ": " + wrong).c_str());
+    QFETCH(quint64, first);
+    QFETCH(quint64, count);
+    quint64 started = 0, stopped = 0;
+    const std::string wrong = support::playSeeds({first, count}, [&](std::uint64_t seed) {
+        Campaign campaign(seed);
+        std::string what = campaign.run();
         started += campaign.counts().starts > 0 ? 1 : 0;
         stopped += campaign.counts().starts > 0 && campaign.counts().stops > 0 ? 1 : 0;
-    }
-    if (last - first < 100)
-        return; // one seed says nothing about all of them
+        return what;
+    });
+    QVERIFY2(wrong.empty(), wrong.c_str());
+    if (count < 100)
+        return; // a few say nothing about all of them
     const auto share =
         std::to_string(started) + " started, " + std::to_string(stopped) + " stopped";
-    QVERIFY2(2 * started > last - first && 3 * stopped > last - first, share.c_str());
+    QVERIFY2(2 * started >= count && 3 * stopped >= count, share.c_str());
 }
 
 void TestMcpDriveFaults::seedsThatFailedOnceStayWell()

@@ -120,6 +120,8 @@ private Q_SLOTS:
     void aSeriesMayStepAsLongAsItLasts();
     void aMotorNobodyKnowsOfIsStoppedWhenItIsKnown();
     void theTwoSecondsOfAStopGoOnInAGap();
+    void aGapBeforeAStopPutsNothingOff();
+    void anAlarmThatStandsIsNotRepeated();
     void framesOfTheOlderProtocolAreTakenApart();
     void framesOfTheBusAreTakenApart();
 };
@@ -482,6 +484,42 @@ void TestMsRules::theTwoSecondsOfAStopGoOnInAGap()
     b.judge.said(judge::Word::NotConfirmed, 1, b.now);
     b.request({kGet, 0x91});
     QCOMPARE(b.judge.verdict(), std::string());
+}
+
+void TestMsRules::aGapBeforeAStopPutsNothingOff()
+{
+    Bench bench;
+    bench.arm();
+    bench.now += 500ms; // nobody ran
+    bench.judge.said(judge::Link::Lost, bench.now);
+    bench.act(Act::Kind::Stop);
+    for (int i = 0; i < 25; ++i) { // blind, for two seconds from the press
+        if (i < 20)
+            bench.request({kStop | 1}, 1500us, false);
+        if (i == 4)
+            bench.judge.said(judge::Word::NotConfirmed, 1, bench.now);
+        bench.run(96ms);
+    }
+    QVERIFY2(bench.judge.violations().empty(), bench.judge.verdict().c_str());
+}
+
+/// A START that was on its way when Stop was pressed, so that the motor was at rest for a moment.
+void TestMsRules::anAlarmThatStandsIsNotRepeated()
+{
+    for (const bool told : {true, false}) {
+        Bench bench;
+        bench.act(Act::Kind::Stop);
+        bench.run(5ms);
+        bench.drive();
+        if (told)
+            bench.judge.said(judge::Word::NotConfirmed, 1, bench.now);
+        bench.act(Act::Kind::Stop);
+        for (int i = 0; i < 7; ++i) {
+            bench.request({kStop | 1});
+            bench.run(97ms);
+        }
+        QCOMPARE(bench.judge.violations().empty(), told);
+    }
 }
 
 void TestMsRules::framesOfTheOlderProtocolAreTakenApart()

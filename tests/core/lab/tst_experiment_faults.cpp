@@ -2,8 +2,9 @@
 // people around. Whatever happens, an experiment ends once, asks for nothing
 // more, and leaves the motor as it was, stopped, or with a sentence that says
 // what is not as it was. ROTORSCOPE_LONG=1 tries ten thousand of them;
-// ROTORSCOPE_SEED=n one.
+// support/seeds.h says which others.
 #include "support/lab_bench.h"
+#include "support/seeds.h"
 
 using namespace lab;
 using support::LabBench;
@@ -149,6 +150,34 @@ struct Scenario {
     std::size_t askedAfterwards = 0;
 };
 
+/// Empty if nothing is.
+std::string whatIsWrong(const Scenario &scenario)
+{
+    const LabBench &bench = scenario.bench;
+    if (!scenario.over)
+        return "it does not end";
+    const Outcome &outcome = bench.runner->outcome();
+    if (scenario.askedAfterwards > 0)
+        return "it asks for something after its end";
+    if (bench.stops > 1)
+        return "more than one Stop";
+    if (outcome.end != End::Complete && outcome.reason.empty())
+        return "no reason";
+    const simulation::MotorTruth truth = bench.pair.board->truth(1);
+    if (bench.stops > 0 && !truth.idle) // heard as soon as there is a link
+        return "stopped, and the motor is driven";
+    const bool same = truth.driven == scenario.runs
+        && (!scenario.runs || std::abs(truth.referenceRpm - 1500.0) <= 12.0);
+    const bool says = outcome.reason.find("set-point") != std::string::npos
+        || outcome.end == End::Aborted || outcome.end == End::Interrupted
+        || outcome.end == End::Lost;
+    const bool byTheBoard = scenario.trouble == Trouble::Load || scenario.trouble == Trouble::Fault
+        || scenario.trouble == Trouble::Reset;
+    if (!same && !says && !byTheBoard)
+        return "the motor is not as it was, and nothing says so";
+    return bench.pair.judge.verdict();
+}
+
 } // namespace
 
 class TestExperimentFaults : public QObject {
@@ -156,44 +185,30 @@ class TestExperimentFaults : public QObject {
 private Q_SLOTS:
     void whateverHappensNothingIsLeftWithoutASentence()
     {
-        const bool ofOne = qEnvironmentVariableIsSet("ROTORSCOPE_SEED");
-        const std::uint64_t first =
-            ofOne ? qEnvironmentVariable("ROTORSCOPE_SEED").toULongLong() : 1;
-        const std::uint64_t count = ofOne                  ? 1
-            : qEnvironmentVariableIsSet("ROTORSCOPE_LONG") ? 10'000
-                                                           : 60;
+        const support::Seeds seeds = support::seedsOf(60, 10'000);
         std::map<End, int> ends;
-        for (std::uint64_t seed = first; seed < first + count; ++seed) {
+        const auto play = [&](std::uint64_t seed) -> std::optional<std::string> {
             Scenario scenario(seed);
-            if (!scenario.prepare())
-                continue; // the motor did not start: nothing to be tried
-            scenario.run();
             LabBench &bench = scenario.bench;
-            const QByteArray told = "seed " + QByteArray::number(quint64(seed)) + ", trouble "
-                + QByteArray::number(int(scenario.trouble)) + ", "
-                + support::outcomeText(bench.runner->over() ? bench.runner->outcome() : Outcome())
-                      .toUtf8();
-            QVERIFY2(scenario.over, told.constData());
-            const Outcome &outcome = bench.runner->outcome();
-            ++ends[outcome.end];
-            QVERIFY2(scenario.askedAfterwards == 0, told.constData());
-            QVERIFY2(bench.stops <= 1, told.constData());
-            QVERIFY2(outcome.end == End::Complete || !outcome.reason.empty(), told.constData());
-            const simulation::MotorTruth truth = bench.pair.board->truth(1);
-            if (bench.stops > 0) // heard as soon as there is a link
-                QVERIFY2(truth.idle, told.constData());
-            const bool same = truth.driven == scenario.runs
-                && (!scenario.runs || std::abs(truth.referenceRpm - 1500.0) <= 12.0);
-            const bool says = outcome.reason.find("set-point") != std::string::npos
-                || outcome.end == End::Aborted || outcome.end == End::Interrupted
-                || outcome.end == End::Lost;
-            QVERIFY2(same || says || scenario.trouble == Trouble::Load
-                    || scenario.trouble == Trouble::Fault || scenario.trouble == Trouble::Reset,
-                told.constData());
-        }
+            bench.pair.verdictTaken = true;
+            if (!scenario.prepare())
+                return std::nullopt; // the motor did not start
+            scenario.run();
+            if (scenario.over)
+                ++ends[bench.runner->outcome().end];
+            const std::string wrong = whatIsWrong(scenario);
+            return wrong.empty()
+                ? wrong
+                : "trouble " + std::to_string(int(scenario.trouble)) + ", " + wrong + ", "
+                    + support::outcomeText(
+                        bench.runner->over() ? bench.runner->outcome() : Outcome())
+                          .toStdString();
+        };
+        const std::string wrong = support::playSeeds(seeds, play);
+        QVERIFY2(wrong.empty(), wrong.c_str());
         qInfo("complete %d, refused %d, aborted %d, interrupted %d", ends[End::Complete],
             ends[End::Refused], ends[End::Aborted], ends[End::Interrupted]);
-        if (count >= 60)
+        if (seeds.count >= 60)
             QVERIFY(
                 ends[End::Complete] > 0 && ends[End::Aborted] > 0 && ends[End::Interrupted] > 0);
     }
