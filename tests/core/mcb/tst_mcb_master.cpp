@@ -126,7 +126,7 @@ void TestMcbMaster::theWayThroughTheCyclicStateIsSpoken()
     McbBus bus(support::mcbRig(headRow(), row));
     QVERIFY(bus.meet());
     bus.sent.clear();
-    bus.master.setCyclicOutput({0x0006, 0xCCCD, 0x3F8C});
+    bus.carry({0x0006, 0xCCCD, 0x3F8C}, kMapping);
     bus.master.switchOn(kMapping, 1ms, bus.now, false);
     QVERIFY(bus.runUntil([&] { return bus.cycles.size() == 2; }, 1s));
     QCOMPARE(bus.ended.back().end, End::Ok);
@@ -377,7 +377,7 @@ void TestMcbMaster::aSlaveThatIsCyclingIsBroughtBack()
     McbBus bus(rig());
     QVERIFY(bus.meet());
     QCOMPARE(bus.map(kMapping)->end, End::Ok);
-    bus.master.setCyclicOutput({6, 0, 0});
+    bus.carry({6, 0, 0}, kMapping);
     bus.runFor(5ms);
     QVERIFY(bus.slave->cyclic());
     bus.master = Master();
