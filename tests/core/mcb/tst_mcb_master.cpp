@@ -20,6 +20,7 @@ private Q_SLOTS:
     void theWayThroughTheCyclicStateIsSpoken();
     void aSlowAnswerIsWaitedFor();
     void noAnswerEndsInTime();
+    void aSlowLineDoesNotPutOffTheEnd();
     void aDamagedAnswerIsAskedForAgain();
     void aDamagedFragmentSpoilsTheWholeValue();
     void aLostAckOfAWriteIsNeverRepeated();
@@ -170,6 +171,24 @@ void TestMcbMaster::noAnswerEndsInTime()
     QVERIFY(second);
     QCOMPARE(second->end, End::Unknown);
     QVERIFY(bus.now - begun <= 2100ms);
+}
+
+/// The question for the answer follows the one before at once there: none of them is the last by itself.
+void TestMcbMaster::aSlowLineDoesNotPutOffTheEnd()
+{
+    McbBus bus(rig());
+    QVERIFY(bus.meet());
+    bus.frameTime = 2ms;
+    bool forgets = true;
+    bus.toMaster = [&](Bytes &) {
+        if (std::exchange(forgets, false))
+            bus.resetSlave(); // with the request that it has just taken
+    };
+    const TimePoint begun = bus.now;
+    const auto done = bus.read(kStatus);
+    QVERIFY(done);
+    QCOMPARE(done->end, End::Ok); // when it was asked again
+    QVERIFY(bus.now - begun >= 500ms && bus.now - begun < 600ms);
 }
 
 void TestMcbMaster::aDamagedAnswerIsAskedForAgain()
