@@ -261,8 +261,11 @@ void Master::receive(ByteView bytes, TimePoint now)
     const std::size_t taken = std::min(room, bytes.size());
     received.insert(received.end(), bytes.begin(), bytes.begin() + std::ptrdiff_t(taken));
     m_stats.unexpected += bytes.size() - taken;
-    if (taken == room)
+    if (taken == room) {
         finish(now);
+        checkOperation(
+            now); // on a slow line the next frame is due already, and no timer comes between
+    }
     work(now);
 }
 

@@ -6,4 +6,5 @@
 #define SAYS_RESET true
 #define BLIND true
 #define START_FAULTS 0    /* reads go before a START; if they are lost it expires */
+#define LOOKS_FIRST false
 #include "stop.pml"

@@ -6,4 +6,5 @@
 #define SAYS_RESET false
 #define BLIND true
 #define START_FAULTS 0    /* reads go before a START; if they are lost it expires */
+#define LOOKS_FIRST true   /* what is on already is not started */
 #include "stop.pml"

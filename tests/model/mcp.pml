@@ -6,4 +6,5 @@
 #define SAYS_RESET false
 #define BLIND true
 #define START_FAULTS FAULTS
+#define LOOKS_FIRST false
 #include "stop.pml"

@@ -199,8 +199,8 @@ inline work() {
     :: link == UP && !identified && !(open && (turn < MOTORS || (EXCLUSIVE && !(ANYALARM && reads >= READINGS)))) ->
         ask(WHO, 0)
     :: link == UP && identified && !EXCLUSIVE && !(open && turn < MOTORS) && startWanted ->
-        assert(armed && latch);                        /* nobody else may start a motor */
-        startWanted = false; starts = starts | (1 << subject); ask(START, subject)
+        assert(armed && latch); startWanted = false;   /* nobody else may start a motor */
+        if :: LOOKS_FIRST && drives[subject] -> skip :: else -> starts = starts | (1 << subject); ask(START, subject) fi
     :: else -> wantsStop = false; beginStop()          /* nothing but that is left */
     fi
 }

@@ -44,7 +44,7 @@ PATH = {
     "core/drive/motion_of.cpp": ["tst_motion_texts"],
     "core/drive/motion_record.cpp": ["tst_motion_texts"],
     "core/drive/set_point_check.cpp": ["tst_set_points"],
-    "core/drive/wish_queue.h": ["tst_late_wishes"],
+    "core/drive/wish_queue.h": ["tst_wish_queue"],
     "core/session/link/dead_man.cpp": ["tst_dead_man_rules"],
     "core/session/link/time_gap.h": ["tst_dead_man_rules"],
     "core/session/link/driven_motors.cpp": ["tst_driven_motors"],

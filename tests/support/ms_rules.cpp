@@ -110,6 +110,10 @@ void MsRules::heard(ByteView bytes, TimePoint at)
 void MsRules::judge(const Sent &sent, const std::string &)
 {
     neverLeaves(sent);
+    if (sent.goesOn)
+        return onlyStopAndStatesDuringAStop(sent);
+    if (mayRest(sent))
+        return;
     onlyMotorsThatAreThere(sent);
     oneInFlight(sent);
     nothingActsUnarmed(sent);
@@ -138,6 +142,14 @@ void MsRules::judge(const Sent &sent, const std::string &)
         of.sent = m_now;
         of.late = false;
     }
+}
+
+/// A set-point goes to rest by itself with a Stop, where nothing turns by it, and when nobody knows the drive any more;
+/// under a motor that somebody drives that is a step that nobody asked for.
+bool MsRules::mayRest(const Sent &sent) const
+{
+    const auto truth = m_truth.find(sent.motor);
+    return sent.rests && (m_over || truth == m_truth.end() || !truth->second.driven);
 }
 
 bool MsRules::acts(Kind kind) const
@@ -229,6 +241,7 @@ void MsRules::arm()
 {
     ++m_counts.arms;
     m_armed = m_open;
+    m_over = false;
     m_stop.reset();
     m_armedEarly.reset();
 }
@@ -236,6 +249,7 @@ void MsRules::arm()
 void MsRules::onStop(const Act &act)
 {
     ++m_counts.stops;
+    m_over = true;
     m_startedOnce = m_holdAgreed = false;
     m_confirmed.reset();
     forgetActs();
@@ -307,6 +321,7 @@ void MsRules::said(Link link, TimePoint at)
     m_now = std::max(m_now, at);
     if (link == Link::Lost || link == Link::Closed) {
         m_identified = m_requested = false;
+        m_over = true;
         ++m_moment;
         forgetActs();
     }
@@ -319,6 +334,7 @@ void MsRules::saidIdentified(int motors, TimePoint at)
 {
     m_now = std::max(m_now, at);
     m_identified = motors > 0;
+    m_over = m_over || motors == 0;
 }
 
 bool MsRules::restedLately(int motor, double rpm, TimePoint at) const

@@ -48,6 +48,8 @@ struct Sent {
     std::optional<double> rpm, amps; ///< where it goes, in physical units
     std::string why; ///< for Never: what is wrong with it
     bool firstOfPacket = true;
+    bool rests = false; ///< a set-point that goes to zero, where zero is rest
+    bool goesOn = false; ///< one that is what it was: no act, but none for the time of a Stop
 };
 
 /// A person's act as the test made it.
@@ -222,6 +224,7 @@ private:
     void arm();
     void forgetActs();
     bool acts(Kind kind) const;
+    bool mayRest(const Sent &sent) const;
     bool wasUnderWay() const
     {
         return m_packetBegan < m_disarmed;
@@ -241,6 +244,7 @@ private:
     std::uint64_t m_moment = 1; ///< counts acts and ends of wishes
     std::uint64_t m_packetBegan = 1, m_disarmed = 0; ///< moments
     bool m_armed = false; ///< a person armed since the connection, and no Stop came since
+    bool m_over = false; ///< by a Stop, with the link or by a reset, and nobody has armed since
     bool m_requested = false; ///< a request has left since the link came about
     Link m_link = Link::Closed;
     std::optional<TimePoint> m_heardAt;

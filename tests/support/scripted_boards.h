@@ -1,4 +1,4 @@
-// Boards of two protocols reduced to what a stop needs: answers at once, motors that only drive or do not. What fares
+// Boards of MCP and the older protocol reduced to what a stop needs: answers at once, motors that only drive or do not. What fares
 // badly on the line is chosen by whoever asks them. No motor model runs behind them, so that thousands of runs are cheap.
 #pragma once
 
@@ -25,7 +25,14 @@ namespace support {
 
 /// What a request is to the model.
 struct Asked {
-    enum class What : std::uint8_t { Link, Read, Stop, Start, Other } what = What::Other;
+    enum class What : std::uint8_t {
+        Link,
+        Read,
+        Stop,
+        Start,
+        Other,
+        Fetch, ///< nothing of its own: the answer of what came before, where the bus needs that
+    } what = What::Other;
     int motor = 0;
 };
 
@@ -44,6 +51,11 @@ public:
     virtual bool take(const Bytes &output) = 0;
     virtual Asked asked() const = 0; ///< the request that is whole
     virtual Bytes answer() = 0; ///< carries it out; empty: the board is silent
+    virtual int motors() const { return 2; }
+    /// @param fate  of the request that is whole, as the models name it
+    /// @return what becomes of the bytes that come back at once
+    virtual char fares(char fate) { return fate; }
+    virtual bool beginsStartsWithStop() const { return false; }
     /// A motor of it is moved only with a person's word that its limits are not told.
     virtual bool needsExpert() const = 0;
     /// Later than the drive waits for an answer.

@@ -104,9 +104,75 @@ struct Bench {
 
 using Story = std::function<void(Bench &)>;
 
+Bytes frameOf(std::vector<unsigned> words)
+{
+    Bytes bytes;
+    for (const unsigned word : words) {
+        bytes.push_back(static_cast<std::uint8_t>(word >> 8));
+        bytes.push_back(static_cast<std::uint8_t>(word));
+    }
+    const unsigned crc = judge::WireMcb::checkOf(bytes);
+    bytes.push_back(static_cast<std::uint8_t>(crc >> 8));
+    bytes.push_back(static_cast<std::uint8_t>(crc));
+    return bytes;
+}
+
+/// A servo whose velocity is mapped and holds 5 turns a second; nobody is armed.
+struct ServoBench {
+    MsRules judge;
+    TimePoint now{1s};
+    bool driven = false;
+
+    ServoBench()
+    {
+        judge::Line line;
+        line.maxRpm = 3000.0;
+        line.suspect = line.lost = {};
+        judge.watch(std::make_unique<judge::WireMcb>(), line);
+        act(Act::Kind::Open);
+        judge.said(judge::Link::Connected, now);
+        judge.saidIdentified(1, now);
+        exchange({0x0212, 0, 0, 0, 0}); // the velocity that it holds
+        exchange({0x000E, 0, 0, 0, 0}, {0x0216, 0, 0x40A0, 0, 0});
+        for (const std::vector<unsigned> &step :
+            std::vector<std::vector<unsigned>>{{0x6404, 1, 0, 0, 0}, {0x6514, 0x0021, 0x0004, 0, 0},
+                {0x6504, 1, 0, 0, 0}, {0x6404, 2, 0, 0, 0}})
+            exchange(step);
+    }
+    void act(Act::Kind kind, std::optional<double> rpm = {})
+    {
+        Act what;
+        what.kind = kind;
+        what.motor = 1;
+        what.rpm = rpm;
+        what.at = now;
+        judge.act(what);
+    }
+    void exchange(const std::vector<unsigned> &words, const std::vector<unsigned> &answer = {})
+    {
+        judge.sent(frameOf(words), now);
+        judge.heard(
+            frameOf(answer.empty() ? std::vector<unsigned>{0x000E, 0, 0, 0, 0} : answer), now);
+        now += 1ms;
+        judge.look(now, {{driven, !driven, 0.0}});
+    }
+    /// A frame without a request, and what travels in it.
+    void travel(unsigned low, unsigned high) { exchange({0x000E, 0, 0, 0, 0, low, high}); }
+    /// Of what was found; empty if nothing was.
+    QString rule() const
+    {
+        return QString::fromStdString(judge.verdict()).section(QLatin1Char(':'), 0, 0);
+    }
+};
+
+using ServoStory = std::function<void(ServoBench &)>;
+constexpr unsigned kFive = 0x40A0, kTen = 0x4120; ///< the upper halves of 5.0 and 10.0
+constexpr unsigned kHundred = 0x42C8;
+
 } // namespace
 
 Q_DECLARE_METATYPE(Story)
+Q_DECLARE_METATYPE(ServoStory)
 
 class TestMsRules : public QObject {
     Q_OBJECT
@@ -124,6 +190,8 @@ private Q_SLOTS:
     void anAlarmThatStandsIsNotRepeated();
     void framesOfTheOlderProtocolAreTakenApart();
     void framesOfTheBusAreTakenApart();
+    void whatTravelsIsJudgedWhereItChanges_data();
+    void whatTravelsIsJudgedWhereItChanges();
 };
 
 void TestMsRules::aBrokenRuleSpeaks_data()
@@ -543,16 +611,8 @@ void TestMsRules::framesOfTheOlderProtocolAreTakenApart()
 void TestMsRules::framesOfTheBusAreTakenApart()
 {
     judge::WireMcb wire;
-    const auto frame = [&](std::vector<unsigned> words) {
-        Bytes bytes;
-        for (const unsigned word : words) {
-            bytes.push_back(static_cast<std::uint8_t>(word >> 8));
-            bytes.push_back(static_cast<std::uint8_t>(word));
-        }
-        const unsigned crc = judge::WireMcb::checkOf(bytes);
-        bytes.push_back(static_cast<std::uint8_t>(crc >> 8));
-        bytes.push_back(static_cast<std::uint8_t>(crc));
-        return wire.sent(bytes, {}).at(0);
+    const auto frame = [&](const std::vector<unsigned> &words) {
+        return wire.sent(frameOf(words), {}).at(0);
     };
     QCOMPARE(frame({0x0104, 0x0006, 0, 0, 0}).kind, judge::Kind::Stop);
     QCOMPARE(frame({0x0104, 0x000F, 0, 0, 0}).kind, judge::Kind::Start);
@@ -563,6 +623,115 @@ void TestMsRules::framesOfTheBusAreTakenApart()
     QCOMPARE(frame({0x0112, 0, 0, 0, 0}).kind, judge::Kind::StatusRead);
     QCOMPARE(wire.sent(Bytes(12, 0xFF), {}).at(0).kind, judge::Kind::LinkControl); // a clock alone
     QCOMPARE(wire.sent(Bytes(12, 0x0F), {}).at(0).kind, judge::Kind::Never);
+}
+
+void TestMsRules::whatTravelsIsJudgedWhereItChanges_data()
+{
+    QTest::addColumn<QString>("rule");
+    QTest::addColumn<ServoStory>("story");
+    const auto story = [](const char *name, const char *rule, ServoStory what) {
+        QTest::newRow(name) << QString(rule) << what;
+    };
+    story("what it holds goes on", "", [](ServoBench &b) {
+        for (int i = 0; i < 5; ++i)
+            b.travel(0, kFive);
+    });
+    story("mapping moves it", "armed", [](ServoBench &b) { b.travel(0, kTen); });
+    story("it was asked for", "", [](ServoBench &b) {
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::SetPoint, 600.0);
+        b.travel(0, kTen);
+        b.travel(0, kTen);
+    });
+    story("nobody asked for it", "asked for", [](ServoBench &b) {
+        b.act(Act::Kind::Arm);
+        b.travel(0, kTen);
+    });
+    story("it was asked for once", "asked for", [](ServoBench &b) {
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::SetPoint, 600.0);
+        b.travel(0, kTen);
+        b.travel(0, kFive);
+        b.travel(0, kTen);
+    });
+    story("beyond the limit", "bounded", [](ServoBench &b) {
+        b.act(Act::Kind::Arm);
+        b.act(Act::Kind::SetPoint, 6000.0);
+        b.travel(0, kHundred);
+    });
+    story("rest with a Stop", "", [](ServoBench &b) {
+        b.driven = true;
+        b.travel(0, kFive);
+        b.act(Act::Kind::Stop);
+        b.travel(0, 0);
+    });
+    story("it goes on in spite of a Stop", "stop first", [](ServoBench &b) {
+        b.driven = true;
+        b.travel(0, kFive);
+        b.act(Act::Kind::Stop);
+        b.travel(0, kFive);
+    });
+    story("another value with a Stop", "armed", [](ServoBench &b) {
+        b.driven = true;
+        b.travel(0, kFive);
+        b.act(Act::Kind::Stop);
+        b.travel(0, kTen);
+    });
+    story("back after the Stop", "asked for", [](ServoBench &b) {
+        b.travel(0, kFive);
+        b.act(Act::Kind::Stop);
+        b.travel(0, 0);
+        b.act(Act::Kind::Arm);
+        b.travel(0, kFive);
+    });
+    story("to zero under a motor that turns", "asked for", [](ServoBench &b) {
+        b.act(Act::Kind::Arm);
+        b.driven = true;
+        b.travel(0, kFive);
+        b.travel(0, 0);
+    });
+    story("to zero by a person's wish", "", [](ServoBench &b) {
+        b.act(Act::Kind::Arm);
+        b.driven = true;
+        b.travel(0, kFive);
+        b.act(Act::Kind::SetPoint, 0.0);
+        b.travel(0, 0);
+    });
+    story("the drive's own mind", "", [](ServoBench &b) {
+        b.travel(0, kFive);
+        b.exchange({0x0212, 0, 0, 0, 0, 0, kFive}, {0x000E, 0, 0, 0, 0, 0, 0});
+        b.exchange({0x000E, 0, 0, 0, 0, 0, kFive}, {0x0216, 0, kTen, 0, 0, 0, 0});
+        b.travel(0, kTen);
+    });
+    story("what a damaged answer says is nobody's", "armed", [](ServoBench &b) {
+        b.travel(0, kFive);
+        b.judge.sent(frameOf({0x0212, 0, 0, 0, 0, 0, kFive}), b.now);
+        Bytes answer = frameOf({0x0216, 0, kTen, 0, 0, 0, 0});
+        answer[1] ^= 1U;
+        b.judge.heard(answer, b.now);
+        b.travel(0, kTen);
+    });
+    story("words of no mapping", "never", [](ServoBench &b) {
+        b.exchange({0x000E, 0, 0, 0, 0, 0, kFive, 0});
+    });
+    story("zeros of no mapping", "", [](ServoBench &b) {
+        b.exchange({0x000E, 0, 0, 0, 0, 0, 0, 0});
+    });
+    story("after the line has gone no mapping is known", "never", [](ServoBench &b) {
+        b.act(Act::Kind::Unplugged);
+        b.act(Act::Kind::Open);
+        b.travel(0, kFive);
+    });
+}
+
+/// The mapping is read from the bytes that brought it about, and so is what the drive holds.
+void TestMsRules::whatTravelsIsJudgedWhereItChanges()
+{
+    QFETCH(QString, rule);
+    QFETCH(ServoStory, story);
+    ServoBench bench;
+    story(bench);
+    QVERIFY2(bench.rule() == rule, bench.judge.verdict().c_str());
 }
 
 QTEST_APPLESS_MAIN(TestMsRules)

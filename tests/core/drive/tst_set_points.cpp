@@ -39,6 +39,14 @@ BoardFacts board()
     return facts;
 }
 
+/// Of the first motor.
+std::vector<catalog::Scales> scalesOf(double ampsPerDigit)
+{
+    std::vector<catalog::Scales> scales(2);
+    scales[0].ampsPerDigit = ampsPerDigit;
+    return scales;
+}
+
 } // namespace
 
 class TestSetPoints : public QObject {
@@ -55,6 +63,10 @@ private Q_SLOTS:
     void aStartNeedsEveryLimit();
     void aSetPointUpToTheBoundIsAllowed();
     void numbersForRegistersAreJudgedByTheirScale();
+    void whatAWishSetsIsReadFromIt();
+    void aWordOnTheWireHolds16Bits();
+    void everyPartOfASetPointIsLookedAt();
+    void digitsAreRoundedAndClamped();
 };
 
 void TestSetPoints::aLimitIsKnownUpToItsCeiling()
@@ -238,6 +250,91 @@ void TestSetPoints::numbersForRegistersAreJudgedByTheirScale()
         std::vector{info}, 2, std::vector<catalog::Scales>(2));
     QCOMPARE(refuseNumber(digits, {digits.catalog->withMotor(info, 2), std::int64_t{0}}),
         std::string("the scale of motor 2 is not known"));
+}
+
+void TestSetPoints::whatAWishSetsIsReadFromIt()
+{
+    struct Row {
+        decltype(Wish::what) what;
+        Feature feature;
+        double first, second;
+        std::chrono::milliseconds duration;
+    };
+    const Row rows[] = {{SpeedRamp{2, -900, 30ms}, Feature::SpeedRamp, -900.0, 0.0, 30ms},
+        {TorqueRamp{2, 1.5, 40ms}, Feature::TorqueRamp, 1.5, 0.0, 40ms},
+        {CurrentReference{2, 1.5, -2.5}, Feature::CurrentReference, 1.5, -2.5, 0ms}};
+    for (const Row &row : rows) {
+        const auto found = setPointOf({.id = 1, .what = row.what});
+        QVERIFY(found.has_value());
+        QCOMPARE(found->feature, row.feature);
+        QCOMPARE(found->motor, 2);
+        QCOMPARE(found->first, row.first);
+        QCOMPARE(found->second, row.second);
+        QCOMPARE(found->duration.count(), row.duration.count());
+    }
+    QVERIFY(!setPointOf({.id = 1, .what = Command{}}));
+    QVERIFY(!setPointOf({.id = 1, .what = PositionRamp{}}));
+}
+
+void TestSetPoints::aWordOnTheWireHolds16Bits()
+{
+    BoardFacts facts = board();
+    QCOMPARE(refuseWireSpeed(facts, 1, 4001.0), std::string("beyond the limit of 4000 rpm"));
+    facts.limits[0].maxSpeedRpm = 50000.0;
+    for (const double sign : {1.0, -1.0}) {
+        QCOMPARE(refuseWireSpeed(facts, 1, sign * 32767.0), std::string());
+        QCOMPARE(refuseWireSpeed(facts, 1, sign * 32768.0),
+            std::string("beyond the 32767 rpm that this protocol can hold"));
+    }
+}
+
+void TestSetPoints::everyPartOfASetPointIsLookedAt()
+{
+    BoardFacts facts = board();
+    facts.scales = scalesOf(0.001);
+    const SetPoint speed{Feature::SpeedRamp, 1, 4000.0, 0.0, 10ms};
+    const SetPoint current{Feature::CurrentReference, 1, 3.0, -4.0, {}};
+    QCOMPARE(refuseSetPoint(facts, speed), std::string());
+    QCOMPARE(refuseSetPoint(facts, current), std::string());
+    const auto with = [&](SetPoint one, auto change) {
+        change(one);
+        return refuseSetPoint(facts, one);
+    };
+    for (const SetPoint &one : {speed, current}) {
+        QCOMPARE(with(one, [](SetPoint &it) { it.motor = 3; }), std::string("there is no motor 3"));
+        QCOMPARE(with(one, [](SetPoint &it) { it.duration = -1ms; }),
+            std::string("a ramp lasts 0 to 65535 ms"));
+    }
+    QCOMPARE(with(speed, [](SetPoint &it) { it.first = -4001.0; }),
+        std::string("beyond the limit of 4000 rpm"));
+    QCOMPARE(with(current, [](SetPoint &it) { it.second = 4.1; }), // the whole of both parts
+        std::string("beyond the limit of 5 A"));
+    // A speed needs no scale of currents, a current needs it.
+    facts.scales.clear();
+    QCOMPARE(refuseSetPoint(facts, speed), std::string());
+    QCOMPARE(refuseSetPoint(facts, current), facts.reasonAgainstAmps(1));
+    QVERIFY(!facts.reasonAgainstAmps(1).empty());
+    // 5 A are allowed, and 32767 digits of them fit.
+    facts.scales = scalesOf(5.0 / 32767.0);
+    for (const auto &[iq, id] : {std::pair(5.0, 0.0), std::pair(0.0, -5.0), std::pair(-3.0, 4.0)})
+        QCOMPARE(refuseSetPoint(facts, {Feature::CurrentReference, 1, iq, id, {}}), std::string());
+    facts.scales = scalesOf(5.0 / 32768.0);
+    for (const auto &[iq, id] : {std::pair(5.0, 0.0), std::pair(0.0, -5.0)})
+        QCOMPARE(refuseSetPoint(facts, {Feature::CurrentReference, 1, iq, id, {}}),
+            std::string("beyond what 16 bits hold"));
+    facts.capabilities = {
+        {Feature::SpeedRamp, false, "not built in"}, {Feature::CurrentReference, true, {}}};
+    QCOMPARE(refuseSetPoint(facts, speed), std::string("not built in"));
+}
+
+void TestSetPoints::digitsAreRoundedAndClamped()
+{
+    BoardFacts facts = board();
+    facts.scales = scalesOf(0.5);
+    const std::pair<double, int> rows[] = {{0.0, 0}, {1.2, 2}, {1.3, 3}, {-1.3, -3},
+        {16383.5, 32767}, {20000.0, 32767}, {-20000.0, -32767}};
+    for (const auto &[amps, digits] : rows)
+        QCOMPARE(int{digitsOf(facts, 1, amps)}, digits);
 }
 
 QTEST_APPLESS_MAIN(TestSetPoints)

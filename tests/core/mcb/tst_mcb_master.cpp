@@ -20,6 +20,7 @@ private Q_SLOTS:
     void theWayThroughTheCyclicStateIsSpoken();
     void aSlowAnswerIsWaitedFor();
     void noAnswerEndsInTime();
+    void aSlowLineDoesNotPutOffTheEnd();
     void aDamagedAnswerIsAskedForAgain();
     void aDamagedFragmentSpoilsTheWholeValue();
     void aLostAckOfAWriteIsNeverRepeated();
@@ -126,7 +127,7 @@ void TestMcbMaster::theWayThroughTheCyclicStateIsSpoken()
     McbBus bus(support::mcbRig(headRow(), row));
     QVERIFY(bus.meet());
     bus.sent.clear();
-    bus.master.setCyclicOutput({0x0006, 0xCCCD, 0x3F8C});
+    bus.carry({0x0006, 0xCCCD, 0x3F8C}, kMapping);
     bus.master.switchOn(kMapping, 1ms, bus.now, false);
     QVERIFY(bus.runUntil([&] { return bus.cycles.size() == 2; }, 1s));
     QCOMPARE(bus.ended.back().end, End::Ok);
@@ -170,6 +171,24 @@ void TestMcbMaster::noAnswerEndsInTime()
     QVERIFY(second);
     QCOMPARE(second->end, End::Unknown);
     QVERIFY(bus.now - begun <= 2100ms);
+}
+
+/// The question for the answer follows the one before at once there: none of them is the last by itself.
+void TestMcbMaster::aSlowLineDoesNotPutOffTheEnd()
+{
+    McbBus bus(rig());
+    QVERIFY(bus.meet());
+    bus.frameTime = 2ms;
+    bool forgets = true;
+    bus.toMaster = [&](Bytes &) {
+        if (std::exchange(forgets, false))
+            bus.resetSlave(); // with the request that it has just taken
+    };
+    const TimePoint begun = bus.now;
+    const auto done = bus.read(kStatus);
+    QVERIFY(done);
+    QCOMPARE(done->end, End::Ok); // when it was asked again
+    QVERIFY(bus.now - begun >= 500ms && bus.now - begun < 600ms);
 }
 
 void TestMcbMaster::aDamagedAnswerIsAskedForAgain()
@@ -377,7 +396,7 @@ void TestMcbMaster::aSlaveThatIsCyclingIsBroughtBack()
     McbBus bus(rig());
     QVERIFY(bus.meet());
     QCOMPARE(bus.map(kMapping)->end, End::Ok);
-    bus.master.setCyclicOutput({6, 0, 0});
+    bus.carry({6, 0, 0}, kMapping);
     bus.runFor(5ms);
     QVERIFY(bus.slave->cyclic());
     bus.master = Master();

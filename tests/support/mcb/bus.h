@@ -119,6 +119,13 @@ public:
         return runUntil([&] { return ended.size() > before; }, 5s) ? std::optional(ended.back())
                                                                    : std::nullopt;
     }
+    /// What is to travel from now on, as somebody wishes it.
+    void carry(mcb::Words words, const mcb::Mapping &mapping)
+    {
+        for (const mcb::MappedRegister &one : mapping.rx)
+            tell(judge::Act::Kind::Write, std::uint32_t{one.address} << 3 | 1U);
+        master.setCyclicOutput(std::move(words));
+    }
     template <class What>
     std::size_t count() const
     {

@@ -12,7 +12,23 @@ constexpr unsigned kControl = 0x010, kStatus = 0x011, kMode = 0x014, kModeNow = 
                    kLastError = 0x00F, kCurrentQ = 0x01A, kCurrentD = 0x01B, kPosition = 0x020,
                    kVelocity = 0x021, kTorque = 0x022, kProfileFirst = 0x025, kProfileLast = 0x027,
                    kPositionNow = 0x030, kVelocityNow = 0x031, kState = 0x640,
-                   kMappingFirst = 0x650, kMappingLast = 0x66F;
+                   kMappingFirst = 0x650, kMappingLast = 0x66F, kRx = 0x650, kTx = 0x660;
+constexpr std::size_t kConfigWords = 6; ///< of a frame without words that travel, with its check
+
+std::vector<unsigned> wordsOf(ByteView bytes)
+{
+    std::vector<unsigned> words;
+    for (std::size_t i = 0; i + 1 < bytes.size(); i += 2)
+        words.push_back(unsigned{bytes[i]} << 8 | bytes[i + 1]);
+    return words;
+}
+
+unsigned addressOf(const std::vector<unsigned> &frame) { return frame[0] >> 4 & 0x7FFU; }
+unsigned commandOf(const std::vector<unsigned> &frame) { return frame[0] >> 1 & 7U; }
+std::array<unsigned, 4> valueOf(const std::vector<unsigned> &frame)
+{
+    return {frame[1], frame[2], frame[3], frame[4]};
+}
 
 Sent never(Sent one, const std::string &why)
 {
@@ -34,24 +50,38 @@ unsigned WireMcb::checkOf(ByteView bytes)
     return crc;
 }
 
+void WireMcb::reset() { *this = {}; }
+
 std::vector<Sent> WireMcb::sent(ByteView bytes, TimePoint)
 {
+    m_heard.clear();
+    m_length = bytes.size();
     Sent one;
     if (std::all_of(bytes.begin(), bytes.end(), [](auto byte) { return byte == 0xFF; })) {
         one.kind =
             Kind::LinkControl; // no frame at all: the clock only, to find the length of the slave's
         return {one};
     }
-    if (bytes.size() < 12 || bytes.size() % 2 != 0 || checkOf(bytes) != 0)
+    if (bytes.size() < 2 * kConfigWords || bytes.size() % 2 != 0 || checkOf(bytes) != 0)
         return {never(one, "a frame of a wrong length or check")};
-    const auto word = [&](std::size_t i) { return unsigned{bytes[2 * i]} << 8 | bytes[2 * i + 1]; };
-    const unsigned address = word(0) >> 4 & 0x7FFU, command = word(0) >> 1 & 7U;
+    const auto frame = wordsOf(bytes);
+    auto all = configPart(frame);
+    travels({frame.begin() + 5, frame.end() - 1}, all);
+    return all;
+}
+
+std::vector<Sent> WireMcb::configPart(const std::vector<unsigned> &frame)
+{
+    Sent one;
+    const unsigned address = addressOf(frame), command = commandOf(frame);
     const bool continues = m_continues;
-    m_continues = command == 2 && (word(0) & 1U) != 0;
+    m_continues = command == 2 && (frame[0] & 1U) != 0;
     switch (command) {
     case 0: // who has this register, and how wide it is
+        m_read[address] = false;
         return {one};
     case 1: {
+        m_read[address] = true;
         const bool state = address == kStatus || address == kLastError || address == kModeNow
             || address == kMode || address == kPositionNow || address == kVelocityNow;
         one.kind = state ? Kind::StatusRead : Kind::Read;
@@ -60,13 +90,101 @@ std::vector<Sent> WireMcb::sent(ByteView bytes, TimePoint)
     case 2:
         if (continues)
             return {};
-        return {write(address, {word(1), word(2), word(3), word(4)})};
+        m_read[address] = false;
+        noteWrite(address, valueOf(frame));
+        return {write(address, valueOf(frame))};
     case 7:
         one.kind = Kind::LinkControl;
         return {one};
     default:
         return {never(one, "a frame that only a drive sends")};
     }
+}
+
+void WireMcb::noteWrite(unsigned address, const Words &words)
+{
+    m_holds[address] = words;
+    if (address >= kMappingFirst && address <= kMappingLast)
+        m_list[address] = words[0] | words[1] << 16;
+    if (address != kState || words[0] != 2)
+        return;
+    const auto sum = [](const std::vector<Entry> &entries) {
+        std::size_t number = 0;
+        for (const Entry &entry : entries)
+            number += entry.words;
+        return number;
+    };
+    m_rx = entriesOf(kRx);
+    m_words = std::max(sum(m_rx), sum(entriesOf(kTx)));
+}
+
+/// An entry is size in bytes and address; each takes whole words.
+std::vector<WireMcb::Entry> WireMcb::entriesOf(unsigned count) const
+{
+    const auto written = [&](unsigned address) {
+        const auto at = m_list.find(address);
+        return at == m_list.end() ? 0U : at->second;
+    };
+    std::vector<Entry> entries;
+    for (unsigned i = 1; i <= written(count) && i <= 15; ++i)
+        entries.push_back({written(count + i) & 0xFFFFU, ((written(count + i) >> 16) + 1) / 2});
+    return entries;
+}
+
+/// Behind the config part of a frame.
+void WireMcb::travels(const std::vector<unsigned> &words, std::vector<Sent> &all)
+{
+    if (words.size() != m_words) {
+        Sent one;
+        one.firstOfPacket = false;
+        if (std::any_of(words.begin(), words.end(), [](unsigned word) { return word != 0; }))
+            all.push_back(never(one, "words that travel by a mapping that nobody switched on"));
+        return;
+    }
+    auto next = words.begin();
+    for (const Entry &entry : m_rx) {
+        Words value{};
+        std::copy_n(next, std::min<std::size_t>(entry.words, value.size()), value.begin());
+        next += entry.words;
+        Sent one = write(entry.address, value);
+        one.firstOfPacket = false;
+        const bool isZero = value == Words{};
+        one.rests = one.kind == Kind::SetPoint && (one.rpm || one.amps) && isZero;
+        one.goesOn = !changes(entry, value) && one.kind != Kind::Stop;
+        if (!one.goesOn || (one.kind == Kind::SetPoint && !isZero))
+            all.push_back(one);
+    }
+}
+
+bool WireMcb::changes(const Entry &entry, const Words &words)
+{
+    const auto at = m_holds.find(entry.address);
+    const auto count = static_cast<std::ptrdiff_t>(std::min<std::size_t>(entry.words, 4));
+    const bool same =
+        at != m_holds.end() && std::equal(words.begin(), words.begin() + count, at->second.begin());
+    m_holds[entry.address] = words;
+    return !same;
+}
+
+/// The bytes of an exchange may come in pieces, and more of them than were sent.
+bool WireMcb::heard(ByteView bytes)
+{
+    m_heard.insert(m_heard.end(), bytes.begin(), bytes.end());
+    if (m_length >= 2 * kConfigWords && m_heard.size() >= m_length)
+        take(ByteView(m_heard).first(m_length));
+    return !bytes.empty();
+}
+
+/// The answer to a question for a value, in one piece, is what the drive holds.
+void WireMcb::take(ByteView bytes)
+{
+    m_length = 0;
+    if (bytes.size() % 2 != 0 || checkOf(bytes) != 0)
+        return;
+    const auto frame = wordsOf(bytes);
+    const auto asked = m_read.find(addressOf(frame));
+    if (commandOf(frame) == 3 && (frame[0] & 1U) == 0 && asked != m_read.end() && asked->second)
+        m_holds[addressOf(frame)] = valueOf(frame);
 }
 
 Sent WireMcb::write(unsigned address, const std::array<unsigned, 4> &words)
