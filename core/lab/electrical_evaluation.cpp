@@ -193,8 +193,9 @@ std::string addTurning(Electrics &found, const RecordedSpin &spin, const capture
 } // namespace
 
 Result<Electrics, std::string> evaluateElectrics(
-    const capture::Capture &capture, const Happenings &happenings)
+    const capture::Capture &capture, const Happenings &all)
 {
+    const Happenings happenings = carriedOut(all);
     Electrics found;
     bool any = false;
     for (auto at = happenings.begin(); at != happenings.end(); ++at) {

@@ -2,12 +2,36 @@
 
 #include "lab/fields.h"
 
+#include <algorithm>
+#include <map>
+
 namespace lab {
 
 bool endsLink(const record::Happening &what)
 {
     const std::string state = what.name == "link" ? fieldOf(what, "state") : std::string();
     return state == "closed" || state == "lost";
+}
+
+Happenings carriedOut(const Happenings &all)
+{
+    const auto movedNothing = [](const record::Happening &what) {
+        const std::string outcome = fieldOf(what, "outcome");
+        return outcome == "not sent" || outcome == "refused";
+    };
+    Happenings carried;
+    std::map<std::string, bool> idle; // by wish: whether the next one of that number moved nothing
+    for (auto at = all.rbegin(); at != all.rend(); ++at) {
+        const record::Happening &what = at->second;
+        const auto wish = idle.find(fieldOf(what, "wish"));
+        if (what.name == "ended")
+            idle[fieldOf(what, "wish")] = movedNothing(what);
+        else if (wish != idle.end() ? wish->second : what.name == "motion" && movedNothing(what))
+            continue;
+        carried.push_back(*at);
+    }
+    std::reverse(carried.begin(), carried.end());
+    return carried;
 }
 
 const capture::Channel *fastChannel(const capture::Capture &capture, const std::string &name)

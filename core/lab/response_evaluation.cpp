@@ -192,8 +192,9 @@ Complex regulatorAt(const SpeedRegulator &regulator, double hz)
 }
 
 Result<SpeedResponse, std::string> evaluateResponse(
-    const capture::Capture &capture, const Happenings &happenings)
+    const capture::Capture &capture, const Happenings &all)
 {
+    const Happenings happenings = carriedOut(all);
     std::optional<RecordedResponse> plan;
     auto at = happenings.begin();
     for (; at != happenings.end() && !plan; ++at)

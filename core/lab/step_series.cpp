@@ -26,8 +26,8 @@ public:
             takeAnswer(what);
         else if (what.name == kEndEntry)
             takeEnd(at, what);
-        else if (what.name == "stop" || endsLink(what))
-            end(at);
+        else if (what.name == "command" || what.name == "stop" || endsLink(what))
+            leave(at);
     }
     std::vector<StepAsked> steps;
     std::string reason; ///< why it ended early; empty: it did not, or nothing says so
@@ -39,10 +39,11 @@ private:
         const auto motor = numberOf(what, "motor");
         const auto rpm = numberOf(what, "rpm");
         const auto ms = numberOf(what, "ms");
+        const bool step = motor && rpm && ms && *motor == m_plan.motor && *ms == 0.0;
+        if (!step || m_left)
+            return leave(at);
         end(at);
         const StepPlan &plan = m_plan.plan;
-        if (!motor || !rpm || !ms || *motor != m_plan.motor || *ms != 0.0)
-            return;
         const bool up = *rpm == plan.toRpm;
         if (!up && *rpm != plan.fromRpm)
             return;
@@ -78,8 +79,16 @@ private:
         m_open = false;
     }
 
+    /// Behind the last step the old set-point comes back, which may look like another one.
+    void leave(Nanos at)
+    {
+        end(at);
+        m_left = m_left || !steps.empty();
+    }
+
     const RecordedSteps &m_plan;
     bool m_open = false; ///< the last step is still held
+    bool m_left = false; ///< there will be no other one
 };
 
 std::string runName(const StepSeries &series, std::size_t run)
@@ -147,9 +156,9 @@ void noteResolution(StepSeries &series, const RecordedSteps &plan)
 
 } // namespace
 
-Result<StepSeries, std::string> stepSeries(
-    const capture::Capture &capture, const Happenings &happenings)
+Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, const Happenings &all)
 {
+    const Happenings happenings = carriedOut(all);
     std::optional<RecordedSteps> plan;
     auto at = happenings.begin();
     for (; at != happenings.end() && !plan; ++at)

@@ -17,6 +17,9 @@ class TestRunner : public QObject {
 private Q_SLOTS:
     void aStandingMotorIsStartedSteppedAndStopped();
     void aRunningMotorGoesBackToItsSpeed();
+    void aStepThatIsAskedForTwiceIsOneRun();
+    void whatMovedNothingIsLeftOut();
+    void theSetPointOfBeforeIsNoStep();
     void theNumbersAreThoseOfTheRotor();
     void stepsArePlacedWithinAMillisecondHoweverTheHostStalls();
     void theWayToTheEnvelopeIsShort_data();
@@ -97,6 +100,54 @@ void TestRunner::aRunningMotorGoesBackToItsSpeed()
         qPrintable(QString::number(bench.pair.board->truth(1).rpm)));
     for (const Command &command : bench.asked<Command>())
         QVERIFY(command.action != MotorAction::Start && command.action != MotorAction::StopMotor);
+}
+
+/// What is read before it is sent got no answer: it is asked for again. That moved nothing, and is no run of the series.
+void TestRunner::aStepThatIsAskedForTwiceIsOneRun()
+{
+    LabBench bench;
+    std::optional<TimePoint> since;
+    bench.pair.loses = [&](const Bytes &bytes) { // requests only: the link stays
+        if (!since && bench.asked<SpeedRamp>().size() == 4)
+            since = bench.pair.now;
+        const bool request = (bytes.front() & 0x0FU) == 0x09U;
+        return request && since && bench.pair.now - *since < 400ms;
+    };
+    VERIFY_END(bench.run(), End::Complete);
+    constexpr std::size_t kWithout =
+        7; // twice to the first speed, four steps, the set-point of before
+    QVERIFY(bench.asked<SpeedRamp>().size() > kWithout);
+    const auto series = bench.series();
+    QVERIFY(series);
+    QCOMPARE(series->runs.size(), 4U);
+    for (const lab::StepRun &run : series->runs) // samples were lost with the requests
+        QVERIFY(run.found || run.unusable == scope::WhyNot::GapInside);
+}
+
+void TestRunner::whatMovedNothingIsLeftOut()
+{
+    const record::Happening ramp{"speed ramp", {{"wish", "7"}}};
+    const auto ended = [](const char *outcome) {
+        return record::Happening{"ended", {{"wish", "7"}, {"outcome", outcome}}};
+    };
+    const lab::Happenings carried = lab::carriedOut({{1, ramp}, {2, ended("refused")}, {3, ramp},
+        {4, {"motion", {{"outcome", "not sent"}}}}, {5, ended("not sent")}, {6, ramp},
+        {7, {"motion", {{"outcome", "ok"}}}}, {8, ended("unknown")}, {9, ramp}});
+    std::vector<lab::Nanos> left;
+    for (const auto &[at, what] : carried)
+        left.push_back(at);
+    QCOMPARE(left, (std::vector<lab::Nanos>{2, 5, 6, 7, 8, 9}));
+}
+
+void TestRunner::theSetPointOfBeforeIsNoStep()
+{
+    LabBench bench;
+    QVERIFY(bench.pair.runUntilEnded(bench.pair.submit(SpeedRamp{1, 1500, 0ms})));
+    VERIFY_END(bench.run(), End::Complete);
+    QCOMPARE(bench.asked<SpeedRamp>().back().duration, 0ms);
+    const auto series = bench.series();
+    QVERIFY(series);
+    QCOMPARE(series->runs.size(), 4U);
 }
 
 /// The board knows its rotor: looked at every 250 us, its rise and overshoot are those that were measured.
