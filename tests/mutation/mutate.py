@@ -148,9 +148,11 @@ class Bench:
         return self.local.lane
 
     def link(self, test):
-        """How it is linked, and what of the libraries gets into it."""
+        """How its program is linked, and what of the libraries gets into it."""
         if test not in self.links:
-            words = shlex.split(self.ninja("-t", "commands", f"tests/{test}").splitlines()[-1])[2:-2] + ["-fuse-ld=lld", "-Wl,-S"]
+            program = next(found[1] for unit in self.units if (found := re.match(rf"tests/CMakeFiles/([^/]*)\.dir/.*/{test}\.cpp\.o", unit)))
+            words = shlex.split(self.ninja("-t", "commands", f"tests/{program}").splitlines()[-1])[2:]
+            words = words[:words.index("&&")] + ["-fuse-ld=lld", "-Wl,-S"] # behind it are the links with the tests' names
             words[words.index("-o") + 1] = str(self.lane() / test)
             members = subprocess.run([*words, "-Wl,-t"], cwd=self.build, check=True, capture_output=True, text=True).stdout
             archives = {"librotorscope_core.a": "core/CMakeFiles/rotorscope_core.dir/", "librotorscope_session.a":
