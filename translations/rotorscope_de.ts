@@ -804,6 +804,34 @@
     </message>
 </context>
 <context>
+    <name>Laid</name>
+    <message>
+        <source>its beginning</source>
+        <comment>of a recording</comment>
+        <translation>ihr Anfang</translation>
+    </message>
+    <message>
+        <source>None of the signals on the scope is in %1.</source>
+        <comment>a file</comment>
+        <translation>Keines der Signale auf dem Oszilloskop ist in %1.</translation>
+    </message>
+    <message>
+        <source>%1 is reference %2, with %3 of the %4 signals on the scope.</source>
+        <comment>file, A or B, numbers</comment>
+        <translation>%1 ist Referenz %2, mit %3 der %4 Signale auf dem Oszilloskop.</translation>
+    </message>
+    <message>
+        <source>At the trigger lies: %1.</source>
+        <comment>a moment of a file</comment>
+        <translation>Am Trigger liegt: %1.</translation>
+    </message>
+    <message>
+        <source>At the left edge lies: %1.</source>
+        <comment>a moment of a file</comment>
+        <translation>Am linken Rand liegt: %1.</translation>
+    </message>
+</context>
+<context>
     <name>Measures</name>
     <message>
         <source>Minimum</source>
@@ -1942,6 +1970,21 @@
     </message>
 </context>
 <context>
+    <name>Shaft</name>
+    <message>
+        <source>A move to an angle needs a time.</source>
+        <translation>Die Fahrt zu einem Winkel braucht eine Zeit.</translation>
+    </message>
+    <message>
+        <source>On the way %1 rpm would be needed: the limit is %2 rpm. Give it more time.</source>
+        <translation>Unterwegs wären %1 rpm nötig: die Grenze ist %2 rpm. Geben Sie ihr mehr Zeit.</translation>
+    </message>
+    <message>
+        <source>at most %1 rpm on the way</source>
+        <translation>unterwegs höchstens %1 rpm</translation>
+    </message>
+</context>
+<context>
     <name>Snapshot</name>
     <message>
         <source>none</source>
@@ -2774,39 +2817,50 @@
         <translation>%1 (Ihre)</translation>
     </message>
     <message>
-        <source>Limits: not known before a board is connected</source>
-        <translation>Grenzen: erst bekannt, wenn ein Board verbunden ist</translation>
-    </message>
-    <message>
         <source>Limits: none (expert mode)</source>
         <translation>Grenzen: keine (Expertenmodus)</translation>
-    </message>
-    <message>
-        <source>Limits: %1, %2</source>
-        <comment>speed, current</comment>
-        <translation>Grenzen: %1, %2</translation>
     </message>
     <message>
         <source>Expert mode: the board does not tell all limits.</source>
         <translation>Expertenmodus: Das Board nennt nicht alle Grenzen.</translation>
     </message>
     <message>
-        <source>Change…</source>
-        <comment>the current scale</comment>
-        <translation>Ändern…</translation>
-    </message>
-    <message>
         <source>Change the current scale</source>
         <translation>Stromskala ändern</translation>
     </message>
     <message>
-        <source>Current scale: %1 at 32768 digits (yours)</source>
+        <source>Current scale: %1 (yours)</source>
         <comment>with unit</comment>
-        <translation>Stromskala: %1 bei 32768 Digits (Ihre)</translation>
+        <translation>Stromskala: %1 (Ihre)</translation>
     </message>
     <message>
-        <source>Current scale: not known, the board does not tell it</source>
-        <translation>Stromskala: nicht bekannt, das Board nennt sie nicht</translation>
+        <source>Current scale: not known</source>
+        <translation>Stromskala: nicht bekannt</translation>
+    </message>
+    <message>
+        <source>The current of 32768 digits, which the board does not tell.</source>
+        <translation>Der Strom bei 32768 Digits, den das Board nicht nennt.</translation>
+    </message>
+    <message>
+        <source>Limits: not known yet</source>
+        <translation>Grenzen: noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Limits: %1,
+%2</source>
+        <comment>speed, current, below each other</comment>
+        <translation>Grenzen: %1,
+%2</translation>
+    </message>
+    <message>
+        <source>Scale…</source>
+        <comment>of the currents</comment>
+        <translation>Skala …</translation>
+    </message>
+    <message>
+        <source>Limits: %1, %2</source>
+        <comment>speed, current</comment>
+        <translation>Grenzen: %1, %2</translation>
     </message>
 </context>
 <context>
@@ -3108,6 +3162,16 @@
     <message>
         <source>Shaft to %1 rad in %2 ms</source>
         <translation>Welle auf %1 rad in %2 ms</translation>
+    </message>
+    <message>
+        <source>%1; at the board within %2</source>
+        <comment>a command, a time</comment>
+        <translation>%1; nach höchstens %2 beim Board</translation>
+    </message>
+    <message>
+        <source>%1, for %2</source>
+        <comment>trouble of the link, how long</comment>
+        <translation>%1, %2 lang</translation>
     </message>
 </context>
 <context>
@@ -4141,6 +4205,10 @@
         <source>The trigger&apos;s mode was %1 and is Roll now: the newest samples are followed.</source>
         <translation>Der Trigger stand auf %1 und steht jetzt auf Rollen: Das Bild folgt den neuesten Abtastwerten.</translation>
     </message>
+    <message>
+        <source>Open as a re&amp;ference…</source>
+        <translation>Als &amp;Referenz öffnen …</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MarkerFile</name>
@@ -4949,6 +5017,14 @@
         <source>What is imported takes the place of what the scope shows.</source>
         <translation>Das Importierte tritt an die Stelle dessen, was das Oszilloskop zeigt.</translation>
     </message>
+    <message>
+        <source>Open as a &amp;reference</source>
+        <translation>Als &amp;Referenz öffnen</translation>
+    </message>
+    <message>
+        <source>Open a recording as a reference</source>
+        <translation>Aufzeichnung als Referenz öffnen</translation>
+    </message>
 </context>
 <context>
     <name>widgets::OwnLimits</name>
@@ -5169,18 +5245,6 @@
         <translation>Positionsrampe</translation>
     </message>
     <message>
-        <source>A move to an angle needs a time.</source>
-        <translation>Die Fahrt zu einem Winkel braucht eine Zeit.</translation>
-    </message>
-    <message>
-        <source>On the way %1 rpm would be needed: the limit is %2 rpm. Give it more time.</source>
-        <translation>Unterwegs wären %1 rpm nötig: die Grenze ist %2 rpm. Geben Sie ihr mehr Zeit.</translation>
-    </message>
-    <message>
-        <source>at most %1 rpm on the way</source>
-        <translation>unterwegs höchstens %1 rpm</translation>
-    </message>
-    <message>
         <source>immediately</source>
         <translation>sofort</translation>
     </message>
@@ -5256,6 +5320,10 @@
     <message>
         <source>Power stage</source>
         <translation>Leistungsteil</translation>
+    </message>
+    <message>
+        <source>This board does not tell it.</source>
+        <translation>Dieses Board nennt das nicht.</translation>
     </message>
 </context>
 <context>
@@ -5765,6 +5833,11 @@
         <source>Sent, outcome unknown: %1</source>
         <translation>Gesendet, Ergebnis unbekannt: %1</translation>
     </message>
+    <message>
+        <source>Last value</source>
+        <comment>heading of values that are not read any more</comment>
+        <translation>Letzter Wert</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterPanel</name>
@@ -5991,6 +6064,18 @@
     <message>
         <source> – its end</source>
         <translation> – zu Ende</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>WIEDERGABE</translation>
+    </message>
+    <message>
+        <source>Place in the recording</source>
+        <translation>Stelle in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Goes to another place in the recording. Back, it begins anew behind what the scope has already.</source>
+        <translation>Geht zu einer anderen Stelle der Aufzeichnung. Zurück beginnt sie von vorn, hinter dem, was das Oszilloskop schon hat.</translation>
     </message>
 </context>
 <context>
@@ -6555,6 +6640,14 @@ mN·m</translation>
         <comment>the scope&apos;s picture stands still</comment>
         <translation>Halt</translation>
     </message>
+    <message>
+        <source>Draws each set-point from the instant at which its bytes left. How soon the board had it stands with the command among the events.</source>
+        <translation>Zeichnet jeden Sollwert ab dem Augenblick, in dem seine Bytes abgingen. Wie bald das Board ihn hatte, steht beim Befehl unter den Ereignissen.</translation>
+    </message>
+    <message>
+        <source>Set-po&amp;ints as sent</source>
+        <translation>S&amp;ollwerte, wie sie gesendet wurden</translation>
+    </message>
 </context>
 <context>
     <name>widgets::ScopeTools</name>
@@ -6626,6 +6719,18 @@ mN·m</translation>
         <source>Drop re&amp;ference B</source>
         <translation>Referenz B ver&amp;werfen</translation>
     </message>
+    <message>
+        <source>Ne&amp;xt event of reference A</source>
+        <translation>Nä&amp;chstes Ereignis der Referenz A</translation>
+    </message>
+    <message>
+        <source>Next e&amp;vent of reference B</source>
+        <translation>Näc&amp;hstes Ereignis der Referenz B</translation>
+    </message>
+    <message>
+        <source>Lays another moment of its file at the trigger, or at the left edge of a picture that rolls</source>
+        <translation>Legt einen anderen Augenblick ihrer Datei an den Trigger oder an den linken Rand eines laufenden Bildes</translation>
+    </message>
 </context>
 <context>
     <name>widgets::ScopeView</name>
@@ -6676,6 +6781,10 @@ mN·m</translation>
     <message>
         <source>&amp;Remove</source>
         <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Zeros of the axes at one height</source>
+        <translation>Nullpunkte der Achsen auf einer Höhe</translation>
     </message>
 </context>
 <context>
@@ -6803,6 +6912,40 @@ mN·m</translation>
         <source>drive mode: torque</source>
         <comment>the board does now</comment>
         <translation>Betriebsart: Drehmoment</translation>
+    </message>
+    <message>
+        <source>Angle of the shaft to go to, in degrees</source>
+        <translation>Anzufahrender Winkel der Welle in Grad</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <comment>kind of set-point</comment>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Shaft is at</source>
+        <translation>Welle steht bei</translation>
+    </message>
+    <message>
+        <source>Position [°]</source>
+        <translation>Position [°]</translation>
+    </message>
+    <message>
+        <source>drive mode: position</source>
+        <comment>the board does now</comment>
+        <translation>Betriebsart: Position</translation>
+    </message>
+    <message>
+        <source>A move to an angle has no end on its way: Stop ends it.</source>
+        <translation>Eine Fahrt zu einem Winkel lässt sich unterwegs nicht beenden, nur mit Stopp.</translation>
+    </message>
+    <message>
+        <source>Turns the shaft to that angle (Enter in the field does the same).</source>
+        <translation>Dreht die Welle zu diesem Winkel (die Eingabetaste im Feld tut dasselbe).</translation>
+    </message>
+    <message>
+        <source>Move to an angle</source>
+        <translation>Fahrt zu einem Winkel</translation>
     </message>
 </context>
 <context>
@@ -7489,6 +7632,11 @@ mN·m</translation>
     <message>
         <source>To acknowledge: %1</source>
         <translation>Zu quittieren: %1</translation>
+    </message>
+    <message>
+        <source>Recorded: %1</source>
+        <comment>state</comment>
+        <translation>Aufgezeichnet: %1</translation>
     </message>
 </context>
 <context>

@@ -804,6 +804,34 @@
     </message>
 </context>
 <context>
+    <name>Laid</name>
+    <message>
+        <source>its beginning</source>
+        <comment>of a recording</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of the signals on the scope is in %1.</source>
+        <comment>a file</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is reference %2, with %3 of the %4 signals on the scope.</source>
+        <comment>file, A or B, numbers</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the trigger lies: %1.</source>
+        <comment>a moment of a file</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the left edge lies: %1.</source>
+        <comment>a moment of a file</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Measures</name>
     <message>
         <source>Minimum</source>
@@ -1942,6 +1970,21 @@
     </message>
 </context>
 <context>
+    <name>Shaft</name>
+    <message>
+        <source>A move to an angle needs a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the way %1 rpm would be needed: the limit is %2 rpm. Give it more time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1 rpm on the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Snapshot</name>
     <message>
         <source>none</source>
@@ -2774,16 +2817,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Limits: not known before a board is connected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Limits: none (expert mode)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Limits: %1, %2</source>
-        <comment>speed, current</comment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2791,21 +2825,40 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change…</source>
-        <comment>the current scale</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Change the current scale</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Current scale: %1 at 32768 digits (yours)</source>
+        <source>Current scale: %1 (yours)</source>
         <comment>with unit</comment>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Current scale: not known, the board does not tell it</source>
+        <source>Current scale: not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The current of 32768 digits, which the board does not tell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits: not known yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits: %1,
+%2</source>
+        <comment>speed, current, below each other</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale…</source>
+        <comment>of the currents</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits: %1, %2</source>
+        <comment>speed, current</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3107,6 +3160,16 @@
     </message>
     <message>
         <source>Shaft to %1 rad in %2 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; at the board within %2</source>
+        <comment>a command, a time</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, for %2</source>
+        <comment>trouble of the link, how long</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4141,6 +4204,10 @@
         <source>The trigger&apos;s mode was %1 and is Roll now: the newest samples are followed.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Open as a re&amp;ference…</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::MarkerFile</name>
@@ -4949,6 +5016,14 @@
         <source>What is imported takes the place of what the scope shows.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Open as a &amp;reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a recording as a reference</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::OwnLimits</name>
@@ -5169,18 +5244,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A move to an angle needs a time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>On the way %1 rpm would be needed: the limit is %2 rpm. Give it more time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>at most %1 rpm on the way</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>immediately</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5255,6 +5318,10 @@
     </message>
     <message>
         <source>Power stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This board does not tell it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5765,6 +5832,11 @@
         <source>Sent, outcome unknown: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Last value</source>
+        <comment>heading of values that are not read any more</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::RegisterPanel</name>
@@ -5990,6 +6062,18 @@
     </message>
     <message>
         <source> – its end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place in the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes to another place in the recording. Back, it begins anew behind what the scope has already.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6549,6 +6633,14 @@ mN·m</source>
         <comment>the scope&apos;s picture stands still</comment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Draws each set-point from the instant at which its bytes left. How soon the board had it stands with the command among the events.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set-po&amp;ints as sent</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::ScopeTools</name>
@@ -6620,6 +6712,18 @@ mN·m</source>
         <source>&amp;Grid</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Ne&amp;xt event of reference A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next e&amp;vent of reference B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lays another moment of its file at the trigger, or at the left edge of a picture that rolls</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::ScopeView</name>
@@ -6669,6 +6773,10 @@ mN·m</source>
     </message>
     <message>
         <source>&amp;Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zeros of the axes at one height</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6796,6 +6904,40 @@ mN·m</source>
     <message>
         <source>drive mode: torque</source>
         <comment>the board does now</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle of the shaft to go to, in degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <comment>kind of set-point</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shaft is at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position [°]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drive mode: position</source>
+        <comment>the board does now</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A move to an angle has no end on its way: Stop ends it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns the shaft to that angle (Enter in the field does the same).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move to an angle</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7482,6 +7624,11 @@ mN·m</source>
     </message>
     <message>
         <source>To acknowledge: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded: %1</source>
+        <comment>state</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>

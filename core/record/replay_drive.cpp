@@ -25,6 +25,7 @@ constexpr double kSliceSeconds = 0.02;
 constexpr Nanos kLookAhead =
     600'000'000; ///< samples are gathered for 250 ms and written behind what was told meanwhile
 constexpr std::size_t kMostPending = 5000;
+constexpr Nanos kNever = std::numeric_limits<Nanos>::min();
 constexpr Nanos kFarthest = 100'000'000'000'000'000; ///< three years from the session's 0 s
 
 bool isPlausible(Nanos at) { return at > -kFarthest && at < kFarthest; }
@@ -135,6 +136,8 @@ void ReplayDrive::disconnect(TimePoint now)
 void ReplayDrive::receive(ByteView bytes, TimePoint now)
 {
     m_asked = false;
+    if (std::exchange(m_dropPiece, false))
+        return advance(now);
     if (bytes.empty())
         m_decoder.finish();
     else
@@ -147,13 +150,19 @@ void ReplayDrive::handleTimeout(TimePoint now) { advance(now); }
 
 std::optional<TimePoint> ReplayDrive::nextTimeout() const
 {
-    if (!m_open || m_asked || m_pending.empty())
+    if (!m_open || m_asked)
+        return std::nullopt;
+    if (m_ended) // somebody may want to see it again
+        return m_control ? std::optional(m_now + kLookAgain) : std::nullopt;
+    if (m_pending.empty())
         return std::nullopt;
     const ReplayPace now = pace();
-    if (now.paused)
-        return m_now + kLookAgain;
     if (m_limited)
         return m_now + kWhileFull;
+    if (hurries())
+        return m_now;
+    if (now.paused)
+        return m_now + kLookAgain;
     if (now.speed <= 0.0)
         return m_now;
     const double wait = static_cast<double>(m_pending.begin()->first - m_position) / now.speed;
@@ -167,6 +176,8 @@ void ReplayDrive::advance(TimePoint now)
 {
     const Duration passed = std::max(Duration(0), now - m_now);
     m_now = std::max(m_now, now);
+    if (const auto place = m_control ? m_control->takeSeek() : std::nullopt; place && m_open)
+        seek(*place, m_now);
     const ReplayPace at = pace();
     if (m_first && !at.paused)
         m_position +=
@@ -174,7 +185,8 @@ void ReplayDrive::advance(TimePoint now)
     m_limited = m_control && m_control->full();
     m_told = 0;
     while (m_open && fetch(now)) {
-        if (at.paused || (at.speed > 0.0 && !isDue()))
+        const bool hurried = hurries();
+        if (!hurried && (at.paused || (at.speed > 0.0 && !isDue())))
             break;
         if (m_limited || m_told > kMostATurn)
             break;
@@ -182,7 +194,8 @@ void ReplayDrive::advance(TimePoint now)
         m_progress.bytes = std::max(m_progress.bytes, item.offset);
         m_progress.position = std::max(m_progress.position, item.at - *m_first);
         play(item);
-        if (at.speed <= 0.0)
+        m_toldUntil = std::max(m_toldUntil.value_or(kNever), item.at + m_shift);
+        if (hurried || at.speed <= 0.0)
             m_position = std::max(m_position, item.at);
     }
     if (!m_pending.empty()) { // short waits are caught up with
@@ -229,8 +242,12 @@ bool ReplayDrive::fetch(TimePoint now)
     }
     if (!m_first) {
         m_first = m_position = m_pending.begin()->first;
-        m_shift = now.time_since_epoch().count() - *m_first;
-        m_events.emplace_back(drive::LinkChanged{drive::LinkState::Connected, {}});
+        // A block reaches further than the time at which it was told.
+        m_shift = std::max(m_toldUntil ? *m_toldUntil + kLookAhead : kNever,
+                      Nanos(now.time_since_epoch().count()))
+            - *m_first;
+        if (!std::exchange(m_met, true))
+            m_events.emplace_back(drive::LinkChanged{drive::LinkState::Connected, {}});
     }
     return true;
 }
@@ -239,10 +256,31 @@ void ReplayDrive::ask()
 {
     if (std::exchange(m_asked, true))
         return;
-    Bytes request(4);
-    for (std::size_t i = 0; i < 4; ++i)
-        request[i] = static_cast<std::uint8_t>(kPiece >> (8 * i));
-    m_output.push_back({std::move(request), {}});
+    ByteWriter request;
+    request.u32(kPiece);
+    if (std::exchange(m_anew, false))
+        request.u64(0);
+    m_output.push_back({request.take(), {}});
+}
+
+/// Forward: no pace is kept up to there. Back: all begins anew, behind what was told.
+void ReplayDrive::seek(std::uint64_t place, TimePoint now)
+{
+    m_hurryTo = place;
+    if (place >= m_progress.bytes)
+        return;
+    m_dropPiece = m_asked;
+    m_anew = true;
+    m_decoder = {};
+    m_pending.clear();
+    m_last.reset();
+    m_layout = {};
+    m_samplesUntil = std::numeric_limits<Nanos>::min();
+    m_fed = m_ended = false;
+    m_first.reset();
+    m_progress = {};
+    m_reported = {};
+    report(now, true);
 }
 
 /// Into m_pending at its time. Samples are gathered in a file: they are told a little at a time, as a board does, and

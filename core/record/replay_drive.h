@@ -1,7 +1,10 @@
 // ReplayDrive: a recording as a drive. Its line carries the bytes of the file: it asks for a piece (four bytes, little-
-// endian, how many) and is given it; an empty piece is the end of the file. What was told then is told again in the pace
-// of the recording, on the axis of now, so that everything behind a drive works as with a board: store, scope, trigger,
-// another recording.
+// endian, how many, and before the first piece of a new start eight more, from which byte on) and is given it; an empty piece
+// is the end of the file. What was told then is told again in the pace of the recording, on the axis of now, so that
+// everything behind a drive works as with a board: store, scope, trigger, another recording.
+//
+// Going forward in the file tells what lies between as fast as it is taken; going back begins anew and does the same, behind
+// what was told: the axis of now has no way back.
 //
 // It never writes and moves nothing: it cannot be armed, and what would write or move ends NotSent with the reason.
 // Values come in the units of the recording; what it does not hold (access, meaning, limits) is not made up.
@@ -38,6 +41,8 @@ public:
     virtual ReplayPace pace() const = 0;
     /// What was handed is not taken: nothing more is told for now, and nothing is lost by it.
     virtual bool full() const = 0;
+    /// A place of the file to go to, in bytes; asked for once, and then it is on its way.
+    virtual std::optional<std::uint64_t> takeSeek() { return std::nullopt; }
     virtual void handed(std::uint64_t values) = 0; ///< so many samples and readings were just told
     /// What no event of a drive says: a happening, a note, the end. `at` is on the axis of now.
     virtual void told(Nanos at, const Entry &entry) = 0;
@@ -77,6 +82,8 @@ private:
     void advance(TimePoint now);
     bool fetch(TimePoint now);
     void ask();
+    void seek(std::uint64_t place, TimePoint now);
+    bool hurries() const { return m_progress.bytes < m_hurryTo; }
     void keep(Item item);
     bool isDue();
     void play(const Item &item);
@@ -104,6 +111,11 @@ private:
     Nanos m_samplesUntil = std::numeric_limits<Nanos>::min(); ///< of those in m_pending
     bool m_open = false;
     bool m_asked = false; ///< for a piece that has not come
+    bool m_met = false; ///< told that it is there
+    bool m_anew = false; ///< the next piece is the first of the file
+    bool m_dropPiece = false; ///< the one that comes is of before a new start
+    std::uint64_t m_hurryTo = 0; ///< bytes of the file up to which no pace is kept
+    std::optional<Nanos> m_toldUntil; ///< on the axis of now
     bool m_fed = false; ///< all of the file is in the decoder
     bool m_ended = false; ///< and told
     bool m_identifiable = false; ///< something is in the catalog that the board was not told with

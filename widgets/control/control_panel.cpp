@@ -1,18 +1,18 @@
 #include "widgets/control/control_panel.h"
 
+#include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
 #include "widgets/control/command_box.h"
 #include "widgets/control/jog_box.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/readout_box.h"
-#include "widgets/control/setpoint_box.h"
 #include "widgets/control/setpoint_edit.h"
+#include "widgets/control/setpoints/setpoint_box.h"
 #include "widgets/control/state_box.h"
 #include "widgets/control/stop_words.h"
 
 #include <QFrame>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QResizeEvent>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -92,9 +92,8 @@ ControlPanel::ControlPanel(
     , m_setpoints(new SetpointBox(device, registers, motion, this))
     , m_jog(new JogBox(device, motion, this))
     , m_readouts(new ReadoutBox(device, registers, this))
-    , m_limits(new QLabel(this))
+    , m_limits(new SteadyLabel(this, 2))
     , m_changeLimits(new QToolButton(this))
-    , m_scale(new QLabel(this))
     , m_changeScale(new QToolButton(this))
     , m_words(new StopWords(this))
 {
@@ -174,8 +173,7 @@ QWidget *ControlPanel::makeBody()
 {
     auto *body = new QWidget(this);
     m_limits->setObjectName(QStringLiteral("limits"));
-    m_limits->setTextFormat(Qt::PlainText);
-    m_limits->setWordWrap(true);
+    m_limits->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_changeLimits->setObjectName(QStringLiteral("changeLimits"));
     m_changeLimits->setText(tr("Change\u2026", "the limits"));
     m_changeLimits->setAccessibleName(tr("Change own limits"));
@@ -183,16 +181,12 @@ QWidget *ControlPanel::makeBody()
     auto *limits = new QHBoxLayout;
     limits->addWidget(m_limits, 1);
     limits->addWidget(m_changeLimits, 0, Qt::AlignTop);
-    m_scale->setObjectName(QStringLiteral("currentScale"));
-    m_scale->setTextFormat(Qt::PlainText);
-    m_scale->setWordWrap(true);
     m_changeScale->setObjectName(QStringLiteral("changeCurrentScale"));
-    m_changeScale->setText(tr("Change\u2026", "the current scale"));
+    m_changeScale->setText(tr("Scale\u2026", "of the currents"));
     m_changeScale->setAccessibleName(tr("Change the current scale"));
+    m_changeScale->setToolTip(tr("The current of 32768 digits, which the board does not tell."));
     m_changeScale->setFocusPolicy(Qt::TabFocus);
-    auto *scale = new QHBoxLayout;
-    scale->addWidget(m_scale, 1);
-    scale->addWidget(m_changeScale, 0, Qt::AlignTop);
+    m_readouts->putBeside("I_Q_MEAS", *m_changeScale);
     auto *layout = new QVBoxLayout(body);
     layout->setContentsMargins(kMargin, kGap, kMargin, kGap);
     layout->setSpacing(kGap);
@@ -201,7 +195,6 @@ QWidget *ControlPanel::makeBody()
     layout->addWidget(m_jog);
     layout->addWidget(line(this));
     layout->addLayout(limits);
-    layout->addLayout(scale);
     return body;
 }
 
@@ -241,46 +234,56 @@ void ControlPanel::follow()
     m_setpoints->follow();
     m_jog->follow();
     showLimits();
-    showScale();
 }
 
-void ControlPanel::showScale()
+/// Of the currents, where the board does not tell it; else empty.
+QString ControlPanel::scaleText() const
 {
-    const bool asked =
-        m_device.identified() && m_device.capability(drive::Feature::CurrentScale).available;
-    m_scale->setVisible(asked);
-    m_changeScale->setVisible(asked);
+    if (!m_changeScale->isEnabled())
+        return {};
     const double amps = m_device.fullScaleAmps(m_device.motor());
-    m_scale->setText(amps > 0.0 ? tr("Current scale: %1 at 32768 digits (yours)", "with unit")
-                                      .arg(numberText(amps, 2) + QChar(0x202f) + QLatin1Char('A'))
-                                : tr("Current scale: not known, the board does not tell it"));
+    return amps > 0.0 ? tr("Current scale: %1 (yours)", "with unit")
+                            .arg(numberText(amps, 2) + QChar(0x202f) + QLatin1Char('A'))
+                      : tr("Current scale: not known");
 }
 
 void ControlPanel::showLimits()
 {
+    const bool asked =
+        m_device.identified() && m_device.capability(drive::Feature::CurrentScale).available;
+    m_changeScale->setEnabled(asked);
+    m_changeScale->setVisible(asked);
     const int motor = m_device.motor();
     const drive::UserLimits &own = m_device.userLimits();
     const drive::MotionBounds bounds = drive::realBoundsOf(m_device.limits(motor), own);
     const bool expert = m_device.expert(motor);
-    const auto text = [expert](double bound, double ownLimit, int decimals, const QString &unit) {
+    bool marked = false;
+    const auto text = [&](double bound, double ownLimit, int decimals, const QString &unit) {
         if (!(bound > 0.0))
             return expert ? tr("none", "a limit") : tr("not known", "a limit");
         const QString number = numberText(bound, decimals) + QChar(0x202f) + unit;
-        return bound == ownLimit ? tr("%1 (yours)", "a limit of the person's own").arg(number)
-                                 : number;
+        if (bound != ownLimit)
+            return number;
+        marked = true;
+        return tr("%1 (yours)", "a limit of the person's own").arg(number);
     };
+    const QString speed = text(bounds.rpm, own.maxSpeedRpm, 0, tr("rpm"));
+    const QString current = text(bounds.amps, own.maxCurrentAmps, 2, QStringLiteral("A"));
+    QStringList more{
+        expert ? tr("Expert mode: the board does not tell all limits.") : QString(), scaleText()};
+    more.removeAll(QString());
     QString all;
     if (!m_device.identified())
-        all = tr("Limits: not known before a board is connected");
+        all = tr("Limits: not known yet");
     else if (expert && !(bounds.rpm > 0.0) && !(bounds.amps > 0.0))
         all = tr("Limits: none (expert mode)");
+    else if (marked && more.isEmpty())
+        all = tr("Limits: %1,\n%2", "speed, current, below each other").arg(speed, current);
     else
-        all = tr("Limits: %1, %2", "speed, current")
-                  .arg(text(bounds.rpm, own.maxSpeedRpm, 0, tr("rpm")),
-                      text(bounds.amps, own.maxCurrentAmps, 2, QStringLiteral("A")));
-    if (expert)
-        all += QLatin1Char('\n') + tr("Expert mode: the board does not tell all limits.");
-    m_limits->setText(all);
+        all = tr("Limits: %1, %2", "speed, current").arg(speed, current);
+    if (!more.isEmpty())
+        all += QLatin1Char('\n') + more.join(QStringLiteral("; "));
+    m_limits->setText(all); // of two lines, whatever they are
 }
 
 void ControlPanel::stopAdvanced(const drive::StopProgress &progress)

@@ -8,7 +8,6 @@
 
 #include <QWidget>
 
-class QLabel;
 class QToolButton;
 
 namespace widgets {
@@ -20,6 +19,7 @@ class ReadoutBox;
 class SetpointBox;
 class SetpointEdit;
 class StateBox;
+class SteadyLabel;
 class StopWords;
 
 class ControlPanel : public QWidget {
@@ -53,7 +53,7 @@ private:
     QWidget *makeBody();
     void follow();
     void showLimits();
-    void showScale();
+    QString scaleText() const;
     void stopAdvanced(const drive::StopProgress &progress);
 
     Device &m_device;
@@ -63,9 +63,8 @@ private:
     SetpointBox *m_setpoints;
     JogBox *m_jog;
     ReadoutBox *m_readouts;
-    QLabel *m_limits;
+    SteadyLabel *m_limits;
     QToolButton *m_changeLimits;
-    QLabel *m_scale; ///< of the currents, where the user has to say it
     QToolButton *m_changeScale;
     StopWords *m_words;
     Milliseconds m_now{};

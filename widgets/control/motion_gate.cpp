@@ -1,16 +1,19 @@
 #include "widgets/control/motion_gate.h"
 
 #include "drive/control_mode.h"
+#include "drive/set_points/shaft_position.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/messages.h"
 #include "widgets/base/value_text.h"
+#include "widgets/control/setpoints/shaft_move.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace widgets {
 namespace {
 
-constexpr int kAmpDecimals = 2, kRadDecimals = 3;
+constexpr int kAmpDecimals = 2;
 constexpr std::chrono::milliseconds kJogRamp{200};
 constexpr std::chrono::milliseconds kPatience{1000};
 
@@ -32,6 +35,13 @@ QString targetText(const drive::StartTarget &target)
     return target.rpm ? numberText(*target.rpm, 0) + space + MotionGate::tr("rpm")
         : target.amps ? numberText(*target.amps, kAmpDecimals) + space + QLatin1Char('A')
                       : QString();
+}
+
+QString shaftText(std::optional<double> radians)
+{
+    constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
+    return radians ? ShaftMove::angleText(*radians * kDegreesPerRad)
+                   : MotionGate::tr("not known", "the old value");
 }
 
 bool isStart(const drive::WishContent &act)
@@ -320,6 +330,14 @@ std::optional<double> MotionGate::reading(const char *name, int motor) const
     return m_registers.shownValue(info->perMotor ? catalog->withMotor(*info, motor) : info->id);
 }
 
+std::optional<double> MotionGate::shaftOf(int motor) const
+{
+    const auto catalog = m_device.catalog();
+    return catalog ? drive::shaftAngle_rad(
+               *catalog, motor, [this](catalog::RegisterId id) { return m_registers.current(id); })
+                   : std::nullopt;
+}
+
 drive::MotionScene MotionGate::sceneOf(int motor) const
 {
     const drive::MotorStatus status = m_device.status(motor);
@@ -383,9 +401,7 @@ QStringList MotionGate::linesOf(const drive::WishContent &act, const drive::Moti
                          number(current->idAmps, kAmpDecimals, amps));
     else if (const auto *position = std::get_if<drive::PositionRamp>(&act))
         change = tr("position %1 \u2192 %2 in %3 ms", "old, new, time")
-                     .arg(number(reading("CURRENT_POSITION", position->motor), kRadDecimals,
-                              QStringLiteral("rad")),
-                         number(position->radians, kRadDecimals, QStringLiteral("rad")),
+                     .arg(shaftText(shaftOf(position->motor)), shaftText(position->radians),
                          QString::number(position->duration.count()));
     QStringList lines{
         tr("Motor %1: %2", "number, change").arg(QString::number(motorOf(act)), change)};

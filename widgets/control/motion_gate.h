@@ -75,6 +75,7 @@ Q_SIGNALS:
 private:
     drive::MotionScene sceneOf(int motor) const;
     std::optional<double> reading(const char *name, int motor) const;
+    std::optional<double> shaftOf(int motor) const; ///< where it is [rad]
     QStringList linesOf(const drive::WishContent &act, const drive::MotionScene &scene,
         const drive::StartTarget &target) const;
     bool needsExpert(const std::vector<drive::WishContent> &acts);

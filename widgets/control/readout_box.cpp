@@ -1,5 +1,6 @@
 #include "widgets/control/readout_box.h"
 
+#include "drive/set_points/shaft_position.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
@@ -74,6 +75,10 @@ std::vector<catalog::RegisterId> ReadoutBox::watchedRegisters() const
     for (const Row &row : m_rows)
         if (row.id)
             ids.push_back(*row.id);
+    const bool turns = m_device.capability(drive::Feature::PositionRamp).available;
+    if (const auto catalog = m_device.catalog(); catalog && turns)
+        for (const auto shaft : drive::shaftRegisters(*catalog, m_device.motor()))
+            ids.push_back(shaft);
     return ids;
 }
 
@@ -85,6 +90,17 @@ std::optional<double> ReadoutBox::value(const char *name) const
     return {};
 }
 
+void ReadoutBox::putBeside(std::string_view name, QWidget &widget)
+{
+    for (const Row &row : m_rows)
+        if (row.value && name == row.name) {
+            widget.setMaximumHeight(row.value->sizeHint().height());
+            static_cast<QGridLayout *>(layout())->addWidget(
+                &widget, static_cast<int>(&row - m_rows.data()), 1, Qt::AlignLeft);
+            row.value->lower();
+        }
+}
+
 void ReadoutBox::resolve()
 {
     const auto catalog = m_device.catalog();
@@ -94,9 +110,11 @@ void ReadoutBox::resolve()
         if (info && info->readable() && !info->stub)
             row.id = info->perMotor ? catalog->withMotor(*info, m_device.motor()) : info->id;
         const bool there = row.id.has_value() || !catalog;
-        for (QLabel *label : {row.label, row.value})
-            if (label)
-                label->setVisible(there);
+        for (QLabel *label : {row.label, row.value}) // which keep their places
+            if (label) {
+                label->setEnabled(there);
+                label->setToolTip(there ? QString() : tr("This board does not tell it."));
+            }
     }
     update();
     Q_EMIT watchedRegistersChanged();

@@ -17,6 +17,8 @@ public:
 
     /// To be polled as long as it is there.
     std::vector<catalog::RegisterId> watchedRegisters() const;
+    /// Between a name and its value, without a place of its own: nothing moves when it comes and goes.
+    void putBeside(std::string_view name, QWidget &widget);
     std::optional<double> value(const char *name) const; ///< newest; empty if stale or not there
 
 Q_SIGNALS:

@@ -3,6 +3,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/lamp.h"
 #include "widgets/base/messages.h"
+#include "widgets/base/replaying.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/control/fault_texts.h"
 #include "widgets/control/state_strip.h"
@@ -113,7 +114,8 @@ void StateBox::follow()
 void StateBox::showState(const drive::MotorStatus &status, bool believed)
 {
     m_strip->show(status, believed);
-    m_strip->setVisible(m_strip->sizeHint().height() > 0);
+    // It belongs to a board that is there, or is looked for.
+    m_strip->setVisible(m_strip->hasSteps() && m_device.portOpen());
     QString text = believed ? motorStateText(status.state) : linkStateText(m_device.link());
     const auto &board = m_device.identified();
     if (believed && board && board->identity.motors > 1)
@@ -122,11 +124,14 @@ void StateBox::showState(const drive::MotorStatus &status, bool believed)
     const QString name = deviceText(status.stateName);
     if (believed && !name.isEmpty() && m_strip->litName().isEmpty())
         text += QStringLiteral(" (%1)").arg(name);
+    const bool recorded = believed && replaying(m_device); // nothing turns now
+    if (recorded)
+        text = tr("Recorded: %1", "state").arg(text);
     m_state->setText(text);
-    m_state->setEnabled(believed);
+    m_state->setEnabled(believed && !recorded);
     QPalette colors = palette();
     // The link's words must not wear the colour of a state that is no longer known.
-    if (believed)
+    if (believed && !recorded)
         colors.setColor(QPalette::WindowText, stateColor(status.state, palette()));
     else if (m_device.link().state == drive::LinkState::Lost)
         colors.setColor(QPalette::WindowText, Lamp::colorOf(Lamp::Light::Bad, palette()));

@@ -13,6 +13,7 @@ namespace widgets {
 namespace {
 
 constexpr int kColumns = 3;
+constexpr int kRows = 3; ///< that it has room for: no drive has more than eight steps
 constexpr int kGap = 3;
 constexpr int kPadding = 4; // above and below the text, together
 constexpr double kSmaller = 0.86; // than the font around
@@ -59,7 +60,6 @@ void StateStrip::setSteps(std::vector<drive::StateStep> steps)
     m_steps = std::move(steps);
     m_current = -1;
     m_lit.clear();
-    updateGeometry();
     describe();
     update();
 }
@@ -89,16 +89,13 @@ void StateStrip::describe()
 
 QSize StateStrip::sizeHint() const
 {
-    const int rows = (static_cast<int>(m_steps.size()) + kColumns - 1) / kColumns;
-    if (rows == 0)
-        return {kColumns * 76, 0};
     const int height = QFontMetrics(smallFont(font(), true)).height() + kPadding;
-    return {kColumns * 76, rows * (height + kGap) - kGap};
+    return {kColumns * 76, kRows * (height + kGap) - kGap};
 }
 
 QRect StateStrip::cellRect(std::size_t step) const
 {
-    const int rows = (static_cast<int>(m_steps.size()) + kColumns - 1) / kColumns;
+    const int rows = std::max(kRows, (static_cast<int>(m_steps.size()) + kColumns - 1) / kColumns);
     const int row = static_cast<int>(step) / kColumns, column = static_cast<int>(step) % kColumns;
     const int left = column * (width() + kGap) / kColumns;
     const int right = (column + 1) * (width() + kGap) / kColumns - kGap;

@@ -13,6 +13,8 @@ class StateStrip : public QWidget {
 public:
     explicit StateStrip(QWidget *parent = nullptr);
 
+    bool hasSteps() const { return !m_steps.empty(); }
+    /// It has the same height whatever they are.
     void setSteps(std::vector<drive::StateStep> steps);
     /// @param believed  false: nothing is lit, because it is not known
     void show(const drive::MotorStatus &status, bool believed);

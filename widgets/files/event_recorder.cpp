@@ -150,6 +150,7 @@ void EventRecorder::ended(const drive::Ended &ended)
         return;
     const auto [seconds, id] = asked->second;
     m_asked.erase(asked);
+    m_lastEnded = {ended.id, id};
     const ScopeEvent *event = m_log.find(id);
     if (event && ended.outcome != drive::Outcome::Ok)
         m_log.setText(id,
@@ -157,6 +158,19 @@ void EventRecorder::ended(const drive::Ended &ended)
                 .arg(event->text, outcomeText(ended.outcome)));
     for (const drive::WriteResult &write : ended.writes)
         wrote(write, seconds);
+}
+
+void EventRecorder::left(const drive::SentSetPoint &sent)
+{
+    // Told by the session itself, before or behind the end of the wish.
+    const auto asked = m_asked.find(sent.wish);
+    const quint32 id = asked != m_asked.end() ? asked->second.event
+        : m_lastEnded.first == sent.wish      ? m_lastEnded.second
+                                              : 0;
+    if (const ScopeEvent *event = m_log.find(id); event && event->kind == EventKind::Command)
+        m_log.setText(id,
+            tr("%1; at the board within %2", "a command, a time")
+                .arg(event->text, exactTime(sent.within_s, QLocale())));
 }
 
 void EventRecorder::wrote(const drive::WriteResult &write, double seconds)
@@ -233,6 +247,14 @@ void EventRecorder::link()
                 status = {};
         else if (before != LinkState::Suspect && before != LinkState::Recovering)
             m_status.clear();
+        if (const ScopeEvent *began = m_loss ? m_log.find(m_loss->id) : nullptr;
+            began && m_loss->how < Trouble::Lost && link.reason != drive::LinkReason::BoardReset) {
+            m_log.setText(m_loss->id, // a moment that is over: its line is enough
+                tr("%1, for %2", "trouble of the link, how long")
+                    .arg(began->text, exactTime(now() - began->seconds, QLocale())));
+            m_loss.reset();
+            break;
+        }
         m_loss.reset();
         note(EventKind::Recovery, now(),
             link.reason == drive::LinkReason::BoardReset ? linkReasonText(link.reason) : word);

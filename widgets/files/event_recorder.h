@@ -3,6 +3,7 @@
 #pragma once
 
 #include "capture/capture.h"
+#include "drive/set_points/set_point_times.h"
 #include "widgets/base/device.h"
 #include "widgets/scope/events/event_log.h"
 
@@ -30,6 +31,8 @@ public:
         std::function<Milliseconds()> now, QObject *parent = nullptr);
 
     double now() const; ///< seconds on the session's axis
+    /// Its line tells from now on how exactly its instant is known.
+    void left(const drive::SentSetPoint &sent);
     void stored(const capture::SampleBlock &block); ///< it is in the capture
 
     /// What was asked for, in words; empty for what is no command. @param several  motors, which are told apart
@@ -69,6 +72,7 @@ private:
     std::function<Milliseconds()> m_now;
     SessionClock m_clock;
     std::map<drive::WishId, Asked> m_asked;
+    std::pair<drive::WishId, quint32> m_lastEnded; ///< a command, and its line
     std::map<int, drive::MotorStatus> m_status;
     drive::LinkState m_link = drive::LinkState::Closed;
     std::optional<Loss> m_loss; ///< that goes on

@@ -10,11 +10,19 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScopedValueRollback>
+#include <QSlider>
 #include <QToolButton>
 
 #include <algorithm>
 
 namespace widgets {
+namespace {
+
+constexpr int kPlaces = 1000; ///< of the slider
+constexpr int kPlaceWidth = 160; ///< pixels
+
+} // namespace
 
 ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
     : QWidget(parent)
@@ -22,6 +30,8 @@ ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
     , m_replay(replay)
     , m_pause(new QToolButton(this))
     , m_speed(new QComboBox(this))
+    , m_place(new QSlider(Qt::Horizontal, this))
+    , m_badge(new QLabel(tr("REPLAY"), this))
     , m_text(new QLabel(this))
 {
     setObjectName(QStringLiteral("replayBar"));
@@ -40,6 +50,23 @@ ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
     m_speed->addItem(tr("4\u00d7"), 4.0);
     m_speed->addItem(tr("as fast as possible"), 0.0);
     new WheelGuard(m_speed);
+    m_place->setObjectName(QStringLiteral("replayPlace"));
+    m_place->setAccessibleName(tr("Place in the recording"));
+    m_place->setToolTip(tr("Goes to another place in the recording. Back, it begins anew behind "
+                           "what the scope has already."));
+    m_place->setRange(0, kPlaces);
+    m_place->setPageStep(kPlaces / 20);
+    m_place->setSingleStep(kPlaces / 100);
+    m_place->setTracking(false); // where it is let go
+    m_place->setMinimumWidth(kPlaceWidth);
+    new WheelGuard(m_place);
+    m_badge->setObjectName(QStringLiteral("replayBadge"));
+    m_badge->setContentsMargins(6, 1, 6, 1);
+    m_badge->setAutoFillBackground(true);
+    QFont bold = m_badge->font();
+    bold.setBold(true);
+    m_badge->setFont(bold);
+    paintBadge();
     m_text->setObjectName(QStringLiteral("replayText"));
     m_text->setTextFormat(Qt::PlainText);
     m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -47,8 +74,10 @@ ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 0, 8, 4);
     layout->setSpacing(6);
+    layout->addWidget(m_badge);
     layout->addWidget(m_pause);
     layout->addWidget(m_speed);
+    layout->addWidget(m_place, 1);
     layout->addWidget(m_text, 1);
 
     connect(m_pause, &QToolButton::toggled, this, [this](bool paused) {
@@ -57,10 +86,30 @@ ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
     });
     connect(m_speed, &QComboBox::currentIndexChanged, this,
         [this] { m_replay.setSpeed(m_speed->currentData().toDouble()); });
+    connect(m_place, &QSlider::valueChanged, this, [this](int place) {
+        if (!m_telling)
+            m_replay.seek(static_cast<double>(place) / kPlaces);
+    });
     connect(&replay, &session::Replay::advanced, this, &ReplayBar::tell);
     connect(&device, &Device::openWished, this, &ReplayBar::follow);
     connect(&device, &Device::portStateChanged, this, &ReplayBar::follow);
     follow();
+}
+
+/// As plain as a sign: nothing that is shown is happening now.
+void ReplayBar::paintBadge()
+{
+    QPalette colors = palette();
+    colors.setColor(QPalette::Window, QColor(0xf0, 0xb4, 0x29));
+    colors.setColor(QPalette::WindowText, Qt::black);
+    m_badge->setPalette(colors);
+}
+
+void ReplayBar::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        paintBadge();
 }
 
 void ReplayBar::follow()
@@ -84,6 +133,10 @@ void ReplayBar::tell(const session::ReplayState &state)
         text += tr(" \u2013 its end");
     m_text->setText(text);
     m_pause->setEnabled(!state.ended);
+    if (m_place->isSliderDown())
+        return;
+    const QScopedValueRollback telling(m_telling, true);
+    m_place->setValue(static_cast<int>(state.fraction * kPlaces));
 }
 
 } // namespace widgets

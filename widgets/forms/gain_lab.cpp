@@ -10,6 +10,7 @@
 
 #include <QCheckBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -160,14 +161,17 @@ QWidget *GainLab::makeEnd()
     m_findings = new GainLabel("labFindings", this);
     m_told = new GainLabel("labTold", this);
     grid->addWidget(m_findings, 0, 0);
-    m_fromBoard = new QPushButton(tr("From the &board"), this);
+    m_buttons = new QWidget(this);
+    m_fromBoard = new QPushButton(tr("From the &board"), m_buttons);
     m_fromBoard->setObjectName(QStringLiteral("labFromBoard"));
     m_fromBoard->setToolTip(tr("Forgets what was typed here and takes the board's numbers again."));
-    m_preview = new QPushButton(tr("&Preview"), this);
+    m_preview = new QPushButton(tr("&Preview"), m_buttons);
     m_preview->setObjectName(QStringLiteral("labPreview"));
+    auto *buttons = new QHBoxLayout(m_buttons);
+    buttons->setContentsMargins(0, 0, 0, 0);
+    buttons->addWidget(m_fromBoard);
+    buttons->addWidget(m_preview);
     grid->addWidget(m_told, 0, 1);
-    grid->addWidget(m_fromBoard, 0, 2);
-    grid->addWidget(m_preview, 0, 3);
     grid->setColumnStretch(0, 3);
     grid->setColumnStretch(1, 2);
     connect(m_fromBoard, &QPushButton::clicked, this, &GainLab::forgetTyped);

@@ -37,6 +37,8 @@ public:
     bool previewPossible() const { return obstacle().isEmpty(); }
     std::vector<catalog::RegisterId> registers() const;
     void focusFirst();
+    /// Of its wishes; who shows the lab places them, outside of what scrolls.
+    QWidget *buttons() const { return m_buttons; }
     void tell(const QString &sentence); ///< what came of a preview; goes with the next change
 
 Q_SIGNALS:
@@ -71,6 +73,7 @@ private:
     QSlider *m_bandwidthSlider = nullptr, *m_dampingSlider = nullptr;
     QCheckBox *m_speed = nullptr;
     GainLabel *m_findings = nullptr, *m_told = nullptr;
+    QWidget *m_buttons = nullptr;
     QPushButton *m_fromBoard = nullptr, *m_preview = nullptr;
 };
 

@@ -7,6 +7,7 @@
 #include "widgets/forms/gain_texts.h"
 #include "widgets/registers/edit_bar.h"
 
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QTabBar>
 #include <QTabWidget>
@@ -45,6 +46,17 @@ GainsForm::GainsForm(Device &device, RegisterModel &model, RegisterEdits &edits,
     layout->setContentsMargins(4, 0, 4, 0);
     layout->setSpacing(4);
     layout->addWidget(m_pages, 1);
+    // What a page wishes and what is written stay in view together where the page itself has to scroll.
+    m_footer = new QWidget(this);
+    auto *footer = new QHBoxLayout(m_footer);
+    footer->setContentsMargins(0, 0, 0, 0);
+    footer->addWidget(m_lab->buttons());
+    footer->addWidget(m_editBar, 1);
+    const auto followPage = [this] {
+        m_lab->buttons()->setVisible(m_pages->currentWidget() == m_lab);
+    };
+    connect(m_pages, &QTabWidget::currentChanged, this, followPage);
+    followPage();
 
     connect(m_pages, &QTabWidget::currentChanged, this, &Form::watchedRegistersChanged);
     connect(m_table, &GainTable::entryRefused, this,
@@ -84,7 +96,7 @@ void GainsForm::refresh(Milliseconds)
     m_lab->refreshPresent();
 }
 
-QWidget *GainsForm::footer() const { return m_editBar; }
+QWidget *GainsForm::footer() const { return m_footer; }
 
 void GainsForm::focusFirst()
 {

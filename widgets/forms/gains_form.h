@@ -57,6 +57,7 @@ private:
     GainTable *m_table;
     GainLab *m_lab;
     EditBar *m_editBar;
+    QWidget *m_footer;
 };
 
 } // namespace widgets

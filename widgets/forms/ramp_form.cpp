@@ -1,5 +1,6 @@
 #include "widgets/forms/ramp_form.h"
 
+#include "drive/set_points/shaft_position.h"
 #include "motor/ramp.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/value_text.h"
@@ -7,6 +8,7 @@
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/motor_button.h"
 #include "widgets/control/setpoint_edit.h"
+#include "widgets/control/setpoints/shaft_move.h"
 #include "widgets/forms/ramp_preview.h"
 #include "widgets/registers/register_model.h"
 
@@ -185,9 +187,12 @@ std::vector<catalog::RegisterId> RampForm::watchedRegisters() const
 {
     std::vector<catalog::RegisterId> ids;
     for (const char *name : {"SPEED_REF", "SPEED_MEAS", "I_Q_REF", "I_Q_MEAS", "I_D_REF",
-             "CONTROL_MODE", "CURRENT_POSITION", "POSITION_CTRL_STATE"})
+             "CONTROL_MODE", "POSITION_CTRL_STATE"})
         if (const auto id = m_registers.idOf(name))
             ids.push_back(*id);
+    if (const auto catalog = m_registers.catalog())
+        for (const auto id : drive::shaftRegisters(*catalog, m_device.motor()))
+            ids.push_back(id);
     return ids;
 }
 
@@ -250,9 +255,9 @@ void RampForm::ended(const drive::Ended &ended)
     Milliseconds duration{};
     if (const auto *speed = std::get_if<drive::SpeedRamp>(&wish.what)) {
         m_running = RampKind::Speed;
-        target = motor::quantisedSpeed_rpm(speed->rpm);
+        target = speedsInStairs(m_device) ? motor::quantisedSpeed_rpm(speed->rpm) : speed->rpm;
         duration = speed->duration;
-        step = motor::kSpeedStep_rpm;
+        step = m_device.limits(m_device.motor()).speedStepRpm;
     } else if (const auto *torque = std::get_if<drive::TorqueRamp>(&wish.what)) {
         m_running = RampKind::Torque;
         target = torque->amps;
@@ -279,18 +284,17 @@ void RampForm::ended(const drive::Ended &ended)
 void RampForm::drawRunning()
 {
     m_runningPicture = plannedRamp(m_running, m_progress.from(), m_progress.target(),
-        double(m_progress.duration().count()) / 1000.0);
+        double(m_progress.duration().count()) / 1000.0, speedsInStairs(m_device));
 }
 
 RampProgress::Sight RampForm::sight() const
 {
     const bool speed = m_running == RampKind::Speed;
     if (m_running == RampKind::Position) { // the board tells no set-point, only that it has arrived
-        const auto now = shown("CURRENT_POSITION");
         const bool there = shown("POSITION_CTRL_STATE") == kPositionReached;
         return {m_device.status(m_device.motor()).state, m_device.answering(),
             there ? std::optional(m_progress.target()) : std::nullopt,
-            now ? std::optional(*now * kDegreesPerRad) : std::nullopt};
+            ShaftMove::degreesNow(m_device, m_registers)};
     }
     return {m_device.status(m_device.motor()).state, m_device.answering(),
         shown(speed ? "SPEED_REF" : "I_Q_REF"), shown(speed ? "SPEED_MEAS" : "I_Q_MEAS")};

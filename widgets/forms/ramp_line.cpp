@@ -7,6 +7,7 @@
 #include "widgets/base/value_text.h"
 #include "widgets/control/motor_button.h"
 #include "widgets/control/setpoint_edit.h"
+#include "widgets/control/setpoints/shaft_move.h"
 #include "widgets/registers/register_model.h"
 
 #include <QEvent>
@@ -14,15 +15,11 @@
 #include <QLabel>
 
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 namespace widgets {
 namespace {
 
 constexpr double kFallbackAmps = 1000.0; // the board's own limit is enforced below, with the reason
-constexpr double kFarthestDegrees = 360000.0, kDegreeStep = 0.1, kDegreeNotch = 1.0;
-constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
 constexpr double kFirstMs = 500.0, kNotchMs = 100.0;
 
 QString rpmUnit() { return RampLine::tr("rpm"); }
@@ -42,6 +39,12 @@ QString signedRate(double rate, const QString &unit)
 }
 
 } // namespace
+
+/// Other drives have a set-point as fine as it is typed.
+bool speedsInStairs(const Device &device)
+{
+    return device.limits(device.motor()).speedStepRpm >= motor::kSpeedStep_rpm;
+}
 
 RampLine::RampLine(RampKind kind, const Device &device, const RegisterModel &registers,
     QGridLayout &grid, int row, QWidget *parent)
@@ -93,11 +96,8 @@ RampLine::RampLine(RampKind kind, const Device &device, const RegisterModel &reg
         grid.addWidget(m_widgets[column], row, static_cast<int>(column));
     grid.addWidget(m_note, row + 1, 1, 1, 6);
     m_widgets.push_back(m_note);
-    if (kind == RampKind::Position) {
-        m_first->setLimits(kFarthestDegrees, kDegreeStep, QStringLiteral("\u00b0"));
-        m_first->setNotch(kDegreeNotch);
-        m_first->clear(); // zero would be a place to go to
-    }
+    if (kind == RampKind::Position)
+        makeAngleField(*m_first);
 
     for (SetpointEdit *edit : {m_first, m_second}) {
         edit->installEventFilter(this);
@@ -150,10 +150,11 @@ std::optional<drive::WishContent> RampLine::content() const
         return drive::SpeedRamp{motor, static_cast<std::int32_t>(std::lround(*first)), time};
     case RampKind::Torque:
         return drive::TorqueRamp{motor, *first, time};
-    case RampKind::Position:
-        if (time.count() < 1 || peakRpm() > boundRpm())
-            return std::nullopt;
-        return drive::PositionRamp{motor, *first / kDegreesPerRad, time};
+    case RampKind::Position: {
+        const ShaftMove move(m_device, m_registers, *first, *second);
+        return move.refusal().isEmpty() ? std::optional<drive::WishContent>(move.wish())
+                                        : std::nullopt;
+    }
     case RampKind::Current:
         break;
     }
@@ -165,28 +166,10 @@ std::optional<drive::WishContent> RampLine::content() const
 
 std::optional<double> RampLine::reference() const
 {
-    const auto id = m_registers.idOf(m_kind == RampKind::Speed ? "SPEED_REF"
-            : m_kind == RampKind::Position                     ? "CURRENT_POSITION"
-                                                               : "I_Q_REF");
-    const auto value = id ? m_registers.shownValue(*id) : std::nullopt;
-    return value && m_kind == RampKind::Position ? *value * kDegreesPerRad : value;
-}
-
-/// Of the way to an angle; 0 where the board does not say where the shaft is: it is looked at again before it is sent.
-double RampLine::peakRpm() const
-{
-    const auto from = reference();
-    if (!from)
-        return 0.0;
-    return motor::positionPeakSpeed_rpm(
-        (m_first->sentValue().value_or(*from) - *from) / kDegreesPerRad,
-        m_second->sentValue().value_or(0.0) / 1000.0);
-}
-
-double RampLine::boundRpm() const
-{
-    const double bound = m_device.bounds(m_device.motor()).rpm;
-    return bound > 0.0 ? bound : std::numeric_limits<double>::infinity();
+    if (m_kind == RampKind::Position)
+        return ShaftMove::degreesNow(m_device, m_registers);
+    const auto id = m_registers.idOf(m_kind == RampKind::Speed ? "SPEED_REF" : "I_Q_REF");
+    return id ? m_registers.shownValue(*id) : std::nullopt;
 }
 
 RampPicture RampLine::picture() const
@@ -194,7 +177,8 @@ RampPicture RampLine::picture() const
     if (!content())
         return {};
     const double seconds = m_kind == RampKind::Current ? 0.0 : *m_second->sentValue() / 1000.0;
-    return plannedRamp(m_kind, reference().value_or(0.0), *m_first->sentValue(), seconds);
+    return plannedRamp(m_kind, reference().value_or(0.0), *m_first->sentValue(), seconds,
+        speedsInStairs(m_device));
 }
 
 RampPreset RampLine::preset(const QString &name) const
@@ -235,7 +219,7 @@ void RampLine::updateLimits()
     } else if (m_kind == RampKind::Speed) {
         m_first->setLimits(bounds.rpm > 0.0 ? std::min(bounds.rpm, drive::kGreatestWireRpm)
                                             : drive::kGreatestWireRpm,
-            motor::kSpeedStep_rpm, rpmUnit());
+            m_device.limits(m_device.motor()).speedStepRpm, rpmUnit());
     } else {
         const double limit = bounds.amps > 0.0 ? bounds.amps : kFallbackAmps;
         const double step = ampStep(limit, ampsPerDigit());
@@ -252,8 +236,9 @@ QString RampLine::speedNote() const
     const auto from = reference();
     QStringList parts{m_first->echo()};
     if (from) {
-        const double stairs =
-            std::abs(to - motor::quantisedSpeed_rpm(*from)) / motor::kSpeedStep_rpm;
+        const double stairs = speedsInStairs(m_device)
+            ? std::abs(to - motor::quantisedSpeed_rpm(*from)) / motor::kSpeedStep_rpm
+            : 0.0;
         parts.append(signedRate(motor::rampAcceleration_rpmps(*from, to, seconds), rpmUnit()));
         if (seconds > 0.0 && stairs >= 1.0)
             parts.append(tr("%n step(s) of 6 rpm", nullptr, static_cast<int>(stairs)));
@@ -288,16 +273,12 @@ QString RampLine::currentNote() const
 
 QString RampLine::positionNote() const
 {
-    const double peak = peakRpm();
-    if (*m_second->sentValue() < 1.0)
-        return tr("A move to an angle needs a time.");
-    if (peak > boundRpm())
-        return tr("On the way %1 rpm would be needed: the limit is %2 rpm. Give it more time.")
-            .arg(numberText(peak, 0), numberText(boundRpm(), 0));
-    QStringList parts{
-        m_first->echo(), siText(*m_first->sentValue() / kDegreesPerRad, QStringLiteral("rad"))};
-    if (reference())
-        parts.append(tr("at most %1 rpm on the way").arg(numberText(peak, 0)));
+    const ShaftMove move(m_device, m_registers, *m_first->sentValue(), *m_second->sentValue());
+    if (const QString why = move.refusal(); !why.isEmpty())
+        return why;
+    QStringList parts{m_first->echo(), siText(move.wish().radians, QStringLiteral("rad"))};
+    if (const QString outlook = move.outlook(); !outlook.isEmpty())
+        parts.append(outlook);
     return parts.join(QStringLiteral("; "));
 }
 

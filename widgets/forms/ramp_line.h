@@ -21,6 +21,9 @@ class MotorButton;
 class RegisterModel;
 class SetpointEdit;
 
+/// The board counts speeds in steps of 0.1 Hz.
+bool speedsInStairs(const Device &device);
+
 class RampLine : public QObject {
     Q_OBJECT
 public:
@@ -59,8 +62,6 @@ private:
     QString torqueNote() const;
     QString currentNote() const;
     QString positionNote() const;
-    double peakRpm() const;
-    double boundRpm() const;
     std::optional<double> reference() const; ///< the board's own set-point
     double ampsPerDigit() const; ///< 0: not known
 

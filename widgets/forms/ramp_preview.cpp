@@ -21,13 +21,17 @@ constexpr int kPathPoints = 100;
 
 } // namespace
 
-RampPicture plannedRamp(RampKind kind, double from, double to, double seconds)
+RampPicture plannedRamp(RampKind kind, double from, double to, double seconds, bool inStairs)
 {
     RampPicture picture;
     switch (kind) {
     case RampKind::Speed:
         picture.label = RampPreview::tr("Speed [rpm]");
-        picture.stairs = true;
+        picture.stairs = inStairs;
+        if (!inStairs) {
+            picture.plan = {{0.0, from}, {seconds, to}};
+            return picture;
+        }
         for (const auto &point : motor::rampPreview(from, to, seconds))
             picture.plan.push_back({point.time_s, point.speed_rpm});
         return picture;

@@ -25,7 +25,9 @@ struct RampPicture {
 };
 
 /// What a board makes of a ramp, in the unit of its kind.
-RampPicture plannedRamp(RampKind kind, double from, double to, double seconds);
+/// @param inStairs  it counts speeds in steps of 0.1 Hz
+RampPicture plannedRamp(
+    RampKind kind, double from, double to, double seconds, bool inStairs = true);
 
 class RampPreview : public QWidget {
     Q_OBJECT

@@ -16,7 +16,6 @@
 namespace widgets {
 namespace {
 
-constexpr double kKeyZoom = 1.5, kKeyPan = 0.1;
 constexpr double kLeast_s = 0.01; ///< that the axis shows
 constexpr int kTicks = 6; ///< of a curve
 constexpr double kRoom = 0.08; ///< of the speeds, above and below
@@ -178,32 +177,6 @@ void StepOverlay::pan(double share)
     const QCPRange shown = m_plot->xAxis->range();
     const double shift = share * shown.size();
     setLimits((shown.lower + shift) / kMilli, (shown.upper + shift) / kMilli);
-}
-
-bool StepOverlay::takeKey(int key)
-{
-    switch (key) {
-    case Qt::Key_Plus:
-    case Qt::Key_Equal: // the same key without Shift on many keyboards
-    case Qt::Key_Up:
-        zoom(kKeyZoom);
-        return true;
-    case Qt::Key_Minus:
-    case Qt::Key_Down:
-        zoom(1.0 / kKeyZoom);
-        return true;
-    case Qt::Key_Left:
-        pan(-kKeyPan);
-        return true;
-    case Qt::Key_Right:
-        pan(kKeyPan);
-        return true;
-    case Qt::Key_F:
-        fit();
-        return true;
-    default:
-        return false;
-    }
 }
 
 bool StepOverlay::eventFilter(QObject *watched, QEvent *event)

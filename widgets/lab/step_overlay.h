@@ -17,7 +17,7 @@ public:
     explicit StepOverlay(QWidget *parent = nullptr);
 
     void showSteps(const std::vector<StepResult> &results, bool up);
-    void fit(); ///< all of the time
+    void fit() override; ///< all of the time
     int curves() const; ///< that are drawn
 
     QSize minimumSizeHint() const override { return {220, 110}; }
@@ -25,7 +25,8 @@ public:
 protected:
     void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
-    bool takeKey(int key) override;
+    void zoom(double factor) override;
+    void pan(double share) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
@@ -38,8 +39,6 @@ private:
     void drawCurve(const Drawn &drawn, bool dark);
     void bound(const QCPRange &range);
     void setLimits(double least, double most);
-    void zoom(double factor);
-    void pan(double share);
 
     QCustomPlot *m_plot;
     QLabel *m_none;

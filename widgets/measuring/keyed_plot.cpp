@@ -26,6 +26,38 @@ bool KeyedPlot::event(QEvent *event)
     return true;
 }
 
+/// A key without a modifier, of the keypad or not. False leaves it to what is around the picture.
+bool KeyedPlot::takeKey(int key)
+{
+    constexpr double kKeyPan = 0.1;
+    switch (key) {
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: // the same key without Shift on many keyboards
+        zoom(kKeyZoom);
+        return true;
+    case Qt::Key_Minus:
+        zoom(1.0 / kKeyZoom);
+        return true;
+    case Qt::Key_Left:
+        pan(-kKeyPan);
+        return true;
+    case Qt::Key_Right:
+        pan(kKeyPan);
+        return true;
+    case Qt::Key_Up:
+        panUp(kKeyPan);
+        return true;
+    case Qt::Key_Down:
+        panUp(-kKeyPan);
+        return true;
+    case Qt::Key_F:
+        fit();
+        return true;
+    default:
+        return false;
+    }
+}
+
 void KeyedPlot::keyPressEvent(QKeyEvent *event)
 {
     if (!isPlain(*event) || !takeKey(event->key()))

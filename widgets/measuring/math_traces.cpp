@@ -1,7 +1,6 @@
 #include "widgets/measuring/math_traces.h"
 
-#include "widgets/base/device_text.h"
-#include "widgets/scope/scope_view.h"
+#include "widgets/scope/plot_for_unit.h"
 
 #include <algorithm>
 
@@ -50,22 +49,11 @@ void MathTraces::made(const QString &name, quint32 before)
     remember();
 }
 
-/// Beside the traces of its unit, or in a plot of its own.
-int MathTraces::plotFor(const QString &unit) const
-{
-    for (const capture::ChannelId id : m_scope.channels()) {
-        const auto info = m_capture.info(id);
-        if (info && deviceText(info->unit) == unit)
-            return m_scope.plotOf(id);
-    }
-    return m_scope.channels().isEmpty() ? 0 : m_scope.plotCount();
-}
-
 void MathTraces::show(const MathChannels::Entry &entry)
 {
     int &plot = m_places[entry.formula.name].plot;
     const bool known = plot >= 0 && plot < m_scope.plotCount();
-    m_scope.addChannel(entry.channel, known ? plot : plotFor(entry.unit));
+    m_scope.addChannel(entry.channel, known ? plot : plotForUnit(m_scope, m_capture, entry.unit));
     plot = m_scope.plotOf(entry.channel);
 }
 

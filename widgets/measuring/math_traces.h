@@ -30,7 +30,6 @@ private:
     void remember();
     void takenOff(quint32 channel);
     void show(const MathChannels::Entry &entry);
-    int plotFor(const QString &unit) const;
 
     MathChannels &m_channels;
     const capture::Capture &m_capture;

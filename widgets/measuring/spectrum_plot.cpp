@@ -21,8 +21,6 @@ constexpr int kPeakSlot = 1;
 constexpr int kMostNumbers = 10;
 constexpr double kFloor = 1e-12; ///< of the unit; below it a level says nothing
 constexpr double kDecibelSpan = 100.0;
-constexpr double kKeyZoom = 1.5;
-constexpr double kKeyPan = 0.1;
 constexpr double kLeastBins = 8.0; ///< that the axis shows
 constexpr double kRoom = 1.12; ///< above the highest line, for the numbers of the peaks
 } // namespace
@@ -111,32 +109,6 @@ bool SpectrumPlot::eventFilter(QObject *watched, QEvent *event)
     if (event->type() == QEvent::MouseButtonDblClick)
         fit();
     return KeyedPlot::eventFilter(watched, event);
-}
-
-bool SpectrumPlot::takeKey(int key)
-{
-    switch (key) {
-    case Qt::Key_Plus:
-    case Qt::Key_Equal: // the same key without Shift on many keyboards
-    case Qt::Key_Up:
-        zoom(kKeyZoom);
-        return true;
-    case Qt::Key_Minus:
-    case Qt::Key_Down:
-        zoom(1.0 / kKeyZoom);
-        return true;
-    case Qt::Key_Left:
-        pan(-kKeyPan);
-        return true;
-    case Qt::Key_Right:
-        pan(kKeyPan);
-        return true;
-    case Qt::Key_F:
-        fit();
-        return true;
-    default:
-        return false;
-    }
 }
 
 double SpectrumPlot::highest() const

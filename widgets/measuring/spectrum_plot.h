@@ -31,7 +31,7 @@ public:
     void showSpectrum(Picture picture);
     void showNothing(const QString &why);
     void mark(int peak); ///< one of the peaks, by a line; -1: none
-    void fit(); ///< everything up to half the sample rate
+    void fit() override; ///< everything up to half the sample rate
     double from() const; ///< hertz, what the axis shows
     double to() const;
     int points() const; ///< of the trace as it is drawn
@@ -39,14 +39,13 @@ public:
 protected:
     void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
-    bool takeKey(int key) override;
+    void zoom(double factor) override;
+    void pan(double share) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     void applyPalette();
     void bound(const QCPRange &range);
-    void zoom(double factor);
-    void pan(double share);
     void draw();
     double level(std::size_t bin) const;
     double levelOf(double amplitude) const;

@@ -20,8 +20,6 @@ namespace widgets {
 namespace {
 constexpr int kTraceSlot = 0;
 constexpr double kRoom = 1.06; ///< around everything
-constexpr double kKeyZoom = 1.5;
-constexpr double kKeyPan = 0.1;
 constexpr int kBands = 8; ///< of a fading trail
 constexpr int kOldest = 36; ///< alpha of 255
 constexpr double kDot = 4.0; ///< radius of the newest point
@@ -220,7 +218,7 @@ bool XyPlot::takeMouse(QEvent *event)
             return false;
         const QPointF way = mouse->position() - m_taken;
         m_taken = mouse->position();
-        pan(-way.x() / std::max(1, area().width()), way.y() / std::max(1, area().height()));
+        shift(-way.x() / std::max(1, area().width()), way.y() / std::max(1, area().height()));
         return true;
     }
     case QEvent::MouseButtonDblClick:
@@ -228,36 +226,6 @@ bool XyPlot::takeMouse(QEvent *event)
         return true;
     case QEvent::Wheel:
         zoom(std::pow(kKeyZoom, static_cast<QWheelEvent *>(event)->angleDelta().y() / 240.0));
-        return true;
-    default:
-        return false;
-    }
-}
-
-bool XyPlot::takeKey(int key)
-{
-    switch (key) {
-    case Qt::Key_Plus:
-    case Qt::Key_Equal: // the same key without Shift on many keyboards
-        zoom(kKeyZoom);
-        return true;
-    case Qt::Key_Minus:
-        zoom(1.0 / kKeyZoom);
-        return true;
-    case Qt::Key_Left:
-        pan(-kKeyPan, 0.0);
-        return true;
-    case Qt::Key_Right:
-        pan(kKeyPan, 0.0);
-        return true;
-    case Qt::Key_Up:
-        pan(0.0, kKeyPan);
-        return true;
-    case Qt::Key_Down:
-        pan(0.0, -kKeyPan);
-        return true;
-    case Qt::Key_F:
-        fit();
         return true;
     default:
         return false;
@@ -279,7 +247,7 @@ void XyPlot::zoom(double factor)
     place();
 }
 
-void XyPlot::pan(double shareX, double shareY)
+void XyPlot::shift(double shareX, double shareY)
 {
     const Ranges now = ranges();
     const double x = shareX * (now.right - now.left);

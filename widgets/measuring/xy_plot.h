@@ -32,7 +32,7 @@ public:
     };
     void showPicture(Picture picture);
     void showNothing(const QString &why);
-    void fit(); ///< F: everything
+    void fit() override; ///< F: everything
     struct Ranges {
         double left, right, bottom, top;
     };
@@ -43,13 +43,14 @@ public:
 protected:
     void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
-    bool takeKey(int key) override;
+    void zoom(double factor) override;
+    void pan(double shareX) override { shift(shareX, 0.0); }
+    void panUp(double shareY) override { shift(0.0, shareY); }
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     bool takeMouse(QEvent *event);
-    void zoom(double factor);
-    void pan(double shareX, double shareY);
+    void shift(double shareX, double shareY);
     void place();
     Ranges wanted() const;
     Ranges equalised(Ranges ranges) const;

@@ -8,6 +8,8 @@
 #include <QJsonDocument>
 #include <QMimeData>
 
+#include <utility>
+
 namespace widgets {
 namespace {
 
@@ -136,7 +138,8 @@ void RegisterModel::refresh(Milliseconds now)
 
 void RegisterModel::setBelieved(bool believed)
 {
-    m_believed = believed;
+    if (std::exchange(m_believed, believed) != believed)
+        Q_EMIT headerDataChanged(Qt::Horizontal, ValueColumn, ValueColumn);
     if (believed)
         return; // fresh values clear the mark one by one
     for (std::size_t i = 0; i < m_rows.size(); ++i) {

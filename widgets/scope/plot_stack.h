@@ -55,6 +55,8 @@ public:
     void growAxes();
     void fitValues(); ///< all axes, exactly what is visible
     void fitAxis(ValueAxis &axis);
+    /// The zeros of a plot's axes stand at one height by themselves where that takes little room; this way in any case.
+    void setZerosAligned(int plot, bool aligned);
 
     void setGhosts(std::vector<Ghost> ghosts); ///< drawn in every plot that shows their registers
     void setLeastLeft(
@@ -83,6 +85,7 @@ private:
     int slotFor(const capture::ChannelInfo &channel);
     void forgetColor();
     double leastSpanOf(const ScopePlot &plot, const ValueAxis &axis) const;
+    static void alignZeros(ScopePlot &plot);
     capture::MinMax extremes(const ScopePlot &plot, const QCPAxis *axis) const;
 
     QCustomPlot &m_plot;

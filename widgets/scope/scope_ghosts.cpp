@@ -10,6 +10,8 @@ namespace {
 
 constexpr int kReferenceAlpha = 130; ///< of 255
 
+char markOf(Reference which) { return which == Reference::A ? 'A' : 'B'; }
+
 } // namespace
 
 ScopeGhosts::ScopeGhosts(
@@ -36,12 +38,44 @@ void ScopeGhosts::keep(Reference which)
     const std::vector<capture::ChannelId> shown = m_stack.channels();
     if (shown.empty())
         return;
-    const char mark = which == Reference::A ? 'A' : 'B';
-    const auto index = static_cast<std::size_t>(which);
     const Zero zero = m_zero();
-    m_replaced[index] = std::exchange(m_references[index],
-        {{m_capture.snapshot(shown), zero.seconds, kReferenceAlpha, mark}, zero.trigger});
+    replace(which,
+        {{m_capture.snapshot(shown), zero.seconds, kReferenceAlpha, markOf(which)}, zero.trigger,
+            {}, 0});
+}
+
+void ScopeGhosts::lay(
+    Reference which, capture::Snapshot kept, std::vector<Instant> instants, std::size_t first)
+{
+    const double seconds = instants[first].seconds;
+    replace(which,
+        {{std::move(kept), seconds, kReferenceAlpha, markOf(which)}, false, std::move(instants),
+            first});
+    Q_EMIT laid(which);
+}
+
+void ScopeGhosts::replace(Reference which, Kept kept)
+{
+    const auto index = static_cast<std::size_t>(which);
+    m_replaced[index] = std::exchange(m_references[index], std::move(kept));
     Q_EMIT referencesChanged();
+    Q_EMIT redrawWanted();
+}
+
+const Instant &ScopeGhosts::instant(Reference which) const
+{
+    return keptAs(which).instants[keptAs(which).instant];
+}
+
+void ScopeGhosts::nextInstant(Reference which, int by)
+{
+    Kept &kept = m_references[static_cast<std::size_t>(which)];
+    const auto count = static_cast<int>(kept.instants.size());
+    if (count == 0)
+        return;
+    kept.instant = static_cast<std::size_t>((static_cast<int>(kept.instant) + by + count) % count);
+    kept.ghost.shift = kept.instants[kept.instant].seconds;
+    Q_EMIT laid(which);
     Q_EMIT redrawWanted();
 }
 
@@ -58,7 +92,8 @@ void ScopeGhosts::place()
     std::vector<Ghost> all;
     const Zero zero = m_zero();
     for (const Kept &reference : m_references) {
-        if (!reference.ghost.kept || reference.trigger != zero.trigger)
+        const bool suits = !reference.instants.empty() || reference.trigger == zero.trigger;
+        if (!reference.ghost.kept || !suits)
             continue;
         all.push_back(reference.ghost);
         all.back().shift -= zero.seconds;

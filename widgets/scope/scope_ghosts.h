@@ -4,6 +4,7 @@
 #include "widgets/scope/drawing/marks.h"
 
 #include <QObject>
+#include <QString>
 
 #include <array>
 #include <functional>
@@ -16,6 +17,12 @@ class Capture;
 namespace widgets {
 
 class PlotStack;
+
+/// A time of a reference that came from a file, and what happened then.
+struct Instant {
+    double seconds = 0.0;
+    QString text;
+};
 
 class ScopeGhosts : public QObject {
     Q_OBJECT
@@ -35,6 +42,15 @@ public:
     bool hasReference(Reference which) const { return referenceOf(which).kept != nullptr; }
     bool hasReference() const { return hasReference(Reference::A) || hasReference(Reference::B); }
     void place(); ///< behind the traces, before they are drawn
+    Zero zero() const { return m_zero(); }
+
+    /// The same from a file: beside what is shown, be it rolling or triggered.
+    /// @param instants  at least one: those of its times that can be laid where references begin
+    void lay(
+        Reference which, capture::Snapshot kept, std::vector<Instant> instants, std::size_t first);
+    bool isFromFile(Reference which) const { return !keptAs(which).instants.empty(); }
+    const Instant &instant(Reference which) const; ///< that is laid there; of one from a file
+    void nextInstant(Reference which, int by); ///< round and round
 
 public Q_SLOTS:
     void setRecords(std::vector<Ghost> records); ///< newest first; at most kMost
@@ -46,22 +62,27 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void referencesChanged();
+    void laid(widgets::Reference which); ///< another instant of it
     void redrawWanted();
 
 private:
-    const Ghost &referenceOf(Reference which) const
+    struct Kept {
+        Ghost ghost; ///< its shift is the time that lies at zero
+        bool trigger = false; ///< which was the trigger's
+        std::vector<Instant> instants; ///< of a file
+        std::size_t instant = 0;
+    };
+    const Kept &keptAs(Reference which) const
     {
-        return m_references[static_cast<std::size_t>(which)].ghost;
+        return m_references[static_cast<std::size_t>(which)];
     }
+    const Ghost &referenceOf(Reference which) const { return keptAs(which).ghost; }
+    void replace(Reference which, Kept kept);
 
     capture::Capture &m_capture;
     PlotStack &m_stack;
     std::function<Zero()> m_zero;
     std::vector<Ghost> m_records;
-    struct Kept {
-        Ghost ghost; ///< its shift is the time that lies at zero
-        bool trigger = false; ///< which was the trigger's
-    };
     std::array<Kept, 2> m_references, m_replaced;
 };
 

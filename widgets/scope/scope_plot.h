@@ -41,6 +41,7 @@ struct ScopePlot {
     std::vector<Trace> traces;
     std::vector<Ghost> ghosts; ///< behind the traces
     bool dark = false; ///< which set of colours
+    bool zerosAligned = false; ///< also where that takes much room
 
     QCPAxis *timeAxis() const { return rect->axis(QCPAxis::atBottom); }
 };

@@ -86,6 +86,21 @@ void ScopeTools::makeTrigger(TriggerControl &trigger)
         enable();
         references.append(away);
     }
+    for (const auto &[which, text] : {std::pair(Reference::A, tr("Ne&xt event of reference A")),
+             std::pair(Reference::B, tr("Next e&vent of reference B"))}) {
+        QAction *next = make(text, {},
+            tr("Lays another moment of its file at the trigger, or at the "
+               "left edge of a picture that rolls"),
+            [this, which = which] { m_scope.ghosts().nextInstant(which, 1); });
+        next->setObjectName(
+            which == Reference::A ? QStringLiteral("nextEventA") : QStringLiteral("nextEventB"));
+        const auto enable = [this, next, which = which] {
+            next->setEnabled(m_scope.ghosts().isFromFile(which));
+        };
+        connect(&m_scope.ghosts(), &ScopeGhosts::referencesChanged, next, enable);
+        enable();
+        references.append(next);
+    }
     m_groups.append(references);
 }
 

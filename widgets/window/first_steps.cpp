@@ -192,6 +192,8 @@ void FirstSteps::fitHeight()
                 m_rest->setDirection(beside ? Direction::LeftToRight : Direction::TopToBottom);
                 m_between->setDirection(inLine ? Direction::LeftToRight : Direction::TopToBottom);
             }
+    if (least == INT_MAX)
+        return; // before it has its place, nothing of it can be read
     setFixedHeight(least + m_close->sizeHint().height() + layout()->spacing() + around.top()
         + around.bottom() + 2 * frameWidth());
 }

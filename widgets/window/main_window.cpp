@@ -13,12 +13,15 @@
 #include "widgets/control/motion_question.h"
 #include "widgets/control/motor_button.h"
 #include "widgets/control/stop_alarm.h"
+#include "widgets/files/lay_reference.h"
 #include "widgets/files/marker_file.h"
+#include "widgets/files/open_recording.h"
 #include "widgets/files/record_control.h"
 #include "widgets/files/sample_room.h"
 #include "widgets/files/sample_room_dialog.h"
 #include "widgets/registers/register_panel.h"
 #include "widgets/scope/scope_colors.h"
+#include "widgets/scope/scope_ghosts.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/signal_selection.h"
 #include "widgets/scope/trigger/trigger_control.h"
@@ -167,7 +170,10 @@ void MainWindow::makeFlows()
     m_opening = new Opening(
         {m_workbench, *m_selection, *m_markers, *m_leaving, *m_replacing, m_files,
             [this] { return m_connectBar->connecting(); }, [this] { return m_record->folder(); },
-            [this] { return m_exporting->folder(); }, m_questions, this},
+            [this] { return m_exporting->folder(); }, m_questions, this,
+            [this](OpenedRecording &opened, bool &good) {
+                return layReference(*m_scope, m_workbench.capture(), opened, good);
+            }},
         this);
     m_connectBar->setBeforeOpening(
         [this](std::function<void()> goOn) { m_opening->beforeConnecting(std::move(goOn)); });
@@ -189,6 +195,8 @@ void MainWindow::makeFileActions()
     };
     m_openActions = {make(tr("&Open a recording\u2026"), "openRecording", Qt::CTRL | Qt::Key_O,
                          m_opening, &Opening::askForRecording),
+        make(tr("Open as a re&ference\u2026"), "openReference", {}, m_opening,
+            &Opening::askForReference),
         make(tr("Re&play a recording\u2026"), "replayRecording", Qt::CTRL | Qt::SHIFT | Qt::Key_R,
             m_opening, &Opening::askForReplay),
         make(tr("&Import CSV\u2026"), "importCsv", Qt::CTRL | Qt::SHIFT | Qt::Key_O, m_opening,
@@ -376,6 +384,8 @@ void MainWindow::connectFlows()
             tr("The trigger's mode was %1 and is Roll now: the newest samples are followed.")
                 .arg(modeText(mode)));
     });
+    connect(&m_scope->ghosts(), &ScopeGhosts::laid, m_news,
+        [this](Reference which) { m_news->say(Banner::Kind::Note, laidText(*m_scope, which)); });
     connect(m_record, &RecordControl::said, m_news, &LinkNews::say);
     connect(m_markers, &MarkerFile::said, m_news, &LinkNews::say);
     connect(m_room, &SampleRoom::said, m_news, &LinkNews::say);

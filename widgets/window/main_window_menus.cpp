@@ -101,6 +101,8 @@ void MainWindow::fillScopeMenu(QMenu *menu)
         menu->addActions(group);
     }
     menu->addSeparator();
+    menu->addAction(m_page->setPoints());
+    menu->setToolTipsVisible(true);
     QMenu *ofFile = menu->addMenu(tr("Signals of the &file"));
     ofFile->setObjectName(QStringLiteral("fileSignals"));
     connect(menu, &QMenu::aboutToShow, m_selection,

@@ -56,20 +56,25 @@ void Opening::whenDisconnected(std::function<void()> goOn)
 }
 
 /// What is connected goes first, if that is wanted; then it begins again.
-bool Opening::isFree(const QString &title, const QString &text, const std::function<void()> &again)
+/// @param lay  what can be done beside it; none: nothing
+bool Opening::isFree(const QString &title, const QString &text, const std::function<void()> &again,
+    const std::function<void()> &lay)
 {
     m_next = nullptr;
     if (!m_parts.connecting())
         return true;
     if (m_parts.prompt.asks("disconnectQuestion"))
         return false;
+    QList<Answer> answers{{Answer::Kind::Go, tr("&Disconnect and go on"),
+        [this, again] { Q_EMIT disconnectWanted(again); }, "disconnectAndGoOn"}};
+    if (lay && m_parts.lay)
+        answers.append({Answer::Kind::Go, tr("Open as a &reference"), lay, "layAsReference"});
+    answers.append(Answer());
     m_parts.prompt.ask({.name = "disconnectQuestion",
         .title = title,
         .text = text,
         .more = {},
-        .answers = {{Answer::Kind::Go, tr("&Disconnect and go on"),
-                        [this, again] { Q_EMIT disconnectWanted(again); }, "disconnectAndGoOn"},
-            {}}});
+        .answers = answers});
     return false;
 }
 
@@ -101,14 +106,40 @@ void Opening::ask(const OpenQuestion &question, Opened open)
 
 void Opening::askForRecording()
 {
-    if (!isFree(tr("Open a recording"), tr("A recording takes the place of what the scope shows."),
-            [this] { askForRecording(); }))
+    if (!isFree(
+            tr("Open a recording"), tr("A recording takes the place of what the scope shows."),
+            [this] { askForRecording(); }, [this] { askForReference(); }))
         return;
     OpenQuestion question;
     question.title = tr("Open a recording");
     question.folder = orHome(m_parts.recordFolder());
     question.filter = tr("Recordings (*.pcapng)");
     ask(question, [this](const QString &path) { open(path); });
+}
+
+void Opening::askForReference()
+{
+    OpenQuestion question;
+    question.title = tr("Open a recording as a reference");
+    question.folder = orHome(m_parts.recordFolder());
+    question.filter = tr("Recordings (*.pcapng)");
+    m_parts.files.askOpen(
+        m_parts.window, question, [this](const QString &path) { layBeside(path); });
+}
+
+/// What is connected, and what was recorded of it, stay as they are.
+void Opening::layBeside(const QString &path)
+{
+    openRecording(
+        path, m_parts.window,
+        [this](OpenedRecording &opened) {
+            bool good = false;
+            const QString sentence = m_parts.lay(opened, good);
+            Q_EMIT said(good ? Banner::Kind::Note : Banner::Kind::Warning, sentence);
+            if (good)
+                Q_EMIT used(opened.path);
+        },
+        [this](const QString &sentence) { warn(sentence); }, forFiles());
 }
 
 /// The scope's trigger, its measurements and another recording see no difference to a board.
@@ -138,10 +169,12 @@ void Opening::askForCsv()
 
 void Opening::openPath(const QString &path)
 {
-    if (!isFree(tr("Open a recording"), tr("A recording takes the place of what the scope shows."),
-            [this, path] { openPath(path); }))
-        return;
     const bool csv = path.endsWith(QLatin1String(".csv")) || path.endsWith(QLatin1String(".txt"));
+    const auto beside = csv ? std::function<void()>() : [this, path] { layBeside(path); };
+    if (!isFree(
+            tr("Open a recording"), tr("A recording takes the place of what the scope shows."),
+            [this, path] { openPath(path); }, beside))
+        return;
     leaveThen([this, path, csv] {
         m_parts.replacing.before([this, path, csv] { csv ? import(path) : open(path); });
     });

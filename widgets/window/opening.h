@@ -37,6 +37,8 @@ public:
         std::function<QString()> recordFolder, exportFolder; ///< of the last files
         QuestionPrompt &prompt;
         QWidget *window; ///< dialogs are over it; tests do without
+        /// Lays a recording beside what is shown; a sentence, and in `good` whether it is. None: it cannot.
+        std::function<QString(OpenedRecording &, bool &good)> lay = {};
     };
     explicit Opening(Parts parts, QObject *parent = nullptr);
 
@@ -50,6 +52,7 @@ public:
 
 public Q_SLOTS:
     void askForRecording(); ///< Ctrl+O
+    void askForReference(); ///< a recording behind what is shown, also of a board
     void askForReplay(); ///< as if its board were there
     void askForCsv();
     void openPath(const QString &path); ///< a recording, or CSV by its suffix
@@ -65,9 +68,11 @@ Q_SIGNALS:
 private:
     using Opened = std::function<void(const QString &path)>;
     void ask(const OpenQuestion &question, Opened open);
-    bool isFree(const QString &title, const QString &text, const std::function<void()> &again);
+    bool isFree(const QString &title, const QString &text, const std::function<void()> &again,
+        const std::function<void()> &lay = {});
     void leaveThen(std::function<void()> go);
     void open(const QString &path);
+    void layBeside(const QString &path);
     void replay(const QString &path);
     void import(const QString &path);
     void show(OpenedRecording &opened);

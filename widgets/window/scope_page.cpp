@@ -9,6 +9,7 @@
 #include "widgets/scope/scope_tools.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/channel_strip.h"
+#include "widgets/scope/signals/set_point_trace.h"
 #include "widgets/scope/trigger/trigger_bar.h"
 #include "widgets/scope/trigger/trigger_control.h"
 #include "widgets/window/workbench.h"
@@ -84,6 +85,7 @@ ScopePage::ScopePage(const Parts &parts, QWidget *parent)
     ScopeView &scope = parts.scope;
     Workbench &workbench = parts.workbench;
     makeActions();
+    makeSetPoints();
     m_tools = new ScopeTools(scope, parts.trigger, parts.window);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -149,6 +151,27 @@ void ScopePage::makeActions()
     connect(&m_parts.selection, &SignalSelection::changed, this, &ScopePage::showSource);
     connect(&scope.time(), &TimeWindow::followingChanged, m_follow, &QAction::setChecked);
     showSource();
+}
+
+void ScopePage::makeSetPoints()
+{
+    Workbench &workbench = m_parts.workbench;
+    auto *trace = new SetPointTrace(workbench.capture(), m_parts.scope, this);
+    connect(&workbench.setPoints(), &session::SetPointTap::left, trace, &SetPointTrace::take,
+        Qt::QueuedConnection);
+    connect(&workbench, &Workbench::advanced, trace,
+        [trace, &workbench] { trace->advance(workbench.eventRecorder().now()); });
+    connect(&workbench.device(), &Device::portStateChanged, trace, [trace, &workbench] {
+        if (!workbench.device().portOpen())
+            trace->end();
+    });
+    m_setPoints = new QAction(tr("Set-po&ints as sent"), this);
+    m_setPoints->setObjectName(QStringLiteral("setPointsAsSent"));
+    m_setPoints->setCheckable(true);
+    m_setPoints->setToolTip(tr("Draws each set-point from the instant at which its bytes left. How "
+                               "soon the board had it stands with the command among the events."));
+    connect(m_setPoints, &QAction::triggered, trace, &SetPointTrace::setShown);
+    connect(trace, &SetPointTrace::shownChanged, m_setPoints, &QAction::setChecked);
 }
 
 /// What nothing moves changes slowly enough.

@@ -36,6 +36,7 @@ public:
     ChannelStrip &strip() { return *m_strip; }
     const ScopeTools &tools() const { return *m_tools; }
     QList<QAction *> moving() const { return {m_run, m_follow}; } ///< for a menu
+    QAction *setPoints() const { return m_setPoints; } ///< shows them as they were sent
     QList<QAction *> fitting() const { return {m_fit, m_fitValues, m_zoomIn, m_zoomOut}; }
 
 public Q_SLOTS:
@@ -52,6 +53,7 @@ private:
     void showCursorsIn(QVBoxLayout &layout);
     QString sourceText() const;
     void pace();
+    void makeSetPoints();
 
     Parts m_parts;
     ScopeTools *m_tools;
@@ -60,6 +62,7 @@ private:
     QAction *m_run = nullptr;
     bool m_calm = false; ///< no motor is driven
     QToolButton *m_runButton = nullptr;
+    QAction *m_setPoints = nullptr;
     QAction *m_follow = nullptr;
     QAction *m_fit = nullptr;
     QAction *m_fitValues = nullptr;

@@ -13,13 +13,6 @@ constexpr int kHeartbeatMs = 200;
 /// What tells the session that this thread lives. Four late ones in a row are forgiven, a fifth disarms.
 constexpr int kPulseMs = 100;
 
-bool isSetPoint(drive::MotionAct act)
-{
-    using drive::MotionAct;
-    return act == MotionAct::SpeedRamp || act == MotionAct::TorqueRamp
-        || act == MotionAct::CurrentReference || act == MotionAct::PositionRamp;
-}
-
 } // namespace
 
 Workbench::Workbench(session::MakeSink makeSink, session::Parts parts, QObject *parent)
@@ -34,7 +27,9 @@ Workbench::Workbench(session::MakeSink makeSink, session::Parts parts, QObject *
     , m_experimentTap(std::make_shared<session::RecordingTap>())
     , m_experiments(m_device, m_experimentTap, m_parts.clock)
     , m_thread(session::tapped(
-          session::tapped(session::replaying(m_parts, m_replay), m_tap), m_experimentTap))
+          session::tapped(
+              session::listened(session::replaying(m_parts, m_replay), m_setPoints), m_tap),
+          m_experimentTap))
 {
     m_clock.start();
     connectSession();
@@ -175,12 +170,14 @@ void Workbench::connectTrigger()
         });
     connect(&m_recorder, &EventRecorder::written, this,
         [this](double seconds, quint32 id) { m_trigger.event(Kind::RegisterWrite, seconds, id); });
-    // By the session's own clock, whose time the samples have too; a polled reference comes much later.
-    connect(&m_device, &Device::motionLogged, this, [this](const drive::MotionRecord &record) {
-        if (isSetPoint(record.act) && record.requests > 0)
-            m_trigger.event(Kind::SetPoint, toSeconds(record.asked.time_since_epoch()),
-                static_cast<quint32>(record.motor));
-    });
+    // When its bytes left, on the axis of the samples; a polled reference comes much later.
+    connect(
+        m_setPoints.get(), &session::SetPointTap::left, this,
+        [this](const drive::SentSetPoint &sent) {
+            m_trigger.event(Kind::SetPoint, sent.seconds, static_cast<quint32>(sent.motor));
+            m_recorder.left(sent);
+        },
+        Qt::QueuedConnection);
 }
 
 void Workbench::connectReplay()

@@ -10,6 +10,7 @@
 #include "session/link/session_thread.h"
 #include "session/recording/recording.h"
 #include "session/recording/replay.h"
+#include "session/recording/set_point_tap.h"
 #include "widgets/base/device.h"
 #include "widgets/control/input_age.h"
 #include "widgets/control/motion_gate.h"
@@ -60,6 +61,7 @@ public:
     const std::shared_ptr<session::DiskArchive> &archive() { return m_archive; }
     session::Recording &recording() { return m_recording; }
     session::Replay &replay() { return *m_replay; }
+    session::SetPointTap &setPoints() { return *m_setPoints; }
     WatchList &watchList() { return m_watchList; }
     Milliseconds now() const
     {
@@ -111,6 +113,7 @@ private:
     QTimer m_heart;
     QTimer m_pulse; ///< also while the models are busy with a heartbeat
     std::shared_ptr<session::Replay> m_replay = std::make_shared<session::Replay>();
+    std::shared_ptr<session::SetPointTap> m_setPoints = std::make_shared<session::SetPointTap>();
     std::shared_ptr<session::RecordingTap> m_tap;
     session::Recording m_recording;
     std::shared_ptr<session::RecordingTap> m_experimentTap;

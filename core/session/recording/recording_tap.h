@@ -7,7 +7,7 @@
 #pragma once
 
 #include "record/drive_entries.h"
-#include "session/link/session.h"
+#include "session/recording/session_tap.h"
 
 #include <QMetaType>
 #include <QObject>
@@ -26,7 +26,7 @@ struct Told {
 };
 using ToldPtr = std::shared_ptr<const Told>;
 
-class RecordingTap : public QObject {
+class RecordingTap : public QObject, public SessionTap {
     Q_OBJECT
 public:
     enum class Content : std::uint8_t { Samples, SamplesAndLink };
@@ -50,10 +50,10 @@ public:
     void setStartSeconds(std::int64_t seconds) { m_startSeconds = seconds; }
 
     // In the session's thread.
-    void onEvent(const drive::Event &event, TimePoint now);
-    void onWish(const drive::Wish &wish, TimePoint now);
-    void onStop(TimePoint now);
-    void onLink(record::LinkBytes::Direction direction, ByteView bytes, TimePoint now);
+    void onEvent(const drive::Event &event, TimePoint now) override;
+    void onWish(const drive::Wish &wish, TimePoint now) override;
+    void onStop(TimePoint now) override;
+    void onLink(record::LinkBytes::Direction direction, ByteView bytes, TimePoint now) override;
 
 Q_SIGNALS:
     void told(const session::ToldPtr &told); ///< connect it queued

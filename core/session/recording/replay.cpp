@@ -26,9 +26,18 @@ private:
 void Replay::begin(const QString &path)
 {
     m_untaken = 0;
+    m_seek = kNowhere;
     m_state = {};
     m_state.path = path;
     m_bytes = static_cast<double>(std::max<qint64>(1, QFileInfo(path).size()));
+}
+
+std::optional<std::uint64_t> Replay::takeSeek()
+{
+    const double fraction = m_seek.exchange(kNowhere);
+    return fraction < 0.0
+        ? std::nullopt
+        : std::optional(static_cast<std::uint64_t>(std::min(fraction, 1.0) * m_bytes));
 }
 
 void Replay::told(record::Nanos at, const record::Entry &entry)

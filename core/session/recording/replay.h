@@ -38,12 +38,15 @@ public:
     double speed() const { return m_speed; }
     void setPaused(bool paused) { m_paused = paused; }
     bool paused() const { return m_paused; }
+    /// Goes to a place in the file: on as fast as it is taken, back by beginning anew behind what was told.
+    void seek(double fraction) { m_seek = fraction; }
     void take(std::uint64_t values) { m_untaken -= static_cast<std::int64_t>(values); }
 
     // In the session's thread.
     void begin(const QString &path);
     record::ReplayPace pace() const override { return {m_speed, m_paused}; }
     bool full() const override { return m_untaken > 0; }
+    std::optional<std::uint64_t> takeSeek() override;
     void handed(std::uint64_t values) override { m_untaken += static_cast<std::int64_t>(values); }
     void told(record::Nanos at, const record::Entry &entry) override;
     void progressed(const record::ReplayProgress &progress) override;
@@ -53,8 +56,10 @@ Q_SIGNALS:
     void happened(const session::ReplayedEntry &entry);
 
 private:
+    static constexpr double kNowhere = -1.0;
     std::atomic<double> m_speed = 1.0;
     std::atomic<bool> m_paused = false;
+    std::atomic<double> m_seek = kNowhere; ///< part of the file
     std::atomic<std::int64_t> m_untaken = 0;
     ReplayState m_state; ///< of the session's thread
     double m_bytes = 1.0;

@@ -1,4 +1,4 @@
-// The wrappers around a session's transport and drive that feed a RecordingTap. They change nothing of what passes.
+// The wrappers around a session's transport and drive that feed a SessionTap. They change nothing of what passes.
 #include "session/recording/recording_tap.h"
 
 #include <QDateTime>
@@ -11,8 +11,7 @@ using Direction = record::LinkBytes::Direction;
 
 class TappedTransport : public Transport {
 public:
-    TappedTransport(
-        std::unique_ptr<Transport> inner, std::shared_ptr<RecordingTap> tap, Clock clock)
+    TappedTransport(std::unique_ptr<Transport> inner, std::shared_ptr<SessionTap> tap, Clock clock)
         : m_inner(std::move(inner))
         , m_tap(std::move(tap))
         , m_clock(std::move(clock))
@@ -44,13 +43,13 @@ public:
 
 private:
     std::unique_ptr<Transport> m_inner;
-    std::shared_ptr<RecordingTap> m_tap;
+    std::shared_ptr<SessionTap> m_tap;
     Clock m_clock;
 };
 
 class TappedDrive : public drive::Drive {
 public:
-    TappedDrive(std::unique_ptr<Drive> inner, std::shared_ptr<RecordingTap> tap)
+    TappedDrive(std::unique_ptr<Drive> inner, std::shared_ptr<SessionTap> tap)
         : m_inner(std::move(inner))
         , m_tap(std::move(tap))
     {
@@ -122,17 +121,14 @@ public:
 
 private:
     std::unique_ptr<Drive> m_inner;
-    std::shared_ptr<RecordingTap> m_tap;
+    std::shared_ptr<SessionTap> m_tap;
     TimePoint m_now{}; ///< of the last call: events come of it
 };
 
 } // namespace
 
-Parts tapped(const Parts &parts, const std::shared_ptr<RecordingTap> &tap)
+Parts listened(const Parts &parts, const std::shared_ptr<SessionTap> &tap)
 {
-    const auto sinceStart =
-        std::chrono::floor<std::chrono::seconds>(parts.clock().time_since_epoch());
-    tap->setStartSeconds(QDateTime::currentSecsSinceEpoch() - sinceStart.count());
     Parts result = parts;
     result.transport = [parts, tap](const Endpoint &endpoint) -> std::unique_ptr<Transport> {
         auto inner = parts.transport(endpoint);
@@ -144,6 +140,14 @@ Parts tapped(const Parts &parts, const std::shared_ptr<RecordingTap> &tap)
         return std::make_unique<TappedDrive>(parts.drive(endpoint), tap);
     };
     return result;
+}
+
+Parts tapped(const Parts &parts, const std::shared_ptr<RecordingTap> &tap)
+{
+    const auto sinceStart =
+        std::chrono::floor<std::chrono::seconds>(parts.clock().time_since_epoch());
+    tap->setStartSeconds(QDateTime::currentSecsSinceEpoch() - sinceStart.count());
+    return listened(parts, tap);
 }
 
 } // namespace session

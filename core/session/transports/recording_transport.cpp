@@ -34,6 +34,9 @@ void RecordingTransport::write(ByteView bytes, TimePoint now)
     const std::uint32_t wanted = reader.u32();
     if (!reader.ok())
         return;
+    const std::uint64_t place = reader.u64();
+    if (reader.ok() && !m_file.seek(static_cast<qint64>(place)))
+        return Q_EMIT failed({PortProblem::BadFile, m_file.errorString()});
     m_wanted = std::min<qint64>(wanted, kMostBytes);
     m_due = now;
 }

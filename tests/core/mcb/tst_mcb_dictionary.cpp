@@ -42,6 +42,9 @@ void TestMcbDictionary::itHasWhatEveryToolNeeds()
     const Entry *voltage = findEntry(0x060);
     QVERIFY((voltage->info == Info{4, Type::Float, Cyclic::Tx, Access::Read}));
     QCOMPARE(voltage->unit, std::string("V"));
+    for (const std::uint16_t gain :
+        {std::uint16_t{0x501}, std::uint16_t{0x506}}) // V for each A s that has been missing
+        QCOMPARE(findEntry(gain)->unit, std::string("V/(A s)"));
     const Entry *limit = findEntry(0x025);
     QVERIFY(limit->olderName.empty()); // one name in both
     const Entry *mapping = findEntry(0x650);

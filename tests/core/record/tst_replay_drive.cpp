@@ -84,6 +84,8 @@ struct Control : ReplayControl {
     ReplayProgress last;
     ReplayPace pace() const override { return wanted; }
     bool full() const override { return isFull; }
+    std::optional<std::uint64_t> goTo;
+    std::optional<std::uint64_t> takeSeek() override { return std::exchange(goTo, std::nullopt); }
     void handed(std::uint64_t count) override { values += count; }
     void told(Nanos at, const Entry &entry) override { entries.emplace_back(at, entry); }
     void progressed(const ReplayProgress &progress) override { last = progress; }
@@ -113,7 +115,10 @@ struct Bench {
              outputs = drive.takeOutput()) {
             for (const Output &output : outputs) {
                 ByteReader reader(output.bytes);
-                const std::size_t count = std::min<std::size_t>(reader.u32(), file.size() - at);
+                const std::size_t wanted = reader.u32();
+                if (const std::uint64_t place = reader.u64(); reader.ok())
+                    at = static_cast<std::size_t>(place);
+                const std::size_t count = std::min<std::size_t>(wanted, file.size() - at);
                 drive.receive(ByteView(file).subspan(at, count), now);
                 at += count;
             }
@@ -217,6 +222,54 @@ private Q_SLOTS:
         QVERIFY(near(bench.samples(), 1980, 60));
         bench.runFor(3s);
         QCOMPARE(bench.samples(), 3000U);
+    }
+
+    void goingForwardLeavesNothingOutAndStaysThere()
+    {
+        Bench bench;
+        bench.control.wanted.paused = true;
+        bench.control.goTo = bench.file.size() / 2;
+        bench.runFor(100ms);
+        QVERIFY(near(bench.samples(), 1500, 200));
+        const std::uint64_t there = bench.samples();
+        bench.runFor(1s);
+        QCOMPARE(bench.samples(), there); // it is held
+        bench.control.wanted.paused = false;
+        bench.runFor(100ms);
+        QVERIFY(near(bench.samples(), there + 100));
+        bench.runFor(10s);
+        QCOMPARE(bench.samples(), 3000U);
+        for (capture::Tick tick = 0; const auto &block : bench.all<capture::SampleBlock>()) {
+            QCOMPARE(block.firstTick, tick);
+            tick += block.count;
+        }
+    }
+
+    void goingBackBeginsAnewBehindWhatWasTold()
+    {
+        Bench bench;
+        bench.runFor(2500ms);
+        const std::uint64_t first = bench.samples();
+        QVERIFY(near(first, 2500));
+        const double until = bench.capture.timeSpan()->to;
+        bench.control.goTo = bench.file.size() / 3;
+        bench.runFor(60ms);
+        QVERIFY(near(bench.samples(), first + 1000, 200));
+        QVERIFY(bench.control.last.bytes < bench.file.size() / 2);
+        bench.runFor(10s);
+        QVERIFY(bench.control.last.ended);
+        QCOMPARE(bench.samples(), first + 3000); // all of it, once more
+        QVERIFY(bench.capture.timeSpan()->to > until + 2.9);
+        QVERIFY(!bench.capture.clockMoved());
+        QCOMPARE(bench.capture.refused().backwards, 0U);
+        QCOMPARE(bench.all<drive::LinkChanged>().size(), std::size_t(2)); // one connection
+        bench.control.goTo = 0; // also behind the end
+        bench.runFor(500ms);
+        QVERIFY(!bench.control.last.ended);
+        QVERIFY(near(bench.samples(), first + 3500));
+        bench.runFor(10s);
+        QCOMPARE(bench.samples(), first + 6000);
+        QVERIFY(!bench.capture.clockMoved());
     }
 
     void asFastAsItIsTakenItTakesNoTime()

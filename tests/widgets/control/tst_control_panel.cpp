@@ -23,6 +23,8 @@
 #include <QToolButton>
 #include <QWheelEvent>
 
+#include <numbers>
+
 using widgets::SetpointError;
 
 class TestControlPanel : public QObject {
@@ -56,7 +58,7 @@ private Q_SLOTS:
         m_device.reset();
     }
 
-    /// Its lines of text wrap then, and there is room below.
+    /// Nor does anything in it need more lines then.
     void aNarrowerPanelHasNoScrollBarWhileThereIsRoom()
     {
         auto *scroll = m_panel->findChild<QScrollArea *>(QStringLiteral("controlScroll"));
@@ -66,8 +68,8 @@ private Q_SLOTS:
         QCoreApplication::processEvents();
         const int wide = scroll->height();
         m_panel->resize(m_panel->minimumSizeHint().width(), 1200);
-        QTRY_VERIFY(scroll->height() > wide);
         QTRY_COMPARE(scroll->verticalScrollBar()->maximum(), 0);
+        QCOMPARE(scroll->height(), wide);
         QVERIFY(!scroll->verticalScrollBar()->isVisible());
     }
 
@@ -442,6 +444,56 @@ private Q_SLOTS:
         QCOMPARE(both.idAmps, -0.5);
     }
 
+    void aMoveOfTheShaftIsAWishOfItsOwn()
+    {
+        constexpr std::uint32_t kShaft = 0xA58;
+        arm();
+        drive::Identified board = facts::identified();
+        std::vector<catalog::RegisterInfo> registers = board.catalog->registers();
+        registers.push_back(facts::makeRegister(kShaft, "CURRENT_POSITION", "Position"));
+        registers.back().type = catalog::ValueType::F32;
+        registers.back().unit = "rad";
+        board.catalog = std::make_shared<const catalog::Catalog>(
+            std::move(registers), 1, std::vector<catalog::Scales>(1));
+        facts::feed(*m_device, {board});
+        m_device->setArmed(true);
+        m_registers->setCatalog(board.catalog, 1);
+        const auto watched = m_panel->watchedRegisters();
+        QVERIFY(std::find(watched.begin(), watched.end(), kShaft) != watched.end());
+        auto *mode = m_panel->findChild<QComboBox *>(QStringLiteral("setpointMode"));
+        mode->setCurrentIndex(mode->findText(QStringLiteral("Position")));
+        QVERIFY(edit("position")->isVisible() && !edit("speed")->isVisible());
+        QCOMPARE(label("shaftNow"), QStringLiteral("\u2013")); // it was not read yet
+        m_registers->take({facts::reading(kShaft, std::numbers::pi)}, {});
+        facts::feed(*m_device, {facts::status(drive::MotorState::Running)});
+        QCOMPARE(label("shaftNow"), QStringLiteral("180.0\u202f\u00b0"));
+        QTest::keyClick(edit("position"), Qt::Key_Return); // an empty field is no zero
+        QVERIFY(m_wishes.empty() && !button("go")->isEnabled());
+        QVERIFY(!button("stopRamp")->isEnabled());
+        QVERIFY(button("stopRamp")->toolTip().contains(QStringLiteral("Stop")));
+
+        edit("position")->setText(QStringLiteral("36180")); // a hundred turns away
+        edit("rampTime")->setText(QStringLiteral("500"));
+        QVERIFY(!button("go")->isEnabled());
+        QVERIFY2(label("speedEcho").contains(QStringLiteral("the limit is 4000")),
+            qPrintable(label("speedEcho")));
+        edit("rampTime")->setText(QStringLiteral("0"));
+        QTest::keyClick(edit("position"), Qt::Key_Return);
+        QVERIFY(m_wishes.empty());
+
+        edit("position")->setText(QStringLiteral("-90"));
+        edit("rampTime")->setText(QStringLiteral("1500"));
+        QVERIFY(button("go")->isEnabled());
+        QVERIFY(label("speedEcho").contains(QStringLiteral("rpm on the way")));
+        QTest::keyClick(edit("position"), Qt::Key_Return);
+        QCOMPARE(m_wishes.size(), 1U);
+        const auto &ramp = std::get<drive::PositionRamp>(m_wishes[0].what);
+        QVERIFY(std::abs(ramp.radians + std::numbers::pi / 2) < 1e-9);
+        QCOMPARE(ramp.duration.count(), 1500);
+        facts::feed(*m_device, {drive::StopProgress{1, drive::StopWord::Requested, {}}});
+        QVERIFY(edit("position")->text().isEmpty()); // nothing is left to be sent by accident
+    }
+
     void expertModeIsNoLimitToJogUnder()
     {
         facts::connectBoard(*m_device);
@@ -476,6 +528,16 @@ private Q_SLOTS:
         m_panel->findChild<QComboBox *>(QStringLiteral("setpointMode"))->setCurrentIndex(1);
         QVERIFY(!button("go")->isEnabled());
         QVERIFY(button("go")->toolTip().contains(QStringLiteral("No torque here.")));
+        const auto *mode = m_panel->findChild<QComboBox *>(QStringLiteral("setpointMode"));
+        const auto enabled = [&](int row) {
+            return bool(mode->model()->flags(mode->model()->index(row, 0)) & Qt::ItemIsEnabled);
+        };
+        QVERIFY(enabled(0) && !enabled(1)); // grey in the list, with the reason
+        QVERIFY(mode->itemData(1, Qt::ToolTipRole)
+                    .toString()
+                    .contains(QStringLiteral("No torque here.")));
+        facts::feed(*m_device, {facts::identified()});
+        QVERIFY(enabled(1));
     }
 
     void onesOwnLimitIsTheLowerOne()

@@ -8,6 +8,7 @@
 #include "widgets/files/open_recording.h"
 #include "widgets/files/record_control.h"
 #include "widgets/scope/cursor_actions.h"
+#include "widgets/scope/scope_ghosts.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/window/connect_bar.h"
 
@@ -534,6 +535,27 @@ private Q_SLOTS:
             return banner()->text().startsWith(QStringLiteral("Opened "));
         };
         QTRY_VERIFY(opened());
+    }
+
+    /// A run of before is compared with the running picture; nothing is left for it.
+    void whileConnectedARecordingIsAReference()
+    {
+        makeRig();
+        connectToBoard();
+        openRecording(m_folder.filePath(QStringLiteral("a.pcapng")));
+        auto *beside = m_rig->find<QPushButton>("layAsReference");
+        QVERIFY(beside);
+        QTest::mouseClick(beside, Qt::LeftButton);
+        QTRY_VERIFY2(banner()->text().contains(QStringLiteral("a.pcapng is reference A")),
+            qPrintable(banner()->text()));
+        QVERIFY(device().answering() && !m_rig->workbench.signalPlan().showsFile());
+        QVERIFY(scope()->ghosts().isFromFile(widgets::Reference::A));
+        const double before = capture().timeSpan()->to;
+        QTRY_VERIFY(capture().timeSpan()->to > before + 0.2); // and the picture runs on
+        QAction *next = action("nextEventA");
+        QVERIFY(next->isEnabled() && !action("nextEventB")->isEnabled());
+        action("openReference")->trigger(); // without the question: there is nothing to lose
+        QTRY_VERIFY(scope()->ghosts().isFromFile(widgets::Reference::B));
     }
 
     void aFileThatIsNoRecordingLeavesThePicture()

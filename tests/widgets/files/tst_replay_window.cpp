@@ -18,6 +18,7 @@
 #include <QDialog>
 #include <QLabel>
 #include <QMessageBox>
+#include <QSlider>
 #include <QTemporaryDir>
 #include <QToolButton>
 
@@ -238,6 +239,48 @@ private Q_SLOTS:
         speed->setCurrentIndex(2);
         QTRY_VERIFY(text()->text().contains(QStringLiteral("its end")));
         QVERIFY(!pause->isEnabled());
+    }
+
+    void aPlaceInTheFileCanBeChosen()
+    {
+        m_rig->workbench.replay().setSpeed(1.0);
+        replay();
+        QTRY_VERIFY(capture().timeSpan());
+        auto *place = m_rig->find<QSlider>("replayPlace");
+        QVERIFY(place && place->isVisible());
+        const double from = capture().timeSpan()->from;
+        place->setValue(place->maximum() / 2); // as it is let go
+        QTRY_VERIFY(capture().timeSpan()->to > from + 8.0);
+        QVERIFY(capture().timeSpan()->to < from + 14.0); // not to the end
+        QTRY_VERIFY(std::abs(place->value() - place->maximum() / 2) < place->maximum() / 5);
+        const double until = capture().timeSpan()->to;
+        QTest::keyClick(place, Qt::Key_Home); // back: it is told once more, behind
+        QTRY_VERIFY(text()->text().contains(QStringLiteral("0:00:0")));
+        QTRY_VERIFY(capture().timeSpan()->to > until + 1.0);
+        QCOMPARE(capture().refused().backwards, 0U);
+        QVERIFY(device().portOpen() && device().answering());
+        m_rig->workbench.replay().setSpeed(0.0);
+        QTRY_VERIFY(text()->text().contains(QStringLiteral("its end")));
+        const auto recorded = support::readRecording(m_path);
+        const std::uint64_t all = recorded.capture.size(recorded.capture.channels().front().id);
+        QVERIFY(capture().size(scope()->channels().first()) > all + all / 3);
+        place->setValue(0); // also behind the end
+        QTRY_VERIFY(!text()->text().contains(QStringLiteral("its end"))
+            || capture().size(scope()->channels().first()) > 2 * all);
+    }
+
+    void itIsPlainThatNothingOfItIsNow()
+    {
+        replay();
+        auto *badge = m_rig->find<QLabel>("replayBadge");
+        QTRY_VERIFY(badge->isVisible());
+        QCOMPARE(badge->text(), QStringLiteral("REPLAY"));
+        QVERIFY(badge->palette().color(QPalette::Window).lightness()
+            > badge->palette().color(QPalette::WindowText).lightness() + 100);
+        auto *state = m_rig->find<QLabel>("motorState");
+        QTRY_VERIFY2(
+            state->text().startsWith(QStringLiteral("Recorded: ")), qPrintable(state->text()));
+        QVERIFY(state->palette().color(QPalette::WindowText).saturation() < 20); // no green
     }
 
     void aMotorThatRanThenAsksNobodyNow()

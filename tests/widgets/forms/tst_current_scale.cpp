@@ -72,7 +72,8 @@ void TestCurrentScale::theScaleIsAskedForUsedAndRemembered()
         facts::WindowRig rig(settings);
         connectTo(rig, "sim:legacy", "legacy");
         QVERIFY2(goHint(rig).contains(QLatin1String("current scale")), qPrintable(goHint(rig)));
-        QVERIFY(rig.find<QLabel>("currentScale")->isVisible());
+        QVERIFY(rig.find<QToolButton>("changeCurrentScale")->isVisible());
+        QVERIFY(rig.find<QLabel>("limits")->text().contains(QLatin1String("Current scale: not")));
         QVERIFY(unitOf(rig, "I_Q_REF") != "A");
         const auto iq = *rig.workbench.device().catalog()->resolve("I_Q_MEAS");
         rig.window.selection()->add(iq, 0);
@@ -92,7 +93,7 @@ void TestCurrentScale::theScaleIsAskedForUsedAndRemembered()
         QTRY_COMPARE(unitOf(rig, "I_Q_REF"), std::string("A"));
         QVERIFY(std::abs(rig.workbench.device().fullScaleAmps(1) - 60.1751) < 1e-6);
         QVERIFY(!goHint(rig).contains(QLatin1String("current scale")));
-        QVERIFY(rig.find<QLabel>("currentScale")->text().contains(QLatin1String("60.18")));
+        QVERIFY(rig.find<QLabel>("limits")->text().contains(QLatin1String("60.18")));
 
         // The trace goes on in A, as another one than that in digits.
         QTRY_VERIFY(capture.find(iq) != inDigits);

@@ -113,7 +113,15 @@ private Q_SLOTS:
     void aSilentLinkMakesEverythingStaleAtOnce()
     {
         m_model->take({facts::reading(facts::kSpeed, std::int64_t{1500})}, 0ms);
+        const auto heading = [this] {
+            return m_model->headerData(widgets::RegisterModel::ValueColumn, Qt::Horizontal)
+                .toString();
+        };
+        QCOMPARE(heading(), QStringLiteral("Value"));
+        QSignalSpy headings(m_model.get(), &QAbstractItemModel::headerDataChanged);
         m_model->setBelieved(false);
+        QCOMPARE(heading(), QStringLiteral("Last value")); // said where one looks
+        QCOMPARE(headings.size(), 1);
         QVERIFY(stale(facts::kSpeed));
     }
 

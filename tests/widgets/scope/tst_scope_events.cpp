@@ -234,20 +234,20 @@ void TestScopeEvents::aLinkThatGoesAndComesBackIsNoted()
     facts::feed(m_rig->device(), {drive::LinkChanged{LinkState::Suspect, LinkReason::None}});
     facts::feed(m_rig->device(), {drive::LinkChanged{LinkState::Connected, LinkReason::None}});
     facts::feed(m_rig->device(), {idle}); // did not change
-    QCOMPARE(noted(),
-        (QStringList{
-            QStringLiteral("Loss board silent"), QStringLiteral("Recovery board answering")}));
+    QCOMPARE(noted().size(), 1); // a line that flickers does not bury what matters
+    QVERIFY2(noted().first().startsWith(QStringLiteral("Loss board silent, for ")),
+        qPrintable(noted().first()));
     facts::feed(
         m_rig->device(), {drive::LinkChanged{LinkState::Connected, LinkReason::BoardReset}});
     QVERIFY(noted().last().startsWith(QStringLiteral("Recovery ")));
-    QCOMPARE(noted().size(), 3);
+    QCOMPARE(noted().size(), 2);
     facts::feed(m_rig->device(), {idle}); // of a board that began anew
-    QCOMPARE(noted().size(), 4);
+    QCOMPARE(noted().size(), 3);
     facts::feed(m_rig->device(), {drive::LinkChanged{LinkState::Closed, LinkReason::None}});
-    QCOMPARE(noted().size(), 4); // why is told next
+    QCOMPARE(noted().size(), 3); // why is told next
     m_rig->device().portChanged(
         session::PortState::Closed, {session::PortProblem::Unplugged, QStringLiteral("gone")});
-    QCOMPARE(noted().size(), 5);
+    QCOMPARE(noted().size(), 4);
     QVERIFY2(noted().last().startsWith(QStringLiteral("Loss ")), qPrintable(noted().last()));
 }
 

@@ -24,6 +24,7 @@ private Q_SLOTS:
     void smallTicksStandBetweenTheLinesOfTheGrid_data();
     void smallTicksStandBetweenTheLinesOfTheGrid();
     void signalsOfOneUnitShareAnAxisAndOthersGetTheirOwn();
+    void theZerosOfTheAxesStandAtOneHeight();
     void theFirstAxisTakesTheUnitThatIsLeft();
     void aFifthUnitSharesTheLastAxis();
     void plotsAreStackedAndVanishWhenEmpty();
@@ -263,6 +264,53 @@ void TestScopeView::signalsOfOneUnitShareAnAxisAndOthersGetTheirOwn()
     bench.view.removeChannel(bench.id(3));
     QCOMPARE(bench.view.axisCount(0), 1);
     bench.picture();
+}
+
+/// Where that takes little room by themselves, else when somebody wants it.
+void TestScopeView::theZerosOfTheAxesStandAtOneHeight()
+{
+    Bench bench({signal(1, "A"), signal(2, "V"), signal(3, "rpm")});
+    for (const catalog::RegisterId id : {1, 2})
+        bench.view.addChannel(bench.id(id));
+    bench.record(2000, [](int signal, int tick) {
+        return signal == 0 ? (tick % 2 ? 1000 : -1000) // of the middle
+            : signal == 1  ? (tick % 2 ? 1000 : -700)
+                           : (tick % 2 ? 2000 : 1900);
+    });
+    bench.view.fitAll();
+    const auto below = [&](catalog::RegisterId id) {
+        const auto range = bench.view.valueRangeOf(bench.id(id));
+        return -range.from / (range.to - range.from);
+    };
+    QVERIFY(std::abs(below(1) - below(2)) < 1e-6);
+    for (const auto &[id, least, most] :
+        {std::tuple(1U, -1000.0, 1000.0), std::tuple(2U, -700.0, 1000.0)}) {
+        const auto range = bench.view.valueRangeOf(bench.id(id));
+        QVERIFY(range.from < least && range.to > most); // all of it is still seen
+        QVERIFY(range.to - range.from < 1.5 * (most - least));
+    }
+    bench.view.addChannel(bench.id(3));
+    bench.view.fitAll();
+    QVERIFY(bench.view.valueRangeOf(bench.id(3)).from > 1000); // its zero is far away
+    const double alone = below(1);
+    const QPoint inside = bench.view.plotRect(0).center();
+    auto *plot = bench.view.findChild<QWidget *>(QStringLiteral("scopePlot"));
+    const QPoint place = plot->mapFrom(&bench.view, inside);
+    const auto choose = [&] {
+        QTest::mouseClick(plot, Qt::RightButton, {}, place);
+        auto *menu = bench.view.findChild<QMenu *>(QStringLiteral("scopeMenu"));
+        for (QAction *action : menu->actions())
+            if (action->text().startsWith(QStringLiteral("Zeros")))
+                action->trigger();
+        menu->close();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    };
+    choose();
+    QVERIFY(std::abs(below(1) - below(3)) < 1e-6);
+    QVERIFY(std::abs(below(2) - below(3)) < 1e-6);
+    choose(); // and off again
+    QVERIFY(bench.view.valueRangeOf(bench.id(3)).from > 1000);
+    QVERIFY(std::abs(below(1) - alone) < 1e-6);
 }
 
 void TestScopeView::theFirstAxisTakesTheUnitThatIsLeft()

@@ -361,28 +361,29 @@ void TestTriggerBar::aSetPointTriggersWhenItIsSent()
     type->setCurrentIndex(choice);
     Q_EMIT type->activated(choice);
     flat(100);
-    drive::MotionRecord record;
-    record.motor = 1;
-    const auto ask = [&](drive::MotionAct act, std::size_t requests) {
-        record.act = act;
-        record.requests = requests;
-        record.asked = record.ended = TimePoint(std::chrono::milliseconds(m_rig->tick - 10));
-        const double seconds = toSeconds(record.asked.time_since_epoch());
-        facts::feed(m_rig->device(), {record});
+    using Kind = drive::SentSetPoint::Kind;
+    const auto send = [&](Kind kind) {
+        drive::SentSetPoint sent;
+        sent.kind = kind;
+        sent.seconds = static_cast<double>(m_rig->tick - 10) / 1000.0;
+        Q_EMIT m_rig->workbench.setPoints().left(sent);
+        QCoreApplication::processEvents();
         flat(100);
-        return seconds;
+        return sent.seconds;
     };
     const auto count = [this] { return control().trigger().history().records().size(); };
-    ask(drive::MotionAct::SpeedRamp, 0); // refused: nothing left for the board
-    ask(drive::MotionAct::Start, 1);
+    drive::MotionRecord start; // is none
+    start.requests = 1;
+    start.asked = start.ended = TimePoint(std::chrono::milliseconds(m_rig->tick - 10));
+    facts::feed(m_rig->device(), {start});
+    flat(100);
     QCOMPARE(count(), std::size_t{0});
-    const double sent = ask(drive::MotionAct::SpeedRamp, 1);
+    const double sent = send(Kind::Speed);
     QCOMPARE(count(), std::size_t{1});
     QVERIFY(near(view().time().origin(), sent));
-    for (const auto act : {drive::MotionAct::TorqueRamp, drive::MotionAct::CurrentReference,
-             drive::MotionAct::PositionRamp})
-        ask(act, 1);
-    QCOMPARE(count(), std::size_t{4});
+    send(Kind::Current);
+    send(Kind::Position);
+    QCOMPARE(count(), std::size_t{3});
 }
 
 /// The whole name of the trace and the whole level with its unit, where there is room.

@@ -1,5 +1,5 @@
 // One session of a person with each kind of board, through the real window, the real session thread and a simulated
-// board: connect by Auto, arm, set-points with every exchange where the board can, start, two signals on the scope, change a gain, undo it, ramp, stop, write a CSV file. The
+// board: connect by Auto, arm, set-points with every exchange where the board can, start, two signals on the scope, change a gain, undo it, turn the shaft to an angle where the board can, ramp, stop, write a CSV file. The
 // steps name no kind of board: a new one is a row.
 #include "support/window_rig.h"
 #include "widgets/control/control_panel.h"
@@ -34,6 +34,7 @@ private:
     void drawTwoSignals();
     void changeAGainAndUndo(const char *name);
     void findTheGainInItsForm(const char *name);
+    void turnTheShaft();
     void rampAndStop();
     void writeCsv();
 
@@ -85,6 +86,7 @@ void TestBoardsSession::everyBoardIsDrivenInTheSameWindow()
              std::function<void()>([&] { drawTwoSignals(); }),
              std::function<void()>([&] { changeAGainAndUndo(gain.constData()); }),
              std::function<void()>([&] { findTheGainInItsForm(gain.constData()); }),
+             std::function<void()>([&] { turnTheShaft(); }),
              std::function<void()>([&] { rampAndStop(); }),
              std::function<void()>([&] { writeCsv(); })}) {
         step();
@@ -188,7 +190,46 @@ void TestBoardsSession::findTheGainInItsForm(const char *name)
         QVERIFY(!m_rig->find<QPushButton>("labPreview")->isEnabled());
         QVERIFY(
             m_rig->find<QPushButton>("labPreview")->toolTip().contains(QStringLiteral("units")));
+        auto *ramp = m_rig->find<widgets::SetpointEdit>("rampSpeed"); // a number with fractions
+        ramp->setText(QStringLiteral("2000"));
+        QCOMPARE(ramp->sentValue(), std::optional(2000.0));
+        QVERIFY(!m_rig->find<QLabel>("rampSpeedNote")->text().contains(QStringLiteral("6 rpm")));
     }
+}
+
+/// Where it cannot, the list says why.
+void TestBoardsSession::turnTheShaft()
+{
+    auto *mode = m_rig->find<QComboBox>("setpointMode");
+    const int row = mode->findText(QStringLiteral("Position"));
+    const auto can = device().capability(drive::Feature::PositionRamp);
+    const auto flags = mode->model()->flags(mode->model()->index(row, 0));
+    QCOMPARE(flags.testFlag(Qt::ItemIsEnabled), can.available);
+    if (!can.available) {
+        QVERIFY(mode->itemData(row, Qt::ToolTipRole)
+                    .toString()
+                    .contains(QString::fromStdString(can.reason).left(20)));
+        return;
+    }
+    mode->setCurrentIndex(row);
+    const auto degrees = [now = m_rig->find<QLabel>("shaftNow")] {
+        bool read = false;
+        const double number = now->text().section(QChar(0x202f), 0, 0).toDouble(&read);
+        return read ? std::optional(number) : std::nullopt;
+    };
+    QTRY_VERIFY(degrees());
+    const double target = std::round(*degrees()) + 90.0;
+    auto *field = m_rig->find<widgets::SetpointEdit>("position");
+    auto *time = m_rig->find<widgets::SetpointEdit>("rampTime");
+    const QString before = time->text();
+    field->setValue(target);
+    time->setValue(800.0);
+    const int asked = m_rig->questions;
+    QTest::keyClick(field, Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(degrees() && std::abs(*degrees() - target) < 3.0, 15000);
+    QCOMPARE(m_rig->questions, asked + 1); // it goes there by itself, and stays
+    time->setText(before);
+    mode->setCurrentIndex(0);
 }
 
 void TestBoardsSession::rampAndStop()

@@ -3,10 +3,12 @@
 #include "support/window_rig.h"
 #include "widgets/base/banner.h"
 #include "widgets/base/theme.h"
+#include "widgets/control/state_strip.h"
 #include "widgets/control/stop_alarm.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/signals/signal_selection.h"
 #include "widgets/scope/trigger/trigger_control.h"
+#include "widgets/window/first_steps.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -14,6 +16,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QTemporaryDir>
 #include <QTranslator>
@@ -182,6 +185,63 @@ private Q_SLOTS:
         }
     }
 
+    void nothingMovesWhenBoardsComeAndGo_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<bool>("german");
+        QTest::addRow("large") << QSize(1280, 720) << false;
+        QTest::addRow("large, German") << QSize(1280, 720) << true;
+        QTest::addRow("small") << QSize(960, 600) << false;
+        QTest::addRow("small and German") << QSize(960, 600) << true;
+    }
+    /// What is about a board, in the panel and around the picture; the traces and their chips come with it.
+    void nothingMovesWhenBoardsComeAndGo()
+    {
+        QFETCH(QSize, size);
+        QFETCH(bool, german);
+        if (german) {
+            QVERIFY(m_german.load(QStringLiteral(":/i18n/rotorscope_de")));
+            QCoreApplication::installTranslator(&m_german);
+        }
+        widgets::Settings settings;
+        settings.firstStepsDone = true;
+        m_rig = std::make_unique<facts::WindowRig>(settings);
+        m_rig->window.resize(size);
+        QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+        m_rig->workbench.setSessionClock([] { return TimePoint{}; });
+        device().disconnect(SIGNAL(openWished(session::Endpoint)));
+        device().disconnect(SIGNAL(closeWished()));
+        settle();
+        // The line at the bottom is only read: it begins with what is connected.
+        remember({QStringLiteral("scopePlot"), QStringLiteral("channelStrip"),
+            QStringLiteral("statusStrip")});
+        drive::Identified plain = facts::identified(); // tells little of itself
+        plain.capabilities = {{drive::Feature::PositionRamp, false, "no position"},
+            {drive::Feature::TorqueRamp, false, "no torque"}};
+        plain.states.clear();
+        drive::Identified mute = boardWith(1); // no limit, and its scale has to be told
+        mute.limits.front() = {};
+        for (const drive::Identified &board : {boardWith(1), plain, boardWith(2), mute}) {
+            session::Endpoint endpoint;
+            endpoint.kind = session::Endpoint::Kind::Serial;
+            endpoint.path = QStringLiteral("/dev/ttyACM0");
+            endpoint.baud = 1843200;
+            device().open(endpoint);
+            look(QStringLiteral("opening"));
+            device().portChanged(session::PortState::Open, {});
+            look(QStringLiteral("open"));
+            tell({drive::LinkChanged{LinkState::Connecting, LinkReason::None}}, "connecting");
+            tell({drive::LinkChanged{LinkState::Connected, LinkReason::None}}, "connected");
+            tell({board}, "met");
+            tell({named(MotorState::Idle, "IDLE")}, "idle");
+            device().close();
+            device().portChanged(session::PortState::Closed, {});
+            tell({drive::LinkChanged{LinkState::Closed, LinkReason::None}}, "closed");
+            QVERIFY(!m_rig->find<widgets::StateStrip>("stateStrip")->isVisible());
+        }
+        QVERIFY2(m_moved.isEmpty(), qPrintable(m_moved));
+    }
+
     /// The real session in its thread, all that a board tells while its motor is started, turns and stops.
     void nothingMovesWhileASimulatedMotorRuns()
     {
@@ -225,6 +285,21 @@ private Q_SLOTS:
         widgets::applyTheme(widgets::Theme::Light);
         QCOMPARE(then, fresh);
         QVERIFY(then.lightness() < 128);
+    }
+
+    void cardsWithoutTheirPlaceYetHaveNoHeight()
+    {
+        QTest::failOnWarning(QRegularExpression(QStringLiteral("egative")));
+        widgets::Device device;
+        QWidget around;
+        around.resize(800, 700);
+        widgets::FirstSteps cards(device, &around);
+        cards.resize(160, 30);
+        cards.restart();
+        around.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&around));
+        cards.resize(700, 30);
+        QTRY_VERIFY(cards.height() > 30 && cards.height() < 200);
     }
 
     void aMenuInTheDarkShowsItsBoxes()
@@ -299,10 +374,10 @@ private:
         settle();
         remember();
     }
-    void remember()
+    void remember(const QStringList &alone = {})
     {
-        m_places = std::make_unique<facts::StillPlaces>(
-            m_rig->window, QStringList{QStringLiteral("banner"), QStringLiteral("staleMark")});
+        m_places = std::make_unique<facts::StillPlaces>(m_rig->window,
+            QStringList{QStringLiteral("banner"), QStringLiteral("staleMark")} + alone);
         QVERIFY(m_places->count() > 40);
         m_moved.clear();
         m_steps = 0;

@@ -4,6 +4,7 @@
 
 #include <QDockWidget>
 #include <QSignalSpy>
+#include <QTabWidget>
 
 class TestToolDocks : public QObject {
     Q_OBJECT
@@ -40,6 +41,27 @@ private Q_SLOTS:
         QTest::keyClick(m_dock->windowHandle(), Qt::Key_Escape);
         QCOMPARE(stops.size(), 1);
         QVERIFY(m_dock->isVisible()); // it is no dialog that Esc closes
+    }
+
+    /// On a small screen the page scrolls, and what it is for does not.
+    void thePreviewOfTheGainLabIsSeenOnASmallScreen()
+    {
+        for (const QSize size : {QSize(1280, 720), QSize(960, 600)}) {
+            m_rig->window.resize(size);
+            QVERIFY(QTest::qWaitForWindowExposed(&m_rig->window));
+            auto *pages = m_rig->find<QTabWidget>("gainPages");
+            pages->setCurrentIndex(1);
+            for (const char *name : {"labPreview", "labFromBoard", "applyEdits"}) {
+                auto *button = m_dock->findChild<QPushButton *>(QLatin1String(name));
+                QTRY_VERIFY2(button->isVisible()
+                        && button->visibleRegion().boundingRect().size() == button->size(),
+                    name);
+                const QRect place(button->mapTo(&m_rig->window, QPoint()), button->size());
+                QVERIFY2(m_rig->window.rect().contains(place), name);
+            }
+            pages->setCurrentIndex(0);
+            QVERIFY(!m_rig->find<QPushButton>("labPreview")->isVisible());
+        }
     }
 
     void everyToolCanFloatAndEachHasItsStop()

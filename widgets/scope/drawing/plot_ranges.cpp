@@ -64,9 +64,52 @@ double PlotStack::leastSpanOf(const ScopePlot &plot, const ValueAxis &axis) cons
     return least;
 }
 
+/// Of all axes that show a zero; their ranges grow for it, all by the same part at most.
+void PlotStack::alignZeros(ScopePlot &plot)
+{
+    constexpr double kLittle = 0.3; // more of a range
+    constexpr double kSame = 1e-6;
+    std::vector<QCPAxis *> axes;
+    double least = 1.0, most = 0.0; // part of the height that is below zero
+    for (const ValueAxis &axis : plot.axes) {
+        const QCPRange range = axis.axis->range();
+        const bool shows = range.lower < 0.0 && range.upper > 0.0;
+        if (!axis.fitted || !(axis.automatic || plot.zerosAligned) || !(shows || plot.zerosAligned))
+            continue;
+        if (!shows) // it is to: with a little room on its other side
+            axis.axis->setRange(roomy(std::min(range.lower, 0.0), std::max(range.upper, 0.0), 0.0));
+        const double below = -axis.axis->range().lower / axis.axis->range().size();
+        least = std::min(least, below);
+        most = std::max(most, below);
+        axes.push_back(axis.axis);
+    }
+    const double more = most - least;
+    if (axes.size() < 2 || more < kSame || (more > kLittle && !plot.zerosAligned))
+        return;
+    const double place = most / (1.0 + more);
+    for (QCPAxis *axis : axes) {
+        const QCPRange range = axis->range();
+        if (-range.lower / range.size() < place)
+            axis->setRangeLower(-range.upper * place / (1.0 - place));
+        else
+            axis->setRangeUpper(-range.lower * (1.0 - place) / place);
+    }
+}
+
+void PlotStack::setZerosAligned(int plot, bool aligned)
+{
+    ScopePlot &one = this->plot(plot);
+    one.zerosAligned = aligned;
+    if (!aligned)
+        for (ValueAxis &axis : one.axes)
+            fitAxis(axis);
+    alignZeros(one);
+}
+
 void PlotStack::growAxes()
 {
     for (const auto &plot : m_plots) {
+        bool grown = false;
         for (ValueAxis &axis : plot->axes) {
             if (!axis.automatic)
                 continue;
@@ -83,9 +126,11 @@ void PlotStack::growAxes()
                 else
                     range = wanted;
                 axis.axis->setRange(range);
-                axis.fitted = true;
+                axis.fitted = grown = true;
             }
         }
+        if (grown)
+            alignZeros(*plot);
     }
 }
 
@@ -107,6 +152,7 @@ void PlotStack::fitValues()
     for (const auto &plot : m_plots) {
         for (ValueAxis &axis : plot->axes)
             fitAxis(axis);
+        alignZeros(*plot);
     }
 }
 

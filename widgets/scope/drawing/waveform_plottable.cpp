@@ -293,12 +293,17 @@ const capture::Channel *WaveformPlottable::channelOf(const Ghost &ghost, const T
 {
     if (!ghost.kept)
         return m_capture.channel(trace.channel);
+    const capture::Channel *other = nullptr; // of a file, which may have it at another rate
     for (const capture::Channel &channel : *ghost.kept) {
         const capture::ChannelInfo &info = channel.info();
-        if (info.registerId == trace.info.registerId && info.kind == trace.info.kind)
+        if (info.registerId != trace.info.registerId)
+            continue;
+        if (info.kind == trace.info.kind)
             return &channel;
+        if (info.unit == trace.info.unit)
+            other = &channel;
     }
-    return nullptr;
+    return other;
 }
 
 WaveformPlottable::Strokes WaveformPlottable::strokesOf(

@@ -1,4 +1,5 @@
-// SetpointBox: the quick set-points of one motor: a speed, a torque current within a time, or both currents at once.
+// SetpointBox: the quick set-points of one motor: a speed, a torque current or an angle of the shaft within a time, or both
+// currents at once.
 // Which one is shown is the user's choice and sends nothing; the board changes its control with the first set-point.
 #pragma once
 
@@ -17,12 +18,13 @@ namespace widgets {
 class MotionGate;
 class MotorButton;
 class SetpointEdit;
+class ShaftMove;
 class SteadyLabel;
 
 class SetpointBox : public QWidget {
     Q_OBJECT
 public:
-    enum class Mode : std::uint8_t { Speed, Torque, Currents };
+    enum class Mode : std::uint8_t { Speed, Torque, Currents, Position };
 
     SetpointBox(
         Device &device, RegisterModel &registers, MotionGate &motion, QWidget *parent = nullptr);
@@ -47,13 +49,16 @@ private:
     void followCyclic();
     void wantCyclic(bool on);
     void updateLimits();
-    drive::Feature feature() const;
+    void greyModes();
+    static drive::Feature featureOf(Mode mode);
+    drive::Feature feature() const { return featureOf(mode()); }
+    std::optional<ShaftMove> move() const; ///< of Position; empty while a field is not understood
     QList<SetpointEdit *> shownEdits() const;
     QString echo() const;
     QString saidOf(const SetpointEdit *edit) const;
     bool readable() const; ///< all shown fields hold a number that may be sent
     QString controlText() const;
-    static QString controlText(drive::ControlMode mode);
+    static QString controlText(std::int64_t mode);
 
     Device &m_device;
     RegisterModel &m_registers;
@@ -62,11 +67,14 @@ private:
     SteadyLabel *m_control; ///< what the board says it controls
     QLabel *m_firstLabel;
     QLabel *m_secondLabel;
+    QLabel *m_shaftLabel;
     QLabel *m_timeLabel;
     SetpointEdit *m_speed;
     SetpointEdit *m_torque;
     SetpointEdit *m_iq;
     SetpointEdit *m_id;
+    SetpointEdit *m_position;
+    SteadyLabel *m_shaft; ///< where it is now
     SteadyLabel *m_echo;
     SetpointEdit *m_rampTime;
     MotorButton *m_go;

@@ -1,4 +1,4 @@
-#include "widgets/control/setpoint_box.h"
+#include "widgets/control/setpoints/setpoint_box.h"
 
 #include "drive/set_point_check.h"
 #include "widgets/base/device_text.h"
@@ -8,11 +8,13 @@
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/motor_button.h"
 #include "widgets/control/setpoint_edit.h"
+#include "widgets/control/setpoints/shaft_move.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
+#include <QStandardItemModel>
 
 namespace widgets {
 namespace {
@@ -40,11 +42,14 @@ SetpointBox::SetpointBox(
     , m_control(new SteadyLabel(this))
     , m_firstLabel(plainLabel(this, "firstLabel"))
     , m_secondLabel(plainLabel(this, "secondLabel"))
+    , m_shaftLabel(plainLabel(this, "shaftLabel"))
     , m_timeLabel(plainLabel(this, "timeLabel"))
     , m_speed(makeEdit("speed", tr("Speed set-point in rpm")))
     , m_torque(makeEdit("torque", tr("Torque set-point in ampere")))
     , m_iq(makeEdit("iqReference", tr("Reference of the current Iq in ampere")))
     , m_id(makeEdit("idReference", tr("Reference of the current Id in ampere")))
+    , m_position(makeEdit("position", tr("Angle of the shaft to go to, in degrees")))
+    , m_shaft(new SteadyLabel(this))
     , m_echo(new SteadyLabel(this))
     , m_rampTime(makeEdit("rampTime", tr("Ramp time in milliseconds")))
     , m_go(new MotorButton(tr("Go", "send the set-point"), this))
@@ -54,15 +59,15 @@ SetpointBox::SetpointBox(
     m_mode->setObjectName(QStringLiteral("setpointMode"));
     m_mode->setAccessibleName(tr("Kind of set-point"));
     m_mode->addItems({tr("Speed", "kind of set-point"), tr("Torque (Iq)", "kind of set-point"),
-        tr("Currents (Iq, Id)", "kind of set-point")});
+        tr("Currents (Iq, Id)", "kind of set-point"), tr("Position", "kind of set-point")});
     new WheelGuard(m_mode);
     m_echo->setObjectName(QStringLiteral("speedEcho"));
     m_echo->setEnabled(false);
     m_echo->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // whatever was typed
     m_control->setObjectName(QStringLiteral("controlMode"));
     m_control->setEnabled(false);
-    m_control->setRoomFor(
-        {controlText(drive::ControlMode::Speed), controlText(drive::ControlMode::Torque)});
+    m_control->setRoomFor({controlText(drive::kSpeedModeNumber),
+        controlText(drive::kTorqueModeNumber), controlText(drive::kPositionModeNumber)});
     m_rampTime->setLimits(
         static_cast<double>(drive::kLongestRamp.count()), 1.0, QStringLiteral("ms"));
     m_rampTime->setNegativeAllowed(false);
@@ -70,6 +75,11 @@ SetpointBox::SetpointBox(
     m_rampTime->setValue(kRampTimeMs);
     m_timeLabel->setText(tr("Ramp time [ms]"));
     m_timeLabel->setBuddy(m_rampTime);
+    makeAngleField(*m_position);
+    m_shaftLabel->setText(tr("Shaft is at"));
+    m_shaft->setObjectName(QStringLiteral("shaftNow"));
+    m_shaft->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_shaft->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_secondLabel->setText(tr("Id [A]"));
     m_secondLabel->setBuddy(m_id);
     m_go->setObjectName(QStringLiteral("go"));
@@ -104,14 +114,16 @@ void SetpointBox::makeLayout()
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(6);
-    grid->setVerticalSpacing(5);
+    grid->setVerticalSpacing(4);
     grid->addWidget(m_mode, 0, 0);
     grid->addWidget(m_control, 0, 1, Qt::AlignRight);
     grid->addWidget(m_firstLabel, 1, 0);
-    for (SetpointEdit *edit : {m_speed, m_torque, m_iq})
+    for (SetpointEdit *edit : {m_speed, m_torque, m_iq, m_position})
         grid->addWidget(edit, 1, 1);
     grid->addWidget(m_secondLabel, 2, 0);
     grid->addWidget(m_id, 2, 1);
+    grid->addWidget(m_shaftLabel, 2, 0);
+    grid->addWidget(m_shaft, 2, 1);
     grid->addWidget(m_echo, 3, 0, 1, 2);
     grid->addWidget(m_timeLabel, 4, 0);
     grid->addWidget(m_rampTime, 4, 1);
@@ -135,9 +147,14 @@ void SetpointBox::showMode()
         widget->setVisible(shown == Mode::Currents);
     for (QWidget *widget : std::initializer_list<QWidget *>{m_timeLabel, m_rampTime, m_stopRamp})
         widget->setVisible(shown != Mode::Currents);
-    m_firstLabel->setText(shown == Mode::Speed ? tr("Speed [rpm]") : tr("Iq [A]"));
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_position, m_shaftLabel, m_shaft})
+        widget->setVisible(shown == Mode::Position);
+    m_firstLabel->setText(shown == Mode::Speed ? tr("Speed [rpm]")
+            : shown == Mode::Position          ? tr("Position [\u00b0]")
+                                               : tr("Iq [A]"));
     m_firstLabel->setBuddy(shownEdits().first());
-    m_echo->setLines(shown == Mode::Currents ? 2 : 1); // each of them may have something to say
+    // Each of the currents may have something to say, and a move tells of its way.
+    m_echo->setLines(shown == Mode::Currents || shown == Mode::Position ? 2 : 1);
     follow();
 }
 
@@ -148,17 +165,39 @@ QList<SetpointEdit *> SetpointBox::shownEdits() const
         return {m_torque, m_rampTime};
     case Mode::Currents:
         return {m_iq, m_id};
+    case Mode::Position:
+        return {m_position, m_rampTime};
     case Mode::Speed:
         break;
     }
     return {m_speed, m_rampTime};
 }
 
-drive::Feature SetpointBox::feature() const
+drive::Feature SetpointBox::featureOf(Mode mode)
 {
-    return mode() == Mode::Torque  ? drive::Feature::TorqueRamp
-        : mode() == Mode::Currents ? drive::Feature::CurrentReference
-                                   : drive::Feature::SpeedRamp;
+    return mode == Mode::Torque  ? drive::Feature::TorqueRamp
+        : mode == Mode::Currents ? drive::Feature::CurrentReference
+        : mode == Mode::Position ? drive::Feature::PositionRamp
+                                 : drive::Feature::SpeedRamp;
+}
+
+/// What the board cannot do is grey in the list, with the reason; before a board is met nothing is.
+void SetpointBox::greyModes()
+{
+    auto *items = qobject_cast<QStandardItemModel *>(m_mode->model());
+    for (int i = 0; i < m_mode->count(); ++i) {
+        drive::Capability can{featureOf(static_cast<Mode>(i)), true, {}};
+        if (m_device.identified())
+            can = m_device.capability(can.feature);
+        items->item(i)->setEnabled(can.available);
+        items->item(i)->setToolTip(plainToolTip(deviceText(can.reason)));
+    }
+}
+
+std::optional<ShaftMove> SetpointBox::move() const
+{
+    const auto to = m_position->sentValue(), time = m_rampTime->sentValue();
+    return to && time ? std::optional(ShaftMove(m_device, m_registers, *to, *time)) : std::nullopt;
 }
 
 void SetpointBox::updateLimits()
@@ -171,6 +210,7 @@ void SetpointBox::updateLimits()
     for (SetpointEdit *edit : {m_torque, m_iq, m_id})
         edit->setLimits(
             bounds.amps > 0.0 ? bounds.amps : drive::kHighestAmps, kAmpStep, QStringLiteral("A"));
+    greyModes();
     follow();
 }
 
@@ -194,14 +234,21 @@ QString SetpointBox::echo() const
         if (edit->sentValue() != edit->value())
             rounded.append(saidOf(edit));
     }
+    if (mode() == Mode::Position) {
+        const QString refused = move()->refusal();
+        QStringList said{shownEdits().first()->echo(), move()->outlook()};
+        said.removeAll(QString());
+        return refused.isEmpty() ? said.join(QLatin1Char('\n')) : refused;
+    }
     return rounded.isEmpty() ? shownEdits().first()->echo() : rounded.join(QLatin1Char('\n'));
 }
 
 bool SetpointBox::readable() const
 {
     const auto edits = shownEdits();
-    return std::all_of(edits.begin(), edits.end(),
-        [](const SetpointEdit *edit) { return edit->sentValue().has_value(); });
+    return std::all_of(edits.begin(), edits.end(), [](const SetpointEdit *edit) {
+        return edit->sentValue().has_value();
+    }) && (mode() != Mode::Position || move()->refusal().isEmpty());
 }
 
 /// What the board controls now, if it says so.
@@ -215,37 +262,44 @@ QString SetpointBox::controlText() const
         info->perMotor ? catalog->withMotor(*info, m_device.motor()) : info->id);
     if (!value)
         return {};
-    return controlText(drive::controlModeOf(static_cast<std::int64_t>(*value)));
+    return controlText(static_cast<std::int64_t>(*value));
 }
 
-QString SetpointBox::controlText(drive::ControlMode mode)
+QString SetpointBox::controlText(std::int64_t mode)
 {
     switch (mode) {
-    case drive::ControlMode::Speed:
+    case drive::kSpeedModeNumber:
         return tr("drive mode: speed", "the board does now");
-    case drive::ControlMode::Torque:
+    case drive::kTorqueModeNumber:
         return tr("drive mode: torque", "the board does now");
-    case drive::ControlMode::Other:
-        break;
+    case drive::kPositionModeNumber:
+        return tr("drive mode: position", "the board does now");
+    default:
+        return {};
     }
-    return {};
 }
 
 void SetpointBox::follow()
 {
     MotionAllowed can = motionAllowed(m_device, feature());
-    for (SetpointEdit *edit : {m_speed, m_torque, m_iq, m_id, m_rampTime})
+    for (SetpointEdit *edit : {m_speed, m_torque, m_iq, m_id, m_position, m_rampTime})
         edit->setWheelAllowed(can.yes);
     m_echo->setText(echo());
     m_control->setText(controlText());
-    applyAllowed(m_stopRamp, motionAllowed(m_device, drive::Feature::SpeedRamp),
-        tr("Ends a ramp where it is; the motor goes on turning."));
+    const auto shaft = ShaftMove::degreesNow(m_device, m_registers);
+    m_shaft->setText(shaft ? ShaftMove::angleText(*shaft) : QStringLiteral("\u2013"));
+    MotionAllowed ends = motionAllowed(m_device, drive::Feature::SpeedRamp);
+    if (mode() == Mode::Position)
+        ends = {false, tr("A move to an angle has no end on its way: Stop ends it.")};
+    applyAllowed(m_stopRamp, ends, tr("Ends a ramp where it is; the motor goes on turning."));
     followCyclic();
     if (can.yes && !readable())
         can = {false, echo()};
     applyAllowed(m_go, can,
         mode() == Mode::Currents
             ? tr("Sets both currents at once (Enter in a field does the same).")
+            : mode() == Mode::Position
+            ? tr("Turns the shaft to that angle (Enter in the field does the same).")
             : tr("Sends the set-point as a ramp (Enter in the field does the same)."));
 }
 
@@ -291,12 +345,15 @@ void SetpointBox::go()
         m_motion.want(tr("Current reference"),
             drive::CurrentReference{motor, *m_iq->sentValue(), *m_id->sentValue()});
         break;
+    case Mode::Position:
+        m_motion.want(tr("Move to an angle"), move()->wish());
+        break;
     }
 }
 
 void SetpointBox::stopRamp()
 {
-    if (motionAllowed(m_device, drive::Feature::SpeedRamp).yes)
+    if (mode() != Mode::Position && motionAllowed(m_device, drive::Feature::SpeedRamp).yes)
         m_motion.want(
             tr("Stop ramp"), drive::Command{drive::MotorAction::StopRamp, m_device.motor()});
 }
@@ -306,6 +363,7 @@ void SetpointBox::forget()
     m_takeReference = false;
     for (SetpointEdit *edit : {m_speed, m_torque, m_iq, m_id})
         edit->setValue(0.0);
+    m_position->clear(); // zero would be a place to go to
 }
 
 void SetpointBox::expectReference() { m_takeReference = true; }

@@ -1,0 +1,1 @@
+#include "session/recording/set_point_tap.h"

@@ -1,0 +1,138 @@
+#include "widgets/scope/signals/set_point_trace.h"
+
+#include "widgets/scope/plot_for_unit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace widgets {
+namespace {
+
+constexpr double kStep_s = 1e-3; ///< of a ramp
+constexpr double kHeld_s = 5e-3; ///< a value that stays: longer ones would get a dot each
+constexpr std::uint64_t kMostValues = 2'000'000;
+constexpr catalog::RegisterId kFirst =
+    capture::kFirstOwnRegister + 0x10000; ///< behind what is computed by formulas
+constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
+
+struct Sort {
+    const char *name;
+    const char *unit;
+    double scale; ///< of what was sent
+};
+
+const Sort &sortOf(drive::SentSetPoint::Kind kind)
+{
+    static constexpr Sort kSorts[] = {{"SPEED_SENT", "rpm", 1.0}, {"IQ_SENT", "A", 1.0},
+        {"SHAFT_SENT", "\u00b0", kDegreesPerRad}};
+    return kSorts[static_cast<std::size_t>(kind)];
+}
+
+} // namespace
+
+double SetPointTrace::Way::at(double seconds) const
+{
+    const double share = ramp_s > 0.0 ? std::clamp((seconds - begin_s) / ramp_s, 0.0, 1.0) : 1.0;
+    return from + (to - from) * share;
+}
+
+SetPointTrace::SetPointTrace(capture::Capture &capture, ScopeView &scope, QObject *parent)
+    : QObject(parent)
+    , m_capture(capture)
+    , m_scope(scope)
+{
+    connect(&scope, &ScopeView::removeRequested, this, &SetPointTrace::takenOff);
+}
+
+void SetPointTrace::take(const drive::SentSetPoint &sent)
+{
+    m_ahead_s = sent.ahead_s;
+    const Key key{sent.kind, sent.motor};
+    const double value = sent.value * sortOf(sent.kind).scale;
+    const double ramp_s = std::chrono::duration<double>(sent.ramp).count();
+    const auto known = m_drawn.find(key);
+    if (known == m_drawn.end()) { // from where it comes is not known
+        m_drawn[key] = {0, sent.seconds, {value, value, sent.seconds, ramp_s}, {}};
+        return;
+    }
+    Drawn &drawn = known->second;
+    const double begin = std::max(sent.seconds, drawn.until_s);
+    const Way &last = drawn.next.empty() ? drawn.now : drawn.next.back();
+    drawn.next.push_back({last.at(begin), value, begin, ramp_s});
+}
+
+void SetPointTrace::advance(double now)
+{
+    for (auto &[key, drawn] : m_drawn)
+        draw(key, drawn, now + m_ahead_s - kBehind_s);
+}
+
+void SetPointTrace::draw(const Key &key, Drawn &drawn, double until_s)
+{
+    if (!(until_s > drawn.until_s))
+        return;
+    if (!m_capture.channel(drawn.channel)) // also where all was cleared
+        makeChannel(key, drawn);
+    while (!drawn.next.empty() && drawn.next.front().begin_s <= until_s) {
+        follow(drawn, drawn.next.front().begin_s);
+        drawn.now = drawn.next.front();
+        drawn.next.erase(drawn.next.begin());
+    }
+    follow(drawn, until_s);
+    m_capture.keepNewest(drawn.channel, kMostValues);
+    if (m_shown && m_scope.plotOf(drawn.channel) < 0)
+        m_scope.addChannel(drawn.channel,
+            plotForUnit(m_scope, m_capture, QString::fromUtf8(sortOf(key.first).unit)));
+}
+
+/// One value each step up to there.
+void SetPointTrace::follow(Drawn &drawn, double until_s)
+{
+    while (drawn.until_s < until_s) {
+        const double end = drawn.now.begin_s + drawn.now.ramp_s;
+        const double step = drawn.until_s < end ? kStep_s : kHeld_s;
+        const double next = std::min(drawn.until_s + step, until_s);
+        m_capture.appendImported(drawn.channel, capture::toNanos(drawn.until_s),
+            drawn.now.at(drawn.until_s), capture::toNanos(next));
+        drawn.until_s = next;
+    }
+}
+
+void SetPointTrace::makeChannel(const Key &key, Drawn &drawn)
+{
+    const Sort &sort = sortOf(key.first);
+    const bool several = key.second > 1;
+    drawn.channel = m_capture.addImported(
+        sort.name + (several ? "@" + std::to_string(key.second) : std::string()), sort.unit,
+        kFirst + 8 * static_cast<catalog::RegisterId>(key.first)
+            + static_cast<catalog::RegisterId>(key.second));
+}
+
+void SetPointTrace::end()
+{
+    for (auto &[key, drawn] : m_drawn)
+        if (m_capture.channel(drawn.channel))
+            m_capture.breakImported(drawn.channel);
+    m_drawn.clear();
+    m_ahead_s = 0.0;
+}
+
+void SetPointTrace::setShown(bool shown)
+{
+    if (std::exchange(m_shown, shown) == shown)
+        return;
+    for (auto &[key, drawn] : m_drawn)
+        if (!shown && m_scope.plotOf(drawn.channel) >= 0)
+            m_scope.removeChannel(drawn.channel);
+    Q_EMIT shownChanged(shown);
+}
+
+void SetPointTrace::takenOff(quint32 channel)
+{
+    for (const auto &[key, drawn] : m_drawn)
+        if (drawn.channel == channel)
+            return setShown(false);
+}
+
+} // namespace widgets

@@ -1,0 +1,63 @@
+// SetPointTrace: the set-points as they were sent, computed: each begins at the instant at which its bytes left, on the axis of
+// the samples, and goes its way in the time that was asked for. A reference that is read from the board comes up to 100 ms
+// late. What the board makes of it is the board's.
+//
+// It stays a moment behind, because when a set-point left is known only when its answer has come.
+#pragma once
+
+#include "capture/capture.h"
+#include "drive/set_points/set_point_times.h"
+
+#include <QObject>
+
+#include <map>
+
+namespace widgets {
+
+class ScopeView;
+
+class SetPointTrace : public QObject {
+    Q_OBJECT
+public:
+    static constexpr double kBehind_s = 0.3;
+
+    /// Both outlive it.
+    SetPointTrace(capture::Capture &capture, ScopeView &scope, QObject *parent = nullptr);
+
+    bool shown() const { return m_shown; }
+
+public Q_SLOTS:
+    void take(const drive::SentSetPoint &sent);
+    void advance(double now); ///< of the session's clock
+    void end(); ///< the connection's
+    void setShown(bool shown);
+
+Q_SIGNALS:
+    void shownChanged(bool shown);
+
+private:
+    using Kind = drive::SentSetPoint::Kind;
+    using Key = std::pair<Kind, int>; ///< what, of which motor
+    struct Way {
+        double from = 0.0, to = 0.0, begin_s = 0.0, ramp_s = 0.0;
+        double at(double seconds) const;
+    };
+    struct Drawn {
+        capture::ChannelId channel = 0;
+        double until_s = 0.0; ///< it is drawn
+        Way now;
+        std::vector<Way> next; ///< those that begin later
+    };
+    void draw(const Key &key, Drawn &drawn, double until_s);
+    void follow(Drawn &drawn, double until_s);
+    void makeChannel(const Key &key, Drawn &drawn);
+    void takenOff(quint32 channel);
+
+    capture::Capture &m_capture;
+    ScopeView &m_scope;
+    std::map<Key, Drawn> m_drawn;
+    double m_ahead_s = 0.0; ///< of the samples' axis
+    bool m_shown = false;
+};
+
+} // namespace widgets
