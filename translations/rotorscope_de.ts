@@ -2808,6 +2808,14 @@
         <source>Current scale: not known, the board does not tell it</source>
         <translation>Stromskala: nicht bekannt, das Board nennt sie nicht</translation>
     </message>
+    <message>
+        <source>Set-point</source>
+        <translation>Sollwert</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Tippen</translation>
+    </message>
 </context>
 <context>
     <name>widgets::CurrentScaleDialog</name>
@@ -2889,10 +2897,6 @@
     <message>
         <source>Remove this pair</source>
         <translation>Dieses Paar entfernen</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Copy the values as text</source>
@@ -5487,6 +5491,16 @@
     <message>
         <source>The disk failed (%3): the recording %1 ends here, with %2 MB. What was recorded is in it, and the connection goes on.</source>
         <translation>Die Platte versagt (%3): Die Aufzeichnung %1 endet hier, mit %2 MB. Was bis dahin kam, ist in ihr, und die Verbindung läuft weiter.</translation>
+    </message>
+    <message>
+        <source>REC</source>
+        <comment>a recording can begin</comment>
+        <translation>REC</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <comment>the recording</comment>
+        <translation>Ende</translation>
     </message>
 </context>
 <context>

@@ -2808,6 +2808,14 @@
         <source>Current scale: not known, the board does not tell it</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Set-point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::CurrentScaleDialog</name>
@@ -2888,10 +2896,6 @@
     </message>
     <message>
         <source>Remove this pair</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Copy</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5486,6 +5490,16 @@
     </message>
     <message>
         <source>The disk failed (%3): the recording %1 ends here, with %2 MB. What was recorded is in it, and the connection goes on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>REC</source>
+        <comment>a recording can begin</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End</source>
+        <comment>the recording</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
