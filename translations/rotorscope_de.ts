@@ -2862,6 +2862,14 @@
         <comment>speed, current</comment>
         <translation>Grenzen: %1, %2</translation>
     </message>
+    <message>
+        <source>Set-point</source>
+        <translation>Sollwert</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Tippen</translation>
+    </message>
 </context>
 <context>
     <name>widgets::CurrentScaleDialog</name>
@@ -2943,10 +2951,6 @@
     <message>
         <source>Remove this pair</source>
         <translation>Dieses Paar entfernen</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Copy the values as text</source>
@@ -5555,6 +5559,16 @@
     <message>
         <source>The disk failed (%3): the recording %1 ends here, with %2 MB. What was recorded is in it, and the connection goes on.</source>
         <translation>Die Platte versagt (%3): Die Aufzeichnung %1 endet hier, mit %2 MB. Was bis dahin kam, ist in ihr, und die Verbindung läuft weiter.</translation>
+    </message>
+    <message>
+        <source>REC</source>
+        <comment>a recording can begin</comment>
+        <translation>REC</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <comment>the recording</comment>
+        <translation>Ende</translation>
     </message>
 </context>
 <context>

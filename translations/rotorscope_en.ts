@@ -2861,6 +2861,14 @@
         <comment>speed, current</comment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Set-point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::CurrentScaleDialog</name>
@@ -2941,10 +2949,6 @@
     </message>
     <message>
         <source>Remove this pair</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Copy</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5553,6 +5557,16 @@
     </message>
     <message>
         <source>The disk failed (%3): the recording %1 ends here, with %2 MB. What was recorded is in it, and the connection goes on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>REC</source>
+        <comment>a recording can begin</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End</source>
+        <comment>the recording</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>

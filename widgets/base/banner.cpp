@@ -1,5 +1,7 @@
 #include "widgets/base/banner.h"
 
+#include "widgets/base/spacing.h"
+
 #include <QEvent>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -53,8 +55,8 @@ Banner::Banner(QWidget *over, QWidget *window)
     connect(m_close, &QToolButton::clicked, this, &Banner::clear);
 
     auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(12, 5, 6, 5);
-    layout->setSpacing(8);
+    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    layout->setSpacing(kGrid);
     layout->addWidget(m_mark);
     layout->addWidget(m_text, 1);
     layout->addWidget(m_close);

@@ -1,5 +1,6 @@
 #include "widgets/base/lamp.h"
 
+#include "widgets/base/spacing.h"
 #include "widgets/base/steady_label.h"
 
 #include <QHBoxLayout>
@@ -57,7 +58,7 @@ Lamp::Lamp(const QString &name, QWidget *parent)
 {
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(5);
+    layout->setSpacing(kHalfGrid);
     layout->addWidget(m_dot);
     layout->addWidget(m_text);
     setAccessibleName(name);

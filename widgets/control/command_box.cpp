@@ -1,6 +1,8 @@
 #include "widgets/control/command_box.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/line_icon.h"
+#include "widgets/base/spacing.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/motor_button.h"
 
@@ -40,11 +42,13 @@ CommandBox::CommandBox(Device &device, MotionGate &motion, QWidget *parent)
     stop->setObjectName(QStringLiteral("stop"));
     stop->setText(tr("Stop (Esc)"));
     m_acknowledge->setObjectName(QStringLiteral("acknowledge"));
+    setLineIcon(*m_start, "start");
+    setLineIcon(*m_acknowledge, "acknowledge");
 
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(6);
-    grid->setVerticalSpacing(5);
+    grid->setSpacing(kGrid);
+    grid->setVerticalSpacing(kFineGrid);
     grid->addWidget(m_arm, 0, 0, 1, 2);
     grid->addWidget(m_start, 1, 0);
     grid->addWidget(stop, 1, 1);

@@ -1,5 +1,7 @@
 #include "widgets/control/control_panel.h"
 
+#include "widgets/base/section_head.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
 #include "widgets/control/command_box.h"
@@ -24,10 +26,10 @@
 namespace widgets {
 namespace {
 
-constexpr int kMargin = 10;
+constexpr int kMargin = kGrid;
 constexpr int kLeastScrolled = 60; ///< pixels: a set-point
-constexpr int kGap =
-    3; ///< so that nothing has to be scrolled on a low screen after a stop, when its words stand there
+/// Nothing has to be scrolled on a low screen after a stop, when its words stand there.
+constexpr int kGap = kFineGrid;
 
 /// As high as what is in it at its width, and lower where there is no room.
 class Scroll : public QScrollArea {
@@ -120,7 +122,7 @@ ControlPanel::ControlPanel(
     top->addWidget(line(this));
     top->addWidget(m_commands);
     top->addWidget(m_words);
-    top->addWidget(line(this));
+    top->addWidget(new SectionHead(tr("Set-point"), this));
     QSizePolicy kept = m_words->sizePolicy(); // what is below does not move when they come
     kept.setRetainSizeWhenHidden(true);
     m_words->setSizePolicy(kept);
@@ -130,7 +132,7 @@ ControlPanel::ControlPanel(
     auto *bottom = new QVBoxLayout(read);
     bottom->setContentsMargins(kMargin, 0, kMargin, kGap);
     bottom->setSpacing(kGap);
-    bottom->addWidget(line(this));
+    bottom->addWidget(line(this)); // what is measured has names of its own
     bottom->addWidget(m_readouts);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -191,7 +193,7 @@ QWidget *ControlPanel::makeBody()
     layout->setContentsMargins(kMargin, kGap, kMargin, kGap);
     layout->setSpacing(kGap);
     layout->addWidget(m_setpoints);
-    layout->addWidget(line(this));
+    layout->addWidget(new SectionHead(tr("Jog"), this));
     layout->addWidget(m_jog);
     layout->addWidget(line(this));
     layout->addLayout(limits);

@@ -4,6 +4,7 @@
 #include "drive/motion_limits.h"
 #include "motor/current_loop.h"
 #include "widgets/base/setpoint_text.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/value_text.h"
 
 #include <QDialogButtonBox>
@@ -68,8 +69,8 @@ CurrentScaleDialog::CurrentScaleDialog(int motor, double fullScaleAmps, QWidget 
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_amps, &QLineEdit::textChanged, this, &CurrentScaleDialog::follow);
     auto *form = new QFormLayout(this);
-    form->setContentsMargins(18, 16, 18, 14);
-    form->setSpacing(10);
+    form->setContentsMargins(kDialogEdge, kDialogEdge, kDialogEdge, kDialogEdge);
+    form->setSpacing(kGrid);
     form->addRow(explain);
     form->addRow(tr("&Full-scale current [A] (peak, 32768 digits)"), m_amps);
     form->addRow(makeCircuit());
@@ -85,7 +86,7 @@ QGroupBox *CurrentScaleDialog::makeCircuit()
 {
     auto *circuit = new QGroupBox(tr("Or from the measuring circuit"), this);
     auto *form = new QFormLayout(circuit);
-    form->setSpacing(8);
+    form->setSpacing(kGrid);
     form->addRow(tr("&Shunt [m\u03a9]"), m_shunt);
     form->addRow(tr("&Gain of the amplifier"), m_gain);
     form->addRow(tr("&Reference of the converter [V]"), m_reference);

@@ -1,5 +1,6 @@
 #include "widgets/control/jog_box.h"
 
+#include "widgets/base/spacing.h"
 #include "widgets/control/command_box.h"
 #include "widgets/control/setpoint_edit.h"
 
@@ -173,7 +174,7 @@ JogBox::JogBox(Device &device, MotionGate &motion, QWidget *parent)
     label->setBuddy(m_speed);
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(6);
+    grid->setSpacing(kGrid);
     grid->addWidget(label, 0, 0);
     grid->addWidget(m_speed, 0, 1);
     grid->addWidget(m_back, 0, 2);

@@ -2,6 +2,7 @@
 
 #include "drive/motion_limits.h"
 #include "widgets/base/setpoint_text.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/value_text.h"
 
 #include <QDialogButtonBox>
@@ -62,8 +63,8 @@ LimitsDialog::LimitsDialog(const drive::UserLimits &limits, QWidget *parent)
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto *form = new QFormLayout(this);
-    form->setContentsMargins(18, 16, 18, 14);
-    form->setSpacing(10);
+    form->setContentsMargins(kDialogEdge, kDialogEdge, kDialogEdge, kDialogEdge);
+    form->setSpacing(kGrid);
     form->addRow(explain);
     form->addRow(tr("Greatest &speed [rpm]"), m_speed);
     form->addRow(tr("Greatest &current [A]"), m_current);

@@ -3,6 +3,7 @@
 #include "session/files/whole_file.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
+#include "widgets/base/spacing.h"
 #include "widgets/control/motion_log_model.h"
 
 #include <QClipboard>
@@ -54,7 +55,7 @@ MotionLogPanel::MotionLogPanel(MotionLogModel &log, FilePrompt &files, QWidget *
     side->addWidget(m_save);
     side->addStretch(1);
     auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(6, 4, 6, 4);
+    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
     layout->addWidget(m_table, 1);
     layout->addLayout(side);
 

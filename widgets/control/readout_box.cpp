@@ -2,6 +2,7 @@
 
 #include "drive/set_points/shaft_position.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
 
@@ -37,7 +38,7 @@ ReadoutBox::ReadoutBox(Device &device, RegisterModel &registers, QWidget *parent
 {
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setVerticalSpacing(1);
+    grid->setVerticalSpacing(kFineGrid);
     const std::pair<const char *, QString> rows[] = {
         {"SPEED_MEAS", tr("Measured speed")},
         {"SPEED_REF", tr("Speed reference")},

@@ -4,6 +4,7 @@
 #include "widgets/base/lamp.h"
 #include "widgets/base/messages.h"
 #include "widgets/base/replaying.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/control/fault_texts.h"
 #include "widgets/control/state_strip.h"
@@ -68,7 +69,7 @@ StateBox::StateBox(Device &device, QWidget *parent)
 
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setVerticalSpacing(3);
+    grid->setVerticalSpacing(kFineGrid);
     grid->addWidget(m_state, 0, 0);
     grid->addWidget(m_causes, 0, 1); // where the row is high enough for it
     grid->addWidget(m_strip, 1, 0, 1, 2);

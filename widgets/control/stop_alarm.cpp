@@ -1,6 +1,7 @@
 #include "widgets/control/stop_alarm.h"
 
 #include "widgets/base/messages.h"
+#include "widgets/base/spacing.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>
@@ -57,8 +58,8 @@ void StopAlarm::make()
         reject();
     });
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(28, 24, 28, 20);
-    layout->setSpacing(14);
+    layout->setContentsMargins(3 * kGrid, 3 * kGrid, 3 * kGrid, kDialogEdge);
+    layout->setSpacing(kDialogEdge);
     // Always as large as what it has room for: what a word-wrapped label needs in height is asked for by no other constraint.
     layout->setSizeConstraint(QLayout::SetFixedSize);
     layout->addWidget(m_text);

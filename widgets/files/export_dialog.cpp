@@ -4,6 +4,7 @@
 #include "session/files/motion_log_file.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
+#include "widgets/base/spacing.h"
 #include "widgets/files/scope_picture.h"
 #include "widgets/scope/scope_view.h"
 
@@ -120,8 +121,8 @@ ExportDialog::ExportDialog(capture::Capture &capture, ScopeView &scope, FileProm
     form->addRow(tr("&Range"), m_range);
     form->addRow(tr("R&ates"), m_rates);
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(18, 16, 18, 14);
-    layout->setSpacing(12);
+    layout->setContentsMargins(kDialogEdge, kDialogEdge, kDialogEdge, kDialogEdge);
+    layout->setSpacing(kGrid);
     layout->addLayout(form);
     layout->addWidget(m_summary);
     layout->addWidget(buttons);

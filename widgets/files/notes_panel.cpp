@@ -1,5 +1,7 @@
 #include "widgets/files/notes_panel.h"
 
+#include "widgets/base/spacing.h"
+
 #include <QPlainTextEdit>
 #include <QVBoxLayout>
 
@@ -15,7 +17,7 @@ NotesPanel::NotesPanel(const QString &text, QWidget *parent)
     m_text->setPlaceholderText(tr("What is tried, and what came of it. Kept with the workspace."));
     m_text->setTabChangesFocus(true);
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 4, 8, 4);
+    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
     layout->addWidget(m_text);
 }
 

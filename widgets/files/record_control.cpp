@@ -3,6 +3,8 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
 #include "widgets/base/lamp.h"
+#include "widgets/base/line_icon.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/scope/events/event_log.h"
 
@@ -56,7 +58,7 @@ RecordControl::RecordControl(Parts parts, const QString &folder, QWidget *window
     m_withLink->setCheckable(true);
     m_withLink->setToolTip(tr("Twice the size; keeps what was on the line byte for byte"));
     m_line->setObjectName(QStringLiteral("recordLine"));
-    m_line->setContentsMargins(8, 0, 8, 3);
+    m_line->setContentsMargins(kGrid, 0, kGrid, kHalfGrid);
     QSizePolicy still(QSizePolicy::Ignored, QSizePolicy::Fixed); // never makes the window wider
     still.setRetainSizeWhenHidden(true); // what is below stays where it is
     m_line->setSizePolicy(still);
@@ -90,7 +92,7 @@ RecordControl::RecordControl(Parts parts, const QString &folder, QWidget *window
 
 QStringList RecordControl::signs()
 {
-    return {QStringLiteral("\u25cf REC"), QStringLiteral("\u25a0 REC")};
+    return {tr("REC", "a recording can begin"), tr("End", "the recording")};
 }
 
 void RecordControl::update()
@@ -98,6 +100,7 @@ void RecordControl::update()
     const bool running = m_parts.recording.running();
     m_toggle->setChecked(running);
     m_toggle->setEnabled(running || m_parts.device.portOpen());
+    setLineIcon(*m_toggle, running ? "record-end" : "record");
     m_toggle->setText(running ? tr("E&nd the recording") : tr("&Record to disk\u2026"));
     // The bar has little room; menus and screen readers get the words, and the shape says which it is.
     m_toggle->setIconText(signs().at(running ? 1 : 0));

@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/replaying.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/files/record_control.h"
@@ -72,8 +73,8 @@ ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
     m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 
     auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(8, 0, 8, 4);
-    layout->setSpacing(6);
+    layout->setContentsMargins(kGrid, 0, kGrid, kHalfGrid);
+    layout->setSpacing(kGrid);
     layout->addWidget(m_badge);
     layout->addWidget(m_pause);
     layout->addWidget(m_speed);

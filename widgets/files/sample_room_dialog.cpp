@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/setpoint_text.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/files/sample_room.h"
 
@@ -86,8 +87,8 @@ SampleRoomDialog::SampleRoomDialog(const SampleRoom &room, QWidget *parent)
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto *form = new QFormLayout(this);
-    form->setContentsMargins(18, 16, 18, 14);
-    form->setSpacing(10);
+    form->setContentsMargins(kDialogEdge, kDialogEdge, kDialogEdge, kDialogEdge);
+    form->setSpacing(kGrid);
     form->addRow(explain);
     form->addRow(tr("&Room on disk [GB]"), m_size);
     form->addRow(m_meaning);

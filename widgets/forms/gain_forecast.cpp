@@ -1,6 +1,7 @@
 #include "widgets/forms/gain_forecast.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/spacing.h"
 #include "widgets/forms/gain_label.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_plot.h"
@@ -42,7 +43,7 @@ GainForecast::GainForecast(QWidget *parent)
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(2);
+    column->setSpacing(kFineGrid);
     m_currentText = new GainLabel("labCurrentText", this);
     m_currentPlot = new GainPlot(tr("Current"), this);
     m_speedText = new GainLabel("labSpeedText", this);

@@ -1,6 +1,7 @@
 #include "widgets/forms/gain_lab.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/forms/gain_forecast.h"
 #include "widgets/forms/gain_label.h"
@@ -80,9 +81,9 @@ GainLab::GainLab(RegisterModel &model, QWidget *parent)
 {
     setObjectName(QStringLiteral("gainLab"));
     auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(4, 4, 4, 0);
-    grid->setHorizontalSpacing(12);
-    grid->setVerticalSpacing(4);
+    grid->setContentsMargins(kHalfGrid, kHalfGrid, kHalfGrid, 0);
+    grid->setHorizontalSpacing(kGrid);
+    grid->setVerticalSpacing(kHalfGrid);
     grid->addWidget(m_motor, 0, 0);
     grid->addWidget(makeWishes(), 0, 1);
     grid->addWidget(m_forecast, 0, 2);
@@ -103,8 +104,8 @@ QWidget *GainLab::makeWishes()
     auto *wishes = new QWidget(this);
     auto *grid = new QGridLayout(wishes);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(5);
-    grid->setVerticalSpacing(3);
+    grid->setHorizontalSpacing(kHalfGrid);
+    grid->setVerticalSpacing(kFineGrid);
     const QString bandwidth = tr("Current bandwidth"), damping = tr("Speed damping");
     auto *label = new QLabel(bandwidth, this);
     m_bandwidthSlider = makeSlider("labBandwidthSlider", bandwidth, this);

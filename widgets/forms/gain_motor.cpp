@@ -1,6 +1,7 @@
 #include "widgets/forms/gain_motor.h"
 
 #include "drive/gain_plant.h"
+#include "widgets/base/spacing.h"
 #include "widgets/forms/gain_number.h"
 
 #include <QGridLayout>
@@ -21,8 +22,8 @@ GainMotor::GainMotor(QWidget *parent)
 {
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(5);
-    grid->setVerticalSpacing(3);
+    grid->setHorizontalSpacing(kHalfGrid);
+    grid->setVerticalSpacing(kFineGrid);
     // Typed in the usual sizes, so that no exponent is needed.
     m_rs = addInput(grid, 0, 0, "labRs", tr("Rs"), QStringLiteral("\u03a9"), 1e-5, 1e4);
     m_lq = addInput(grid, 1, 0, "labLq", tr("Lq"), QStringLiteral("mH"), 1e-5, 1e4);

@@ -5,6 +5,7 @@
 #include "drive/gain_plant.h"
 #include "motor/smaller_loops.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_texts.h"
@@ -150,9 +151,9 @@ GainTable::GainTable(RegisterModel &model, QWidget *parent)
 {
     setObjectName(QStringLiteral("gainTable"));
     auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(4, 4, 4, 4);
-    grid->setVerticalSpacing(3);
-    grid->setHorizontalSpacing(4);
+    grid->setContentsMargins(kHalfGrid, kHalfGrid, kHalfGrid, kHalfGrid);
+    grid->setVerticalSpacing(kFineGrid);
+    grid->setHorizontalSpacing(kHalfGrid);
     const QString heads[] = {tr("Proportional"), tr("Integral"), tr("Derivative")};
     for (int place = 0; place < kPlaces; ++place) {
         auto *head = new QLabel(heads[place], this);

@@ -1,6 +1,7 @@
 #include "widgets/forms/gains_form.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/spacing.h"
 #include "widgets/forms/gain_lab.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_table.h"
@@ -43,8 +44,8 @@ GainsForm::GainsForm(Device &device, RegisterModel &model, RegisterEdits &edits,
     m_pages->addTab(m_table, tr("&Regulators"));
     m_pages->addTab(m_lab, tr("Gain &lab"));
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(4, 0, 4, 0);
-    layout->setSpacing(4);
+    layout->setContentsMargins(kHalfGrid, 0, kHalfGrid, 0);
+    layout->setSpacing(kHalfGrid);
     layout->addWidget(m_pages, 1);
     // What a page wishes and what is written stay in view together where the page itself has to scroll.
     m_footer = new QWidget(this);

@@ -3,6 +3,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/setpoint_text.h"
 #include "widgets/base/si_text.h"
+#include "widgets/base/spacing.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -27,8 +28,8 @@ MotorConverter::MotorConverter(QWidget *parent)
     setObjectName(QStringLiteral("motorConverter"));
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(6);
-    grid->setVerticalSpacing(3);
+    grid->setHorizontalSpacing(kGrid);
+    grid->setVerticalSpacing(kFineGrid);
     struct Cell {
         Field field;
         const char *name;

@@ -6,6 +6,8 @@
 #include "widgets/base/file_prompt.h"
 #include "widgets/base/lamp.h"
 #include "widgets/base/messages.h"
+#include "widgets/base/section_head.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/forms/motor_converter.h"
 #include "widgets/forms/motor_messages.h"
@@ -15,7 +17,6 @@
 #include <QClipboard>
 #include <QDir>
 #include <QFileInfo>
-#include <QGroupBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -46,8 +47,8 @@ MotorForm::MotorForm(Device &device, RegisterModel &registers, FilePrompt &files
 {
     setObjectName(QStringLiteral("motorForm"));
     auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(8, 6, 8, 6);
-    layout->setSpacing(10);
+    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    layout->setSpacing(kGrid);
     layout->addWidget(makeLeft(), 1);
     layout->addWidget(makeRight());
 
@@ -102,7 +103,7 @@ QWidget *MotorForm::makeLeft()
     connect(m_close, &QPushButton::clicked, this, &MotorForm::closeFile);
     connect(m_save, &QPushButton::clicked, this, &MotorForm::saveFile);
     auto *buttons = new QHBoxLayout;
-    buttons->setSpacing(6);
+    buttons->setSpacing(kGrid);
     for (QPushButton *button : {m_again, m_open, m_close, m_save})
         buttons->addWidget(button);
     buttons->addStretch(1);
@@ -137,7 +138,7 @@ QWidget *MotorForm::makeLeft()
 
     auto *layout = new QVBoxLayout(left);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
+    layout->setSpacing(kHalfGrid);
     layout->addLayout(buttons);
     layout->addWidget(m_reason);
     layout->addWidget(m_told);
@@ -150,20 +151,21 @@ QWidget *MotorForm::makeRight()
     auto *right = new QWidget(this);
     right->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     m_warnings = makeText("motorWarnings", right);
-    auto *group = new QGroupBox(tr("Converter"), right);
+    auto *group = new QWidget(right);
     m_converter = new MotorConverter(group);
     auto *board = makeButton(
         tr("From the &board"), "convertBoard", tr("Begins again with the board's values."));
     connect(board, &QPushButton::clicked, this,
         [this] { m_converter->take(m_facts ? drive::sheetOf(*m_facts) : motor::MotorSheet()); });
     auto *inner = new QVBoxLayout(group);
-    inner->setContentsMargins(6, 4, 6, 6);
-    inner->setSpacing(4);
+    inner->setContentsMargins(0, 0, 0, 0);
+    inner->setSpacing(kHalfGrid);
+    inner->addWidget(new SectionHead(tr("Converter"), group));
     inner->addWidget(m_converter);
     inner->addWidget(board, 0, Qt::AlignRight);
     auto *layout = new QVBoxLayout(right);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(6);
+    layout->setSpacing(kGrid);
     layout->addWidget(m_warnings);
     layout->addWidget(group);
     layout->addStretch(1);

@@ -3,6 +3,7 @@
 #include "drive/set_points/shaft_position.h"
 #include "motor/ramp.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/control/motion_gate.h"
@@ -41,7 +42,7 @@ RampForm::RampForm(Device &device, RegisterModel &registers, MotionGate &motion,
 {
     setObjectName(QStringLiteral("rampForm"));
     auto *left = new QVBoxLayout;
-    left->setSpacing(6);
+    left->setSpacing(kGrid);
     left->addWidget(makeLines());
     left->addWidget(makePresets());
     left->addStretch(1);
@@ -50,8 +51,8 @@ RampForm::RampForm(Device &device, RegisterModel &registers, MotionGate &motion,
     m_preview->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
     m_footer = makeProgress();
     auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(8, 6, 8, 0);
-    layout->setSpacing(12);
+    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, 0);
+    layout->setSpacing(kGrid);
     layout->addLayout(left);
     layout->addWidget(m_preview, 1);
 
@@ -93,8 +94,8 @@ QWidget *RampForm::makeLines()
     box->setMinimumWidth(kNote * fontMetrics().averageCharWidth());
     auto *grid = new QGridLayout(box);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(6);
-    grid->setVerticalSpacing(2);
+    grid->setHorizontalSpacing(kGrid);
+    grid->setVerticalSpacing(kFineGrid);
     int row = 0;
     for (const RampKind kind :
         {RampKind::Speed, RampKind::Torque, RampKind::Current, RampKind::Position}) {
@@ -135,8 +136,8 @@ QWidget *RampForm::makePresets()
     auto *label = new QLabel(tr("&Named"), box);
     label->setBuddy(m_preset);
     auto *layout = new QHBoxLayout(box);
-    layout->setContentsMargins(0, 4, 0, 0);
-    layout->setSpacing(6);
+    layout->setContentsMargins(0, kHalfGrid, 0, 0);
+    layout->setSpacing(kGrid);
     layout->addWidget(label);
     layout->addWidget(m_preset, 1);
     layout->addWidget(m_save);
@@ -165,7 +166,7 @@ QWidget *RampForm::makeProgress()
     m_stop->setObjectName(QStringLiteral("rampStop"));
     auto *grid = new QGridLayout(box);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setVerticalSpacing(2);
+    grid->setVerticalSpacing(kFineGrid);
     grid->addWidget(m_bar, 0, 0);
     grid->addWidget(m_text, 1, 0);
     grid->addWidget(m_stop, 0, 1, 2, 1);

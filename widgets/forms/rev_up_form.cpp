@@ -6,6 +6,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
 #include "widgets/base/register_texts.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/forms/rev_up_chart.h"
 #include "widgets/forms/rev_up_start.h"
@@ -75,14 +76,14 @@ RevUpForm::RevUpForm(const Parts &parts, QWidget *parent)
     m_reason = makeText("revUpReason", this);
     makeBold(m_reason);
     auto *row = new QHBoxLayout;
-    row->setSpacing(8);
+    row->setSpacing(kGrid);
     row->addWidget(makeLeft());
     row->addWidget(makeMiddle(), 1);
     row->addWidget(makeRight());
     m_footer = makeFooter(parts);
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 6, 8, 0);
-    layout->setSpacing(4);
+    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, 0);
+    layout->setSpacing(kHalfGrid);
     layout->addWidget(m_reason);
     layout->addLayout(row, 1);
     connectParts();
@@ -121,12 +122,12 @@ QWidget *RevUpForm::makeLeft()
     m_down = makeButton(
         tr("Dow&n", "move a stage"), "revUpDown", tr("Moves the selected stage down (Alt+Down)"));
     auto *buttons = new QHBoxLayout;
-    buttons->setSpacing(4);
+    buttons->setSpacing(kHalfGrid);
     for (QPushButton *button : {m_add, m_remove, m_up, m_down})
         buttons->addWidget(button, 1);
     auto *layout = new QVBoxLayout(left);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
+    layout->setSpacing(kHalfGrid);
     layout->addWidget(m_table);
     layout->addLayout(buttons);
     layout->addStretch(1);
@@ -147,7 +148,7 @@ QWidget *RevUpForm::makeFooter(const Parts &parts)
     m_bar = new EditBar(parts.edits, parts.registers, parts.apply, parts.revert, true, footer);
     auto *layout = new QHBoxLayout(footer);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
+    layout->setSpacing(kHalfGrid);
     for (QPushButton *button : {m_usual, m_open, m_save})
         layout->addWidget(button);
     layout->addWidget(m_bar, 1);
@@ -166,7 +167,7 @@ QWidget *RevUpForm::makeMiddle()
     m_startText->setForegroundRole(QPalette::PlaceholderText);
     auto *layout = new QVBoxLayout(middle);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
+    layout->setSpacing(kFineGrid);
     layout->addWidget(m_chart, 1);
     layout->addWidget(m_hint);
     layout->addWidget(m_startText);
@@ -222,12 +223,12 @@ QWidget *RevUpForm::makeRight()
     m_findings->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
     auto *numbers = new QFormLayout;
     numbers->setContentsMargins(0, 0, 0, 0);
-    numbers->setSpacing(4);
+    numbers->setSpacing(kHalfGrid);
     numbers->addRow(tr("Inertia, %1").arg(gcm2), m_inertia);
     numbers->addRow(tr("Friction, mN\u00b7m"), m_friction);
     auto *layout = new QVBoxLayout(right);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
+    layout->setSpacing(kHalfGrid);
     m_factsText = makeText("revUpFacts", right);
     layout->addLayout(numbers);
     layout->addWidget(m_findings, 1);

@@ -2,6 +2,7 @@
 
 #include "drive/gain_plant.h"
 #include "lab/step_plan.h"
+#include "widgets/base/spacing.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_texts.h"
 #include "widgets/lab/live_gain.h"
@@ -26,8 +27,8 @@ SpeedGains::SpeedGains(Device &device, RegisterModel &model, RegisterEdits &edit
     setObjectName(QStringLiteral("speedGains"));
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(6);
-    grid->setVerticalSpacing(2);
+    grid->setHorizontalSpacing(kGrid);
+    grid->setVerticalSpacing(kFineGrid);
     m_kp = addGain(grid, 0, tr("&Kp"), gainRegister(GainId::SpeedKp));
     m_ki = addGain(grid, 1, tr("K&i"), gainRegister(GainId::SpeedKi));
     m_kpText->setObjectName(QStringLiteral("stepKpText"));

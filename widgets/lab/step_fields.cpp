@@ -1,5 +1,6 @@
 #include "widgets/lab/step_fields.h"
 
+#include "widgets/base/spacing.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/control/setpoint_edit.h"
 
@@ -28,8 +29,8 @@ StepFields::StepFields(QWidget *parent)
 {
     setObjectName(QStringLiteral("stepFields"));
     m_grid->setContentsMargins(0, 0, 0, 0);
-    m_grid->setHorizontalSpacing(6);
-    m_grid->setVerticalSpacing(2);
+    m_grid->setHorizontalSpacing(kGrid);
+    m_grid->setVerticalSpacing(kFineGrid);
     m_from = addSpeed(0, tr("Fr&om"), "stepFrom");
     m_to = addSpeed(2, tr("to", "a speed"), "stepTo");
     m_hold = addSpin(1, 0, tr("Hold"), "stepHold");
@@ -62,7 +63,7 @@ SetpointEdit *StepFields::addSpeed(int column, const QString &text, const char *
     edit->setAccessibleName(tr("%1, rpm", "a field").arg(QString(text).remove(QLatin1Char('&'))));
     auto *unit = new QLabel(tr("rpm"), this);
     auto *both = new QHBoxLayout;
-    both->setSpacing(4);
+    both->setSpacing(kHalfGrid);
     both->addWidget(edit);
     both->addWidget(unit);
     m_grid->addWidget(label, 0, column);

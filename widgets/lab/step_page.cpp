@@ -2,6 +2,7 @@
 
 #include "lab/fields.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/base/wheel_guard.h"
@@ -92,7 +93,7 @@ StepPage::StepPage(const Parts &parts, QWidget *parent)
     both->setStretchFactor(1, 2);
     makeTable();
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 4, 8, 0);
+    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, 0);
     layout->addWidget(both);
     m_patience.setSingleShot(true);
     m_patience.setInterval(kPatience);
@@ -110,7 +111,7 @@ QWidget *StepPage::makeSide()
     auto *side = new QWidget(this);
     auto *layout = new QVBoxLayout(side);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(6);
+    layout->setSpacing(kGrid);
     layout->addWidget(m_fields);
     layout->addWidget(m_gains);
     auto *shown = new QHBoxLayout;

@@ -1,6 +1,7 @@
 #include "widgets/measuring/math_panel.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/spacing.h"
 #include "widgets/measuring/math_channels.h"
 #include "widgets/measuring/math_table.h"
 #include "widgets/measuring/ready_formulas.h"
@@ -42,7 +43,7 @@ MathPanel::MathPanel(MathChannels &channels, ScopeView &scope, const capture::Ca
     setObjectName(QStringLiteral("mathPanel"));
     makeList();
     auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(9, 4, 9, 4);
+    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
     layout->addWidget(makeEditor());
     layout->addWidget(m_list, 1);
 

@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/reading_text.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/measuring/trace_box.h"
@@ -74,7 +75,7 @@ XyPanel::XyPanel(ScopeView &scope, const capture::Capture &capture, const Regist
     side->setContentsMargins(0, 0, 0, 0);
     sideWidget->setLayout(side);
     auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(9, 4, 9, 4);
+    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
     layout->addWidget(sideWidget);
     layout->addWidget(m_plot, 1);
 

@@ -1,5 +1,7 @@
 #include "widgets/registers/edit_bar.h"
 
+#include "widgets/base/line_icon.h"
+
 #include <QAction>
 #include <QGridLayout>
 #include <QLabel>
@@ -24,6 +26,8 @@ EditBar::EditBar(RegisterEdits &edits, const RegisterModel &model, QAction *appl
     m_told->setObjectName(QStringLiteral("editsTold"));
     m_revert->setObjectName(QStringLiteral("revertEdits"));
     m_apply->setObjectName(QStringLiteral("applyEdits"));
+    setLineIcon(*m_revert, "revert");
+    setLineIcon(*m_apply, "apply");
     connect(m_revert, &QPushButton::clicked, revert, &QAction::trigger);
     connect(m_apply, &QPushButton::clicked, apply, &QAction::trigger);
     auto *layout = new QGridLayout(this);

@@ -1,6 +1,8 @@
 #include "widgets/registers/register_panel.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/line_icon.h"
+#include "widgets/base/spacing.h"
 #include "widgets/registers/edit_bar.h"
 #include "widgets/registers/register_delegate.h"
 #include "widgets/registers/write_question.h"
@@ -62,8 +64,8 @@ RegisterPanel::RegisterPanel(RegisterModel &model, RegisterEdits &edits, QWidget
     connect(&edits, &RegisterEdits::changed, this, &RegisterPanel::updateEdits);
 
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(6, 6, 6, 6);
-    layout->setSpacing(6);
+    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    layout->setSpacing(kGrid);
     layout->addWidget(m_search);
     layout->addWidget(m_tree, 1);
     layout->addWidget(m_details);
@@ -209,6 +211,11 @@ void RegisterPanel::makeActions()
     m_actions.pin = make(tr("&Pin the register or let it go"), Qt::CTRL | Qt::Key_B, this,
         &RegisterPanel::togglePinned);
     m_actions.pin->setEnabled(false);
+    const std::pair<QAction *, const char *> icons[] = {{m_actions.undo, "undo"},
+        {m_actions.redo, "redo"}, {m_actions.apply, "apply"}, {m_actions.revert, "revert"},
+        {m_actions.edit, "edit"}, {m_actions.copy, "copy"}, {m_actions.pin, "pin"}};
+    for (const auto &[action, icon] : icons)
+        setLineIcon(*action, icon);
 }
 
 void RegisterPanel::updateEdits()

@@ -1,6 +1,8 @@
 #include "widgets/scope/cursor_panel.h"
 
+#include "widgets/base/line_icon.h"
 #include "widgets/base/reading_text.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/cursor_table.h"
@@ -59,8 +61,8 @@ CursorPanel::CursorPanel(ScopeView &scope, const capture::Capture &capture, QWid
     m_table->verticalHeader()->setHighlightSections(false);
 
     auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(8, 2, 8, 2);
-    layout->setSpacing(8);
+    layout->setContentsMargins(kGrid, kFineGrid, kGrid, kFineGrid);
+    layout->setSpacing(kGrid);
     layout->addWidget(makeSide());
     layout->addWidget(m_table, 1);
     connect(&scope.cursors(), &Cursors::changed, this, &CursorPanel::follow);
@@ -95,25 +97,25 @@ QWidget *CursorPanel::makeSide()
     m_pairs->setAccessibleName(tr("Pair of cursors"));
     m_pairs->setToolTip(tr("The pair that is read out; type to give it a name"));
     new WheelGuard(m_pairs);
-    const auto button = [side](QToolButton *tool, const char *name, const QString &sign,
+    const auto button = [side](QToolButton *tool, const char *name, const char *icon,
                             const QString &says) {
         tool->setParent(side);
         tool->setObjectName(QLatin1String(name));
-        tool->setText(sign);
+        setLineIcon(*tool, icon);
         tool->setAccessibleName(says);
         tool->setToolTip(says);
         tool->setAutoRaise(true);
     };
-    button(m_add, "addCursorPair", QStringLiteral("+"), tr("Another pair of cursors"));
-    button(m_remove, "removeCursorPair", QStringLiteral("\u2212"), tr("Remove this pair"));
-    button(m_copy, "copyCursors", tr("Copy"), tr("Copy the values as text"));
-    button(m_hide, "hideCursors", QStringLiteral("\u00d7"), tr("Hide the cursors (C)"));
+    button(m_add, "addCursorPair", "add", tr("Another pair of cursors"));
+    button(m_remove, "removeCursorPair", "remove", tr("Remove this pair"));
+    button(m_copy, "copyCursors", "copy", tr("Copy the values as text"));
+    button(m_hide, "hideCursors", "close", tr("Hide the cursors (C)"));
     m_distance->setObjectName(QStringLiteral("cursorInverse"));
     m_distance->setTextFormat(Qt::PlainText);
     m_distance->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
     auto *buttons = new QHBoxLayout;
-    buttons->setSpacing(2);
+    buttons->setSpacing(kFineGrid);
     buttons->addWidget(m_add);
     buttons->addWidget(m_remove);
     buttons->addWidget(m_copy);
@@ -121,7 +123,7 @@ QWidget *CursorPanel::makeSide()
     buttons->addWidget(m_hide);
     auto *layout = new QVBoxLayout(side);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
+    layout->setSpacing(kFineGrid);
     layout->addWidget(m_pairs);
     layout->addLayout(buttons);
     layout->addWidget(m_distance);

@@ -1,5 +1,6 @@
 #include "widgets/scope/scope_tools.h"
 
+#include "widgets/base/line_icon.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/scope_ghosts.h"
 #include "widgets/scope/scope_view.h"
@@ -31,6 +32,7 @@ ScopeTools::ScopeTools(ScopeView &scope, TriggerControl &trigger, QWidget &windo
            "1 and 2 give a cursor to the mouse, arrows move it by a sample."),
         [this] { m_scope.cursorActions().toggle(); });
     m_cursors->setCheckable(true);
+    setLineIcon(*m_cursors, "cursors");
     QAction *takeA = make(tr("Take cursor &A"), Qt::Key_1, {}, [this] {
         m_scope.cursorActions().take(CursorEnd::A);
         m_scope.setFocus(Qt::ShortcutFocusReason);
@@ -44,12 +46,14 @@ ScopeTools::ScopeTools(ScopeView &scope, TriggerControl &trigger, QWidget &windo
         tr("At the mouse, else at the active cursor, else at the newest sample (M)"),
         [this] { m_scope.cursorActions().setMarker(); });
     marker->setAutoRepeat(false);
+    setLineIcon(*marker, "marker");
     m_groups.append(QList<QAction *>{marker});
     QAction *overview = make(tr("&Whole recording below"), Qt::Key_O,
         tr("A strip with everything recorded, and a box around what the plots show (O)"),
         [this] { m_scope.setOverviewVisible(!m_scope.overviewVisible()); });
     QAction *grid = make(
         tr("&Grid"), Qt::Key_G, {}, [this] { m_scope.setGridVisible(!m_scope.gridVisible()); });
+    setLineIcon(*grid, "grid");
     m_groups.append(QList<QAction *>{overview, grid});
     connect(&scope.cursors(), &Cursors::changed, m_cursors,
         [this] { m_cursors->setChecked(m_scope.cursors().visible()); });
@@ -64,11 +68,15 @@ void ScopeTools::makeTrigger(TriggerControl &trigger)
         single->setEnabled(trigger.trigger().awaitsSamples());
         force->setEnabled(trigger.trigger().awaitsSamples());
     });
+    setLineIcon(*single, "single");
+    setLineIcon(*force, "force");
     m_groups.append(QList<QAction *>{single, force});
     QAction *before =
         make(tr("&Previous record"), Qt::Key_PageUp, {}, [&trigger] { trigger.step(-1); });
     QAction *after =
         make(tr("&Next record"), Qt::Key_PageDown, {}, [&trigger] { trigger.step(1); });
+    setLineIcon(*before, "earlier");
+    setLineIcon(*after, "later");
     m_groups.append(QList<QAction *>{before, after});
     QList<QAction *> references;
     const std::tuple<Reference, Qt::Key, QString, QString> all[] = {

@@ -5,6 +5,7 @@
 #include "snapshots/drive_parameters.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
+#include "widgets/base/spacing.h"
 #include "widgets/snapshots/snapshot_text.h"
 
 #include <QDialogButtonBox>
@@ -64,8 +65,8 @@ SnapshotDialog::SnapshotDialog(
     });
     connect(&m_reader, &SnapshotReader::finished, this, &SnapshotDialog::read);
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(18, 16, 18, 14);
-    layout->setSpacing(12);
+    layout->setContentsMargins(kDialogEdge, kDialogEdge, kDialogEdge, kDialogEdge);
+    layout->setSpacing(kGrid);
     layout->addWidget(m_summary);
     layout->addWidget(m_progress);
     layout->addWidget(buttons);

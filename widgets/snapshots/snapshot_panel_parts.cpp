@@ -1,5 +1,6 @@
 // What a SnapshotPanel is made of: its widgets, their keys and their texts.
 #include "widgets/base/device_text.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/snapshots/snapshot_panel.h"
 
@@ -32,8 +33,8 @@ void SnapshotPanel::makeWidgets()
 {
     makeTable();
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 6, 8, 6);
-    layout->setSpacing(6);
+    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    layout->setSpacing(kGrid);
     layout->addWidget(makeSides());
     layout->addWidget(makeFilters());
     layout->addWidget(m_table, 1);
@@ -84,11 +85,11 @@ QWidget *SnapshotPanel::makeSides()
     layout->addWidget(label(tr("&A", "the first of two snapshots"), m_a.box));
     layout->addWidget(m_a.box, 1);
     layout->addWidget(m_a.open);
-    layout->addSpacing(8);
+    layout->addSpacing(kGrid);
     layout->addWidget(label(tr("&B", "the second of two snapshots"), m_b.box));
     layout->addWidget(m_b.box, 1);
     layout->addWidget(m_b.open);
-    layout->addSpacing(8);
+    layout->addSpacing(kGrid);
     layout->addWidget(m_read);
     return row;
 }

@@ -1,5 +1,7 @@
 #include "widgets/window/about_dialog.h"
 
+#include "widgets/base/spacing.h"
+
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -36,8 +38,8 @@ QDialog *makeDialog(QWidget *parent, const QString &title)
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(title);
     auto *layout = new QVBoxLayout(dialog);
-    layout->setContentsMargins(20, 18, 20, 14);
-    layout->setSpacing(12);
+    layout->setContentsMargins(kDialogEdge, kDialogEdge, kDialogEdge, kDialogEdge);
+    layout->setSpacing(kGrid);
     return dialog;
 }
 
@@ -125,13 +127,13 @@ void showKeys(QWidget *parent)
     // In two columns, and to be scrolled where even that is too much: Close stays on the smallest screen.
     auto *table = new QWidget(dialog);
     auto *columns = new QHBoxLayout(table);
-    columns->setSpacing(32);
+    columns->setSpacing(4 * kGrid);
     QFormLayout *form = nullptr;
     std::size_t row = 0;
     for (const auto &[key, what] : keys) {
         if (row++ % ((std::size(keys) + 1) / 2) == 0) {
             form = new QFormLayout;
-            form->setHorizontalSpacing(24);
+            form->setHorizontalSpacing(3 * kGrid);
             columns->addLayout(form);
         }
         auto *label = plainLabel(what, table);

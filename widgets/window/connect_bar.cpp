@@ -3,8 +3,10 @@
 #include "drive/protocol.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/lamp.h"
+#include "widgets/base/line_icon.h"
 #include "widgets/base/messages.h"
 #include "widgets/base/replaying.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/wheel_guard.h"
 
@@ -113,6 +115,7 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     m_protocol->setToolTip(tr("What the board speaks; Auto finds it out"));
     fillProtocols(*m_protocol);
     m_connect->setObjectName(QStringLiteral("connect"));
+    setLineIcon(*m_connect, "connect");
     for (const QString &word : {tr("Connect"), tr("Disconnect")}) { // it keeps its width
         m_connect->setText(word);
         m_connect->setMinimumWidth(
@@ -136,23 +139,23 @@ ConnectBar::ConnectBar(Device &device, const session::PortSource &ports, QWidget
     m_board->setEnabled(false);
 
     auto *lamps = new QVBoxLayout;
-    lamps->setSpacing(2);
+    lamps->setSpacing(kFineGrid);
     lamps->addWidget(m_portLamp);
     lamps->addWidget(m_boardLamp);
     auto *who = new QVBoxLayout;
-    who->setSpacing(2);
+    who->setSpacing(kFineGrid);
     who->addWidget(m_firmware);
     who->addWidget(m_board);
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(8);
+    layout->setSpacing(kGrid);
     layout->addWidget(m_port);
     layout->addWidget(m_baud);
     layout->addWidget(m_protocol);
     layout->addWidget(m_connect);
-    layout->addSpacing(4);
+    layout->addSpacing(kHalfGrid);
     layout->addLayout(lamps);
-    layout->addSpacing(4);
+    layout->addSpacing(kHalfGrid);
     layout->addLayout(who, 1);
     layout->addWidget(m_motor);
 

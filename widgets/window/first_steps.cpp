@@ -1,5 +1,6 @@
 #include "widgets/window/first_steps.h"
 
+#include "widgets/base/spacing.h"
 #include "widgets/base/steady_label.h"
 
 #include <QEvent>
@@ -15,8 +16,8 @@
 namespace widgets {
 namespace {
 
-constexpr int kGap = 8;
-constexpr int kBetween = 4; ///< two buttons
+constexpr int kGap = kGrid;
+constexpr int kBetween = kHalfGrid; ///< two buttons
 constexpr int kLeastText = 150; ///< pixels: narrower lines are not read
 constexpr int kLeastAround = 560; ///< height of what is around: lower, the scope needs all of it
 
@@ -70,7 +71,7 @@ FirstSteps::FirstSteps(Device &device, QWidget *parent)
     m_rest->addWidget(m_answers);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 6, kGap, kGap);
-    layout->setSpacing(2);
+    layout->setSpacing(kFineGrid);
     layout->addLayout(head);
     layout->addLayout(m_rest, 1);
 

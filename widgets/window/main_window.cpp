@@ -2,8 +2,10 @@
 
 #include "widgets/base/banner.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/line_icon.h"
 #include "widgets/base/messages.h"
 #include "widgets/base/replaying.h"
+#include "widgets/base/spacing.h"
 #include "widgets/control/big_numbers.h"
 #include "widgets/control/control_panel.h"
 #include "widgets/control/current_scale_dialog.h"
@@ -208,6 +210,10 @@ void MainWindow::makeFileActions()
     m_exportActions = {save,
         make(tr("&Copy the picture"), "copyPicture", Qt::CTRL | Qt::SHIFT | Qt::Key_C, m_exporting,
             &Exporting::copyPicture)};
+    const char *icons[] = {"open", "replay", "import"};
+    for (int i = 0; i < 3; ++i)
+        setLineIcon(*m_openActions[i], icons[i]);
+    setLineIcon(*m_exportActions.back(), "picture");
 }
 
 QWidget *MainWindow::makeTop()
@@ -223,8 +229,8 @@ QWidget *MainWindow::makeTop()
     connect(application, &Application::stopPressed, this, [this] { m_device.stop(); });
 
     auto *stripLayout = new QHBoxLayout(strip);
-    stripLayout->setContentsMargins(8, 5, 8, 5);
-    stripLayout->setSpacing(12);
+    stripLayout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    stripLayout->setSpacing(kGrid);
     stripLayout->addWidget(m_connectBar, 1);
     stripLayout->addWidget(stop);
 
@@ -311,6 +317,7 @@ void MainWindow::makeWorkspaces()
     m_workspaces =
         new Workspaces({m_workbench, *m_scope, *m_trigger, *m_tools, m_files, *this}, this);
     auto *menu = new QMenu(tr("Open &recent"), this);
+    menu->setIcon(lineIcon("recent"));
     menu->setObjectName(QStringLiteral("recentFiles"));
     m_recent = new RecentFiles(m_settings.recentFiles, *menu, this);
     m_recentMenu = menu;

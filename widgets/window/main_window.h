@@ -87,7 +87,8 @@ private:
     void fillDeviceMenu(QMenu *menu);
     void fillMotorMenu(QMenu *menu);
     void fillScopeMenu(QMenu *menu);
-    QAction *addAction(QMenu *menu, const QString &text, const QKeySequence &keys = {});
+    QAction *addAction(QMenu *menu, const QString &text, const QKeySequence &keys = {},
+        const char *icon = nullptr);
     void connectParts();
     void connectFlows();
     void connectAlarm();

@@ -1,5 +1,6 @@
 // The menus of the main window: only entries that work, each key given once.
 #include "widgets/base/device_text.h"
+#include "widgets/base/line_icon.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/control_panel.h"
 #include "widgets/control/motion_allowed.h"
@@ -25,9 +26,12 @@
 
 namespace widgets {
 
-QAction *MainWindow::addAction(QMenu *menu, const QString &text, const QKeySequence &keys)
+QAction *MainWindow::addAction(
+    QMenu *menu, const QString &text, const QKeySequence &keys, const char *icon)
 {
     QAction *action = menu->addAction(text);
+    if (icon != nullptr)
+        setLineIcon(*action, icon);
     action->setShortcut(keys);
     QMainWindow::addAction(action);
     return action;
@@ -48,11 +52,11 @@ void MainWindow::makeMenus(QMenuBar &bar)
     QMainWindow::addActions(m_tools->docks().actions());
 
     QMenu *help = bar.addMenu(tr("&Help"));
-    connect(addAction(help, tr("&First steps")), &QAction::triggered, m_firstSteps,
-        &FirstSteps::restart);
-    connect(addAction(help, tr("&Keys"), Qt::Key_F1), &QAction::triggered, this,
+    connect(addAction(help, tr("&First steps"), {}, "first-steps"), &QAction::triggered,
+        m_firstSteps, &FirstSteps::restart);
+    connect(addAction(help, tr("&Keys"), Qt::Key_F1, "keys"), &QAction::triggered, this,
         [this] { showKeys(this); });
-    connect(addAction(help, tr("&About Rotorscope")), &QAction::triggered, this,
+    connect(addAction(help, tr("&About Rotorscope"), {}, "about"), &QAction::triggered, this,
         [this] { showAbout(this); });
 }
 
@@ -61,26 +65,26 @@ void MainWindow::fillFileMenu(QMenu *menu)
     menu->addActions(m_openActions);
     menu->addMenu(m_recentMenu);
     menu->addSeparator();
-    connect(menu->addAction(tr("Open a &workspace\u2026")), &QAction::triggered, m_workspaces,
-        &Workspaces::askForOpen);
-    connect(menu->addAction(tr("Save the wor&kspace\u2026")), &QAction::triggered, m_workspaces,
-        &Workspaces::askForSave);
+    connect(menu->addAction(lineIcon("workspace"), tr("Open a &workspace\u2026")),
+        &QAction::triggered, m_workspaces, &Workspaces::askForOpen);
+    connect(menu->addAction(lineIcon("save"), tr("Save the wor&kspace\u2026")), &QAction::triggered,
+        m_workspaces, &Workspaces::askForSave);
     menu->addSeparator();
     menu->addActions({m_record->toggle(), m_record->withLink(), m_markers->save()});
     menu->setToolTipsVisible(true);
     menu->addSeparator();
     menu->addActions(m_exportActions);
     menu->addSeparator();
-    connect(addAction(menu, tr("&Quit"), Qt::CTRL | Qt::Key_Q), &QAction::triggered, this,
+    connect(addAction(menu, tr("&Quit"), Qt::CTRL | Qt::Key_Q, "quit"), &QAction::triggered, this,
         &QWidget::close);
 }
 
 void MainWindow::fillDeviceMenu(QMenu *menu)
 {
-    connect(addAction(menu, tr("&Connect or disconnect"), Qt::CTRL | Qt::Key_D),
+    connect(addAction(menu, tr("&Connect or disconnect"), Qt::CTRL | Qt::Key_D, "connect"),
         &QAction::triggered, m_connectBar, &ConnectBar::connectOrDisconnect);
-    connect(addAction(menu, tr("&Refresh the list of ports"), Qt::Key_F5), &QAction::triggered,
-        m_connectBar, &ConnectBar::refreshPorts);
+    connect(addAction(menu, tr("&Refresh the list of ports"), Qt::Key_F5, "refresh"),
+        &QAction::triggered, m_connectBar, &ConnectBar::refreshPorts);
     menu->addSeparator();
     menu->addActions(m_tools->snapshotActions());
     menu->setToolTipsVisible(true);
@@ -92,10 +96,10 @@ void MainWindow::fillScopeMenu(QMenu *menu)
     menu->addActions(m_page->moving());
     menu->addSeparator();
     menu->addActions(m_page->fitting());
-    connect(addAction(menu, tr("&Earlier"), Qt::CTRL | Qt::Key_Left), &QAction::triggered, m_scope,
-        [this] { m_scope->time().pan(-0.25); });
-    connect(addAction(menu, tr("&Later"), Qt::CTRL | Qt::Key_Right), &QAction::triggered, m_scope,
-        [this] { m_scope->time().pan(0.25); });
+    connect(addAction(menu, tr("&Earlier"), Qt::CTRL | Qt::Key_Left, "earlier"),
+        &QAction::triggered, m_scope, [this] { m_scope->time().pan(-0.25); });
+    connect(addAction(menu, tr("&Later"), Qt::CTRL | Qt::Key_Right, "later"), &QAction::triggered,
+        m_scope, [this] { m_scope->time().pan(0.25); });
     for (const QList<QAction *> &group : m_page->tools().groups()) {
         menu->addSeparator();
         menu->addActions(group);
@@ -107,10 +111,10 @@ void MainWindow::fillScopeMenu(QMenu *menu)
     ofFile->setObjectName(QStringLiteral("fileSignals"));
     connect(menu, &QMenu::aboutToShow, m_selection,
         [this, ofFile] { m_selection->fillFileSignals(*ofFile); });
-    QAction *room = addAction(menu, tr("R&oom for samples\u2026"));
+    QAction *room = addAction(menu, tr("R&oom for samples\u2026"), {}, "room");
     room->setObjectName(QStringLiteral("sampleRoom"));
     connect(room, &QAction::triggered, this, &MainWindow::askForRoom);
-    QAction *clear = addAction(menu, tr("&Clear what was recorded"));
+    QAction *clear = addAction(menu, tr("&Clear what was recorded"), {}, "delete");
     clear->setObjectName(QStringLiteral("clearRecorded"));
     connect(clear, &QAction::triggered, m_replacing, &Replacing::clear);
 }
@@ -131,13 +135,13 @@ void MainWindow::fillEditMenu(QMenu *menu)
 void MainWindow::fillViewMenu(QMenu *menu)
 {
     menu->addActions(m_dockActions);
-    connect(addAction(menu, tr("&Find a register"), Qt::CTRL | Qt::Key_K), &QAction::triggered,
-        this, [this] {
+    connect(addAction(menu, tr("&Find a register"), Qt::CTRL | Qt::Key_K, "find"),
+        &QAction::triggered, this, [this] {
             m_registerDock->show();
             m_registerPanel->focusSearch();
         });
     menu->addMenu(m_registerPanel->columnsMenu());
-    QMenu *arrange = menu->addMenu(tr("&Arrange for"));
+    QMenu *arrange = menu->addMenu(lineIcon("workspace"), tr("&Arrange for"));
     const std::pair<Workspaces::Arrangement, QString> ready[] = {
         {Workspaces::Arrangement::Tune, tr("&Tuning")},
         {Workspaces::Arrangement::Record, tr("&Recording")},
@@ -146,7 +150,7 @@ void MainWindow::fillViewMenu(QMenu *menu)
         connect(arrange->addAction(text), &QAction::triggered, m_workspaces,
             [this, chosen = arrangement] { m_workspaces->arrange(chosen); });
     menu->addSeparator();
-    fillThemes(menu->addMenu(tr("&Theme")));
+    fillThemes(menu->addMenu(lineIcon("theme"), tr("&Theme")));
     QAction *numbers = addAction(menu, tr("Large &numbers"), Qt::Key_F9);
     numbers->setObjectName(QStringLiteral("largeNumbers"));
     numbers->setCheckable(true);
@@ -179,8 +183,8 @@ void MainWindow::fillThemes(QMenu *menu)
 void MainWindow::fillMotorMenu(QMenu *menu)
 {
     // The tab shows the key without taking it: Esc belongs to the Application, which sees it under dialogs too.
-    connect(menu->addAction(tr("St&op motors") + QStringLiteral("\tEsc")), &QAction::triggered,
-        &m_device, &Device::stop);
+    connect(menu->addAction(lineIcon("stop"), tr("St&op motors") + QStringLiteral("\tEsc")),
+        &QAction::triggered, &m_device, &Device::stop);
     menu->addSeparator();
     QAction *arm = menu->addAction(tr("A&rm"));
     arm->setCheckable(true);
@@ -189,21 +193,22 @@ void MainWindow::fillMotorMenu(QMenu *menu)
         arm->setChecked(m_device.armed());
     });
     connect(&m_device, &Device::armedStateChanged, arm, &QAction::setChecked);
-    QAction *start = addAction(menu, tr("&Start"), Qt::CTRL | Qt::Key_Return);
+    QAction *start = addAction(menu, tr("&Start"), Qt::CTRL | Qt::Key_Return, "start");
     start->setShortcuts({Qt::CTRL | Qt::Key_Return, Qt::CTRL | Qt::Key_Enter});
     start->setAutoRepeat(false);
     connect(start, &QAction::triggered, m_control, &ControlPanel::start);
-    QAction *acknowledge = addAction(menu, tr("&Acknowledge faults"), Qt::CTRL | Qt::Key_Backspace);
+    QAction *acknowledge =
+        addAction(menu, tr("&Acknowledge faults"), Qt::CTRL | Qt::Key_Backspace, "acknowledge");
     acknowledge->setAutoRepeat(false);
     connect(acknowledge, &QAction::triggered, m_control, &ControlPanel::acknowledge);
-    QAction *causes = menu->addAction(tr("&Faults and their causes\u2026"));
+    QAction *causes = menu->addAction(lineIcon("causes"), tr("&Faults and their causes\u2026"));
     causes->setObjectName(QStringLiteral("explainFaults"));
     connect(causes, &QAction::triggered, this, &MainWindow::explainFaults);
     menu->addSeparator();
-    connect(menu->addAction(tr("&Go to the set-point")), &QAction::triggered, m_control,
-        &ControlPanel::go);
-    connect(menu->addAction(tr("S&top the ramp")), &QAction::triggered, m_control,
-        &ControlPanel::stopRamp);
+    connect(menu->addAction(lineIcon("go"), tr("&Go to the set-point")), &QAction::triggered,
+        m_control, &ControlPanel::go);
+    connect(menu->addAction(lineIcon("stop-ramp"), tr("S&top the ramp")), &QAction::triggered,
+        m_control, &ControlPanel::stopRamp);
     connect(menu, &QMenu::aboutToShow, this, [this, arm, start, acknowledge] {
         arm->setChecked(m_device.armed());
         const MotionAllowed allowed = armAllowed(m_device);

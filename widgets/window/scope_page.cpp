@@ -2,7 +2,9 @@
 
 #include "widgets/base/flow_layout.h"
 #include "widgets/base/lamp.h"
+#include "widgets/base/line_icon.h"
 #include "widgets/base/replaying.h"
+#include "widgets/base/spacing.h"
 #include "widgets/files/record_control.h"
 #include "widgets/files/replay_bar.h"
 #include "widgets/scope/cursor_panel.h"
@@ -52,7 +54,7 @@ QIcon runIcon(bool running, bool live, const QPalette &palette)
 /// What is switched on has to be told from what is not in both themes; the style's sunken look is too faint for that.
 QString barStyle(const QPalette &palette)
 {
-    return QStringLiteral("QToolButton { padding: 3px 9px; border: 1px solid %1; border-radius: "
+    return QStringLiteral("QToolButton { padding: 3px 6px; border: 1px solid %1; border-radius: "
                           "4px; background: %2; }"
                           "QToolButton:hover { background: %3; }"
                           "QToolButton:checked { background: %4; border-color: %5; }"
@@ -143,10 +145,11 @@ void ScopePage::makeActions()
         [&scope] { scope.time().zoom(2.0); });
     m_zoomOut = make(tr("Zoom out"), Qt::Key_Minus, tr("Shows twice the time (\u2212)"),
         [&scope] { scope.time().zoom(0.5); });
-    // The bar has little room, and less in other languages; menus and screen readers get the words.
-    m_fitValues->setIconText(QStringLiteral("\u2195"));
-    m_zoomIn->setIconText(QStringLiteral("+"));
-    m_zoomOut->setIconText(QStringLiteral("\u2212"));
+    const std::pair<QAction *, const char *> icons[] = {{m_follow, "follow"}, {m_fit, "fit"},
+        {m_fitValues, "fit-values"}, {m_zoomIn, "zoom-in"}, {m_zoomOut, "zoom-out"},
+        {m_parts.save, "export"}};
+    for (const auto &[action, icon] : icons)
+        setLineIcon(*action, icon);
     connect(&scope, &ScopeView::runningChanged, this, &ScopePage::showSource);
     connect(&m_parts.selection, &SignalSelection::changed, this, &ScopePage::showSource);
     connect(&scope.time(), &TimeWindow::followingChanged, m_follow, &QAction::setChecked);
@@ -218,16 +221,18 @@ QWidget *ScopePage::makeBar()
     auto *bar = new QWidget(this);
     bar->setStyleSheet(barStyle(palette()));
     auto *layout = new QHBoxLayout(bar);
-    layout->setContentsMargins(8, 4, 8, 4);
-    layout->setSpacing(4);
+    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    layout->setSpacing(kHalfGrid);
     auto *buttons = new QWidget(bar); // two lines where the words are long and the screen is small
-    auto *flow = new FlowLayout(4, buttons);
+    auto *flow = new FlowLayout(kHalfGrid, buttons);
     for (QAction *action :
         {m_run, m_follow, m_fit, m_fitValues, m_zoomIn, m_zoomOut, m_tools->cursors()}) {
         auto *button = new QToolButton(bar);
         button->setDefaultAction(action);
-        button->setToolButtonStyle(
-            action == m_run ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonTextOnly);
+        // The bar has little room, and less in other languages; menus and screen readers get the words.
+        const bool sign = action == m_fit || action == m_fitValues || action == m_zoomIn
+            || action == m_zoomOut;
+        button->setToolButtonStyle(sign ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
         button->setFocusPolicy(Qt::TabFocus);
         button->setMinimumHeight(kButtonHeight);
         button->setAccessibleName(action->text());
@@ -241,6 +246,7 @@ QWidget *ScopePage::makeBar()
     const auto end = [bar, flow](QAction *action, const QString &name) {
         auto *button = new QToolButton(bar);
         button->setDefaultAction(action);
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         button->setFocusPolicy(Qt::TabFocus);
         button->setMinimumHeight(kButtonHeight);
         button->setAccessibleName(name);

@@ -4,6 +4,7 @@
 #include "widgets/base/lamp.h"
 #include "widgets/base/messages.h"
 #include "widgets/base/replaying.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
 #include "widgets/control/fault_texts.h"
@@ -19,7 +20,7 @@ namespace {
 constexpr Milliseconds kRatePeriod{1000};
 constexpr std::uint64_t kMostCounted = 999'999; ///< that is written out in the line
 constexpr int kLongestPlace = 28; ///< characters of a port that the line has room for
-constexpr int kPartMargin = 8; ///< pixels at either side
+constexpr int kPartMargin = kGrid; ///< at either side
 constexpr int kGap = 6; ///< of QStatusBar, between two parts
 
 /// A number that keeps to its room; the tool tip has it whole.
@@ -68,7 +69,7 @@ StatusStrip::StatusStrip(Device &device, QWidget *parent)
 {
     setObjectName(QStringLiteral("statusStrip"));
     setSizeGripEnabled(false);
-    setContentsMargins(8, 0, 8, 0);
+    setContentsMargins(kGrid, 0, kGrid, 0);
     addWidget(m_link);
     const QString most = countText(kMostCounted + 1);
     m_sizes = addPart("sizes",

@@ -1,5 +1,7 @@
 #include "widgets/window/tool_docks.h"
 
+#include "widgets/base/line_icon.h"
+#include "widgets/base/spacing.h"
 #include "widgets/control/motor_button.h"
 #include "widgets/window/workbench.h"
 
@@ -26,8 +28,8 @@ ToolDocks::ToolDocks(QMainWindow &window, Workbench &workbench)
     connect(this, &ToolDocks::opened, m_close, &QAction::setEnabled);
 }
 
-QAction *ToolDocks::add(const QString &title, const char *name, const QKeySequence &keys,
-    std::function<Form *()> makeForm)
+QAction *ToolDocks::add(const QString &title, const char *name, const char *icon,
+    const QKeySequence &keys, std::function<Form *()> makeForm)
 {
     auto *dock = new QDockWidget(title, &m_window);
     dock->setObjectName(QLatin1String(name));
@@ -37,7 +39,7 @@ QAction *ToolDocks::add(const QString &title, const char *name, const QKeySequen
     m_tools.push_back({dock, std::move(makeForm)});
     dock->hide();
 
-    auto *action = new QAction(title, &m_window);
+    auto *action = new QAction(lineIcon(icon), title, &m_window);
     action->setShortcut(keys);
     action->setObjectName(QLatin1String(name) + QStringLiteral("Open"));
     m_actions.append(action);
@@ -99,7 +101,7 @@ void ToolDocks::fill(Tool &tool)
     auto *below = new QHBoxLayout;
     below->addWidget(stop);
     if (QWidget *footer = form->footer()) {
-        below->setContentsMargins(8, 2, 8, 4);
+        below->setContentsMargins(kGrid, kFineGrid, kGrid, kHalfGrid);
         below->addWidget(footer, 1);
     } else {
         below->addStretch(1);

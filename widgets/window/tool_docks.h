@@ -27,7 +27,8 @@ public:
     ToolDocks(QMainWindow &window, Workbench &workbench);
 
     /// The action opens it; `makeForm` gives the form no parent, and is called once.
-    QAction *add(const QString &title, const char *name, const QKeySequence &keys,
+    /// @param icon  as lineIcon() knows it
+    QAction *add(const QString &title, const char *name, const char *icon, const QKeySequence &keys,
         std::function<Form *()> makeForm);
     QList<QAction *> actions() const { return m_actions; }
     QAction *closing() const { return m_close; } ///< closes all that are open

@@ -86,33 +86,33 @@ void Tools::addScopeTools()
     capture::Capture &capture = m_parts.workbench.capture();
     MathChannels &math = m_parts.workbench.math();
     const auto ofMotor = [this] { return motor(); };
-    QAction *open = m_docks.add(tr("Events"), "eventDock", Qt::CTRL | Qt::Key_7,
+    QAction *open = m_docks.add(tr("Events"), "eventDock", "events", Qt::CTRL | Qt::Key_7,
         [this] { return m_events = new EventPanel(m_parts.scope); });
     connect(&scope, &ScopeView::noteWanted, this, [this, open](quint32 marker) {
         open->trigger();
         m_events->editNote(marker);
     });
-    m_docks.add(tr("Records"), "recordDock", Qt::CTRL | Qt::Key_8,
+    m_docks.add(tr("Records"), "recordDock", "records", Qt::CTRL | Qt::Key_8,
         [this] { return new RecordPanel(m_parts.trigger, m_parts.scope); });
-    m_openMeasures =
-        m_docks.add(tr("Measurements"), "measureDock", Qt::CTRL | Qt::Key_9, [this, &capture] {
+    m_openMeasures = m_docks.add(
+        tr("Measurements"), "measureDock", "measure", Qt::CTRL | Qt::Key_9, [this, &capture] {
             m_measures = new MeasurePanel(m_parts.scope, capture, m_parts.trigger);
             m_measures->setMeasures(m_settings.workspace.measures);
             return m_measures;
         });
-    m_openSpectrum = m_docks.add(
-        tr("Spectrum"), "spectrumDock", Qt::CTRL | Qt::Key_0, [this, &capture, ofMotor] {
+    m_openSpectrum = m_docks.add(tr("Spectrum"), "spectrumDock", "spectrum", Qt::CTRL | Qt::Key_0,
+        [this, &capture, ofMotor] {
             return m_spectrum = new SpectrumPanel(m_parts.scope, capture, m_device, ofMotor);
         });
     new MathTraces(math, capture, scope, this);
-    QAction *openMath = m_docks.add(
-        tr("Math"), "mathDock", Qt::CTRL | Qt::SHIFT | Qt::Key_M, [this, &math, &capture, ofMotor] {
+    QAction *openMath = m_docks.add(tr("Math"), "mathDock", "math",
+        Qt::CTRL | Qt::SHIFT | Qt::Key_M, [this, &math, &capture, ofMotor] {
             return m_math = new MathPanel(math, m_parts.scope, capture, ofMotor);
         });
     showComputed(openMath);
     connect(&scope, &ScopeView::traceMenuOpening, this, &Tools::fillTraceMenu);
     m_openXy = m_docks.add(
-        tr("XY"), "xyDock", Qt::CTRL | Qt::SHIFT | Qt::Key_X, [this, &capture, ofMotor] {
+        tr("XY"), "xyDock", "xy", Qt::CTRL | Qt::SHIFT | Qt::Key_X, [this, &capture, ofMotor] {
             return m_xy =
                        new XyPanel(m_parts.scope, capture, m_parts.workbench.registers(), ofMotor);
         });
@@ -191,14 +191,15 @@ void Tools::showComputed(QAction *openMath)
 
 void Tools::addSnapshots()
 {
-    QAction *open = m_docks.add(tr("Snapshots"), "snapshotsDock", Qt::CTRL | Qt::Key_5, [this] {
-        m_snapshots = new SnapshotPanel(
-            m_device, m_parts.workbench.edits(), m_parts.workbench.snapshots(), m_parts.files);
-        m_snapshots->setFolder(m_settings.snapshotFolder);
-        m_snapshots->offerRecorded(m_parts.opening.snapshots());
-        m_snapshots->offerSave(m_snapshotActions->save());
-        return m_snapshots;
-    });
+    QAction *open =
+        m_docks.add(tr("Snapshots"), "snapshotsDock", "snapshot", Qt::CTRL | Qt::Key_5, [this] {
+            m_snapshots = new SnapshotPanel(
+                m_device, m_parts.workbench.edits(), m_parts.workbench.snapshots(), m_parts.files);
+            m_snapshots->setFolder(m_settings.snapshotFolder);
+            m_snapshots->offerRecorded(m_parts.opening.snapshots());
+            m_snapshots->offerSave(m_snapshotActions->save());
+            return m_snapshots;
+        });
     connect(&m_parts.opening, &Opening::snapshotsChanged, this, [this] {
         if (m_snapshots)
             m_snapshots->offerRecorded(m_parts.opening.snapshots());
@@ -222,14 +223,14 @@ void Tools::rememberInertia(const QString &motor, double inertia_kgm2)
 void Tools::addForms()
 {
     Workbench &workbench = m_parts.workbench;
-    m_docks.add(tr("Gains"), "gainsDock", Qt::CTRL | Qt::Key_1, [this, &workbench] {
+    m_docks.add(tr("Gains"), "gainsDock", "gains", Qt::CTRL | Qt::Key_1, [this, &workbench] {
         auto *gains = new GainsForm(m_device, workbench.registers(), workbench.edits(),
             m_parts.edits.apply, m_parts.edits.revert, m_settings.inertias);
         connect(this, &Tools::inertiasChanged, gains, &GainsForm::setInertias);
         connect(gains, &GainsForm::inertiaRemembered, this, &Tools::rememberInertia);
         return gains;
     });
-    m_docks.add(tr("Rev-up"), "revUpDock", Qt::CTRL | Qt::Key_2, [this, &workbench] {
+    m_docks.add(tr("Rev-up"), "revUpDock", "rev-up", Qt::CTRL | Qt::Key_2, [this, &workbench] {
         auto *revUp = new RevUpForm({m_device, workbench.registers(), workbench.edits(),
             workbench.capture(), m_parts.files, m_parts.edits.apply, m_parts.edits.revert});
         revUp->setInertias(m_settings.inertias);
@@ -237,27 +238,29 @@ void Tools::addForms()
         connect(revUp, &RevUpForm::inertiaRemembered, this, &Tools::rememberInertia);
         return revUp;
     });
-    m_docks.add(tr("Ramps"), "rampDock", Qt::CTRL | Qt::Key_3, [this, &workbench] {
+    m_docks.add(tr("Ramps"), "rampDock", "ramp", Qt::CTRL | Qt::Key_3, [this, &workbench] {
         m_ramps = new RampForm(m_device, workbench.registers(), workbench.motion());
         m_ramps->setPresets(m_settings.ramps);
         return m_ramps;
     });
-    m_docks.add(tr("Step"), "stepDock", Qt::CTRL | Qt::Key_T, [this, &workbench] {
+    m_docks.add(tr("Step"), "stepDock", "step", Qt::CTRL | Qt::Key_T, [this, &workbench] {
         return new StepPage({m_device, workbench.registers(), workbench.edits(), workbench.motion(),
             workbench.experiments()});
     });
-    m_docks.add(tr("Motor and drive"), "motorDock", Qt::CTRL | Qt::Key_4, [this, &workbench] {
-        auto *motor = new MotorForm(m_device, workbench.registers(), m_parts.files);
-        connect(motor, &MotorForm::inertiaFound, this, [this](const QString &name, double inertia) {
-            if (!m_settings.inertias.contains(name)) // what was typed is better known
-                rememberInertia(name, inertia);
-        });
-        return motor;
-    });
-    m_docks.add(tr("Notes"), "notesDock", Qt::CTRL | Qt::SHIFT | Qt::Key_N,
-        [this] { return m_notes = new NotesPanel(m_settings.workspace.notes); });
     m_docks.add(
-        tr("Motion log"), "motionLogDock", Qt::CTRL | Qt::SHIFT | Qt::Key_L, [this, &workbench] {
+        tr("Motor and drive"), "motorDock", "motor", Qt::CTRL | Qt::Key_4, [this, &workbench] {
+            auto *motor = new MotorForm(m_device, workbench.registers(), m_parts.files);
+            connect(
+                motor, &MotorForm::inertiaFound, this, [this](const QString &name, double inertia) {
+                    if (!m_settings.inertias.contains(name)) // what was typed is better known
+                        rememberInertia(name, inertia);
+                });
+            return motor;
+        });
+    m_docks.add(tr("Notes"), "notesDock", "notes", Qt::CTRL | Qt::SHIFT | Qt::Key_N,
+        [this] { return m_notes = new NotesPanel(m_settings.workspace.notes); });
+    m_docks.add(tr("Motion log"), "motionLogDock", "motion-log", Qt::CTRL | Qt::SHIFT | Qt::Key_L,
+        [this, &workbench] {
             auto *log = new MotionLogPanel(workbench.motionLog(), m_parts.files);
             connect(log, &MotionLogPanel::saved, this, [this](const QString &path) {
                 Q_EMIT said(Banner::Kind::Note, tr("Exported to %1.").arg(deviceText(path)));

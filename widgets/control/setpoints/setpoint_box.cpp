@@ -2,6 +2,7 @@
 
 #include "drive/set_point_check.h"
 #include "widgets/base/device_text.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/control/command_box.h"
@@ -113,8 +114,8 @@ void SetpointBox::makeLayout()
 {
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(6);
-    grid->setVerticalSpacing(4);
+    grid->setSpacing(kGrid);
+    grid->setVerticalSpacing(kHalfGrid);
     grid->addWidget(m_mode, 0, 0);
     grid->addWidget(m_control, 0, 1, Qt::AlignRight);
     grid->addWidget(m_firstLabel, 1, 0);

@@ -2,6 +2,7 @@
 
 #include "widgets/base/device_text.h"
 #include "widgets/base/flow_layout.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
@@ -99,7 +100,7 @@ public:
         remove->setToolTip(ChannelStrip::tr("Take it off the scope"));
         auto *layout = new QHBoxLayout(this);
         layout->setContentsMargins(19, 1, 2, 1);
-        layout->setSpacing(2);
+        layout->setSpacing(kFineGrid);
         layout->addWidget(label);
         layout->addWidget(tag);
         layout->addWidget(remove);
@@ -139,7 +140,7 @@ ChannelStrip::ChannelStrip(SignalSelection &selection, Device &device, QWidget *
     , m_selection(selection)
     , m_device(device)
     , m_chips(new QWidget(this))
-    , m_flow(new FlowLayout(4, m_chips))
+    , m_flow(new FlowLayout(kHalfGrid, m_chips))
     , m_empty(new SteadyLabel(this))
     , m_fold(new QToolButton(this))
     , m_rateLabel(new QLabel(tr("HF rate"), this))
@@ -168,15 +169,15 @@ ChannelStrip::ChannelStrip(SignalSelection &selection, Device &device, QWidget *
     });
     m_rateLabel->setBuddy(m_rate);
     auto *bottom = new QHBoxLayout;
-    bottom->setSpacing(8);
+    bottom->setSpacing(kGrid);
     bottom->addWidget(m_fold);
     bottom->addWidget(m_rateLabel);
     bottom->addWidget(m_rate);
-    bottom->addSpacing(8);
+    bottom->addSpacing(kGrid);
     bottom->addWidget(m_budget, 1);
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 4, 8, 6);
-    layout->setSpacing(4);
+    layout->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
+    layout->setSpacing(kHalfGrid);
     layout->addWidget(m_empty);
     layout->addWidget(m_chips);
     layout->addLayout(bottom);

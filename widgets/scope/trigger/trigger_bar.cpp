@@ -1,7 +1,9 @@
 #include "widgets/scope/trigger/trigger_bar.h"
 
 #include "widgets/base/flow_layout.h"
+#include "widgets/base/line_icon.h"
 #include "widgets/base/reading_text.h"
+#include "widgets/base/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_edit.h"
 #include "widgets/base/wheel_guard.h"
@@ -107,14 +109,18 @@ void TriggerBar::makeBar()
     };
     button(m_single, "triggerSingle", tr("Single"), tr("Takes one record, then stops (S)"));
     button(m_force, "triggerForce", tr("Force"), tr("A trigger now (T)"));
+    setLineIcon(*m_single, "single");
+    setLineIcon(*m_force, "force");
+    for (QToolButton *tool : {m_single, m_force})
+        tool->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button(m_more, "triggerMore", QStringLiteral("\u22ef"), tr("All settings of the trigger"));
     m_state->setObjectName(QStringLiteral("triggerState"));
 
     auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(8, 0, 8, 4);
-    layout->setSpacing(4);
+    layout->setContentsMargins(kGrid, 0, kGrid, kHalfGrid);
+    layout->setSpacing(kHalfGrid);
     auto *fields = new QWidget(this); // two lines where the words are long and the screen is small
-    auto *flow = new FlowLayout(4, fields);
+    auto *flow = new FlowLayout(kHalfGrid, fields);
     for (QWidget *widget : std::initializer_list<QWidget *>{
              m_mode, m_single, m_force, m_type, m_source, m_way, m_level, m_more})
         flow->addWidget(widget);

@@ -1,0 +1,29 @@
+#include "widgets/base/section_head.h"
+
+#include "widgets/base/spacing.h"
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+
+namespace widgets {
+
+SectionHead::SectionHead(const QString &name, QWidget *parent)
+    : QWidget(parent)
+{
+    auto *label = new QLabel(name, this);
+    label->setTextFormat(Qt::PlainText);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    auto *line = new QFrame(this);
+    line->setFrameShape(QFrame::HLine);
+    line->setFrameShadow(QFrame::Sunken);
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(kGrid);
+    layout->addWidget(label);
+    layout->addWidget(line, 1);
+}
+
+} // namespace widgets
