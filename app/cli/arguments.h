@@ -70,6 +70,7 @@ struct ResponseArguments {
 /// Of autotune.
 struct AutotuneArguments {
     lab::Goal goal = lab::Goal::Medium;
+    int seconds = 0; ///< of each response; 0: as long as usual
     bool apply = false;
 };
 

@@ -91,6 +91,7 @@ void Controller::reset()
     m_step = Step::None;
     m_suspect = false;
     m_output.clear();
+    m_async.reset();
     m_framer.resynchronise();
 }
 
@@ -134,10 +135,12 @@ void Controller::receive(ByteView bytes, TimePoint now)
         if (step == Framer::Step::NeedBytes)
             break;
         if (step == Framer::Step::Packet) {
+            tellAsync();
             onPacket(packet, now);
         } else {
             if (answered)
                 withdrawResponse();
+            m_async.reset(); // bytes of it were lost, and those of another one stand in their place
             onFault(step, now);
         }
         answered = step == Framer::Step::Packet && canSend() && !m_events.empty()
@@ -150,6 +153,8 @@ void Controller::receive(ByteView bytes, TimePoint now)
             break;
         }
     }
+    if (m_framer.inPayload())
+        tellAsync();
     if (m_step == Step::Draining && m_framer.inStep() && (proved || !m_framer.midPacket()))
         rest(now, {}); // the packet that seemed torn is whole, or the stream goes on
     m_stats.discardedBytes = m_framer.discardedBytes();
@@ -175,7 +180,7 @@ void Controller::onData(const Data &data, Bytes &payload, TimePoint now)
 {
     if (!data.response) {
         if (m_state == State::Connected || m_state == State::Recovering)
-            m_events.push_back(Async{std::move(payload)});
+            m_async = Async{std::move(payload), now};
         return;
     }
     // What begins before the payload can have left answers something else: the request before, for the second time.
@@ -202,6 +207,14 @@ void Controller::withdrawResponse()
     m_events.pop_back();
     m_requestOpen = true;
     m_parity = !m_parity;
+}
+
+/// Another packet begins where it ended.
+void Controller::tellAsync()
+{
+    if (m_async)
+        m_events.push_back(std::move(*m_async));
+    m_async.reset();
 }
 
 void Controller::onNack(TimePoint now)
@@ -275,6 +288,8 @@ void Controller::onTorn(TimePoint now)
 
 void Controller::handleTimeout(TimePoint now)
 {
+    if (m_async && !m_framer.midPacket() && now >= m_async->at + kWhole)
+        tellAsync();
     if (m_urgent && now >= m_urgent->until)
         onUrgentDue(now);
     if (const auto torn = tornAt(); torn && now >= *torn)
@@ -413,6 +428,8 @@ std::optional<TimePoint> Controller::nextTimeout() const
     std::optional<TimePoint> due = stepEnd();
     earliest(due, tornAt());
     earliest(due, healthDue());
+    if (m_async && !m_framer.midPacket())
+        earliest(due, m_async->at + kWhole);
     if (m_urgent && m_urgent->stage != Urgent::Stage::Sent)
         earliest(due, m_urgent->until);
     return due;

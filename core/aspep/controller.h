@@ -82,8 +82,10 @@ public:
     struct NoResponse {
         std::optional<bool> executed;
     };
+    /// Told when what follows has shown that it was whole, or nothing has followed for a moment.
     struct Async {
         Bytes payload;
+        TimePoint at; ///< when its end came
     };
     using Event = std::variant<Connected, Suspect, Recovered, Lost, Response, NoResponse, Async>;
 
@@ -157,6 +159,8 @@ private:
         Settling, ///< echoed, but late echoes of earlier Beacons may still come
         Pinging, ///< the reply of the Ping that connects is due
     };
+    /// Silence after an async packet that shows that nothing of it was missing: its own rest would have come at once.
+    static constexpr Duration kWhole = std::chrono::milliseconds(10);
     /// Silence after which what follows is not taken for the rest of a packet.
     static constexpr Duration kLongSilence = std::chrono::milliseconds(550);
 
@@ -179,6 +183,7 @@ private:
     void onPacket(Packet &packet, TimePoint now);
     void onData(const Data &data, Bytes &payload, TimePoint now);
     void withdrawResponse();
+    void tellAsync();
     void onNack(TimePoint now);
     void onFault(Framer::Step what, TimePoint now);
     void onTorn(TimePoint now);
@@ -269,6 +274,7 @@ private:
 
     std::vector<Output> m_output;
     std::vector<Event> m_events;
+    std::optional<Async> m_async; ///< not told yet: payloads are not protected
     Stats m_stats;
 };
 

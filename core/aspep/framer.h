@@ -41,6 +41,7 @@ public:
     void resynchronise();
     bool inStep() const { return m_inStep; }
 
+    bool inPayload() const { return m_inStep && m_inPayload; } ///< behind a good header
     bool midPacket() const { return m_inStep && (m_headerSize > 0 || m_inPayload); }
     /// Bytes that the packet under way still needs; of a header that is not whole, those of the
     /// header.

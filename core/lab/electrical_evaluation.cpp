@@ -170,7 +170,8 @@ std::string addTurning(Electrics &found, const RecordedSpin &spin, const capture
         return "it does not tell the nominal current of the motor";
     constexpr double kLeast = 0.1, kSmall = 0.02, kLeastRange = 0.2; // of the nominal current
     std::vector<TurningSlices> slices;
-    for (const Segment &segment : segmentsFor(spin, capture, span->from, span->to, false))
+    for (const Segment &segment : whileTurning(
+             segmentsFor(spin, capture, span->from, span->to, false), leastTurning_degPerS(spin)))
         if (TurningSlices one = slicesOf(segment, kSmall * spin.nominalAmps); !one.all.empty())
             slices.push_back(std::move(one));
     if (!(rangeAlongD(slices) > kLeastRange * spin.nominalAmps))

@@ -106,6 +106,14 @@ private:
     std::size_t m_count = 0;
 };
 
+double timeOf(const std::vector<Segment> &segments)
+{
+    double time_s = 0.0;
+    for (const Segment &segment : segments)
+        time_s += segment.step_s * static_cast<double>(segment.turned_deg.size());
+    return time_s;
+}
+
 /// What cannot be below 0 is left out where it would be, which may push the other one there.
 std::optional<Fit> fitOf(const Rows &rows, std::vector<std::size_t> columns)
 {
@@ -144,9 +152,9 @@ void compareFlux(Mechanics &found, const Estimate &measured_wb, double told_wb)
 } // namespace
 
 Result<Mechanics, std::string> evaluateMechanics(
-    const capture::Capture &capture, const Happenings &all)
+    const capture::Capture &capture, const Happenings &asked)
 {
-    const Happenings happenings = carriedOut(all);
+    const Happenings happenings = carriedOut(asked);
     std::optional<RecordedSpin> plan;
     auto at = happenings.begin();
     for (; at != happenings.end() && !plan; ++at)
@@ -163,14 +171,16 @@ Result<Mechanics, std::string> evaluateMechanics(
         return fail(std::string("the motor was never driven by a torque in it"));
     const capture::Channel *voltage = fastChannel(capture, plan->voltage);
     const std::array others{current, voltage == nullptr ? current : voltage};
-    const std::vector<Segment> segments = segmentsOf(*angle, others, span->from, span->to);
+    const std::vector<Segment> all = segmentsOf(*angle, others, span->from, span->to);
+    const std::vector<Segment> segments = whileTurning(all, leastTurning_degPerS(*plan));
+    const double stood_s = timeOf(all) - timeOf(segments);
     Stretches stretches(*plan);
     for (const Segment &segment : segments)
         stretches.take(segment);
     const Rows &rows = stretches.rows;
     if (stretches.time_s < kLeastTime_s)
-        return fail("only " + textOf(stretches.time_s, 2) + " s of it are without a gap; "
-            + textOf(kLeastTime_s, 2) + " s are needed");
+        return fail("the motor turned for only " + textOf(stretches.time_s, 2)
+            + " s of it without a gap; " + textOf(kLeastTime_s, 2) + " s are needed");
     const auto plain = fitOf(rows, {kInertia, kViscous, kDry, kTilt});
     const auto fan = fitOf(rows, {kInertia, kViscous, kDry, kFan, kTilt});
     if (!plain || !fan || !(plain->values[kInertia] > 0.0))
@@ -206,6 +216,10 @@ Result<Mechanics, std::string> evaluateMechanics(
     found.share = chosen.residual / std::sqrt(squares / static_cast<double>(rows.wanted.size()));
     if (!span->reason.empty())
         found.notes.push_back("the run ended early: " + span->reason);
+    constexpr double kNoticed_s = 0.02;
+    if (stood_s > kNoticed_s)
+        found.notes.push_back("the rotor all but stood for " + textOf(stood_s, 2)
+            + " s of it, which count for nothing");
     const double lost = 1.0 - chosen.rows / static_cast<double>(rows.known.size());
     constexpr double kMany = 0.2, kPercent = 100.0;
     if (lost > kMany)

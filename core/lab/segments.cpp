@@ -2,9 +2,53 @@
 
 #include "scope/sample_range.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace lab {
+
+namespace {
+
+/// Of the speed at a sample, to either side.
+constexpr double kEdge_s = 5e-3;
+
+/// 1 forwards, -1 backwards, 0 as good as standing.
+std::vector<int> directionsOf(const Segment &segment, double least_degPerS)
+{
+    const std::size_t last = segment.turned_deg.size() - 1;
+    const auto edge = static_cast<std::size_t>(std::max(1L, std::lround(kEdge_s / segment.step_s)));
+    std::vector<int> directions;
+    for (std::size_t at = 0; at <= last; ++at) {
+        const std::size_t from = at < edge ? 0 : at - edge, to = std::min(at + edge, last);
+        const double speed = (segment.turned_deg[to] - segment.turned_deg[from])
+            / (static_cast<double>(to - from) * segment.step_s);
+        directions.push_back(std::abs(speed) < least_degPerS ? 0 : speed < 0.0 ? -1 : 1);
+    }
+    return directions;
+}
+
+Segment pieceOf(const Segment &segment, std::size_t from, std::size_t to)
+{
+    constexpr double kTurn_deg = 360.0;
+    const auto cut = [from, to](const std::vector<double> &values) {
+        return std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(from),
+            values.begin() + static_cast<std::ptrdiff_t>(to));
+    };
+    Segment piece{.at = segment.at
+            + static_cast<capture::Nanos>(static_cast<double>(from) * segment.step_s * 1e9),
+        .step_s = segment.step_s,
+        .first_deg = std::remainder(segment.first_deg + segment.turned_deg[from], kTurn_deg),
+        .turned_deg = cut(segment.turned_deg),
+        .values = {}};
+    for (double &turned : piece.turned_deg)
+        turned -= segment.turned_deg[from];
+    for (const std::vector<double> &values : segment.values)
+        piece.values.push_back(cut(values));
+    return piece;
+}
+
+} // namespace
 
 std::vector<Segment> segmentsOf(const capture::Channel &angle,
     std::span<const capture::Channel *const> others, capture::Nanos from, capture::Nanos to)
@@ -52,6 +96,27 @@ std::vector<Segment> segmentsOf(const capture::Channel &angle,
     });
     finish();
     return segments;
+}
+
+std::vector<Segment> whileTurning(std::vector<Segment> segments, double least_degPerS)
+{
+    std::vector<Segment> turning;
+    for (Segment &segment : segments) {
+        const std::vector<int> directions = directionsOf(segment, least_degPerS);
+        for (auto from = directions.begin(); from != directions.end();) {
+            const auto to = std::find_if(
+                from, directions.end(), [from](int direction) { return direction != *from; });
+            constexpr std::ptrdiff_t kLeast = 3;
+            if (*from != 0 && to - from == std::ssize(directions))
+                turning.push_back(std::move(segment));
+            else if (*from != 0 && to - from >= kLeast)
+                turning.push_back(
+                    pieceOf(segment, static_cast<std::size_t>(from - directions.begin()),
+                        static_cast<std::size_t>(to - directions.begin())));
+            from = to;
+        }
+    }
+    return turning;
 }
 
 } // namespace lab

@@ -21,4 +21,9 @@ struct Segment {
 std::vector<Segment> segmentsOf(const capture::Channel &angle,
     std::span<const capture::Channel *const> others, capture::Nanos from, capture::Nanos to);
 
+/// What of it the rotor turned through, in pieces of one direction: friction holds a rotor that stands by whatever it takes,
+/// and no equation of a motor that turns is true of it.
+/// @param least_degPerS  electrical; slower is as good as standing
+std::vector<Segment> whileTurning(std::vector<Segment> segments, double least_degPerS);
+
 } // namespace lab

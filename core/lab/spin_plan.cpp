@@ -206,6 +206,12 @@ record::Happening entryOf(const SpinPlan &plan, const Subject &subject)
     return entry;
 }
 
+double leastTurning_degPerS(const RecordedSpin &spin)
+{
+    constexpr double kShare = 0.2, kRpm_degPerS = 6.0;
+    return kShare * std::abs(spin.plan.lowRpm) * spin.polePairs * kRpm_degPerS;
+}
+
 std::optional<RecordedSpin> recordedSpin(const record::Happening &happening)
 {
     if (happening.name != kEntry)

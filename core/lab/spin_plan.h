@@ -54,6 +54,8 @@ record::Happening entryOf(const SpinPlan &plan, const Subject &subject);
 struct RecordedSpin : RecordedMotor {
     SpinPlan plan;
 };
+/// Slower than this its rotor is as good as standing: a host that stalls while it coasts lets it stop. Electrical.
+double leastTurning_degPerS(const RecordedSpin &spin);
 std::optional<RecordedSpin> recordedSpin(const record::Happening &happening);
 
 } // namespace lab

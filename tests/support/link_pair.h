@@ -59,6 +59,8 @@ struct LineFaults {
     double flip = 0.0, drop = 0.0, duplicate = 0.0, insert = 0.0;
     double stall = 0.0;
     Duration stallTime = 20ms;
+    double burst = 0.0; ///< that bytes are lost from here on, for at most burstMost of them: a reader that came late
+    std::uint64_t burstMost = 6000, burstLeft = 0;
     bool cut = false; ///< nothing gets through
     /// One fault at the byte with this number, counted from the beginning of the run.
     enum class Once : std::uint8_t { None, Flip, Drop, Duplicate } once = Once::None;
@@ -363,10 +365,16 @@ private:
         const Bytes bytes = spoilOnce(given, faults);
         if (faults.cut)
             return {};
-        if (faults.flip + faults.drop + faults.duplicate + faults.insert <= 0.0)
+        if (faults.flip + faults.drop + faults.duplicate + faults.insert + faults.burst <= 0.0)
             return bytes;
         Bytes result;
         for (std::uint8_t byte : bytes) {
+            if (faults.burst > 0.0 && faults.burstLeft == 0 && m_random.chance(faults.burst))
+                faults.burstLeft = 1 + m_random.below(faults.burstMost);
+            if (faults.burstLeft > 0) {
+                --faults.burstLeft;
+                continue;
+            }
             if (m_random.chance(faults.drop))
                 continue;
             if (m_random.chance(faults.flip))

@@ -25,6 +25,11 @@ struct CliRun {
     QJsonArray list() const { return QJsonDocument::fromJson(out.toUtf8()).array(); }
     QJsonObject object() const { return QJsonDocument::fromJson(out.toUtf8()).object(); }
     bool oneLineOfError() const { return err.count(QLatin1Char('\n')) == 1; }
+    /// What moves a motor ended before its end, as documented: nothing is measured, and the reason is said.
+    bool endedEarly() const
+    {
+        return (status == 1 || status == 3 || status == 6) && out.isEmpty() && !err.isEmpty();
+    }
     /// The line or one of the programs stood still, and nothing of the command got through.
     bool stalled() const
     {
@@ -101,6 +106,7 @@ public:
     void freeze() const { ::kill(static_cast<pid_t>(m_process.processId()), SIGSTOP); }
 
     bool ready() const { return m_ready; }
+    qint64 processId() const { return m_process.processId(); }
     QString port() const { return m_folder.filePath(QStringLiteral("port")); }
     QString file(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
 

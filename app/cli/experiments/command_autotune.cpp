@@ -42,7 +42,10 @@ Outcome<Loop> readLoop(Desk &desk, const lab::Subject &subject)
 Outcome<lab::SpeedResponse> respond(Desk &desk, const lab::Subject &subject)
 {
     ExperimentRun run(desk);
-    const auto path = run.record(subject, {lab::responsePlanFor(subject, desk.arguments.limits)});
+    lab::ResponsePlan plan = lab::responsePlanFor(subject, desk.arguments.limits);
+    if (desk.arguments.autotune.seconds > 0)
+        plan.length = std::chrono::seconds(desk.arguments.autotune.seconds);
+    const auto path = run.record(subject, {plan});
     if (!path)
         return tl::make_unexpected(path.error());
     const auto recording = openRecording(*path);
@@ -243,12 +246,16 @@ Outcome<int> runAutotune(Desk &desk)
 
 constexpr OptionText kOptions[] = {
     {"goal", "GOAL", "stiff, medium or quick: how near to instability; medium if not given."},
+    {"seconds", "S", "How long each response takes, 4 to 40; 16 if not given."},
     {"apply", "", "Writes the gains, and proves them by a fresh response and steps."},
 };
 
 Outcome<bool> readAutotune(const Given &given, Arguments &arguments)
 {
     arguments.autotune.apply = given.has("apply");
+    const auto numbers = readNumbers(given, {{"seconds", &arguments.autotune.seconds, 4, 40}});
+    if (!numbers)
+        return numbers;
     if (!given.has("goal"))
         return true;
     for (const lab::Goal goal : lab::kGoals)

@@ -82,7 +82,7 @@ private:
     void on(const Link::NoResponse &event, TimePoint now);
     void on(const Link::Recovered &event, TimePoint now);
     void on(const Link::Suspect &, TimePoint) { m_suspect = true; }
-    void on(const Link::Async &event, TimePoint now) { m_stream.receive(event.payload, now); }
+    void on(const Link::Async &event, TimePoint) { m_stream.receive(event.payload, event.at); }
     void onIdentified(TimePoint now) override;
     void tellIdentity();
     bool connected() const override { return m_link.state() == Link::State::Connected; }

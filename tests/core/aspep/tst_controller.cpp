@@ -13,6 +13,7 @@ private Q_SLOTS:
     void aResponseAnswersTheOpenRequestOnly();
     void anAnswerThatBeganBeforeTheRequestHadLeftIsNone();
     void asyncPacketsAreHandedOnOnceConnected();
+    void anAsyncPacketThatLacksBytesIsNotHandedOn();
     void completeAsyncPacketsBeforeTheAnswerAreSkipped();
     void anAnswerLargerThanTheOfferIsNone();
     void silenceEndsTheAttemptsWithNoAnswer();
@@ -146,8 +147,41 @@ void TestController::asyncPacketsAreHandedOnOnceConnected()
     link.sent();
     link.hear(
         packet(false, Bytes(2046, 7)) + packet(true, hex("06 00")) + packet(false, hex("01 02")));
-    QCOMPARE(link.count<Controller::Async>(), 2);
     QCOMPARE(link.count<Controller::Response>(), 1);
+    QCOMPARE(link.count<Controller::Async>(),
+        1); // what follows the other one may still say that it lacks something
+    const TimePoint came = link.now;
+    link.wait(10ms);
+    QCOMPARE(link.count<Controller::Async>(), 2);
+    QCOMPARE(link.last<Controller::Async>()->at, came);
+}
+
+/// Payloads are not protected: the packet takes what it lacks from the next one, and that is seen behind it.
+void TestController::anAsyncPacketThatLacksBytesIsNotHandedOn()
+{
+    const Bytes whole = packet(false, Bytes(200, 7));
+    for (const std::ptrdiff_t lost : {1, 2, 20, 150}) {
+        for (const bool apart : {false, true}) {
+            VirtualLink link;
+            link.connect();
+            link.hear(whole + whole);
+            Bytes cut = whole;
+            cut.erase(cut.begin() + 40, cut.begin() + 40 + lost);
+            const Bytes all = cut + whole;
+            const std::ptrdiff_t end = apart ? static_cast<std::ptrdiff_t>(whole.size())
+                                             : static_cast<std::ptrdiff_t>(all.size());
+            link.hear({all.begin(), all.begin() + end});
+            link.now += 1ms;
+            link.hear({all.begin() + end, all.end()});
+            QCOMPARE(link.count<Controller::Async>(), 2);
+            link.hear(whole + whole + whole);
+            link.wait(10ms);
+            QVERIFY(link.count<Controller::Async>() > 2);
+            for (const Controller::Event &event : link.events)
+                if (const auto *async = std::get_if<Controller::Async>(&event))
+                    QCOMPARE(async->payload, Bytes(200, 7));
+        }
+    }
 }
 
 void TestController::completeAsyncPacketsBeforeTheAnswerAreSkipped()

@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include <map>
 #include <numbers>
 
 using namespace drive;
@@ -92,6 +93,7 @@ private Q_SLOTS:
     void aRecoveryBehindTheFirstStopAsksForAnother();
     void aConfigurationThatWasDamagedOnItsWayIsSentAgain();
     void eachConfigurationHasAnotherMark();
+    void nothingIsInventedWhereBytesAreLost();
     void ticksMapToTheSessionsTime();
     void aRecoveryShowsAsAGapOnly();
     void aLostByteCostsLittle_data();
@@ -310,6 +312,50 @@ void TestMcpDriveStream::eachConfigurationHasAnotherMark()
         ++different;
     }
     QCOMPARE(different, 260);
+}
+
+/// A reader that comes late loses stretches of bytes. What is told then is what the board took, sample by sample.
+void TestMcpDriveStream::nothingIsInventedWhereBytesAreLost()
+{
+    using Samples = std::map<capture::Tick, std::vector<std::int16_t>>;
+    const auto record = [](std::uint64_t seed, double burst) {
+        simulation::BoardOptions servo;
+        servo.motor = "servo24";
+        Session session(true, servo, seed);
+        Samples samples;
+        if (!session.runAt(1500))
+            return samples;
+        session.runFor(500ms);
+        session.onEvent = [&](const Event &event) {
+            const auto *block = std::get_if<capture::SampleBlock>(&event);
+            for (std::uint32_t i = 0; block != nullptr && i < block->count; ++i)
+                for (std::size_t at = i; at < block->fast.size(); at += block->count)
+                    samples[block->firstTick + i].push_back(block->fast[at]);
+        };
+        Stream stream;
+        for (const char *name :
+            {"I_Q_MEAS", "ENCODER_SPEED", "ENCODER_EL_ANGLE", "V_Q", "I_D_MEAS"})
+            stream.fast.push_back(session.id(name));
+        session.submit(stream);
+        session.runFor(100ms);
+        session.toDrive.burst = burst;
+        session.toDrive.burstMost = 300;
+        session.runFor(8s);
+        session.toDrive.burst = 0.0;
+        return samples;
+    };
+    const Samples truth = record(1, 0.0);
+    QVERIFY(truth.size() > 100'000);
+    for (const std::uint64_t seed : {1, 2}) {
+        std::size_t wrong = 0;
+        const Samples told = record(seed, 5e-5);
+        QVERIFY(told.size() > 40'000 && told.size() < truth.size());
+        for (const auto &[tick, values] : told) {
+            const auto at = truth.find(tick);
+            wrong += at != truth.end() && at->second != values ? 1 : 0;
+        }
+        QCOMPARE(wrong, 0U);
+    }
 }
 
 void TestMcpDriveStream::ticksMapToTheSessionsTime()

@@ -120,6 +120,34 @@ private Q_SLOTS:
         VERIFY_WITHIN(measured.found->inertia_kgm2, plant.motor.inertia_kgm2, 1.5);
     }
 
+    /// The next torque came so late that it had coasted to a stop: there, friction is whatever holds it.
+    void aRotorThatStoodForAWhileSaysTheSame()
+    {
+        const PlantParameters &truth = *simulation::findPreset("servo24");
+        LabBench bench;
+        bench.experiment.plan = spinPlanFor(bench.experiment.subject, {});
+        double slowest_rpm = 1e9;
+        bench.eachTurn = [&] {
+            const std::vector<drive::TorqueRamp> torques = bench.asked<drive::TorqueRamp>();
+            const std::size_t asked = torques.size();
+            const bool coasts = asked > 4 && torques[asked - 1].amps < torques[asked - 2].amps;
+            bench.held = std::chrono::milliseconds(coasts && asked < 9 ? 1400 : 0);
+            if (coasts)
+                slowest_rpm = std::min(slowest_rpm, bench.pair.board->truth(1).rpm);
+        };
+        const Outcome outcome = bench.run();
+        QVERIFY2(outcome.end == End::Complete, qPrintable(support::outcomeText(outcome)));
+        QVERIFY2(slowest_rpm < 10.0, qPrintable(QString::number(slowest_rpm)));
+        const auto found = evaluateMechanics(bench.capture, bench.happenings);
+        QVERIFY2(found, found ? "" : found.error().c_str());
+        VERIFY_WITHIN(found->inertia_kgm2, truth.motor.inertia_kgm2, 1.5);
+        VERIFY_WITHIN(found->viscous_nms, truth.motor.viscous_nms, 6.0);
+        VERIFY_WITHIN(found->dry_nm, truth.motor.coulomb_nm, 5.0);
+        VERIFY_HOLDS(found->inertia_kgm2, truth.motor.inertia_kgm2);
+        QCOMPARE(found->notes.size(), 1U);
+        QVERIFY(found->notes[0].find("all but stood") != std::string::npos);
+    }
+
     void whatIsMissingIsSaid()
     {
         const PlantParameters &truth = *simulation::findPreset("pm24");

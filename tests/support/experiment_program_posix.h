@@ -1,0 +1,109 @@
+// An experiment of the command line on a simulated board of its own, both as programs in real time. Whether the machine let them
+// run is looked at: a program that has no core cannot keep its motor in bounds, and ends as its documents say.
+#pragma once
+
+#include "support/programs_posix.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <optional>
+
+namespace support {
+
+/// How long the threads of a program were ready and had no core; 0 where this system does not tell it.
+inline double waitedForCore_ms(qint64 process)
+{
+    double waited_ns = 0.0;
+    const QDir threads(QStringLiteral("/proc/%1/task").arg(process));
+    for (const QString &thread : threads.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+        QFile file(threads.filePath(thread + QStringLiteral("/schedstat")));
+        if (file.open(QIODevice::ReadOnly))
+            waited_ns += file.readAll().split(' ').value(1).toDouble();
+    }
+    return waited_ns * 1e-6;
+}
+
+class ExperimentProgram {
+public:
+    /// @param line  its command; where it ends with -o its recording is kept in file()
+    ExperimentProgram(const QStringList &boardOptions, const char *line)
+        : m_board(boardOptions)
+        , m_line(QString::fromUtf8(line))
+    {
+    }
+
+    ExperimentProgram(const ExperimentProgram &) = delete;
+    ExperimentProgram &operator=(const ExperimentProgram &) = delete;
+    ~ExperimentProgram()
+    {
+        kill();
+        m_board.vanish(); // a board that stands still does not end
+    }
+
+    const Simulator &board() const { return m_board; }
+    Simulator &board() { return m_board; }
+    QString file() const { return m_board.file("run.pcapng"); }
+
+    void begin(const QStringList &more = {})
+    {
+        m_run.reset();
+        m_waited_ms = 0.0;
+        m_board_ms = waitedForCore_ms(m_board.processId());
+        QFile::remove(file());
+        QStringList words{QStringLiteral("--port"), m_board.port()};
+        words += m_line.split(QLatin1Char(' ')) + more;
+        if (m_line.endsWith(QLatin1String("-o")))
+            words += file();
+        startCli(m_process, words);
+    }
+    /// Waits until its recording is so large. @return  false: it had ended before
+    bool recorded(qint64 bytes)
+    {
+        while (!ended())
+            if (QFileInfo(file()).size() > bytes)
+                return true;
+        return false;
+    }
+    void kill()
+    {
+        m_process.kill();
+        m_process.waitForFinished(kProgramTime_ms);
+    }
+
+    /// Looks at it, for a moment.
+    bool ended()
+    {
+        constexpr int kLook_ms = 20;
+        const bool over =
+            m_process.state() == QProcess::NotRunning || m_process.waitForFinished(kLook_ms);
+        const double waited_ms = waitedForCore_ms(m_board.processId()) - m_board_ms
+            + waitedForCore_ms(m_process.processId());
+        m_waited_ms = std::max(m_waited_ms, waited_ms);
+        return over;
+    }
+    /// What came of it; waits for that.
+    const CliRun &run()
+    {
+        while (!m_run && !ended()) { }
+        if (!m_run)
+            m_run = resultOf(m_process);
+        return *m_run;
+    }
+    /// One of the two had no core for so long that a motor may have been out of bounds, or silent.
+    bool starved() const { return m_waited_ms > kStarved_ms; }
+
+private:
+    static constexpr double kStarved_ms = 200.0;
+
+    Simulator m_board;
+    QString m_line;
+    QProcess m_process;
+    std::optional<CliRun> m_run;
+    double m_board_ms = 0.0; ///< when it began
+    double m_waited_ms = 0.0;
+};
+
+} // namespace support
