@@ -43,11 +43,21 @@ DEFECTS = [
         ("core/mcp/request.cpp", "<< 3 | (motor & 7U);", "<< 3 | (motor & 0U);")]),
     ("speeds beyond the limit", CAMPAIGN, "bounded", [
         ("core/drive/set_point_check.cpp", "    if (std::abs(rpm) > bound)\n", "    if (std::abs(rpm) > 100 * bound)\n")]),
+    ("a second request in flight", "tst_mcp_drive", "one in flight", [
+        ("core/aspep/controller.cpp", "    return m_state == State::Connected && m_step == Step::None && !m_urgent;",
+         "    return m_state == State::Connected && !m_urgent;"),
+        ("core/drive/task_drive.h", "m_link.canSend() && m_task == nullptr && !m_stopUnderWay;", "m_link.canSend() && !m_stopUnderWay;")]),
     ("a question follows a Stop without its answer", "tst_legacy_drive_faults", "one in flight", [
         ("core/legacy/client.cpp", "        m_deadline = now + kAnswerTime + m_config.patience;\n}", "        m_deadline = now + kSettle;\n}"),
         ("core/legacy/client.cpp", "        if (m_owed > 0)\n            return answerTimeOver(now);\n", "")]),
     ("what the servo was not ready for leaves after the connection", "tst_mcb_sessions", "armed", [
         ("core/drive/mcb/mcb_drive.cpp", "recalled = m_link.recall(now);", "recalled = now == TimePoint{};")]),
+    ("what travels with the frames goes on during a Stop", "tst_mcb_sessions", "stop first", [
+        ("core/drive/mcb/mcb_set_points.cpp", "void McbSetPoints::rest() { m_words.clear(); }", "void McbSetPoints::rest() { }")]),
+    ("what travels with the frames outlives a reset", "tst_mcb_sessions", "armed", [
+        ("core/drive/mcb/mcb_drive.cpp", "    m_stream.ended();\n    endSetPoints();\n    m_faulty = false;", "    m_stream.ended();\n    m_faulty = false;")]),
+    ("what travels with the frames drops when it is disarmed", "tst_mcb_set_points", "asked for|armed", [
+        ("core/drive/mcb/mcb_drive.cpp", "    if (stopping)\n        restSetPoints();", "    if (stopping || !armed())\n        restSetPoints();")]),
     ("heartbeats unarmed", "tst_mcp_drive_watchdog", "heartbeats", [
         ("core/drive/mcp/mcp_drive.cpp", "m_heartbeat.setWanted(!m_stop.active() && armed());", "m_heartbeat.setWanted(true);")]),
     ("the alarm is never raised", "tst_mcp_drive_stop", "alarm", [
@@ -67,7 +77,7 @@ DEFECTS = [
         ("core/drive/stop_sequence.cpp", "    return status.state == MotorState::Idle || ", "    return status.state == MotorState::Idle || status.state == MotorState::Running || ")]),
     ("the older protocol stops motor 0", "tst_legacy_drive_faults", "motors that are there", [
         ("core/drive/legacy/legacy_drive.cpp", "request = stopOf(*motor);", "request = stopOf(*motor & 0);")]),
-    ("late wishes are sent", CAMPAIGN, "asked for", [
+    ("late wishes are sent", "tst_late_wishes", "asked for", [
         ("core/drive/task.h", "return m_fresh + kWishExpiresAfter;", "return m_fresh + 100 * kWishExpiresAfter;")]),
     ("a restore writes what moves a motor", "tst_what_may_be_written", "asked for", [
         ("core/snapshots/restore.cpp", "&& !info->stub && !info->restorable();", "&& info->stub;"),

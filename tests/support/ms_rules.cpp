@@ -226,7 +226,8 @@ void MsRules::act(const Act &act)
         m_line.ampsPerDigit = act.amps.value_or(0.0) / 32768.0;
         return;
     default:
-        m_acts.push_back({act});
+        if (m_now - act.at <= m_line.fresh) // what is asked for too late is not asked for
+            m_acts.push_back({act});
     }
 }
 

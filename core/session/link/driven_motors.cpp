@@ -45,10 +45,8 @@ void DrivenMotors::told(const drive::Event &event, TimePoint now)
     if (const auto *board = std::get_if<drive::Identified>(&event)) {
         m_motors = board->identity.motors;
     } else if (const auto *end = std::get_if<drive::Ended>(&event)) {
-        if (m_open.erase(end->id) > 0) {
+        if (m_open.erase(end->id) > 0)
             m_lastAct = now;
-            m_idle.clear();
-        }
     } else if (const auto *status = std::get_if<drive::MotorStatus>(&event); status && m_driven) {
         take(*status);
     }

@@ -310,6 +310,15 @@ void TestMsRules::aBrokenRuleSpeaks_data()
         b.now += 600ms;
         b.request({kStart | 1});
     });
+    story("a start that was meant for another time", "asked for", [](Bench &b) {
+        b.act(Act::Kind::Arm);
+        Act start;
+        start.kind = Act::Kind::Start;
+        start.motor = 1;
+        start.at = b.now - 600ms;
+        b.judge.act(start);
+        b.request({kStart | 1});
+    });
     story("a series that nobody agreed to", "asked for", [](Bench &b) {
         b.act(Act::Kind::Arm);
         b.act(Act::Kind::Series);

@@ -231,6 +231,7 @@ void TestDeadManRules::aConnectionBeginsAnew()
     bench.stamps.hold(1, t);
     static_cast<void>(bench.at(301ms)); // a hold that ended
     static_cast<void>(bench.at(700ms)); // and an absence
+    bench.man.takeStatus(statusOf(MotorState::Idle)); // and a motor at rest
     bench.man.begin(t + 10s);
     QVERIFY(!bench.man.responsible() && !bench.man.absent());
     bench.stamps.release();

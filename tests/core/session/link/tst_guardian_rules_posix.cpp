@@ -92,9 +92,11 @@ extern "C" ssize_t write(int delineAnswersor, const void *bytes, std::size_t siz
         return ::syscall(SYS_write, delineAnswersor, bytes, size);
     const Answer answer = lineAnswers->front();
     lineAnswers->pop_front();
-    if (answer.error == 0)
+    if (answer.error == 0) {
+        errno = EAGAIN; // of a call before it
         return ::syscall(SYS_write, delineAnswersor, bytes,
             std::min(size, static_cast<std::size_t>(answer.taken)));
+    }
     errno = answer.error;
     return -1;
 }
