@@ -1,4 +1,5 @@
 // The family of icons: each drawing is there and to be seen in both themes, and each name that the window uses has one.
+#include "support/places.h"
 #include "widgets/base/line_icon.h"
 #include "widgets/base/theme.h"
 
@@ -56,7 +57,7 @@ void TestLineIcon::eachNameThatIsUsedHasOne()
     const QStringList known = names();
     static const QRegularExpression use(
         QStringLiteral("(?:[lL]ineIcon\\([^\"\\n;]*|Dock\", )\"([a-z-]+)\""));
-    QDirIterator files(QStringLiteral(ROTORSCOPE_SOURCE "/widgets"), {QStringLiteral("*.cpp")},
+    QDirIterator files(support::sourceFile(QStringLiteral("widgets")), {QStringLiteral("*.cpp")},
         QDir::Files, QDirIterator::Subdirectories);
     int uses = 0;
     while (files.hasNext()) {
