@@ -3164,8 +3164,8 @@
         <translation>Gesperrt</translation>
     </message>
     <message>
-        <source>Shaft to %1 rad in %2 ms</source>
-        <translation>Welle auf %1 rad in %2 ms</translation>
+        <source>Shaft to %1° in %2 ms</source>
+        <translation>Welle auf %1° in %2 ms</translation>
     </message>
     <message>
         <source>%1; at the board within %2</source>
@@ -6064,9 +6064,9 @@
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>%1: %2, %3 % of the file</source>
-        <comment>file name, duration, number</comment>
-        <translation>%1: %2, %3 % der Datei</translation>
+        <source>%1: %2, %3 %</source>
+        <comment>file name, duration, part of the file</comment>
+        <translation>%1: %2, %3 %</translation>
     </message>
     <message numerus="yes">
         <source>, %n damaged place(s)</source>

@@ -3163,7 +3163,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shaft to %1 rad in %2 ms</source>
+        <source>Shaft to %1° in %2 ms</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6063,8 +6063,8 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2, %3 % of the file</source>
-        <comment>file name, duration, number</comment>
+        <source>%1: %2, %3 %</source>
+        <comment>file name, duration, part of the file</comment>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">

@@ -28,6 +28,7 @@ namespace {
 
 constexpr int kMargin = kGrid;
 constexpr int kLeastScrolled = 60; ///< pixels: a set-point
+constexpr int kLeastRead = 40; ///< pixels: two of the read-outs
 /// Nothing has to be scrolled on a low screen after a stop, when its words stand there.
 constexpr int kGap = kFineGrid;
 
@@ -74,6 +75,67 @@ private:
     }
 };
 
+/// A scroll area for a part of the panel.
+Scroll *scrolled(QWidget *content, const char *name, QWidget *parent)
+{
+    auto *scroll = new Scroll(parent);
+    scroll->setObjectName(QLatin1String(name));
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(content);
+    const int bar = scroll->verticalScrollBar()->sizeHint().width();
+    scroll->setMinimumWidth(content->minimumSizeHint().width() + bar);
+    return scroll;
+}
+
+/// What can be wished, and below it what is read: where there is little room the first gives way, and then the second.
+class Parts : public QWidget {
+public:
+    Parts(Scroll *wished, Scroll *read, QWidget *parent)
+        : QWidget(parent)
+        , m_wished(wished)
+        , m_read(read)
+    {
+        wished->setParent(this);
+        read->setParent(this);
+        setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    }
+    QSize sizeHint() const override
+    {
+        return {std::max(m_wished->sizeHint().width(), m_read->sizeHint().width()),
+            m_wished->sizeHint().height() + m_read->sizeHint().height()};
+    }
+    QSize minimumSizeHint() const override
+    {
+        return {std::max(m_wished->minimumWidth(), m_read->minimumWidth()),
+            kLeastScrolled + kLeastRead};
+    }
+
+protected:
+    bool event(QEvent *event) override
+    {
+        if (event->type() == QEvent::LayoutRequest)
+            updateGeometry();
+        if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize)
+            place();
+        return QWidget::event(event);
+    }
+
+private:
+    void place()
+    {
+        const int whole = m_read->sizeHint().height();
+        const int read = std::clamp(height() - kLeastScrolled, std::min(kLeastRead, whole), whole);
+        const int wished = std::min(m_wished->sizeHint().height(), height() - read);
+        m_wished->setGeometry(0, 0, width(), wished);
+        m_read->setGeometry(0, wished, width(), read);
+    }
+
+    Scroll *m_wished, *m_read;
+};
+
 QFrame *line(QWidget *parent)
 {
     auto *frame = new QFrame(parent);
@@ -100,18 +162,7 @@ ControlPanel::ControlPanel(
     , m_words(new StopWords(this))
 {
     setObjectName(QStringLiteral("controlPanel"));
-    auto *scroll = new Scroll(this);
-    scroll->setObjectName(QStringLiteral("controlScroll"));
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
-    scroll->setMinimumHeight(kLeastScrolled);
-    QWidget *body = makeBody();
-    scroll->setWidget(body);
-    const int bar = scroll->verticalScrollBar()->sizeHint().width();
-    scroll->setMinimumWidth(body->minimumSizeHint().width() + bar);
+    Scroll *scroll = scrolled(makeBody(), "controlScroll", this);
 
     auto *fixed = new QWidget(this);
     auto *top = new QVBoxLayout(fixed);
@@ -138,8 +189,7 @@ ControlPanel::ControlPanel(
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(fixed);
-    layout->addWidget(scroll);
-    layout->addWidget(read);
+    layout->addWidget(new Parts(scroll, scrolled(read, "readScroll", this), this));
     layout->addStretch(1);
 
     connect(&device, &Device::linkStateChanged, this, &ControlPanel::follow);
@@ -190,7 +240,7 @@ QWidget *ControlPanel::makeBody()
     m_changeScale->setFocusPolicy(Qt::TabFocus);
     m_readouts->putBeside("I_Q_MEAS", *m_changeScale);
     auto *layout = new QVBoxLayout(body);
-    layout->setContentsMargins(kMargin, kGap, kMargin, kGap);
+    layout->setContentsMargins(kMargin, kGap, kMargin, 0);
     layout->setSpacing(kGap);
     layout->addWidget(m_setpoints);
     layout->addWidget(new SectionHead(tr("Jog"), this));

@@ -123,7 +123,8 @@ void StateBox::showState(const drive::MotorStatus &status, bool believed)
         text = tr("Motor %1: %2", "number, state").arg(QString::number(m_device.motor()), text);
     // A name that the strip does not have must not be hidden.
     const QString name = deviceText(status.stateName);
-    if (believed && !name.isEmpty() && m_strip->litName().isEmpty())
+    const bool said = text.endsWith(name, Qt::CaseInsensitive);
+    if (believed && !name.isEmpty() && !said && m_strip->litName().isEmpty())
         text += QStringLiteral(" (%1)").arg(name);
     const bool recorded = believed && replaying(m_device); // nothing turns now
     if (recorded)

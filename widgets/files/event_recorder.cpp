@@ -8,12 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace widgets {
 
 namespace {
 constexpr double kOtherAxis = 2.0; ///< seconds; a stamp so far off belongs to another clock
 constexpr std::size_t kMostAsked = 1000;
+constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
 } // namespace
 
 void SessionClock::stamped(TimePoint at, Milliseconds now)
@@ -125,8 +127,8 @@ QString EventRecorder::wishText(const drive::Wish &wish, bool several)
             },
             [&](const drive::PositionRamp &ramp) {
                 return named(ramp.motor,
-                    tr("Shaft to %1 rad in %2 ms")
-                        .arg(numberText(ramp.radians, 3), inTime(ramp.duration)));
+                    tr("Shaft to %1\u00b0 in %2 ms")
+                        .arg(numberText(ramp.radians * kDegreesPerRad, 1), inTime(ramp.duration)));
             },
             [](const auto &) { return QString(); },
         },

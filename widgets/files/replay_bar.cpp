@@ -3,6 +3,7 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/replaying.h"
 #include "widgets/base/spacing.h"
+#include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/files/record_control.h"
@@ -33,7 +34,7 @@ ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
     , m_speed(new QComboBox(this))
     , m_place(new QSlider(Qt::Horizontal, this))
     , m_badge(new QLabel(tr("REPLAY"), this))
-    , m_text(new QLabel(this))
+    , m_text(new SteadyLabel(this))
 {
     setObjectName(QStringLiteral("replayBar"));
     m_pause->setObjectName(QStringLiteral("replayPause"));
@@ -69,7 +70,6 @@ ReplayBar::ReplayBar(Device &device, session::Replay &replay, QWidget *parent)
     m_badge->setFont(bold);
     paintBadge();
     m_text->setObjectName(QStringLiteral("replayText"));
-    m_text->setTextFormat(Qt::PlainText);
     m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 
     auto *layout = new QHBoxLayout(this);
@@ -125,7 +125,7 @@ void ReplayBar::follow()
 
 void ReplayBar::tell(const session::ReplayState &state)
 {
-    QString text = tr("%1: %2, %3 % of the file", "file name, duration, number")
+    QString text = tr("%1: %2, %3 %", "file name, duration, part of the file")
                        .arg(deviceText(QFileInfo(state.path).fileName()),
                            durationText(state.seconds), numberText(state.fraction * 100.0, 0));
     if (state.damagedPlaces > 0)

@@ -14,6 +14,8 @@ class QToolButton;
 
 namespace widgets {
 
+class SteadyLabel;
+
 class ReplayBar : public QWidget {
     Q_OBJECT
 public:
@@ -34,7 +36,7 @@ private:
     QComboBox *m_speed;
     QSlider *m_place;
     QLabel *m_badge;
-    QLabel *m_text;
+    SteadyLabel *m_text;
     bool m_telling = false; ///< the slider moves by itself
 };
 

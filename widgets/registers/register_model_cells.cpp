@@ -203,9 +203,8 @@ QVariant RegisterModel::headerData(int section, Qt::Orientation orientation, int
     case NameColumn:
         return tr("Register");
     case ValueColumn:
-        return m_believed || m_rows.empty()
-            ? tr("Value")
-            : tr("Last value", "heading of values that are not read any more");
+        return m_believed ? tr("Value")
+                          : tr("Last value", "heading of values that are not read any more");
     case RawColumn:
         return tr("Raw", "the number as it is on the wire");
     case HexColumn:

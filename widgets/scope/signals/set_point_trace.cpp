@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kStep_s = 1e-3; ///< of a ramp
 constexpr double kHeld_s = 5e-3; ///< a value that stays: longer ones would get a dot each
+constexpr double kLeast_s = 1e-6; ///< shorter pieces are none
 constexpr std::uint64_t kMostValues = 2'000'000;
 constexpr catalog::RegisterId kFirst =
     capture::kFirstOwnRegister + 0x10000; ///< behind what is computed by formulas
@@ -89,7 +90,7 @@ void SetPointTrace::draw(const Key &key, Drawn &drawn, double until_s)
 /// One value each step up to there.
 void SetPointTrace::follow(Drawn &drawn, double until_s)
 {
-    while (drawn.until_s < until_s) {
+    while (until_s - drawn.until_s > kLeast_s) {
         const double end = drawn.now.begin_s + drawn.now.ramp_s;
         const double step = drawn.until_s < end ? kStep_s : kHeld_s;
         const double next = std::min(drawn.until_s + step, until_s);
