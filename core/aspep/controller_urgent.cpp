@@ -166,7 +166,7 @@ void Controller::endBlind(TimePoint now)
 
 bool Controller::blind() const { return m_urgent && m_urgent->stage == Urgent::Stage::Sent; }
 
-bool Controller::urgentWaits() const { return m_urgent && !blind(); }
+bool Controller::urgentWaits() const { return m_urgent && (!blind() || m_sentPending); }
 
 bool Controller::hurried() const { return m_urgent && m_urgent->stage != Urgent::Stage::Patience; }
 

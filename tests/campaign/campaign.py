@@ -138,9 +138,10 @@ def run_fuzzer(target, seconds, folder, how="ASan, UBSan", nice=0, runs=None):
     found.mkdir(parents=True, exist_ok=True)
     before = set(found.iterdir())
     seeds = ROOT / "tests" / "data" / "corpus" / name
+    late = 1200 if nice else 30  # in seconds; where others go first the machine may stand still for long
     # Weighing the inputs by what is rare in them takes longer than running them; nobody else adds any, so none are read again.
     command = ["nice", "-n", str(nice), str(target), f"-max_total_time={max(1, round(seconds))}",
-               "-entropic=0", "-reload=0", "-print_final_stats=1", "-timeout=30", "-rss_limit_mb=3000", f"-artifact_prefix={found}/", str(corpus)]
+               "-entropic=0", "-reload=0", "-print_final_stats=1", f"-timeout={late}", f"-report_slow_units={late}", "-rss_limit_mb=3000", f"-artifact_prefix={found}/", str(corpus)]
     # Scripts of a drive: longer ones hit the bound of acts and take long. Files and streams: as the fuzzer likes.
     if name.startswith("fuzz_drive_"):
         command.insert(4, "-max_len=160")
@@ -156,13 +157,13 @@ def run_fuzzer(target, seconds, folder, how="ASan, UBSan", nice=0, runs=None):
     new = set(found.iterdir()) - before
     if not count:  # a crash prints no sum: the last line that counts tells
         count = re.findall(r"^#(\d+)", result.stderr, re.MULTILINE)
-    late = {one for one in new if one.name.startswith(("slow-unit-", "timeout-")) and not stands(target, one)}
-    for one in late:
+    held = {one for one in new if one.name.startswith(("slow-unit-", "timeout-")) and not stands(target, one)}
+    for one in held:
         one.unlink()
-    new -= late
-    if new or (result.returncode != 0 and not late):
+    new -= held
+    if new or (result.returncode != 0 and not held):
         print(result.stderr[-4000:], file=sys.stderr)
-    findings = max(len(new), 1 if result.returncode != 0 and not late else 0)
+    findings = max(len(new), 1 if result.returncode != 0 and not held else 0)
     add_row(name, "executions", int(count[-1]) if count else 0, time.monotonic() - begin, how, findings, at)
     return findings > 0
 

@@ -31,6 +31,7 @@ private Q_SLOTS:
     void pressingAgainAndAgainHidesNoAlarm();
     void aLostLinkIsToldWhileAPersonKeepsPressing();
     void blindStopsReachEveryMotor();
+    void noBlindStopTakesTheLineFromAnother();
     void aStopInterruptsTheDisconnecting();
     void whatWaitsToLeaveIsDroppedBeforeABlindStop();
     void withAnEncoderStandstillIsMeasured();
@@ -370,6 +371,30 @@ void TestMcpDriveStop::blindStopsReachEveryMotor()
     session.runFor(1s);
     for (const unsigned motor : {1U, 2U})
         QVERIFY(std::count(session.requests.begin(), session.requests.end(), stopOf(motor)) >= 3);
+    session.toDrive.cut = false;
+    QVERIFY(session.runUntil([&] { return !session.drive->stopOpen(); }, 3s));
+}
+
+/// Behind a request that is never answered: 40 ms for its answer, 20 for the echo of a Beacon, and they leave.
+void TestMcpDriveStop::noBlindStopTakesTheLineFromAnother()
+{
+    Session session(true, twoMotors());
+    QVERIFY(bothRun(session));
+    session.toDrive.cut = true;
+    session.submit(Read{{session.id("MOTOR_CONFIG")}});
+    session.requests.clear();
+    session.drive->stop(session.now);
+    session.exchange();
+    const TimePoint asked = session.now;
+    const auto left = [&](unsigned motor) {
+        return std::count(session.requests.begin(), session.requests.end(), stopOf(motor)) > 0;
+    };
+    QVERIFY(session.runUntil([&] { return left(1); }, 200ms));
+    QVERIFY2(!left(2) && session.now - asked <= 80ms,
+        qPrintable(QString::number(toSeconds(session.now - asked))));
+    QVERIFY(session.runUntil([&] { return left(2); }, 200ms));
+    QVERIFY2(
+        session.now - asked <= 120ms, qPrintable(QString::number(toSeconds(session.now - asked))));
     session.toDrive.cut = false;
     QVERIFY(session.runUntil([&] { return !session.drive->stopOpen(); }, 3s));
 }
