@@ -161,7 +161,7 @@ private:
         Pinging, ///< the reply of the Ping that connects is due
     };
     /// Silence after an async packet that shows that nothing of it was missing: its own rest would have come at once.
-    static constexpr Duration kWhole = std::chrono::milliseconds(10);
+    static constexpr Duration kWhole = std::chrono::milliseconds(2);
     /// Silence after which what follows is not taken for the rest of a packet.
     static constexpr Duration kLongSilence = std::chrono::milliseconds(550);
 

@@ -59,7 +59,8 @@ struct LineFaults {
     double flip = 0.0, drop = 0.0, duplicate = 0.0, insert = 0.0;
     double stall = 0.0;
     Duration stallTime = 20ms;
-    double burst = 0.0; ///< that bytes are lost from here on, for at most burstMost of them: a reader that came late
+    double burst =
+        0.0; ///< that bytes are lost from here on, for at most burstMost of them: a reader that came late
     std::uint64_t burstMost = 6000, burstLeft = 0;
     bool cut = false; ///< nothing gets through
     /// One fault at the byte with this number, counted from the beginning of the run.

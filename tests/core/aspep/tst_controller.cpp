@@ -151,7 +151,7 @@ void TestController::asyncPacketsAreHandedOnOnceConnected()
     QCOMPARE(link.count<Controller::Async>(),
         1); // what follows the other one may still say that it lacks something
     const TimePoint came = link.now;
-    link.wait(10ms);
+    link.wait(2ms);
     QCOMPARE(link.count<Controller::Async>(), 2);
     QCOMPARE(link.last<Controller::Async>()->at, came);
 }
@@ -175,7 +175,7 @@ void TestController::anAsyncPacketThatLacksBytesIsNotHandedOn()
             link.hear({all.begin() + end, all.end()});
             QCOMPARE(link.count<Controller::Async>(), 2);
             link.hear(whole + whole + whole);
-            link.wait(10ms);
+            link.wait(2ms);
             QVERIFY(link.count<Controller::Async>() > 2);
             for (const Controller::Event &event : link.events)
                 if (const auto *async = std::get_if<Controller::Async>(&event))

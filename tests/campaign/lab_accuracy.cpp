@@ -1,0 +1,185 @@
+// How right the lab is: experiments on virtual time with motors whose truth is known, as a table. The presets, and the motors
+// of tests/data/invented, which nothing was tuned with; with several seeds, without a load and with two brakes. What did not
+// come to a result is told with its reason. `rotorscope-lab-accuracy 20` takes twenty seeds.
+#include "lab/electrical_evaluation.h"
+#include "lab/mechanical_evaluation.h"
+#include "session/files/motor_file.h"
+#include "simulation/plant/presets.h"
+#include "support/lab_bench.h"
+
+#include <QDir>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+namespace {
+
+using namespace lab;
+
+constexpr double kPercent = 100.0;
+constexpr double kColdest_c = 20.0, kCopper = 0.00393; ///< per degree
+
+struct Motor {
+    std::string name;
+    simulation::PlantParameters plant;
+};
+
+/// One number over all runs of a row.
+struct Column {
+    const char *name = "";
+    double bar = 0.0; ///< percent
+    int found = 0, held = 0;
+    double worst = 0.0; ///< percent, signed
+
+    void take(const std::optional<Estimate> &estimate, double truth)
+    {
+        if (!estimate || !(truth > 0.0))
+            return;
+        ++found;
+        held += *estimate->low <= truth && truth <= *estimate->high ? 1 : 0;
+        const double off = (estimate->value / truth - 1.0) * kPercent;
+        worst = std::abs(off) > std::abs(worst) ? off : worst;
+    }
+    void print() const
+    {
+        if (found == 0)
+            std::printf(" - |");
+        else
+            std::printf(" %s%+.2f%s (%d/%d) |", std::abs(worst) > bar ? "**" : "", worst,
+                std::abs(worst) > bar ? "**" : "", held, found);
+    }
+};
+
+std::vector<Motor> motors()
+{
+    std::vector<Motor> all;
+    for (const simulation::Preset &preset : simulation::presets())
+        all.push_back({std::string(preset.name), preset.parameters});
+    const QDir folder(QStringLiteral(ROTORSCOPE_TEST_DATA "/invented"));
+    for (const QString &name : folder.entryList({QStringLiteral("*.json")}, QDir::Files)) {
+        const auto file = session::readMotorFile(folder.filePath(name));
+        if (!file)
+            qFatal("%s cannot be read", qPrintable(name));
+        all.push_back({name.chopped(5).toStdString(), file->machine});
+    }
+    return all;
+}
+
+/// Of the nominal torque.
+simulation::PlantParameters braked(simulation::PlantParameters plant, double share)
+{
+    constexpr double kAmpTorque = 1.5;
+    plant.load.constant_nm +=
+        share * kAmpTorque * plant.motor.polePairs * plant.motor.flux_wb * plant.motor.nominal_a;
+    return plant;
+}
+
+/// The plans one after another. @return  why it is no result, empty if it is one
+std::string carryOut(support::LabBench &bench, const std::vector<Plan> &plans)
+{
+    bench.pair.verdictTaken = true; // what may leave is for the tests
+    if (bench.experiment.subject.catalog == nullptr)
+        return "the board was not identified";
+    for (const Plan &plan : plans) {
+        bench.experiment.plan = plan;
+        const Outcome outcome = bench.run();
+        if (outcome.end != End::Complete)
+            return outcome.reason;
+    }
+    return {};
+}
+
+simulation::BoardOptions boardOf(const simulation::PlantParameters &plant, std::uint64_t seed)
+{
+    simulation::BoardOptions options;
+    options.plant = plant;
+    options.seed = seed;
+    return options;
+}
+
+void end(std::span<const Column> columns, const std::vector<std::string> &reasons)
+{
+    for (const Column &column : columns)
+        column.print();
+    std::printf(" %s |\n", reasons.empty() ? "" : reasons.front().c_str());
+    std::fflush(stdout);
+}
+
+void mechanics(const Motor &motor, double brake, std::uint64_t seeds)
+{
+    std::array columns{
+        Column{"J", 1.5}, Column{"viscous", 6.0}, Column{"dry", 5.0}, Column{"fan", 5.0}};
+    const simulation::PlantParameters plant = braked(motor.plant, brake);
+    std::vector<std::string> reasons;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        support::LabBench bench(boardOf(plant, seed), seed);
+        SpinPlan plan = spinPlanFor(bench.experiment.subject, {});
+        plan.seed = static_cast<std::uint32_t>(seed);
+        std::string why = carryOut(bench, {plan});
+        const auto found = why.empty() ? evaluateMechanics(bench.capture, bench.happenings)
+                                       : Result<Mechanics, std::string>(fail(why));
+        if (!found) {
+            reasons.push_back(found.error());
+            continue;
+        }
+        columns[0].take(found->inertia_kgm2, plant.motor.inertia_kgm2);
+        columns[1].take(found->viscous_nms, plant.motor.viscous_nms);
+        columns[2].take(found->dry_nm, plant.motor.coulomb_nm + plant.load.constant_nm);
+        columns[3].take(found->fan_nms2, plant.load.fan_nms2);
+    }
+    std::printf("| %s | %.0f %% | %zu of %llu |", motor.name.c_str(), brake * kPercent,
+        static_cast<std::size_t>(seeds) - reasons.size(), static_cast<unsigned long long>(seeds));
+    end(columns, reasons);
+}
+
+void electrics(const Motor &motor, std::uint64_t seeds)
+{
+    std::array columns{
+        Column{"Rs", 2.0}, Column{"Ld", 2.0}, Column{"Lq", 2.0}, Column{"flux", 1.5}};
+    const simulation::PlantParameters &plant = motor.plant;
+    std::vector<std::string> reasons;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        support::LabBench bench(boardOf(plant, seed), seed);
+        SpinPlan turning = fluxPlanFor(bench.experiment.subject, {});
+        turning.seed = static_cast<std::uint32_t>(seed);
+        std::string why = carryOut(bench, {restPlanFor(bench.experiment.subject, {}), turning});
+        const auto found = why.empty() ? evaluateElectrics(bench.capture, bench.happenings)
+                                       : Result<Electrics, std::string>(fail(why));
+        if (!found) {
+            reasons.push_back(found.error());
+            continue;
+        }
+        const double warm = 1.0 + kCopper * (plant.inverter.ambient_c - kColdest_c);
+        columns[0].take(
+            found->rs_ohm, plant.motor.rs_ohm * warm + plant.inverter.switchResistance_ohm);
+        columns[1].take(found->ld_h, plant.motor.ld_h);
+        columns[2].take(found->lq_h, plant.motor.lq_h);
+        columns[3].take(found->flux_wb, plant.motor.flux_wb);
+    }
+    std::printf("| %s | %zu of %llu |", motor.name.c_str(),
+        static_cast<std::size_t>(seeds) - reasons.size(), static_cast<unsigned long long>(seeds));
+    end(columns, reasons);
+}
+
+} // namespace
+
+int main(int count, char **words)
+{
+    const std::uint64_t seeds = count > 1 ? std::strtoull(words[1], nullptr, 10) : 2;
+    const std::vector<Motor> all = motors();
+    std::printf(
+        "Worst error in percent, how many of the 95 %% intervals held the truth; bold: beyond "
+        "its bar.\n\n");
+    std::printf(
+        "| motor | brake, of the nominal torque | results | inertia | viscous | dry | fan | "
+        "else |\n|---|---|---|---|---|---|---|---|\n");
+    for (const Motor &motor : all)
+        for (const double brake : {0.0, 0.1, 0.25})
+            mechanics(motor, brake, seeds);
+    std::printf(
+        "\n| motor | results | Rs | Ld | Lq | flux | else |\n|---|---|---|---|---|---|---|\n");
+    for (const Motor &motor : all)
+        electrics(motor, seeds);
+    return 0;
+}
