@@ -6,6 +6,7 @@
 #include "session/files/motor_file.h"
 #include "simulation/plant/presets.h"
 #include "support/lab_bench.h"
+#include "support/places.h"
 
 #include <QDir>
 
@@ -56,7 +57,7 @@ std::vector<Motor> motors()
     std::vector<Motor> all;
     for (const simulation::Preset &preset : simulation::presets())
         all.push_back({std::string(preset.name), preset.parameters});
-    const QDir folder(QStringLiteral(ROTORSCOPE_TEST_DATA "/invented"));
+    const QDir folder(support::dataFile(QStringLiteral("invented")));
     for (const QString &name : folder.entryList({QStringLiteral("*.json")}, QDir::Files)) {
         const auto file = session::readMotorFile(folder.filePath(name));
         if (!file)

@@ -52,9 +52,9 @@ DEFECTS = [
         ("core/legacy/client.cpp", "        if (m_owed > 0)\n            return answerTimeOver(now);\n", "")]),
     ("what the servo was not ready for leaves after the connection", "tst_mcb_sessions", "armed", [
         ("core/drive/mcb/mcb_drive.cpp", "recalled = m_link.recall(now);", "recalled = now == TimePoint{};")]),
-    ("what travels with the frames goes on during a Stop", "tst_mcb_sessions", "stop first", [
-        ("core/drive/mcb/mcb_set_points.cpp", "void McbSetPoints::rest() { m_words.clear(); }", "void McbSetPoints::rest() { }")]),
-    ("what travels with the frames outlives a reset", "tst_mcb_sessions", "armed", [
+    ("what travels with the frames goes on during a Stop", "tst_mcb_set_points", "stop first", [
+        ("core/drive/mcb/mcb_drive.cpp", "    if (stopping)\n        restSetPoints();\n    else\n", "    if (!stopping)\n")]),
+    ("what travels with the frames outlives a reset", "tst_mcb_set_points", "armed|asked for", [
         ("core/drive/mcb/mcb_drive.cpp", "    m_stream.ended();\n    endSetPoints();\n    m_faulty = false;", "    m_stream.ended();\n    m_faulty = false;")]),
     ("what travels with the frames drops when it is disarmed", "tst_mcb_set_points", "asked for|armed", [
         ("core/drive/mcb/mcb_drive.cpp", "    if (stopping)\n        restSetPoints();", "    if (stopping || !armed())\n        restSetPoints();")]),

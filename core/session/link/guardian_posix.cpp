@@ -298,7 +298,7 @@ std::shared_ptr<Guardian> startGuardian(const char *&why)
 {
     void *memory = ::mmap(
         nullptr, sizeof(StopPage), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    std::array<int, 2> ends{-1, -1};
+    std::array<int, 2> ends{};
     if (memory == MAP_FAILED || ::socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) {
         why = "no guardian: the system gives no memory or no socket for it";
         return nullptr;
