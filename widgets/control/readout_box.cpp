@@ -1,7 +1,7 @@
 #include "widgets/control/readout_box.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
 
