@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Shows that the judges of the wire (tests/support/ms_rules.h) and of the screen (tests/support/screen_judge.h) find what
+"""Shows that the judges of the wire (tests/support/ms_rules.h) and of the screen (tests/support/screen/screen_judge.h) find what
 they are there for: each defect below is put into the product, one test is built and run, and the rule named with it has to
 speak. Prints a table.
 
@@ -112,13 +112,36 @@ DEFECTS = [
         ("widgets/forms/gains_form.cpp", "    if (m_edits.underWay() || !previewWaits())\n        return;\n    if (m_lab", "    if (m_lab->isVisible() || m_edits.underWay())\n        return;\n    if (m_lab")]),
     ("all boards have the steps of one", "tst_monkey", "untrue", [
         ("core/drive/event.h", "double speedStepRpm = 1.0;", "double speedStepRpm = 6.0;")]),
+    ("the currents of a board that comes back are not drawn", "tst_monkey@5-36", "untrue", [
+        ("core/capture/capture.cpp", "(!best || kind == Kind::Polled || entry.touched >= best->touched))",
+         "(!best || kind == Kind::Polled || entry.channel != nullptr))")]),
+    ("values stay unmarked when the link is silent or closed", "tst_monkey@1-13", "untrue", [
+        ("widgets/registers/register_model.cpp", "    m_believed = believed;\n    if (believed)\n", "    m_believed = believed || !m_rows.empty();\n    if (m_believed)\n")]),
+    ("fields of forms do not mark old values", "tst_register_field", "untrue|FAIL", [
+        ("widgets/registers/register_field.cpp", "} else if (index.data(RegisterModel::StaleRole).toBool()) {", "} else if (index.data(RegisterModel::StaleRole).isNull()) {")]),
+    ("the trigger misses faults", "tst_monkey@6-36", "untrue", [
+        ("widgets/window/workbench.cpp", "kind == EventKind::Fault ? Kind::Fault : Kind::StateChange", "kind == EventKind::Fault ? Kind::RegisterWrite : Kind::StateChange")]),
+    ("the trigger misses set-points", "tst_monkey@6-36", "untrue", [
+        ("widgets/window/workbench.cpp", "if (isSetPoint(record.act) && record.requests > 0)", "if (isSetPoint(record.act) && record.requests > 1000)")]),
+    ("traces are drawn lower than they are", "tst_monkey@1-13", "untrue", [
+        ("widgets/scope/drawing/waveform_plottable.cpp", "return {range.upper, height / range.size()};", "return {range.upper + range.size() / 8, height / range.size()};")]),
+    ("traces of what is not there", "tst_monkey@1-13", "untrue", [
+        ("widgets/scope/drawing/waveform_plottable.cpp", "        if (!column.empty()) {\n            strokes.columns.set(x,", "        if (x % 64 > 32) {\n            strokes.columns.set(x, view.height / 4, view.height / 2);\n        } else if (!column.empty()) {\n            strokes.columns.set(x,")]),
+    ("the legend tells other values", "tst_monkey@1-13", "untrue", [
+        ("widgets/scope/trace_legend.cpp", "paddedReading(trace, *value, mParentPlot->locale())", "paddedReading(trace, *value * 1.5 + 3.0, mParentPlot->locale())")]),
+    ("each connection is called a reset", "tst_monkey@1-13", "untrue", [
+        ("widgets/window/link_news.cpp", "link.state == drive::LinkState::Connected && link.reason == drive::LinkReason::BoardReset", "link.state == drive::LinkState::Connected && link.reason != drive::LinkReason::BoardReset")]),
+    ("a recording's size is told wrong", "tst_monkey@7-31", "untrue", [
+        ("widgets/files/record_control.cpp", "constexpr double kMega = 1e6;", "constexpr double kMega = 5e5;")]),
+    ("the command line tells no loss", "tst_cli_truth_posix", "untrue", [
+        ("app/cli/command_capture.cpp", 'QStringLiteral("lost_ticks"), static_cast<qint64>(m_recorder.lostTicks())', 'QStringLiteral("lost_ticks"), static_cast<qint64>(m_recorder.lostTicks() / 1000)')]),
     ("a Stop goes down with its link", "tst_mcp_drive_stop", "stop in time", [
         ("core/drive/mcp/mcp_drive.cpp", "        m_stop.stopFailed(m_stopMotor, now);", "        //")]),
 ]
 
 
-def run(command, seconds):
-    environment = dict(os.environ, QT_QPA_PLATFORM="offscreen")
+def run(command, seconds, **more):
+    environment = dict(os.environ, QT_QPA_PLATFORM="offscreen", **more)
     try:
         done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, timeout=seconds)
     except subprocess.TimeoutExpired as late:
@@ -127,12 +150,13 @@ def run(command, seconds):
 
 
 def judged(build, jobs, test):
-    """A test by its name, and if wanted its functions."""
+    """A test by its name, of a monkey with its seeds (@FIRST-LAST), and if wanted its functions."""
     name, *functions = test.split()
+    name, _, seeds = name.partition("@")
     code, text = run(["cmake", "--build", build, "--target", name, "-j", jobs], 1800)
     if code != 0:
         return None, text[-2000:]
-    return run([f"{build}/tests/{name}", *functions], 600)
+    return run([f"{build}/tests/{name}", *functions], 900, ROTORSCOPE_SEED=seeds)
 
 
 def try_one(defect, build, jobs):

@@ -42,6 +42,9 @@ public:
     }
     /// Told of the bytes that arrive at the board, before it has them.
     std::function<void(const Bytes &)> onHeard;
+    /// Told of the bytes that leave it. @return false: they are lost on the line
+    std::function<bool(const Bytes &)> onSaid;
+    const simulation::SimulatedBoard &board() const { return *m_board; }
 
 private:
     TimePoint now() const { return TimePoint(Duration(m_time.nsecsElapsed())); }
@@ -65,9 +68,10 @@ private:
             m_unplugged = true;
             return;
         }
+        if (out.empty() || (onSaid && !onSaid(out)))
+            return;
         m_sent += out.size();
-        if (!out.empty())
-            m_terminal->write(out);
+        m_terminal->write(out);
     }
 
     std::unique_ptr<simulation::SimulatedBoard> m_board;

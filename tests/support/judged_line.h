@@ -16,6 +16,7 @@
 #include "support/wire/legacy.h"
 #include "support/wire/mcb.h"
 #include "support/wire/mcp.h"
+#include "support/wire/mcp_board.h"
 
 #include <QElapsedTimer>
 
@@ -51,16 +52,27 @@ public:
     std::atomic<bool> reset = false; ///< power cycle, once
     std::atomic<int> fault = -1; ///< fault bits to be present from now on
     std::atomic<bool> shortFault = false; ///< an overcurrent that is over at once, once
+    /// The motor of the board that is met when the port is opened next; empty: the same board as before.
+    void swapAtOpening(const std::string &motor)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_nextMotor = motor;
+    }
     void jump(Duration time)
     {
         const std::lock_guard lock(m_mutex);
         m_troubled = now();
         m_offset += time.count();
         m_troubled = now();
+        m_drift += time;
     }
     /// The session's thread, once, as soon as it serves the line again.
     void freeze(int ms)
     {
+        {
+            const std::lock_guard lock(m_mutex);
+            m_drift += std::chrono::milliseconds(ms);
+        }
         m_frozen = true;
         m_freeze_ms = ms;
     }
@@ -88,6 +100,7 @@ public:
     void said(judge::Link link) override
     {
         const std::lock_guard lock(m_mutex);
+        m_linkChanged = now();
         m_judge.said(link, now());
     }
     void saidIdentified(int motors) override
@@ -118,6 +131,33 @@ public:
         const std::lock_guard lock(m_mutex);
         return m_history.span(motor, now() - time, now());
     }
+    /// When a motor had a fault that it had not kept before.
+    std::vector<TimePoint> faultTimes(int motor)
+    {
+        const std::lock_guard lock(m_mutex);
+        std::vector<TimePoint> all;
+        for (const BoardHistory::Fault &one : m_history.faults())
+            if (one.motor == motor)
+                all.push_back(one.at);
+        return all;
+    }
+    /// When set-points left.
+    std::vector<TimePoint> setPointTimes()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_setPoints;
+    }
+    /// When the window was told last that the link changed: nothing came before.
+    TimePoint linkChanged()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_linkChanged;
+    }
+    bool wasReset()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_resets > 0;
+    }
     std::vector<BoardHistory::Fault> faults()
     {
         const std::lock_guard lock(m_mutex);
@@ -128,6 +168,27 @@ public:
     {
         const std::lock_guard lock(m_mutex);
         return now() - m_heardAt;
+    }
+    /// What an MCP board told, and which samples it sent: `look` must not take long.
+    template <class Look>
+    auto ofBoard(Look look) -> decltype(look(std::declval<const judge::McpBoard &>()))
+    {
+        const std::lock_guard lock(m_mutex);
+        return look(std::as_const(m_says));
+    }
+    bool mcp() const { return m_protocol == drive::Protocol::Mcp; }
+    const simulation::BoardOptions &options() const { return m_options; }
+    /// By which the clock may have gone apart from the board's samples since the port was opened.
+    Duration drift()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_drift;
+    }
+    /// Of current registers of 16 bits; 0: not known.
+    double ampsPerDigit()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_ampsPerDigit;
     }
     bool everHeard()
     {
@@ -212,6 +273,14 @@ private:
     std::optional<TimePoint> m_shortFaultEnds; ///< on the board's clock
     BoardHistory m_history; ///< behind the mutex, as the three
     TimePoint m_heardAt{}, m_troubled{}, m_closedAt{};
+    judge::McpBoard m_says; ///< these, too
+    std::vector<TimePoint> m_setPoints;
+    int m_resets = 0;
+    TimePoint m_linkChanged{};
+    Duration m_drift{};
+    double m_ampsPerDigit = 0.0;
+    std::string m_nextMotor;
+    Bytes m_early; ///< what had left the board when it was reset; of the session's thread
 };
 
 /// The cable. Made anew with each opening of the port.
@@ -227,12 +296,20 @@ public:
     {
         if (!m_world.plugged)
             return {session::PortProblem::NotFound, {}};
-        if (!m_world.m_board)
+        const std::lock_guard lock(m_world.m_mutex);
+        const bool other = !m_world.m_nextMotor.empty();
+        if (other) {
+            m_world.m_options.motor = std::exchange(m_world.m_nextMotor, {});
+            m_world.m_says = {};
+        }
+        if (!m_world.m_board || other)
             m_world.makeBoard();
         m_world.m_last = now;
+        m_world.m_drift = {};
+        m_world.m_says.forgetSamples(); // their times begin anew
+        m_world.m_ampsPerDigit = m_world.m_board->truth(1).ampsPerDigit;
         m_open = true;
-        const std::lock_guard lock(m_world.m_mutex);
-        if (!m_world.m_judge.watching())
+        if (!m_world.m_judge.watching() || other)
             m_world.m_judge.watch(m_world.decoder(), m_world.lineOf());
         judge::Act act;
         act.at = now;
@@ -258,11 +335,17 @@ public:
             return;
         {
             const std::lock_guard lock(m_world.m_mutex);
+            const int before = m_world.m_judge.counts().setPoints;
             m_world.m_judge.sent(bytes, now);
+            if (m_world.m_judge.counts().setPoints > before)
+                m_world.m_setPoints.push_back(now);
         }
         moveOn(now);
-        if (!m_world.cut)
+        const bool cut = m_world.cut; // it may change meanwhile
+        if (!cut)
             m_world.m_board->receive(bytes, m_world.m_boardTime);
+        const std::lock_guard lock(m_world.m_mutex);
+        m_world.m_says.asks(bytes, !cut);
     }
     bool sent(TimePoint) const override { return true; }
     void advance(TimePoint now) override
@@ -283,9 +366,13 @@ public:
         }
         obey();
         moveOn(now);
-        const Bytes out = m_world.m_board->takeOutput();
+        const bool cut = m_world.cut; // it may change meanwhile
+        Bytes out = std::exchange(m_world.m_early, {});
+        const Bytes later = m_world.m_board->takeOutput();
         {
             const std::lock_guard lock(m_world.m_mutex);
+            if (m_world.mcp())
+                m_world.m_says.says(later, now, !cut);
             std::vector<judge::Motor> truth;
             std::vector<simulation::MotorTruth> motors;
             for (int motor = 1; motor <= m_world.m_options.motors; ++motor) {
@@ -294,14 +381,15 @@ public:
                 truth.push_back({is.driven, is.idle, is.rpm});
             }
             m_world.m_history.add(now, std::move(motors));
-            if (!m_world.cut) {
+            out.insert(out.end(), later.begin(), later.end());
+            if (!cut) {
                 m_world.m_judge.heard(out, now);
                 if (!out.empty())
                     m_world.m_heardAt = now;
             }
             m_world.m_judge.look(now, truth);
         }
-        if (!out.empty() && !m_world.cut)
+        if (!out.empty() && !cut)
             Q_EMIT received(QByteArray(
                 reinterpret_cast<const char *>(out.data()), static_cast<qsizetype>(out.size())));
     }
@@ -323,8 +411,16 @@ private:
     }
     void obey()
     {
-        if (m_world.reset.exchange(false))
+        if (m_world.reset.exchange(false)) {
+            m_world.m_early = m_world.m_board->takeOutput();
             m_world.m_board->reset();
+            const std::lock_guard lock(m_world.m_mutex);
+            if (m_world.mcp())
+                m_world.m_says.says(m_world.m_early, m_world.now(), !m_world.cut);
+            m_world.m_says.reset();
+            m_world.m_drift = {};
+            ++m_world.m_resets;
+        }
         if (const int fault = m_world.fault.exchange(-1); fault >= 0)
             m_world.m_board->setFaults(static_cast<std::uint16_t>(fault));
         if (m_world.shortFault.exchange(false)) {

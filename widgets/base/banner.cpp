@@ -1,6 +1,6 @@
 #include "widgets/base/banner.h"
 
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 
 #include <QEvent>
 #include <QGuiApplication>

@@ -1,6 +1,6 @@
 #include "widgets/base/lamp.h"
 
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
 
 #include <QHBoxLayout>

@@ -1,8 +1,8 @@
 #include "widgets/control/command_box.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/base/line_icon.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/control/motion_gate.h"
 #include "widgets/control/motor_button.h"
 

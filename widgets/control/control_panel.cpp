@@ -1,7 +1,7 @@
 #include "widgets/control/control_panel.h"
 
-#include "widgets/base/section_head.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/section_head.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
 #include "widgets/control/command_box.h"

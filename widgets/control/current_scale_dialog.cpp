@@ -3,8 +3,8 @@
 #include "drive/board_facts.h"
 #include "drive/motion_limits.h"
 #include "motor/current_loop.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/setpoint_text.h"
-#include "widgets/base/spacing.h"
 #include "widgets/base/value_text.h"
 
 #include <QDialogButtonBox>

@@ -1,6 +1,6 @@
 #include "widgets/control/jog_box.h"
 
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/control/command_box.h"
 #include "widgets/control/setpoint_edit.h"
 

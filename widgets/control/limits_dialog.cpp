@@ -1,8 +1,8 @@
 #include "widgets/control/limits_dialog.h"
 
 #include "drive/motion_limits.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/setpoint_text.h"
-#include "widgets/base/spacing.h"
 #include "widgets/base/value_text.h"
 
 #include <QDialogButtonBox>

@@ -3,7 +3,7 @@
 #include "session/files/whole_file.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/control/motion_log_model.h"
 
 #include <QClipboard>

@@ -2,7 +2,7 @@
 
 #include "drive/set_points/shaft_position.h"
 #include "widgets/base/device_text.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_text.h"
 

@@ -1,7 +1,7 @@
 #include "widgets/control/stop_alarm.h"
 
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
-#include "widgets/base/spacing.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>

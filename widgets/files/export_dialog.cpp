@@ -4,7 +4,7 @@
 #include "session/files/motion_log_file.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/files/scope_picture.h"
 #include "widgets/scope/scope_view.h"
 

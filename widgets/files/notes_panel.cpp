@@ -1,6 +1,6 @@
 #include "widgets/files/notes_panel.h"
 
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 
 #include <QPlainTextEdit>
 #include <QVBoxLayout>

@@ -3,8 +3,8 @@
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
 #include "widgets/base/lamp.h"
-#include "widgets/base/line_icon.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/scope/events/event_log.h"
 

@@ -1,8 +1,8 @@
 #include "widgets/files/sample_room_dialog.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/setpoint_text.h"
-#include "widgets/base/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/files/sample_room.h"
 

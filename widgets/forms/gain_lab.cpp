@@ -1,7 +1,7 @@
 #include "widgets/forms/gain_lab.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/forms/gain_forecast.h"
 #include "widgets/forms/gain_label.h"

@@ -1,7 +1,7 @@
 #include "widgets/forms/gain_motor.h"
 
 #include "drive/gain_plant.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/forms/gain_number.h"
 
 #include <QGridLayout>

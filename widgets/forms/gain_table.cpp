@@ -5,7 +5,7 @@
 #include "drive/gain_plant.h"
 #include "motor/smaller_loops.h"
 #include "widgets/base/device_text.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_texts.h"

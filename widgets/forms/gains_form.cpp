@@ -1,7 +1,7 @@
 #include "widgets/forms/gains_form.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/forms/gain_lab.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_table.h"

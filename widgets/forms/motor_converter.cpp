@@ -1,9 +1,9 @@
 #include "widgets/forms/motor_converter.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/setpoint_text.h"
 #include "widgets/base/si_text.h"
-#include "widgets/base/spacing.h"
 
 #include <QEvent>
 #include <QGridLayout>

@@ -3,7 +3,7 @@
 #include "drive/set_points/shaft_position.h"
 #include "motor/ramp.h"
 #include "widgets/base/device_text.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/control/motion_gate.h"

@@ -2,7 +2,7 @@
 
 #include "drive/gain_plant.h"
 #include "lab/step_plan.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/forms/gain_number.h"
 #include "widgets/forms/gain_texts.h"
 #include "widgets/lab/live_gain.h"

@@ -1,6 +1,6 @@
 #include "widgets/lab/step_fields.h"
 
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/control/setpoint_edit.h"
 

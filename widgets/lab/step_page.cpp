@@ -2,7 +2,7 @@
 
 #include "lab/fields.h"
 #include "widgets/base/device_text.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/trace_colors.h"
 #include "widgets/base/wheel_guard.h"

@@ -1,7 +1,7 @@
 #include "widgets/measuring/math_panel.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/measuring/math_channels.h"
 #include "widgets/measuring/math_table.h"
 #include "widgets/measuring/ready_formulas.h"

@@ -1,8 +1,8 @@
 #include "widgets/measuring/xy_panel.h"
 
 #include "widgets/base/device_text.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/reading_text.h"
-#include "widgets/base/spacing.h"
 #include "widgets/base/value_text.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/measuring/trace_box.h"

@@ -1,6 +1,6 @@
 #include "widgets/registers/edit_bar.h"
 
-#include "widgets/base/line_icon.h"
+#include "widgets/base/look/line_icon.h"
 
 #include <QAction>
 #include <QGridLayout>

@@ -4,6 +4,7 @@
 #include "widgets/registers/register_delegate.h"
 
 #include <QAbstractItemView>
+#include <QApplication>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -100,6 +101,10 @@ void RegisterField::show()
         colors.setColor(QPalette::Button, back.value<QColor>());
         colors.setColor(QPalette::Text, Qt::black);
         colors.setColor(QPalette::ButtonText, Qt::black);
+    } else if (index.data(RegisterModel::StaleRole).toBool()) { // as the tree marks it
+        const QColor pale = QApplication::palette().color(QPalette::Disabled, QPalette::Text);
+        for (const auto role : {QPalette::Text, QPalette::ButtonText, QPalette::WindowText})
+            colors.setColor(role, pale);
     }
     m_editor->setPalette(colors);
     Q_EMIT valueChanged();

@@ -1,8 +1,8 @@
 #include "widgets/registers/register_panel.h"
 
 #include "widgets/base/device_text.h"
-#include "widgets/base/line_icon.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/registers/edit_bar.h"
 #include "widgets/registers/register_delegate.h"
 #include "widgets/registers/write_question.h"

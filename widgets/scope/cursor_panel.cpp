@@ -1,8 +1,8 @@
 #include "widgets/scope/cursor_panel.h"
 
-#include "widgets/base/line_icon.h"
+#include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/reading_text.h"
-#include "widgets/base/spacing.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/cursor_table.h"

@@ -1,6 +1,6 @@
 #include "widgets/scope/scope_tools.h"
 
-#include "widgets/base/line_icon.h"
+#include "widgets/base/look/line_icon.h"
 #include "widgets/scope/cursor_actions.h"
 #include "widgets/scope/scope_ghosts.h"
 #include "widgets/scope/scope_view.h"

@@ -5,7 +5,7 @@
 #include "snapshots/drive_parameters.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/file_prompt.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/snapshots/snapshot_text.h"
 
 #include <QDialogButtonBox>

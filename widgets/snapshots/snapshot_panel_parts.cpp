@@ -1,6 +1,6 @@
 // What a SnapshotPanel is made of: its widgets, their keys and their texts.
 #include "widgets/base/device_text.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/wheel_guard.h"
 #include "widgets/snapshots/snapshot_panel.h"
 

@@ -1,6 +1,6 @@
 #include "widgets/window/about_dialog.h"
 
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 
 #include <QCoreApplication>
 #include <QDialog>

@@ -3,10 +3,10 @@
 #include "drive/protocol.h"
 #include "widgets/base/device_text.h"
 #include "widgets/base/lamp.h"
-#include "widgets/base/line_icon.h"
+#include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
 #include "widgets/base/replaying.h"
-#include "widgets/base/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/wheel_guard.h"
 

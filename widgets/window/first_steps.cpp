@@ -1,6 +1,6 @@
 #include "widgets/window/first_steps.h"
 
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/steady_label.h"
 
 #include <QEvent>

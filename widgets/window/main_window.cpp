@@ -2,10 +2,10 @@
 
 #include "widgets/base/banner.h"
 #include "widgets/base/device_text.h"
-#include "widgets/base/line_icon.h"
+#include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/messages.h"
 #include "widgets/base/replaying.h"
-#include "widgets/base/spacing.h"
 #include "widgets/control/big_numbers.h"
 #include "widgets/control/control_panel.h"
 #include "widgets/control/current_scale_dialog.h"

@@ -2,9 +2,9 @@
 
 #include "widgets/base/flow_layout.h"
 #include "widgets/base/lamp.h"
-#include "widgets/base/line_icon.h"
+#include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/replaying.h"
-#include "widgets/base/spacing.h"
 #include "widgets/files/record_control.h"
 #include "widgets/files/replay_bar.h"
 #include "widgets/scope/cursor_panel.h"
@@ -230,8 +230,8 @@ QWidget *ScopePage::makeBar()
         auto *button = new QToolButton(bar);
         button->setDefaultAction(action);
         // The bar has little room, and less in other languages; menus and screen readers get the words.
-        const bool sign = action == m_fit || action == m_fitValues || action == m_zoomIn
-            || action == m_zoomOut;
+        const bool sign =
+            action == m_fit || action == m_fitValues || action == m_zoomIn || action == m_zoomOut;
         button->setToolButtonStyle(sign ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
         button->setFocusPolicy(Qt::TabFocus);
         button->setMinimumHeight(kButtonHeight);

@@ -1,7 +1,7 @@
 #include "widgets/window/tool_docks.h"
 
-#include "widgets/base/line_icon.h"
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/control/motor_button.h"
 #include "widgets/window/workbench.h"
 

@@ -2,11 +2,12 @@
 // writes, undo, restores, ports unplugged, boards reset, threads frozen, clocks that jump), one and two motors, four
 // protocols, with two judges beside it: of the wire, and of what the screen says. Acts are input events; what leaves must follow from
 // them, and what is shown must be true.
-// ROTORSCOPE_LONG=1 runs 1,000 sessions; a failure names its seed and its last acts; ROTORSCOPE_SEED=n runs that one, n-m
-// those from n to m.
+// ROTORSCOPE_LONG=1 runs 1,000 sessions of 200 acts; a failure names its seed and the acts that it needs, as far as they are
+// found in a minute; ROTORSCOPE_SEED=n runs that one, n-m those from n to m, with ROTORSCOPE_ACTS=3,17 these acts alone.
+#include "support/fewer_acts.h"
 #include "support/judged_line.h"
 #include "support/link_pair.h"
-#include "support/screen_judge.h"
+#include "support/screen/screen_judge.h"
 #include "support/window_rig.h"
 
 #include <QAbstractButton>
@@ -24,6 +25,7 @@
 #include <QWheelEvent>
 
 #include <deque>
+#include <numeric>
 
 using judge::Act;
 using support::JudgedWorld;
@@ -79,9 +81,10 @@ void live(int ms)
 class Monkey {
 public:
     explicit Monkey(std::uint64_t seed)
-        : m_random(seed)
+        : m_seed(seed)
+        , m_random(seed)
         , m_kind(kKinds[seed % std::size(kKinds)])
-        , m_habit(static_cast<int>(seed % 5))
+        , m_habit(static_cast<int>(seed % 8))
         , m_world(boardOf(m_kind, seed), m_kind.protocol)
         , m_rig(settingsOf(m_kind), session::makeDiskSink, m_world.parts())
         , m_acts(m_world, m_rig.window, m_rig.workbench.device())
@@ -97,7 +100,8 @@ public:
     }
 
     /// What went wrong; empty if nothing did.
-    std::string run(int acts)
+    /// @param acts  their numbers; each is the same whichever others there are, as far as the window is
+    std::string run(const std::vector<int> &acts)
     {
         rest(50);
         m_world.cut = m_random.chance(0.05); // nobody answers at first
@@ -109,7 +113,11 @@ public:
         }
         for (int i = 0; i < 100 && !device().identified(); ++i)
             rest(20);
-        for (int i = 0; i < acts && verdict().empty(); ++i) {
+        for (const int i : acts) {
+            if (!verdict().empty())
+                break;
+            m_random = Random(m_seed * 1'000'003 + static_cast<std::uint64_t>(i));
+            note("act " + std::to_string(i));
             if (i < 5 && m_random.chance(0.7))
                 goOnPurpose(); // a person comes to turn a motor
             else
@@ -171,6 +179,8 @@ private:
         note(what);
         if (widget->objectName() == QLatin1String("connect"))
             m_screen.closes();
+        if (widget->objectName() == QLatin1String("triggerForce"))
+            m_screen.forcesTrigger();
         const QPoint at =
             qobject_cast<QCheckBox *>(widget) ? QPoint(8, widget->height() / 2) : QPoint();
         const QPointer<QWidget> pressed = widget; // which may be gone with its dialog
@@ -238,9 +248,115 @@ private:
             rest(2800);
             click("acknowledge");
             return;
-        default:
+        case 4:
             return tune();
+        case 5: // compares two boards
+            return swapBoards();
+        case 6: // waits for what comes
+            return awaitTrigger();
+        default:
+            return record();
         }
+    }
+    /// To another board at the same port, and back.
+    void swapBoards()
+    {
+        if (m_kind.protocol != drive::Protocol::Mcp || top() != &m_rig.window)
+            return goOnPurpose();
+        for (const char *motor : {"servo24", "pm24"}) {
+            note(std::string("another board: ") + motor);
+            key(&m_rig.window, Qt::Key_Escape);
+            rest(600);
+            if (device().portOpen())
+                click("connect");
+            for (int i = 0; i < 50 && device().portOpen(); ++i) {
+                rest(50);
+                answerYes();
+            }
+            if (device().portOpen())
+                return;
+            m_world.swapAtOpening(motor);
+            click("connect");
+            for (int i = 0; i < 100 && !device().answering(); ++i)
+                rest(20);
+            goOnPurpose();
+            goOnPurpose();
+            for (int i = 0; i < 9; ++i) {
+                rest(350);
+                look();
+            }
+        }
+    }
+    bool chooseIn(const char *name, const QString &wanted)
+    {
+        auto *box = m_rig.find<QComboBox>(name);
+        if (box == nullptr || !box->isVisible() || !box->isEnabled() || box->findText(wanted) < 0)
+            return false;
+        note("choose " + wanted.toStdString() + " in " + name);
+        box->setFocus();
+        key(box, Qt::Key_Home);
+        for (int i = 0; i < box->count() && box->currentText() != wanted; ++i)
+            key(box, Qt::Key_Down);
+        return box->currentText() == wanted;
+    }
+    /// Arms the trigger for something, lets it come and looks at what is said of it.
+    void awaitTrigger()
+    {
+        const auto which = m_random.below(3);
+        static const char *const types[] = {"Fault", "Set-point", "Edge"};
+        if (top() != &m_rig.window || !chooseIn("triggerMode", QStringLiteral("Normal"))
+            || !chooseIn("triggerType", QLatin1String(types[which])))
+            return goOnPurpose();
+        for (int i = 0; i < 6; ++i) {
+            rest(300);
+            look();
+        }
+        if (which == 0) {
+            note("short fault");
+            m_world.shortFault = true;
+        } else if (which == 1) {
+            goOnPurpose();
+            setPoint();
+        }
+        for (int i = 0; i < 11; ++i) {
+            rest(300);
+            look();
+        }
+        click("acknowledge");
+        chooseIn("triggerMode", QStringLiteral("Roll"));
+    }
+    /// To a file, which is looked at when it is whole: the samples in it are those that the board sent meanwhile.
+    void record()
+    {
+        auto *toggle = m_rig.find<QAction>("record");
+        if (toggle == nullptr || !toggle->isEnabled() || toggle->isChecked()
+            || top() != &m_rig.window || !m_world.mcp())
+            return goOnPurpose();
+        note("record");
+        m_rig.files.answer = m_folder.filePath(QStringLiteral("%1.pcapng").arg(++m_files));
+        const QString path = m_rig.files.answer;
+        m_screen.recordingBegins(path);
+        m_world.act(Act::Kind::Input);
+        toggle->trigger();
+        for (int i = 0; i < 8; ++i) {
+            rest(150);
+            look();
+            if (i == 3 && m_random.chance(0.5)) {
+                note("cut");
+                m_world.cut = true;
+                rest(static_cast<int>(m_random.below(400)));
+                m_world.cut = false;
+            }
+        }
+        m_screen.recordingEnds();
+        m_world.act(Act::Kind::Input);
+        if (toggle->isChecked())
+            toggle->trigger();
+        for (int i = 0; i < 20 && toggle->isChecked(); ++i)
+            rest(20);
+        rest(300);
+        finds(m_screen.recordedAsSent());
+        look();
     }
     void act()
     {
@@ -248,7 +364,7 @@ private:
             return answer();
         if (m_random.chance(0.15))
             return habit();
-        switch (m_random.below(25)) {
+        switch (m_random.below(26)) {
         case 0:
         case 1:
         case 2:
@@ -287,6 +403,8 @@ private:
             return jog();
         case 24:
             return tune();
+        case 25:
+            return m_random.chance(0.5) ? awaitTrigger() : record();
         case 22:
             click(m_random.chance(0.5) ? "acknowledge" : "stopRamp");
             return;
@@ -604,7 +722,8 @@ private:
         rest(50);
     }
 
-    Random m_random;
+    std::uint64_t m_seed;
+    Random m_random; ///< of the act
     Kind m_kind;
     int m_habit;
     QTemporaryDir m_folder;
@@ -617,7 +736,52 @@ private:
     std::vector<std::string> m_story;
     std::deque<QString> m_echoes; ///< what stood below the field of the speed when it was sent
     int m_tuned = 0; ///< times that gains were written
+    int m_files = 0; ///< that were recorded
 };
+
+std::vector<int> firstActs(int count)
+{
+    std::vector<int> acts(static_cast<std::size_t>(count));
+    std::iota(acts.begin(), acts.end(), 0);
+    return acts;
+}
+
+std::string listOf(const std::vector<int> &acts)
+{
+    std::string text;
+    for (const int act : acts)
+        text += (text.empty() ? "" : ",") + std::to_string(act);
+    return text;
+}
+
+/// What a failure is about, whatever its numbers are.
+std::string ruleOf(const std::string &wrong)
+{
+    const std::size_t says = wrong.find(" says \"");
+    return wrong.substr(0, says == std::string::npos ? wrong.find(':') : says);
+}
+
+/// The acts that a failure needs and what it came to, with no more than these; a session is not the same each time.
+std::string minimised(int seed, std::vector<int> acts, const std::string &wrong)
+{
+    constexpr qint64 kSearch_ms = 60'000;
+    QElapsedTimer clock;
+    clock.start();
+    std::string story;
+    acts = support::fewerActs(
+        std::move(acts),
+        [&](const std::vector<int> &fewer) {
+            Monkey monkey(static_cast<std::uint64_t>(seed));
+            const std::string now = monkey.run(fewer);
+            const bool same = !now.empty() && ruleOf(now) == ruleOf(wrong);
+            if (same)
+                story = now + "\n" + monkey.story();
+            return same;
+        },
+        [&clock] { return clock.elapsed() < kSearch_ms; });
+    return "ROTORSCOPE_SEED=" + std::to_string(seed) + " ROTORSCOPE_ACTS=" + listOf(acts)
+        + (story.empty() ? "\n(no part of them failed alone)" : "\n" + story);
+}
 
 } // namespace
 
@@ -634,11 +798,19 @@ void TestMonkey::whateverIsPressedTheRulesHold()
     const int only = seeds.first().toInt();
     const int first = only > 0 ? only : 1;
     const int last = only > 0 ? seeds.last().toInt() : isLong ? 1000 : 25;
+    std::vector<int> all = firstActs(isLong ? 200 : 25);
+    if (const QString chosen = qEnvironmentVariable("ROTORSCOPE_ACTS"); !chosen.isEmpty()) {
+        all.clear();
+        for (const QString &one : chosen.split(QLatin1Char(',')))
+            all.push_back(one.toInt());
+    }
+    constexpr std::size_t kMinimised = 3; ///< failures that are made smaller: it takes time
     int armed = 0, started = 0, stopped = 0, acts = 0, statements = 0, tuned = 0;
     std::vector<std::string> failed;
     for (int seed = first; seed <= last; ++seed) {
-        Monkey monkey(static_cast<std::uint64_t>(seed));
-        const std::string wrong = monkey.run(isLong ? 60 : 25);
+        auto session = std::make_unique<Monkey>(static_cast<std::uint64_t>(seed));
+        Monkey &monkey = *session;
+        const std::string wrong = monkey.run(all);
         const auto counts = monkey.counts();
         armed += counts.arms > 0 ? 1 : 0;
         started += counts.starts > 0 ? 1 : 0;
@@ -652,11 +824,14 @@ void TestMonkey::whateverIsPressedTheRulesHold()
             continue;
         failed.push_back("seed " + std::to_string(seed) + ": " + wrong + "\n" + monkey.story());
         qWarning("%s", failed.back().c_str());
+        session.reset();
+        if (failed.size() <= kMinimised)
+            qWarning("%s", minimised(seed, all, wrong).c_str());
     }
     const int sessions = last - first + 1;
-    qInfo() << sessions << "sessions," << acts << "acts, armed" << armed << "started" << started
-            << "stopped" << stopped << "statements" << statements << "tuned" << tuned << "failed"
-            << failed.size();
+    qInfo() << sessions << "sessions of" << all.size() << "acts," << acts << "inputs, armed"
+            << armed << "started" << started << "stopped" << stopped << "statements" << statements
+            << "tuned" << tuned << "failed" << failed.size();
     QVERIFY2(failed.empty(), failed.empty() ? "" : failed.front().c_str());
     if (sessions >= 25)
         QVERIFY(2 * armed > sessions && 2 * started > sessions);

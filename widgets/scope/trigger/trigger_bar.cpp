@@ -1,9 +1,9 @@
 #include "widgets/scope/trigger/trigger_bar.h"
 
 #include "widgets/base/flow_layout.h"
-#include "widgets/base/line_icon.h"
+#include "widgets/base/look/line_icon.h"
+#include "widgets/base/look/spacing.h"
 #include "widgets/base/reading_text.h"
-#include "widgets/base/spacing.h"
 #include "widgets/base/steady_label.h"
 #include "widgets/base/value_edit.h"
 #include "widgets/base/wheel_guard.h"

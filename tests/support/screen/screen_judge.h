@@ -3,17 +3,19 @@
 // the models behind. A statement may be as old as the link allows (kOld); what nothing was heard about for longer has to
 // be marked as not known.
 //
-// Each rule is a function; what it finds names the widget, its text and the truth.
+// Each rule is a function; what it finds names the widget, its text and the truth. Values, the picture, the trigger and the
+// message over the scope have judges of their own beside this one.
 #pragma once
 
-#include "support/judged_line.h"
+#include "support/screen/judge_banner.h"
+#include "support/screen/judge_files.h"
+#include "support/screen/judge_picture.h"
+#include "support/screen/judge_trigger.h"
+#include "support/screen/judge_values.h"
+#include "support/screen/screen_moment.h"
 
 #include <QAbstractItemView>
 #include <QApplication>
-#include <QComboBox>
-#include <QLabel>
-#include <QRegularExpression>
-#include <QWidget>
 
 #include <map>
 
@@ -30,9 +32,9 @@ public:
     static constexpr Duration kListed = 2500ms; ///< until a fault is in the list of events
 
     ScreenJudge(const QWidget &window, JudgedWorld &world, int motors)
-        : m_window(window)
-        , m_world(world)
+        : m_world(world)
         , m_motors(motors)
+        , m_moment(window, world)
     {
     }
 
@@ -40,14 +42,16 @@ public:
     std::string look()
     {
         const Duration calm = m_world.sinceTrouble();
-        m_more = calm < kOld ? kLongestTrouble : 0s;
+        m_moment.more = calm < kOld ? kLongestTrouble : 0s;
         const bool heard = m_world.silence() < kOld;
         if (!heard || calm < kOld || m_world.frozen()
             || !said("boardLamp").contains(QLatin1String("answering")))
             m_unwell = m_world.now();
-        m_found.clear();
+        m_unwell = std::max(m_unwell, m_world.linkChanged());
+        m_moment.begin();
+        m_moment.heard = heard;
         if (calm < kAwake || m_world.frozen())
-            return m_found;
+            return m_moment.found();
         nothingIsKnownOfASilentBoard(heard);
         if (heard) {
             theStateIs();
@@ -63,9 +67,21 @@ public:
         aBoardIsNamedThatAnswered();
         eachEventHappened();
         eachFaultIsListed();
+        m_values.look();
+        m_picture.look();
+        m_trigger.look(m_unwell);
+        m_banner.look();
         m_looks += 1;
-        return m_found;
+        return m_moment.found();
     }
+
+    void recordingBegins(const QString &path) { m_files.begins(path); }
+    void recordingEnds() { m_files.ends(); }
+    /// To be asked when the file is whole.
+    std::string recordedAsSent() { return m_files.asSent(); }
+
+    /// A person pressed what makes a trigger of its own.
+    void forcesTrigger() { m_trigger.forced(); }
 
     /// Somebody pressed what closes the port, or the wait for one.
     void closes() { m_closed = m_world.now(); }
@@ -126,7 +142,7 @@ public:
     }
 
     int looks() const { return m_looks; }
-    int statements() const { return m_statements; } ///< that were compared
+    int statements() const { return m_moment.statements; } ///< that were compared
 
 private:
     using Motor = simulation::MotorState;
@@ -134,34 +150,17 @@ private:
     template <class T>
     const T *find(const char *name) const
     {
-        return m_window.findChild<T *>(QLatin1String(name));
+        return m_moment.find<T>(name);
     }
-    /// The text of a label, or of the label within; what is greyed or hidden says nothing.
-    QString said(const char *name) const
-    {
-        const auto *widget = find<QWidget>(name);
-        if (widget == nullptr || !widget->isVisible() || !widget->isEnabled())
-            return {};
-        if (const auto *label = qobject_cast<const QLabel *>(widget))
-            return label->text();
-        const auto labels = widget->findChildren<QLabel *>();
-        return labels.isEmpty() ? QString() : labels.last()->text();
-    }
-    int chosenMotor() const
-    {
-        const auto *box = find<QComboBox>("motor");
-        return box != nullptr && box->isVisible() && box->currentIndex() >= 0
-            ? box->currentIndex() + 1
-            : 1;
-    }
+    QString said(const char *name) const { return m_moment.said(name); }
+    int chosenMotor() const { return m_moment.chosenMotor(); }
     BoardHistory::Span lately(int motor, Duration time) const
     {
-        return m_world.lately(motor, time + m_more);
+        return m_world.lately(motor, time + m_moment.more);
     }
     void finds(const char *name, const QString &text, const std::string &truth)
     {
-        if (m_found.empty())
-            m_found = std::string(name) + " says \"" + text.toStdString() + "\", " + truth;
+        m_moment.finds(QLatin1String(name), text, truth);
     }
 
     static std::optional<std::set<Motor>> statesOf(const QString &word)
@@ -196,7 +195,7 @@ private:
         const auto truth = lately(motor, kOld);
         if (!states || !truth.known)
             return;
-        ++m_statements;
+        ++m_moment.statements;
         const bool was = std::any_of(states->begin(), states->end(),
             [&](Motor state) { return truth.states.contains(state); });
         if (!was)
@@ -207,7 +206,7 @@ private:
     {
         if (heard)
             return;
-        ++m_statements;
+        ++m_moment.statements;
         const std::string truth = "and nothing was heard of the board";
         if (const QString text = said("motorState");
             statesOf(text.section(QLatin1String(": "), -1)))
@@ -232,7 +231,7 @@ private:
         if (!truth.known)
             return;
         const QString now = said("faultsNow"), past = said("faultsPast");
-        m_statements += !now.isEmpty() + !past.isEmpty();
+        m_moment.statements += !now.isEmpty() + !past.isEmpty();
         if (now.startsWith(QLatin1String("No fault")) && !truth.nonePresent)
             finds("faultsNow", now, "a fault is present");
         if (now.contains(QLatin1String("Present:")) && !truth.faultPresent)
@@ -243,11 +242,8 @@ private:
 
     static std::optional<double> number(const QString &text)
     {
-        static const QRegularExpression first(QStringLiteral("^[-\u2212]?[0-9]+(\\.[0-9]+)?"));
-        const auto match = first.match(text);
-        if (!match.hasMatch())
-            return {};
-        return match.captured(0).replace(QChar(0x2212), QLatin1Char('-')).toDouble();
+        const auto found = ScreenMoment::number(text);
+        return found ? std::optional(found->value) : std::nullopt;
     }
     void theSpeedIs(
         const char *name, double BoardHistory::Span::*least, double BoardHistory::Span::*greatest)
@@ -258,7 +254,7 @@ private:
         const auto truth = lately(chosenMotor(), kRead);
         if (!shown || !truth.known || !text.contains(QLatin1String("rpm")))
             return;
-        ++m_statements;
+        ++m_moment.statements;
         if (*shown < truth.*least - kStep || *shown > truth.*greatest + kStep)
             finds(name, text,
                 "it was " + std::to_string(truth.*least) + " to "
@@ -273,7 +269,7 @@ private:
         const double tells = lately(chosenMotor(), kRead).maxRpm;
         if (!match.hasMatch() || !(tells > 0.0))
             return;
-        ++m_statements;
+        ++m_moment.statements;
         if (match.captured(1).toDouble() > tells + 6.0)
             finds("limits", text, "the board allows " + std::to_string(tells) + " rpm");
     }
@@ -291,7 +287,7 @@ private:
                     || label->text().contains(QLatin1String("standstill")));
             if (!rest || !label->isVisible())
                 continue;
-            ++m_statements;
+            ++m_moment.statements;
             if (!truth.rested)
                 finds("stopWords", label->text(), "the motor is driven");
         }
@@ -300,7 +296,7 @@ private:
     void aBoardIsNamedThatAnswered()
     {
         const QString lamp = said("boardLamp"), name = said("firmware");
-        m_statements += 2;
+        m_moment.statements += 2;
         if (lamp.contains(QLatin1String("link lost")) && !m_world.everHeard())
             finds("boardLamp", lamp, "there never was a link");
         if (lamp.contains(QLatin1String("no board")) && !name.isEmpty())
@@ -319,7 +315,7 @@ private:
         for (; m_events < model->rowCount(); ++m_events) {
             const QString kind = model->index(m_events, 1).data().toString();
             const QString text = model->index(m_events, 2).data().toString();
-            ++m_statements;
+            ++m_moment.statements;
             if (kind == QLatin1String("Command") && text == QLatin1String("Disconnected")
                 && m_world.sinceClosed() > kListed && m_closed + kListed < m_world.now())
                 finds("eventList", text, "nobody closed the port");
@@ -351,7 +347,7 @@ private:
         }
         const TimePoint now = m_world.now();
         for (; m_rows < rows; ++m_rows) {
-            ++m_statements;
+            ++m_moment.statements;
             m_listed.push_back(now);
             bool had = false;
             for (int motor = 1; motor <= m_motors; ++motor) {
@@ -367,7 +363,7 @@ private:
             const TimePoint at = faults[m_judged].at;
             if (m_unwell + kOld > at)
                 continue; // the board was not heard all the time
-            ++m_statements;
+            ++m_moment.statements;
             const bool listed = std::any_of(
                 m_listed.begin(), m_listed.end(), [at](TimePoint seen) { return seen >= at; });
             if (!listed)
@@ -377,11 +373,14 @@ private:
         }
     }
 
-    const QWidget &m_window;
     JudgedWorld &m_world;
     int m_motors;
-    std::string m_found;
-    Duration m_more{}; ///< that a statement may be older, because nobody could know better
+    ScreenMoment m_moment;
+    ValuesJudge m_values{m_moment};
+    PictureJudge m_picture{m_moment};
+    TriggerJudge m_trigger{m_moment};
+    BannerJudge m_banner{m_moment};
+    FilesJudge m_files{m_moment};
     TimePoint m_unwell{};
     TimePoint m_closed{};
     TimePoint m_metAt{}; ///< when the list told last that the board answers
@@ -389,7 +388,7 @@ private:
     int m_rows = 0; ///< of faults that the list had
     std::vector<TimePoint> m_listed; ///< when each row of a fault was seen first
     std::size_t m_judged = 0; ///< of the board's faults
-    int m_looks = 0, m_statements = 0;
+    int m_looks = 0;
 };
 
 } // namespace support

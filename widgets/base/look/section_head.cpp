@@ -1,6 +1,6 @@
-#include "widgets/base/section_head.h"
+#include "widgets/base/look/section_head.h"
 
-#include "widgets/base/spacing.h"
+#include "widgets/base/look/spacing.h"
 
 #include <QFrame>
 #include <QHBoxLayout>

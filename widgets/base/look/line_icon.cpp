@@ -1,4 +1,4 @@
-#include "widgets/base/line_icon.h"
+#include "widgets/base/look/line_icon.h"
 
 #include <QAbstractButton>
 #include <QAction>

@@ -1,0 +1,60 @@
+// Whether the message over the scope is true: of the link while the board answers, of a reset that was none, of files that are
+// not there or not so large.
+#pragma once
+
+#include "support/screen/screen_moment.h"
+
+#include <QFileInfo>
+
+namespace support {
+
+class BannerJudge {
+public:
+    explicit BannerJudge(ScreenMoment &moment)
+        : m_moment(moment)
+    {
+    }
+
+    void look()
+    {
+        const auto *text = m_moment.find<QLabel>("bannerText");
+        if (text == nullptr || !text->isVisible() || text->text().isEmpty())
+            return;
+        const QString sentence = text->text();
+        const auto is = [&sentence](
+                            const char *words) { return sentence.contains(QLatin1String(words)); };
+        const auto untrue = [&](const std::string &truth) {
+            m_moment.finds(QStringLiteral("banner"), sentence, truth);
+        };
+        ++m_moment.statements;
+        const bool answers = m_moment.heard && m_moment.more == Duration{}
+            && m_moment.said("boardLamp").contains(QLatin1String("answering"));
+        for (const char *words : {"no board answers", "went silent", "Link lost", "was unplugged"})
+            if (answers && is(words))
+                untrue("beside a board that answers");
+        if (is("was reset") && !m_moment.world().wasReset())
+            untrue("and nobody reset it");
+        fileIs(sentence);
+    }
+
+private:
+    void fileIs(const QString &sentence)
+    {
+        static const QRegularExpression recorded(QStringLiteral("^Recorded to (.+): ([0-9.]+) MB")),
+            exported(QStringLiteral("^(?:Exported to|Opened|Imported) (\\S+?)\\.(?: |$)"));
+        if (const auto match = recorded.match(sentence); match.hasMatch()) {
+            const double bytes = static_cast<double>(QFileInfo(match.captured(1)).size());
+            const auto said = ScreenMoment::number(match.captured(2));
+            if (said && !said->is(bytes / 1e6))
+                m_moment.finds(QStringLiteral("banner"), sentence,
+                    "and the file has " + std::to_string(bytes) + " bytes");
+        }
+        if (const auto match = exported.match(sentence);
+            match.hasMatch() && !QFileInfo::exists(match.captured(1)))
+            m_moment.finds(QStringLiteral("banner"), sentence, "and there is no such file");
+    }
+
+    ScreenMoment &m_moment;
+};
+
+} // namespace support

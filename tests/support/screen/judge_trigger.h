@@ -1,0 +1,138 @@
+// Whether the trigger's state is true: what it waits for did not come while it says "Armed", and what it says it found was
+// there. Judged for faults, set-points and edges of a trace that the board samples; a trigger that a person forced is
+// none that was found.
+#pragma once
+
+#include "support/screen/screen_moment.h"
+#include "support/wire/mcp_registers.h"
+
+#include <QLineEdit>
+
+namespace support {
+
+class TriggerJudge {
+public:
+    static constexpr Duration kTold = 2500ms; ///< until a happening is in the state
+    static constexpr Duration kBefore = 1500ms; ///< by which an age in whole seconds may be off
+
+    explicit TriggerJudge(ScreenMoment &moment)
+        : m_moment(moment)
+    {
+    }
+
+    /// A person asked for a trigger, or took one that was not what is waited for.
+    void forced() { m_setUpAt = m_moment.world().now(); }
+
+    /// @param unwell  when the board was last not heard, or time jumped
+    void look(TimePoint unwell)
+    {
+        const QString text = m_moment.said("triggerState");
+        const QString setUp = chosen("triggerMode") + chosen("triggerType")
+            + chosen("triggerSource") + chosen("triggerWay") + level();
+        const TimePoint now = m_moment.world().now();
+        const bool armed = text.contains(QLatin1String("Armed"));
+        const bool waits = armed || text.contains(QLatin1String("Trig'd"));
+        if (setUp != m_setUp || !waits || unwell > m_setUpAt) {
+            m_setUp = setUp;
+            m_setUpAt = std::max(now, unwell);
+            return;
+        }
+        const QString mode = chosen("triggerMode"), type = chosen("triggerType");
+        if (mode != QLatin1String("Normal") && mode != QLatin1String("Single"))
+            return;
+        if (type == QLatin1String("Fault"))
+            happenings(text, m_moment.world().faultTimes(m_moment.chosenMotor()), "a fault");
+        else if (type == QLatin1String("Set-point"))
+            happenings(text, m_moment.world().setPointTimes(), "a set-point");
+        else if (type == QLatin1String("Edge"))
+            edges(text, armed);
+    }
+
+private:
+    QString chosen(const char *name) const
+    {
+        const auto *box = m_moment.find<QComboBox>(name);
+        return box != nullptr && box->isVisible() ? box->currentText() : QString();
+    }
+    QString level() const
+    {
+        const auto *edit = m_moment.find<QLineEdit>("triggerLevel");
+        return edit != nullptr && edit->isVisible() ? edit->text() : QString();
+    }
+    /// How old what it found is; none: it has found nothing.
+    static std::optional<Duration> ageIn(const QString &text)
+    {
+        static const QRegularExpression age(QStringLiteral("([0-9.]+) s ago"));
+        const auto match = age.match(text);
+        if (!match.hasMatch())
+            return {};
+        return std::chrono::duration_cast<Duration>(
+            std::chrono::duration<double>(match.captured(1).toDouble()));
+    }
+
+    void happenings(const QString &text, const std::vector<TimePoint> &times, const char *what)
+    {
+        const TimePoint now = m_moment.world().now();
+        const auto age = ageIn(text);
+        const TimePoint found = age ? now - *age : TimePoint{};
+        ++m_moment.statements;
+        for (const TimePoint at : times)
+            if (at > m_setUpAt + kBefore && at + kTold < now && found + kBefore < at)
+                return m_moment.finds(
+                    QStringLiteral("triggerState"), text, std::string(what) + " came since");
+        if (!age || found < m_setUpAt + kBefore)
+            return; // of an earlier setting
+        const bool was = std::any_of(times.begin(), times.end(),
+            [&](TimePoint at) { return at > found - kBefore && at < found + kBefore; });
+        if (!was)
+            m_moment.finds(
+                QStringLiteral("triggerState"), text, std::string("there was not ") + what);
+    }
+
+    void edges(const QString &text, bool armed)
+    {
+        const QString source = chosen("triggerSource");
+        const auto *known =
+            judge::findMcpRegister(source.section(QLatin1Char('@'), 0, 0).toStdString());
+        const auto level = ScreenMoment::number(this->level());
+        if (known == nullptr || !level || known->digit != judge::McpRegister::Digit::Amps)
+            return;
+        const int motor = source.contains(QLatin1Char('@'))
+            ? source.section(QLatin1Char('@'), 1).toInt()
+            : m_moment.chosenMotor();
+        const auto id = static_cast<std::uint16_t>(known->bare | motor);
+        const double amps = m_moment.world().ampsPerDigit();
+        const TimePoint now = m_moment.world().now();
+        if (m_setUpAt + kTold + kBefore > now || !(amps > 0.0))
+            return;
+        ++m_moment.statements;
+        const auto [all, early, late] = m_moment.world().ofBoard([&](const judge::McpBoard &board) {
+            const TimePoint middle = now - kTold;
+            return std::tuple(board.since(id, m_setUpAt), board.between(id, m_setUpAt, middle),
+                board.between(id, middle - 1s, middle));
+        });
+        const double share = 0.2 * (all.greatest - all.least) * amps;
+        const auto spans = [&](const judge::Extremes &part) {
+            return !part.empty() && part.least * amps < level->value - share
+                && part.greatest * amps > level->value + share;
+        };
+        const auto age = ageIn(text);
+        // Both ways: whichever is waited for has been there.
+        if (armed && !age && spans(early) && spans(late))
+            m_moment.finds(QStringLiteral("triggerState"), text,
+                source.toStdString() + " went through " + this->level().toStdString());
+        const bool since = age && now - *age > m_setUpAt + kBefore;
+        const double step = amps;
+        if (since && !all.empty()
+            && (all.least * amps > level->value + step
+                || all.greatest * amps < level->value - step))
+            m_moment.finds(QStringLiteral("triggerState"), text,
+                source.toStdString() + " never came to " + this->level().toStdString());
+    }
+
+    ScreenMoment &m_moment;
+    QString m_setUp;
+    TimePoint m_setUpAt{};
+};
+
+} // namespace support

@@ -1,0 +1,156 @@
+// Whether the values of registers that a window shows are those that the board holds: in the rows of the tree that are on the
+// screen, and in the fields of forms. A value without a mark is one that the board gave lately; an older one is greyed.
+#pragma once
+
+#include "support/screen/screen_moment.h"
+#include "support/wire/mcp_registers.h"
+
+#include <QLineEdit>
+#include <QTreeView>
+
+namespace support {
+
+class ValuesJudge {
+public:
+    static constexpr Duration kOld =
+        2500ms; ///< polled four times a second, read again after a silence
+
+    explicit ValuesJudge(ScreenMoment &moment)
+        : m_moment(moment)
+    {
+    }
+
+    void look()
+    {
+        if (!m_moment.world().mcp())
+            return;
+        theTreeIs();
+        theFieldsAre();
+    }
+
+private:
+    using Digit = judge::McpRegister::Digit;
+
+    void theTreeIs()
+    {
+        const auto *tree = m_moment.find<QTreeView>("registerTree");
+        if (tree == nullptr || !tree->isVisible())
+            return;
+        const int step = std::max(1, tree->visualRect(tree->indexAt({2, 2})).height());
+        for (int y = step / 2; y < tree->viewport()->height(); y += step) {
+            const QModelIndex index = tree->indexAt({2, y});
+            if (!index.isValid() || !index.parent().isValid()
+                || tree->isFirstColumnSpanned(index.row(), index.parent()))
+                continue;
+            const QString name = index.data().toString();
+            const QColor grey = tree->palette().color(QPalette::Disabled, QPalette::Text);
+            for (int column = 1; column < tree->model()->columnCount(); ++column) {
+                const QModelIndex cell = index.siblingAtColumn(column);
+                const QString head = tree->model()->headerData(column, Qt::Horizontal).toString();
+                const bool raw = head == QLatin1String("Raw");
+                if (tree->isColumnHidden(column) || (!raw && head != QLatin1String("Value")))
+                    continue;
+                const auto brush = cell.data(Qt::ForegroundRole).value<QBrush>();
+                const bool marked = brush.style() != Qt::NoBrush && brush.color() == grey;
+                const bool edited = cell.data(Qt::BackgroundRole).isValid();
+                if (!marked && !edited)
+                    valueIs(name, cell.data().toString(), raw);
+            }
+        }
+    }
+
+    void theFieldsAre()
+    {
+        for (const auto *widget : m_moment.window().findChildren<QWidget *>()) {
+            const QString name = widget->objectName();
+            const bool raw = name.startsWith(QLatin1String("raw_"));
+            if ((!raw && !name.startsWith(QLatin1String("field_"))) || !widget->isVisible())
+                continue;
+            QString text;
+            const QWidget *shows = nullptr;
+            if (const auto *edit = widget->findChild<QLineEdit *>()) {
+                text = edit->text();
+                shows = edit;
+            } else if (const auto *label = widget->findChild<QLabel *>()) {
+                text = label->text();
+                shows = label;
+            }
+            if (shows == nullptr || shows->hasFocus() || !shows->isEnabled())
+                continue;
+            const bool edited = shows->palette().color(QPalette::Base)
+                != m_moment.window().palette().color(QPalette::Base);
+            const bool marked = shows->palette().color(QPalette::Active, QPalette::Text)
+                == m_moment.window().palette().color(QPalette::Disabled, QPalette::Text);
+            if (!edited && !marked)
+                valueIs(name.section(QLatin1Char('_'), 1), text, raw);
+        }
+    }
+
+    /// @param text  shown without a mark
+    void valueIs(QString name, const QString &text, bool raw)
+    {
+        const auto shown = ScreenMoment::number(text);
+        const int motor = name.contains(QLatin1Char('@'))
+            ? name.section(QLatin1Char('@'), 1).toInt()
+            : m_moment.chosenMotor();
+        name = name.section(QLatin1Char('@'), 0, 0);
+        const auto *known = judge::findMcpRegister(name.toStdString());
+        if (!shown || known == nullptr)
+            return;
+        const auto factor = raw ? std::optional(1.0) : factorOf(*known);
+        if (!factor)
+            return;
+        const auto id = static_cast<std::uint16_t>(known->bare | motor);
+        const TimePoint now = m_moment.world().now();
+        const Duration old = kOld + m_moment.more;
+        ++m_moment.statements;
+        const std::string wrong =
+            m_moment.world().ofBoard([&](const judge::McpBoard &board) -> std::string {
+                const auto &values = board.values(id);
+                if (values.empty())
+                    return "the board never gave it";
+                if (values.back().at + old < now)
+                    return "the board gave it " + seconds(now - values.back().at)
+                        + " ago, and it has no mark";
+                std::string gave;
+                for (auto value = values.rbegin(); value != values.rend(); ++value) {
+                    if (shown->is(value->number * *factor))
+                        return {};
+                    const std::string number = std::to_string(value->number * *factor);
+                    if (gave.find(number) == std::string::npos)
+                        gave += number + ", " + seconds(now - value->at) + " ago; ";
+                    if (value->at + old < now)
+                        break;
+                }
+                return "the board gave " + gave;
+            });
+        if (!wrong.empty())
+            m_moment.finds(name, text, wrong);
+    }
+    static std::string seconds(Duration time)
+    {
+        return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count())
+            + " ms";
+    }
+    std::optional<double> factorOf(const judge::McpRegister &known) const
+    {
+        switch (known.digit) {
+        case Digit::One:
+            return 1.0;
+        case Digit::Amps:
+            if (const double amps = m_moment.world().ampsPerDigit(); amps > 0.0)
+                return amps;
+            return {};
+        case Digit::Degrees:
+            return 360.0 / 65536.0;
+        case Digit::Volts:
+        case Digit::TenthHz:
+            break;
+        }
+        return {};
+    }
+
+    ScreenMoment &m_moment;
+};
+
+} // namespace support

@@ -1,0 +1,92 @@
+// What a judge of the screen has to know of the moment at which it looks, and the words that judges share: how old a
+// statement may be, what was found first, and how a number is read out of what is shown.
+#pragma once
+
+#include "support/judged_line.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QWidget>
+
+#include <optional>
+#include <string>
+
+namespace support {
+
+class ScreenMoment {
+public:
+    ScreenMoment(const QWidget &window, JudgedWorld &world)
+        : m_window(window)
+        , m_world(world)
+    {
+    }
+
+    Duration more{}; ///< that a statement may be older, because nobody could know better
+    bool heard = false; ///< the board was, lately
+    int statements = 0; ///< that were compared
+
+    const QWidget &window() const { return m_window; }
+    JudgedWorld &world() const { return m_world; }
+
+    const std::string &found() const { return m_found; }
+    void begin() { m_found.clear(); }
+    void finds(const QString &where, const QString &text, const std::string &truth)
+    {
+        if (m_found.empty())
+            m_found = where.toStdString() + " says \"" + text.toStdString() + "\", " + truth;
+    }
+
+    template <class T>
+    const T *find(const char *name) const
+    {
+        return m_window.findChild<T *>(QLatin1String(name));
+    }
+    /// The text of a label, or of the label within; what is greyed or hidden says nothing.
+    QString said(const char *name) const
+    {
+        const auto *widget = find<QWidget>(name);
+        if (widget == nullptr || !widget->isVisible() || !widget->isEnabled())
+            return {};
+        if (const auto *label = qobject_cast<const QLabel *>(widget))
+            return label->text();
+        const auto labels = widget->findChildren<QLabel *>();
+        return labels.isEmpty() ? QString() : labels.last()->text();
+    }
+    int chosenMotor() const
+    {
+        const auto *box = find<QComboBox>("motor");
+        return box != nullptr && box->isVisible() && box->currentIndex() >= 0
+            ? box->currentIndex() + 1
+            : 1;
+    }
+
+    /// A number at the beginning of a text, and how many decimals it has.
+    struct Number {
+        double value = 0.0;
+        int decimals = 0;
+        /// Whether it is this one, rounded as it is written.
+        bool is(double truth) const
+        {
+            return std::abs(truth - value) <= 0.5001 * std::pow(10.0, -decimals);
+        }
+    };
+    static std::optional<Number> number(QString text)
+    {
+        static const QRegularExpression first(
+            QStringLiteral("^[\\s\u2007]*([-\u2212]?[0-9]+(?:\\.([0-9]+))?)"));
+        const auto match = first.match(text);
+        if (!match.hasMatch())
+            return {};
+        QString digits = match.captured(1);
+        digits.replace(QChar(0x2212), QLatin1Char('-'));
+        return Number{digits.toDouble(), static_cast<int>(match.captured(2).size())};
+    }
+
+private:
+    const QWidget &m_window;
+    JudgedWorld &m_world;
+    std::string m_found;
+};
+
+} // namespace support
