@@ -61,7 +61,7 @@ QString endText(const lab::Outcome &outcome)
 int stepsIn(const lab::Happenings &happenings)
 {
     int steps = 0;
-    for (const auto &[at, what] : happenings)
+    for (const auto &[at, what] : lab::carriedOut(happenings))
         steps += what.name == "speed ramp" && lab::numberOf(what, "ms") == 0.0 ? 1 : 0;
     return steps;
 }
