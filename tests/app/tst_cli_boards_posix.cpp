@@ -1,6 +1,6 @@
 // rotorscope-cli against boards that are not the usual one: two motors, six-step, HSO, the oldest firmware. Two real
 // programs with a pseudo-terminal between them.
-#include "support/programs_posix.h"
+#include "support/programs/programs_posix.h"
 
 #include <QElapsedTimer>
 #include <QFile>

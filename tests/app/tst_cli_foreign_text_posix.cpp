@@ -3,7 +3,7 @@
 #include "record/entry.h"
 #include "session/recording/recording_file.h"
 #include "support/places.h"
-#include "support/programs_posix.h"
+#include "support/programs/programs_posix.h"
 
 #include <QtTest>
 

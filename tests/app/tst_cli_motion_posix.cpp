@@ -1,6 +1,6 @@
 // What bounds the motion that the command line asks for, and what it leaves in the motion log.
 #include "session/files/limits_file.h"
-#include "support/programs_posix.h"
+#include "support/programs/programs_posix.h"
 
 #include <QDir>
 #include <QFile>

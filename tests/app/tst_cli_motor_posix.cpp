@@ -1,6 +1,6 @@
 // The command that shows a motor, lays files beside it and writes one.
 #include "support/board_on_terminal.h"
-#include "support/programs_posix.h"
+#include "support/programs/programs_posix.h"
 
 #include <QtTest>
 

@@ -1,6 +1,6 @@
 // Experiments as programs: the run and its file say the same, what is left of it, and how it ends. How good the numbers are
 // is for the tests of their evaluations, on virtual time: here the machine may stand still.
-#include "support/experiment_program_posix.h"
+#include "support/programs/experiment_program_posix.h"
 
 #include <QFile>
 #include <QJsonArray>

@@ -2,7 +2,7 @@
 // answers.
 #include "support/board_on_terminal.h"
 #include "support/places.h"
-#include "support/programs_posix.h"
+#include "support/programs/programs_posix.h"
 
 #include <QtTest>
 

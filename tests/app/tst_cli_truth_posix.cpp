@@ -1,7 +1,7 @@
 // What rotorscope-cli prints is what the board gave and sent: the real program on a simulated board behind a pseudo-terminal,
 // whose line is taken apart by the protocol's text beside it.
 #include "support/board_on_terminal.h"
-#include "support/programs_posix.h"
+#include "support/programs/programs_posix.h"
 #include "support/wire/mcp_board.h"
 #include "support/wire/mcp_registers.h"
 

@@ -1,7 +1,7 @@
 // Snapshot, diff and restore of the command line, against a simulated board that outlives each run: what was saved
 // comes back, and a cable that is pulled in between leaves no doubt about what was written.
 #include "support/board_on_terminal.h"
-#include "support/programs_posix.h"
+#include "support/programs/programs_posix.h"
 
 #include <QtTest>
 

@@ -1,7 +1,7 @@
 // The program rotorscope itself, without a screen: asked to end by a signal while a motor turns, it stops the motor,
 // waits for the evidence and goes.
 #include "support/places.h"
-#include "support/programs_posix.h"
+#include "support/programs/programs_posix.h"
 
 #include <QtTest>
 

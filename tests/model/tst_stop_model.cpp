@@ -6,9 +6,9 @@
 // What the models leave open is left open here, too: how many STOPs and reads there are, and on a line that loses
 // packets whether an OK is heard (accepted) and whether half a second passes (the alarm) before the state is.
 #include "drive/stop_sequence.h"
+#include "support/mcb/scripted_servo.h"
 #include "support/places.h"
 #include "support/scripted_boards.h"
-#include "support/scripted_servo.h"
 
 #include <QFile>
 #include <QProcess>

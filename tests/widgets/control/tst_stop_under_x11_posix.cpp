@@ -1,7 +1,7 @@
 // Esc stops the motors while Qt runs one of its own loops, proved on a real X server with a real pointer and real keys: a
 // drag of a register over the scope, menus, lists and dialogs. The offscreen platform has no such drag.
+#include "support/programs/x_server_posix.h"
 #include "support/window_rig.h"
-#include "support/x_server_posix.h"
 #include "widgets/window/connect_bar.h"
 
 #include <QComboBox>

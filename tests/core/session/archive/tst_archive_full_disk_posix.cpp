@@ -3,7 +3,7 @@
 #include "session/archive/disk_archive.h"
 #include "support/capture_twins.h"
 #include "support/once.h"
-#include "support/size_limit_posix.h"
+#include "support/programs/size_limit_posix.h"
 
 #include <QDir>
 #include <QSignalSpy>

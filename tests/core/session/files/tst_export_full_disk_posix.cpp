@@ -1,7 +1,7 @@
 // A disk that is full after so many bytes, for each such number: a limit on the file's size gives the same short
 // write as a full disk, without one.
 #include "session/files/export_formats.h"
-#include "support/size_limit_posix.h"
+#include "support/programs/size_limit_posix.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,7 +1,7 @@
 // Notes that are added to a closed recording on a disk that fills up: what was there stays whole.
 #include "session/recording/recording_notes.h"
 #include "support/notes_bench.h"
-#include "support/size_limit_posix.h"
+#include "support/programs/size_limit_posix.h"
 
 #include <QDir>
 #include <QTemporaryDir>

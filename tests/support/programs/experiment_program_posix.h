@@ -2,7 +2,7 @@
 // run is looked at: a program that has no core cannot keep its motor in bounds, and ends as its documents say.
 #pragma once
 
-#include "support/programs_posix.h"
+#include "support/programs/programs_posix.h"
 
 #include <QDir>
 #include <QFile>
