@@ -1,5 +1,7 @@
 // rotorscope-cli as scripts see it: what it prints, where, and how it ends. The real program, against its own
 // simulated board.
+#include "support/places.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -430,5 +432,4 @@ void TestCli::decodeOfWhatIsNoPacketIsExitStatus5()
 }
 
 QTEST_GUILESS_MAIN(TestCli)
-#include "support/places.h"
 #include "tst_cli.moc"

@@ -1,4 +1,6 @@
 // rotorscope-cli when somebody presses Ctrl-C or ends it: the motor that it started does not go on.
+#include "support/places.h"
+
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -82,5 +84,4 @@ void TestCliInterrupt::whatWasRecordedUntilThenIsCalledAsLongAsItIs()
 }
 
 QTEST_GUILESS_MAIN(TestCliInterrupt)
-#include "support/places.h"
 #include "tst_cli_interrupt_posix.moc"

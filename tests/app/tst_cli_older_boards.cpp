@@ -1,4 +1,6 @@
 // The command line with boards of the older serial protocol: the same commands, the protocol found out or named.
+#include "support/places.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -169,5 +171,4 @@ void TestCliOlderBoards::anUnknownProtocolIsWrongUsage()
 }
 
 QTEST_GUILESS_MAIN(TestCliOlderBoards)
-#include "support/places.h"
 #include "tst_cli_older_boards.moc"

@@ -166,7 +166,8 @@ private Q_SLOTS:
         COMPARE_STATUS(board.cli("ramp 1800 0"), 0);
         COMPARE_STATUS(board.cli("start"), 0);
         const auto turns = [&] {
-            const QString last = board.cli("get --raw SPEED_MEAS").out.trimmed().section(' ', -1);
+            const QString last =
+                board.cli("get --raw SPEED_MEAS").out.trimmed().section(QLatin1Char(' '), -1);
             return std::abs(last.toInt() - 1800) < 60;
         };
         QTRY_VERIFY_WITH_TIMEOUT(turns(), kPatience_ms);

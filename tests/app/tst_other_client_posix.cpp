@@ -1,5 +1,7 @@
 // Another client than ours uses rotorscope-sim and cannot tell it from a board: tests/support/other_client.py, which
 // shares nothing with this program but the protocol.
+#include "support/places.h"
+
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTest>
@@ -73,5 +75,4 @@ void TestOtherClient::itConnectsReadsDrivesRecordsAndStops()
 }
 
 QTEST_GUILESS_MAIN(TestOtherClient)
-#include "support/places.h"
 #include "tst_other_client_posix.moc"

@@ -1,4 +1,6 @@
 // rotorscope-sim as others script against it: its first line, its link, its end, its complaints.
+#include "support/places.h"
+
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -440,5 +442,4 @@ void TestSimulatorProgram::withoutControlItNeverReadsItsInput()
 }
 
 QTEST_GUILESS_MAIN(TestSimulatorProgram)
-#include "support/places.h"
 #include "tst_simulator_program_posix.moc"
