@@ -1,7 +1,6 @@
 #include "widgets/scope/trigger/trigger_bar.h"
 
 #include "widgets/base/flow_layout.h"
-#include "widgets/base/look/line_icon.h"
 #include "widgets/base/look/spacing.h"
 #include "widgets/base/reading_text.h"
 #include "widgets/base/steady_label.h"
@@ -109,10 +108,6 @@ void TriggerBar::makeBar()
     };
     button(m_single, "triggerSingle", tr("Single"), tr("Takes one record, then stops (S)"));
     button(m_force, "triggerForce", tr("Force"), tr("A trigger now (T)"));
-    setLineIcon(*m_single, "single");
-    setLineIcon(*m_force, "force");
-    for (QToolButton *tool : {m_single, m_force})
-        tool->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button(m_more, "triggerMore", QStringLiteral("\u22ef"), tr("All settings of the trigger"));
     m_state->setObjectName(QStringLiteral("triggerState"));
 
