@@ -29,6 +29,6 @@ struct Electrics {
 
 /// The first experiments of both kinds in a recording; or why there is none, or nothing follows from it, without a full stop.
 Result<Electrics, std::string> evaluateElectrics(
-    const capture::Capture &capture, const Happenings &happenings);
+    const capture::Capture &capture, const Happenings &all);
 
 } // namespace lab

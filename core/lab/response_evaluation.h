@@ -42,6 +42,6 @@ std::complex<double> regulatorAt(const SpeedRegulator &regulator, double hz);
 
 /// The first such experiment in a recording; or why there is none, or nothing follows from it, without a full stop.
 Result<SpeedResponse, std::string> evaluateResponse(
-    const capture::Capture &capture, const Happenings &happenings);
+    const capture::Capture &capture, const Happenings &all);
 
 } // namespace lab

@@ -103,13 +103,17 @@ std::vector<Segment> whileTurning(std::vector<Segment> segments, double least_de
     std::vector<Segment> turning;
     for (Segment &segment : segments) {
         const std::vector<int> directions = directionsOf(segment, least_degPerS);
+        const auto goesOn = [&](int direction) { return direction == directions.front(); };
+        if (!directions.empty() && directions.front() != 0
+            && std::all_of(directions.begin(), directions.end(), goesOn)) {
+            turning.push_back(std::move(segment));
+            continue;
+        }
         for (auto from = directions.begin(); from != directions.end();) {
             const auto to = std::find_if(
                 from, directions.end(), [from](int direction) { return direction != *from; });
             constexpr std::ptrdiff_t kLeast = 3;
-            if (*from != 0 && to - from == std::ssize(directions))
-                turning.push_back(std::move(segment));
-            else if (*from != 0 && to - from >= kLeast)
+            if (*from != 0 && to - from >= kLeast)
                 turning.push_back(
                     pieceOf(segment, static_cast<std::size_t>(from - directions.begin()),
                         static_cast<std::size_t>(to - directions.begin())));

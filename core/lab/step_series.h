@@ -23,7 +23,6 @@ struct StepSeries {
 };
 
 /// The first series in a recording; or why there is none, in a sentence without a full stop.
-Result<StepSeries, std::string> stepSeries(
-    const capture::Capture &capture, const Happenings &happenings);
+Result<StepSeries, std::string> stepSeries(const capture::Capture &capture, const Happenings &all);
 
 } // namespace lab
