@@ -152,9 +152,9 @@ void compareFlux(Mechanics &found, const Estimate &measured_wb, double told_wb)
 } // namespace
 
 Result<Mechanics, std::string> evaluateMechanics(
-    const capture::Capture &capture, const Happenings &all)
+    const capture::Capture &capture, const Happenings &asked)
 {
-    const Happenings happenings = carriedOut(all);
+    const Happenings happenings = carriedOut(asked);
     std::optional<RecordedSpin> plan;
     auto at = happenings.begin();
     for (; at != happenings.end() && !plan; ++at)

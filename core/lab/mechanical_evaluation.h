@@ -27,6 +27,6 @@ struct Mechanics {
 
 /// The first such experiment in a recording; or why there is none, or nothing follows from it, without a full stop.
 Result<Mechanics, std::string> evaluateMechanics(
-    const capture::Capture &capture, const Happenings &all);
+    const capture::Capture &capture, const Happenings &asked);
 
 } // namespace lab
