@@ -9,6 +9,7 @@
 #include "widgets/files/record_control.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
