@@ -5,7 +5,6 @@
 # what went into it, which is. Headers of the system count by the versions of the compiler and of Qt.
 set(precompiled_key "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_BUILD_TYPE} ${ROTORSCOPE_SANITIZE}")
 
-
 # What most of our headers bring along.
 set(ROTORSCOPE_STD_HEADERS <algorithm> <array> <chrono> <cstdint> <functional> <map> <memory> <optional> <span> <string> <variant>
     <vector>)

@@ -125,8 +125,8 @@ public:
     /// apart. Not connected: the same at once. An open request ends with NoResponse first. The
     /// reply, if any, is an ordinary Response or NoResponse.
     void sendUrgent(ByteView payload, TimePoint now);
-    bool urgentWaits()
-        const; ///< it has not left yet; another would begin the wait anew, or take the line from it
+    /// It has not left yet: another would begin the wait anew, or take the line from it.
+    bool urgentWaits() const;
 
     /// The payloads as they go out without an answer: BEACON, PING, the payloads, and at last enough BEACONs to end a
     /// payload that a board may still wait for. Changes nothing here.
