@@ -10,7 +10,7 @@ import sys
 ROWS = {
     'core': ['base',
              'aspep catalog',
-             'capture legacy mcb motor',
+             'capture fcp mcb motor',
              'mcp',
              'drive',
              'record scope simulation snapshots',

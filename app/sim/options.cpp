@@ -2,7 +2,7 @@
 #include "options.h"
 
 #include "session/files/motor_file.h"
-#include "simulation/legacy/legacy_motor_board.h"
+#include "simulation/fcp/fcp_motor_board.h"
 #include "simulation/plant/presets.h"
 
 #include <algorithm>
@@ -92,7 +92,7 @@ it takes of the options above --profile, --motor, --motors, --load, --with,
                     rx-overrun
 )";
 
-constexpr std::uint32_t kLegacyBaud = 115200;
+constexpr std::uint32_t kFcpBaud = 115200;
 
 struct Flag {
     std::string_view name;
@@ -310,9 +310,9 @@ std::optional<std::string> applyNamed(
     const bool mcb = options.protocol == Protocol::Mcb;
     if (name == "--profile" && mcb)
         return readServoProfile(value, options.mcb.servo);
-    if (name == "--profile" && options.protocol == Protocol::Legacy) {
+    if (name == "--profile" && options.protocol == Protocol::Fcp) {
         options.board.profile = value;
-        if (simulation::isLegacyProfile(value))
+        if (simulation::isFcpProfile(value))
             return std::nullopt;
         return "there is no profile " + quoted(value) + " of this protocol; see --help";
     }
@@ -354,7 +354,7 @@ std::optional<Protocol> protocolOf(std::string_view word)
     if (word == "mcb")
         return Protocol::Mcb;
     if (word == "legacy" || word == "powerpc")
-        return Protocol::Legacy;
+        return Protocol::Fcp;
     return std::nullopt;
 }
 
@@ -371,7 +371,7 @@ bool isOfServos(std::string_view name)
     return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
 
-bool isOfLegacy(std::string_view name)
+bool isOfFcp(std::string_view name)
 {
     constexpr std::array kNames{
         "--profile", "--motor", "--motors", "--load", "--with", "--baud", "--hf-hz", "--seed"};
@@ -382,7 +382,7 @@ bool isOfLegacy(std::string_view name)
 std::optional<std::string> misplaced(std::string_view name, Protocol protocol)
 {
     const bool fits = protocol == Protocol::Mcp ? name != "--rig" && name != "--reply-delay"
-        : protocol == Protocol::Legacy          ? isOfRigs(name) || isOfLegacy(name)
+        : protocol == Protocol::Fcp             ? isOfRigs(name) || isOfFcp(name)
                                                 : isOfRigs(name) || isOfServos(name);
     if (!fits)
         return std::string(name) + " does not go with this protocol; see --help";
@@ -423,16 +423,16 @@ Result<Options, std::string> readOptions(const std::vector<std::string_view> &wo
         return fail(std::string("say what to simulate: rotorscope-sim mcp|mcb|legacy|powerpc "
                                 "[OPTION]...; see --help"));
     options.protocol = *protocol;
-    if (*protocol == Protocol::Legacy) {
+    if (*protocol == Protocol::Fcp) {
         options.board.profile = words[0];
-        options.board.baud = kLegacyBaud;
+        options.board.baud = kFcpBaud;
     }
     std::string_view ofMotors; // an option that a rig leaves no room for
     for (std::size_t i = 1; i < words.size(); ++i) {
         const std::string_view word = words[i];
         if (const auto problem = misplaced(word.substr(0, word.find('=')), *protocol))
             return fail(*problem);
-        if (const auto name = word.substr(0, word.find('=')); isOfServos(name) || isOfLegacy(name))
+        if (const auto name = word.substr(0, word.find('=')); isOfServos(name) || isOfFcp(name))
             ofMotors = word;
         if (word == "--control") {
             options.control = true;

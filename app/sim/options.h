@@ -22,7 +22,7 @@ enum class Action : std::uint8_t {
     Describe
 };
 
-enum class Protocol : std::uint8_t { Mcp, Mcb, Legacy };
+enum class Protocol : std::uint8_t { Mcp, Mcb, Fcp };
 
 struct Options {
     Action action = Action::Serve;

@@ -1,9 +1,9 @@
 #include "served.h"
 
-#include "legacy_words.h"
-#include "session/files/legacy_rig_file.h"
+#include "fcp_words.h"
+#include "session/files/fcp_rig_file.h"
 #include "session/files/mcb_rig_file.h"
-#include "simulation/legacy/legacy_board.h"
+#include "simulation/fcp/fcp_board.h"
 #include "simulation/mcb/mcb_board.h"
 #include "simulation/mcb/mcb_slave.h"
 
@@ -40,17 +40,17 @@ Result<Served, std::string> mcbOf(const Options &options)
         [&known](std::string_view line) { return obeyStatic(line, [&known] { known.reset(); }); }};
 }
 
-Result<Served, std::string> legacyOf(const Options &options)
+Result<Served, std::string> fcpOf(const Options &options)
 {
     if (options.rig.empty())
         return boardOf(options);
-    auto rig = session::readLegacyRigFile(QString::fromStdString(options.rig));
+    auto rig = session::readFcpRigFile(QString::fromStdString(options.rig));
     if (!rig)
         return fail(rig.error());
-    auto board = std::make_unique<simulation::LegacyBoard>(std::move(*rig));
+    auto board = std::make_unique<simulation::FcpBoard>(std::move(*rig));
     auto &known = *board;
     return Served{
-        std::move(board), [&known](std::string_view line) { return obeyLegacy(line, known); }};
+        std::move(board), [&known](std::string_view line) { return obeyFcp(line, known); }};
 }
 
 } // namespace
@@ -60,8 +60,8 @@ Result<Served, std::string> makeServed(const Options &options)
     switch (options.protocol) {
     case Protocol::Mcb:
         return mcbOf(options);
-    case Protocol::Legacy:
-        return legacyOf(options);
+    case Protocol::Fcp:
+        return fcpOf(options);
     case Protocol::Mcp:
         break;
     }

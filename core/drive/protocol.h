@@ -11,7 +11,7 @@ namespace drive {
 enum class Protocol : std::uint8_t {
     Auto, ///< found out by asking, without a byte that could move anything
     Mcp,
-    Legacy,
+    Fcp,
     PowerPc,
     Mcb,
 };

@@ -1,7 +1,7 @@
 #include "drive/protocol_table.h"
 
 #include "drive/auto_drive.h"
-#include "drive/legacy/legacy_drive.h"
+#include "drive/fcp/fcp_drive.h"
 #include "drive/mcb/mcb_drive.h"
 #include "drive/mcp/mcp_drive.h"
 
@@ -22,15 +22,15 @@ std::unique_ptr<Drive> makeMcp(const LineOptions &options, Search search)
     return makeMcpDrive(config);
 }
 
-template <legacy::Dialect dialect>
+template <fcp::Dialect dialect>
 std::unique_ptr<Drive> makeOlder(const LineOptions &options, Search search)
 {
-    LegacyDriveConfig config;
+    FcpDriveConfig config;
     config.baud = options.baud;
     config.patience = options.patience;
     if (search == Search::No)
         config.dialect = dialect;
-    return makeLegacyDrive(config);
+    return makeFcpDrive(config);
 }
 
 std::unique_ptr<Drive> makeMcb(const LineOptions &options, Search)
@@ -56,15 +56,15 @@ std::unique_ptr<Drive> makeAuto(const LineOptions &options, Search)
 std::span<const ProtocolRow> protocolTable()
 {
     using enum Protocol;
-    using legacy::Dialect;
+    using fcp::Dialect;
     static constexpr std::array kRows{
         ProtocolRow{{Auto, "auto", "", "", true}, 0, {}, makeAuto},
         ProtocolRow{{Mcp, "mcp", "MCP over ASPEP", "STM32 motor control SDK 6", true}, 1843200, {},
             makeMcp, LinkReason::AskingNewer, "it answered a BEACON", true,
             {LinkReason::NoAgreement, LinkReason::OtherProtocol}},
-        ProtocolRow{{Legacy, "legacy", "MCP legacy", "STM32 motor control SDK 3 to 5", true},
-            115200, {"legacy", "legacy-text"}, makeOlder<Dialect::Stm32>, LinkReason::AskingOlder,
-            "", false, {LinkReason::OldProtocol}},
+        ProtocolRow{{Fcp, "legacy", "MCP legacy", "STM32 motor control SDK 3 to 5", true}, 115200,
+            {"legacy", "legacy-text"}, makeOlder<Dialect::Stm32>, LinkReason::AskingOlder, "",
+            false, {LinkReason::OldProtocol}},
         ProtocolRow{{PowerPc, "powerpc", "MCP PowerPC", "PowerPC boards", true}, 115200,
             {"powerpc"}, makeOlder<Dialect::PowerPc>},
         ProtocolRow{{Mcb, "mcb", "MCB over SPI", "servo drives of Ingenia and Celera", false}, 0,

@@ -1,4 +1,4 @@
-// Reads the watched registers in rounds, where signals that are to be drawn come by themselves (else drive/legacy).
+// Reads the watched registers in rounds, where signals that are to be drawn come by themselves (else drive/fcp).
 #pragma once
 
 #include "drive/reader.h"

@@ -24,7 +24,7 @@
 namespace simulation {
 
 struct BoardOptions {
-    std::string profile = "mcsdk-6.4"; ///< one of profileNames() or legacyProfiles()
+    std::string profile = "mcsdk-6.4"; ///< one of profileNames() or fcpProfiles()
     std::string motor; ///< a preset of plant/presets.h; empty: the first of them
     std::optional<PlantParameters>
         plant; ///< instead of a preset; makeBoard() refuses impossible ones

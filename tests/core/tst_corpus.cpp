@@ -23,13 +23,13 @@
 #define LLVMFuzzerTestOneInput fuzzFormula
 #include "fuzz/fuzz_formula.cpp"
 #undef LLVMFuzzerTestOneInput
-#define LLVMFuzzerTestOneInput fuzzLegacy
+#define LLVMFuzzerTestOneInput fuzzFcp
 #include "fuzz/fuzz_legacy.cpp"
 #undef LLVMFuzzerTestOneInput
 #define LLVMFuzzerTestOneInput fuzzDriveMcp
 #include "fuzz/fuzz_drive_mcp.cpp"
 #undef LLVMFuzzerTestOneInput
-#define LLVMFuzzerTestOneInput fuzzDriveLegacy
+#define LLVMFuzzerTestOneInput fuzzDriveFcp
 #include "fuzz/fuzz_drive_legacy.cpp"
 #undef LLVMFuzzerTestOneInput
 #define LLVMFuzzerTestOneInput fuzzDriveMcb
@@ -65,9 +65,9 @@ const QMap<QString, support::FuzzTarget> kTargets{
     {QStringLiteral("fuzz_recording"), fuzzRecording},
     {QStringLiteral("fuzz_mcb"), fuzzMcb},
     {QStringLiteral("fuzz_formula"), fuzzFormula},
-    {QStringLiteral("fuzz_legacy"), fuzzLegacy},
+    {QStringLiteral("fuzz_legacy"), fuzzFcp},
     {QStringLiteral("fuzz_drive_mcp"), fuzzDriveMcp},
-    {QStringLiteral("fuzz_drive_legacy"), fuzzDriveLegacy},
+    {QStringLiteral("fuzz_drive_legacy"), fuzzDriveFcp},
     {QStringLiteral("fuzz_drive_mcb"), fuzzDriveMcb},
     {QStringLiteral("fuzz_drive_auto"), fuzzDriveAuto},
     {QStringLiteral("fuzz_csv"), fuzzCsv},

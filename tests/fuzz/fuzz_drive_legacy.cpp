@@ -1,21 +1,21 @@
-// LegacyDrive in both dialects through any script of acts, faults and time: drive_script.h has the rules.
-#include "drive/legacy/legacy_drive.h"
-#include "fuzz/legacy_peer.h"
-#include "support/wire/legacy.h"
+// FcpDrive in both dialects through any script of acts, faults and time: drive_script.h has the rules.
+#include "drive/fcp/fcp_drive.h"
+#include "fuzz/fcp_peer.h"
+#include "support/wire/fcp.h"
 
 using namespace std::chrono_literals;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
     static const fuzz::Target target{
-        .drive = [] { return drive::makeLegacyDrive({}); },
+        .drive = [] { return drive::makeFcpDrive({}); },
         .peer = [](unsigned which, int motors) -> std::unique_ptr<fuzz::Peer> {
             if (which == 3)
                 return std::make_unique<fuzz::NobodyThere>();
-            return std::make_unique<fuzz::LegacyPeer>(
-                which == 1 ? legacy::Dialect::PowerPc : legacy::Dialect::Stm32, motors);
+            return std::make_unique<fuzz::FcpPeer>(
+                which == 1 ? fcp::Dialect::PowerPc : fcp::Dialect::Stm32, motors);
         },
-        .decoder = [] { return std::make_unique<judge::WireLegacy>(); },
+        .decoder = [] { return std::make_unique<judge::WireFcp>(); },
         .line = {.baud = 115200,
             .firstStop = 150ms,
             .repeat = 250ms,

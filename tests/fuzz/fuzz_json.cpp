@@ -1,7 +1,7 @@
 // Any text as each of the JSON files that Rotorscope reads: it is taken whole or refused, and what was taken is the same
 // after writing and reading it again. The first byte chooses the reader.
 #include "fuzz/script.h"
-#include "session/files/legacy_rig_file.h"
+#include "session/files/fcp_rig_file.h"
 #include "session/files/mcb_rig_file.h"
 #include "session/files/motor_file.h"
 #include "session/files/rev_up_json.h"
@@ -61,7 +61,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         revUp(text);
         break;
     case 3:
-        if (const auto rig = session::readLegacyRig(text); !rig)
+        if (const auto rig = session::readFcpRig(text); !rig)
             fuzz::require(!rig.error().empty());
         break;
     default:

@@ -1,62 +1,61 @@
 // Any bytes on the line of the older serial protocol, for both its ends: frames or one error, and what was read can be
 // written again. A static board takes the same bytes as a script of pieces and time.
+#include "fcp/framer.h"
+#include "fcp/register_table.h"
+#include "fcp/reply.h"
+#include "fcp/request.h"
 #include "fuzz/script.h"
-#include "legacy/framer.h"
-#include "legacy/register_table.h"
-#include "legacy/reply.h"
-#include "legacy/request.h"
-#include "simulation/legacy/legacy_board.h"
+#include "simulation/fcp/fcp_board.h"
 
 namespace {
 
-void readRequest(const legacy::Frame &frame)
+void readRequest(const fcp::Frame &frame)
 {
-    const auto request = legacy::decodeRequest(frame);
+    const auto request = fcp::decodeRequest(frame);
     if (!request)
         return;
-    const auto bytes = legacy::encodeRequest(*request);
-    fuzz::require(bytes && *bytes == legacy::encodeFrame(frame.header, frame.payload));
+    const auto bytes = fcp::encodeRequest(*request);
+    fuzz::require(bytes && *bytes == fcp::encodeFrame(frame.header, frame.payload));
 }
 
 void readData(ByteView data)
 {
-    (void)legacy::decodeBoardInfo(data);
-    (void)legacy::decodeFirmwareVersion(data);
-    if (const auto stage = legacy::decodeRevUp(data))
-        fuzz::require(legacy::encodeRevUp(*stage) == Bytes(data.begin(), data.end()));
+    (void)fcp::decodeBoardInfo(data);
+    (void)fcp::decodeFirmwareVersion(data);
+    if (const auto stage = fcp::decodeRevUp(data))
+        fuzz::require(fcp::encodeRevUp(*stage) == Bytes(data.begin(), data.end()));
     if (data.empty())
         return;
-    (void)legacy::decodeExecuteAck(data.front(), data.subspan(1));
-    for (const auto dialect : {legacy::Dialect::Stm32, legacy::Dialect::PowerPc}) {
-        const auto *which = legacy::findRegister(dialect, data.front());
-        if (which != nullptr && legacy::decodeValue(*which, data.subspan(1)))
+    (void)fcp::decodeExecuteAck(data.front(), data.subspan(1));
+    for (const auto dialect : {fcp::Dialect::Stm32, fcp::Dialect::PowerPc}) {
+        const auto *which = fcp::findRegister(dialect, data.front());
+        if (which != nullptr && fcp::decodeValue(*which, data.subspan(1)))
             fuzz::require(data.size() <= 5);
     }
 }
 
-void readReply(const legacy::Frame &frame)
+void readReply(const fcp::Frame &frame)
 {
-    const auto reply = legacy::decodeReply(frame);
+    const auto reply = fcp::decodeReply(frame);
     if (!reply)
         return;
-    if (const auto *ack = std::get_if<legacy::Ack>(&*reply)) {
-        fuzz::require(
-            legacy::encodeAck(ack->data) == legacy::encodeFrame(frame.header, frame.payload));
+    if (const auto *ack = std::get_if<fcp::Ack>(&*reply)) {
+        fuzz::require(fcp::encodeAck(ack->data) == fcp::encodeFrame(frame.header, frame.payload));
         readData(ack->data);
     }
 }
 
-void readStream(legacy::Framer::Side side, ByteView bytes)
+void readStream(fcp::Framer::Side side, ByteView bytes)
 {
-    legacy::Framer framer(side);
-    legacy::Frame frame;
+    fcp::Framer framer(side);
+    fcp::Frame frame;
     while (!bytes.empty()) {
         const std::size_t before = bytes.size();
         const auto step = framer.next(bytes, frame);
-        fuzz::require(bytes.size() < before && frame.payload.size() <= legacy::kMaxPayload);
-        if (step != legacy::Framer::Step::Frame)
+        fuzz::require(bytes.size() < before && frame.payload.size() <= fcp::kMaxPayload);
+        if (step != fcp::Framer::Step::Frame)
             continue;
-        if (side == legacy::Framer::Side::Board)
+        if (side == fcp::Framer::Side::Board)
             readRequest(frame);
         else
             readReply(frame);
@@ -65,16 +64,16 @@ void readStream(legacy::Framer::Side side, ByteView bytes)
 
 /// A board as a machine of the script: its output is what it answers.
 struct Machine {
-    explicit Machine(legacy::Dialect dialect)
+    explicit Machine(fcp::Dialect dialect)
         : board(rigOf(dialect))
     {
     }
-    static simulation::LegacyRig rigOf(legacy::Dialect dialect)
+    static simulation::FcpRig rigOf(fcp::Dialect dialect)
     {
-        simulation::LegacyRig rig;
+        simulation::FcpRig rig;
         rig.dialect = dialect;
         rig.motors.resize(2);
-        rig.motors.front().revUp.resize(legacy::kRevUpStages);
+        rig.motors.front().revUp.resize(fcp::kRevUpStages);
         rig.fluxWeakening = rig.feedForward = rig.pfc = rig.profiler = rig.dac = true;
         rig.frameTimer = std::chrono::milliseconds(25);
         return rig;
@@ -83,15 +82,15 @@ struct Machine {
     void handleTimeout(TimePoint now) { board.advance(now); }
     std::optional<TimePoint> nextTimeout() const { return board.nextWake(); }
 
-    simulation::LegacyBoard board;
+    simulation::FcpBoard board;
 };
 
 /// Whatever a board says, a client can read.
-void playBoard(legacy::Dialect dialect, ByteView script)
+void playBoard(fcp::Dialect dialect, ByteView script)
 {
     Machine machine(dialect);
-    legacy::Framer framer(legacy::Framer::Side::Client);
-    legacy::Frame frame;
+    fcp::Framer framer(fcp::Framer::Side::Client);
+    fcp::Frame frame;
     fuzz::play(
         script, machine,
         [&](TimePoint) {
@@ -100,9 +99,9 @@ void playBoard(legacy::Dialect dialect, ByteView script)
             while (!bytes.empty()) {
                 const auto step = framer.next(bytes, frame);
                 fuzz::require(
-                    step == legacy::Framer::Step::Frame || step == legacy::Framer::Step::NeedBytes);
-                if (step == legacy::Framer::Step::Frame)
-                    fuzz::require(legacy::decodeReply(frame).has_value());
+                    step == fcp::Framer::Step::Frame || step == fcp::Framer::Step::NeedBytes);
+                if (step == fcp::Framer::Step::Frame)
+                    fuzz::require(fcp::decodeReply(frame).has_value());
             }
         },
         std::chrono::milliseconds(2));
@@ -113,9 +112,9 @@ void playBoard(legacy::Dialect dialect, ByteView script)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
     const ByteView bytes(data, std::min<std::size_t>(size, 1024));
-    readStream(legacy::Framer::Side::Board, bytes);
-    readStream(legacy::Framer::Side::Client, bytes);
-    playBoard(legacy::Dialect::Stm32, bytes);
-    playBoard(legacy::Dialect::PowerPc, bytes);
+    readStream(fcp::Framer::Side::Board, bytes);
+    readStream(fcp::Framer::Side::Client, bytes);
+    playBoard(fcp::Dialect::Stm32, bytes);
+    playBoard(fcp::Dialect::PowerPc, bytes);
     return 0;
 }

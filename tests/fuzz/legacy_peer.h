@@ -2,15 +2,15 @@
 // that do at once what they are told.
 #pragma once
 
+#include "fcp/request.h"
 #include "fuzz/drive_script.h"
-#include "legacy/request.h"
-#include "simulation/legacy/legacy_board.h"
+#include "simulation/fcp/fcp_board.h"
 
 namespace fuzz {
 
-class LegacyPeer final : public Peer, private simulation::LegacyMachine {
+class FcpPeer final : public Peer, private simulation::FcpMachine {
 public:
-    LegacyPeer(legacy::Dialect dialect, int motors)
+    FcpPeer(fcp::Dialect dialect, int motors)
         : m_motors(static_cast<std::size_t>(motors))
         , m_board(rig(dialect, motors), 115200, 200us, this)
     {
@@ -55,31 +55,31 @@ private:
         std::int32_t rpm = 0;
     };
 
-    static simulation::LegacyRig rig(legacy::Dialect dialect, int motors)
+    static simulation::FcpRig rig(fcp::Dialect dialect, int motors)
     {
-        simulation::LegacyRig rig;
+        simulation::FcpRig rig;
         rig.dialect = dialect;
         rig.motors.resize(static_cast<std::size_t>(motors));
-        for (simulation::LegacyMotor &motor : rig.motors)
-            motor.revUp.resize(legacy::kRevUpStages);
+        for (simulation::FcpMotor &motor : rig.motors)
+            motor.revUp.resize(fcp::kRevUpStages);
         rig.frameTimer = 25ms;
         return rig;
     }
 
-    void refresh(std::size_t motor, simulation::LegacyMotor &registers) override
+    void refresh(std::size_t motor, simulation::FcpMotor &registers) override
     {
         registers.state = m_motors[motor].state;
         registers.faults = m_motors[motor].faults;
         registers.registers[kSpeedMeas] = m_motors[motor].state == kRun ? m_motors[motor].rpm : 0;
     }
-    void execute(std::size_t which, legacy::CommandId command) override
+    void execute(std::size_t which, fcp::CommandId command) override
     {
         Motor &motor = m_motors[which];
-        if (command == legacy::CommandId::StartMotor && motor.state == kIdle)
+        if (command == fcp::CommandId::StartMotor && motor.state == kIdle)
             motor.state = kRun;
-        else if (command == legacy::CommandId::StopMotor && motor.state == kRun)
+        else if (command == fcp::CommandId::StopMotor && motor.state == kRun)
             motor.state = kIdle;
-        else if (command == legacy::CommandId::FaultAck && motor.state == kFaultOver)
+        else if (command == fcp::CommandId::FaultAck && motor.state == kFaultOver)
             motor = {};
     }
     void rampSpeed(std::size_t motor, std::int32_t rpm, std::uint16_t) override
@@ -90,10 +90,10 @@ private:
     void setControlMode(std::size_t, bool) override { }
     void rampTorque(std::size_t, std::int16_t, std::uint16_t) override { }
     void setCurrents(std::size_t, std::int16_t, std::int16_t) override { }
-    void setRevUp(std::size_t, std::size_t, const legacy::RevUpStage &) override { }
+    void setRevUp(std::size_t, std::size_t, const fcp::RevUpStage &) override { }
 
     std::vector<Motor> m_motors;
-    simulation::LegacyBoard m_board;
+    simulation::FcpBoard m_board;
 };
 
 } // namespace fuzz

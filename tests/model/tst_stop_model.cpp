@@ -381,7 +381,7 @@ std::unique_ptr<support::ScriptedBoard> boardOf(const QByteArray &model)
         return std::make_unique<support::ScriptedMcpBoard>();
     if (model == "mcb")
         return std::make_unique<support::ScriptedServo>();
-    return std::make_unique<support::ScriptedLegacyBoard>();
+    return std::make_unique<support::ScriptedFcpBoard>();
 }
 
 QString playAll(const QByteArray &model, const QByteArrayList &traces, int first = 1)

@@ -48,8 +48,8 @@ DEFECTS = [
          "    return m_state == State::Connected && !m_urgent;"),
         ("core/drive/task_drive.h", "m_link.canSend() && m_task == nullptr && !m_stopUnderWay;", "m_link.canSend() && !m_stopUnderWay;")]),
     ("a question follows a Stop without its answer", "tst_legacy_drive_faults", "one in flight", [
-        ("core/legacy/client.cpp", "        m_deadline = now + kAnswerTime + m_config.patience;\n}", "        m_deadline = now + kSettle;\n}"),
-        ("core/legacy/client.cpp", "        if (m_owed > 0)\n            return answerTimeOver(now);\n", "")]),
+        ("core/fcp/client.cpp", "        m_deadline = now + kAnswerTime + m_config.patience;\n}", "        m_deadline = now + kSettle;\n}"),
+        ("core/fcp/client.cpp", "        if (m_owed > 0)\n            return answerTimeOver(now);\n", "")]),
     ("what the servo was not ready for leaves after the connection", "tst_mcb_sessions", "armed", [
         ("core/drive/mcb/mcb_drive.cpp", "recalled = m_link.recall(now);", "recalled = now == TimePoint{};")]),
     ("what travels with the frames goes on during a Stop", "tst_mcb_set_points", "stop first", [
@@ -76,7 +76,7 @@ DEFECTS = [
     ("one reading is enough for \"drive idle\", a running one too", "tst_mcp_drive_stop", "true words", [
         ("core/drive/stop_sequence.cpp", "    return status.state == MotorState::Idle || ", "    return status.state == MotorState::Idle || status.state == MotorState::Running || ")]),
     ("the older protocol stops motor 0", "tst_legacy_drive_faults", "motors that are there", [
-        ("core/drive/legacy/legacy_drive.cpp", "request = stopOf(*motor);", "request = stopOf(*motor & 0);")]),
+        ("core/drive/fcp/fcp_drive.cpp", "request = stopOf(*motor);", "request = stopOf(*motor & 0);")]),
     ("late wishes are sent", "tst_late_wishes", "asked for", [
         ("core/drive/task.h", "return m_fresh + kWishExpiresAfter;", "return m_fresh + 100 * kWishExpiresAfter;")]),
     ("a restore writes what moves a motor", "tst_what_may_be_written", "asked for", [

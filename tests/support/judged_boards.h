@@ -6,7 +6,7 @@
 #include "drive/protocol_table.h"
 #include "session/link/session.h"
 #include "session/transports/simulator_transport.h"
-#include "simulation/legacy/legacy_motor_board.h"
+#include "simulation/fcp/fcp_motor_board.h"
 #include "simulation/simulated_board.h"
 #include "support/judge_speaks.h"
 #include "support/ms_rules.h"
@@ -154,8 +154,7 @@ private:
     {
         if (protocol == drive::Protocol::Mcb)
             return std::make_unique<judge::WireMcb>();
-        if (simulation::isLegacyProfile(
-                m_options.profile)) // it may be asked in the newer words first
+        if (simulation::isFcpProfile(m_options.profile)) // it may be asked in the newer words first
             return std::make_unique<judge::WireEither>();
         return std::make_unique<judge::WireMcp>(m_options.baud, m_board->truth(1).ampsPerDigit);
     }

@@ -13,7 +13,7 @@
 #include "support/judge_speaks.h"
 #include "support/judged_drive.h"
 #include "support/ms_rules.h"
-#include "support/wire/legacy.h"
+#include "support/wire/fcp.h"
 #include "support/wire/mcb.h"
 #include "support/wire/mcp.h"
 #include "support/wire/mcp_board.h"
@@ -246,7 +246,7 @@ private:
             return std::make_unique<judge::WireMcp>(m_options.baud, m_board->truth(1).ampsPerDigit);
         if (m_protocol == drive::Protocol::Mcb)
             return std::make_unique<judge::WireMcb>();
-        return std::make_unique<judge::WireLegacy>();
+        return std::make_unique<judge::WireFcp>();
     }
     void makeBoard()
     {

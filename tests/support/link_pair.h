@@ -3,15 +3,15 @@
 // it finds fails the test when the pair goes.
 #pragma once
 
-#include "drive/legacy/legacy_drive.h"
+#include "drive/fcp/fcp_drive.h"
 #include "drive/mcp/mcp_drive.h"
 #include "mcp/protocol.h"
 #include "mcp/request.h"
-#include "simulation/legacy/legacy_motor_board.h"
+#include "simulation/fcp/fcp_motor_board.h"
 #include "simulation/simulated_board.h"
 #include "support/judge_speaks.h"
 #include "support/judged_drive.h"
-#include "support/wire/legacy.h"
+#include "support/wire/fcp.h"
 #include "support/wire/mcp.h"
 
 #include <QTest>
@@ -77,12 +77,12 @@ public:
         , m_random(seed)
         , m_motors(simulation::buildOf(options).motors)
     {
-        if (simulation::isLegacyProfile(options.profile)) {
-            drive::LegacyDriveConfig config;
+        if (simulation::isFcpProfile(options.profile)) {
+            drive::FcpDriveConfig config;
             config.baud = baud;
-            drive = std::make_unique<JudgedDrive>(drive::makeLegacyDrive(config), judge);
+            drive = std::make_unique<JudgedDrive>(drive::makeFcpDrive(config), judge);
             m_framesAreRequests = true;
-            judge.watch(std::make_unique<judge::WireLegacy>(), legacyLine());
+            judge.watch(std::make_unique<judge::WireFcp>(), fcpLine());
             return;
         }
         drive::McpDriveConfig config;
@@ -220,7 +220,7 @@ private:
         line.ampsPerDigit = truth.ampsPerDigit;
         return line;
     }
-    judge::Line legacyLine() const
+    judge::Line fcpLine() const
     {
         judge::Line line = boardLine();
         line.maxAmps = line.ampsPerDigit = 0.0; // these boards do not tell them

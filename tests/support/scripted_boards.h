@@ -4,14 +4,14 @@
 
 #include "aspep/packet.h"
 #include "catalog/catalog.h"
-#include "drive/legacy/legacy_drive.h"
+#include "drive/fcp/fcp_drive.h"
 #include "drive/mcp/mcp_drive.h"
 #include "drive/mcp/mcp_values.h"
-#include "legacy/framer.h"
-#include "legacy/reply.h"
+#include "fcp/framer.h"
+#include "fcp/reply.h"
 #include "mcp/protocol.h"
 #include "mcp/request.h"
-#include "simulation/legacy/legacy_server.h"
+#include "simulation/fcp/fcp_server.h"
 #include "simulation/simulated_board.h"
 #include "support/start_notice.h"
 
@@ -217,18 +217,18 @@ private:
 };
 
 /// The older protocol with two motors.
-class ScriptedLegacyBoard final : public ScriptedBoard, private simulation::LegacyMachine {
+class ScriptedFcpBoard final : public ScriptedBoard, private simulation::FcpMachine {
 public:
-    ScriptedLegacyBoard() { powerOn(); }
+    ScriptedFcpBoard() { powerOn(); }
 
-    std::unique_ptr<drive::Drive> makeDrive() const override { return drive::makeLegacyDrive({}); }
+    std::unique_ptr<drive::Drive> makeDrive() const override { return drive::makeFcpDrive({}); }
     bool needsExpert() const override { return true; }
     Duration late() const override { return std::chrono::milliseconds(1030); }
     bool take(const Bytes &output) override
     {
-        legacy::Framer framer(legacy::Framer::Side::Board);
+        fcp::Framer framer(fcp::Framer::Side::Board);
         ByteView bytes(output);
-        m_whole = framer.next(bytes, m_frame) == legacy::Framer::Step::Frame;
+        m_whole = framer.next(bytes, m_frame) == fcp::Framer::Step::Frame;
         return m_whole || output.size() == 1; // 0xFF alone fills up what hangs
     }
     Asked asked() const override
@@ -236,19 +236,19 @@ public:
         if (!m_whole)
             return {Asked::What::Link, 0};
         const int motor = m_frame.header >> 5;
-        switch (static_cast<legacy::FrameCode>(m_frame.header & 0x1FU)) {
-        case legacy::FrameCode::GetBoardInfo:
+        switch (static_cast<fcp::FrameCode>(m_frame.header & 0x1FU)) {
+        case fcp::FrameCode::GetBoardInfo:
             return {Asked::What::Link, motor};
-        case legacy::FrameCode::Execute: {
-            const auto command = static_cast<legacy::CommandId>(m_frame.payload.at(0));
-            return {command == legacy::CommandId::StopMotor    ? Asked::What::Stop
-                    : command == legacy::CommandId::StartMotor ? Asked::What::Start
-                                                               : Asked::What::Other,
+        case fcp::FrameCode::Execute: {
+            const auto command = static_cast<fcp::CommandId>(m_frame.payload.at(0));
+            return {command == fcp::CommandId::StopMotor    ? Asked::What::Stop
+                    : command == fcp::CommandId::StartMotor ? Asked::What::Start
+                                                            : Asked::What::Other,
                 motor};
         }
-        case legacy::FrameCode::GetRegister:
-        case legacy::FrameCode::GetRevUp:
-        case legacy::FrameCode::GetFirmwareVersion:
+        case fcp::FrameCode::GetRegister:
+        case fcp::FrameCode::GetRevUp:
+        case fcp::FrameCode::GetFirmwareVersion:
             return {Asked::What::Read, motor};
         default:
             return {Asked::What::Other, motor};
@@ -265,36 +265,36 @@ public:
 private:
     void powerOn()
     {
-        simulation::LegacyMachine *machine = this;
+        simulation::FcpMachine *machine = this;
         m_server.emplace(rig(), machine);
     }
-    static simulation::LegacyRig rig()
+    static simulation::FcpRig rig()
     {
-        simulation::LegacyRig rig;
+        simulation::FcpRig rig;
         rig.name = "two motors";
         rig.motors.resize(2);
         return rig;
     }
-    void refresh(std::size_t motor, simulation::LegacyMotor &registers) override
+    void refresh(std::size_t motor, simulation::FcpMotor &registers) override
     {
         registers.state = drives.at(motor) ? 6 : 0;
     }
     void written(std::size_t, std::uint8_t, std::int64_t) override { }
-    void execute(std::size_t motor, legacy::CommandId command) override
+    void execute(std::size_t motor, fcp::CommandId command) override
     {
-        if (command == legacy::CommandId::StartMotor)
+        if (command == fcp::CommandId::StartMotor)
             drives.at(motor) = true;
-        else if (command == legacy::CommandId::StopMotor && obeys)
+        else if (command == fcp::CommandId::StopMotor && obeys)
             drives.at(motor) = false;
     }
     void setControlMode(std::size_t, bool) override { }
     void rampSpeed(std::size_t, std::int32_t, std::uint16_t) override { }
     void rampTorque(std::size_t, std::int16_t, std::uint16_t) override { }
     void setCurrents(std::size_t, std::int16_t, std::int16_t) override { }
-    void setRevUp(std::size_t, std::size_t, const legacy::RevUpStage &) override { }
+    void setRevUp(std::size_t, std::size_t, const fcp::RevUpStage &) override { }
 
-    std::optional<simulation::LegacyServer> m_server;
-    legacy::Frame m_frame;
+    std::optional<simulation::FcpServer> m_server;
+    fcp::Frame m_frame;
     bool m_whole = false;
 };
 

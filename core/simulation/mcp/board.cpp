@@ -1,7 +1,7 @@
 // A simulated board: the parts and their clock. Events happen in the order of time: bytes, SysTick every 0.5 ms with
 // the 1 kHz task in every second one, HF tasks at the control rate.
 #include "simulation/axis.h"
-#include "simulation/legacy/legacy_motor_board.h"
+#include "simulation/fcp/fcp_motor_board.h"
 #include "simulation/mcb/mcb_board.h"
 #include "simulation/mcp/datalog_recorder.h"
 #include "simulation/mcp/performer.h"
@@ -329,8 +329,8 @@ void Board::measureLoad()
 
 std::unique_ptr<SimulatedBoard> makeBoard(const BoardOptions &options)
 {
-    if (isLegacyProfile(options.profile))
-        return makeLegacyBoard(options);
+    if (isFcpProfile(options.profile))
+        return makeFcpBoard(options);
     if (options.profile == kServoProfile) {
         McbBoardOptions servo;
         servo.board = options;

@@ -1,6 +1,6 @@
 // Auto under a Stop: whatever language is being tried, the STOP goes out in each of them, and what is found is stopped.
 // How Auto finds each kind of board is tried in tst_legacy_drive.
-#include "support/legacy_bench.h"
+#include "support/fcp_bench.h"
 
 #include "drive/protocol_table.h"
 #include "drive/stop_sequence.h"
@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-const Bytes kLegacyStop{0x23, 0x01, 0x02, 0x26};
+const Bytes kFcpStop{0x23, 0x01, 0x02, 0x26};
 
 Bytes mcpStop() { return ByteWriter().u16((unsigned(mcp::CommandId::StopMotor) << 3) | 1U).take(); }
 
@@ -73,7 +73,7 @@ void TestAutoDrive::aStopGoesOutInEveryLanguageInTurn()
     line.loses = [&](const Bytes &bytes) {
         if (bytes == mcpStop())
             sent.emplace_back(line.now, 'n');
-        if (bytes == kLegacyStop)
+        if (bytes == kFcpStop)
             sent.emplace_back(line.now, 'o');
         return false;
     };
@@ -141,7 +141,7 @@ void TestAutoDrive::betweenTwoRoundsAStopGoesOutAtOnce()
     line.requests.clear();
     line.press();
     line.runFor(250ms);
-    QVERIFY(std::count(line.requests.begin(), line.requests.end(), kLegacyStop) >= 1);
+    QVERIFY(std::count(line.requests.begin(), line.requests.end(), kFcpStop) >= 1);
     QCOMPARE(line.told(StopWord::Requested), 1);
 }
 
@@ -165,21 +165,21 @@ void TestAutoDrive::aTurnDropsNoStopOfTheLanguageBefore()
     QVERIFY(newer.front().dropsEarlier); // what is older than the Stop
     drive->handleTimeout(now += 3ms);
     const std::vector<Output> older = drive->takeOutput();
-    QVERIFY(std::any_of(older.begin(), older.end(),
-        [](const Output &output) { return output.bytes == kLegacyStop; }));
+    QVERIFY(std::any_of(
+        older.begin(), older.end(), [](const Output &output) { return output.bytes == kFcpStop; }));
     for (const Output &output : older)
         QVERIFY(!output.dropsEarlier);
 }
 
 void TestAutoDrive::whatWasSpokenBeforeIsTriedFirst()
 {
-    Running line("legacy", Protocol::Legacy);
+    Running line("legacy", Protocol::Fcp);
     QVERIFY(line.ready);
     line.requests.clear();
     line.connect();
     line.press();
     QVERIFY(!line.requests.empty() || line.runUntil([&] { return !line.requests.empty(); }, 1ms));
-    QCOMPARE(line.requests.front(), kLegacyStop); // the first frame at all
+    QCOMPARE(line.requests.front(), kFcpStop); // the first frame at all
     QVERIFY(line.runUntil([&] { return !line.drive->stopOpen(); }, 500ms));
 }
 
@@ -190,9 +190,9 @@ void TestAutoDrive::whatIsSpokenIsTold()
     QVERIFY(!line.drive->memory().spoken);
     line.connect();
     QVERIFY(line.runUntil([&] { return line.drive->memory().spoken.has_value(); }, 5s));
-    QVERIFY(line.drive->memory().spoken == Protocol::Legacy);
+    QVERIFY(line.drive->memory().spoken == Protocol::Fcp);
     line.drive->disconnect(line.now);
-    QVERIFY(line.drive->memory().spoken == Protocol::Legacy);
+    QVERIFY(line.drive->memory().spoken == Protocol::Fcp);
 }
 
 void TestAutoDrive::aBoardThatIsSilentWhenThePortOpensIsFoundInOneCall_data()

@@ -44,7 +44,7 @@ std::unique_ptr<judge::Decoder> decoderOf(Protocol client)
         return std::make_unique<judge::WireEither>();
     if (client == Protocol::Mcp)
         return std::make_unique<judge::WireMcp>(115200, 0.0);
-    return std::make_unique<judge::WireLegacy>();
+    return std::make_unique<judge::WireFcp>();
 }
 
 bool acts(judge::Kind kind)
@@ -62,7 +62,7 @@ void TestFaultClasses::nothingActsOnABoardOfAnotherProtocol_data()
     QTest::addColumn<int>("client");
     for (const char *board : kBoards)
         for (const Protocol client :
-            {Protocol::Mcp, Protocol::Legacy, Protocol::PowerPc, Protocol::Auto})
+            {Protocol::Mcp, Protocol::Fcp, Protocol::PowerPc, Protocol::Auto})
             QTest::addRow("%s met by client %d", board, int(client)) << board << int(client);
 }
 

@@ -29,7 +29,7 @@ simulation::BoardOptions boardOf(const QString &profile)
 {
     simulation::BoardOptions options;
     options.profile = profile.toStdString();
-    if (simulation::isLegacyProfile(options.profile))
+    if (simulation::isFcpProfile(options.profile))
         options.baud = 115200;
     return options;
 }

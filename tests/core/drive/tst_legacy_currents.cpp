@@ -1,9 +1,9 @@
 // The currents of boards of the older protocol, which do not tell what a digit is worth: a person says it, for one motor
 // and one connection, and a new scale moves nothing.
-#include "support/legacy_bench.h"
+#include "support/fcp_bench.h"
 
 #include "drive/values.h"
-#include "legacy/request.h"
+#include "fcp/request.h"
 
 #include <QTest>
 
@@ -14,9 +14,9 @@ using namespace drive;
 using namespace std::chrono_literals;
 using support::boardOf;
 using support::isRead;
-using Bench = support::LegacyBench;
+using Bench = support::FcpBench;
 
-class TestLegacyCurrents : public QObject {
+class TestFcpCurrents : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void currentsNeedTheirScale();
@@ -26,7 +26,7 @@ private Q_SLOTS:
     void whatIsNoScaleIsRefused();
 };
 
-void TestLegacyCurrents::currentsNeedTheirScale()
+void TestFcpCurrents::currentsNeedTheirScale()
 {
     Bench bench("legacy");
     bench.expert();
@@ -50,7 +50,7 @@ void TestLegacyCurrents::currentsNeedTheirScale()
     const WishId known = pair.submit(CurrentReference{1, 0.5, -0.25});
     QVERIFY(pair.runUntilEnded(known));
     QCOMPARE(pair.outcome(known), Outcome::Ok);
-    const Bytes wanted = legacy::encodeRequest({1, legacy::SetCurrentReference{500, -250}}).value();
+    const Bytes wanted = fcp::encodeRequest({1, fcp::SetCurrentReference{500, -250}}).value();
     QCOMPARE(std::count(pair.requests.begin(), pair.requests.end(), wanted), 1);
     const WishId ramp = pair.submit(TorqueRamp{1, 1.0, 200ms});
     QVERIFY(pair.runUntilEnded(ramp));
@@ -60,7 +60,7 @@ void TestLegacyCurrents::currentsNeedTheirScale()
     QCOMPARE(pair.outcome(tooMuch), Outcome::Refused);
 }
 
-void TestLegacyCurrents::aCurrentInAmpereIsWhatFlows()
+void TestFcpCurrents::aCurrentInAmpereIsWhatFlows()
 {
     // The scale is that of the simulated power stage itself: what it makes of a shunt's voltage.
     const double fullScale = simulation::plantOf(boardOf("legacy"))->inverter.maxReadable_a();
@@ -74,7 +74,7 @@ void TestLegacyCurrents::aCurrentInAmpereIsWhatFlows()
     QVERIFY(bench.runUntilEnded(known));
     QCOMPARE(bench.outcome(known), Outcome::Ok);
     const auto digits = static_cast<std::int16_t>(std::lround(1.5 * 32768.0 / fullScale));
-    const Bytes wanted = legacy::encodeRequest({1, legacy::SetCurrentReference{digits, 0}}).value();
+    const Bytes wanted = fcp::encodeRequest({1, fcp::SetCurrentReference{digits, 0}}).value();
     QCOMPARE(std::count(bench.requests.begin(), bench.requests.end(), wanted), 1);
 
     const RegisterId iq = bench.id("I_Q_MEAS");
@@ -100,7 +100,7 @@ void TestLegacyCurrents::aCurrentInAmpereIsWhatFlows()
     QVERIFY2(std::abs(sum / count - 1.5) < 0.015, std::to_string(sum / count).c_str());
 }
 
-void TestLegacyCurrents::aNewScaleMovesNothing()
+void TestFcpCurrents::aNewScaleMovesNothing()
 {
     Bench bench("legacy");
     bench.submit(CurrentScale{1, 60.0});
@@ -141,7 +141,7 @@ void TestLegacyCurrents::aNewScaleMovesNothing()
     QVERIFY(bench.drive->armed());
 }
 
-void TestLegacyCurrents::theScaleIsForOneMotorAndOneConnection()
+void TestFcpCurrents::theScaleIsForOneMotorAndOneConnection()
 {
     Bench bench("legacy", 2);
     bench.submit(CurrentScale{2, 60.0});
@@ -174,7 +174,7 @@ void TestLegacyCurrents::theScaleIsForOneMotorAndOneConnection()
     QVERIFY(bench.capability(Feature::CurrentScale)->available);
 }
 
-void TestLegacyCurrents::whatIsNoScaleIsRefused()
+void TestFcpCurrents::whatIsNoScaleIsRefused()
 {
     Bench bench("legacy");
     for (const double amps : {-1.0, 1e-9, 1e9, std::nan(""), HUGE_VAL})
@@ -191,5 +191,5 @@ void TestLegacyCurrents::whatIsNoScaleIsRefused()
     QCOMPARE(newer.outcome(newer.submit(CurrentScale{1, 60.0})), Outcome::Refused);
 }
 
-QTEST_APPLESS_MAIN(TestLegacyCurrents)
+QTEST_APPLESS_MAIN(TestFcpCurrents)
 #include "tst_legacy_currents.moc"

@@ -1,11 +1,11 @@
-// LegacyDrive on simulated boards of both dialects with a motor behind them: who is there, reading and writing, starting
+// FcpDrive on simulated boards of both dialects with a motor behind them: who is there, reading and writing, starting
 // and ramping within what a person allows, stopping, and watching as fast as the line gives.
-#include "support/legacy_bench.h"
+#include "support/fcp_bench.h"
 
 #include "drive/protocol_table.h"
-#include "legacy/framer.h"
-#include "legacy/reply.h"
-#include "legacy/request.h"
+#include "fcp/framer.h"
+#include "fcp/reply.h"
+#include "fcp/request.h"
 #include "support/start_notice.h"
 
 #include <QTest>
@@ -20,13 +20,13 @@ namespace {
 void profiles()
 {
     QTest::addColumn<QByteArray>("profile");
-    for (const std::string_view name : simulation::legacyProfiles())
+    for (const std::string_view name : simulation::fcpProfiles())
         QTest::newRow(name.data()) << QByteArray(name.data());
 }
 
 } // namespace
 
-class TestLegacyDrive : public QObject {
+class TestFcpDrive : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void identificationOnlyReads_data() { profiles(); }
@@ -65,7 +65,7 @@ private Q_SLOTS:
     void aStopWhileAutoStillLooksStopsWhatItFinds();
 };
 
-void TestLegacyDrive::identificationOnlyReads()
+void TestFcpDrive::identificationOnlyReads()
 {
     QFETCH(QByteArray, profile);
     support::LinkPair pair(boardOf(profile.constData()));
@@ -80,7 +80,7 @@ void TestLegacyDrive::identificationOnlyReads()
         QVERIFY(pair.requests[i][0] >> 5 != 0);
 }
 
-void TestLegacyDrive::theDialectIsFoundOut_data()
+void TestFcpDrive::theDialectIsFoundOut_data()
 {
     QTest::addColumn<QByteArray>("profile");
     QTest::addColumn<QByteArray>("protocol");
@@ -93,12 +93,12 @@ void TestLegacyDrive::theDialectIsFoundOut_data()
                              << QByteArray("1.0.0");
 }
 
-void TestLegacyDrive::theDialectIsFoundOut()
+void TestFcpDrive::theDialectIsFoundOut()
 {
     QFETCH(QByteArray, profile);
     QFETCH(QByteArray, protocol);
     QFETCH(QByteArray, version);
-    support::LegacyBench bench(profile.constData());
+    support::FcpBench bench(profile.constData());
     QVERIFY(bench.ready);
     QCOMPARE(QByteArray::fromStdString(bench.identified->identity.protocol), protocol);
     QCOMPARE(QByteArray::fromStdString(bench.identified->identity.version), version);
@@ -108,7 +108,7 @@ void TestLegacyDrive::theDialectIsFoundOut()
     QVERIFY(!bench.capability(Feature::Stream)->reason.empty());
 }
 
-void TestLegacyDrive::theWrongDialectIsReadOnly_data()
+void TestFcpDrive::theWrongDialectIsReadOnly_data()
 {
     QTest::addColumn<QByteArray>("profile");
     QTest::addColumn<bool>("choosePowerPc");
@@ -116,14 +116,14 @@ void TestLegacyDrive::theWrongDialectIsReadOnly_data()
     QTest::newRow("a PowerPC board") << QByteArray("powerpc") << false;
 }
 
-void TestLegacyDrive::theWrongDialectIsReadOnly()
+void TestFcpDrive::theWrongDialectIsReadOnly()
 {
     QFETCH(QByteArray, profile);
     QFETCH(bool, choosePowerPc);
     support::LinkPair pair(boardOf(profile.constData()));
-    LegacyDriveConfig config;
-    config.dialect = choosePowerPc ? legacy::Dialect::PowerPc : legacy::Dialect::Stm32;
-    pair.drive = makeLegacyDrive(config);
+    FcpDriveConfig config;
+    config.dialect = choosePowerPc ? fcp::Dialect::PowerPc : fcp::Dialect::Stm32;
+    pair.drive = makeFcpDrive(config);
     pair.connect();
     QVERIFY(pair.runUntilIdentified());
     QVERIFY(!pair.identified->identity.knownFirmware);
@@ -135,10 +135,10 @@ void TestLegacyDrive::theWrongDialectIsReadOnly()
         QVERIFY(isRead(frame));
 }
 
-void TestLegacyDrive::namesAreThoseOfTheForms()
+void TestFcpDrive::namesAreThoseOfTheForms()
 {
     QFETCH(QByteArray, profile);
-    support::LegacyBench bench(profile.constData());
+    support::FcpBench bench(profile.constData());
     QVERIFY(bench.ready);
     for (const char *name : {"SPEED_KP", "SPEED_KI", "I_Q_KP", "I_Q_KI", "I_D_KP", "I_D_KI",
              "STATUS", "FAULTS_FLAGS", "CONTROL_MODE", "SPEED_REF", "SPEED_MEAS", "I_Q_REF",
@@ -166,10 +166,10 @@ void TestLegacyDrive::namesAreThoseOfTheForms()
     }
 }
 
-void TestLegacyDrive::aWriteIsReadBack()
+void TestFcpDrive::aWriteIsReadBack()
 {
     QFETCH(QByteArray, profile);
-    support::LegacyBench bench(profile.constData());
+    support::FcpBench bench(profile.constData());
     QVERIFY(bench.drive->armed());
     bench.requests.clear();
     const WishId wish = bench.submit(Write{{{bench.id("SPEED_KP"), std::int64_t{1500}}}});
@@ -184,7 +184,7 @@ void TestLegacyDrive::aWriteIsReadBack()
         == 1); // motor 1, full width
 }
 
-void TestLegacyDrive::aWriteNeedsArming()
+void TestFcpDrive::aWriteNeedsArming()
 {
     support::LinkPair pair(boardOf("legacy"));
     pair.connect();
@@ -196,9 +196,9 @@ void TestLegacyDrive::aWriteNeedsArming()
         QVERIFY(isRead(frame));
 }
 
-void TestLegacyDrive::aRefusedWriteIsRefused()
+void TestFcpDrive::aRefusedWriteIsRefused()
 {
-    support::LegacyBench bench("legacy");
+    support::FcpBench bench("legacy");
     for (const auto &[name, value] : {std::pair{"SPEED_MEAS", 5}, std::pair{"SPEED_KP", 40000},
              std::pair{"CONTROL_MODE", 1}, std::pair{"I_Q_REF", 100}}) {
         const WishId wish = bench.submit(Write{{{bench.id(name), std::int64_t{value}}}});
@@ -210,9 +210,9 @@ void TestLegacyDrive::aRefusedWriteIsRefused()
         QVERIFY(isRead(frame));
 }
 
-void TestLegacyDrive::stagesOfTheRevUpAreOneRegister()
+void TestFcpDrive::stagesOfTheRevUpAreOneRegister()
 {
-    support::LegacyBench bench("legacy");
+    support::FcpBench bench("legacy");
     bench.expert();
     const RegisterId id = bench.id("REVUP_DATA");
     WishId wish = bench.submit(Read{{id}});
@@ -234,7 +234,7 @@ void TestLegacyDrive::stagesOfTheRevUpAreOneRegister()
     QCOMPARE(bench.outcome(wish), Outcome::Refused);
 }
 
-void TestLegacyDrive::withoutARevUpItsStagesAreNeverSent()
+void TestFcpDrive::withoutARevUpItsStagesAreNeverSent()
 {
     simulation::BoardOptions options = boardOf("legacy");
     options.motor = "servo24"; // with an encoder
@@ -250,10 +250,10 @@ void TestLegacyDrive::withoutARevUpItsStagesAreNeverSent()
         QVERIFY((frame[0] & 0x1F) != 0x08 && (frame[0] & 0x1F) != 0x09);
 }
 
-void TestLegacyDrive::withoutKnownLimitsNothingMoves()
+void TestFcpDrive::withoutKnownLimitsNothingMoves()
 {
     QFETCH(QByteArray, profile);
-    support::LegacyBench bench(profile.constData());
+    support::FcpBench bench(profile.constData());
     for (const auto &wished : {Wish{0, Command{MotorAction::Start, 1}}}) {
         const WishId wish = bench.submit(std::get<Command>(wished.what));
         QVERIFY(bench.runUntilEnded(wish));
@@ -266,10 +266,10 @@ void TestLegacyDrive::withoutKnownLimitsNothingMoves()
     QCOMPARE(bench.status.at(1).state, MotorState::Idle);
 }
 
-void TestLegacyDrive::theMotorStartsRampsAndStops()
+void TestFcpDrive::theMotorStartsRampsAndStops()
 {
     QFETCH(QByteArray, profile);
-    support::LegacyBench bench(profile.constData());
+    support::FcpBench bench(profile.constData());
     QVERIFY(bench.start());
     const WishId ramp = bench.submit(SpeedRamp{1, 1998, 500ms});
     QVERIFY(bench.runUntilEnded(ramp));
@@ -292,9 +292,9 @@ void TestLegacyDrive::theMotorStartsRampsAndStops()
     QVERIFY(!alarmed);
 }
 
-void TestLegacyDrive::beyondAPersonsLimitNothingIsSent()
+void TestFcpDrive::beyondAPersonsLimitNothingIsSent()
 {
-    support::LegacyBench bench("legacy");
+    support::FcpBench bench("legacy");
     QVERIFY(bench.start());
     bench.requests.clear();
     for (const int rpm : {3001, -3001, 200000}) {
@@ -306,9 +306,9 @@ void TestLegacyDrive::beyondAPersonsLimitNothingIsSent()
         QVERIFY(isRead(frame));
 }
 
-void TestLegacyDrive::ofTwoMotorsOnlyTheNamedOneMoves()
+void TestFcpDrive::ofTwoMotorsOnlyTheNamedOneMoves()
 {
-    support::LegacyBench bench("legacy", 2);
+    support::FcpBench bench("legacy", 2);
     QCOMPARE(bench.identified->identity.motors, 2);
     bench.expert(2);
     const WishId wish = bench.submit(Command{MotorAction::Start, 2});
@@ -321,9 +321,9 @@ void TestLegacyDrive::ofTwoMotorsOnlyTheNamedOneMoves()
             QCOMPARE(int(frame[0] >> 5), 2);
 }
 
-void TestLegacyDrive::afterAStopNothingButStopsAndReads()
+void TestFcpDrive::afterAStopNothingButStopsAndReads()
 {
-    support::LegacyBench bench("legacy");
+    support::FcpBench bench("legacy");
     QVERIFY(bench.start());
     const WishId waiting = bench.submit(Write{
         {{bench.id("SPEED_KP"), std::int64_t{1500}}, {bench.id("SPEED_KI"), std::int64_t{1500}}}});
@@ -342,9 +342,9 @@ void TestLegacyDrive::afterAStopNothingButStopsAndReads()
     QVERIFY(stops >= 1);
 }
 
-void TestLegacyDrive::aStopWithoutALinkIsSentBlind()
+void TestFcpDrive::aStopWithoutALinkIsSentBlind()
 {
-    support::LegacyBench bench("legacy");
+    support::FcpBench bench("legacy");
     QVERIFY(bench.start());
     bench.toDrive.cut = true; // the board hears, nobody hears the board
     bench.requests.clear();
@@ -357,10 +357,10 @@ void TestLegacyDrive::aStopWithoutALinkIsSentBlind()
     QVERIFY(bench.runUntil([&] { return bench.stops.back().word == StopWord::MayCoast; }, 20s));
 }
 
-void TestLegacyDrive::aMotorThatBecomesKnownWhileStoppingIsStopped()
+void TestFcpDrive::aMotorThatBecomesKnownWhileStoppingIsStopped()
 {
     QFETCH(QByteArray, profile);
-    support::LegacyBench bench(profile.constData(), 2);
+    support::FcpBench bench(profile.constData(), 2);
     QVERIFY(bench.ready && bench.identified->identity.motors == 2);
     bench.submit(UserLimits{3000.0, 0.0});
     for (const int motor : {1, 2}) {
@@ -369,9 +369,9 @@ void TestLegacyDrive::aMotorThatBecomesKnownWhileStoppingIsStopped()
     }
     const auto runs = [&](int motor) { return bench.status[motor].state == MotorState::Running; };
     QVERIFY(bench.runUntil([&] { return runs(1) && runs(2); }, 10s));
-    LegacyDriveConfig config;
+    FcpDriveConfig config;
     config.baud = bench.baud;
-    bench.replaceDrive(makeLegacyDrive(config));
+    bench.replaceDrive(makeFcpDrive(config));
     bench.stops.clear();
     bench.requests.clear();
     bench.connect();
@@ -383,14 +383,14 @@ void TestLegacyDrive::aMotorThatBecomesKnownWhileStoppingIsStopped()
             return stop.motor == motor && stop.word == StopWord::DriveIdle;
         }));
     // The second motor did not wait for the registers: there are far more than 50 of them.
-    const Bytes second = legacy::encodeRequest({2, legacy::Execute{2}}).value();
+    const Bytes second = fcp::encodeRequest({2, fcp::Execute{2}}).value();
     const auto at = std::find(bench.requests.begin(), bench.requests.end(), second);
     QVERIFY(at != bench.requests.end() && at - bench.requests.begin() < 12);
 }
 
-void TestLegacyDrive::aLostLinkIsToldWhileAPersonKeepsPressing()
+void TestFcpDrive::aLostLinkIsToldWhileAPersonKeepsPressing()
 {
-    support::LegacyBench bench("legacy");
+    support::FcpBench bench("legacy");
     QVERIFY(bench.start());
     bench.toDrive.cut = true;
     const TimePoint asked = bench.now;
@@ -420,9 +420,9 @@ void TestLegacyDrive::aLostLinkIsToldWhileAPersonKeepsPressing()
 }
 
 /// The round of questions that an outage interrupts takes long; the one behind it comes in time all the same.
-void TestLegacyDrive::anOutagePutsNoLookAtTheMotorsOff()
+void TestFcpDrive::anOutagePutsNoLookAtTheMotorsOff()
 {
-    support::LegacyBench bench("legacy");
+    support::FcpBench bench("legacy");
     QVERIFY(bench.ready);
     for (const Duration phase : {0ms, 30ms, 70ms}) {
         bench.runFor(phase);
@@ -456,9 +456,9 @@ void TestLegacyDrive::anOutagePutsNoLookAtTheMotorsOff()
     }
 }
 
-void TestLegacyDrive::aRestartedBoardIsMetAnewAndReadOnly()
+void TestFcpDrive::aRestartedBoardIsMetAnewAndReadOnly()
 {
-    support::LegacyBench bench("legacy");
+    support::FcpBench bench("legacy");
     QVERIFY(bench.drive->armed());
     bench.identified.reset();
     bench.board->inject(support::startNotice({0xD1B, "5.4.3", 9, 10, 0}));
@@ -469,9 +469,9 @@ void TestLegacyDrive::aRestartedBoardIsMetAnewAndReadOnly()
     QCOMPARE(bench.reason, LinkReason::BoardReset);
 }
 
-void TestLegacyDrive::aLostBoardIsFoundAgain()
+void TestFcpDrive::aLostBoardIsFoundAgain()
 {
-    support::LegacyBench bench("legacy");
+    support::FcpBench bench("legacy");
     bench.toBoard.cut = true;
     QVERIFY(bench.runUntil([&] { return bench.link == LinkState::Lost; }, 10s));
     QVERIFY(!bench.drive->armed());
@@ -482,10 +482,10 @@ void TestLegacyDrive::aLostBoardIsFoundAgain()
     QVERIFY(!bench.drive->armed());
 }
 
-void TestLegacyDrive::watchingFillsTheLine()
+void TestFcpDrive::watchingFillsTheLine()
 {
     // 4 bytes out and 7 back: 1047 exchanges a second is what 115200 baud allow.
-    support::LegacyBench bench("legacy");
+    support::FcpBench bench("legacy");
     const RegisterId speed = bench.id("SPEED_MEAS");
     int values = 0;
     bench.onEvent = [&](const Event &event) {
@@ -508,9 +508,9 @@ void TestLegacyDrive::watchingFillsTheLine()
     QVERIFY2(values >= 0.75 * possible, std::to_string(values / possible).c_str());
 }
 
-void TestLegacyDrive::watchedRegistersGetFairShares()
+void TestFcpDrive::watchedRegistersGetFairShares()
 {
-    support::LegacyBench bench("legacy");
+    support::FcpBench bench("legacy");
     std::map<RegisterId, int> count;
     bench.onEvent = [&](const Event &event) {
         if (const auto *read = std::get_if<RegistersRead>(&event))
@@ -530,7 +530,7 @@ void TestLegacyDrive::watchedRegistersGetFairShares()
     }
 }
 
-void TestLegacyDrive::autoFindsEachKind_data()
+void TestFcpDrive::autoFindsEachKind_data()
 {
     QTest::addColumn<QByteArray>("profile");
     QTest::addColumn<QByteArray>("protocol");
@@ -540,7 +540,7 @@ void TestLegacyDrive::autoFindsEachKind_data()
     QTest::newRow("powerpc") << QByteArray("powerpc") << QByteArray("MCP PowerPC");
 }
 
-void TestLegacyDrive::autoFindsEachKind()
+void TestFcpDrive::autoFindsEachKind()
 {
     QFETCH(QByteArray, profile);
     QFETCH(QByteArray, protocol);
@@ -566,18 +566,18 @@ void TestLegacyDrive::autoFindsEachKind()
     QVERIFY(pair.identified->identity.knownFirmware);
 }
 
-void TestLegacyDrive::autoSendsNothingThatActs()
+void TestFcpDrive::autoSendsNothingThatActs()
 {
     // All that goes out before the board is known, taken for frames of the older protocol.
     for (const char *profile : {"legacy", "powerpc"}) {
         support::LinkPair pair(boardOf(profile));
         pair.drive = makeDrive({Protocol::Auto, 115200, {}});
-        legacy::Framer framer(legacy::Framer::Side::Board);
+        fcp::Framer framer(fcp::Framer::Side::Board);
         int frames = 0;
         pair.loses = [&](const Bytes &bytes) {
-            legacy::Frame frame;
+            fcp::Frame frame;
             for (ByteView rest(bytes); !rest.empty();)
-                if (framer.next(rest, frame) == legacy::Framer::Step::Frame) {
+                if (framer.next(rest, frame) == fcp::Framer::Step::Frame) {
                     ++frames;
                     const unsigned motor = frame.header >> 5;
                     if (motor > 2) // no board has it
@@ -594,9 +594,9 @@ void TestLegacyDrive::autoSendsNothingThatActs()
     }
 }
 
-void TestLegacyDrive::aStopWhileAutoStillLooksStopsWhatItFinds()
+void TestFcpDrive::aStopWhileAutoStillLooksStopsWhatItFinds()
 {
-    support::LegacyBench bench("legacy");
+    support::FcpBench bench("legacy");
     QVERIFY(bench.ready && bench.start());
     bench.drive = makeDrive({Protocol::Auto, 115200, {}});
     bench.stops.clear();
@@ -611,5 +611,5 @@ void TestLegacyDrive::aStopWhileAutoStillLooksStopsWhatItFinds()
         1);
 }
 
-QTEST_APPLESS_MAIN(TestLegacyDrive)
+QTEST_APPLESS_MAIN(TestFcpDrive)
 #include "tst_legacy_drive.moc"

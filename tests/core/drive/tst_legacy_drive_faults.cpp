@@ -1,4 +1,4 @@
-// LegacyDrive on a line that is being spoilt: seeded sessions in both dialects, with one motor or two. Whatever the line
+// FcpDrive on a line that is being spoilt: seeded sessions in both dialects, with one motor or two. Whatever the line
 // does, each wish ends once, every Stop is kept (the judge of the wire sees to that), nothing is written before the board is
 // identified, and no value appears under a register's name that it does not have.
 // Faults come singly: two that cancel each other in the sum of a frame are beyond what this protocol can notice.
@@ -168,7 +168,7 @@ std::string runSession(const QByteArray &profile, std::uint64_t seed)
 
 } // namespace
 
-class TestLegacyDriveFaults : public QObject {
+class TestFcpDriveFaults : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void everyWishEndsOnceAndNoValueGoesAstray_data();
@@ -176,14 +176,14 @@ private Q_SLOTS:
     void onAGoodLineTheSameSessionsReadTheirValues();
 };
 
-void TestLegacyDriveFaults::everyWishEndsOnceAndNoValueGoesAstray_data()
+void TestFcpDriveFaults::everyWishEndsOnceAndNoValueGoesAstray_data()
 {
     QTest::addColumn<QByteArray>("profile");
-    for (const std::string_view name : simulation::legacyProfiles())
+    for (const std::string_view name : simulation::fcpProfiles())
         QTest::newRow(name.data()) << QByteArray(name.data());
 }
 
-void TestLegacyDriveFaults::everyWishEndsOnceAndNoValueGoesAstray()
+void TestFcpDriveFaults::everyWishEndsOnceAndNoValueGoesAstray()
 {
     QFETCH(QByteArray, profile);
     const std::string wrong = support::playSeeds(support::seedsOf(40, 10'000),
@@ -191,7 +191,7 @@ void TestLegacyDriveFaults::everyWishEndsOnceAndNoValueGoesAstray()
     QVERIFY2(wrong.empty(), wrong.c_str());
 }
 
-void TestLegacyDriveFaults::onAGoodLineTheSameSessionsReadTheirValues()
+void TestFcpDriveFaults::onAGoodLineTheSameSessionsReadTheirValues()
 {
     // Otherwise the campaign above could pass by reading nothing at all.
     Session session(boardOf("legacy", 7), 7);
@@ -205,5 +205,5 @@ void TestLegacyDriveFaults::onAGoodLineTheSameSessionsReadTheirValues()
     QVERIFY(session.complaints.empty());
 }
 
-QTEST_APPLESS_MAIN(TestLegacyDriveFaults)
+QTEST_APPLESS_MAIN(TestFcpDriveFaults)
 #include "tst_legacy_drive_faults.moc"

@@ -1,7 +1,7 @@
 // The judge of the wire itself: each rule speaks when it is broken, and is silent when it is kept. Bytes are written here by
 // hand, from the protocols' texts.
 #include "support/ms_rules.h"
-#include "support/wire/legacy.h"
+#include "support/wire/fcp.h"
 #include "support/wire/mcb.h"
 #include "support/wire/mcp.h"
 
@@ -601,7 +601,7 @@ void TestMsRules::anAlarmThatStandsIsNotRepeated()
 
 void TestMsRules::framesOfTheOlderProtocolAreTakenApart()
 {
-    judge::WireLegacy wire;
+    judge::WireFcp wire;
     const auto only = [&](const Bytes &bytes) { return wire.sent(bytes, {}).at(0); };
     // Header, length, payload, check: the two bytes of the sum added up.
     const judge::Sent start = only({0x23, 0x01, 0x01, 0x25});

@@ -2,8 +2,8 @@
 // whatever was half-way on the line. Nobody listens to its answers.
 #include "aspep/packet.h"
 #include "drive/protocol_table.h"
-#include "legacy/request.h"
-#include "support/legacy_bench.h"
+#include "fcp/request.h"
+#include "support/fcp_bench.h"
 #include "support/link_pair.h"
 #include "support/mcb/pair.h"
 
@@ -11,7 +11,7 @@
 
 using namespace drive;
 using namespace std::chrono_literals;
-using support::LegacyBench;
+using support::FcpBench;
 using support::LinkPair;
 using support::McbPair;
 
@@ -185,12 +185,12 @@ void TestStopScript::aBoardOfTheOlderProtocolStops()
 {
     QFETCH(const QString, profile);
     QFETCH(const int, cut);
-    LegacyBench bench(qPrintable(profile));
+    FcpBench bench(qPrintable(profile));
     QVERIFY(bench.ready);
     QVERIFY(bench.start());
     bench.runFor(100ms);
     // SET_RAMP of 100 rpm, as far as it came.
-    Bytes frame = *legacy::encodeRequest({1, legacy::SetRamp{100, 500}});
+    Bytes frame = *fcp::encodeRequest({1, fcp::SetRamp{100, 500}});
     frame.resize(static_cast<std::size_t>(cut));
     play(bench, {{frame, 20ms}}, 1);
     play(bench, bench.drive->stopScript(), cut == 0 ? 1 : kTwoSeconds);
@@ -240,7 +240,7 @@ void TestStopScript::aDriveOnSpiStopsInEitherState()
 void TestStopScript::beforeAutoKnowsItSpeaksEveryLanguage()
 {
     const auto mcp = makeDrive({.protocol = Protocol::Mcp, .baud = 115200, .patience = {}});
-    const auto older = makeDrive({.protocol = Protocol::Legacy, .baud = 115200, .patience = {}});
+    const auto older = makeDrive({.protocol = Protocol::Fcp, .baud = 115200, .patience = {}});
     const auto any = makeDrive({.protocol = Protocol::Auto, .baud = 115200, .patience = {}});
     any->connect(TimePoint{1s});
     Bytes all, expected;
@@ -267,7 +267,7 @@ void TestStopScript::withoutItTheMotorGoesOn()
     QVERIFY(session.startMotor());
     play(session, {}, kTwoSeconds);
     QVERIFY(!stopped(session));
-    LegacyBench bench("legacy");
+    FcpBench bench("legacy");
     QVERIFY(bench.start());
     play(bench, {}, kTwoSeconds);
     QVERIFY(!stopped(bench, support::boardOf("legacy")));

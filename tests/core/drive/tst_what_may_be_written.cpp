@@ -6,10 +6,10 @@
 #include "drive/control_mode.h"
 #include "drive/mcp/mcp_values.h"
 #include "drive/motion_limits.h"
-#include "legacy/register_table.h"
+#include "fcp/register_table.h"
 #include "mcb/dictionary.h"
 #include "snapshots/restore.h"
-#include "support/legacy_bench.h"
+#include "support/fcp_bench.h"
 #include "support/mcb/pair.h"
 #include "support/places.h"
 
@@ -85,8 +85,8 @@ std::vector<std::pair<std::string, RegisterInfo>> allRegisters()
             for (const RegisterInfo &info : table)
                 all.emplace_back(family, info);
         }
-    for (const auto dialect : {legacy::Dialect::Stm32, legacy::Dialect::PowerPc})
-        for (const legacy::Register &one : legacy::registersOf(dialect))
+    for (const auto dialect : {fcp::Dialect::Stm32, fcp::Dialect::PowerPc})
+        for (const fcp::Register &one : fcp::registersOf(dialect))
             all.emplace_back("legacy", one.info);
     for (const mcb::Entry &entry : mcb::dictionary()) {
         RegisterInfo info;
@@ -126,12 +126,12 @@ struct Bench {
 
 struct LineBench : Bench {
     explicit LineBench(const std::string &profile)
-        : isLegacy(simulation::isLegacyProfile(profile))
-        , dialect(profile == "powerpc" ? legacy::Dialect::PowerPc : legacy::Dialect::Stm32)
+        : isFcp(simulation::isFcpProfile(profile))
+        , dialect(profile == "powerpc" ? fcp::Dialect::PowerPc : fcp::Dialect::Stm32)
     {
         simulation::BoardOptions options;
         options.profile = profile;
-        if (isLegacy)
+        if (isFcp)
             options.baud = 115200;
         pair.emplace(options);
         pair->connect();
@@ -158,12 +158,12 @@ struct LineBench : Bench {
     {
         std::vector<std::pair<drive::RegisterId, Bytes>> all;
         for (const Bytes &request : std::exchange(pair->requests, {}))
-            isLegacy ? noteLegacy(request, all) : noteMcp(request, all);
+            isFcp ? noteFcp(request, all) : noteMcp(request, all);
         return all;
     }
     Bytes bytesOf(const RegisterInfo &info, const drive::Value &value) const override
     {
-        if (!isLegacy) {
+        if (!isFcp) {
             ByteWriter bytes;
             if (const auto wanted = drive::wireValue(info, value))
                 static_cast<void>(
@@ -171,9 +171,9 @@ struct LineBench : Bench {
             return bytes.take();
         }
         const auto number = static_cast<std::uint8_t>(info.id >> 3);
-        if (const auto *one = legacy::findRegister(dialect, number);
+        if (const auto *one = fcp::findRegister(dialect, number);
             one != nullptr && one->writeBytes > 0)
-            return legacy::encodeValue(*one, catalog::onWire(info, value), one->writeBytes);
+            return fcp::encodeValue(*one, catalog::onWire(info, value), one->writeBytes);
         return {};
     }
     static void noteMcp(const Bytes &request, std::vector<std::pair<drive::RegisterId, Bytes>> &all)
@@ -185,25 +185,24 @@ struct LineBench : Bench {
         const drive::RegisterId id = reader.u16();
         all.emplace_back(id, Bytes(request.begin() + 4, request.end()));
     }
-    static void noteLegacy(
-        const Bytes &frame, std::vector<std::pair<drive::RegisterId, Bytes>> &all)
+    static void noteFcp(const Bytes &frame, std::vector<std::pair<drive::RegisterId, Bytes>> &all)
     {
         if (frame.size() < 3)
             return;
         const auto request =
-            legacy::decodeRequest({frame[0], Bytes(frame.begin() + 2, frame.end() - 1)});
+            fcp::decodeRequest({frame[0], Bytes(frame.begin() + 2, frame.end() - 1)});
         if (!request)
             return;
-        if (const auto *set = std::get_if<legacy::SetRegister>(&request->command))
+        if (const auto *set = std::get_if<fcp::SetRegister>(&request->command))
             all.emplace_back((drive::RegisterId{set->id} << 3) | request->motor, set->value);
-        else if (!std::holds_alternative<legacy::GetRegister>(request->command)
-            && !std::holds_alternative<legacy::GetRevUp>(request->command)
-            && !std::holds_alternative<legacy::GetBoardInfo>(request->command)
-            && !std::holds_alternative<legacy::GetFirmwareVersion>(request->command))
+        else if (!std::holds_alternative<fcp::GetRegister>(request->command)
+            && !std::holds_alternative<fcp::GetRevUp>(request->command)
+            && !std::holds_alternative<fcp::GetBoardInfo>(request->command)
+            && !std::holds_alternative<fcp::GetFirmwareVersion>(request->command))
             all.emplace_back(0, frame);
     }
-    bool isLegacy;
-    legacy::Dialect dialect;
+    bool isFcp;
+    fcp::Dialect dialect;
     std::optional<support::LinkPair> pair;
 };
 
@@ -267,7 +266,7 @@ void addProfiles()
     QTest::addColumn<QString>("profile");
     for (const std::string &name : simulation::profileNames())
         QTest::newRow(std::string(name).c_str()) << QString::fromStdString(std::string(name));
-    for (const std::string_view name : simulation::legacyProfiles())
+    for (const std::string_view name : simulation::fcpProfiles())
         QTest::newRow(std::string(name).c_str()) << QString::fromStdString(std::string(name));
     QTest::newRow("mcb") << QStringLiteral("mcb");
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "aspep/packet.h"
-#include "support/wire/legacy.h"
+#include "support/wire/fcp.h"
 #include "support/wire/mcp.h"
 
 namespace judge {
@@ -30,7 +30,7 @@ public:
 
 private:
     WireMcp m_newer{115200, 0.0};
-    WireLegacy m_older;
+    WireFcp m_older;
 };
 
 } // namespace judge

@@ -427,7 +427,7 @@ private Q_SLOTS:
         session::Endpoint endpoint;
         endpoint.board = "legacy";
         endpoint.baud = 115200;
-        endpoint.protocol = drive::Protocol::Legacy;
+        endpoint.protocol = drive::Protocol::Fcp;
         rig.workbench.device().open(endpoint);
         QTRY_VERIFY_WITH_TIMEOUT(rig.workbench.device().identified(), 10'000);
         auto *run = rig.find<QPushButton>("stepRun");

@@ -43,7 +43,7 @@ struct Kind {
 };
 constexpr Kind kKinds[] = {{drive::Protocol::Mcp, "mcp", "mcsdk-6.4", 1, 1843200, 6.0},
     {drive::Protocol::Mcp, "mcp", "mcsdk-6.4", 2, 1843200, 6.0},
-    {drive::Protocol::Legacy, "legacy", "legacy", 1, 115200, 6.0},
+    {drive::Protocol::Fcp, "legacy", "legacy", 1, 115200, 6.0},
     {drive::Protocol::Mcp, "mcp", "mcsdk-6.2", 1, 1843200, 6.0},
     {drive::Protocol::PowerPc, "powerpc", "powerpc", 2, 115200, 6.0},
     {drive::Protocol::Mcb, "mcb", "mcsdk-6.4", 1, 1843200, 1.0}};

@@ -1,17 +1,17 @@
 // Static boards of the older serial protocol, made from rig files: every vector byte for byte on virtual time, and files
 // with flaws.
-#include "session/files/legacy_rig_file.h"
-#include "simulation/legacy/legacy_board.h"
-#include "support/legacy_vectors.h"
+#include "session/files/fcp_rig_file.h"
+#include "simulation/fcp/fcp_board.h"
+#include "support/fcp_vectors.h"
 #include "support/places.h"
 
 #include <QJsonArray>
 #include <QTest>
 
-using support::LegacyConversation;
-using support::LegacyVector;
+using support::FcpConversation;
+using support::FcpVector;
 
-class TestLegacyRig : public QObject {
+class TestFcpRig : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void theBoardAnswersEveryVector_data();
@@ -30,7 +30,7 @@ QString rigPath(const QString &name)
     return support::dataFile(QStringLiteral("rigs/legacy-")) + name + QStringLiteral(".json");
 }
 
-void tell(simulation::LegacyBoard &board, const QString &event)
+void tell(simulation::FcpBoard &board, const QString &event)
 {
     const QString word = event.section(u'=', 0, 0);
     const QString argument = event.section(u'=', 1);
@@ -68,25 +68,25 @@ QByteArray rigText(const char *key, const QJsonValue &value)
 
 } // namespace
 
-void TestLegacyRig::theBoardAnswersEveryVector_data()
+void TestFcpRig::theBoardAnswersEveryVector_data()
 {
     QTest::addColumn<int>("index");
-    const auto all = support::readLegacyVectors();
+    const auto all = support::readFcpVectors();
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (all[i].front().exchange)
             QTest::addRow("%s", qPrintable(all[i].front().name)) << int(i);
     }
 }
 
-void TestLegacyRig::theBoardAnswersEveryVector()
+void TestFcpRig::theBoardAnswersEveryVector()
 {
     QFETCH(int, index);
-    const LegacyConversation rows = support::readLegacyVectors()[std::size_t(index)];
-    const auto rig = session::readLegacyRigFile(rigPath(rows.front().rig));
+    const FcpConversation rows = support::readFcpVectors()[std::size_t(index)];
+    const auto rig = session::readFcpRigFile(rigPath(rows.front().rig));
     QVERIFY2(rig, rig ? "" : rig.error().c_str());
-    simulation::LegacyBoard board(*rig);
+    simulation::FcpBoard board(*rig);
     TimePoint now{};
-    for (const LegacyVector &row : rows) {
+    for (const FcpVector &row : rows) {
         tell(board, row.event);
         board.receive(row.request, now);
         now += kPatience;
@@ -98,7 +98,7 @@ void TestLegacyRig::theBoardAnswersEveryVector()
     }
 }
 
-void TestLegacyRig::aRigWithAFlawIsOneSentence_data()
+void TestFcpRig::aRigWithAFlawIsOneSentence_data()
 {
     QTest::addColumn<QByteArray>("text");
     QTest::addColumn<QString>("names");
@@ -128,24 +128,24 @@ void TestLegacyRig::aRigWithAFlawIsOneSentence_data()
     row("motor.revup", QJsonArray{1, 2, 3, 4, 5, 6}, "revup");
 }
 
-void TestLegacyRig::aRigWithAFlawIsOneSentence()
+void TestFcpRig::aRigWithAFlawIsOneSentence()
 {
     QFETCH(QByteArray, text);
     QFETCH(QString, names);
-    const auto rig = session::readLegacyRig(text);
+    const auto rig = session::readFcpRig(text);
     QVERIFY(!rig);
     const QString sentence = QString::fromStdString(rig.error());
     QVERIFY2(sentence.contains(names), qPrintable(sentence));
     QCOMPARE(sentence.count(u'\n'), 0);
 }
 
-void TestLegacyRig::theTimerOfARigIsTaken()
+void TestFcpRig::theTimerOfARigIsTaken()
 {
-    QVERIFY(!session::readLegacyRig(rigText("frame_timer", QStringLiteral("dead")))->frameTimer);
-    QVERIFY(session::readLegacyRig(rigText("frame_timer", 25))->frameTimer
+    QVERIFY(!session::readFcpRig(rigText("frame_timer", QStringLiteral("dead")))->frameTimer);
+    QVERIFY(session::readFcpRig(rigText("frame_timer", 25))->frameTimer
         == Duration(std::chrono::milliseconds(25)));
-    QVERIFY(!session::readLegacyRigFile(QStringLiteral("/nowhere/rig.json")));
+    QVERIFY(!session::readFcpRigFile(QStringLiteral("/nowhere/rig.json")));
 }
 
-QTEST_GUILESS_MAIN(TestLegacyRig)
+QTEST_GUILESS_MAIN(TestFcpRig)
 #include "tst_legacy_rig.moc"

@@ -538,7 +538,7 @@ void TestSession::whatIsKnownOfALineOutlivesItsPort()
 {
     Bench bench;
     bench.session.open(Bench::serial());
-    bench.drive().known = {drive::Protocol::Legacy, 2, aspep::Beacon{}};
+    bench.drive().known = {drive::Protocol::Fcp, 2, aspep::Beacon{}};
     bench.turn();
     unplug(bench);
     plugIn(bench);
@@ -549,7 +549,7 @@ void TestSession::whatIsKnownOfALineOutlivesItsPort()
     QCOMPARE(bench.drive().known.motors, 1);
     QCOMPARE(bench.board.madeFor,
         (std::vector<std::optional<drive::Protocol>>{
-            std::nullopt, drive::Protocol::Legacy, std::nullopt}));
+            std::nullopt, drive::Protocol::Fcp, std::nullopt}));
 }
 
 void TestSession::aStalledReceiverGetsNoThirdBatch()

@@ -197,7 +197,7 @@ void boards()
     QTest::addColumn<Protocol>("protocol");
     QTest::addColumn<int>("motors");
     QTest::newRow("newer") << QByteArray("mcsdk-6.4") << Protocol::Mcp << 2;
-    QTest::newRow("older") << QByteArray("legacy") << Protocol::Legacy << 2;
+    QTest::newRow("older") << QByteArray("legacy") << Protocol::Fcp << 2;
     QTest::newRow("older, PowerPC") << QByteArray("powerpc") << Protocol::PowerPc << 2;
     QTest::newRow("SPI") << QByteArray("mcb") << Protocol::Mcb << 1;
     QTest::newRow("found out, newer") << QByteArray("mcsdk-6.4") << Protocol::Auto << 2;

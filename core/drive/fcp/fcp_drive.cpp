@@ -1,0 +1,251 @@
+#include "drive/fcp/fcp_drive.h"
+
+#include "base/overloaded.h"
+#include "drive/drawn_watch.h"
+#include "drive/fcp/fcp_commands.h"
+#include "drive/fcp/fcp_identification.h"
+#include "drive/fcp/fcp_vitals.h"
+#include "drive/fcp/fcp_writes.h"
+#include "drive/task_drive.h"
+#include "fcp/client.h"
+
+namespace drive {
+
+namespace {
+
+using Link = fcp::Client;
+
+/// The motion log has only what can change something.
+bool changes(const fcp::Request &request)
+{
+    return !std::holds_alternative<fcp::GetRegister>(request.command)
+        && !std::holds_alternative<fcp::GetRevUp>(request.command);
+}
+
+fcp::Request stopOf(int motor)
+{
+    return {static_cast<std::uint8_t>(motor),
+        fcp::Execute{static_cast<std::uint8_t>(fcp::CommandId::StopMotor)}};
+}
+
+class FcpDrive final : public TaskDrive<FcpProtocol> {
+public:
+    explicit FcpDrive(const FcpDriveConfig &config)
+        : TaskDrive({config.baud, config.patience}, config.reconnectEvery, config.dialect)
+    {
+        constexpr double kBitsPerByte = 10.0;
+        m_board.bytesPerSecond = config.baud / kBitsPerByte;
+    }
+
+    std::vector<Output> stopScript() const override;
+
+private:
+    Made taskFor(const Wish &wish) override;
+    std::string setScale(const CurrentScale &scale, TimePoint now) override;
+
+    // what the link tells
+    void onLinkEvents(TimePoint now) override;
+    void onConnected(const Link::Connected &event, TimePoint now);
+    void onAnswer(const Link::Answer &event, TimePoint now);
+    void onRestarted(TimePoint now);
+    void onLost(const Link::Lost &event, TimePoint now);
+    void onIdentified(TimePoint now) override;
+    void tellIdentified();
+    bool connected() const override { return m_link.connected(); }
+    bool recovering() const override
+    {
+        return connected() && m_link.state() == Link::State::Recovering;
+    }
+    LinkCounters counters() const override;
+
+    // what goes out
+    void prepare(TimePoint) override
+    {
+        m_link.setDialect(m_board.dialect);
+        m_link.setMotorDriven(m_vitals.motorDriven());
+    }
+    bool send(const fcp::Request &request, WishTask<FcpProtocol> *wish, TimePoint now) override;
+    void sendStop(TimePoint now) override;
+    TimePoint stopMayLeave() const override;
+    void closeLink() override { m_link.close(); }
+
+    bool m_restarted = false; ///< the board said so; it is met anew
+    bool m_reidentify = false;
+};
+
+FcpDrive::Made FcpDrive::taskFor(const Wish &wish)
+{
+    if (const auto setPoint = setPointOf(wish))
+        return std::make_unique<FcpSetPointTask>(wish.id, *setPoint, m_board);
+    if (const auto *command = std::get_if<Command>(&wish.what))
+        return std::make_unique<FcpCommandTask>(wish.id, *command, m_board);
+    return nullptr;
+}
+
+void FcpDrive::onLinkEvents(TimePoint now)
+{
+    for (const Link::Event &event : m_link.takeEvents()) {
+        std::visit(Overloaded{
+                       [&](const Link::Connected &what) { onConnected(what, now); },
+                       [&](const Link::Answer &what) { onAnswer(what, now); },
+                       [&](const Link::NoAnswer &what) {
+                           if (m_task != nullptr)
+                               passLoss(what.executed, now);
+                       },
+                       [&](const Link::Restarted &) { onRestarted(now); },
+                       [&](const Link::Suspect &) { m_suspect = true; },
+                       [&](const Link::Recovering &) {},
+                       [&](const Link::Lost &what) { onLost(what, now); },
+                   },
+            event);
+    }
+}
+
+void FcpDrive::onConnected(const Link::Connected &event, TimePoint now)
+{
+    linkFound();
+    if (event.again && m_board.identified && !m_reidentify)
+        return; // a recovery: the same board, in step again
+    m_reidentify = false;
+    meet(std::exchange(m_restarted, false) ? LinkReason::BoardReset : LinkReason::None, now,
+        event.board);
+}
+
+void FcpDrive::onAnswer(const Link::Answer &event, TimePoint now)
+{
+    m_suspect = false;
+    if (m_task != nullptr)
+        passAnswer(event.reply, now);
+    else
+        onStopAnswer(event.sure && std::holds_alternative<fcp::Ack>(event.reply), now);
+}
+
+/// Whatever was known of it is void, and this board is not armed.
+void FcpDrive::onRestarted(TimePoint now)
+{
+    m_restarted = true;
+    m_reidentify = true;
+    setArmed(false);
+    cutAllWishes("the board was reset");
+    m_task = nullptr;
+    m_stopUnderWay = false;
+    m_link.connect(now);
+}
+
+void FcpDrive::onLost(const Link::Lost &event, TimePoint now)
+{
+    m_reidentify = true;
+    linkLost(event.otherProtocol ? LinkReason::OtherProtocol
+            : !event.connecting  ? LinkReason::RecoveryFailed
+            : event.heardBytes   ? LinkReason::OnlyGarbage
+                                 : LinkReason::NoAnswer,
+        now);
+}
+
+void FcpDrive::tellIdentified()
+{
+    m_events.emplace_back(Identified{m_identification.identity(), m_board.catalog, m_board.limits,
+        m_board.streaming, m_board.capabilities, 0, 0, 0, fcpStateSteps()});
+}
+
+/// The board is told anew, so that no units of before are used on; it is asked nothing.
+std::string FcpDrive::setScale(const CurrentScale &scale, TimePoint)
+{
+    if (auto why = m_board.reasonAgainst(Feature::CurrentScale); !why.empty())
+        return why;
+    const double perDigit = scale.fullScaleAmps / kFullScaleDigits;
+    if (perDigit == m_board.ampsPerDigit(scale.motor))
+        return {};
+    disarm();
+    m_board.scales[static_cast<std::size_t>(scale.motor - 1)].ampsPerDigit = perDigit;
+    m_board.catalog = std::make_shared<const catalog::Catalog>(
+        m_board.catalog->registers(), m_board.motors, m_board.scales);
+    m_identification.addCapabilities();
+    tellIdentified();
+    return {};
+}
+
+void FcpDrive::onIdentified(TimePoint now)
+{
+    m_link.setDialect(m_board.dialect);
+    tellIdentified();
+    if (auto readings = m_identification.takeReadings(); !readings.empty())
+        m_events.emplace_back(RegistersRead{std::move(readings)});
+    m_watch.restart(now);
+    m_vitals.hurry(now);
+}
+
+/// The same in both dialects. Fillers end a frame that firmware may still wait for: see fcp/client.h.
+std::vector<Output> FcpDrive::stopScript() const
+{
+    constexpr Duration kAnswerTime = std::chrono::milliseconds(10); // a frame before it is dropped
+    constexpr int kFillers = 8;
+    std::vector<Output> script;
+    for (int motor = 1; motor <= motorsToStop(); ++motor)
+        script.push_back({fcp::encodeRequest(stopOf(motor)).value_or(Bytes()), kAnswerTime});
+    for (int i = 0; i < kFillers; ++i)
+        script.push_back({Bytes{0xFF}, i == 0 ? kAnswerTime : Link::kFillPause});
+    return script;
+}
+
+/// A board that answers drops what comes meanwhile: blind STOPs of several motors, too, leave it time. They come close
+/// together, so that the line has its rest behind them.
+TimePoint FcpDrive::stopMayLeave() const
+{
+    constexpr Duration kBetweenBlind = std::chrono::milliseconds(20);
+    if (m_stopUnderWay)
+        return m_stopSince + StopSequence::kRepeat;
+    return m_link.canSend() ? TimePoint{} : m_stopSince + kBetweenBlind;
+}
+
+void FcpDrive::sendStop(TimePoint now)
+{
+    if (now < stopMayLeave())
+        return;
+    const auto motor = m_stop.stopDue(now, connected());
+    if (!motor)
+        return;
+    const bool clean = m_link.canSend() || m_link.state() == Link::State::Waiting;
+    m_stopMotor = *motor;
+    m_stopSince = now;
+    const fcp::Request request = stopOf(*motor);
+    noteStop(*motor, fcp::encodeRequest(request).value_or(Bytes()), now);
+    m_stopUnderWay = clean;
+    m_link.sendUrgent(request, now);
+    onLinkEvents(now);
+}
+
+bool FcpDrive::send(const fcp::Request &request, WishTask<FcpProtocol> *wish, TimePoint now)
+{
+    const auto frame = fcp::encodeRequest(request);
+    if (!frame)
+        return false;
+    if (wish != nullptr && wish->motion() && changes(request))
+        noteSent(*wish->motion(), *frame);
+    m_link.send(request, now);
+    return true;
+}
+
+LinkCounters FcpDrive::counters() const
+{
+    const Link::Stats &link = m_link.stats();
+    LinkCounters counters;
+    counters.bytesIn = link.bytesIn;
+    counters.bytesOut = link.bytesOut;
+    counters.packetsIn = link.framesIn;
+    counters.packetsOut = link.framesOut;
+    counters.badPackets = link.bad;
+    counters.nacks = link.nacks;
+    counters.timeouts = link.timeouts;
+    counters.recoveries = link.recoveries;
+    return counters;
+}
+
+} // namespace
+
+std::unique_ptr<Drive> makeFcpDrive(const FcpDriveConfig &config)
+{
+    return std::make_unique<FcpDrive>(config);
+}
+
+} // namespace drive

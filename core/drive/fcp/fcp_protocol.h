@@ -1,0 +1,55 @@
+// What the tasks of a drive of the older serial protocol ask and are answered.
+#pragma once
+
+#include "drive/board_facts.h"
+#include "fcp/protocol.h"
+#include "fcp/reply.h"
+
+#include <optional>
+#include <string>
+
+namespace fcp {
+class Client;
+}
+
+namespace drive {
+
+/// What is known of a board of the older serial protocol, shared by the parts of FcpDrive. Plain data; filled by the
+/// identification, read by everybody else.
+struct FcpFacts : BoardFacts {
+    fcp::Dialect dialect = fcp::Dialect::Stm32;
+    double bytesPerSecond = 11520.0; ///< of the line, in each direction
+};
+
+class FcpIdentification;
+class FcpReads;
+class FcpVitals;
+class FcpWriteTask;
+
+template <class P>
+class DrawnWatch;
+
+struct FcpProtocol {
+    using Request = fcp::Request;
+    using Answer = fcp::Reply;
+    using Facts = FcpFacts;
+    using Link = fcp::Client;
+    using Identification = FcpIdentification;
+    using Vitals = FcpVitals;
+    using Watch = DrawnWatch<FcpProtocol>;
+    using Reads = FcpReads;
+    using Writes = FcpWriteTask;
+    static constexpr int kAttempts = 3;
+    static std::optional<ReadStatus> refuseRead(const FcpFacts &board, RegisterId id);
+    static std::optional<std::string> refusalIn(const fcp::Reply &reply);
+};
+
+inline fcp::Request fcpRequest(int motor, fcp::Command command)
+{
+    return {static_cast<std::uint8_t>(motor), std::move(command)};
+}
+/// Why not, if the answer is a refusal; empty if it is none.
+std::string nackWord(const fcp::Reply &reply);
+std::optional<std::uint8_t> nackCode(const fcp::Reply &reply);
+
+} // namespace drive

@@ -1,0 +1,68 @@
+#include "drive/fcp/fcp_reads.h"
+
+namespace drive {
+
+namespace {
+
+constexpr std::size_t kStageBytes = 8;
+constexpr auto kNotThere = static_cast<std::uint8_t>(fcp::ErrorCode::WriteOnly);
+
+} // namespace
+
+std::optional<std::uint8_t> nackCode(const fcp::Reply &reply)
+{
+    const auto *nack = std::get_if<fcp::Nack>(&reply);
+    return nack != nullptr ? nack->error : std::nullopt;
+}
+
+std::string nackWord(const fcp::Reply &reply)
+{
+    if (!std::holds_alternative<fcp::Nack>(reply))
+        return {};
+    const auto code = nackCode(reply);
+    if (!code)
+        return "refused without a reason";
+    if (const auto name = fcp::errorName(*code); !name.empty())
+        return std::string(name);
+    static constexpr char kDigits[] = "0123456789ABCDEF";
+    return std::string("unknown error 0x") + kDigits[*code >> 4] + kDigits[*code & 0xF];
+}
+
+std::optional<std::string> FcpProtocol::refusalIn(const fcp::Reply &reply)
+{
+    return std::holds_alternative<fcp::Ack>(reply) ? std::nullopt : std::optional(nackWord(reply));
+}
+
+fcp::Request FcpReads::request(std::span<const RegisterId> ids, std::size_t &count) const
+{
+    const RegisterId id = ids.front();
+    count = 1;
+    if (isFcpRevUp(id))
+        return {
+            fcpMotor(id), fcp::GetRevUp{static_cast<std::uint8_t>(m_stages.size() / kStageBytes)}};
+    return {fcpMotor(id), fcp::GetRegister{fcpNumber(id)}};
+}
+
+std::optional<std::vector<Reading>> FcpReads::readings(
+    std::span<const RegisterId> ids, const fcp::Reply &answer, TimePoint now)
+{
+    Reading reading{ids.front(), ReadStatus::Ok, {}, now};
+    if (const auto *ack = std::get_if<fcp::Ack>(&answer); ack == nullptr) {
+        reading.status =
+            nackCode(answer) == kNotThere ? ReadStatus::NotSupported : ReadStatus::Refused;
+    } else if (isFcpRevUp(reading.id)) {
+        m_stages.insert(m_stages.end(), ack->data.begin(), ack->data.end());
+        if (m_stages.size() < kStageBytes * fcp::kRevUpStages)
+            return std::vector<Reading>();
+        reading.value = m_stages;
+    } else {
+        const auto *which = fcp::findRegister(m_board.dialect, fcpNumber(reading.id));
+        auto value = which != nullptr ? fcpValue(*which, ack->data) : std::nullopt;
+        reading.status = value ? ReadStatus::Ok : ReadStatus::NotSupported;
+        reading.value = std::move(value).value_or(Value());
+    }
+    drop();
+    return std::vector{std::move(reading)};
+}
+
+} // namespace drive

@@ -1,0 +1,169 @@
+#include "drive/fcp/fcp_registers.h"
+
+#include "catalog/tables.h"
+#include "drive/control_mode.h"
+#include "drive/values.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <string_view>
+
+namespace drive {
+
+namespace {
+
+constexpr std::uint32_t kStandardTable = 0x060400; ///< whose groups and gains the names stand for
+constexpr std::size_t kStageBytes = 8;
+constexpr std::int64_t kTorqueOnWire = 0, kSpeedOnWire = 1;
+constexpr std::int64_t kGreatestExponent = 15;
+constexpr std::uint8_t kTargetMotor = 0x00, kControlMode = 0x03, kFinalSpeed = 0x5B,
+                       kSpeedKpDiv = 0x6E, kSpeedKiDiv = 0x6F, kUid = 0x70, kControlBoard = 0x72,
+                       kPowerBoard = 0x73, kTorqueRef = 0x08, kFluxRef = 0x0C, kIqSpeedMode = 0x41;
+
+struct StandardName {
+    std::uint8_t number;
+    std::string_view name;
+};
+constexpr std::array kStandardNames{StandardName{0x01, "FAULTS_FLAGS"},
+    StandardName{kTorqueRef, "I_Q_REF"}, StandardName{0x09, "I_Q_KP"}, StandardName{0x0A, "I_Q_KI"},
+    StandardName{0x0B, "I_Q_KD"}, StandardName{kFluxRef, "I_D_REF"}, StandardName{0x0D, "I_D_KP"},
+    StandardName{0x0E, "I_D_KI"}, StandardName{0x0F, "I_D_KD"}, StandardName{0x10, "STOPLL_C1"},
+    StandardName{0x11, "STOPLL_C2"}, StandardName{0x12, "STOCORDIC_C1"},
+    StandardName{0x13, "STOCORDIC_C2"}, StandardName{0x14, "STOPLL_KI"},
+    StandardName{0x15, "STOPLL_KP"}, StandardName{0x1F, "I_Q_MEAS"},
+    StandardName{0x20, "I_D_MEAS"}};
+
+bool isDivisor(std::uint8_t number) { return number == kSpeedKpDiv || number == kSpeedKiDiv; }
+
+/// What the wire has instead of the numbers that a name stands for.
+std::vector<catalog::WireDigits> wireDigits(std::uint8_t number)
+{
+    std::vector<catalog::WireDigits> all;
+    if (number == kControlMode)
+        all = {{kSpeedModeNumber, kSpeedOnWire}, {kTorqueModeNumber, kTorqueOnWire}};
+    for (std::int64_t exponent = 0; isDivisor(number) && exponent <= kGreatestExponent; ++exponent)
+        all.push_back({exponent, std::int64_t{1} << exponent});
+    return all;
+}
+
+/// What a name says in every protocol: where it is shown, whether it is part of a gain.
+void takeOver(catalog::RegisterInfo &info, const std::vector<catalog::RegisterInfo> &standard)
+{
+    const auto same = std::find_if(standard.begin(), standard.end(),
+        [&](const catalog::RegisterInfo &other) { return other.name == info.name; });
+    if (same == standard.end())
+        return;
+    info.group = same->group;
+    if (info.help.empty())
+        info.help = same->help;
+    info.gain = same->gain;
+}
+
+catalog::RegisterInfo neutral(
+    const fcp::Register &entry, const std::vector<catalog::RegisterInfo> &standard)
+{
+    catalog::RegisterInfo info = entry.info;
+    const auto number = static_cast<std::uint8_t>(entry.info.id);
+    info.id = fcpId(number, 0);
+    const auto name = std::find_if(kStandardNames.begin(), kStandardNames.end(),
+        [&](const StandardName &row) { return row.number == number; });
+    if (name != kStandardNames.end())
+        info.aliases.push_back(std::exchange(info.name, std::string(name->name)));
+    takeOver(info, standard);
+    using catalog::Access;
+    const bool read = entry.readBytes > 0, write = entry.writeBytes > 0;
+    info.access = read && write ? Access::ReadWrite
+        : read                  ? Access::Read
+        : write                 ? Access::Write
+                                : Access::None;
+    if (number == kFinalSpeed)
+        info.setPoint = catalog::SetPoint::Speed;
+    else if (number == kTorqueRef || number == kFluxRef || number == kIqSpeedMode)
+        info.setPoint = catalog::SetPoint::Current;
+    info.wire = wireDigits(number);
+    info.perMotor = number != kUid && number != kControlBoard && number != kPowerBoard;
+    return info;
+}
+
+} // namespace
+
+std::vector<catalog::RegisterInfo> fcpRegisters(fcp::Dialect dialect, bool revUp)
+{
+    const auto standard = catalog::readTable(catalog::builtInTable("mcp"), "std", kStandardTable)
+                              .value_or(std::vector<catalog::RegisterInfo>());
+    std::vector<catalog::RegisterInfo> registers;
+    for (const fcp::Register &entry : fcp::registersOf(dialect)) {
+        // The selected motor is never used; what only a DAC can show is no register to read.
+        if (entry.info.id == kTargetMotor || (entry.readBytes == 0 && entry.writeBytes == 0))
+            continue;
+        registers.push_back(neutral(entry, standard));
+    }
+    if (revUp) {
+        catalog::RegisterInfo stages;
+        stages.id = kFcpRevUp;
+        stages.name = "REVUP_DATA";
+        stages.type = catalog::ValueType::Raw;
+        stages.access = catalog::Access::ReadWrite;
+        takeOver(stages, standard);
+        stages.effect = catalog::Effect::Kept; // they act at the next start, which looks at them
+        registers.push_back(std::move(stages));
+    }
+    return registers;
+}
+
+std::optional<Value> fcpValue(const fcp::Register &which, ByteView data)
+{
+    auto value = fcp::decodeValue(which, data);
+    if (!value)
+        return std::nullopt;
+    const auto *whole = std::get_if<std::int64_t>(&*value);
+    if (whole == nullptr)
+        return std::move(*value);
+    const auto number = static_cast<std::uint8_t>(which.info.id);
+    if (number == kControlMode && *whole == kTorqueOnWire)
+        return kTorqueModeNumber;
+    if (number == kControlMode && *whole == kSpeedOnWire)
+        return kSpeedModeNumber;
+    if (isDivisor(number)) {
+        const auto divisor = static_cast<std::uint64_t>(*whole);
+        if (!std::has_single_bit(divisor) || divisor >> kGreatestExponent > 1)
+            return std::nullopt;
+        return std::int64_t{std::countr_zero(divisor)};
+    }
+    return std::move(*value);
+}
+
+Result<Bytes, std::string> fcpBytes(const fcp::Register &which, const Value &value)
+{
+    if (which.info.type == catalog::ValueType::F32) {
+        const auto number = asNumber(value);
+        if (!number || !std::isfinite(static_cast<float>(*number)))
+            return fail(std::string("not a finite number"));
+        return fcp::encodeValue(which, Value(*number), which.writeBytes);
+    }
+    auto whole = wholeNumberFor(which.info.type, value);
+    if (!whole)
+        return fail(whole.error());
+    if (static_cast<std::uint8_t>(which.info.id) == kControlMode) {
+        if (*whole != kTorqueModeNumber && *whole != kSpeedModeNumber)
+            return fail(std::string("this board controls speed or torque only"));
+        *whole = *whole == kTorqueModeNumber ? kTorqueOnWire : kSpeedOnWire;
+    }
+    // Four bytes for a register of two: firmware reads them all, and a sign has to reach to the end.
+    return fcp::encodeValue(which, Value(*whole), which.writeBytes);
+}
+
+std::optional<std::vector<fcp::RevUpStage>> revUpStages(ByteView raw)
+{
+    if (raw.size() != kStageBytes * fcp::kRevUpStages)
+        return std::nullopt;
+    std::vector<fcp::RevUpStage> stages;
+    for (std::size_t i = 0; i < fcp::kRevUpStages; ++i)
+        if (auto stage = fcp::decodeRevUp(raw.subspan(i * kStageBytes, kStageBytes)))
+            stages.push_back(*stage);
+    return stages;
+}
+
+} // namespace drive

@@ -1,0 +1,23 @@
+// Write wishes of the older serial protocol: each register is set in its full width, the rev-up stage by stage. What the
+// board did not understand goes out once more.
+#pragma once
+
+#include "drive/fcp/fcp_reads.h"
+#include "drive/stepwise_write.h"
+
+namespace drive {
+
+class FcpWriteTask final : public StepwiseWrite<FcpProtocol> {
+public:
+    using StepwiseWrite::StepwiseWrite;
+
+private:
+    std::string plan(const RegisterWrite &write) override;
+    bool repeats() const override { return true; }
+    bool acknowledgementCounts() const override
+    {
+        return false;
+    } // START is acknowledged in any state
+};
+
+} // namespace drive
