@@ -77,6 +77,8 @@ struct LabBench {
                     gainOf(registers.integral, registers.integralExponent), 1e-3}));
         else if (const auto *spin = std::get_if<lab::SpinPlan>(&experiment.plan))
             keep(lab::entryOf(*spin, experiment.subject));
+        else if (const auto *current = std::get_if<lab::CurrentStepPlan>(&experiment.plan))
+            keep(lab::entryOf(*current, experiment.subject));
         else if (const auto *rest = std::get_if<lab::RestPlan>(&experiment.plan))
             keep(lab::entryOf(*rest, experiment.subject));
         else
