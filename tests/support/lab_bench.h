@@ -4,7 +4,7 @@
 
 #include "drive/values.h"
 #include "lab/runner.h"
-#include "lab/step_series.h"
+#include "lab/evaluation/step_series.h"
 #include "record/drive_entries.h"
 #include "record/restore.h"
 #include "support/link_pair.h"

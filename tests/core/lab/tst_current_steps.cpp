@@ -1,7 +1,7 @@
 // Steps of torque and of the current along the magnets: what they measure, and what keeps a motor safe whose speed nothing
 // holds meanwhile.
 #include "lab/caps.h"
-#include "lab/current_step_evaluation.h"
+#include "lab/evaluation/current_step_evaluation.h"
 #include "lab/fields.h"
 #include "simulation/plant/presets.h"
 #include "support/current_loop_model.h"

@@ -1,5 +1,5 @@
 // One step, from samples whose truth is known: an analytic plant of second order, seen through a board's digits.
-#include "lab/step_evaluation.h"
+#include "lab/evaluation/step_evaluation.h"
 #include "support/link_pair.h"
 
 #include <QTest>

@@ -1,4 +1,4 @@
-#include "lab/step_evaluation.h"
+#include "lab/evaluation/step_evaluation.h"
 
 #include "scope/step_response.h"
 

@@ -1,4 +1,4 @@
-#include "lab/current_step_evaluation.h"
+#include "lab/evaluation/current_step_evaluation.h"
 
 #include "lab/fields.h"
 #include "scope/sample_range.h"

@@ -2,7 +2,7 @@
 // reference. Pure. The instant is the sample at which the recorded reference jumps, which it does by just the step.
 #pragma once
 
-#include "lab/step_series.h"
+#include "lab/evaluation/step_series.h"
 
 namespace lab {
 

@@ -2,10 +2,10 @@
 // the same numbers, on the day of the measurement and a year later.
 #pragma once
 
+#include "lab/evaluation/step_evaluation.h"
 #include "lab/experiment.h"
 #include "lab/happenings.h"
 #include "lab/maths/estimate.h"
-#include "lab/step_evaluation.h"
 
 #include <string>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "lab/step_series.h"
+#include "lab/evaluation/step_series.h"
 
 #include "lab/fields.h"
 #include "lab/maths/statistics.h"
