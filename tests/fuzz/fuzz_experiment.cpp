@@ -1,10 +1,12 @@
 // Any plan and any events of a recording, through what evaluates experiments. The first byte says how the recorded signals
 // look; the rest is text: a line is an event, "MILLISECONDS name;key=value;key=value".
 #include "fuzz/script.h"
-#include "lab/electrical_evaluation.h"
-#include "lab/mechanical_evaluation.h"
-#include "lab/step_series.h"
-#include "lab/tuning.h"
+#include "lab/evaluation/current_response_evaluation.h"
+#include "lab/evaluation/current_step_evaluation.h"
+#include "lab/evaluation/electrical_evaluation.h"
+#include "lab/evaluation/mechanical_evaluation.h"
+#include "lab/evaluation/step_series.h"
+#include "lab/evaluation/tuning.h"
 #include "record/restore.h"
 
 #include <array>
@@ -113,6 +115,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
             {steps->rise_s, steps->overshoot_pct, steps->settling_s, steps->peakIq_a})
             check(mean);
     }
+    if (const auto steps = lab::currentSteps(capture, happenings)) {
+        fuzz::require(steps->runs.size() <= happenings.size());
+        for (const auto &mean :
+            {steps->rise_s, steps->overshoot_pct, steps->settling_s, steps->peakIq_a})
+            check(mean);
+    }
     if (const auto found = lab::evaluateMechanics(capture, happenings))
         for (const auto &number :
             {found->inertia_kgm2, found->viscous_nms, found->dry_nm, found->fan_nms2})
@@ -121,6 +129,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         for (const auto &number :
             {found->rs_ohm, found->deadTime_v, found->ld_h, found->lq_h, found->flux_wb})
             check(number);
+    if (const auto found = lab::evaluateCurrentResponse(capture, happenings))
+        for (const lab::ResponsePoint &point : found->points)
+            fuzz::require(point.coherence >= 0.0 && point.coherence <= 1.0);
     if (const auto found = lab::evaluateResponse(capture, happenings)) {
         for (const lab::ResponsePoint &point : found->points)
             fuzz::require(point.coherence >= 0.0 && point.coherence <= 1.0);

@@ -1,10 +1,12 @@
 #include "experiments/reports.h"
 
 #include "json_text.h"
-#include "lab/electrical_evaluation.h"
-#include "lab/mechanical_evaluation.h"
-#include "lab/response_evaluation.h"
-#include "lab/step_series.h"
+#include "lab/evaluation/current_response_evaluation.h"
+#include "lab/evaluation/current_step_evaluation.h"
+#include "lab/evaluation/electrical_evaluation.h"
+#include "lab/evaluation/mechanical_evaluation.h"
+#include "lab/evaluation/response_evaluation.h"
+#include "lab/evaluation/step_series.h"
 
 #include <array>
 #include <cmath>
@@ -36,7 +38,7 @@ void put(JsonText &json, std::string_view name, const std::optional<lab::Estimat
     json.endObject();
 }
 
-QByteArray jsonOf(const lab::StepSeries &series)
+QByteArray jsonOf(const lab::MeasuredSteps &series)
 {
     JsonText json;
     json.beginObject();
@@ -88,7 +90,7 @@ QString meanText(const std::optional<lab::Estimate> &mean, double factor, int di
 
 constexpr double kMilli = 1e3;
 
-void print(const lab::StepSeries &series, Output &out)
+void print(const lab::MeasuredSteps &series, Output &out)
 {
     out.line(row({},
         {QStringLiteral("rise ms"), QStringLiteral("overshoot %"), QStringLiteral("settling ms"),
@@ -105,7 +107,7 @@ void print(const lab::StepSeries &series, Output &out)
             meanText(series.settling_s, kMilli, 1), meanText(series.peakIq_a, 1.0, 2), {}}));
 }
 
-Outcome<int> report(const lab::StepSeries &series, Output &out)
+Outcome<int> report(const lab::MeasuredSteps &series, Output &out)
 {
     if (out.json())
         out.json(jsonOf(series));
@@ -203,7 +205,7 @@ double half(const lab::ResponsePoint &point)
     return std::abs(point.plant) * std::min(1.0, kNormal * point.relative);
 }
 
-QByteArray jsonOf(const lab::SpeedResponse &found)
+QByteArray jsonOf(const lab::FrequencyResponse &found)
 {
     JsonText json;
     json.beginObject();
@@ -233,12 +235,11 @@ QByteArray jsonOf(const lab::SpeedResponse &found)
     return json.text();
 }
 
-void print(const lab::SpeedResponse &found, Output &out)
+void print(const lab::FrequencyResponse &found, const QString &unit, Output &out)
 {
     out.line(row(QStringLiteral("Hz"),
-        {QStringLiteral("(rad/s)/A"), QStringLiteral("+- %"), QStringLiteral("degrees"),
-            QStringLiteral("loop dB"), QStringLiteral("loop degrees"),
-            QStringLiteral("coherence")}));
+        {unit, QStringLiteral("+- %"), QStringLiteral("degrees"), QStringLiteral("loop dB"),
+            QStringLiteral("loop degrees"), QStringLiteral("coherence")}));
     constexpr double kPercent = 100.0, kDecibel = 20.0;
     for (const lab::ResponsePoint &point : found.points) {
         const auto known = [&](double value) {
@@ -260,12 +261,12 @@ void print(const lab::SpeedResponse &found, Output &out)
                      number(found.ms, 1.0, 2)));
 }
 
-Outcome<int> report(const lab::SpeedResponse &found, Output &out)
+Outcome<int> report(const lab::FrequencyResponse &found, const QString &unit, Output &out)
 {
     if (out.json())
         out.json(jsonOf(found));
     else
-        print(found, out);
+        print(found, unit, out);
     for (const std::string &note : found.notes)
         Output::error(sentence(note));
     return kDone;
@@ -298,6 +299,10 @@ Outcome<int> evaluate(const QString &path, Output &out)
             const auto series = lab::stepSeries(capture, happenings);
             return series ? report(*series, out) : refused(series.error());
         }
+        if (lab::recordedCurrentSteps(what)) {
+            const auto series = lab::currentSteps(capture, happenings);
+            return series ? report(*series, out) : refused(series.error());
+        }
         const auto spin = lab::recordedSpin(what);
         if (lab::recordedRest(what) || (spin && spin->plan.fluxAmps > 0.0)) {
             const auto found = lab::evaluateElectrics(capture, happenings);
@@ -307,9 +312,14 @@ Outcome<int> evaluate(const QString &path, Output &out)
             const auto found = lab::evaluateMechanics(capture, happenings);
             return found ? report(*found, out) : refused(found.error());
         }
-        if (lab::recordedResponse(what)) {
+        if (const auto response = lab::recordedResponse(what)) {
+            if (response->plan.current != 0) {
+                const auto found = lab::evaluateCurrentResponse(capture, happenings);
+                return found ? report(*found, QStringLiteral("A/A"), out) : refused(found.error());
+            }
             const auto found = lab::evaluateResponse(capture, happenings);
-            return found ? report(*found, out) : refused(found.error());
+            return found ? report(*found, QStringLiteral("(rad/s)/A"), out)
+                         : refused(found.error());
         }
     }
     return refused("it is no recording of an experiment");

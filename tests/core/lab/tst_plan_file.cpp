@@ -21,6 +21,17 @@ private Q_SLOTS:
         expected.fluxAmps = 1.5;
         expected.seed = 7;
         QCOMPARE(std::get<SpinPlan>(*spin), expected);
+        const auto flux = planOf("current_step",
+            {{"flux", 1}, {"from_a", 0.5}, {"to_a", -1}, {"rpm", 900}}, subject, {});
+        QVERIFY(flux);
+        CurrentStepPlan wanted = currentStepPlanFor(subject, true, 0.5, -1.0, {});
+        wanted.rpm = 900;
+        QCOMPARE(std::get<CurrentStepPlan>(*flux), wanted);
+        const auto current = planOf("current_response", {{"length_ms", 8000}}, subject, {});
+        QVERIFY(current);
+        ResponsePlan loop = currentResponsePlanFor(subject, {});
+        loop.length = std::chrono::milliseconds(8000);
+        QCOMPARE(std::get<ResponsePlan>(*current), loop);
         const auto rest = planOf("rest", {}, subject, {});
         QVERIFY(rest);
         QCOMPARE(std::get<RestPlan>(*rest), restPlanFor(subject, {}));
