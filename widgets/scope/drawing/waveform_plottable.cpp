@@ -1,9 +1,9 @@
 #include "widgets/scope/drawing/waveform_plottable.h"
 
-#include "base/wide_registers.h"
 #include "scope/unit.h"
 #include "widgets/base/axis_ticks.h"
 #include "widgets/base/trace_colors.h"
+#include "widgets/scope/drawing/wide_registers.h"
 
 #include <algorithm>
 #include <cmath>
